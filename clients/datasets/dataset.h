@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mapping/base/result.h"
+#include "mapping/map/label_set.h"
+#include "mapping/sensor/frame.h"
+
+namespace dhpmap {
+
+enum class LabelSource { kPredicted, kGroundTruth, kNone };
+enum class DatasetFormat { kAuto, kFlat, kKitti, kSevenScenes, kTum };
+
+/// An image file as it is on disk.
+struct ImageFile {
+  std::vector<std::byte> bytes;  ///< empty = there is none
+  double scale_m = 0;            ///< metres a unit of integer depth
+};
+
+/// One frame as the data set has it, images not decoded, so that a client can pass them on unread.
+struct DatasetFrame {
+  std::string id;  ///< as in the file names
+  std::int64_t stamp_ns = 0;
+  Eigen::Matrix4d T_map_sensor = Eigen::Matrix4d::Identity();  ///< as read; not yet checked to be rigid
+  std::vector<SegmentInfo> segments;
+
+  struct DepthCamera {
+    PinholeCamera camera;
+    ImageFile depth, color, segments;
+  };
+  struct Lidar {
+    std::vector<Eigen::Vector3f> points_m;
+    std::vector<std::uint32_t> segments;  ///< a point, or empty where they come from the image
+    // A camera beside the scanner (see LidarCamera); 0 x 0 without one.
+    Eigen::Matrix<double, 3, 4> P_image_lidar = Eigen::Matrix<double, 3, 4>::Zero();
+    int image_width_px = 0;
+    int image_height_px = 0;
+    ImageFile color, segment_image;
+  };
+  std::optional<DepthCamera> camera;
+  std::optional<Lidar> lidar;
+};
+
+/// A recorded data set, read lazily. Thread-compatible.
+class Dataset {
+ public:
+  virtual ~Dataset() = default;
+  /// What the segments' classes mean; empty for LabelSource::kNone.
+  [[nodiscard]] virtual const std::vector<LabelClass>& label_classes() const = 0;
+  /// Preset of MapConfig that fits the sensor: "indoor" or "outdoor_lidar".
+  [[nodiscard]] virtual std::string preset() const = 0;
+  /// Segment ids mean the same object in every frame (ground truth).
+  [[nodiscard]] virtual bool has_persistent_ids() const = 0;
+  [[nodiscard]] virtual std::size_t num_frames() const = 0;
+  /// An error means that this frame has to be skipped, and says why.
+  virtual Result<DatasetFrame> Read(std::size_t index) = 0;
+};
+
+/// kAuto tells the format from the files there. NOT_FOUND or INVALID_ARGUMENT say what is missing.
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, DatasetFormat format, LabelSource labels);
+
+/// Decodes the images of a frame, for programs that map in process.
+Result<PanopticFrame> DecodeFrame(const DatasetFrame& frame, bool has_persistent_ids);
+
+}  // namespace dhpmap

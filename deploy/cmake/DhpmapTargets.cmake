@@ -1,0 +1,70 @@
+# dhpmap_library(NAME room_name SOURCES ... PUBLIC ... PRIVATE ...): one static library a room, with our warnings.
+# dhpmap_program(NAME ... SOURCES ... LIBS ...): a program in bin/.
+# dhpmap_tests(ROOM path LIBS ... [LABELS ...] [ENVIRONMENT ...]): all tests/<path>/*_test.cc as one test binary.
+
+find_program(DHPMAP_CCACHE ccache)
+if(DHPMAP_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${DHPMAP_CCACHE})
+endif()
+
+# The same sums on every machine: fused multiply-add would round differently where it exists.
+add_compile_options(-ffp-contract=off)
+
+if(DHPMAP_SANITIZE STREQUAL "address")
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+  add_compile_definitions(DHPMAP_SANITIZED)
+elseif(DHPMAP_SANITIZE STREQUAL "thread")
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+  add_compile_definitions(DHPMAP_SANITIZED)
+elseif(DHPMAP_SANITIZE)
+  message(FATAL_ERROR "DHPMAP_SANITIZE is '${DHPMAP_SANITIZE}', not address or thread")
+endif()
+
+add_library(dhpmap_warnings INTERFACE)
+target_compile_options(dhpmap_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+  -Wno-missing-field-initializers  # designated initialisers leave out what stays default
+  -Wno-restrict)                   # false alarms of GCC 12 on std::string (its bug 105329)
+if(DHPMAP_WERROR)
+  target_compile_options(dhpmap_warnings INTERFACE -Werror)
+endif()
+
+function(dhpmap_library)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  foreach(source ${ARG_SOURCES})  # while rooms are under construction
+    if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+      message(STATUS "${ARG_NAME}: no ${source} yet")
+      add_library(${ARG_NAME} INTERFACE)
+      target_include_directories(${ARG_NAME} INTERFACE ${CMAKE_SOURCE_DIR})
+      return()
+    endif()
+  endforeach()
+  add_library(${ARG_NAME} STATIC ${ARG_SOURCES})
+  target_include_directories(${ARG_NAME} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${ARG_NAME} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:dhpmap_warnings>)
+endfunction()
+
+function(dhpmap_program)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBS" ${ARGN})
+  add_executable(${ARG_NAME} ${ARG_SOURCES})
+  target_include_directories(${ARG_NAME} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${ARG_NAME} PRIVATE ${ARG_LIBS} dhpmap_warnings)
+endfunction()
+
+function(dhpmap_tests)
+  cmake_parse_arguments(ARG "" "ROOM" "LIBS;LABELS;ENVIRONMENT" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${ARG_ROOM}/*_test.cc)
+  if(NOT sources)
+    return()
+  endif()
+  string(REPLACE "/" "_" name ${ARG_ROOM}_test)
+  add_executable(${name} ${sources})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_compile_definitions(${name} PRIVATE DHPMAP_SOURCE_DIR="${CMAKE_SOURCE_DIR}" DHPMAP_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gtest GTest::gtest_main dhpmap_warnings)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  string(REGEX MATCH "^[a-z0-9]+" label ${ARG_ROOM})
+  gtest_discover_tests(${name} TEST_PREFIX "${ARG_ROOM}/" DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${label};${ARG_LABELS}" TIMEOUT 240 ENVIRONMENT "${ARG_ENVIRONMENT}")
+endfunction()

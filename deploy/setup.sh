@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Installs what the build needs: Debian 12 packages, and the google/api protos, which Debian ships only inside a
+# Go -dev package (unpacked here without its dependencies). Asks nothing, skips what is there, safe to run again.
+#   deploy/setup.sh [--quiet]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=(
+  g++ cmake ninja-build ccache pkg-config ca-certificates curl
+  libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
+  libsqlite3-dev libzstd-dev
+  libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libpcl-dev
+  libspdlog-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev
+  libgtest-dev
+)
+googleapis_package=golang-github-grpc-ecosystem-grpc-gateway-dev
+googleapis_dir=build/googleapis
+
+say() { [ "${quiet:-}" ] || printf '%s\n' "$*"; }
+[ "${1:-}" = --quiet ] && quiet=1
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi
+}
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+  say "setup: installing ${missing[*]}"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+fi
+
+if [ ! -f "$googleapis_dir/google/api/annotations.proto" ]; then
+  say "setup: unpacking the google/api protos from $googleapis_package"
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  fetch() { (cd "$work" && apt-get download -qq "$googleapis_package" >/dev/null 2>&1); }
+  fetch || { as_root apt-get update -qq; fetch; }
+  dpkg -x "$work"/*.deb "$work/root"
+  protos=$(dirname "$(dirname "$(dirname "$(find "$work/root" -path '*google/api/annotations.proto' | head -n 1)")")")
+  mkdir -p "$googleapis_dir"
+  cp -r "$protos/google" "$googleapis_dir/"
+fi
+say "setup: everything is there"

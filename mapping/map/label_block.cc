@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/label_block.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::uint32_t kOwnInstance = 0;
+constexpr std::uint32_t kMaxInlineCount = std::numeric_limits<std::uint16_t>::max();
+
+void Increment(std::vector<LabelCount>& counts, std::uint32_t id, std::uint32_t times) {
+  const auto it = std::lower_bound(counts.begin(), counts.end(), id,
+                                   [](const LabelCount& entry, std::uint32_t wanted) { return entry.id < wanted; });
+  if (it != counts.end() && it->id == id) {
+    it->count += times;
+  } else {
+    counts.insert(it, {id, times});
+  }
+}
+
+}  // namespace
+
+BestLabel FindBest(std::span<const LabelCount> counts) {
+  BestLabel best;
+  std::uint64_t total = 0;
+  for (const LabelCount& entry : counts) {
+    total += entry.count;
+    if (entry.count > best.count) best = {entry.id, entry.count, 0.0f};
+  }
+  if (total > 0) best.share = static_cast<float>(best.count) / static_cast<float>(total);
+  return best;
+}
+
+std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const LabelCount> b) {
+  std::vector<LabelCount> sum;
+  sum.reserve(a.size() + b.size());
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    if (j == b.size() || (i < a.size() && a[i].id < b[j].id)) {
+      sum.push_back(a[i++]);
+    } else if (i == a.size() || b[j].id < a[i].id) {
+      sum.push_back(b[j++]);
+    } else {
+      sum.push_back({a[i].id, a[i].count + b[j].count});
+      ++i, ++j;
+    }
+  }
+  return sum;
+}
+
+void LabelBlock::AddObservation(int linear, ClassId c, std::uint32_t times) {
+  Cell& cell = cells_[linear];
+  if (cell.class_a != kOverflow) {
+    if (cell.count_a == 0 || cell.class_a == c.value) {
+      if (cell.count_a + times <= kMaxInlineCount) {
+        cell.class_a = c.value;
+        cell.count_a = static_cast<std::uint16_t>(cell.count_a + times);
+        return;
+      }
+    } else if (cell.count_b == 0 || cell.class_b == c.value) {
+      if (cell.count_b + times <= kMaxInlineCount) {
+        cell.class_b = c.value;
+        cell.count_b = static_cast<std::uint16_t>(cell.count_b + times);
+        return;
+      }
+    }
+  }
+  LabelHistograms& histograms = MoveToOverflow(linear);
+  Increment(histograms.classes, c.value, times);
+  Increment(histograms.instances, kOwnInstance, times);
+}
+
+void LabelBlock::Add(int linear, const LabelHistograms& added) {
+  const LabelHistograms old = Get(linear);
+  Set(linear, {SumCounts(old.classes, added.classes), SumCounts(old.instances, added.instances)});
+}
+
+void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
+  Cell& cell = cells_[linear];
+  if (cell.class_a == kOverflow) {
+    const std::uint32_t entry = cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16);
+    overflow_[entry] = {};
+    free_overflow_.push_back(entry);
+  }
+  cell = {};
+  const auto& classes = histograms.classes;
+  const auto& instances = histograms.instances;
+  if (classes.empty() && instances.empty()) return;
+
+  const bool small_counts = std::all_of(classes.begin(), classes.end(),
+                                        [](const LabelCount& entry) { return entry.count <= kMaxInlineCount; });
+  const std::uint64_t class_total =
+      std::accumulate(classes.begin(), classes.end(), std::uint64_t{0},
+                      [](std::uint64_t sum, const LabelCount& entry) { return sum + entry.count; });
+  if (small_counts && !classes.empty() && classes.size() <= 2 && instances.size() == 1 &&
+      instances[0].id == kOwnInstance && instances[0].count == class_total) {
+    cell.class_a = static_cast<std::uint16_t>(classes[0].id);
+    cell.count_a = static_cast<std::uint16_t>(classes[0].count);
+    if (classes.size() == 2) {
+      cell.class_b = static_cast<std::uint16_t>(classes[1].id);
+      cell.count_b = static_cast<std::uint16_t>(classes[1].count);
+    }
+    return;
+  }
+  MoveToOverflow(linear) = histograms;
+}
+
+bool LabelBlock::IsEmpty(int linear) const {
+  return cells_[linear].class_a != kOverflow && cells_[linear].count_a == 0;
+}
+
+LabelHistograms LabelBlock::Get(int linear) const {
+  const Cell& cell = cells_[linear];
+  if (cell.class_a == kOverflow) return Overflow(cell);
+  LabelHistograms histograms;
+  if (cell.count_a == 0) return histograms;
+  histograms.classes.push_back({cell.class_a, cell.count_a});
+  if (cell.count_b != 0) histograms.classes.push_back({cell.class_b, cell.count_b});
+  if (cell.count_b != 0 && cell.class_b < cell.class_a) std::swap(histograms.classes[0], histograms.classes[1]);
+  histograms.instances.push_back({kOwnInstance, static_cast<std::uint32_t>(cell.count_a) + cell.count_b});
+  return histograms;
+}
+
+BestLabel LabelBlock::BestClass(int linear) const {
+  const Cell& cell = cells_[linear];
+  if (cell.class_a == kOverflow) return FindBest(Overflow(cell).classes);
+  if (cell.count_a == 0) return {};
+  const bool b_wins = cell.count_b > cell.count_a || (cell.count_b == cell.count_a && cell.class_b < cell.class_a);
+  const std::uint32_t total = static_cast<std::uint32_t>(cell.count_a) + cell.count_b;
+  const std::uint32_t best = b_wins ? cell.count_b : cell.count_a;
+  return {b_wins ? cell.class_b : cell.class_a, best, static_cast<float>(best) / static_cast<float>(total)};
+}
+
+BestLabel LabelBlock::BestInstance(int linear) const {
+  const Cell& cell = cells_[linear];
+  if (cell.class_a == kOverflow) return FindBest(Overflow(cell).instances);
+  if (cell.count_a == 0) return {};
+  return {kOwnInstance, static_cast<std::uint32_t>(cell.count_a) + cell.count_b, 1.0f};
+}
+
+std::uint64_t LabelBlock::NumObservations(int linear) const {
+  const Cell& cell = cells_[linear];
+  if (cell.class_a != kOverflow) return static_cast<std::uint64_t>(cell.count_a) + cell.count_b;
+  std::uint64_t total = 0;
+  for (const LabelCount& entry : Overflow(cell).instances) total += entry.count;
+  return total;
+}
+
+std::size_t LabelBlock::NumOverflowVoxels() const { return overflow_.size() - free_overflow_.size(); }
+
+std::size_t LabelBlock::MemoryBytes() const {
+  std::size_t bytes = sizeof(*this) + overflow_.capacity() * sizeof(LabelHistograms) +
+                      free_overflow_.capacity() * sizeof(std::uint32_t);
+  for (const LabelHistograms& entry : overflow_) {
+    bytes += (entry.classes.capacity() + entry.instances.capacity()) * sizeof(LabelCount);
+  }
+  return bytes;
+}
+
+bool LabelBlock::operator==(const LabelBlock& other) const {
+  for (int i = 0; i < kBlockVoxels; ++i) {
+    if (Get(i) != other.Get(i)) return false;
+  }
+  return true;
+}
+
+const LabelHistograms& LabelBlock::Overflow(const Cell& cell) const {
+  return overflow_[cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16)];
+}
+
+LabelHistograms& LabelBlock::MoveToOverflow(int linear) {
+  Cell& cell = cells_[linear];
+  if (cell.class_a == kOverflow) return overflow_[cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16)];
+  LabelHistograms histograms = Get(linear);
+  std::uint32_t entry;
+  if (free_overflow_.empty()) {
+    entry = static_cast<std::uint32_t>(overflow_.size());
+    overflow_.emplace_back();
+  } else {
+    entry = free_overflow_.back();
+    free_overflow_.pop_back();
+  }
+  overflow_[entry] = std::move(histograms);
+  cell = {kOverflow, static_cast<std::uint16_t>(entry), static_cast<std::uint16_t>(entry >> 16), 0};
+  return overflow_[entry];
+}
+
+}  // namespace dhpmap

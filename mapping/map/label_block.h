@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mapping/base/grid.h"
+#include "mapping/base/ids.h"
+
+namespace dhpmap {
+
+/// How often an id (a class, or an instance) was seen at a voxel.
+struct LabelCount {
+  std::uint32_t id = 0;
+  std::uint32_t count = 0;
+  constexpr bool operator==(const LabelCount&) const = default;
+};
+
+/// Everything a voxel has seen, each list by ascending id. In an instance list, id 0 stands for "the submap that holds
+/// this voxel", so that a submap can be cloned or renumbered without touching its voxels.
+struct LabelHistograms {
+  std::vector<LabelCount> classes;
+  std::vector<LabelCount> instances;
+  bool operator==(const LabelHistograms&) const = default;
+};
+
+/// The id with the largest count, and that count's share of all counts. Ties go to the smaller id, which for instances
+/// means: to the submap that holds the voxel. `id` is 0 and `share` 0 for an empty list.
+struct BestLabel {
+  std::uint32_t id = 0;
+  std::uint32_t count = 0;
+  float share = 0.0f;
+};
+BestLabel FindBest(std::span<const LabelCount> counts);
+
+/// Sums two lists that are sorted by id.
+std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const LabelCount> b);
+
+/// Exact label counts of one block (paper II-A, II-C). Nearly every voxel has seen one instance, its own submap, and one
+/// or two classes: those counts are inline in 8 bytes. Anything else (a third class, another instance, a count above
+/// 65,535) moves the voxel to an overflow list without any cap. Thread-compatible.
+class LabelBlock {
+ public:
+  /// Adds one observation of class `c` that also counts for the own instance (paper II-C), `times` times.
+  void AddObservation(int linear, ClassId c, std::uint32_t times = 1);
+
+  /// Adds whole histograms, such as those of a voxel of another submap; lists sorted by id, ids of classes below 65,535.
+  void Add(int linear, const LabelHistograms& histograms);
+
+  /// Replaces a voxel's counts; empty lists clear it.
+  void Set(int linear, const LabelHistograms& histograms);
+  void Clear(int linear) { Set(linear, {}); }
+
+  [[nodiscard]] bool IsEmpty(int linear) const;
+  [[nodiscard]] LabelHistograms Get(int linear) const;
+
+  /// Without building lists: the most seen class, the most seen instance (0 = own), and the number of observations.
+  [[nodiscard]] BestLabel BestClass(int linear) const;
+  [[nodiscard]] BestLabel BestInstance(int linear) const;
+  /// Sum of the instance counts.
+  [[nodiscard]] std::uint64_t NumObservations(int linear) const;
+
+  [[nodiscard]] std::size_t NumOverflowVoxels() const;
+  [[nodiscard]] std::size_t MemoryBytes() const;
+  bool operator==(const LabelBlock& other) const;
+
+ private:
+  // Inline: classes a and b with their counts, the own instance with count_a + count_b. count_a == 0 means empty.
+  // Overflow: class_a == kOverflow and the entry number in the other three fields.
+  struct Cell {
+    std::uint16_t class_a = 0, count_a = 0, class_b = 0, count_b = 0;
+  };
+  static constexpr std::uint16_t kOverflow = 0xFFFF;
+
+  [[nodiscard]] const LabelHistograms& Overflow(const Cell& cell) const;
+  LabelHistograms& MoveToOverflow(int linear);
+
+  std::array<Cell, kBlockVoxels> cells_{};
+  std::vector<LabelHistograms> overflow_;
+  std::vector<std::uint32_t> free_overflow_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+using SubmapList = std::vector<std::shared_ptr<const Submap>>;
+
+SubmapList::const_iterator LowerBound(const SubmapList& submaps, SubmapId id) {
+  return std::lower_bound(submaps.begin(), submaps.end(), id,
+                          [](const auto& submap, SubmapId wanted) { return submap->id() < wanted; });
+}
+
+const Submap* FindIn(const SubmapList& submaps, SubmapId id) {
+  const auto it = LowerBound(submaps, id);
+  return it != submaps.end() && (*it)->id() == id ? it->get() : nullptr;
+}
+
+SubmapChange DiffSubmap(const Submap* before, const Submap& after) {
+  SubmapChange change{.id = after.id(), .after = &after, .is_new = before == nullptr};
+  for (const BlockEntry& entry : after.blocks().entries()) {
+    const BlockEntry* old = before ? before->blocks().Find(entry.index) : nullptr;
+    if (entry.tsdf != (old ? old->tsdf : nullptr)) {
+      if (entry.tsdf) change.written_tsdf.push_back(&entry);
+      else change.erased_tsdf.push_back(entry.index);
+    }
+    if (entry.labels != (old ? old->labels : nullptr)) {
+      if (entry.labels) change.written_labels.push_back(&entry);
+      else change.erased_labels.push_back(entry.index);
+    }
+  }
+  if (before == nullptr) return change;
+  for (const BlockEntry& old : before->blocks().entries()) {
+    if (after.blocks().Find(old.index) != nullptr) continue;
+    if (old.tsdf) change.erased_tsdf.push_back(old.index);
+    if (old.labels) change.erased_labels.push_back(old.index);
+  }
+  return change;
+}
+
+}  // namespace
+
+Status ValidateMapName(const std::string& name) {
+  const auto is_word = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  const bool good = !name.empty() && name.size() <= 63 && is_word(name[0]) &&
+                    std::all_of(name.begin(), name.end(),
+                                [&](char c) { return is_word(c) || c == '.' || c == '_' || c == '-'; });
+  if (good) return Status::Ok();
+  return InvalidArgument("'" + name.substr(0, 80) + "' is not a map name")
+      .WithReason("BAD_NAME")
+      .WithViolation("map", "1 to 63 of a-z 0-9 . _ -, the first a letter or digit");
+}
+
+MapSnapshot::MapSnapshot(MapInfo info, SubmapList submaps) : info_(std::move(info)), submaps_(std::move(submaps)) {}
+
+const Submap* MapSnapshot::Find(SubmapId id) const { return FindIn(submaps_, id); }
+
+Map::Map(MapInfo info) : info_(std::move(info)) {
+  SubmapInfo unknown;
+  unknown.id = kUnknownSubmap;
+  unknown.display_name = "unknown";
+  unknown.voxel_size_m = info_.config.voxel_size_m;
+  unknown.truncation_m = info_.config.truncation_m;
+  submaps_.push_back(std::make_shared<Submap>(std::move(unknown), generation_));
+}
+
+Map::Map(std::shared_ptr<const MapSnapshot> snapshot)
+    : info_(snapshot->info()), submaps_(snapshot->submaps()), published_(std::move(snapshot)), changed_(false) {
+  // Blocks of the snapshot carry older generations, of this process or 0: start above them all.
+  for (const auto& submap : submaps_) generation_ = std::max(generation_, submap->generation() + 1);
+}
+
+MapInfo& Map::mutable_info() {
+  changed_ = true;
+  return info_;
+}
+
+const Submap* Map::Find(SubmapId id) const { return FindIn(submaps_, id); }
+
+std::size_t Map::Position(SubmapId id) const {
+  return static_cast<std::size_t>(LowerBound(submaps_, id) - submaps_.begin());
+}
+
+Submap* Map::FindMutable(SubmapId id) {
+  const std::size_t position = Position(id);
+  if (position == submaps_.size() || submaps_[position]->id() != id) return nullptr;
+  changed_ = true;
+  auto& submap = submaps_[position];
+  if (submap->generation() != generation_) {
+    auto copy = std::make_shared<Submap>(*submap);
+    copy->set_generation(generation_);
+    submap = std::move(copy);
+  }
+  return const_cast<Submap*>(submap.get());  // made by this generation: no snapshot holds it
+}
+
+Submap& Map::Create(SubmapInfo info) {
+  changed_ = true;
+  info.id = info_.next_submap_id++;
+  auto submap = std::make_shared<Submap>(std::move(info), generation_);
+  Submap& created = *submap;
+  submaps_.push_back(std::move(submap));  // ids only grow: the list stays sorted
+  return created;
+}
+
+Submap* Map::Clone(SubmapId id) {
+  Submap* original = FindMutable(id);
+  if (original == nullptr) return nullptr;
+  // From here on both copies hold the same blocks, so neither may write to them in place: what was made in this
+  // generation must count as old.
+  auto copy = std::make_shared<Submap>(*original);
+  original->ShareBlocks();
+  copy->ShareBlocks();
+  copy->mutable_info().id = info_.next_submap_id++;
+  copy->mutable_info().track_id = 0;
+  Submap& cloned = *copy;
+  submaps_.push_back(std::move(copy));
+  return &cloned;
+}
+
+bool Map::Remove(SubmapId id) {
+  const std::size_t position = Position(id);
+  if (id == kUnknownSubmap || position == submaps_.size() || submaps_[position]->id() != id) return false;
+  changed_ = true;
+  submaps_.erase(submaps_.begin() + static_cast<std::ptrdiff_t>(position));
+  return true;
+}
+
+std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
+  if (!changed_ && published_ != nullptr) return published_;
+  ++info_.revision;
+  info_.update_time_ns = time_ns;
+  for (auto& submap : submaps_) {
+    if (submap->generation() == generation_) {
+      const_cast<Submap&>(*submap).mutable_info().revision = info_.revision;  // not shared before this publish
+    }
+  }
+  published_ = std::make_shared<MapSnapshot>(info_, submaps_);
+  ++generation_;
+  changed_ = false;
+  return published_;
+}
+
+std::vector<SubmapChange> DiffSnapshots(const MapSnapshot* before, const MapSnapshot& after) {
+  std::vector<SubmapChange> changes;
+  for (const auto& submap : after.submaps()) {
+    const Submap* old = before ? before->Find(submap->id()) : nullptr;
+    if (old != submap.get()) changes.push_back(DiffSubmap(old, *submap));
+  }
+  if (before == nullptr) return changes;
+  for (const auto& old : before->submaps()) {
+    if (after.Find(old->id()) == nullptr) changes.push_back({.id = old->id()});
+  }
+  return changes;
+}
+
+}  // namespace dhpmap

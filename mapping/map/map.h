@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mapping/base/result.h"
+#include "mapping/map/label_set.h"
+#include "mapping/map/map_config.h"
+#include "mapping/map/submap.h"
+
+namespace dhpmap {
+
+/// All of a map but its submaps: one row of the store.
+struct MapInfo {
+  std::string name;          ///< [a-z0-9][a-z0-9._-]{0,62}, unique in a server
+  std::string display_name;
+  MapConfig config;
+  std::shared_ptr<const LabelSet> label_set = std::make_shared<LabelSet>();
+  std::int64_t revision = 0;     ///< +1 with each published change
+  std::int64_t num_frames = 0;   ///< frames fused so far
+  SubmapId next_submap_id{1};    ///< ids are never reused
+  std::int64_t create_time_ns = 0;  ///< UTC
+  std::int64_t update_time_ns = 0;  ///< UTC
+};
+
+Status ValidateMapName(const std::string& name);
+
+/// A map at one revision: immutable, shared by readers, the store and the change feed. Thread-safe.
+class MapSnapshot {
+ public:
+  MapSnapshot(MapInfo info, std::vector<std::shared_ptr<const Submap>> submaps);
+
+  [[nodiscard]] const MapInfo& info() const { return info_; }
+  [[nodiscard]] std::int64_t revision() const { return info_.revision; }
+  /// By ascending id; the first is the unknown submap, always there.
+  [[nodiscard]] const std::vector<std::shared_ptr<const Submap>>& submaps() const { return submaps_; }
+  /// Null if there is none.
+  [[nodiscard]] const Submap* Find(SubmapId id) const;
+
+ private:
+  MapInfo info_;
+  std::vector<std::shared_ptr<const Submap>> submaps_;
+};
+
+/// The writer's map. Publishes immutable snapshots; what it then changes, it copies first, one submap row and one block
+/// at a time, so a snapshot costs only what changes after it. Thread-compatible: one writer.
+class Map {
+ public:
+  /// A map with nothing but the unknown submap. `info.config` must be valid.
+  explicit Map(MapInfo info);
+  /// Goes on from a published or loaded state.
+  explicit Map(std::shared_ptr<const MapSnapshot> snapshot);
+
+  [[nodiscard]] const MapInfo& info() const { return info_; }
+  /// Changing it makes the next Publish a new revision.
+  [[nodiscard]] MapInfo& mutable_info();
+
+  /// By ascending id.
+  [[nodiscard]] const std::vector<std::shared_ptr<const Submap>>& submaps() const { return submaps_; }
+  [[nodiscard]] const Submap* Find(SubmapId id) const;
+  /// The submap for writing; null if there is none. Valid until the next Publish or until it is removed.
+  [[nodiscard]] Submap* FindMutable(SubmapId id);
+
+  /// Adds a submap with the next id; `info.id` is ignored.
+  Submap& Create(SubmapInfo info);
+  /// Adds a copy of a submap under the next id, sharing its blocks; null if there is none. See also Submap.
+  Submap* Clone(SubmapId id);
+  /// The unknown submap cannot be removed. Returns whether it was there.
+  bool Remove(SubmapId id);
+
+  /// The present state as a snapshot. A new revision if anything was written since the last one, else the same snapshot.
+  std::shared_ptr<const MapSnapshot> Publish(std::int64_t time_ns);
+  [[nodiscard]] const std::shared_ptr<const MapSnapshot>& published() const { return published_; }
+
+ private:
+  [[nodiscard]] std::size_t Position(SubmapId id) const;
+
+  MapInfo info_;
+  std::vector<std::shared_ptr<const Submap>> submaps_;
+  std::shared_ptr<const MapSnapshot> published_;
+  std::uint64_t generation_ = 1;
+  bool changed_ = true;
+};
+
+/// What a reader of `before` must be told to hold `after`: the store and the change feed work from this.
+struct SubmapChange {
+  SubmapId id;
+  const Submap* after = nullptr;  ///< null: the submap was removed
+  bool is_new = false;
+  std::vector<const BlockEntry*> written_tsdf;    ///< of `after`, TSDF layer not the same object as before
+  std::vector<const BlockEntry*> written_labels;  ///< of `after`, label layer not the same object as before
+  std::vector<BlockIndex> erased_tsdf;            ///< blocks whose TSDF layer is gone
+  std::vector<BlockIndex> erased_labels;
+};
+
+/// Compares by identity of the shared parts: costs nothing for submaps that were not written. `before` may be null.
+std::vector<SubmapChange> DiffSnapshots(const MapSnapshot* before, const MapSnapshot& after);
+
+}  // namespace dhpmap

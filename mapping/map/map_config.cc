@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/map_config.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::array<std::string_view, 3> kWeightingNames = {"CONSTANT", "INVERSE_DEPTH_SQUARED",
+                                                             "INVERSE_RANGE_SQUARED"};
+constexpr double kMaxTruncationVox = 8.0;
+
+std::string FormatDouble(double value) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string FormatField(double value) { return FormatDouble(value); }
+std::string FormatField(int value) { return std::to_string(value); }
+std::string FormatField(bool value) { return value ? "true" : "false"; }
+std::string FormatField(Weighting value) { return std::string(WeightingName(value)); }
+
+template <typename Number>
+bool ParseField(std::string_view text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+bool ParseField(std::string_view text, bool& value) {
+  value = text == "true";
+  return text == "true" || text == "false";
+}
+bool ParseField(std::string_view text, Weighting& value) {
+  for (std::size_t i = 0; i < kWeightingNames.size(); ++i) {
+    if (text == kWeightingNames[i]) {
+      value = static_cast<Weighting>(i);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string_view WeightingName(Weighting weighting) { return kWeightingNames[static_cast<std::size_t>(weighting)]; }
+
+Status MapConfig::Validate() const {
+  Status bad = InvalidArgument("the map config is not usable").WithReason("BAD_CONFIG");
+  VisitFields(*this, [&bad](const char* key, const auto& value, double least, double most, const char*) {
+    const auto number = static_cast<double>(value);
+    if (!(number >= least && number <= most)) {  // also catches NaN
+      bad.AddViolation(key, FormatField(value) + " is not within " + FormatDouble(least) + " and " + FormatDouble(most));
+    }
+  });
+  if (bad.violations().empty()) {
+    const double truncation_vox = truncation_m / voxel_size_m;
+    if (truncation_vox < 1.0 - 1e-9 || truncation_vox > kMaxTruncationVox + 1e-9) {
+      bad.AddViolation("truncation_m", FormatDouble(truncation_m) + " is not 1 to 8 voxels");
+    }
+    if (integration.min_range_m >= integration.max_range_m) {
+      bad.AddViolation("integration.min_range_m", "is not below integration.max_range_m");
+    }
+  }
+  return bad.violations().empty() ? Status::Ok() : bad;
+}
+
+MapConfig IndoorConfig() { return {}; }
+
+MapConfig OutdoorLidarConfig() {
+  MapConfig config;
+  config.voxel_size_m = 0.1;
+  config.truncation_m = 0.6;
+  config.integration.min_range_m = 1.0;
+  config.integration.max_range_m = 30.0;
+  config.integration.weighting = Weighting::kConstant;
+  config.tracking.iou_threshold = 0.1;
+  config.tracking.min_points_stuff = 100;
+  config.tracking.min_points_small = 10;
+  config.tracking.min_points_medium = 20;
+  config.tracking.min_points_large = 100;
+  config.activity.required_reobservations = 2;
+  return config;
+}
+
+Status ApplyPreset(std::string_view preset, MapConfig& config) {
+  if (preset == "indoor") {
+    config = IndoorConfig();
+  } else if (preset == "outdoor_lidar") {
+    config = OutdoorLidarConfig();
+  } else {
+    return InvalidArgument("there is no preset '" + std::string(preset) + "'")
+        .WithReason("BAD_CONFIG")
+        .WithViolation("preset", "must be indoor or outdoor_lidar");
+  }
+  return Status::Ok();
+}
+
+std::vector<std::pair<std::string, std::string>> ConfigToText(const MapConfig& config) {
+  std::vector<std::pair<std::string, std::string>> text;
+  VisitFields(config, [&text](const char* key, const auto& value, double, double, const char*) {
+    text.emplace_back(key, FormatField(value));
+  });
+  return text;
+}
+
+Status SetField(MapConfig& config, std::string_view wanted, std::string_view text) {
+  bool known = false;
+  bool parsed = false;
+  VisitFields(config, [&](const char* key, auto& value, double, double, const char*) {
+    if (wanted != key) return;
+    known = true;
+    std::remove_reference_t<decltype(value)> candidate = value;
+    parsed = ParseField(text, candidate);
+    if (parsed) value = candidate;
+  });
+  const std::string key(wanted);
+  if (!known) return InvalidArgument("unknown config key " + key).WithReason("BAD_CONFIG").WithViolation(key, "unknown key");
+  if (!parsed) {
+    return InvalidArgument("config key " + key + " cannot be '" + std::string(text) + "'")
+        .WithReason("BAD_CONFIG")
+        .WithViolation(key, "cannot be '" + std::string(text) + "'");
+  }
+  return Status::Ok();
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/submap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dhpmap {
+namespace {
+
+/// The layer to write to: the present one if this writer made it, else a private copy or a new one.
+template <typename Layer>
+Layer& Own(std::shared_ptr<const Layer>& layer, std::uint64_t& made_in, std::uint64_t generation) {
+  if (layer == nullptr) {
+    layer = std::make_shared<Layer>();
+  } else if (made_in != generation) {
+    layer = std::make_shared<Layer>(*layer);
+  }
+  made_in = generation;
+  return const_cast<Layer&>(*layer);  // made by this generation: nobody else holds it
+}
+
+}  // namespace
+
+float SubmapInfo::ClassConfidence() const {
+  std::uint64_t total = 0, own = 0;
+  for (const LabelCount& entry : class_counts) {
+    total += entry.count;
+    if (entry.id == class_id.value) own = entry.count;
+  }
+  return total == 0 ? 0.0f : static_cast<float>(static_cast<double>(own) / static_cast<double>(total));
+}
+
+BoundingSphere Submap::BoundingSphereInMap() const {
+  return {info_.T_map_submap * sphere_.center_m, sphere_.radius_m};
+}
+
+TsdfBlock& Submap::MutableTsdf(BlockIndex index) {
+  BlockEntry& entry = blocks_.FindOrInsert(index);
+  return Own(entry.tsdf, entry.tsdf_generation, generation_);
+}
+
+LabelBlock& Submap::MutableLabels(BlockIndex index) {
+  BlockEntry& entry = blocks_.FindOrInsert(index);
+  return Own(entry.labels, entry.labels_generation, generation_);
+}
+
+void Submap::PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf,
+                      std::shared_ptr<const LabelBlock> labels) {
+  BlockEntry& entry = blocks_.FindOrInsert(index);
+  entry.tsdf = std::move(tsdf);
+  entry.labels = std::move(labels);
+  entry.tsdf_generation = entry.labels_generation = 0;
+}
+
+int Submap::PruneBlocks() {
+  std::vector<BlockIndex> empty;
+  for (const BlockEntry& entry : blocks_.entries()) {
+    if (entry.tsdf == nullptr || !entry.tsdf->HasObservedVoxel()) empty.push_back(entry.index);
+  }
+  for (const BlockIndex index : empty) blocks_.Erase(index);
+  return static_cast<int>(empty.size());
+}
+
+void Submap::DropLabels() {
+  for (BlockEntry& entry : blocks_.mutable_entries()) entry.labels = nullptr;
+}
+
+void Submap::ShareBlocks() {
+  for (BlockEntry& entry : blocks_.mutable_entries()) entry.tsdf_generation = entry.labels_generation = 0;
+}
+
+void Submap::UpdateBoundingSphere() {
+  sphere_ = {};
+  if (blocks_.empty()) return;
+  constexpr auto kMax = std::numeric_limits<std::int32_t>::max();
+  Eigen::Array3i low(kMax, kMax, kMax), high(-kMax, -kMax, -kMax);
+  for (const BlockEntry& entry : blocks_.entries()) {
+    const Eigen::Array3i corner(entry.index.x, entry.index.y, entry.index.z);
+    low = low.min(corner);
+    high = high.max(corner + 1);
+  }
+  // In block units; the farthest corner of a block from c is |block centre - c| + half a side along each axis.
+  const Eigen::Array3d center = (low.cast<double>() + high.cast<double>()) / 2;
+  double radius_squared = 0;
+  for (const BlockEntry& entry : blocks_.entries()) {
+    const Eigen::Array3d block_center = Eigen::Array3d(entry.index.x, entry.index.y, entry.index.z) + 0.5;
+    radius_squared = std::max(radius_squared, ((block_center - center).abs() + 0.5).square().sum());
+  }
+  const double side_m = kBlockSide * info_.voxel_size_m;
+  sphere_ = {center.matrix() * side_m, std::sqrt(radius_squared) * side_m};
+}
+
+void Submap::AddClassCounts(const std::vector<LabelCount>& counts) {
+  info_.class_counts = SumCounts(info_.class_counts, counts);
+  if (!info_.class_is_fixed && !info_.class_counts.empty()) {
+    info_.class_id = ClassId(static_cast<std::uint16_t>(FindBest(info_.class_counts).id));
+  }
+}
+
+}  // namespace dhpmap

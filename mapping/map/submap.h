@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mapping/base/ids.h"
+#include "mapping/base/transform.h"
+#include "mapping/map/block_table.h"
+#include "mapping/map/bounding_sphere.h"
+#include "mapping/map/label_set.h"
+
+namespace dhpmap {
+
+/// Active things take new observations first; inactive ones are settled and may be refined (paper II-D).
+enum class Activity : std::uint8_t { kActive = 0, kInactive = 1 };
+
+/// All of a submap but its voxels: one row of the store.
+struct SubmapInfo {
+  SubmapId id;
+  Panoptic panoptic = Panoptic::kUnknown;
+  /// Most frequent class of class_counts, unless class_is_fixed. Meaningless while panoptic is kUnknown.
+  ClassId class_id;
+  /// Set by a user's relabelling; fusion then leaves class_id alone.
+  bool class_is_fixed = false;
+  std::string display_name;
+  Transform T_map_submap = Transform::Identity();
+  double voxel_size_m = 0;
+  double truncation_m = 0;
+
+  /// Sum over its voxels of how often each class was observed, by ascending class (paper II-C, label of a submap).
+  std::vector<LabelCount> class_counts;
+  float instance_confidence = 1.0f;  ///< share of its voxels' instance counts that are its own
+
+  Activity activity = Activity::kActive;
+  bool is_confirmed = true;              ///< a new thing is confirmed by re-observation
+  std::int64_t num_frames_observed = 0;  ///< frames with a segment of it
+  std::int32_t num_frames_missed = 0;    ///< consecutive frames without one, up to now
+  std::int64_t first_observed_ns = 0;
+  std::int64_t last_observed_ns = 0;
+  /// Id under which a front end with persistent segment ids knows this object; 0 = none.
+  std::uint32_t track_id = 0;
+  /// Map revision that last changed anything of this submap.
+  std::int64_t revision = 0;
+
+  /// Share of the counts that went to class_id.
+  [[nodiscard]] float ClassConfidence() const;
+};
+
+/// One object or background class: a grid of TSDF and label blocks with its own pose, panoptic label and bounding
+/// sphere (paper II-A). Copying shares the blocks; the copy's owner clones a block before it first writes to it.
+/// Thread-compatible.
+class Submap {
+ public:
+  /// `generation` is the writer's current one; see BlockEntry.
+  Submap(SubmapInfo info, std::uint64_t generation) : info_(std::move(info)), generation_(generation) {}
+
+  [[nodiscard]] const SubmapInfo& info() const { return info_; }
+  [[nodiscard]] SubmapInfo& mutable_info() { return info_; }
+  [[nodiscard]] SubmapId id() const { return info_.id; }
+  [[nodiscard]] const BlockTable& blocks() const { return blocks_; }
+
+  /// In the submap frame. Tight as of the last UpdateBoundingSphere.
+  [[nodiscard]] const BoundingSphere& bounding_sphere() const { return sphere_; }
+  /// The same in the map frame.
+  [[nodiscard]] BoundingSphere BoundingSphereInMap() const;
+
+  // Writing: the returned layer belongs to this copy alone, and is allocated if it was not there.
+  TsdfBlock& MutableTsdf(BlockIndex index);
+  LabelBlock& MutableLabels(BlockIndex index);
+  /// Puts layers in place as they are (a loaded map). Either may be null.
+  void PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf, std::shared_ptr<const LabelBlock> labels);
+  bool EraseBlock(BlockIndex index) { return blocks_.Erase(index); }
+  /// Removes blocks without an observed voxel and without labels. Returns how many.
+  int PruneBlocks();
+  void DropLabels();
+  /// Makes every present layer count as shared: the next write to one copies it first. For clones.
+  void ShareBlocks();
+
+  /// Recomputes the sphere from the blocks: centre of their box, radius to the farthest corner of a block.
+  void UpdateBoundingSphere();
+  /// For a loaded map, whose sphere is in its row.
+  void set_bounding_sphere(const BoundingSphere& sphere) { sphere_ = sphere; }
+
+  /// Adds class observations and, unless the class is fixed, re-elects class_id (ties: the smaller id).
+  void AddClassCounts(const std::vector<LabelCount>& counts);
+
+  /// Called by Map when this copy starts to be written in a new generation.
+  void set_generation(std::uint64_t generation) { generation_ = generation; }
+  [[nodiscard]] std::uint64_t generation() const { return generation_; }
+
+  [[nodiscard]] std::size_t MemoryBytes() const { return sizeof(*this) + blocks_.MemoryBytes(); }
+
+ private:
+  SubmapInfo info_;
+  BlockTable blocks_;
+  BoundingSphere sphere_;
+  std::uint64_t generation_;
+};
+
+}  // namespace dhpmap

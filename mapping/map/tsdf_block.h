@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "mapping/base/grid.h"
+
+namespace dhpmap {
+
+/// 8-bit sRGB as the camera gave it.
+struct Color {
+  std::uint8_t r = 0, g = 0, b = 0;
+  constexpr bool operator==(const Color&) const = default;
+};
+
+/// A voxel of less weight than this has not been observed, and its distance means nothing.
+inline constexpr float kMinObservedWeight = 1e-6f;
+
+/// Geometry of one block (paper II-A): planes of kBlockVoxels values, indexed by LinearIndex. 11 bytes a voxel.
+struct TsdfBlock {
+  /// Projective signed distance to the surface in metres, positive in front of it, within +-truncation.
+  std::array<float, kBlockVoxels> distance_m{};
+  std::array<float, kBlockVoxels> weight{};
+  std::array<Color, kBlockVoxels> color{};
+
+  [[nodiscard]] bool IsObserved(int linear) const { return weight[linear] >= kMinObservedWeight; }
+  [[nodiscard]] bool HasObservedVoxel() const;
+  [[nodiscard]] int NumObservedVoxels() const;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "mapping/base/result.h"
+#include "mapping/map/map.h"
+#include "mapping/sensor/frame.h"
+
+namespace dhpmap {
+
+/// What became of one frame.
+struct FrameReport {
+  std::int64_t num_points = 0;          ///< valid and in range
+  std::int64_t num_unknown_points = 0;  ///< of these, fused into the unknown submap
+  int num_segments = 0;                 ///< of the frame's table, with at least one point
+  int num_matched = 0;                  ///< segments associated with a submap there was
+  int num_created = 0;                  ///< new submaps
+  int num_dissolved = 0;                ///< unconfirmed submaps that went into the unknown submap
+  std::int64_t num_voxels_updated = 0;
+  // Wall time by stage.
+  double bundle_s = 0, track_s = 0, fuse_s = 0, activity_s = 0;
+  [[nodiscard]] double total_s() const { return bundle_s + track_s + fuse_s + activity_s; }
+};
+
+/// The mapping pipeline (paper Fig. 2): a posed panoptic frame goes in, a new state of the map comes out. The same frames
+/// give a bit-identical map for any number of threads. Thread-compatible: one writer a map.
+class MapBuilder {
+ public:
+  /// `num_threads` 0 means one a core.
+  MapBuilder(MapInfo info, int num_threads);
+  /// Goes on mapping where the snapshot (published or loaded) stopped.
+  MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads);
+  ~MapBuilder();
+
+  /// Fuses one frame. On error (see ValidateFrame) the map is unchanged.
+  Result<FrameReport> Integrate(const PanopticFrame& frame);
+
+  /// Ends a mapping session: every thing becomes inactive, unconfirmed ones dissolve, empty blocks go.
+  void Finish();
+
+  /// The map for edits between frames, and for Publish.
+  [[nodiscard]] Map& map();
+  [[nodiscard]] const Map& map() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dhpmap

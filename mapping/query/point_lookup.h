@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+
+/// What the map knows of one point.
+struct PointInfo {
+  bool is_observed = false;  ///< false: nothing else is meaningful
+  SubmapId submap;           ///< the submap that answers; its id is the instance id, 0 = unknown object
+  Panoptic panoptic = Panoptic::kUnknown;
+  ClassId class_id;
+  float distance_m = 0;  ///< value of the voxel that holds the point
+  float weight = 0;
+  Color color;
+  float class_confidence = 0;     ///< share of the observations that said class_id
+  float instance_confidence = 0;  ///< share of the observations that said submap
+};
+
+/// Answers points from one snapshot. Where several submaps hold the point (before label management makes them
+/// exclusive), their observations vote. Immutable, thread-safe.
+class PointLookup {
+ public:
+  explicit PointLookup(std::shared_ptr<const MapSnapshot> snapshot);
+  ~PointLookup();
+  PointLookup(PointLookup&&) noexcept;
+  PointLookup& operator=(PointLookup&&) noexcept;
+
+  [[nodiscard]] const MapSnapshot& snapshot() const { return *snapshot_; }
+
+  /// `p_map`: finite, in metres of the map frame.
+  [[nodiscard]] PointInfo At(const Eigen::Vector3d& p_map) const;
+
+ private:
+  struct Index;
+  std::shared_ptr<const MapSnapshot> snapshot_;
+  std::unique_ptr<const Index> index_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mapping/base/result.h"
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+
+/// How far a commit must have gone when it returns: kNormal survives a killed process, kFull a power cut too.
+enum class Durability { kNormal, kFull };
+
+/// A map without its submaps, as the store has it.
+struct StoredMap {
+  MapInfo info;
+  std::int64_t num_submaps = 0;
+  std::int64_t num_tsdf_blocks = 0;
+  std::int64_t num_label_blocks = 0;
+  std::int64_t blob_bytes = 0;  ///< size of the encoded blocks
+};
+
+/// Keeps maps. The only header of storage/ that server/ sees. Thread-safe: calls on different maps and reads may run at
+/// once; commits are serialised inside. Every error is typed: NOT_FOUND, ALREADY_EXISTS, RESOURCE_EXHAUSTED (disk full),
+/// FAILED_PRECONDITION (read-only, too new, or another process's), DATA_LOSS (checksum, not a database), UNAVAILABLE.
+class MapStore {
+ public:
+  virtual ~MapStore() = default;
+
+  /// By name.
+  virtual Result<std::vector<StoredMap>> ListMaps() = 0;
+  virtual Result<StoredMap> GetMap(const std::string& name) = 0;
+
+  /// Adds a map, in full. ALREADY_EXISTS if its name is taken.
+  virtual Status CreateMap(const MapSnapshot& snapshot) = 0;
+
+  /// Writes what differs between two states of a map, in one transaction: all or nothing. `before` is the state last
+  /// committed (or created, or loaded); FAILED_PRECONDITION if the store holds another revision.
+  virtual Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) = 0;
+
+  /// The whole map. Distances are within truncation / 4096 of what was committed; counts, ids and labels are exact.
+  virtual Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) = 0;
+
+  virtual Status DeleteMap(const std::string& name) = 0;
+};
+
+struct SqliteStoreOptions {
+  bool read_only = false;
+  int busy_timeout_ms = 5000;
+};
+
+/// Opens or creates a database file. DATA_LOSS if it is not a database, FAILED_PRECONDITION if it is not ours (other
+/// application_id), of a newer schema, or not writable.
+Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const SqliteStoreOptions& options = {});
+
+/// Keeps everything in memory, for tests and benchmarks: the same contract, without loss of precision.
+std::unique_ptr<MapStore> MakeMemoryStore();
+
+}  // namespace dhpmap
