@@ -2,7 +2,6 @@
 #include "mapping/map/label_block.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -10,15 +9,14 @@ namespace dhpmap {
 namespace {
 
 constexpr std::uint32_t kOwnInstance = 0;
-constexpr std::uint32_t kMaxInlineCount = std::numeric_limits<std::uint16_t>::max();
 
-void Increment(std::vector<LabelCount>& counts, std::uint32_t id, std::uint32_t times) {
+void Increment(std::vector<LabelCount>& counts, std::uint32_t id) {
   const auto it = std::lower_bound(counts.begin(), counts.end(), id,
                                    [](const LabelCount& entry, std::uint32_t wanted) { return entry.id < wanted; });
   if (it != counts.end() && it->id == id) {
-    it->count += times;
+    ++it->count;
   } else {
-    counts.insert(it, {id, times});
+    counts.insert(it, {id, 1});
   }
 }
 
@@ -52,26 +50,24 @@ std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const
   return sum;
 }
 
-void LabelBlock::AddObservation(int linear, ClassId c, std::uint32_t times) {
+void LabelBlock::AddObservationSlowly(int linear, ClassId c) {
   Cell& cell = cells_[linear];
   if (cell.class_a != kOverflow) {
-    if (cell.count_a == 0 || cell.class_a == c.value) {
-      if (cell.count_a + times <= kMaxInlineCount) {
-        cell.class_a = c.value;
-        cell.count_a = static_cast<std::uint16_t>(cell.count_a + times);
-        return;
-      }
-    } else if (cell.count_b == 0 || cell.class_b == c.value) {
-      if (cell.count_b + times <= kMaxInlineCount) {
-        cell.class_b = c.value;
-        cell.count_b = static_cast<std::uint16_t>(cell.count_b + times);
-        return;
-      }
+    if (cell.count_a == 0 || (cell.class_a == c.value && cell.count_a < kMaxInlineCount)) {
+      cell.class_a = c.value;
+      ++cell.count_a;
+      return;
+    }
+    const bool b_takes_it = cell.count_b == 0 || (cell.class_b == c.value && cell.count_b < kMaxInlineCount);
+    if (cell.class_a != c.value && b_takes_it) {
+      cell.class_b = c.value;
+      ++cell.count_b;
+      return;
     }
   }
   LabelHistograms& histograms = MoveToOverflow(linear);
-  Increment(histograms.classes, c.value, times);
-  Increment(histograms.instances, kOwnInstance, times);
+  Increment(histograms.classes, c.value);
+  Increment(histograms.instances, kOwnInstance);
 }
 
 void LabelBlock::Add(int linear, const LabelHistograms& added) {

@@ -43,8 +43,15 @@ std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const
 /// 65,535) moves the voxel to an overflow list without any cap. Thread-compatible.
 class LabelBlock {
  public:
-  /// Adds one observation of class `c` that also counts for the own instance (paper II-C), `times` times.
-  void AddObservation(int linear, ClassId c, std::uint32_t times = 1);
+  /// Adds one observation of class `c` that also counts for the own instance (paper II-C).
+  void AddObservation(int linear, ClassId c) {
+    Cell& cell = cells_[linear];
+    if (cell.class_a == c.value && cell.count_a - 1u < kMaxInlineCount - 1u) {  // 1..65534: by far the most frequent
+      ++cell.count_a;
+    } else {
+      AddObservationSlowly(linear, c);
+    }
+  }
 
   /// Adds whole histograms, such as those of a voxel of another submap; lists sorted by id, ids of classes below 65,535.
   void Add(int linear, const LabelHistograms& histograms);
@@ -74,6 +81,9 @@ class LabelBlock {
   };
   static constexpr std::uint16_t kOverflow = 0xFFFF;
 
+  static constexpr std::uint32_t kMaxInlineCount = 0xFFFF;
+
+  void AddObservationSlowly(int linear, ClassId c);
   [[nodiscard]] const LabelHistograms& Overflow(const Cell& cell) const;
   LabelHistograms& MoveToOverflow(int linear);
 

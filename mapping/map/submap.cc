@@ -24,9 +24,9 @@ Layer& Own(std::shared_ptr<const Layer>& layer, std::uint64_t& made_in, std::uin
 
 float SubmapInfo::ClassConfidence() const {
   std::uint64_t total = 0, own = 0;
-  for (const LabelCount& entry : class_counts) {
+  for (const ClassTotal& entry : class_counts) {
     total += entry.count;
-    if (entry.id == class_id.value) own = entry.count;
+    if (entry.id == class_id) own = entry.count;
   }
   return total == 0 ? 0.0f : static_cast<float>(static_cast<double>(own) / static_cast<double>(total));
 }
@@ -91,11 +91,16 @@ void Submap::UpdateBoundingSphere() {
   sphere_ = {center.matrix() * side_m, std::sqrt(radius_squared) * side_m};
 }
 
-void Submap::AddClassCounts(const std::vector<LabelCount>& counts) {
-  info_.class_counts = SumCounts(info_.class_counts, counts);
-  if (!info_.class_is_fixed && !info_.class_counts.empty()) {
-    info_.class_id = ClassId(static_cast<std::uint16_t>(FindBest(info_.class_counts).id));
-  }
+void Submap::AddClassObservations(ClassId c, std::uint64_t count) {
+  std::vector<ClassTotal>& totals = info_.class_counts;
+  auto it = std::lower_bound(totals.begin(), totals.end(), c,
+                             [](const ClassTotal& entry, ClassId wanted) { return entry.id < wanted; });
+  if (it == totals.end() || it->id != c) it = totals.insert(it, {c, 0});
+  it->count += count;
+  if (info_.class_is_fixed) return;
+  const auto best = std::max_element(totals.begin(), totals.end(),
+                                     [](const ClassTotal& x, const ClassTotal& y) { return x.count < y.count; });
+  info_.class_id = best->id;
 }
 
 }  // namespace dhpmap

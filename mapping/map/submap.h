@@ -16,6 +16,13 @@ namespace dhpmap {
 /// Active things take new observations first; inactive ones are settled and may be refined (paper II-D).
 enum class Activity : std::uint8_t { kActive = 0, kInactive = 1 };
 
+/// How often a class was observed in all of a submap.
+struct ClassTotal {
+  ClassId id;
+  std::uint64_t count = 0;
+  constexpr bool operator==(const ClassTotal&) const = default;
+};
+
 /// All of a submap but its voxels: one row of the store.
 struct SubmapInfo {
   SubmapId id;
@@ -30,13 +37,14 @@ struct SubmapInfo {
   double truncation_m = 0;
 
   /// Sum over its voxels of how often each class was observed, by ascending class (paper II-C, label of a submap).
-  std::vector<LabelCount> class_counts;
+  std::vector<ClassTotal> class_counts;
   float instance_confidence = 1.0f;  ///< share of its voxels' instance counts that are its own
 
   Activity activity = Activity::kActive;
   bool is_confirmed = true;              ///< a new thing is confirmed by re-observation
   std::int64_t num_frames_observed = 0;  ///< frames with a segment of it
   std::int32_t num_frames_missed = 0;    ///< consecutive frames without one, up to now
+  std::int32_t num_frames_overlooked = 0;  ///< of these, frames in which it was in view and not hidden
   std::int64_t first_observed_ns = 0;
   std::int64_t last_observed_ns = 0;
   /// Id under which a front end with persistent segment ids knows this object; 0 = none.
@@ -83,8 +91,8 @@ class Submap {
   /// For a loaded map, whose sphere is in its row.
   void set_bounding_sphere(const BoundingSphere& sphere) { sphere_ = sphere; }
 
-  /// Adds class observations and, unless the class is fixed, re-elects class_id (ties: the smaller id).
-  void AddClassCounts(const std::vector<LabelCount>& counts);
+  /// Adds observations of a class and, unless the class is fixed, re-elects class_id (ties: the smaller id).
+  void AddClassObservations(ClassId c, std::uint64_t count);
 
   /// Called by Map when this copy starts to be written in a new generation.
   void set_generation(std::uint64_t generation) { generation_ = generation; }

@@ -37,7 +37,7 @@ class MapBuilder {
   /// Fuses one frame. On error (see ValidateFrame) the map is unchanged.
   Result<FrameReport> Integrate(const PanopticFrame& frame);
 
-  /// Ends a mapping session: every thing becomes inactive, unconfirmed ones dissolve, empty blocks go.
+  /// Ends a mapping session: every thing becomes inactive, empty blocks go, bounding spheres are tight.
   void Finish();
 
   /// The map for edits between frames, and for Publish.

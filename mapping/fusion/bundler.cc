@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/fusion/bundler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "mapping/fusion/point_kernel.h"
+
+namespace dhpmap {
+namespace {
+
+// Sizes of the parts that are worked on in parallel: fixed, so that the result does not depend on the thread count.
+constexpr int kRowsPerBand = 16;
+constexpr std::size_t kPointsPerBand = 4096;
+
+std::size_t NextPowerOfTwo(std::size_t n) {
+  std::size_t power = 16;
+  while (power < n) power *= 2;
+  return power;
+}
+
+std::size_t SlotHash(BlockIndex block, std::size_t mask) { return BlockIndexHash{}(block) & mask; }
+
+Color ColorAt(const std::vector<Color>& colors, std::size_t i) {
+  return colors.empty() ? Color{128, 128, 128} : colors[i];
+}
+
+}  // namespace
+
+/// Consecutive points of one segment in one voxel, summed up.
+struct Bundler::Run {
+  std::uint32_t segment;
+  VoxelIndex voxel;
+  std::uint32_t num_points = 0;
+  float weight = 0;
+  Eigen::Vector3f weighted_sum_m = Eigen::Vector3f::Zero();
+  Eigen::Vector3f weighted_color = Eigen::Vector3f::Zero();
+
+  void Add(const Eigen::Vector3f& p_m, float w, Color c) {
+    ++num_points;
+    weight += w;
+    weighted_sum_m += w * p_m;
+    weighted_color += w * Eigen::Vector3f(c.r, c.g, c.b);
+  }
+};
+
+/// The sensor on the grid: axes, and the origin split into its voxel and the rest, so that single precision holds the
+/// millimetre at any distance from the map's origin.
+struct Bundler::Grid {
+  Eigen::Matrix3f R_grid_sensor;
+  float voxels_per_m;
+  VoxelIndex base;
+  Eigen::Vector3f offset_vox;
+
+  Grid(const Transform& T_grid_sensor, double voxel_size_m)
+      : R_grid_sensor(T_grid_sensor.linear().cast<float>()), voxels_per_m(static_cast<float>(1.0 / voxel_size_m)) {
+    base = VoxelAt(T_grid_sensor.translation(), voxel_size_m);
+    offset_vox =
+        (T_grid_sensor.translation() / voxel_size_m - Eigen::Vector3d(base.x, base.y, base.z)).cast<float>();
+  }
+
+  [[nodiscard]] VoxelIndex VoxelOf(const Eigen::Vector3f& p_m) const {
+    const Eigen::Vector3f v = p_m * voxels_per_m + offset_vox;
+    return {base.x + static_cast<std::int32_t>(std::floor(v.x())), base.y + static_cast<std::int32_t>(std::floor(v.y())),
+            base.z + static_cast<std::int32_t>(std::floor(v.z()))};
+  }
+};
+
+Bundler::Bundler(const IntegrationConfig& config, ThreadPool& pool) : config_(config), pool_(pool) {}
+Bundler::~Bundler() = default;
+
+const BundleCell* SegmentBundles::Find(BlockIndex block) const {
+  if (slots_.empty()) return nullptr;
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t slot = SlotHash(block, mask); slots_[slot] != 0; slot = (slot + 1) & mask) {
+    if (cells[slots_[slot] - 1].block == block) return &cells[slots_[slot] - 1];
+  }
+  return nullptr;
+}
+
+bool SegmentBundles::EndsIn(VoxelIndex voxel) const {
+  const BundleCell* cell = Find(BlockOf(voxel));
+  return cell != nullptr && cell->slot[static_cast<std::size_t>(LinearIndex(voxel))] != 0;
+}
+
+BundleCell& SegmentBundles::FindOrInsert(BlockIndex block) {
+  if (2 * (cells.size() + 1) > slots_.size()) {
+    slots_.assign(NextPowerOfTwo(4 * (cells.size() + 1)), 0);
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      std::size_t slot = SlotHash(cells[i].block, mask);
+      while (slots_[slot] != 0) slot = (slot + 1) & mask;
+      slots_[slot] = static_cast<std::uint32_t>(i + 1);
+    }
+  }
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot = SlotHash(block, mask);
+  for (; slots_[slot] != 0; slot = (slot + 1) & mask) {
+    if (cells[slots_[slot] - 1].block == block) return cells[slots_[slot] - 1];
+  }
+  cells.push_back({.block = block});
+  slots_[slot] = static_cast<std::uint32_t>(cells.size());
+  return cells.back();
+}
+
+void SegmentBundles::Reset() {
+  row = -1;
+  num_points = 0;
+  cells.clear();
+  bundles.clear();
+  std::fill(slots_.begin(), slots_.end(), 0);
+}
+
+void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid) {
+  const PinholeCamera& camera = data.camera;
+  const auto width = static_cast<std::size_t>(camera.width_px);
+  std::vector<float> column(4 * width);
+  for (std::size_t u = 0; u < width; ++u) {
+    const auto x = static_cast<float>((static_cast<double>(u) - camera.cx_px) / camera.fx_px);
+    for (int axis = 0; axis < 3; ++axis) column[static_cast<std::size_t>(axis) * width + u] = grid.R_grid_sensor(axis, 0) * x;
+    column[3 * width + u] = x * x + 1.0f;
+  }
+  const auto square = [](double value) { return static_cast<float>(value * value); };
+  RowGeometry shared{};
+  shared.column_x = column.data();
+  shared.column_y = column.data() + width;
+  shared.column_z = column.data() + 2 * width;
+  shared.column_length2 = column.data() + 3 * width;
+  shared.offset_x_vox = grid.offset_vox.x(), shared.offset_y_vox = grid.offset_vox.y(), shared.offset_z_vox = grid.offset_vox.z();
+  shared.base_x = grid.base.x, shared.base_y = grid.base.y, shared.base_z = grid.base.z;
+  shared.voxels_per_m = grid.voxels_per_m;
+  shared.min_range2_m2 = square(config_.min_range_m);
+  shared.max_range2_m2 = square(config_.max_range_m);
+  shared.weighting = config_.weighting;
+
+  bands_.resize(static_cast<std::size_t>((camera.height_px + kRowsPerBand - 1) / kRowsPerBand));
+  pool_.ParallelFor(bands_.size(), [&](std::size_t band) {
+    std::vector<Run>& runs = bands_[band];
+    runs.clear();
+    std::vector<float> values(4 * width);
+    std::vector<std::int32_t> voxels(3 * width);
+    const RowPoints row_points{values.data(),     values.data() + width, values.data() + 2 * width, values.data() + 3 * width,
+                               voxels.data(), voxels.data() + width, voxels.data() + 2 * width};
+    const int end_row = std::min(camera.height_px, static_cast<int>(band + 1) * kRowsPerBand);
+    for (int v = static_cast<int>(band) * kRowsPerBand; v < end_row; ++v) {
+      const auto y = static_cast<float>((v - camera.cy_px) / camera.fy_px);
+      RowGeometry geometry = shared;
+      geometry.row_x = grid.R_grid_sensor(0, 1) * y + grid.R_grid_sensor(0, 2);
+      geometry.row_y = grid.R_grid_sensor(1, 1) * y + grid.R_grid_sensor(1, 2);
+      geometry.row_z = grid.R_grid_sensor(2, 1) * y + grid.R_grid_sensor(2, 2);
+      geometry.row_length2 = y * y;
+      const std::size_t first = static_cast<std::size_t>(v) * width;
+      ProjectRow(data.depth_m.data() + first, camera.width_px, geometry, row_points);
+
+      bool in_run = false;
+      for (std::size_t u = 0; u < width; ++u) {
+        const float weight = row_points.weight[u];
+        if (weight == 0.0f) {
+          in_run = false;
+          continue;
+        }
+        const VoxelIndex voxel{row_points.voxel_x[u], row_points.voxel_y[u], row_points.voxel_z[u]};
+        const std::uint32_t segment = data.segments.empty() ? 0 : data.segments[first + u];
+        if (!in_run || runs.back().voxel != voxel || runs.back().segment != segment) {
+          runs.push_back({.segment = segment, .voxel = voxel});
+          in_run = true;
+        }
+        runs.back().Add({row_points.x_m[u], row_points.y_m[u], row_points.z_m[u]}, weight,
+                        ColorAt(data.color, first + u));
+      }
+    }
+  });
+}
+
+void Bundler::CollectLidarRuns(const LidarData& data, const Grid& grid) {
+  const std::size_t num_points = data.points_m.size();
+  bands_.resize((num_points + kPointsPerBand - 1) / kPointsPerBand);
+  pool_.ParallelFor(bands_.size(), [&](std::size_t band) {
+    std::vector<Run>& runs = bands_[band];
+    runs.clear();
+    const std::size_t end = std::min(num_points, (band + 1) * kPointsPerBand);
+    for (std::size_t i = band * kPointsPerBand; i < end; ++i) {
+      const Eigen::Vector3f& p_sensor = data.points_m[i];
+      const double range = p_sensor.cast<double>().norm();
+      if (!(range > 0.0 && range >= config_.min_range_m && range <= config_.max_range_m)) continue;
+      float weight = 1.0f;
+      if (config_.weighting == Weighting::kInverseRangeSquared) weight = static_cast<float>(1.0 / (range * range));
+      if (config_.weighting == Weighting::kInverseDepthSquared) weight = static_cast<float>(1.0 / (range * range));
+      const Eigen::Vector3f p_m = grid.R_grid_sensor * p_sensor;
+      const VoxelIndex voxel = grid.VoxelOf(p_m);
+      const std::uint32_t segment = data.segments.empty() ? 0 : data.segments[i];
+      if (runs.empty() || runs.back().voxel != voxel || runs.back().segment != segment) {
+        runs.push_back({.segment = segment, .voxel = voxel});
+      }
+      runs.back().Add(p_m, weight, ColorAt(data.color, i));
+    }
+  });
+}
+
+void Bundler::SortRunsBySegment(const PanopticFrame& frame) {
+  // Position in segments_: 0 for points of no known object, then 1 + row of the table.
+  std::unordered_map<std::uint32_t, std::uint32_t> position_of;
+  for (std::size_t row = 0; row < frame.segments.size(); ++row) {
+    position_of[frame.segments[row].id.value] = static_cast<std::uint32_t>(row + 1);
+  }
+  std::size_t num_runs = 0;
+  for (const auto& runs : bands_) num_runs += runs.size();
+  std::vector<std::uint32_t> positions;
+  positions.reserve(num_runs);
+  std::vector<std::size_t> starts(frame.segments.size() + 2, 0);
+  std::uint32_t last_segment = 0, last_position = 0;
+  for (const auto& runs : bands_) {
+    for (const Run& run : runs) {
+      if (run.segment != last_segment) {
+        const auto it = position_of.find(run.segment);
+        last_segment = run.segment;
+        last_position = it == position_of.end() ? 0 : it->second;
+      }
+      positions.push_back(last_position);
+      ++starts[last_position + 1];
+    }
+  }
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+
+  sorted_runs_.resize(num_runs);
+  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+  std::size_t i = 0;
+  for (const auto& runs : bands_) {
+    for (const Run& run : runs) sorted_runs_[next[positions[i++]]++] = &run;
+  }
+
+  std::size_t num_segments = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;
+  for (std::size_t position = 0; position + 1 < starts.size(); ++position) {
+    if (starts[position] == starts[position + 1]) continue;
+    ranges.emplace_back(starts[position], starts[position + 1]);
+    if (segments_.size() <= num_segments) segments_.emplace_back();
+    segments_[num_segments].Reset();
+    segments_[num_segments++].row = static_cast<int>(position) - 1;
+  }
+  segments_.resize(num_segments);
+  pool_.ParallelFor(num_segments, [&](std::size_t s) { BuildSegment(ranges[s].first, ranges[s].second, segments_[s]); });
+}
+
+void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& segment) {
+  // First count the bundles of each cell, so that they can lie together; then sum the runs up.
+  std::vector<std::uint32_t> cell_of(end - begin);
+  BlockIndex last_block{};
+  std::uint32_t last_cell = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const BlockIndex block = BlockOf(sorted_runs_[i]->voxel);
+    if (i == begin || block != last_block) {
+      last_cell = static_cast<std::uint32_t>(&segment.FindOrInsert(block) - segment.cells.data());
+      last_block = block;
+    }
+    cell_of[i - begin] = last_cell;
+    BundleCell& cell = segment.cells[last_cell];
+    std::uint16_t& slot = cell.slot[static_cast<std::size_t>(LinearIndex(sorted_runs_[i]->voxel))];
+    if (slot == 0) slot = static_cast<std::uint16_t>(++cell.num_bundles);
+  }
+  std::uint32_t num_bundles = 0;
+  for (BundleCell& cell : segment.cells) {
+    cell.first_bundle = num_bundles;
+    num_bundles += cell.num_bundles;
+  }
+  segment.bundles.resize(num_bundles);
+  for (std::size_t i = begin; i < end; ++i) {
+    const Run& run = *sorted_runs_[i];
+    const BundleCell& cell = segment.cells[cell_of[i - begin]];
+    const int linear = LinearIndex(run.voxel);
+    Bundle& bundle = segment.bundles[cell.first_bundle + cell.slot[static_cast<std::size_t>(linear)] - 1u];
+    bundle.linear = static_cast<std::uint16_t>(linear);
+    bundle.weighted_sum_m += run.weighted_sum_m;
+    bundle.weight += run.weight;
+    bundle.weighted_color += run.weighted_color;
+    bundle.num_points += run.num_points;
+    segment.num_points += run.num_points;
+  }
+}
+
+const std::vector<SegmentBundles>& Bundler::BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
+                                                        double voxel_size_m) {
+  const Grid grid(T_grid_sensor, voxel_size_m);
+  if (frame.camera) {
+    CollectCameraRuns(*frame.camera, grid);
+  } else {
+    CollectLidarRuns(*frame.lidar, grid);
+  }
+  SortRunsBySegment(frame);
+  return segments_;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "mapping/base/grid.h"
+
+namespace dhpmap {
+
+/// Walks the voxels that a ray crosses, in order (Amanatides and Woo 1987). All lengths start at the sensor's origin,
+/// which lies `offset_vox` (0..1) inside `base`.
+class GridRay {
+ public:
+  /// `direction`: unit. Needs from_m <= to_m.
+  GridRay(VoxelIndex base, const Eigen::Vector3f& offset_vox, const Eigen::Vector3f& direction, float voxel_size_m,
+          float from_m, float to_m)
+      : base_(base) {
+    const float voxels_per_m = 1.0f / voxel_size_m;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = direction[axis];
+      const float start_vox = offset_vox[axis] + from_m * voxels_per_m * d;
+      const float end_vox = offset_vox[axis] + to_m * voxels_per_m * d;
+      index_[axis] = static_cast<int>(std::floor(start_vox));
+      num_voxels_ += std::abs(static_cast<int>(std::floor(end_vox)) - index_[axis]);
+      step_[axis] = d < 0 ? -1 : 1;
+      const float to_border_vox =
+          d < 0 ? start_vox - static_cast<float>(index_[axis]) : static_cast<float>(index_[axis] + 1) - start_vox;
+      const float per_voxel = d == 0 ? std::numeric_limits<float>::infinity() : 1.0f / std::abs(d);
+      t_step_[axis] = per_voxel;
+      t_next_[axis] = d == 0 ? std::numeric_limits<float>::infinity() : to_border_vox * per_voxel;
+      along_step_m_[axis] = std::abs(d) * voxel_size_m;
+      centre_along_m_ += (static_cast<float>(index_[axis]) + 0.5f - offset_vox[axis]) * d * voxel_size_m;
+    }
+  }
+
+  /// How many voxels the ray crosses; Next may be called one time fewer.
+  [[nodiscard]] int num_voxels() const { return num_voxels_; }
+  [[nodiscard]] VoxelIndex voxel() const { return {base_.x + index_[0], base_.y + index_[1], base_.z + index_[2]}; }
+  /// The voxel centre's distance from the origin, measured along the ray.
+  [[nodiscard]] float CentreAlongRay_m() const { return centre_along_m_; }
+
+  void Next() {
+    const int axis = t_next_[0] < t_next_[1] ? (t_next_[0] < t_next_[2] ? 0 : 2) : (t_next_[1] < t_next_[2] ? 1 : 2);
+    index_[axis] += step_[axis];
+    t_next_[axis] += t_step_[axis];
+    centre_along_m_ += along_step_m_[axis];
+  }
+
+ private:
+  VoxelIndex base_;
+  int index_[3];
+  int step_[3];
+  float t_next_[3];
+  float t_step_[3];
+  float along_step_m_[3];
+  float centre_along_m_ = 0;
+  int num_voxels_ = 1;
+};
+
+}  // namespace dhpmap

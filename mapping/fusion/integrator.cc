@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/fusion/integrator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "mapping/fusion/grid_ray.h"
+
+namespace dhpmap {
+namespace {
+
+/// What one submap stores where one block of a ray's neighbourhood lies.
+struct Neighbour {
+  TsdfBlock* tsdf = nullptr;
+  LabelBlock* labels = nullptr;
+  const BundleCell* ends = nullptr;  ///< bundles of the same segment that end here
+};
+
+/// The 3 x 3 x 3 blocks around the one in which a cell's bundles end, looked up when a ray first enters them. No ray
+/// leaves them: the truncation is at most one block's side.
+class Neighbourhood {
+ public:
+  Neighbourhood(const SegmentBundles& segment, bool with_labels, Submap& submap)
+      : segment_(segment), with_labels_(with_labels), submap_(submap) {}
+
+  void MoveTo(BlockIndex center) {
+    center_ = center;
+    blocks_.fill({});
+  }
+
+  Neighbour& At(BlockIndex block) {
+    const int x = block.x - center_.x + 1, y = block.y - center_.y + 1, z = block.z - center_.z + 1;
+    if (static_cast<unsigned>(x) > 2 || static_cast<unsigned>(y) > 2 || static_cast<unsigned>(z) > 2) {
+      outside_ = {};  // rounding at the very end of the longest ray
+      return Load(block, outside_);
+    }
+    Neighbour& neighbour = blocks_[static_cast<std::size_t>(x + 3 * (y + 3 * z))];
+    return neighbour.tsdf != nullptr ? neighbour : Load(block, neighbour);
+  }
+
+ private:
+  Neighbour& Load(BlockIndex block, Neighbour& neighbour) {
+    neighbour.tsdf = &submap_.MutableTsdf(block);
+    if (with_labels_) neighbour.labels = &submap_.MutableLabels(block);
+    neighbour.ends = segment_.Find(block);
+    return neighbour;
+  }
+
+  const SegmentBundles& segment_;
+  const bool with_labels_;
+  Submap& submap_;
+  BlockIndex center_;
+  std::array<Neighbour, 27> blocks_;
+  Neighbour outside_;
+};
+
+struct UpdateRule {
+  float truncation_m;
+  float dropoff_start_m;  ///< behind the surface, where the weight starts to fade; the truncation if it never does
+  float max_weight;
+};
+
+std::uint8_t Blend(std::uint8_t old_value, float old_weight, float value, float weight, float inverse_sum) {
+  return static_cast<std::uint8_t>((static_cast<float>(old_value) * old_weight + value * weight) * inverse_sum + 0.5f);
+}
+
+/// Weighted running average (Curless and Levoy 1996). Returns false where the observation weighs nothing.
+bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const UpdateRule& rule, TsdfBlock& block,
+                 std::size_t i) {
+  if (-sdf_m > rule.dropoff_start_m) {
+    weight *= (rule.truncation_m + sdf_m) / (rule.truncation_m - rule.dropoff_start_m);
+  }
+  const float old_weight = block.weight[i];
+  const float sum = old_weight + weight;
+  if (weight <= 0.0f || sum < kMinObservedWeight) return false;
+  const float inverse_sum = 1.0f / sum;
+  const float distance_m = (sdf_m * weight + block.distance_m[i] * old_weight) * inverse_sum;
+  block.distance_m[i] = std::clamp(distance_m, -rule.truncation_m, rule.truncation_m);
+  if (std::abs(sdf_m) < rule.truncation_m) {
+    Color& c = block.color[i];
+    c = {Blend(c.r, old_weight, color.x(), weight, inverse_sum), Blend(c.g, old_weight, color.y(), weight, inverse_sum),
+         Blend(c.b, old_weight, color.z(), weight, inverse_sum)};
+  }
+  block.weight[i] = std::min(sum, rule.max_weight);
+  return true;
+}
+
+UpdateRule MakeRule(const IntegrationConfig& config, const Submap& submap) {
+  const auto truncation_m = static_cast<float>(submap.info().truncation_m);
+  const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
+  const bool fades = config.weight_dropoff && truncation_m > voxel_size_m * 1.001f;
+  return {truncation_m, fades ? voxel_size_m : truncation_m, static_cast<float>(config.max_weight)};
+}
+
+}  // namespace
+
+RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
+    : voxel(VoxelAt(p_grid_m, voxel_size_m)),
+      offset_vox((p_grid_m / voxel_size_m - Eigen::Vector3d(voxel.x, voxel.y, voxel.z)).cast<float>()) {}
+
+std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> class_id,
+                              const IntegrationConfig& config, Submap& submap) {
+  const UpdateRule rule = MakeRule(config, submap);
+  const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
+  Neighbourhood neighbourhood(segment, class_id.has_value(), submap);
+  std::int64_t num_updates = 0;
+
+  for (const BundleCell& cell : segment.cells) {
+    neighbourhood.MoveTo(cell.block);
+    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+      const Bundle& bundle = segment.bundles[b];
+      const Eigen::Vector3f end_m = bundle.weighted_sum_m / bundle.weight;
+      const Eigen::Vector3f color = bundle.weighted_color / bundle.weight;
+      const float range_m = end_m.norm();
+      const Eigen::Vector3f direction = end_m / range_m;
+
+      GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m,
+                  std::max(range_m - rule.truncation_m, 0.0f), range_m + rule.truncation_m);
+      BlockIndex block = BlockOf(ray.voxel());
+      Neighbour* here = &neighbourhood.At(block);
+      for (int step = ray.num_voxels(); step > 0; --step, ray.Next()) {
+        const VoxelIndex voxel = ray.voxel();
+        if (const BlockIndex now = BlockOf(voxel); now != block) {
+          block = now;
+          here = &neighbourhood.At(block);
+        }
+        const auto linear = static_cast<std::size_t>(LinearIndex(voxel));
+        if (config.anti_grazing && here->ends != nullptr && here->ends->slot[linear] != 0) {
+          const bool ends_here = block == cell.block && linear == bundle.linear;
+          if (!ends_here) continue;
+        }
+        const float sdf_m = range_m - ray.CentreAlongRay_m();
+        if (!UpdateVoxel(sdf_m, bundle.weight, color, rule, *here->tsdf, linear)) continue;
+        ++num_updates;
+        if (class_id) here->labels->AddObservation(static_cast<int>(linear), *class_id);
+      }
+    }
+  }
+  if (class_id && num_updates > 0) {
+    submap.AddClassObservations(*class_id, static_cast<std::uint64_t>(num_updates));
+  }
+  return num_updates;
+}
+
+std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayOrigin& origin,
+                            const IntegrationConfig& config, Submap& submap) {
+  const UpdateRule rule = MakeRule(config, submap);
+  const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
+  const float margin_m = rule.truncation_m + voxel_size_m;
+  const BoundingSphere& sphere = submap.bounding_sphere();
+  const Eigen::Vector3f to_center =
+      (sphere.center_m - Eigen::Vector3d(origin.voxel.x, origin.voxel.y, origin.voxel.z) * submap.info().voxel_size_m)
+          .cast<float>() - origin.offset_vox * voxel_size_m;
+  const auto radius_m = static_cast<float>(sphere.radius_m);
+  std::int64_t num_updates = 0;
+
+  for (const SegmentBundles& segment : segments) {
+    for (const Bundle& bundle : segment.bundles) {
+      const Eigen::Vector3f end_m = bundle.weighted_sum_m / bundle.weight;
+      const float range_m = end_m.norm();
+      const Eigen::Vector3f direction = end_m / range_m;
+      // The part of the ray inside the bounding sphere.
+      const float nearest_m = to_center.dot(direction);
+      const float half2 = radius_m * radius_m - (to_center - nearest_m * direction).squaredNorm();
+      if (half2 <= 0) continue;
+      const float half_m = std::sqrt(half2);
+      const float from_m = std::max(nearest_m - half_m, 0.0f);
+      const float to_m = std::min(nearest_m + half_m, range_m - margin_m);
+      if (to_m <= from_m) continue;
+
+      GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m, from_m, to_m);
+      const BlockEntry* entry = nullptr;
+      std::optional<BlockIndex> block;
+      TsdfBlock* tsdf = nullptr;
+      for (int step = ray.num_voxels(); step > 0; --step, ray.Next()) {
+        const VoxelIndex voxel = ray.voxel();
+        if (const BlockIndex now = BlockOf(voxel); !block || now != *block) {
+          block = now;
+          entry = submap.blocks().Find(now);
+          tsdf = nullptr;
+        }
+        const auto linear = static_cast<std::size_t>(LinearIndex(voxel));
+        if (entry == nullptr || entry->tsdf == nullptr || !entry->tsdf->IsObserved(static_cast<int>(linear))) continue;
+        if (std::any_of(segments.begin(), segments.end(), [&](const auto& s) { return s.EndsIn(voxel); })) continue;
+        if (tsdf == nullptr) tsdf = &submap.MutableTsdf(*block);
+        // The colour weighs nothing: free space has none.
+        if (UpdateVoxel(rule.truncation_m, bundle.weight, {}, rule, *tsdf, linear)) ++num_updates;
+      }
+    }
+  }
+  return num_updates;
+}
+
+}  // namespace dhpmap

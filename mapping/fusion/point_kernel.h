@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "mapping/map/map_config.h"
+
+namespace dhpmap {
+
+/// What a row of depth pixels needs to become points on a grid. A pixel's ray, along the axes of the grid, is
+/// column[u] + row; its squared length for unit depth is column_length2[u] + row_length2.
+struct RowGeometry {
+  const float* column_x;
+  const float* column_y;
+  const float* column_z;
+  const float* column_length2;
+  float row_x, row_y, row_z, row_length2;
+  /// Sensor origin within its voxel, in voxels (0..1), and its voxel.
+  float offset_x_vox, offset_y_vox, offset_z_vox;
+  std::int32_t base_x, base_y, base_z;
+  float voxels_per_m;
+  float min_range2_m2, max_range2_m2;
+  Weighting weighting;
+};
+
+/// One value a pixel; weight 0 marks a pixel without a valid point.
+struct RowPoints {
+  float* x_m;  ///< relative to the sensor's origin
+  float* y_m;
+  float* z_m;
+  float* weight;
+  std::int32_t* voxel_x;
+  std::int32_t* voxel_y;
+  std::int32_t* voxel_z;
+};
+
+/// Projects `width` pixels. Vectorised; the same result with every instruction set.
+void ProjectRow(const float* depth_m, int width, const RowGeometry& geometry, const RowPoints& points);
+
+}  // namespace dhpmap
