@@ -20,17 +20,18 @@ struct Image {
 };
 
 // Each decodes a compressed image file held in memory (PNG, JPEG, TIFF) and answers INVALID_ARGUMENT, with reason
-// BAD_IMAGE, for anything truncated, of another kind, of another pixel type or above 16384 pixels a side.
+// BAD_IMAGE, for anything truncated, of another kind, of another pixel type, or above 16384 pixels a side or 2^26 in
+// all.
 
-/// 32-bit float images are metres. 16-bit integer images are multiplied by `scale_m` (metres a unit), which must then be
-/// positive; their 0 and 65535 mean no return. Every other type is refused.
+/// 32-bit float images are metres. 16-bit integer images are multiplied by `scale_m` (metres a unit), which must then
+/// be positive; their 0 and 65535 mean no return. Every other type is refused.
 Result<Image<float>> DecodeDepth(std::span<const std::byte> file, double scale_m);
 
 /// 8-bit grey or colour.
 Result<Image<Color>> DecodeColor(std::span<const std::byte> file);
 
-/// 8- or 16-bit grey, or the first stored (blue, green, red order: channel 0 = blue) channel of a colour image, which is
-/// how the flat data set keeps its ids.
+/// 8- or 16-bit grey, or the first stored (blue, green, red order: channel 0 = blue) channel of a colour image, which
+/// is how the flat data set keeps its ids. JPEG is refused: it does not keep ids.
 Result<Image<std::uint32_t>> DecodeSegments(std::span<const std::byte> file);
 
 }  // namespace dhpmap

@@ -19,7 +19,7 @@ struct LidarCamera {
 /// Gives LiDAR points colour (bilinear) and segment ids (nearest pixel) from the images of a camera. Points behind the
 /// camera or outside the image are dropped, in place, with their colour and ids. Either image may be empty (0 x 0), and
 /// then leaves what the points had; an image whose size is not the camera's is INVALID_ARGUMENT.
-Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& color,
-                             const Image<std::uint32_t>& segments, LidarData& scan);
+Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& color, const Image<std::uint32_t>& segments,
+                             LidarData& scan);
 
 }  // namespace dhpmap

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/sensor/frame.h"
+
+#include <algorithm>
+#include <bitset>
+#include <span>
+#include <string>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::size_t kMaxIdsNamed = 20;  // of ids without a row: a wrong table may miss thousands
+
+void CheckSegmentTable(const PanopticFrame& frame, const LabelSet& label_set, Status& bad) {
+  std::vector<std::uint32_t> ids;
+  for (std::size_t i = 0; i < frame.segments.size(); ++i) {
+    const SegmentInfo& segment = frame.segments[i];
+    const std::string field = "segments[" + std::to_string(i) + "]";
+    if (segment.id == kNoSegment) bad.AddViolation(field + ".id", "is 0, which means no segment");
+    if (segment.class_id && label_set.Find(*segment.class_id) == nullptr) {
+      bad.AddViolation(field + ".class_id", std::to_string(segment.class_id->value) + " is not in the label set");
+    }
+    if (!(segment.score >= 0.0f && segment.score <= 1.0f)) {
+      bad.AddViolation(field + ".score", std::to_string(segment.score) + " is not within 0 and 1");
+    }
+    ids.push_back(segment.id.value);
+  }
+  std::sort(ids.begin(), ids.end());
+  for (auto it = ids.begin(); (it = std::adjacent_find(it, ids.end())) != ids.end();) {
+    bad.AddViolation("segments", "id " + std::to_string(*it) + " is given twice");
+    it = std::upper_bound(it, ids.end(), *it);
+  }
+}
+
+/// The ids that a frame's pixels or points may have. Small ids, which is nearly all, are one bit test.
+class ListedIds {
+ public:
+  explicit ListedIds(std::span<const SegmentInfo> segments) {
+    small_.set(kNoSegment.value);
+    for (const SegmentInfo& segment : segments) {
+      if (segment.id.value < small_.size()) small_.set(segment.id.value);
+      else large_.push_back(segment.id.value);
+    }
+    std::sort(large_.begin(), large_.end());
+  }
+  [[nodiscard]] bool Has(std::uint32_t id) const {
+    return id < small_.size() ? small_.test(id) : std::binary_search(large_.begin(), large_.end(), id);
+  }
+
+ private:
+  std::bitset<8192> small_;
+  std::vector<std::uint32_t> large_;
+};
+
+void CheckIdsHaveRows(const PanopticFrame& frame, std::span<const std::uint32_t> ids, const char* field, Status& bad) {
+  if (frame.unlisted_ids_are_unknown) return;
+  const ListedIds listed(frame.segments);
+  std::vector<std::uint32_t> missing;
+  std::uint32_t last = kNoSegment.value;  // ids come in runs
+  for (const std::uint32_t id : ids) {
+    if (id == last) continue;
+    last = id;
+    if (listed.Has(id) || missing.size() > kMaxIdsNamed) continue;
+    if (std::find(missing.begin(), missing.end(), id) == missing.end()) missing.push_back(id);
+  }
+  std::sort(missing.begin(), missing.end());
+  for (std::size_t i = 0; i < std::min(missing.size(), kMaxIdsNamed); ++i) {
+    bad.AddViolation(field, "id " + std::to_string(missing[i]) + " has no row in the segment table");
+  }
+  if (missing.size() > kMaxIdsNamed) bad.AddViolation(field, "and more ids without a row");
+}
+
+void CheckCount(std::size_t count, std::size_t wanted, bool may_be_empty, const std::string& field, Status& bad) {
+  if (count == wanted || (count == 0 && may_be_empty)) return;
+  bad.AddViolation(field, "has " + std::to_string(count) + " values, not " + std::to_string(wanted));
+}
+
+void CheckCamera(const PanopticFrame& frame, const DepthCameraData& data, Status& bad) {
+  const Status camera = data.camera.Validate();
+  for (const FieldViolation& violation : camera.violations()) {
+    bad.AddViolation("depth_camera.camera." + violation.field, violation.description);
+  }
+  if (!camera.ok()) return;
+  const auto num_pixels = static_cast<std::size_t>(data.camera.num_pixels());
+  CheckCount(data.depth_m.size(), num_pixels, false, "depth_camera.depth", bad);
+  CheckCount(data.color.size(), num_pixels, true, "depth_camera.color", bad);
+  CheckCount(data.segments.size(), num_pixels, true, "depth_camera.segments", bad);
+  CheckIdsHaveRows(frame, data.segments, "depth_camera.segments", bad);
+}
+
+void CheckLidar(const PanopticFrame& frame, const LidarData& data, Status& bad) {
+  const std::size_t num_points = data.points_m.size();
+  CheckCount(data.color.size(), num_points, true, "lidar.rgb", bad);
+  CheckCount(data.segments.size(), num_points, true, "lidar.segment_ids", bad);
+  const auto first_bad =
+      std::find_if(data.points_m.begin(), data.points_m.end(), [](const Eigen::Vector3f& p) { return !p.allFinite(); });
+  if (first_bad != data.points_m.end()) {
+    bad.AddViolation("lidar.xyz_m", "point " + std::to_string(first_bad - data.points_m.begin()) + " is not finite");
+  }
+  CheckIdsHaveRows(frame, data.segments, "lidar.segment_ids", bad);
+}
+
+}  // namespace
+
+Status ValidateFrame(const PanopticFrame& frame, const LabelSet& label_set) {
+  Status bad = InvalidArgument("the frame is not usable").WithReason("BAD_FRAME");
+  if (!IsFinite(frame.T_map_sensor)) bad.AddViolation("map_from_sensor", "has a NaN or infinite entry");
+  if (frame.camera.has_value() == frame.lidar.has_value()) {
+    bad.AddViolation("sensor", frame.camera ? "has both a camera and a LiDAR" : "has neither a camera nor a LiDAR");
+  }
+  CheckSegmentTable(frame, label_set, bad);
+  if (frame.camera) CheckCamera(frame, *frame.camera, bad);
+  if (frame.lidar) CheckLidar(frame, *frame.lidar, bad);
+  return bad.violations().empty() ? Status::Ok() : bad;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/sensor/lidar_projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dhpmap {
+namespace {
+
+template <typename Pixel>
+Status CheckSize(const LidarCamera& camera, const Image<Pixel>& image, const char* field) {
+  const bool is_empty = image.width_px == 0 && image.height_px == 0 && image.pixels.empty();
+  const bool fits = image.width_px == camera.width_px && image.height_px == camera.height_px &&
+                    image.pixels.size() == static_cast<std::size_t>(image.width_px) * image.height_px;
+  if (is_empty || fits) return Status::Ok();
+  const std::string size = std::to_string(image.width_px) + " x " + std::to_string(image.height_px);
+  const std::string wanted = std::to_string(camera.width_px) + " x " + std::to_string(camera.height_px);
+  return InvalidArgument("an image beside the LiDAR does not have its camera's size")
+      .WithReason("BAD_FRAME")
+      .WithViolation(field, "is " + size + " pixels, the camera " + wanted);
+}
+
+Status Check(const LidarCamera& camera, const Image<Color>& color, const Image<std::uint32_t>& segments,
+             const LidarData& scan) {
+  constexpr int kMaxSide_px = 16384;
+  Status bad = InvalidArgument("the camera beside the LiDAR is not usable").WithReason("BAD_CAMERA");
+  if (camera.width_px < 1 || camera.width_px > kMaxSide_px || camera.height_px < 1 || camera.height_px > kMaxSide_px) {
+    bad.AddViolation("lidar.camera", "width_px or height_px is not within 1 and 16384");
+  }
+  if (!camera.P_image_lidar.allFinite()) bad.AddViolation("lidar.camera.image_from_lidar", "is not finite");
+  const std::size_t n = scan.points_m.size();
+  if (!scan.color.empty() && scan.color.size() != n) bad.AddViolation("lidar.rgb", "is not one a point");
+  if (!scan.segments.empty() && scan.segments.size() != n) bad.AddViolation("lidar.segment_ids", "is not one a point");
+  if (!bad.violations().empty()) return bad;
+  DHPMAP_RETURN_IF_ERROR(CheckSize(camera, color, "lidar.camera.color"));
+  return CheckSize(camera, segments, "lidar.camera.segments");
+}
+
+/// Bilinear at (u, v), which lies between pixel centres of the image.
+Color Sample(const Image<Color>& image, double u, double v) {
+  const int u0 = static_cast<int>(u), v0 = static_cast<int>(v);
+  const int u1 = std::min(u0 + 1, image.width_px - 1), v1 = std::min(v0 + 1, image.height_px - 1);
+  const double fu = u - u0, fv = v - v0;
+  const auto at = [&image](int x, int y) { return image.pixels[static_cast<std::size_t>(y) * image.width_px + x]; };
+  const Color c00 = at(u0, v0), c10 = at(u1, v0), c01 = at(u0, v1), c11 = at(u1, v1);
+  const auto mix = [fu, fv](std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) {
+    return static_cast<std::uint8_t>((a * (1 - fu) + b * fu) * (1 - fv) + (c * (1 - fu) + d * fu) * fv + 0.5);
+  };
+  return {mix(c00.r, c10.r, c01.r, c11.r), mix(c00.g, c10.g, c01.g, c11.g), mix(c00.b, c10.b, c01.b, c11.b)};
+}
+
+}  // namespace
+
+Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& color, const Image<std::uint32_t>& segments,
+                             LidarData& scan) {
+  DHPMAP_RETURN_IF_ERROR(Check(camera, color, segments, scan));
+  const bool has_color = color.width_px > 0, has_segments = segments.width_px > 0;
+  const std::size_t num_points = scan.points_m.size();
+  const bool keep_color = has_color || !scan.color.empty(), keep_segments = has_segments || !scan.segments.empty();
+  if (has_color) scan.color.resize(num_points);
+  if (has_segments) scan.segments.resize(num_points);
+
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < num_points; ++i) {
+    const Eigen::Vector3d q = camera.P_image_lidar * scan.points_m[i].cast<double>().homogeneous();
+    if (!(q.z() > 0)) continue;
+    const double u = q.x() / q.z(), v = q.y() / q.z();
+    // All four neighbours lie in the image; written so that NaN fails.
+    if (!(u >= 0 && v >= 0 && std::ceil(u) < camera.width_px && std::ceil(v) < camera.height_px)) continue;
+    scan.points_m[kept] = scan.points_m[i];
+    if (has_color) scan.color[kept] = Sample(color, u, v);
+    else if (keep_color) scan.color[kept] = scan.color[i];
+    if (has_segments) {
+      scan.segments[kept] =
+          segments.pixels[static_cast<std::size_t>(v) * segments.width_px + static_cast<std::size_t>(u)];
+    } else if (keep_segments) {
+      scan.segments[kept] = scan.segments[i];
+    }
+    ++kept;
+  }
+  scan.points_m.resize(kept);
+  if (keep_color) scan.color.resize(kept);
+  if (keep_segments) scan.segments.resize(kept);
+  return Status::Ok();
+}
+
+}  // namespace dhpmap
