@@ -171,12 +171,12 @@ std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayO
       if (to_m <= from_m) continue;
 
       GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m, from_m, to_m);
-      const BlockEntry* entry = nullptr;
-      std::optional<BlockIndex> block;
+      BlockIndex block = BlockOf(ray.voxel());
+      const BlockEntry* entry = submap.blocks().Find(block);
       TsdfBlock* tsdf = nullptr;
       for (int step = ray.num_voxels(); step > 0; --step, ray.Next()) {
         const VoxelIndex voxel = ray.voxel();
-        if (const BlockIndex now = BlockOf(voxel); !block || now != *block) {
+        if (const BlockIndex now = BlockOf(voxel); now != block) {
           block = now;
           entry = submap.blocks().Find(now);
           tsdf = nullptr;
@@ -184,9 +184,9 @@ std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayO
         const auto linear = static_cast<std::size_t>(LinearIndex(voxel));
         if (entry == nullptr || entry->tsdf == nullptr || !entry->tsdf->IsObserved(static_cast<int>(linear))) continue;
         if (std::any_of(segments.begin(), segments.end(), [&](const auto& s) { return s.EndsIn(voxel); })) continue;
-        if (tsdf == nullptr) tsdf = &submap.MutableTsdf(*block);
+        if (tsdf == nullptr) tsdf = &submap.MutableTsdf(block);
         // The colour weighs nothing: free space has none.
-        if (UpdateVoxel(rule.truncation_m, bundle.weight, {}, rule, *tsdf, linear)) ++num_updates;
+        if (UpdateVoxel(rule.truncation_m, bundle.weight, Eigen::Vector3f::Zero(), rule, *tsdf, linear)) ++num_updates;
       }
     }
   }

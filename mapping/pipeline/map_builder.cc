@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/pipeline/map_builder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/integrator.h"
+#include "mapping/tracking/activity.h"
+#include "mapping/tracking/tracker.h"
+#include "mapping/tracking/visibility.h"
+
+namespace dhpmap {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Seconds since construction or the last lap.
+  double Lap_s() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The segments of a frame that go into one submap, in the order of the table.
+struct SubmapWork {
+  Submap* submap;
+  std::vector<std::size_t> segments;
+  std::int64_t num_updates = 0;
+};
+
+}  // namespace
+
+struct MapBuilder::Impl {
+  Impl(Map m, int num_threads)
+      : map(std::move(m)), pool(num_threads), bundler(map.info().config.integration, pool), tracker(map.info().config, pool) {}
+
+  std::vector<SubmapWork> GroupBySubmap(const std::vector<Assignment>& assignments);
+  void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, SubmapWork& work);
+  std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments);
+
+  Map map;
+  ThreadPool pool;
+  Bundler bundler;
+  Tracker tracker;
+};
+
+std::vector<SubmapWork> MapBuilder::Impl::GroupBySubmap(const std::vector<Assignment>& assignments) {
+  std::vector<SubmapWork> works;
+  for (std::size_t s = 0; s < assignments.size(); ++s) {
+    Submap* submap = map.FindMutable(assignments[s].submap);
+    auto it = std::find_if(works.begin(), works.end(), [&](const SubmapWork& work) { return work.submap == submap; });
+    if (it == works.end()) it = works.insert(works.end(), {submap, {}});
+    it->segments.push_back(s);
+  }
+  return works;
+}
+
+void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, SubmapWork& work) {
+  Submap& submap = *work.submap;
+  const SubmapInfo& info = submap.info();
+  const IntegrationConfig& config = map.info().config.integration;
+  const bool is_unknown = info.id == kUnknownSubmap;
+  const bool on_map_grid = IsIdentity(info.T_map_submap) && info.voxel_size_m == map.info().config.voxel_size_m;
+  const Transform T_submap_sensor = info.T_map_submap.inverse() * frame.T_map_sensor;
+  const RayOrigin origin(T_submap_sensor.translation(), info.voxel_size_m);
+  const std::size_t num_blocks = submap.blocks().size();
+
+  // A moved object has a grid of its own: bundle the frame again on that one.
+  ThreadPool here(1);
+  Bundler own_bundler(config, here);
+  const std::vector<SegmentBundles>* bundled = &segments;
+  if (!on_map_grid) bundled = &own_bundler.BundleFrame(frame, T_submap_sensor, info.voxel_size_m);
+
+  for (const std::size_t s : work.segments) {
+    const int row = segments[s].row;
+    const auto same_row = std::find_if(bundled->begin(), bundled->end(), [row](const auto& b) { return b.row == row; });
+    std::optional<ClassId> class_id;
+    if (!is_unknown) class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
+    work.num_updates += IntegrateSegment(*same_row, origin, class_id, config, submap);
+  }
+  if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
+  submap.mutable_info().num_frames_observed += 1;
+  submap.mutable_info().last_observed_ns = frame.stamp_ns;
+}
+
+std::int64_t MapBuilder::Impl::Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments) {
+  const MapConfig& config = map.info().config;
+  const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
+  std::vector<Submap*> in_view;
+  std::vector<SubmapId> ids;
+  for (const auto& submap : map.submaps()) {
+    const bool on_map_grid =
+        IsIdentity(submap->info().T_map_submap) && submap->info().voxel_size_m == config.voxel_size_m;
+    if (on_map_grid && MayBeInView(frame, config.integration.max_range_m, submap->bounding_sphere())) {
+      ids.push_back(submap->id());
+    }
+  }
+  for (const SubmapId id : ids) in_view.push_back(map.FindMutable(id));
+  std::vector<std::int64_t> num_updates(in_view.size(), 0);
+  pool.ParallelFor(in_view.size(), [&](std::size_t i) {
+    num_updates[i] = CarveFreeSpace(segments, origin, config.integration, *in_view[i]);
+  });
+  std::int64_t total = 0;
+  for (const std::int64_t n : num_updates) total += n;
+  return total;
+}
+
+MapBuilder::MapBuilder(MapInfo info, int num_threads) : impl_(std::make_unique<Impl>(Map(std::move(info)), num_threads)) {}
+MapBuilder::MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads)
+    : impl_(std::make_unique<Impl>(Map(std::move(snapshot)), num_threads)) {}
+MapBuilder::~MapBuilder() = default;
+
+Map& MapBuilder::map() { return impl_->map; }
+const Map& MapBuilder::map() const { return impl_->map; }
+
+Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
+  Map& map = impl_->map;
+  DHPMAP_RETURN_IF_ERROR(ValidateFrame(frame, *map.info().label_set));
+  FrameReport report;
+  Stopwatch watch;
+
+  // (A) Points become bundles of segments on the map's grid.
+  const auto& segments = impl_->bundler.BundleFrame(frame, frame.T_map_sensor, map.info().config.voxel_size_m);
+  report.bundle_s = watch.Lap_s();
+
+  // (B) Each segment finds its submap.
+  const std::vector<Assignment> assignments = impl_->tracker.Assign(frame, segments, map);
+  report.track_s = watch.Lap_s();
+
+  // (C) Each submap takes its segments; submaps are independent of each other.
+  std::vector<SubmapWork> works = impl_->GroupBySubmap(assignments);
+  impl_->pool.ParallelFor(works.size(), [&](std::size_t i) { impl_->Fuse(frame, segments, works[i]); });
+  if (map.info().config.integration.carving) report.num_voxels_updated += impl_->Carve(frame, segments);
+  report.fuse_s = watch.Lap_s();
+
+  // Things that were not seen for a while settle.
+  std::vector<SubmapId> observed;
+  for (const Assignment& assignment : assignments) observed.push_back(assignment.submap);
+  report.num_dissolved = UpdateActivity(frame, observed, map);
+  map.mutable_info().num_frames += 1;
+  report.activity_s = watch.Lap_s();
+
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    report.num_points += segments[s].num_points;
+    if (assignments[s].submap == kUnknownSubmap) report.num_unknown_points += segments[s].num_points;
+    if (segments[s].row >= 0) report.num_segments += 1;
+    if (assignments[s].is_new) {
+      report.num_created += 1;
+    } else if (assignments[s].submap != kUnknownSubmap) {
+      report.num_matched += 1;
+    }
+  }
+  for (const SubmapWork& work : works) report.num_voxels_updated += work.num_updates;
+  return report;
+}
+
+void MapBuilder::Finish() {
+  Map& map = impl_->map;
+  DeactivateAll(map);
+  std::vector<SubmapId> ids;
+  for (const auto& submap : map.submaps()) {
+    const auto& entries = submap->blocks().entries();
+    const bool has_empty_block = std::any_of(entries.begin(), entries.end(), [](const BlockEntry& entry) {
+      return entry.tsdf == nullptr || !entry.tsdf->HasObservedVoxel();
+    });
+    if (has_empty_block) ids.push_back(submap->id());
+  }
+  for (const SubmapId id : ids) {
+    Submap& submap = *map.FindMutable(id);
+    submap.PruneBlocks();
+    submap.UpdateBoundingSphere();
+  }
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "mapping/map/map.h"
+#include "mapping/sensor/frame.h"
+
+namespace dhpmap {
+
+/// Updates the life cycle of all things after a frame (paper II-D): observed ones become active, and confirmed once they
+/// were re-observed often enough; ones without a segment for several frames become inactive. An unconfirmed thing that
+/// was overlooked for as many frames although it should have been seen is dissolved into the unknown submap: its
+/// geometry stays, its labels go. `observed`: ids with a segment in this frame. Returns how many were dissolved.
+int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& observed, Map& map);
+
+/// Merges the geometry of a submap into the unknown submap (weighted average) and removes it. Only for submaps on the
+/// map's own grid; returns false otherwise.
+bool DissolveIntoUnknown(SubmapId id, Map& map);
+
+/// Makes every thing inactive.
+void DeactivateAll(Map& map);
+
+}  // namespace dhpmap

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+#include "mapping/fusion/bundler.h"
+#include "mapping/map/map.h"
+#include "mapping/sensor/frame.h"
+
+namespace dhpmap {
+
+/// Where a segment of a frame goes.
+struct Assignment {
+  SubmapId submap;          ///< kUnknownSubmap: geometry only
+  bool is_new = false;      ///< the submap was made for it
+  float iou = 0;            ///< of the match; 0 where none was computed
+};
+
+/// Overlap of a frame's segments with the map's things (paper II-B; algorithm.md 1): n_hits[segment][candidate] points.
+struct OverlapTable {
+  std::vector<SubmapId> candidates;                ///< ascending
+  std::vector<std::vector<std::int64_t>> hits;     ///< one row a segment, one column a candidate
+  /// hits / (points of the whole frame that hit the candidate + points of the segment - hits).
+  [[nodiscard]] double Iou(std::size_t segment, std::size_t candidate, std::int64_t num_segment_points) const;
+  std::vector<std::int64_t> candidate_hits;        ///< sum of each column
+};
+
+/// Spatial submap id tracker (paper II-B): finds the submap of every segment of a frame, or makes one.
+///   - persistent ids: the thing with that track id;
+///   - background: the one submap of its class;
+///   - things: matched with thing submaps by IoU, best first, one to one; a second segment may join a submap only if it
+///     touches one that did (a split segment);
+///   - what is left makes a new submap if it is large enough, else goes to the unknown submap.
+/// Ties are broken by submap id, then by table row. Thread-compatible.
+class Tracker {
+ public:
+  Tracker(const MapConfig& config, ThreadPool& pool) : config_(config), pool_(pool) {}
+
+  /// One assignment a segment of `segments` (see Bundler), on the map's grid. Creates submaps in `map`.
+  std::vector<Assignment> Assign(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, Map& map);
+
+  /// The hits of every segment on every thing that may be in view; for tests and for Assign.
+  [[nodiscard]] OverlapTable CountOverlaps(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                                           const Map& map);
+
+ private:
+  void MatchThings(const std::vector<SegmentBundles>& segments, const std::vector<bool>& is_open,
+                   const PanopticFrame& frame, const OverlapTable& overlaps, const Map& map,
+                   std::vector<Assignment>& assignments) const;
+  [[nodiscard]] std::int64_t MinPoints(const LabelClass& label_class) const;
+  SubmapId CreateSubmap(const PanopticFrame& frame, const SegmentInfo& segment, const LabelClass& label_class, Map& map) const;
+
+  MapConfig config_;
+  ThreadPool& pool_;
+};
+
+/// True if a bundle of `a` ends in or beside (26 neighbours) a voxel in which one of `b` ends.
+bool Touch(const SegmentBundles& a, const SegmentBundles& b);
+
+}  // namespace dhpmap
