@@ -43,8 +43,7 @@ class [[nodiscard]] Result {
 #define DHPMAP_CONCAT_(a, b) DHPMAP_CONCAT_INNER_(a, b)
 
 /// `DHPMAP_ASSIGN_OR_RETURN(auto x, Compute())`: x is the value, or the enclosing function returns the error.
-#define DHPMAP_ASSIGN_OR_RETURN(lhs, expr) \
-  DHPMAP_ASSIGN_OR_RETURN_(DHPMAP_CONCAT_(dhpmap_result_, __LINE__), lhs, expr)
+#define DHPMAP_ASSIGN_OR_RETURN(lhs, expr) DHPMAP_ASSIGN_OR_RETURN_(DHPMAP_CONCAT_(dhpmap_result_, __LINE__), lhs, expr)
 #define DHPMAP_ASSIGN_OR_RETURN_(result, lhs, expr) \
   auto result = (expr);                             \
   if (!result.ok()) return result.status();         \

@@ -84,8 +84,7 @@ Status Internal(std::string message);
 }  // namespace dhpmap
 
 /// Returns from the enclosing function if `expr` is not OK.
-#define DHPMAP_RETURN_IF_ERROR(expr)                                \
-  do {                                                              \
-    if (::dhpmap::Status dhpmap_status_ = (expr); !dhpmap_status_.ok()) \
-      return dhpmap_status_;                                        \
+#define DHPMAP_RETURN_IF_ERROR(expr)                                                           \
+  do {                                                                                         \
+    if (::dhpmap::Status dhpmap_status_ = (expr); !dhpmap_status_.ok()) return dhpmap_status_; \
   } while (false)

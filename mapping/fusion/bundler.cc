@@ -20,7 +20,7 @@ std::size_t NextPowerOfTwo(std::size_t n) {
   return power;
 }
 
-std::size_t SlotHash(BlockIndex block, std::size_t mask) { return BlockIndexHash{}(block) & mask; }
+std::size_t SlotHash(BlockIndex block, std::size_t mask) { return BlockIndexHash{}(block)&mask; }
 
 Color ColorAt(const std::vector<Color>& colors, std::size_t i) {
   return colors.empty() ? Color{128, 128, 128} : colors[i];
@@ -56,13 +56,13 @@ struct Bundler::Grid {
   Grid(const Transform& T_grid_sensor, double voxel_size_m)
       : R_grid_sensor(T_grid_sensor.linear().cast<float>()), voxels_per_m(static_cast<float>(1.0 / voxel_size_m)) {
     base = VoxelAt(T_grid_sensor.translation(), voxel_size_m);
-    offset_vox =
-        (T_grid_sensor.translation() / voxel_size_m - Eigen::Vector3d(base.x, base.y, base.z)).cast<float>();
+    offset_vox = (T_grid_sensor.translation() / voxel_size_m - Eigen::Vector3d(base.x, base.y, base.z)).cast<float>();
   }
 
   [[nodiscard]] VoxelIndex VoxelOf(const Eigen::Vector3f& p_m) const {
     const Eigen::Vector3f v = p_m * voxels_per_m + offset_vox;
-    return {base.x + static_cast<std::int32_t>(std::floor(v.x())), base.y + static_cast<std::int32_t>(std::floor(v.y())),
+    return {base.x + static_cast<std::int32_t>(std::floor(v.x())),
+            base.y + static_cast<std::int32_t>(std::floor(v.y())),
             base.z + static_cast<std::int32_t>(std::floor(v.z()))};
   }
 };
@@ -112,13 +112,48 @@ void SegmentBundles::Reset() {
   std::fill(slots_.begin(), slots_.end(), 0);
 }
 
+/// Cuts a row of pixels into runs. The sums stay in registers until a run ends.
+void Bundler::CombineRow(const RowPoints& points, const std::uint32_t* segments, const Color* colors, std::size_t width,
+                         std::vector<Run>& runs) {
+  constexpr float kGrey = 128.0f;
+  std::size_t u = 0;
+  while (u < width) {
+    if (points.weight[u] == 0.0f) {
+      ++u;
+      continue;
+    }
+    const std::int32_t x = points.voxel_x[u], y = points.voxel_y[u], z = points.voxel_z[u];
+    const std::uint32_t segment = segments ? segments[u] : 0;
+    float weight = 0, sum_x = 0, sum_y = 0, sum_z = 0, red = 0, green = 0, blue = 0;
+    const std::size_t begin = u;
+    do {
+      const float w = points.weight[u];
+      weight += w;
+      sum_x += w * points.x_m[u];
+      sum_y += w * points.y_m[u];
+      sum_z += w * points.z_m[u];
+      if (colors) {
+        red += w * static_cast<float>(colors[u].r);
+        green += w * static_cast<float>(colors[u].g);
+        blue += w * static_cast<float>(colors[u].b);
+      }
+      ++u;
+    } while (u < width && points.voxel_x[u] == x && points.voxel_y[u] == y && points.voxel_z[u] == z &&
+             points.weight[u] != 0.0f && (segments == nullptr || segments[u] == segment));
+    if (colors == nullptr) red = green = blue = kGrey * weight;
+    runs.push_back(
+        {segment, {x, y, z}, static_cast<std::uint32_t>(u - begin), weight, {sum_x, sum_y, sum_z}, {red, green, blue}});
+  }
+}
+
 void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid) {
   const PinholeCamera& camera = data.camera;
   const auto width = static_cast<std::size_t>(camera.width_px);
   std::vector<float> column(4 * width);
   for (std::size_t u = 0; u < width; ++u) {
     const auto x = static_cast<float>((static_cast<double>(u) - camera.cx_px) / camera.fx_px);
-    for (int axis = 0; axis < 3; ++axis) column[static_cast<std::size_t>(axis) * width + u] = grid.R_grid_sensor(axis, 0) * x;
+    for (int axis = 0; axis < 3; ++axis)
+      column[static_cast<std::size_t>(axis) * width + u] = grid.R_grid_sensor(axis, 0) * x;
     column[3 * width + u] = x * x + 1.0f;
   }
   const auto square = [](double value) { return static_cast<float>(value * value); };
@@ -127,7 +162,8 @@ void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid) {
   shared.column_y = column.data() + width;
   shared.column_z = column.data() + 2 * width;
   shared.column_length2 = column.data() + 3 * width;
-  shared.offset_x_vox = grid.offset_vox.x(), shared.offset_y_vox = grid.offset_vox.y(), shared.offset_z_vox = grid.offset_vox.z();
+  shared.offset_x_vox = grid.offset_vox.x(), shared.offset_y_vox = grid.offset_vox.y(),
+  shared.offset_z_vox = grid.offset_vox.z();
   shared.base_x = grid.base.x, shared.base_y = grid.base.y, shared.base_z = grid.base.z;
   shared.voxels_per_m = grid.voxels_per_m;
   shared.min_range2_m2 = square(config_.min_range_m);
@@ -140,8 +176,9 @@ void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid) {
     runs.clear();
     std::vector<float> values(4 * width);
     std::vector<std::int32_t> voxels(3 * width);
-    const RowPoints row_points{values.data(),     values.data() + width, values.data() + 2 * width, values.data() + 3 * width,
-                               voxels.data(), voxels.data() + width, voxels.data() + 2 * width};
+    const RowPoints row_points{
+        values.data(), values.data() + width, values.data() + 2 * width, values.data() + 3 * width,
+        voxels.data(), voxels.data() + width, voxels.data() + 2 * width};
     const int end_row = std::min(camera.height_px, static_cast<int>(band + 1) * kRowsPerBand);
     for (int v = static_cast<int>(band) * kRowsPerBand; v < end_row; ++v) {
       const auto y = static_cast<float>((v - camera.cy_px) / camera.fy_px);
@@ -153,22 +190,9 @@ void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid) {
       const std::size_t first = static_cast<std::size_t>(v) * width;
       ProjectRow(data.depth_m.data() + first, camera.width_px, geometry, row_points);
 
-      bool in_run = false;
-      for (std::size_t u = 0; u < width; ++u) {
-        const float weight = row_points.weight[u];
-        if (weight == 0.0f) {
-          in_run = false;
-          continue;
-        }
-        const VoxelIndex voxel{row_points.voxel_x[u], row_points.voxel_y[u], row_points.voxel_z[u]};
-        const std::uint32_t segment = data.segments.empty() ? 0 : data.segments[first + u];
-        if (!in_run || runs.back().voxel != voxel || runs.back().segment != segment) {
-          runs.push_back({.segment = segment, .voxel = voxel});
-          in_run = true;
-        }
-        runs.back().Add({row_points.x_m[u], row_points.y_m[u], row_points.z_m[u]}, weight,
-                        ColorAt(data.color, first + u));
-      }
+      const std::uint32_t* segments = data.segments.empty() ? nullptr : data.segments.data() + first;
+      const Color* colors = data.color.empty() ? nullptr : data.color.data() + first;
+      CombineRow(row_points, segments, colors, width, runs);
     }
   });
 }
@@ -240,7 +264,8 @@ void Bundler::SortRunsBySegment(const PanopticFrame& frame) {
     segments_[num_segments++].row = static_cast<int>(position) - 1;
   }
   segments_.resize(num_segments);
-  pool_.ParallelFor(num_segments, [&](std::size_t s) { BuildSegment(ranges[s].first, ranges[s].second, segments_[s]); });
+  pool_.ParallelFor(num_segments,
+                    [&](std::size_t s) { BuildSegment(ranges[s].first, ranges[s].second, segments_[s]); });
 }
 
 void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& segment) {

@@ -15,8 +15,10 @@
 
 namespace dhpmap {
 
-/// The points of one segment that end in the same voxel, to be traced as one ray (paper II-C). Positions are relative to
-/// the sensor's origin, along the axes of the grid.
+struct RowPoints;
+
+/// The points of one segment that end in the same voxel, to be traced as one ray (paper II-C). Positions are relative
+/// to the sensor's origin, along the axes of the grid.
 struct Bundle {
   Eigen::Vector3f weighted_sum_m = Eigen::Vector3f::Zero();
   float weight = 0;
@@ -69,6 +71,8 @@ class Bundler {
  private:
   struct Run;
   struct Grid;
+  static void CombineRow(const RowPoints& points, const std::uint32_t* segments, const Color* colors, std::size_t width,
+                         std::vector<Run>& runs);
   void CollectCameraRuns(const DepthCameraData& data, const Grid& grid);
   void CollectLidarRuns(const LidarData& data, const Grid& grid);
   void SortRunsBySegment(const PanopticFrame& frame);

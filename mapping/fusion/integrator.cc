@@ -76,8 +76,9 @@ bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const 
   const float sum = old_weight + weight;
   if (weight <= 0.0f || sum < kMinObservedWeight) return false;
   const float inverse_sum = 1.0f / sum;
-  const float distance_m = (sdf_m * weight + block.distance_m[i] * old_weight) * inverse_sum;
-  block.distance_m[i] = std::clamp(distance_m, -rule.truncation_m, rule.truncation_m);
+  // Clamped before averaging, not after: so the average does not depend on the order of the observations.
+  const float clamped_m = std::clamp(sdf_m, -rule.truncation_m, rule.truncation_m);
+  block.distance_m[i] = (clamped_m * weight + block.distance_m[i] * old_weight) * inverse_sum;
   if (std::abs(sdf_m) < rule.truncation_m) {
     Color& c = block.color[i];
     c = {Blend(c.r, old_weight, color.x(), weight, inverse_sum), Blend(c.g, old_weight, color.y(), weight, inverse_sum),
@@ -116,8 +117,8 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
       const float range_m = end_m.norm();
       const Eigen::Vector3f direction = end_m / range_m;
 
-      GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m,
-                  std::max(range_m - rule.truncation_m, 0.0f), range_m + rule.truncation_m);
+      GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m, std::max(range_m - rule.truncation_m, 0.0f),
+                  range_m + rule.truncation_m);
       BlockIndex block = BlockOf(ray.voxel());
       Neighbour* here = &neighbourhood.At(block);
       for (int step = ray.num_voxels(); step > 0; --step, ray.Next()) {
@@ -152,7 +153,8 @@ std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayO
   const BoundingSphere& sphere = submap.bounding_sphere();
   const Eigen::Vector3f to_center =
       (sphere.center_m - Eigen::Vector3d(origin.voxel.x, origin.voxel.y, origin.voxel.z) * submap.info().voxel_size_m)
-          .cast<float>() - origin.offset_vox * voxel_size_m;
+          .cast<float>() -
+      origin.offset_vox * voxel_size_m;
   const auto radius_m = static_cast<float>(sphere.radius_m);
   std::int64_t num_updates = 0;
 

@@ -12,15 +12,15 @@ namespace dhpmap {
 
 /// Where the rays of a frame start, on the grid of a submap.
 struct RayOrigin {
-  VoxelIndex voxel;                 ///< that holds the sensor's origin
-  Eigen::Vector3f offset_vox;       ///< of the origin within it, 0..1
+  VoxelIndex voxel;            ///< that holds the sensor's origin
+  Eigen::Vector3f offset_vox;  ///< of the origin within it, 0..1
   RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m);
 };
 
 /// Traces the bundles of one segment through the band of +-truncation around their end points (paper II-C) and updates
-/// the TSDF and, with a class, the labels of the submap. Bundles must be on the submap's grid. Writes to `submap` alone,
-/// so segments of different submaps may run at once; those of one submap one after the other. Returns the number of
-/// voxel updates.
+/// the TSDF and, with a class, the labels of the submap. Bundles must be on the submap's grid. Writes to `submap`
+/// alone, so segments of different submaps may run at once; those of one submap one after the other. Returns the number
+/// of voxel updates.
 std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> class_id,
                               const IntegrationConfig& config, Submap& submap);
 

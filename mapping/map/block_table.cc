@@ -19,9 +19,7 @@ const BlockEntry* BlockTable::Find(BlockIndex index) const {
   return entry == kFree ? nullptr : &entries_[entry];
 }
 
-BlockEntry* BlockTable::Find(BlockIndex index) {
-  return const_cast<BlockEntry*>(std::as_const(*this).Find(index));
-}
+BlockEntry* BlockTable::Find(BlockIndex index) { return const_cast<BlockEntry*>(std::as_const(*this).Find(index)); }
 
 BlockEntry& BlockTable::FindOrInsert(BlockIndex index) {
   if (2 * (entries_.size() + 1) > slots_.size()) Rehash(std::max<std::size_t>(16, slots_.size() * 2));

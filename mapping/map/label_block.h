@@ -38,9 +38,9 @@ BestLabel FindBest(std::span<const LabelCount> counts);
 /// Sums two lists that are sorted by id.
 std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const LabelCount> b);
 
-/// Exact label counts of one block (paper II-A, II-C). Nearly every voxel has seen one instance, its own submap, and one
-/// or two classes: those counts are inline in 8 bytes. Anything else (a third class, another instance, a count above
-/// 65,535) moves the voxel to an overflow list without any cap. Thread-compatible.
+/// Exact label counts of one block (paper II-A, II-C). Nearly every voxel has seen one instance, its own submap, and
+/// one or two classes: those counts are inline in 8 bytes. Anything else (a third class, another instance, a count
+/// above 65,535) moves the voxel to an overflow list without any cap. Thread-compatible.
 class LabelBlock {
  public:
   /// Adds one observation of class `c` that also counts for the own instance (paper II-C).
@@ -53,7 +53,8 @@ class LabelBlock {
     }
   }
 
-  /// Adds whole histograms, such as those of a voxel of another submap; lists sorted by id, ids of classes below 65,535.
+  /// Adds whole histograms, such as those of a voxel of another submap; lists sorted by id, ids of classes below
+  /// 65,535.
   void Add(int linear, const LabelHistograms& histograms);
 
   /// Replaces a voxel's counts; empty lists clear it.

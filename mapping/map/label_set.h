@@ -29,7 +29,8 @@ struct LabelClass {
 class LabelSet {
  public:
   LabelSet() = default;
-  /// INVALID_ARGUMENT, with every violation named, for an id given twice, an id of 65,535, or kUnknown as panoptic kind.
+  /// INVALID_ARGUMENT, with every violation named, for an id given twice, an id of 65,535, or kUnknown as panoptic
+  /// kind.
   static Result<LabelSet> Create(std::vector<LabelClass> classes);
 
   /// By ascending id.

@@ -46,9 +46,9 @@ SubmapChange DiffSubmap(const Submap* before, const Submap& after) {
 
 Status ValidateMapName(const std::string& name) {
   const auto is_word = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
-  const bool good = !name.empty() && name.size() <= 63 && is_word(name[0]) &&
-                    std::all_of(name.begin(), name.end(),
-                                [&](char c) { return is_word(c) || c == '.' || c == '_' || c == '-'; });
+  const bool good =
+      !name.empty() && name.size() <= 63 && is_word(name[0]) &&
+      std::all_of(name.begin(), name.end(), [&](char c) { return is_word(c) || c == '.' || c == '_' || c == '-'; });
   if (good) return Status::Ok();
   return InvalidArgument("'" + name.substr(0, 80) + "' is not a map name")
       .WithReason("BAD_NAME")

@@ -15,13 +15,13 @@ namespace dhpmap {
 
 /// All of a map but its submaps: one row of the store.
 struct MapInfo {
-  std::string name;          ///< [a-z0-9][a-z0-9._-]{0,62}, unique in a server
+  std::string name;  ///< [a-z0-9][a-z0-9._-]{0,62}, unique in a server
   std::string display_name;
   MapConfig config;
   std::shared_ptr<const LabelSet> label_set = std::make_shared<LabelSet>();
-  std::int64_t revision = 0;     ///< +1 with each published change
-  std::int64_t num_frames = 0;   ///< frames fused so far
-  SubmapId next_submap_id{1};    ///< ids are never reused
+  std::int64_t revision = 0;        ///< +1 with each published change
+  std::int64_t num_frames = 0;      ///< frames fused so far
+  SubmapId next_submap_id{1};       ///< ids are never reused
   std::int64_t create_time_ns = 0;  ///< UTC
   std::int64_t update_time_ns = 0;  ///< UTC
 };
@@ -71,7 +71,8 @@ class Map {
   /// The unknown submap cannot be removed. Returns whether it was there.
   bool Remove(SubmapId id);
 
-  /// The present state as a snapshot. A new revision if anything was written since the last one, else the same snapshot.
+  /// The present state as a snapshot. A new revision if anything was written since the last one, else the same
+  /// snapshot.
   std::shared_ptr<const MapSnapshot> Publish(std::int64_t time_ns);
   [[nodiscard]] const std::shared_ptr<const MapSnapshot>& published() const { return published_; }
 

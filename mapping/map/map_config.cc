@@ -52,7 +52,8 @@ Status MapConfig::Validate() const {
   VisitFields(*this, [&bad](const char* key, const auto& value, double least, double most, const char*) {
     const auto number = static_cast<double>(value);
     if (!(number >= least && number <= most)) {  // also catches NaN
-      bad.AddViolation(key, FormatField(value) + " is not within " + FormatDouble(least) + " and " + FormatDouble(most));
+      bad.AddViolation(key,
+                       FormatField(value) + " is not within " + FormatDouble(least) + " and " + FormatDouble(most));
     }
   });
   if (bad.violations().empty()) {
@@ -117,7 +118,8 @@ Status SetField(MapConfig& config, std::string_view wanted, std::string_view tex
     if (parsed) value = candidate;
   });
   const std::string key(wanted);
-  if (!known) return InvalidArgument("unknown config key " + key).WithReason("BAD_CONFIG").WithViolation(key, "unknown key");
+  if (!known)
+    return InvalidArgument("unknown config key " + key).WithReason("BAD_CONFIG").WithViolation(key, "unknown key");
   if (!parsed) {
     return InvalidArgument("config key " + key + " cannot be '" + std::string(text) + "'")
         .WithReason("BAD_CONFIG")

@@ -21,15 +21,15 @@ struct IntegrationConfig {
   double max_weight = 10000.0;  ///< lower it to follow changes faster
   bool weight_dropoff = true;   ///< fade the weight behind the surface, from one voxel to the truncation
   bool anti_grazing = true;     ///< a ray skips voxels in which another ray of its segment ends
-  bool carving = false;         ///< also update the free space from the sensor to the surface: clears ghosts, costs time
+  bool carving = false;  ///< also update the free space from the sensor to the surface: clears ghosts, costs time
 };
 
 struct TrackingConfig {
-  double iou_threshold = 0.12;  ///< a segment joins a submap only above this IoU
-  double depth_tolerance_vox = 1.0;  ///< a point hits a submap where |distance| is below this
+  double iou_threshold = 0.12;        ///< a segment joins a submap only above this IoU
+  double depth_tolerance_vox = 1.0;   ///< a point hits a submap where |distance| is below this
   bool match_requires_class = false;  ///< things only match submaps of their own class
-  int min_points_stuff = 1000;   ///< points that a new background submap needs in one frame
-  int min_points_small = 100;    ///< the same for things, by the size of their class
+  int min_points_stuff = 1000;        ///< points that a new background submap needs in one frame
+  int min_points_small = 100;         ///< the same for things, by the size of their class
   int min_points_medium = 200;
   int min_points_large = 1000;
 };
@@ -66,20 +66,26 @@ void VisitFields(Config& c, Visitor&& visit) {
   visit("truncation_m", c.truncation_m, 1e-3, 100.0, "half width of the stored band, 1 to 8 voxels");
   visit("integration.min_range_m", c.integration.min_range_m, 0.0, 1e4, "nearer points are dropped");
   visit("integration.max_range_m", c.integration.max_range_m, 1e-3, 1e4, "farther points are dropped");
-  visit("integration.weighting", c.integration.weighting, 0.0, 2.0, "of a point: CONSTANT, INVERSE_DEPTH_SQUARED or INVERSE_RANGE_SQUARED");
+  visit("integration.weighting", c.integration.weighting, 0.0, 2.0,
+        "of a point: CONSTANT, INVERSE_DEPTH_SQUARED or INVERSE_RANGE_SQUARED");
   visit("integration.max_weight", c.integration.max_weight, 1e-3, 1e9, "cap of a voxel's weight");
   visit("integration.weight_dropoff", c.integration.weight_dropoff, 0.0, 1.0, "fade the weight behind the surface");
-  visit("integration.anti_grazing", c.integration.anti_grazing, 0.0, 1.0, "rays skip voxels in which others of their segment end");
+  visit("integration.anti_grazing", c.integration.anti_grazing, 0.0, 1.0,
+        "rays skip voxels in which others of their segment end");
   visit("integration.carving", c.integration.carving, 0.0, 1.0, "also update free space along the ray");
   visit("tracking.iou_threshold", c.tracking.iou_threshold, 0.0, 1.0, "a segment joins a submap only above this IoU");
-  visit("tracking.depth_tolerance_vox", c.tracking.depth_tolerance_vox, 0.0, 100.0, "a point hits a submap where |distance| is below this");
-  visit("tracking.match_requires_class", c.tracking.match_requires_class, 0.0, 1.0, "things only match submaps of their own class");
+  visit("tracking.depth_tolerance_vox", c.tracking.depth_tolerance_vox, 0.0, 100.0,
+        "a point hits a submap where |distance| is below this");
+  visit("tracking.match_requires_class", c.tracking.match_requires_class, 0.0, 1.0,
+        "things only match submaps of their own class");
   visit("tracking.min_points_stuff", c.tracking.min_points_stuff, 1.0, 1e9, "points a new background submap needs");
   visit("tracking.min_points_small", c.tracking.min_points_small, 1.0, 1e9, "points a new small thing needs");
   visit("tracking.min_points_medium", c.tracking.min_points_medium, 1.0, 1e9, "points a new medium thing needs");
   visit("tracking.min_points_large", c.tracking.min_points_large, 1.0, 1e9, "points a new large thing needs");
-  visit("activity.required_reobservations", c.activity.required_reobservations, 0.0, 1e6, "of a new thing before it is confirmed");
-  visit("activity.deactivate_after_missed", c.activity.deactivate_after_missed, 1.0, 1e6, "consecutive frames without a matching segment");
+  visit("activity.required_reobservations", c.activity.required_reobservations, 0.0, 1e6,
+        "of a new thing before it is confirmed");
+  visit("activity.deactivate_after_missed", c.activity.deactivate_after_missed, 1.0, 1e6,
+        "consecutive frames without a matching segment");
 }
 
 /// Every key with its value as text, in the order of VisitFields. SetField undoes it exactly.

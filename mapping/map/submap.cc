@@ -31,9 +31,7 @@ float SubmapInfo::ClassConfidence() const {
   return total == 0 ? 0.0f : static_cast<float>(static_cast<double>(own) / static_cast<double>(total));
 }
 
-BoundingSphere Submap::BoundingSphereInMap() const {
-  return {info_.T_map_submap * sphere_.center_m, sphere_.radius_m};
-}
+BoundingSphere Submap::BoundingSphereInMap() const { return {info_.T_map_submap * sphere_.center_m, sphere_.radius_m}; }
 
 TsdfBlock& Submap::MutableTsdf(BlockIndex index) {
   BlockEntry& entry = blocks_.FindOrInsert(index);

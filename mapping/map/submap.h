@@ -41,9 +41,9 @@ struct SubmapInfo {
   float instance_confidence = 1.0f;  ///< share of its voxels' instance counts that are its own
 
   Activity activity = Activity::kActive;
-  bool is_confirmed = true;              ///< a new thing is confirmed by re-observation
-  std::int64_t num_frames_observed = 0;  ///< frames with a segment of it
-  std::int32_t num_frames_missed = 0;    ///< consecutive frames without one, up to now
+  bool is_confirmed = true;                ///< a new thing is confirmed by re-observation
+  std::int64_t num_frames_observed = 0;    ///< frames with a segment of it
+  std::int32_t num_frames_missed = 0;      ///< consecutive frames without one, up to now
   std::int32_t num_frames_overlooked = 0;  ///< of these, frames in which it was in view and not hidden
   std::int64_t first_observed_ns = 0;
   std::int64_t last_observed_ns = 0;

@@ -10,8 +10,7 @@ bool TsdfBlock::HasObservedVoxel() const {
 }
 
 int TsdfBlock::NumObservedVoxels() const {
-  return static_cast<int>(
-      std::count_if(weight.begin(), weight.end(), [](float w) { return w >= kMinObservedWeight; }));
+  return static_cast<int>(std::count_if(weight.begin(), weight.end(), [](float w) { return w >= kMinObservedWeight; }));
 }
 
 }  // namespace dhpmap

@@ -39,7 +39,10 @@ struct SubmapWork {
 
 struct MapBuilder::Impl {
   Impl(Map m, int num_threads)
-      : map(std::move(m)), pool(num_threads), bundler(map.info().config.integration, pool), tracker(map.info().config, pool) {}
+      : map(std::move(m)),
+        pool(num_threads),
+        bundler(map.info().config.integration, pool),
+        tracker(map.info().config, pool) {}
 
   std::vector<SubmapWork> GroupBySubmap(const std::vector<Assignment>& assignments);
   void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, SubmapWork& work);
@@ -112,7 +115,8 @@ std::int64_t MapBuilder::Impl::Carve(const PanopticFrame& frame, const std::vect
   return total;
 }
 
-MapBuilder::MapBuilder(MapInfo info, int num_threads) : impl_(std::make_unique<Impl>(Map(std::move(info)), num_threads)) {}
+MapBuilder::MapBuilder(MapInfo info, int num_threads)
+    : impl_(std::make_unique<Impl>(Map(std::move(info)), num_threads)) {}
 MapBuilder::MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads)
     : impl_(std::make_unique<Impl>(Map(std::move(snapshot)), num_threads)) {}
 MapBuilder::~MapBuilder() = default;

@@ -24,8 +24,8 @@ struct FrameReport {
   [[nodiscard]] double total_s() const { return bundle_s + track_s + fuse_s + activity_s; }
 };
 
-/// The mapping pipeline (paper Fig. 2): a posed panoptic frame goes in, a new state of the map comes out. The same frames
-/// give a bit-identical map for any number of threads. Thread-compatible: one writer a map.
+/// The mapping pipeline (paper Fig. 2): a posed panoptic frame goes in, a new state of the map comes out. The same
+/// frames give a bit-identical map for any number of threads. Thread-compatible: one writer a map.
 class MapBuilder {
  public:
   /// `num_threads` 0 means one a core.

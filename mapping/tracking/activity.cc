@@ -10,8 +10,8 @@ namespace dhpmap {
 namespace {
 
 std::uint8_t Average(std::uint8_t a, float weight_a, std::uint8_t b, float weight_b) {
-  return static_cast<std::uint8_t>((static_cast<float>(a) * weight_a + static_cast<float>(b) * weight_b) /
-                                       (weight_a + weight_b) + 0.5f);
+  return static_cast<std::uint8_t>(
+      (static_cast<float>(a) * weight_a + static_cast<float>(b) * weight_b) / (weight_a + weight_b) + 0.5f);
 }
 
 void MergeTsdf(const TsdfBlock& from, TsdfBlock& into, float max_weight) {
@@ -44,9 +44,8 @@ int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& obse
       continue;
     }
     if (before.activity == Activity::kInactive && before.is_confirmed) continue;  // settled: leave its row alone
-    const bool was_overlooked =
-        !before.is_confirmed &&
-        ShouldBeSeen(frame, config.integration.max_range_m, map.Find(id)->BoundingSphereInMap());
+    const bool was_overlooked = !before.is_confirmed && ShouldBeSeen(frame, config.integration.max_range_m,
+                                                                     map.Find(id)->BoundingSphereInMap());
     if (before.activity == Activity::kInactive && !was_overlooked) continue;
     SubmapInfo& info = map.FindMutable(id)->mutable_info();
     ++info.num_frames_missed;

@@ -8,9 +8,9 @@
 
 namespace dhpmap {
 
-/// Updates the life cycle of all things after a frame (paper II-D): observed ones become active, and confirmed once they
-/// were re-observed often enough; ones without a segment for several frames become inactive. An unconfirmed thing that
-/// was overlooked for as many frames although it should have been seen is dissolved into the unknown submap: its
+/// Updates the life cycle of all things after a frame (paper II-D): observed ones become active, and confirmed once
+/// they were re-observed often enough; ones without a segment for several frames become inactive. An unconfirmed thing
+/// that was overlooked for as many frames although it should have been seen is dissolved into the unknown submap: its
 /// geometry stays, its labels go. `observed`: ids with a segment in this frame. Returns how many were dissolved.
 int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& observed, Map& map);
 

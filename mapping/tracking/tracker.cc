@@ -98,8 +98,8 @@ OverlapTable Tracker::CountOverlaps(const PanopticFrame& frame, const std::vecto
     const BoundingSphere sphere = submap->BoundingSphereInMap();
     if (info.panoptic != Panoptic::kThing || !MayBeInView(frame, config_.integration.max_range_m, sphere)) continue;
     const bool on_grid = IsIdentity(info.T_map_submap) && info.voxel_size_m == config_.voxel_size_m;
-    candidates.push_back({submap.get(), sphere, on_grid,
-                          static_cast<float>(config_.tracking.depth_tolerance_vox * info.voxel_size_m)});
+    candidates.push_back(
+        {submap.get(), sphere, on_grid, static_cast<float>(config_.tracking.depth_tolerance_vox * info.voxel_size_m)});
     table.candidates.push_back(info.id);
   }
 
@@ -138,7 +138,8 @@ void Tracker::MatchThings(const std::vector<SegmentBundles>& segments, const std
     if (!is_open[s]) continue;
     const ClassId class_id = *frame.segments[static_cast<std::size_t>(segments[s].row)].class_id;
     for (std::size_t c = 0; c < overlaps.candidates.size(); ++c) {
-      if (config_.tracking.match_requires_class && map.Find(overlaps.candidates[c])->info().class_id != class_id) continue;
+      if (config_.tracking.match_requires_class && map.Find(overlaps.candidates[c])->info().class_id != class_id)
+        continue;
       const double iou = overlaps.Iou(s, c, segments[s].num_points);
       if (iou > config_.tracking.iou_threshold) pairs.push_back({iou, c, s});
     }

@@ -13,18 +13,18 @@ namespace dhpmap {
 
 /// Where a segment of a frame goes.
 struct Assignment {
-  SubmapId submap;          ///< kUnknownSubmap: geometry only
-  bool is_new = false;      ///< the submap was made for it
-  float iou = 0;            ///< of the match; 0 where none was computed
+  SubmapId submap;      ///< kUnknownSubmap: geometry only
+  bool is_new = false;  ///< the submap was made for it
+  float iou = 0;        ///< of the match; 0 where none was computed
 };
 
 /// Overlap of a frame's segments with the map's things (paper II-B; algorithm.md 1): n_hits[segment][candidate] points.
 struct OverlapTable {
-  std::vector<SubmapId> candidates;                ///< ascending
-  std::vector<std::vector<std::int64_t>> hits;     ///< one row a segment, one column a candidate
+  std::vector<SubmapId> candidates;             ///< ascending
+  std::vector<std::vector<std::int64_t>> hits;  ///< one row a segment, one column a candidate
   /// hits / (points of the whole frame that hit the candidate + points of the segment - hits).
   [[nodiscard]] double Iou(std::size_t segment, std::size_t candidate, std::int64_t num_segment_points) const;
-  std::vector<std::int64_t> candidate_hits;        ///< sum of each column
+  std::vector<std::int64_t> candidate_hits;  ///< sum of each column
 };
 
 /// Spatial submap id tracker (paper II-B): finds the submap of every segment of a frame, or makes one.
@@ -50,7 +50,8 @@ class Tracker {
                    const PanopticFrame& frame, const OverlapTable& overlaps, const Map& map,
                    std::vector<Assignment>& assignments) const;
   [[nodiscard]] std::int64_t MinPoints(const LabelClass& label_class) const;
-  SubmapId CreateSubmap(const PanopticFrame& frame, const SegmentInfo& segment, const LabelClass& label_class, Map& map) const;
+  SubmapId CreateSubmap(const PanopticFrame& frame, const SegmentInfo& segment, const LabelClass& label_class,
+                        Map& map) const;
 
   MapConfig config_;
   ThreadPool& pool_;

@@ -35,7 +35,8 @@ bool ShouldBeSeen(const PanopticFrame& frame, double max_range_m, const Bounding
   const auto u = static_cast<int>(std::lround(camera.fx_px * p.x() / p.z() + camera.cx_px));
   const auto v = static_cast<int>(std::lround(camera.fy_px * p.y() / p.z() + camera.cy_px));
   if (u < 0 || v < 0 || u >= camera.width_px || v >= camera.height_px) return false;
-  const float depth_m = frame.camera->depth_m[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width_px) + static_cast<std::size_t>(u)];
+  const float depth_m = frame.camera->depth_m[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width_px) +
+                                              static_cast<std::size_t>(u)];
   return std::isfinite(depth_m) && depth_m > 0 && depth_m >= p.z() - sphere.radius_m;
 }
 

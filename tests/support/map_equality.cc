@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/map_equality.h"
+
+#include <cmath>
+
+namespace dhpmap::testing {
+namespace {
+
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+
+AssertionResult BlocksAreEqual(const BlockEntry& a, const BlockEntry& b, double distance_tolerance_m,
+                               double weight_tolerance) {
+  if ((a.tsdf == nullptr) != (b.tsdf == nullptr)) return AssertionFailure() << "one has no TSDF layer";
+  if ((a.labels == nullptr) != (b.labels == nullptr)) return AssertionFailure() << "one has no label layer";
+  if (a.labels && !(*a.labels == *b.labels)) return AssertionFailure() << "label counts differ";
+  for (std::size_t i = 0; a.tsdf && i < kBlockVoxels; ++i) {
+    if (a.tsdf->IsObserved(static_cast<int>(i)) != b.tsdf->IsObserved(static_cast<int>(i))) {
+      return AssertionFailure() << "voxel " << i << " is observed in one only";
+    }
+    if (!a.tsdf->IsObserved(static_cast<int>(i))) continue;
+    const double distance_error_m = std::abs(a.tsdf->distance_m[i] - b.tsdf->distance_m[i]);
+    const double weight_error = std::abs(a.tsdf->weight[i] - b.tsdf->weight[i]);
+    if (distance_error_m > distance_tolerance_m || weight_error > weight_tolerance * a.tsdf->weight[i]) {
+      return AssertionFailure() << "voxel " << i << ": distance " << a.tsdf->distance_m[i] << " and "
+                                << b.tsdf->distance_m[i] << ", weight " << a.tsdf->weight[i] << " and "
+                                << b.tsdf->weight[i];
+    }
+    if (distance_tolerance_m == 0 && !(a.tsdf->color[i] == b.tsdf->color[i])) {
+      return AssertionFailure() << "voxel " << i << ": colours differ";
+    }
+  }
+  return AssertionSuccess();
+}
+
+AssertionResult InfosAreEqual(const SubmapInfo& a, const SubmapInfo& b) {
+  const bool same = a.id == b.id && a.panoptic == b.panoptic && a.class_id == b.class_id &&
+                    a.class_is_fixed == b.class_is_fixed && a.display_name == b.display_name &&
+                    a.T_map_submap.matrix() == b.T_map_submap.matrix() && a.voxel_size_m == b.voxel_size_m &&
+                    a.truncation_m == b.truncation_m && a.class_counts == b.class_counts && a.activity == b.activity &&
+                    a.is_confirmed == b.is_confirmed && a.num_frames_observed == b.num_frames_observed &&
+                    a.num_frames_missed == b.num_frames_missed && a.num_frames_overlooked == b.num_frames_overlooked &&
+                    a.first_observed_ns == b.first_observed_ns && a.last_observed_ns == b.last_observed_ns &&
+                    a.track_id == b.track_id;
+  return same ? AssertionSuccess() : AssertionFailure() << "rows differ";
+}
+
+}  // namespace
+
+AssertionResult MapsAreEqual(const MapSnapshot& a, const MapSnapshot& b, double distance_tolerance_m,
+                             double weight_tolerance) {
+  if (a.submaps().size() != b.submaps().size()) {
+    return AssertionFailure() << a.submaps().size() << " and " << b.submaps().size() << " submaps";
+  }
+  if (a.info().num_frames != b.info().num_frames) return AssertionFailure() << "frame counts differ";
+  for (std::size_t s = 0; s < a.submaps().size(); ++s) {
+    const Submap& left = *a.submaps()[s];
+    const Submap& right = *b.submaps()[s];
+    if (AssertionResult same = InfosAreEqual(left.info(), right.info()); !same) {
+      return AssertionFailure() << "submap " << left.id().value << ": " << same.message();
+    }
+    if (left.blocks().size() != right.blocks().size()) {
+      return AssertionFailure() << "submap " << left.id().value << ": " << left.blocks().size() << " and "
+                                << right.blocks().size() << " blocks";
+    }
+    for (const BlockEntry& entry : left.blocks().entries()) {
+      const BlockEntry* other = right.blocks().Find(entry.index);
+      if (other == nullptr) return AssertionFailure() << "submap " << left.id().value << " lacks a block";
+      if (AssertionResult same = BlocksAreEqual(entry, *other, distance_tolerance_m, weight_tolerance); !same) {
+        return AssertionFailure() << "submap " << left.id().value << ", block " << entry.index.x << ' ' << entry.index.y
+                                  << ' ' << entry.index.z << ": " << same.message();
+      }
+    }
+  }
+  return AssertionSuccess();
+}
+
+}  // namespace dhpmap::testing
