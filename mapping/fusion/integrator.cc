@@ -76,9 +76,11 @@ bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const 
   const float sum = old_weight + weight;
   if (weight <= 0.0f || sum < kMinObservedWeight) return false;
   const float inverse_sum = 1.0f / sum;
-  // Clamped before averaging, not after: so the average does not depend on the order of the observations.
+  // Each observation is clamped before averaging, so that the average does not depend on their order; the average is
+  // clamped again because rounding may push it out of the band.
   const float clamped_m = std::clamp(sdf_m, -rule.truncation_m, rule.truncation_m);
-  block.distance_m[i] = (clamped_m * weight + block.distance_m[i] * old_weight) * inverse_sum;
+  const float average_m = (clamped_m * weight + block.distance_m[i] * old_weight) * inverse_sum;
+  block.distance_m[i] = std::clamp(average_m, -rule.truncation_m, rule.truncation_m);
   if (std::abs(sdf_m) < rule.truncation_m) {
     Color& c = block.color[i];
     c = {Blend(c.r, old_weight, color.x(), weight, inverse_sum), Blend(c.g, old_weight, color.y(), weight, inverse_sum),
