@@ -18,6 +18,11 @@ namespace dhpmap {
 enum class LabelSource { kPredicted, kGroundTruth, kNone };
 enum class DatasetFormat { kAuto, kFlat, kKitti, kSevenScenes, kTum };
 
+struct DatasetOptions {
+  /// LiDAR scans with SemanticKITTI labels beside them: leave out points that are not labelled or move.
+  bool drop_moving_points = true;
+};
+
 /// An image file as it is on disk.
 struct ImageFile {
   std::vector<std::byte> bytes;  ///< empty = there is none
@@ -59,14 +64,24 @@ class Dataset {
   /// Segment ids mean the same object in every frame (ground truth).
   [[nodiscard]] virtual bool has_persistent_ids() const = 0;
   [[nodiscard]] virtual std::size_t num_frames() const = 0;
-  /// An error means that this frame has to be skipped, and says why.
+  /// An error means that this frame has to be skipped, and says why; its reason() is the kind: MISSING_FILE, BAD_POSE,
+  /// BAD_LABELS, BAD_SCAN, BAD_IMAGE or NO_MATCH (nothing recorded near enough in time).
   virtual Result<DatasetFrame> Read(std::size_t index) = 0;
 };
 
-/// kAuto tells the format from the files there. NOT_FOUND or INVALID_ARGUMENT say what is missing.
-Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, DatasetFormat format, LabelSource labels);
+/// `directory` is the root of the data set or one of its recordings; of several the first by name is taken. kAuto tells
+/// the format from the files there. NOT_FOUND or INVALID_ARGUMENT say what is missing; FAILED_PRECONDITION with reason
+/// NO_LABELS: the data set has no labels of this kind.
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, DatasetFormat format, LabelSource labels,
+                                             const DatasetOptions& options = {});
 
-/// Decodes the images of a frame, for programs that map in process.
+/// "flat", "kitti", "sevenscenes", "tum" or "auto"; INVALID_ARGUMENT for anything else.
+Result<DatasetFormat> ParseDatasetFormat(const std::string& name);
+/// "predicted", "groundtruth" or "none"; INVALID_ARGUMENT for anything else.
+Result<LabelSource> ParseLabelSource(const std::string& name);
+
+/// Decodes the images of a frame, for programs that map in process. Ids without a row in the frame's table count as
+/// unknown. INVALID_ARGUMENT for a pose that is not rigid and for images that cannot be decoded.
 Result<PanopticFrame> DecodeFrame(const DatasetFrame& frame, bool has_persistent_ids);
 
 }  // namespace dhpmap

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/datasets/segment_table.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "clients/datasets/file_reader.h"
+
+namespace dhpmap {
+namespace {
+
+using Json = nlohmann::json;
+
+/// -1 if there is no such whole number, not negative.
+std::int64_t WholeNumber(const Json& object, const char* key) {
+  const auto it = object.find(key);
+  return it != object.end() && it->is_number_unsigned() ? it->get<std::int64_t>() : -1;
+}
+
+float ScoreOf(const Json& object) {
+  const auto it = object.find("score");
+  return it != object.end() && it->is_number() ? std::clamp(it->get<float>(), 0.0f, 1.0f) : 0.0f;
+}
+
+Result<SegmentInfo> ParseSegment(const Json& object, const LabelTable& table) {
+  if (!object.is_object()) return InvalidArgument("is not an object");
+  const std::int64_t id = WholeNumber(object, "id");
+  const std::int64_t category = WholeNumber(object, "category_id");
+  if (id < 0 || id > 0xffffffff) return InvalidArgument("has no id");
+  if (category < 0) return InvalidArgument("has no category_id");
+  const LabelRow* row = table.Find(category);
+  if (row == nullptr) {
+    return InvalidArgument("has category_id " + std::to_string(category) + ", which the label table does not list");
+  }
+  SegmentInfo segment;
+  segment.id = SegmentId(static_cast<std::uint32_t>(id));
+  if (!row->is_unknown) segment.class_id = row->label_class.id;
+  segment.score = ScoreOf(object);
+  return segment;
+}
+
+}  // namespace
+
+Result<std::vector<SegmentInfo>> ReadSegmentTable(const std::filesystem::path& path, const LabelTable& table) {
+  DHPMAP_ASSIGN_OR_RETURN(const std::string text, ReadText(path));
+  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_array()) return BadFile(path, "is not a JSON list of segments").WithReason("BAD_LABELS");
+  std::vector<SegmentInfo> segments;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    Result<SegmentInfo> segment = ParseSegment(json[i], table);
+    if (!segment.ok()) {
+      return BadFile(path, "entry " + std::to_string(i) + " " + segment.status().message()).WithReason("BAD_LABELS");
+    }
+    if (segment->id != kNoSegment) segments.push_back(*segment);
+  }
+  return segments;
+}
+
+}  // namespace dhpmap

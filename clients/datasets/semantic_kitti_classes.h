@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mapping/map/label_set.h"
+
+namespace dhpmap {
+
+/// The classes of SemanticKITTI's .label files by their ids there, without "unlabeled" (0) and "outlier" (1).
+const std::vector<LabelClass>& SemanticKittiClasses();
+
+/// A word of a .label file: class in the low 16 bits, instance in the high ones.
+struct KittiLabel {
+  std::uint16_t class_id = 0;
+  std::uint16_t instance = 0;
+  explicit KittiLabel(std::uint32_t word)
+      : class_id(static_cast<std::uint16_t>(word & 0xffff)), instance(static_cast<std::uint16_t>(word >> 16)) {}
+  [[nodiscard]] bool is_labelled() const { return class_id > 1; }
+  [[nodiscard]] bool is_moving() const { return class_id >= 252; }
+};
+
+/// The id of the word's object in all scans: the word itself for things, the class for stuff; 0 (no label) for what is
+/// not labelled, of an unknown class, or a thing of which nobody said which one it is.
+std::uint32_t PersistentId(std::uint32_t word);
+
+}  // namespace dhpmap
