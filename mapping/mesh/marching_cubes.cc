@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <limits>
 
 #include "mapping/mesh/cell_cases.h"
 #include "mapping/mesh/mesh.h"
+#include "mapping/mesh/tsdf_halo.h"
 
 namespace dhpmap {
 namespace {
@@ -31,53 +30,6 @@ struct ActiveCell {
   std::uint32_t block = 0;
   std::uint16_t linear = 0;
   std::uint8_t inside_corners = 0;
-};
-
-/// Distances of a block with one voxel around it, NaN where not observed.
-class Halo {
- public:
-  static constexpr int kStride[3] = {1, kBlockSide + 2, (kBlockSide + 2) * (kBlockSide + 2)};
-
-  Halo(const BlockTable& blocks, BlockIndex index) {
-    distance_m_.fill(std::numeric_limits<float>::quiet_NaN());
-    for (int dz = -1; dz <= 1; ++dz) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-          const BlockEntry* entry = blocks.Find({index.x + dx, index.y + dy, index.z + dz});
-          if (entry != nullptr && entry->tsdf != nullptr) Copy(*entry->tsdf, dx, dy, dz);
-        }
-      }
-    }
-  }
-
-  /// Voxel coordinates in the block, -1 to 8.
-  [[nodiscard]] static int Position(int x, int y, int z) {
-    return (x + 1) * kStride[0] + (y + 1) * kStride[1] + (z + 1) * kStride[2];
-  }
-  [[nodiscard]] float At(int position) const { return distance_m_[position]; }
-  /// Change of the distance over one voxel along an axis, from the neighbours there are.
-  [[nodiscard]] float Slope(int position, int axis) const {
-    const float here = At(position), below = At(position - kStride[axis]), above = At(position + kStride[axis]);
-    if (!std::isnan(below) && !std::isnan(above)) return 0.5f * (above - below);
-    if (!std::isnan(above)) return above - here;
-    return std::isnan(below) ? 0.0f : here - below;
-  }
-
- private:
-  void Copy(const TsdfBlock& block, int dx, int dy, int dz) {
-    const auto first = [](int d) { return d < 0 ? -1 : d * kBlockSide; };
-    const auto end = [](int d) { return d < 0 ? 0 : d * kBlockSide + (d > 0 ? 1 : kBlockSide); };
-    for (int z = first(dz); z < end(dz); ++z) {
-      for (int y = first(dy); y < end(dy); ++y) {
-        for (int x = first(dx); x < end(dx); ++x) {
-          const int linear = LinearIndex({x, y, z});
-          if (block.IsObserved(linear)) distance_m_[Position(x, y, z)] = block.distance_m[linear];
-        }
-      }
-    }
-  }
-
-  std::array<float, (kBlockSide + 2) * (kBlockSide + 2) * (kBlockSide + 2)> distance_m_;
 };
 
 class Extractor {
@@ -211,7 +163,7 @@ class Extractor {
 
   void MakeVertices(const MeshBlock& block) {
     if (std::all_of(block.edges.begin(), block.edges.end(), [](std::uint64_t word) { return word == 0; })) return;
-    const Halo halo(submap_.blocks(), block.entry->index);
+    const TsdfHalo halo(submap_.blocks(), block.entry->index);
     for (int w = 0; w < kWords; ++w) {
       for (std::uint64_t bits = block.edges[w]; bits != 0; bits &= bits - 1) {
         const int edge = 64 * w + std::countr_zero(bits);
@@ -221,10 +173,10 @@ class Extractor {
   }
 
   /// The zero crossing between voxel `linear` and the next one along `axis`.
-  void MakeVertex(const MeshBlock& block, const Halo& halo, int linear, int axis) {
+  void MakeVertex(const MeshBlock& block, const TsdfHalo& halo, int linear, int axis) {
     constexpr float kMargin = 1e-3f;  // in voxels: vertices of edges that meet in a zero voxel stay apart
     const VoxelIndex v = VoxelIn({0, 0, 0}, linear);
-    const int a = Halo::Position(v.x, v.y, v.z), b = a + Halo::kStride[axis];
+    const int a = TsdfHalo::Position(v.x, v.y, v.z), b = a + TsdfHalo::kStride[axis];
     const float rise = halo.At(b) - halo.At(a);  // not 0: the signs differ
     const float t = std::clamp(-halo.At(a) / rise, kMargin, 1 - kMargin);
 
