@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/point_lookup.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/scenes.h"
+
+namespace dhpmap {
+namespace {
+
+constexpr ClassId kThing{1}, kStuff{2};
+
+MapInfo Info() {
+  MapInfo info;
+  info.name = "m";
+  info.label_set = testing::MakeLabelSet(1, 1);
+  return info;
+}
+
+Submap& AddSubmap(Map& map, Panoptic panoptic, ClassId class_id) {
+  SubmapInfo info;
+  info.panoptic = panoptic;
+  info.class_id = class_id;
+  info.voxel_size_m = map.info().config.voxel_size_m;
+  info.truncation_m = map.info().config.truncation_m;
+  return map.Create(std::move(info));
+}
+
+void Observe(Submap& submap, VoxelIndex v, float distance_m, float weight, int num_observations, ClassId c) {
+  const int i = LinearIndex(v);
+  TsdfBlock& tsdf = submap.MutableTsdf(BlockOf(v));
+  tsdf.distance_m[static_cast<std::size_t>(i)] = distance_m;
+  tsdf.weight[static_cast<std::size_t>(i)] = weight;
+  for (int n = 0; n < num_observations; ++n) submap.MutableLabels(BlockOf(v)).AddObservation(i, c);
+  submap.UpdateBoundingSphere();
+}
+
+TEST(PointLookup, EmptyMapKnowsNothing) {
+  Map map(Info());
+  EXPECT_FALSE(PointLookup(map.Publish(0)).At({0, 0, 0}).is_observed);
+}
+
+TEST(PointLookup, MostObservedSubmapAnswersWhereSurfacesAreEquallyNear) {
+  Map map(Info());
+  Submap& thing = AddSubmap(map, Panoptic::kThing, kThing);
+  Observe(thing, {3, 4, -5}, 0.01f, 2.0f, 3, kThing);
+  Submap& stuff = AddSubmap(map, Panoptic::kStuff, kStuff);
+  Observe(stuff, {3, 4, -5}, 0.01f, 9.0f, 1, kStuff);
+  const PointInfo info = PointLookup(map.Publish(0)).At(VoxelCentre({3, 4, -5}, 0.04));
+  ASSERT_TRUE(info.is_observed);
+  EXPECT_EQ(info.submap, SubmapId(1));
+  EXPECT_EQ(info.class_id, kThing);
+  EXPECT_FLOAT_EQ(info.weight, 2.0f);
+  EXPECT_FLOAT_EQ(info.instance_confidence, 0.75f);
+}
+
+TEST(PointLookup, NearerSurfaceWinsOverMoreObservations) {
+  Map map(Info());
+  Observe(AddSubmap(map, Panoptic::kThing, kThing), {0, 0, 0}, 0.0f, 1.0f, 2, kThing);
+  Observe(AddSubmap(map, Panoptic::kStuff, kStuff), {0, 0, 0}, 0.07f, 9.0f, 6, kStuff);
+  EXPECT_EQ(PointLookup(map.Publish(0)).At({0.01, 0.01, 0.01}).class_id, kThing);
+}
+
+TEST(PointLookup, UnknownSubmapAnswersOnlyWhereNobodyElseDoes) {
+  Map map(Info());
+  Observe(*map.FindMutable(kUnknownSubmap), {0, 0, 0}, 0.0f, 50.0f, 0, kThing);
+  Observe(*map.FindMutable(kUnknownSubmap), {1, 0, 0}, 0.0f, 50.0f, 0, kThing);
+  Observe(AddSubmap(map, Panoptic::kThing, kThing), {0, 0, 0}, 0.0f, 1.0f, 1, kThing);
+  const PointLookup lookup(map.Publish(0));
+  EXPECT_EQ(lookup.At({0.01, 0.01, 0.01}).submap, SubmapId(1));
+  const PointInfo unknown = lookup.At({0.05, 0.01, 0.01});
+  EXPECT_TRUE(unknown.is_observed);
+  EXPECT_EQ(unknown.submap, kUnknownSubmap);
+  EXPECT_EQ(unknown.panoptic, Panoptic::kUnknown);
+}
+
+TEST(PointLookup, DroppedLabelsAnswerWithTheSubmapsLabel) {
+  Map map(Info());
+  Submap& thing = AddSubmap(map, Panoptic::kThing, kThing);
+  Observe(thing, {0, 0, 0}, 0.0f, 1.0f, 4, kThing);
+  thing.AddClassObservations(kThing, 4);
+  thing.DropLabels();
+  const PointInfo info = PointLookup(map.Publish(0)).At({0.01, 0.01, 0.01});
+  EXPECT_EQ(info.submap, SubmapId(1));
+  EXPECT_EQ(info.class_id, kThing);
+  EXPECT_FLOAT_EQ(info.class_confidence, 1.0f);
+}
+
+TEST(PointLookup, MovedSubmapAnswersAtItsNewPlaceOnly) {
+  Map map(Info());
+  Submap& thing = AddSubmap(map, Panoptic::kThing, kThing);
+  Observe(thing, {2, 0, 0}, 0.0f, 1.0f, 1, kThing);
+  Transform& T = thing.mutable_info().T_map_submap;
+  T.translation() = Eigen::Vector3d(5, -1, 2);
+  T.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Eigen::Vector3d moved = T * VoxelCentre({2, 0, 0}, 0.04);
+  const PointLookup lookup(map.Publish(0));
+  EXPECT_EQ(lookup.At(moved).submap, SubmapId(1));
+  EXPECT_FALSE(lookup.At(VoxelCentre({2, 0, 0}, 0.04)).is_observed);
+}
+
+TEST(PointLookup, FindsEveryObservedVoxelOfManySubmaps) {
+  Map map(Info());
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> coordinate(-40, 40);
+  std::vector<std::pair<SubmapId, VoxelIndex>> truth;
+  for (int s = 0; s < 30; ++s) {
+    Submap& submap = AddSubmap(map, Panoptic::kThing, kThing);
+    // Each submap has a layer of voxels of its own.
+    for (int n = 0; n < 20; ++n) {
+      const VoxelIndex v{coordinate(random), coordinate(random), s};
+      Observe(submap, v, 0.0f, 1.0f, 1, kThing);
+      truth.emplace_back(submap.id(), v);
+    }
+  }
+  const PointLookup lookup(map.Publish(0));
+  for (const auto& [id, voxel] : truth) EXPECT_EQ(lookup.At(VoxelCentre(voxel, 0.04)).submap, id);
+}
+
+}  // namespace
+}  // namespace dhpmap

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/tracking/tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "mapping/fusion/integrator.h"
+#include "mapping/tracking/activity.h"
+#include "mapping/tracking/visibility.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::LookAt;
+using testing::Render;
+using testing::Scene;
+using testing::SmallCamera;
+using testing::Solid;
+
+constexpr ClassId kBox{1}, kChair{2}, kWall{3};
+
+/// Two boxes side by side, 20 cm apart, before a wall; segments 1, 2 and 3.
+Scene TwoBoxes() {
+  return {{{.shape = Solid::Shape::kBox, .center_m = {2, -0.4, 1}, .size_m = {0.3, 0.3, 0.3}, .segment = 1},
+           {.shape = Solid::Shape::kBox, .center_m = {2, 0.4, 1}, .size_m = {0.3, 0.3, 0.3}, .segment = 2},
+           {.shape = Solid::Shape::kHalfSpace, .center_m = {3, 0, 0}, .size_m = {-1, 0, 0}, .segment = 3}}};
+}
+
+PanopticFrame FrameOf(const Scene& scene) {
+  PanopticFrame frame = Render(scene, SmallCamera(), LookAt({0, 0.01, 1.02}, {2, 0.01, 1.02}));
+  frame.segments = {{.id = SegmentId(1), .class_id = kBox},
+                    {.id = SegmentId(2), .class_id = kBox},
+                    {.id = SegmentId(3), .class_id = kWall}};
+  return frame;
+}
+
+class TrackerTest : public ::testing::Test {
+ protected:
+  TrackerTest() : map_(Info()) {}
+
+  static MapInfo Info() {
+    MapInfo info;
+    info.name = "m";
+    info.label_set = testing::MakeLabelSet(2, 1);
+    info.config.tracking.min_points_stuff = 100;
+    info.config.tracking.min_points_medium = 100;
+    return info;
+  }
+
+  /// Tracks and fuses a frame; answers where each segment (1..3) went.
+  std::vector<Assignment> Feed(const PanopticFrame& frame) {
+    const MapConfig& config = map_.info().config;
+    const auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, config.voxel_size_m);
+    Tracker tracker(config, pool_);
+    const std::vector<Assignment> assignments = tracker.Assign(frame, segments, map_);
+    const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
+    std::vector<Assignment> by_row(frame.segments.size());
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      if (segments[s].row < 0) continue;
+      const auto row = static_cast<std::size_t>(segments[s].row);
+      by_row[row] = assignments[s];
+      Submap& submap = *map_.FindMutable(assignments[s].submap);
+      IntegrateSegment(segments[s], origin, frame.segments[row].class_id, config.integration, submap);
+      submap.UpdateBoundingSphere();
+      submap.mutable_info().num_frames_observed += 1;
+    }
+    return by_row;
+  }
+
+  Map map_;
+  ThreadPool pool_{1};
+  Bundler bundler_{map_.info().config.integration, pool_};
+};
+
+TEST_F(TrackerTest, FirstFrameMakesASubmapASegment) {
+  const auto assignments = Feed(FrameOf(TwoBoxes()));
+  for (const Assignment& assignment : assignments) EXPECT_TRUE(assignment.is_new);
+  EXPECT_EQ(map_.submaps().size(), 4u);
+}
+
+TEST_F(TrackerTest, SwappedIdsStillFindTheirSubmaps) {
+  const auto first = Feed(FrameOf(TwoBoxes()));
+  PanopticFrame swapped = FrameOf(TwoBoxes());
+  for (std::uint32_t& id : swapped.camera->segments) id = id == 1 ? 2 : (id == 2 ? 1 : id);
+  const auto second = Feed(swapped);
+  EXPECT_EQ(second[0].submap, first[1].submap);
+  EXPECT_EQ(second[1].submap, first[0].submap);
+  EXPECT_GT(second[0].iou, 0.9f);
+  EXPECT_EQ(second[2].submap, first[2].submap);
+}
+
+TEST_F(TrackerTest, OverlapCountsAreThoseOfAPointByPointTest) {
+  const PanopticFrame frame = FrameOf(TwoBoxes());
+  Feed(frame);
+  const MapConfig& config = map_.info().config;
+  Tracker tracker(config, pool_);
+  const auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, config.voxel_size_m);
+  const OverlapTable table = tracker.CountOverlaps(frame, segments, map_);
+  ASSERT_EQ(table.candidates.size(), 2u);
+  const PinholeCamera& camera = frame.camera->camera;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      const Submap& submap = *map_.Find(table.candidates[c]);
+      std::int64_t hits = 0;
+      for (int v = 0; v < camera.height_px; ++v) {
+        for (int u = 0; u < camera.width_px; ++u) {
+          const auto i = static_cast<std::size_t>(v * camera.width_px + u);
+          const double depth = frame.camera->depth_m[i];
+          if (frame.camera->segments[i] != static_cast<std::uint32_t>(segments[s].row + 1) || depth <= 0) continue;
+          const Eigen::Vector3d p =
+              frame.T_map_sensor * Eigen::Vector3d((u - camera.cx_px) / camera.fx_px * depth,
+                                                   (v - camera.cy_px) / camera.fy_px * depth, depth);
+          const VoxelIndex voxel = VoxelAt(p, config.voxel_size_m);
+          const BlockEntry* entry = submap.blocks().Find(BlockOf(voxel));
+          const auto linear = static_cast<std::size_t>(LinearIndex(voxel));
+          if (entry && entry->tsdf->IsObserved(static_cast<int>(linear)) &&
+              std::abs(entry->tsdf->distance_m[linear]) < config.voxel_size_m)
+            ++hits;
+        }
+      }
+      // Points within single precision of a voxel's face may fall on either side.
+      EXPECT_NEAR(static_cast<double>(table.hits[s][c]), static_cast<double>(hits),
+                  0.01 * static_cast<double>(hits) + 2);
+    }
+  }
+}
+
+TEST_F(TrackerTest, TwoThatDoNotTouchNeverShareASubmap) {
+  // First both boxes come as one merged segment; then apart: only one may keep the merged submap.
+  PanopticFrame merged = FrameOf(TwoBoxes());
+  for (std::uint32_t& id : merged.camera->segments) id = id == 2 ? 1 : id;
+  const auto first = Feed(merged);
+  const auto second = Feed(FrameOf(TwoBoxes()));
+  EXPECT_NE(second[0].submap, second[1].submap);
+  EXPECT_TRUE(second[0].submap == first[0].submap || second[1].submap == first[0].submap);
+}
+
+TEST_F(TrackerTest, PartsOfASplitSegmentThatTouchShareTheirSubmap) {
+  const auto whole = Feed(FrameOf(TwoBoxes()));
+  // The first box is cut into an upper and a lower half.
+  PanopticFrame split = FrameOf(TwoBoxes());
+  const int width = split.camera->camera.width_px;
+  for (std::size_t i = 0; i < split.camera->segments.size(); ++i) {
+    if (split.camera->segments[i] == 1 && static_cast<int>(i) / width < 60) split.camera->segments[i] = 4;
+  }
+  split.segments.push_back({.id = SegmentId(4), .class_id = kBox});
+  const auto parts = Feed(split);
+  EXPECT_EQ(parts[0].submap, whole[0].submap);
+  EXPECT_EQ(parts[3].submap, whole[0].submap);
+}
+
+TEST_F(TrackerTest, ThingNeverJoinsABackgroundSubmap) {
+  Feed(FrameOf(TwoBoxes()));
+  PanopticFrame relabelled = FrameOf(TwoBoxes());
+  relabelled.segments[2].class_id = kChair;  // the wall is now said to be a thing
+  const auto assignments = Feed(relabelled);
+  EXPECT_TRUE(assignments[2].is_new);
+  EXPECT_EQ(map_.Find(assignments[2].submap)->info().panoptic, Panoptic::kThing);
+}
+
+TEST_F(TrackerTest, WrongClassStillFindsTheSubmapUnlessClassesMustMatch) {
+  const auto first = Feed(FrameOf(TwoBoxes()));
+  PanopticFrame wrong = FrameOf(TwoBoxes());
+  wrong.segments[0].class_id = kChair;
+  EXPECT_EQ(Feed(wrong)[0].submap, first[0].submap);
+
+  map_.mutable_info().config.tracking.match_requires_class = true;
+  EXPECT_NE(Feed(wrong)[0].submap, first[0].submap);
+}
+
+TEST_F(TrackerTest, SmallSegmentsGoToTheUnknownSubmap) {
+  map_.mutable_info().config.tracking.min_points_medium = 100000;
+  const auto assignments = Feed(FrameOf(TwoBoxes()));
+  EXPECT_EQ(assignments[0].submap, kUnknownSubmap);
+  EXPECT_FALSE(assignments[0].is_new);
+}
+
+TEST_F(TrackerTest, ThingThatIsNotSeenAgainDissolvesAndItsGeometryStays) {
+  const auto first = Feed(FrameOf(TwoBoxes()));
+  const auto count_observed = [this] {
+    std::set<std::tuple<int, int, int, int>> voxels;
+    for (const auto& submap : map_.submaps()) {
+      for (const BlockEntry& entry : submap->blocks().entries()) {
+        for (int i = 0; i < kBlockVoxels; ++i) {
+          if (entry.tsdf->IsObserved(i)) voxels.insert({entry.index.x, entry.index.y, entry.index.z, i});
+        }
+      }
+    }
+    return voxels.size();
+  };
+  const std::size_t before = count_observed();
+  // The segmentation never reports the first box again, though it is in plain view.
+  PanopticFrame without = FrameOf(TwoBoxes());
+  for (std::uint32_t& id : without.camera->segments) id = id == 1 ? 0 : id;
+  int num_dissolved = 0;
+  for (int i = 0; i < 3; ++i) num_dissolved += UpdateActivity(without, {first[1].submap, first[2].submap}, map_);
+  EXPECT_EQ(num_dissolved, 1);
+  EXPECT_EQ(map_.Find(first[0].submap), nullptr);
+  EXPECT_NE(map_.Find(first[1].submap), nullptr);
+  EXPECT_EQ(count_observed(), before);
+}
+
+TEST_F(TrackerTest, ThingsOutOfViewBecomeInactiveButStay) {
+  const auto first = Feed(FrameOf(TwoBoxes()));
+  PanopticFrame elsewhere = FrameOf(TwoBoxes());
+  elsewhere.T_map_sensor = LookAt({0, 0, 1}, {-2, 0, 1});
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(UpdateActivity(elsewhere, {}, map_), 0);
+  EXPECT_EQ(map_.Find(first[0].submap)->info().activity, Activity::kInactive);
+  UpdateActivity(FrameOf(TwoBoxes()), {first[0].submap}, map_);
+  EXPECT_EQ(map_.Find(first[0].submap)->info().activity, Activity::kActive);
+}
+
+TEST(Visibility, SphereBehindTheCameraOrBeyondABorderIsNotInView) {
+  PanopticFrame frame = FrameOf(TwoBoxes());
+  EXPECT_TRUE(MayBeInView(frame, 5.0, {{2, 0, 1}, 0.1}));
+  EXPECT_FALSE(MayBeInView(frame, 5.0, {{-1, 0, 1}, 0.5}));
+  EXPECT_TRUE(MayBeInView(frame, 5.0, {{-0.2, 0, 1}, 0.5}));
+  EXPECT_FALSE(MayBeInView(frame, 5.0, {{1, 3, 1}, 0.5}));
+  EXPECT_FALSE(MayBeInView(frame, 5.0, {{9, 0, 1}, 0.5}));
+  EXPECT_TRUE(MayBeInView(frame, 5.0, {{5.3, 0, 1}, 0.5}));
+}
+
+TEST(Visibility, HiddenThingsNeedNotBeSeen) {
+  const PanopticFrame frame = FrameOf(TwoBoxes());
+  EXPECT_TRUE(ShouldBeSeen(frame, 5.0, {{2, 0.4, 1}, 0.4}));
+  EXPECT_FALSE(ShouldBeSeen(frame, 5.0, {{3.9, 0.4, 1}, 0.4}));  // behind the wall
+}
+
+}  // namespace
+}  // namespace dhpmap
