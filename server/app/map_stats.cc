@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/map_stats.h"
+
+namespace dhpmap {
+namespace {
+
+void AddBlocks(const Submap& submap, bool with_voxels, MapStats& stats) {
+  for (const BlockEntry& entry : submap.blocks().entries()) {
+    if (entry.labels) ++stats.num_label_blocks;
+    if (!entry.tsdf) continue;
+    ++stats.num_tsdf_blocks;
+    if (with_voxels) stats.num_observed_voxels += entry.tsdf->NumObservedVoxels();
+  }
+}
+
+}  // namespace
+
+MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels) {
+  MapStats stats;
+  for (const auto& submap : snapshot.submaps()) {
+    const bool is_thing = submap->info().panoptic == Panoptic::kThing;
+    ++stats.num_submaps;
+    stats.num_things += is_thing ? 1 : 0;
+    stats.num_stuff += submap->info().panoptic == Panoptic::kStuff ? 1 : 0;
+    stats.num_active += is_thing && submap->info().activity == Activity::kActive ? 1 : 0;
+    stats.memory_bytes += static_cast<std::int64_t>(submap->MemoryBytes());
+    AddBlocks(*submap, with_voxels, stats);
+  }
+  return stats;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "mapping/base/result.h"
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+
+inline constexpr std::size_t kMaxDisplayNameBytes = 256;
+
+/// Identifies the state of a submap: changes with every published change of it.
+std::string EtagOf(const Submap& submap);
+
+/// What to change of a submap; what is empty stays.
+struct SubmapPatch {
+  std::optional<Transform> T_map_submap;
+  std::optional<ClassId> class_id;  ///< fixes the class against later votes
+  std::optional<std::string> display_name;
+};
+
+// Each edit either does all it says or returns an error and has changed nothing: NOT_FOUND for a submap that is not
+// there, FAILED_PRECONDITION for the unknown submap, ABORTED for an etag (where not empty) that is not the present one.
+// None touches voxels.
+
+/// The submap an edit may work on, under the conditions above.
+Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag);
+
+/// INVALID_ARGUMENT for a class outside the label set or of the other kind, a pose that is not finite, or a display
+/// name above kMaxDisplayNameBytes.
+Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch);
+
+/// The id of a copy with a new id, at the place and with the name given, or those of the original.
+Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch);
+
+Status DeleteSubmap(Map& map, SubmapId id, const std::string& etag);
+
+}  // namespace dhpmap

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+
+/// Which submaps to list: those that pass every condition given. Map frame.
+struct SubmapFilter {
+  struct Box {
+    Eigen::Vector3d min_m, max_m;
+  };
+  std::optional<std::vector<ClassId>> classes;  ///< one of these; a submap without a class passes none
+  std::optional<Panoptic> panoptic;
+  std::optional<Box> region;           ///< touched by the bounding sphere
+  std::optional<BoundingSphere> near;  ///< touched by the bounding sphere
+
+  [[nodiscard]] bool Passes(const Submap& submap) const;
+};
+
+/// By ascending id.
+std::vector<std::shared_ptr<const Submap>> SelectSubmaps(const MapSnapshot& snapshot, const SubmapFilter& filter);
+
+}  // namespace dhpmap
