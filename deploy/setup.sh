@@ -13,7 +13,7 @@ packages=(
   libspdlog-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev
   libgtest-dev
 )
-googleapis_package=golang-github-grpc-ecosystem-grpc-gateway-dev
+googleapis_package=golang-github-gogo-googleapis-dev  # the grpc-gateway one is older and has no google.rpc.ErrorInfo
 googleapis_dir=build/googleapis
 
 say() { [ "${quiet:-}" ] || printf '%s\n' "$*"; }
@@ -33,7 +33,7 @@ if [ ${#missing[@]} -gt 0 ]; then
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 
-if [ ! -f "$googleapis_dir/google/api/annotations.proto" ]; then
+if ! grep -qs 'message ErrorInfo' "$googleapis_dir/google/rpc/error_details.proto"; then
   say "setup: unpacking the google/api protos from $googleapis_package"
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
@@ -42,6 +42,8 @@ if [ ! -f "$googleapis_dir/google/api/annotations.proto" ]; then
   dpkg -x "$work"/*.deb "$work/root"
   protos=$(dirname "$(dirname "$(dirname "$(find "$work/root" -path '*google/api/annotations.proto' | head -n 1)")")")
   mkdir -p "$googleapis_dir"
-  cp -r "$protos/google" "$googleapis_dir/"
+  for proto in api/annotations api/http rpc/code rpc/error_details rpc/status; do
+    install -D -m 644 "$protos/google/$proto.proto" "$googleapis_dir/google/$proto.proto"
+  done
 fi
 say "setup: everything is there"
