@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <cstdio>
+
+#include "mapping/pipeline/map_builder.h"
+#include "tests/bench/bench.h"
+#include "tests/bench/frames.h"
+
+namespace dhpmap::bench {
+namespace {
+
+constexpr ClassId kOneClass{1};
+
+/// Every pixel or point becomes one segment of one background class.
+void LabelAsOne(PanopticFrame& frame) {
+  const SegmentId all(1);
+  frame.segments = {{.id = all, .class_id = kOneClass}};
+  if (frame.camera) frame.camera->segments.assign(frame.camera->depth_m.size(), all.value);
+  if (frame.lidar) frame.lidar->segments.assign(frame.lidar->points_m.size(), all.value);
+}
+
+Result<MapInfo> MakeInfo(const FusionBenchOptions& options, const Dataset& dataset) {
+  MapInfo info;
+  info.name = "bench";
+  DHPMAP_RETURN_IF_ERROR(ApplyPreset(dataset.preset(), info.config));
+  info.config.voxel_size_m = options.voxel_size_m;
+  info.config.truncation_m = options.truncation_m;
+  info.config.integration.max_range_m = options.max_range_m;
+  info.config.integration.carving = options.carving;
+  DHPMAP_RETURN_IF_ERROR(info.config.Validate());
+  std::vector<LabelClass> classes = dataset.label_classes();
+  if (options.labels == "one") classes = {{.id = kOneClass, .name = "everything", .panoptic = Panoptic::kStuff}};
+  DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(std::move(classes)));
+  info.label_set = std::make_shared<LabelSet>(std::move(label_set));
+  return info;
+}
+
+void PrintSize(const Map& map) {
+  std::size_t num_blocks = 0, num_observed = 0, bytes = 0;
+  for (const auto& submap : map.submaps()) {
+    num_blocks += submap->blocks().size();
+    bytes += submap->MemoryBytes();
+    for (const BlockEntry& entry : submap->blocks().entries()) {
+      num_observed += static_cast<std::size_t>(entry.tsdf->NumObservedVoxels());
+    }
+  }
+  const double num_voxels = static_cast<double>(num_blocks) * kBlockVoxels;
+  std::printf("map: %zu submaps, %zu blocks, %.0f voxels, %zu observed (%.1f %%), %.1f MB, %.2f bytes a voxel\n",
+              map.submaps().size(), num_blocks, num_voxels, num_observed,
+              100.0 * static_cast<double>(num_observed) / num_voxels, static_cast<double>(bytes) / 1e6,
+              static_cast<double>(bytes) / num_voxels);
+}
+
+}  // namespace
+
+Status RunFusionBench(const FusionBenchOptions& options) {
+  const LabelSource labels = options.labels == "groundtruth" ? LabelSource::kGroundTruth
+                             : options.labels == "predicted" ? LabelSource::kPredicted
+                                                             : LabelSource::kNone;
+  DHPMAP_ASSIGN_OR_RETURN(LoadedFrames loaded, LoadFrames(options.directory, labels, options.num_frames));
+  if (options.labels == "one") {
+    for (PanopticFrame& frame : loaded.frames) LabelAsOne(frame);
+  }
+  DHPMAP_ASSIGN_OR_RETURN(const MapInfo info, MakeInfo(options, *loaded.dataset));
+
+  std::printf("%zu frames (%zu skipped), voxel %g m, truncation %g m, labels %s, %d thread(s), carving %s\n",
+              loaded.frames.size(), loaded.num_skipped, options.voxel_size_m, options.truncation_m,
+              options.labels.c_str(), options.num_threads, options.carving ? "on" : "off");
+  std::printf("ms a frame:    mean  median     p95 | bundle   track    fuse activity | points  voxel updates\n");
+  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+    MapBuilder builder(info, options.num_threads);
+    std::vector<double> times_ms;
+    FrameReport sum;
+    for (const PanopticFrame& frame : loaded.frames) {
+      const auto start = std::chrono::steady_clock::now();
+      DHPMAP_ASSIGN_OR_RETURN(const FrameReport report, builder.Integrate(frame));
+      times_ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+      sum.bundle_s += report.bundle_s;
+      sum.track_s += report.track_s;
+      sum.fuse_s += report.fuse_s;
+      sum.activity_s += report.activity_s;
+      sum.num_points += report.num_points;
+      sum.num_voxels_updated += report.num_voxels_updated;
+    }
+    const Summary total = Summarize(times_ms);
+    const auto n = static_cast<double>(times_ms.size());
+    std::printf("run %d       %7.2f %7.2f %7.2f | %6.2f  %6.2f  %6.2f   %6.2f | %.0f  %.0f\n", repetition + 1,
+                total.mean, total.median, total.p95, 1e3 * sum.bundle_s / n, 1e3 * sum.track_s / n,
+                1e3 * sum.fuse_s / n, 1e3 * sum.activity_s / n, static_cast<double>(sum.num_points) / n,
+                static_cast<double>(sum.num_voxels_updated) / n);
+    if (repetition + 1 == options.repetitions) PrintSize(builder.map());
+  }
+  return Status::Ok();
+}
+
+}  // namespace dhpmap::bench
