@@ -49,7 +49,7 @@ Result<Transform> TransformFromQuaternion(const Eigen::Vector3d& translation_m, 
 bool IsFinite(const Transform& T) { return T.matrix().allFinite(); }
 
 bool IsIdentity(const Transform& T, double tolerance) {
-  return (T.matrix() - Eigen::Matrix4d::Identity()).cwiseAbs().maxCoeff() <= tolerance;
+  return ((T.matrix() - Eigen::Matrix4d::Identity()).cwiseAbs().array() <= tolerance).all();  // false for NaN
 }
 
 }  // namespace dhpmap

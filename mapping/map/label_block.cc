@@ -87,8 +87,9 @@ void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
   const auto& instances = histograms.instances;
   if (classes.empty() && instances.empty()) return;
 
-  const bool small_counts = std::all_of(classes.begin(), classes.end(),
-                                        [](const LabelCount& entry) { return entry.count <= kMaxInlineCount; });
+  const bool small_counts = std::all_of(classes.begin(), classes.end(), [](const LabelCount& entry) {
+    return entry.count >= 1 && entry.count <= kMaxInlineCount;
+  });
   const std::uint64_t class_total =
       std::accumulate(classes.begin(), classes.end(), std::uint64_t{0},
                       [](std::uint64_t sum, const LabelCount& entry) { return sum + entry.count; });

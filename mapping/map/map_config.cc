@@ -45,7 +45,10 @@ bool ParseField(std::string_view text, Weighting& value) {
 
 }  // namespace
 
-std::string_view WeightingName(Weighting weighting) { return kWeightingNames[static_cast<std::size_t>(weighting)]; }
+std::string_view WeightingName(Weighting weighting) {
+  const auto number = static_cast<std::size_t>(weighting);
+  return number < kWeightingNames.size() ? kWeightingNames[number] : "UNKNOWN";
+}
 
 Status MapConfig::Validate() const {
   Status bad = InvalidArgument("the map config is not usable").WithReason("BAD_CONFIG");
@@ -56,14 +59,12 @@ Status MapConfig::Validate() const {
                        FormatField(value) + " is not within " + FormatDouble(least) + " and " + FormatDouble(most));
     }
   });
-  if (bad.violations().empty()) {
-    const double truncation_vox = truncation_m / voxel_size_m;
-    if (truncation_vox < 1.0 - 1e-9 || truncation_vox > kMaxTruncationVox + 1e-9) {
-      bad.AddViolation("truncation_m", FormatDouble(truncation_m) + " is not 1 to 8 voxels");
-    }
-    if (integration.min_range_m >= integration.max_range_m) {
-      bad.AddViolation("integration.min_range_m", "is not below integration.max_range_m");
-    }
+  const double truncation_vox = truncation_m / voxel_size_m;
+  if (voxel_size_m > 0 && (truncation_vox < 1.0 - 1e-9 || truncation_vox > kMaxTruncationVox + 1e-9)) {
+    bad.AddViolation("truncation_m", FormatDouble(truncation_m) + " is not 1 to 8 voxels");
+  }
+  if (integration.min_range_m >= integration.max_range_m) {
+    bad.AddViolation("integration.min_range_m", "is not below integration.max_range_m");
   }
   return bad.violations().empty() ? Status::Ok() : bad;
 }

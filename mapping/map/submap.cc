@@ -20,6 +20,13 @@ Layer& Own(std::shared_ptr<const Layer>& layer, std::uint64_t& made_in, std::uin
   return const_cast<Layer&>(*layer);  // made by this generation: nobody else holds it
 }
 
+bool HasLabels(const LabelBlock* labels) {
+  for (int linear = 0; labels != nullptr && linear < kBlockVoxels; ++linear) {
+    if (!labels->IsEmpty(linear)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 float SubmapInfo::ClassConfidence() const {
@@ -54,7 +61,8 @@ void Submap::PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf,
 int Submap::PruneBlocks() {
   std::vector<BlockIndex> empty;
   for (const BlockEntry& entry : blocks_.entries()) {
-    if (entry.tsdf == nullptr || !entry.tsdf->HasObservedVoxel()) empty.push_back(entry.index);
+    const bool is_observed = entry.tsdf != nullptr && entry.tsdf->HasObservedVoxel();
+    if (!is_observed && !HasLabels(entry.labels.get())) empty.push_back(entry.index);
   }
   for (const BlockIndex index : empty) blocks_.Erase(index);
   return static_cast<int>(empty.size());

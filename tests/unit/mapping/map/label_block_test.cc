@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/label_block.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+namespace dhpmap {
+namespace {
+
+using Counts = std::map<std::uint32_t, std::uint64_t>;
+
+/// The same thing, slow and obvious.
+struct NaiveVoxel {
+  Counts classes, instances;
+
+  void Add(const LabelHistograms& h) {
+    for (const LabelCount& entry : h.classes) classes[entry.id] += entry.count;
+    for (const LabelCount& entry : h.instances) instances[entry.id] += entry.count;
+  }
+};
+
+std::vector<LabelCount> ToList(const Counts& counts) {
+  std::vector<LabelCount> list;
+  for (const auto& [id, count] : counts) list.push_back({id, static_cast<std::uint32_t>(count)});
+  return list;
+}
+
+BestLabel NaiveBest(const Counts& counts) {
+  BestLabel best;
+  std::uint64_t total = 0;
+  for (const auto& [id, count] : counts) {
+    total += count;
+    if (count > best.count) best = {id, static_cast<std::uint32_t>(count), 0};
+  }
+  if (total > 0) best.share = static_cast<float>(best.count) / static_cast<float>(total);
+  return best;
+}
+
+void ExpectSame(const BestLabel& a, const BestLabel& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.count, b.count);
+  EXPECT_FLOAT_EQ(a.share, b.share);
+}
+
+void ExpectSame(const LabelBlock& block, int linear, const NaiveVoxel& naive) {
+  EXPECT_EQ(block.Get(linear), (LabelHistograms{ToList(naive.classes), ToList(naive.instances)}));
+  EXPECT_EQ(block.IsEmpty(linear), naive.classes.empty() && naive.instances.empty());
+  ExpectSame(block.BestClass(linear), NaiveBest(naive.classes));
+  ExpectSame(block.BestInstance(linear), NaiveBest(naive.instances));
+  std::uint64_t total = 0;
+  for (const auto& [id, count] : naive.instances) total += count;
+  EXPECT_EQ(block.NumObservations(linear), total);
+}
+
+/// One that a fused, merged or loaded voxel could have: few labels or many, counts small, around 65,535 or huge.
+LabelHistograms RandomHistograms(std::mt19937& random) {
+  const std::uint32_t bases[] = {1, 5, 65'530, 65'534, 65'535, 65'536, 1'000'000};
+  const auto count = [&] { return bases[random() % 7] + static_cast<std::uint32_t>(random() % 3); };
+  Counts classes, instances;
+  std::uint64_t total = 0;
+  for (std::size_t i = random() % 5; i > 0; --i)
+    classes[random() % 2 != 0 ? random() % 4 : random() % 65'535] = count();
+  for (const auto& [id, n] : classes) total += n;
+  if (random() % 2 != 0 && total > 0) instances[0] = total;  // what observations of the own submap add up to
+  else
+    for (std::size_t i = random() % 4; i > 0; --i) instances[static_cast<std::uint32_t>(random() % 1000)] = count();
+  return {ToList(classes), ToList(instances)};
+}
+
+TEST(LabelBlock, AgreesWithANaiveOneUnderRandomOperations) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    LabelBlock block;
+    std::map<int, NaiveVoxel> naive;
+    const int voxels[] = {0, 1, 255, 511};
+    for (int step = 0; step < 400; ++step) {
+      const int linear = voxels[random() % 4];
+      switch (random() % 8) {
+        case 0: {
+          const LabelHistograms h = RandomHistograms(random);
+          block.Set(linear, h);
+          naive[linear] = {};
+          naive[linear].Add(h);
+          break;
+        }
+        case 1: {
+          const LabelHistograms h = RandomHistograms(random);
+          block.Add(linear, h);
+          naive[linear].Add(h);
+          break;
+        }
+        case 2:
+          if (random() % 4 != 0) break;
+          block.Clear(linear);
+          naive[linear] = {};
+          break;
+        default: {
+          const auto c = static_cast<std::uint16_t>(random() % 3);
+          for (std::size_t n = random() % 6; n > 0; --n) {
+            block.AddObservation(linear, ClassId(c));
+            naive[linear].Add({{{c, 1}}, {{0, 1}}});
+          }
+        }
+      }
+      ExpectSame(block, linear, naive[linear]);
+    }
+    for (const int linear : voxels) ExpectSame(block, linear, naive[linear]);
+    EXPECT_TRUE(block.IsEmpty(300)) << "a voxel that nobody touched";
+  }
+}
+
+TEST(LabelBlock, CountsOnBeyond65535) {
+  LabelBlock block;
+  for (int i = 0; i < 65'535; ++i) block.AddObservation(7, ClassId(4));
+  EXPECT_EQ(block.NumOverflowVoxels(), 0u);
+  for (int i = 0; i < 10; ++i) block.AddObservation(7, ClassId(4));
+  EXPECT_EQ(block.NumOverflowVoxels(), 1u);
+  EXPECT_EQ(block.Get(7), (LabelHistograms{{{4, 65'545}}, {{0, 65'545}}}));
+}
+
+TEST(LabelBlock, SecondClassCountsOnBeyond65535Too) {
+  LabelBlock block;
+  block.AddObservation(7, ClassId(4));
+  for (int i = 0; i < 70'000; ++i) block.AddObservation(7, ClassId(2));
+  EXPECT_EQ(block.Get(7), (LabelHistograms{{{2, 70'000}, {4, 1}}, {{0, 70'001}}}));
+}
+
+TEST(LabelBlock, KeepsOneOrTwoClassesInlineAndAThirdInOverflow) {
+  LabelBlock block;
+  const std::size_t empty_bytes = block.MemoryBytes();
+  EXPECT_LE(empty_bytes, 8u * kBlockVoxels + 64);
+  for (int linear = 0; linear < kBlockVoxels; ++linear) {
+    block.AddObservation(linear, ClassId(9));
+    block.AddObservation(linear, ClassId(3));
+  }
+  EXPECT_EQ(block.NumOverflowVoxels(), 0u);
+  EXPECT_EQ(block.MemoryBytes(), empty_bytes);
+  block.AddObservation(100, ClassId(5));
+  EXPECT_EQ(block.NumOverflowVoxels(), 1u);
+  EXPECT_GT(block.MemoryBytes(), empty_bytes);
+  EXPECT_EQ(block.Get(100), (LabelHistograms{{{3, 1}, {5, 1}, {9, 1}}, {{0, 3}}}));
+  EXPECT_EQ(block.Get(101), (LabelHistograms{{{3, 1}, {9, 1}}, {{0, 2}}}));
+}
+
+TEST(LabelBlock, OverflowPlacesAreUsedAgain) {
+  LabelBlock block;
+  const LabelHistograms foreign{{{1, 2}}, {{0, 1}, {33, 1}}};
+  block.Set(0, foreign);
+  const std::size_t bytes = block.MemoryBytes();
+  for (int i = 0; i < 1000; ++i) {
+    block.Clear(i % kBlockVoxels);
+    EXPECT_EQ(block.NumOverflowVoxels(), 0u);
+    block.Set((i + 1) % kBlockVoxels, foreign);
+    EXPECT_EQ(block.Get((i + 1) % kBlockVoxels), foreign);
+  }
+  EXPECT_LE(block.MemoryBytes(), bytes + 64);
+}
+
+TEST(LabelBlock, KeepsHistogramsWithZeroCountsAsTheyAre) {
+  LabelBlock block;
+  const LabelHistograms odd{{{1, 0}, {2, 5}}, {{0, 5}}};
+  block.Set(0, odd);
+  EXPECT_FALSE(block.IsEmpty(0));
+  EXPECT_EQ(block.Get(0), odd);
+  EXPECT_EQ(block.BestClass(0).id, 2u);
+}
+
+TEST(LabelBlock, TiesGoToTheSmallerClassAndToTheOwnInstance) {
+  LabelBlock block;
+  block.AddObservation(0, ClassId(9));
+  block.AddObservation(0, ClassId(3));
+  EXPECT_EQ(block.BestClass(0).id, 3u);
+  EXPECT_FLOAT_EQ(block.BestClass(0).share, 0.5f);
+  block.Set(1, {{{3, 4}}, {{0, 2}, {12, 2}}});
+  EXPECT_EQ(block.BestInstance(1).id, 0u);
+  EXPECT_EQ(block.BestInstance(2).count, 0u);
+}
+
+TEST(LabelBlock, CopiesAreIndependentAndEqualByContent) {
+  LabelBlock a;
+  for (int i = 0; i < 3; ++i) a.AddObservation(5, ClassId(static_cast<std::uint16_t>(i)));
+  LabelBlock b = a;
+  EXPECT_EQ(a, b);
+  b.AddObservation(5, ClassId(1));
+  EXPECT_FALSE(a == b);
+  EXPECT_EQ(a.NumObservations(5), 3u);
+  // The same counts by another road: in the overflow list or inline does not matter.
+  LabelBlock c;
+  c.Set(5, b.Get(5));
+  c.Set(6, {{{1, 1}}, {{7, 1}}});
+  c.Clear(6);
+  EXPECT_EQ(b, c);
+}
+
+TEST(SumCounts, MergesListsAndConservesTotals) {
+  EXPECT_EQ(SumCounts({}, {}), std::vector<LabelCount>{});
+  const std::vector<LabelCount> a = {{1, 2}, {5, 1}, {9, 4}}, b = {{0, 1}, {5, 6}};
+  EXPECT_EQ(SumCounts(a, b), (std::vector<LabelCount>{{0, 1}, {1, 2}, {5, 7}, {9, 4}}));
+  EXPECT_EQ(SumCounts(a, b), SumCounts(b, a));
+}
+
+}  // namespace
+}  // namespace dhpmap
