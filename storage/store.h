@@ -24,8 +24,9 @@ struct StoredMap {
 };
 
 /// Keeps maps. The only header of storage/ that server/ sees. Thread-safe: calls on different maps and reads may run at
-/// once; commits are serialised inside. Every error is typed: NOT_FOUND, ALREADY_EXISTS, RESOURCE_EXHAUSTED (disk full),
-/// FAILED_PRECONDITION (read-only, too new, or another process's), DATA_LOSS (checksum, not a database), UNAVAILABLE.
+/// once; commits are serialised inside. Every error is typed: NOT_FOUND, ALREADY_EXISTS, RESOURCE_EXHAUSTED (disk
+/// full), FAILED_PRECONDITION (read-only, too new, or another process's), DATA_LOSS (checksum, not a database),
+/// UNAVAILABLE.
 class MapStore {
  public:
   virtual ~MapStore() = default;

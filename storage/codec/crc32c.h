@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace dhpmap {
+
+/// CRC-32C (Castagnoli polynomial) of `bytes`, going on from `crc`, the checksum of what came before (0 at the start).
+std::uint32_t Crc32c(std::span<const std::uint8_t> bytes, std::uint32_t crc = 0);
+
+}  // namespace dhpmap

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/codec/tsdf_codec.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "storage/codec/envelope.h"
+#include "storage/codec/voxel_walk.h"
+
+namespace dhpmap {
+namespace {
+
+// Payload, packable part: step (float; 0 = exact distances), planes (bit p: plane p is in the packable part), mask,
+// planes. Plain part: the other planes, then, if exact, the distances as floats. Planes hold one byte a masked voxel.
+enum Plane { kDistance0, kDistance1, kWeight0, kWeight1, kWeight2, kGreen, kRed, kBlue, kNumPlanes };
+
+using Planes = std::array<std::array<std::uint8_t, kBlockVoxels>, kNumPlanes>;
+
+constexpr double kStepsPerTruncation = 8192;
+constexpr std::int32_t kMaxDistanceSteps = 32767;
+
+// A weight is kept as the top 24 bits below its sign: exponent and 16 bits of mantissa.
+constexpr int kWeightDroppedBits = 7;
+constexpr std::uint32_t kWeightMask = 0xFFFFFF;
+constexpr std::uint32_t kFiniteWeightMax =
+    std::bit_cast<std::uint32_t>(std::numeric_limits<float>::max()) >> kWeightDroppedBits;
+/// The least code that still counts as observed.
+constexpr std::uint32_t kWeightMin =
+    (std::bit_cast<std::uint32_t>(kMinObservedWeight) + (1u << kWeightDroppedBits) - 1) >> kWeightDroppedBits;
+
+std::int32_t WeightCode(float weight) {
+  if (std::isinf(weight)) return static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(weight) >> kWeightDroppedBits);
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(weight);
+  const std::uint32_t rounded = (bits + (1u << (kWeightDroppedBits - 1))) >> kWeightDroppedBits;
+  return static_cast<std::int32_t>(std::clamp(rounded, kWeightMin, kFiniteWeightMax));
+}
+
+float WeightOf(std::int32_t code) {
+  return std::bit_cast<float>((static_cast<std::uint32_t>(code) & kWeightMask) << kWeightDroppedBits);
+}
+
+/// The step by which distances are rounded, or 0 if one of them does not fit.
+float DistanceStep(const TsdfBlock& block, const VoxelWalk& walk, double truncation_m) {
+  const auto step_m = static_cast<float>(truncation_m / kStepsPerTruncation);
+  if (!std::isnormal(step_m) || step_m < 0) return 0;
+  const double reach_m = (kMaxDistanceSteps + 0.25) * static_cast<double>(step_m);
+  for (const auto& site : walk.sites()) {
+    if (!(std::abs(static_cast<double>(block.distance_m[site.linear])) < reach_m)) return 0;
+  }
+  return step_m;
+}
+
+VoxelMask ObservedVoxels(const TsdfBlock& block) {
+  VoxelMask mask{};
+  for (int i = 0; i < kBlockVoxels; ++i) {
+    if (block.IsObserved(i)) MaskVoxel(mask, i);
+  }
+  return mask;
+}
+
+void WriteDistances(const TsdfBlock& block, const VoxelWalk& walk, float step_m, Planes& planes) {
+  VoxelWalk::Grid grid{};
+  const double steps_per_m = 1.0 / static_cast<double>(step_m);
+  std::size_t n = 0;
+  for (const auto& site : walk.sites()) {
+    const auto steps = static_cast<std::int32_t>(std::lrint(block.distance_m[site.linear] * steps_per_m));
+    grid[site.cell] = steps;
+    // Modulo 2^16: differences may exceed 15 bits, values do not.
+    const auto difference = static_cast<std::int16_t>(steps - VoxelWalk::PredictNear(grid, site));
+    const std::uint32_t code = ZigZag(difference);
+    planes[kDistance0][n] = static_cast<std::uint8_t>(code);
+    planes[kDistance1][n++] = static_cast<std::uint8_t>(code >> 8);
+  }
+}
+
+void ReadDistances(const VoxelWalk& walk, float step_m, const Planes& planes, TsdfBlock& block) {
+  VoxelWalk::Grid grid{};
+  std::size_t n = 0;
+  for (const auto& site : walk.sites()) {
+    const std::int32_t difference = UnZigZag(planes[kDistance0][n] | (planes[kDistance1][n] << 8));
+    ++n;
+    const auto steps = static_cast<std::int16_t>(VoxelWalk::PredictNear(grid, site) + difference);
+    grid[site.cell] = steps;
+    block.distance_m[site.linear] = static_cast<float>(steps * static_cast<double>(step_m));
+  }
+}
+
+void WriteWeights(const TsdfBlock& block, const VoxelWalk& walk, Planes& planes) {
+  VoxelWalk::Grid grid{};
+  std::size_t n = 0;
+  for (const auto& site : walk.sites()) {
+    const std::int32_t code = WeightCode(block.weight[site.linear]);
+    grid[site.cell] = code;
+    // Modulo 2^24, with the sign in bit 23.
+    const std::int32_t difference =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(code - VoxelWalk::PredictNear(grid, site)) << 8) >> 8;
+    const std::uint32_t zigzag = ZigZag(difference);
+    planes[kWeight0][n] = static_cast<std::uint8_t>(zigzag);
+    planes[kWeight1][n] = static_cast<std::uint8_t>(zigzag >> 8);
+    planes[kWeight2][n++] = static_cast<std::uint8_t>(zigzag >> 16);
+  }
+}
+
+bool ReadWeights(const VoxelWalk& walk, const Planes& planes, TsdfBlock& block) {
+  VoxelWalk::Grid grid{};
+  bool all_observed = true;
+  std::size_t n = 0;
+  for (const auto& site : walk.sites()) {
+    const std::int32_t difference =
+        UnZigZag(planes[kWeight0][n] | (planes[kWeight1][n] << 8) | (planes[kWeight2][n] << 16));
+    ++n;
+    grid[site.cell] = static_cast<std::int32_t>(static_cast<std::uint32_t>(grid[site.near] + difference) & kWeightMask);
+    block.weight[site.linear] = WeightOf(grid[site.cell]);
+    all_observed &= block.IsObserved(site.linear);
+  }
+  return all_observed;
+}
+
+constexpr std::array<std::uint8_t Color::*, 3> kChannels = {&Color::g, &Color::r, &Color::b};
+
+void WriteColors(const TsdfBlock& block, const VoxelWalk& walk, Planes& planes) {
+  for (std::size_t channel = 0; channel < kChannels.size(); ++channel) {
+    VoxelWalk::Grid grid{};
+    std::size_t n = 0;
+    for (const auto& site : walk.sites()) {
+      const std::int32_t value = block.color[site.linear].*kChannels[channel];
+      grid[site.cell] = value;
+      const auto difference = static_cast<std::int8_t>(value - VoxelWalk::PredictSmooth(grid, site));
+      planes[kGreen + channel][n++] = static_cast<std::uint8_t>(ZigZag(difference));
+    }
+  }
+}
+
+void ReadColors(const VoxelWalk& walk, const Planes& planes, TsdfBlock& block) {
+  for (std::size_t channel = 0; channel < kChannels.size(); ++channel) {
+    VoxelWalk::Grid grid{};
+    std::size_t n = 0;
+    for (const auto& site : walk.sites()) {
+      const std::int32_t difference = UnZigZag(planes[kGreen + channel][n++]);
+      const auto value = static_cast<std::uint8_t>(VoxelWalk::PredictSmooth(grid, site) + difference);
+      grid[site.cell] = value;
+      block.color[site.linear].*kChannels[channel] = value;
+    }
+  }
+}
+
+/// Whether zstd would gain on these bytes: true where two of them are equal more often than at random by a factor of 4.
+bool IsPackable(ByteView plane) {
+  constexpr std::size_t kRandomValues = 256, kGain = 4;
+  std::array<std::uint32_t, kRandomValues> histogram{};
+  for (const std::uint8_t byte : plane) ++histogram[byte];
+  std::size_t equal_pairs = 0;
+  for (const std::uint32_t count : histogram) equal_pairs += static_cast<std::size_t>(count) * count;
+  return (equal_pairs - plane.size()) * kRandomValues > kGain * plane.size() * plane.size();
+}
+
+}  // namespace
+
+Bytes EncodeTsdfBlock(const TsdfBlock& block, BlockIndex index, double truncation_m) {
+  const VoxelMask mask = ObservedVoxels(block);
+  const VoxelWalk walk(mask);
+  const float step_m = DistanceStep(block, walk, truncation_m);
+  const std::size_t count = walk.sites().size();
+
+  Planes planes;
+  if (step_m > 0) WriteDistances(block, walk, step_m, planes);
+  WriteWeights(block, walk, planes);
+  WriteColors(block, walk, planes);
+
+  const int first_plane = step_m > 0 ? kDistance0 : kWeight0;
+  std::uint8_t packable = 0;
+  for (int p = first_plane; p < kNumPlanes; ++p) {
+    if (IsPackable({planes[p].data(), count})) packable |= static_cast<std::uint8_t>(1u << p);
+  }
+
+  Payload payload;
+  payload.packable.reserve(mask.size() + kNumPlanes * count + 8);
+  payload.plain.reserve(kNumPlanes * count);
+  ByteWriter packed(payload.packable), plain(payload.plain);
+  packed.PutF32(step_m);
+  packed.PutU8(packable);
+  packed.PutBytes(mask);
+  for (int p = first_plane; p < kNumPlanes; ++p) {
+    ((packable >> p) & 1u ? packed : plain).PutBytes({planes[p].data(), count});
+  }
+  if (step_m == 0) {
+    for (const auto& site : walk.sites()) plain.PutF32(block.distance_m[site.linear]);
+  }
+  return Seal(BlobKind::kTsdfV1, index, payload);
+}
+
+Status DecodeTsdfBlock(ByteView blob, BlockIndex index, TsdfBlock& block) {
+  thread_local Payload payload;
+  DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kTsdfV1, index, blob, payload));
+  ByteReader packed(payload.packable), plain(payload.plain);
+  const float step_m = packed.GetF32();
+  const std::uint8_t packable = packed.GetU8();
+  VoxelMask mask{};
+  packed.GetInto(mask);
+  if (!packed.ok() || !(step_m >= 0) || std::isinf(step_m)) return DataLoss("has a malformed header");
+  const VoxelWalk walk(mask);
+  const std::size_t count = walk.sites().size();
+
+  Planes planes;
+  for (int p = step_m > 0 ? kDistance0 : kWeight0; p < kNumPlanes; ++p) {
+    ((packable >> p) & 1u ? packed : plain).GetInto({planes[p].data(), count});
+  }
+  const std::size_t exact_bytes = step_m > 0 ? 0 : count * sizeof(float);
+  if (!packed.ok() || !plain.ok() || packed.remaining() != 0 || plain.remaining() != exact_bytes) {
+    return DataLoss("is not as long as its voxels need");
+  }
+
+  block = TsdfBlock{};
+  if (!ReadWeights(walk, planes, block)) return DataLoss("holds a voxel without weight");
+  ReadColors(walk, planes, block);
+  if (step_m > 0) {
+    ReadDistances(walk, step_m, planes, block);
+  } else {
+    for (const auto& site : walk.sites()) block.distance_m[site.linear] = plain.GetF32();
+  }
+  return Status::Ok();
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mapping/base/status.h"
+#include "mapping/map/tsdf_block.h"
+#include "storage/codec/bytes.h"
+
+namespace dhpmap {
+
+/// Encodes a TSDF block. What decoding gives back:
+///   the same voxels are observed, and those that are not are all zero;
+///   distances are within truncation_m / 16384, weights within a share of 2^-16, colours exact.
+/// A distance of four truncations or more, or not finite, keeps all of the block's distances exact. Encoding what was
+/// decoded gives the same bytes. `index` goes into the checksum. Thread-safe.
+Bytes EncodeTsdfBlock(const TsdfBlock& block, BlockIndex index, double truncation_m);
+
+/// Fills `block`, whatever it held. Errors as Unseal.
+Status DecodeTsdfBlock(ByteView blob, BlockIndex index, TsdfBlock& block);
+
+}  // namespace dhpmap

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "mapping/base/grid.h"
+#include "storage/codec/bytes.h"
+
+namespace dhpmap {
+
+/// Which voxels of a block are written. One bit a voxel, the lowest first.
+using VoxelMask = std::array<std::uint8_t, kBlockVoxels / 8>;
+
+inline void MaskVoxel(VoxelMask& mask, int linear) {
+  mask[linear / 8] |= static_cast<std::uint8_t>(1u << (linear % 8));
+}
+inline bool IsMasked(const VoxelMask& mask, int linear) { return (mask[linear / 8] >> (linear % 8)) & 1u; }
+
+/// Walks the masked voxels in order and predicts each value from those before it, for the writer and the reader alike:
+/// what is stored are the small differences. Values live in a grid with a border, so that neighbours need no checks.
+class VoxelWalk {
+ public:
+  static constexpr int kGridSide = kBlockSide + 1;
+  static constexpr int kGridSize = kGridSide * kGridSide * kGridSide;
+  /// Values by Site::cell. The border holds zeros.
+  using Grid = std::array<std::int32_t, kGridSize>;
+
+  struct Site {
+    std::uint16_t linear;  ///< voxel in its block
+    std::uint16_t cell;    ///< its place in a Grid
+    std::uint16_t near;    ///< place of the masked neighbour below in x, else y, else z, else of the site before
+    std::uint8_t faces;    ///< bits xy, xz, yz: the three lower neighbours in that plane are all masked
+  };
+
+  explicit VoxelWalk(const VoxelMask& mask);
+  [[nodiscard]] std::span<const Site> sites() const { return {sites_.data(), num_sites_}; }
+
+  /// For values with noise: the nearest value.
+  static std::int32_t PredictNear(const Grid& grid, const Site& site) { return grid[site.near]; }
+  /// For smooth values: the mean of the parallelograms that the masked neighbours span (Lorenzo predictor).
+  static std::int32_t PredictSmooth(const Grid& grid, const Site& site);
+
+ private:
+  std::array<Site, kBlockVoxels> sites_;
+  std::size_t num_sites_ = 0;
+};
+
+// Differences of either sign as small unsigned numbers; undone exactly, modulo 2^32.
+constexpr std::uint32_t ZigZag(std::int32_t value) {
+  return (static_cast<std::uint32_t>(value) << 1) ^ static_cast<std::uint32_t>(value >> 31);
+}
+constexpr std::int32_t UnZigZag(std::uint32_t value) {
+  return static_cast<std::int32_t>((value >> 1) ^ (~(value & 1u) + 1u));
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "mapping/base/result.h"
+#include "storage/sqlite/statement.h"
+
+struct sqlite3;
+
+namespace dhpmap::sqlite {
+
+enum class OpenMode {
+  kReadOnly,
+  kReadOnlyImmutable,  ///< for files that nobody writes, in folders where SQLite cannot put its own files
+  kReadWrite,
+  kReadWriteOrCreate,
+};
+
+/// A connection to a database file. Thread-compatible: one thread at a time.
+class Database {
+ public:
+  static Result<Database> Open(const std::string& path, OpenMode mode, int busy_timeout_ms);
+
+  /// Runs one or more statements. `task` completes "cannot ..." in error messages.
+  Status Execute(const std::string& sql, const char* task);
+  Result<Statement> Prepare(const std::string& sql, const char* task);
+  /// The first column of the first row.
+  Result<std::int64_t> QueryInt(const std::string& sql, const char* task);
+
+  /// Whether the file turned out not to be writable.
+  [[nodiscard]] bool IsReadOnly() const;
+  [[nodiscard]] bool InTransaction() const;
+  [[nodiscard]] std::int64_t LastInsertRowId() const;
+  /// Off: closing leaves the write-ahead log as it is. On by default.
+  void SetCheckpointOnClose(bool on);
+
+ private:
+  struct Closer {
+    void operator()(sqlite3* database) const;
+  };
+  explicit Database(sqlite3* database) : database_(database) {}
+  std::unique_ptr<sqlite3, Closer> database_;
+};
+
+}  // namespace dhpmap::sqlite

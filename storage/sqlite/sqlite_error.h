@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+#include "mapping/base/status.h"
+
+namespace dhpmap::sqlite {
+
+/// The Status for an (extended) SQLite result code other than OK, ROW and DONE. `task` completes "cannot ..."; the
+/// message holds neither SQL nor a path, so that it may go to clients.
+Status ErrorFrom(int code, std::string_view task);
+
+}  // namespace dhpmap::sqlite

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mapping/base/result.h"
+
+struct sqlite3_stmt;
+
+namespace dhpmap::sqlite {
+
+/// A prepared statement. Bind its parameters in order, then Run it, or Step through its rows; either way it starts anew
+/// afterwards. Errors of binding come out of the next Step. Must not outlive its Database. Thread-compatible, together
+/// with the Database.
+class Statement {
+ public:
+  /// Takes over `statement`. `task` completes "cannot ..." in error messages; a literal.
+  Statement(sqlite3_stmt* statement, const char* task);
+
+  /// Text and bytes are not copied: they must live until the statement has run.
+  template <std::integral Int>
+  Statement& Bind(Int value) {
+    return BindInt(static_cast<std::int64_t>(value));
+  }
+  Statement& Bind(double value);
+  Statement& Bind(std::string_view text);
+  Statement& Bind(std::span<const std::uint8_t> bytes);
+
+  /// True: there is a row to read. False: done.
+  Result<bool> Step();
+  /// Steps to the end, without interest in rows.
+  Status Run();
+  /// Ends stepping before the last row. Parameters have to be bound again.
+  void Reset();
+
+  // Columns of the row, from 0. Views are valid until the next Step, Run or Reset.
+  [[nodiscard]] std::int64_t Int(int column) const;
+  [[nodiscard]] double Real(int column) const;
+  [[nodiscard]] std::string Text(int column) const;
+  [[nodiscard]] std::span<const std::uint8_t> Blob(int column) const;
+
+ private:
+  struct Finalizer {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  Statement& BindInt(std::int64_t value);
+  void Note(int code);
+
+  std::unique_ptr<sqlite3_stmt, Finalizer> statement_;
+  const char* task_;
+  int next_parameter_ = 1;
+  int bind_error_ = 0;
+};
+
+}  // namespace dhpmap::sqlite

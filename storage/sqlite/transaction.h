@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <utility>
+
+#include "mapping/base/result.h"
+#include "storage/sqlite/database.h"
+
+namespace dhpmap::sqlite {
+
+/// Undone at the end of its life unless committed. The Database must outlive it; one at a time.
+class Transaction {
+ public:
+  /// One state of the database for everything read until the end.
+  static Result<Transaction> BeginRead(Database& database);
+  /// Takes the right to write at once: UNAVAILABLE if another connection keeps it longer than the busy timeout.
+  static Result<Transaction> BeginWrite(Database& database);
+
+  Transaction(Transaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
+  Transaction& operator=(Transaction&&) = delete;
+  ~Transaction();
+
+  /// On error nothing was written.
+  Status Commit();
+
+ private:
+  explicit Transaction(Database& database) : database_(&database) {}
+  Database* database_;
+};
+
+}  // namespace dhpmap::sqlite

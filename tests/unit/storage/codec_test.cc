@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "storage/codec/crc32c.h"
+#include "storage/codec/envelope.h"
+#include "storage/codec/label_codec.h"
+#include "storage/codec/tsdf_codec.h"
+#include "tests/unit/storage/map_fixtures.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::MapGenerator;
+
+constexpr BlockIndex kIndex{-5, 0, 7};
+constexpr double kTruncation_m = 0.08;
+constexpr double kDistanceBound_m = kTruncation_m / 16384 * 1.001;  // and the rounding of the step to float
+constexpr double kWeightShare = 1.0 / 131072 * 1.001;
+
+TsdfBlock SomeTsdf(std::uint32_t seed) {
+  TsdfBlock block;
+  MapGenerator(seed).FillTsdf(block, kTruncation_m);
+  return block;
+}
+
+LabelBlock SomeLabels(std::uint32_t seed) {
+  LabelBlock block;
+  MapGenerator(seed).FillLabels(block);
+  return block;
+}
+
+TsdfBlock RoundTrip(const TsdfBlock& block, double truncation_m = kTruncation_m) {
+  TsdfBlock decoded;
+  const Status status = DecodeTsdfBlock(EncodeTsdfBlock(block, kIndex, truncation_m), kIndex, decoded);
+  EXPECT_TRUE(status.ok()) << status.ToString();
+  return decoded;
+}
+
+LabelBlock RoundTrip(const LabelBlock& block) {
+  LabelBlock decoded;
+  decoded.AddObservation(3, ClassId(5));  // must be gone
+  const Status status = DecodeLabelBlock(EncodeLabelBlock(block, kIndex), kIndex, decoded);
+  EXPECT_TRUE(status.ok()) << status.ToString();
+  return decoded;
+}
+
+TEST(Crc32c, MatchesPublishedVectors) {
+  const std::string digits = "123456789";
+  const Bytes bytes(digits.begin(), digits.end());
+  EXPECT_EQ(Crc32c(bytes), 0xE3069283u);
+  EXPECT_EQ(Crc32c(Bytes(32, 0)), 0x8A9136AAu);     // RFC 3720, B.4
+  EXPECT_EQ(Crc32c(Bytes(32, 0xFF)), 0x62A8AB43u);  // RFC 3720, B.4
+}
+
+TEST(Crc32c, GoesOnFromWhatCameBefore) {
+  const std::string digits = "123456789abcdefghijk";
+  const Bytes bytes(digits.begin(), digits.end());
+  for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
+    const ByteView view(bytes);
+    EXPECT_EQ(Crc32c(view.subspan(cut), Crc32c(view.first(cut))), Crc32c(bytes));
+  }
+}
+
+TEST(TsdfCodec, RoundTripStaysWithinBounds) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const TsdfBlock block = SomeTsdf(seed);
+    testing::ExpectSameTsdf(block, RoundTrip(block), kDistanceBound_m, kWeightShare);
+  }
+}
+
+TEST(TsdfCodec, EncodingWhatWasDecodedGivesTheSameBytes) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const Bytes once = EncodeTsdfBlock(SomeTsdf(seed), kIndex, kTruncation_m);
+    TsdfBlock decoded;
+    ASSERT_TRUE(DecodeTsdfBlock(once, kIndex, decoded).ok());
+    EXPECT_EQ(EncodeTsdfBlock(decoded, kIndex, kTruncation_m), once);
+  }
+}
+
+TEST(TsdfCodec, UnobservedVoxelsComeBackZeroAndCostNothing) {
+  TsdfBlock block;
+  block.weight.fill(0.9e-6f);
+  block.distance_m.fill(0.05f);
+  block.color.fill({1, 2, 3});
+  const TsdfBlock decoded = RoundTrip(block);
+  EXPECT_EQ(decoded.weight[7], 0);
+  EXPECT_EQ(decoded.distance_m[7], 0);
+  EXPECT_EQ(decoded.color[7], Color{});
+  EXPECT_LT(EncodeTsdfBlock(block, kIndex, kTruncation_m).size(), 40u);
+}
+
+TEST(TsdfCodec, WeightsAtTheLimitsStayObserved) {
+  TsdfBlock block;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const std::array<float, 6> weights = {
+      kMinObservedWeight, std::nextafter(kMinObservedWeight, 1.0f), 1e4f, 1e-5f, std::numeric_limits<float>::max(),
+      kInfinity};
+  for (std::size_t i = 0; i < weights.size(); ++i) block.weight[i] = weights[i];
+  block.weight[10] = std::nextafter(kMinObservedWeight, 0.0f);
+  const TsdfBlock decoded = RoundTrip(block);
+  for (std::size_t i = 0; i < weights.size(); ++i) EXPECT_TRUE(decoded.IsObserved(static_cast<int>(i))) << i;
+  EXPECT_FALSE(decoded.IsObserved(10));
+  EXPECT_EQ(decoded.weight[2], 1e4f);
+  EXPECT_TRUE(std::isfinite(decoded.weight[4]));
+  EXPECT_EQ(decoded.weight[5], kInfinity);
+}
+
+TEST(TsdfCodec, NotANumberAsWeightIsUnobserved) {
+  TsdfBlock block;
+  block.weight[0] = std::numeric_limits<float>::quiet_NaN();
+  block.weight[1] = 1;
+  const TsdfBlock decoded = RoundTrip(block);
+  EXPECT_EQ(decoded.weight[0], 0);
+  EXPECT_EQ(decoded.weight[1], 1);
+}
+
+TEST(TsdfCodec, DistancesUpToFourTruncationsAreRounded) {
+  TsdfBlock block;
+  block.weight.fill(1);
+  for (int i = 0; i < kBlockVoxels; ++i) {
+    block.distance_m[i] = static_cast<float>((i % 2 ? 1 : -1) * kTruncation_m * 3.999 * i / kBlockVoxels);
+  }
+  const TsdfBlock decoded = RoundTrip(block);
+  testing::ExpectSameTsdf(block, decoded, kDistanceBound_m, 0);
+  EXPECT_EQ(EncodeTsdfBlock(decoded, kIndex, kTruncation_m), EncodeTsdfBlock(block, kIndex, kTruncation_m));
+}
+
+TEST(TsdfCodec, DistancesThatDoNotFitAreKeptExactly) {
+  for (const double truncation_m : {kTruncation_m, 0.0, -1.0, std::nan("")}) {
+    TsdfBlock block = SomeTsdf(3);
+    block.weight[0] = block.weight[1] = 1;
+    block.distance_m[0] = 0.33f;  // beyond four truncations
+    block.distance_m[1] = -std::numeric_limits<float>::infinity();
+    const TsdfBlock decoded = RoundTrip(block, truncation_m);
+    for (int i = 0; i < kBlockVoxels; ++i) {
+      EXPECT_EQ(block.IsObserved(i) ? block.distance_m[i] : 0, decoded.distance_m[i]);
+    }
+    EXPECT_EQ(EncodeTsdfBlock(decoded, kIndex, truncation_m), EncodeTsdfBlock(block, kIndex, truncation_m));
+  }
+}
+
+TEST(LabelCodec, RoundTripIsExact) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const LabelBlock block = SomeLabels(seed);
+    EXPECT_TRUE(RoundTrip(block) == block) << "seed " << seed;
+  }
+}
+
+TEST(LabelCodec, KeepsEveryFormOfVoxel) {
+  constexpr std::uint32_t kMax = std::numeric_limits<std::uint32_t>::max();
+  LabelBlock block;
+  int voxel = 0;
+  block.Set(voxel++, {{{0, 1}}, {{0, 1}}});
+  block.Set(voxel++, {{{65534, 65535}}, {{0, 65535}}});
+  block.Set(voxel++, {{{65534, 65536}}, {{0, 65536}}});
+  block.Set(voxel++, {{{1, kMax}, {2, kMax}}, {{0, kMax}}});
+  block.Set(voxel++, {{{1, 2}, {3, 4}}, {{0, 6}}});
+  block.Set(voxel++, {{{1, 2}, {3, 4}}, {{0, 5}}});
+  block.Set(voxel++, {{{1, 2}}, {{5, 2}, {kMax, kMax}}});
+  block.Set(voxel++, {{}, {{0, 3}}});
+  block.Set(voxel++, {{{7, 1}}, {}});
+  LabelHistograms many;
+  for (std::uint32_t id = 0; id < 300; ++id) many.classes.push_back({3 * id, id + 1});
+  block.Set(voxel++, many);
+  const LabelBlock decoded = RoundTrip(block);
+  for (int i = 0; i <= voxel; ++i) EXPECT_EQ(block.Get(i), decoded.Get(i)) << "voxel " << i;
+}
+
+TEST(LabelCodec, TheSameCountsAreTheSameBytesHoweverTheyCameAbout) {
+  LabelBlock one, other;
+  one.AddObservation(4, ClassId(2));
+  one.AddObservation(4, ClassId(1));
+  other.Set(4, {{{1, 1}, {2, 1}, {3, 1}}, {{0, 3}}});  // through the overflow list
+  other.Set(4, {{{1, 1}, {2, 1}}, {{0, 2}}});
+  EXPECT_EQ(EncodeLabelBlock(one, kIndex), EncodeLabelBlock(other, kIndex));
+}
+
+TEST(LabelCodec, AnEmptyBlockIsTiny) {
+  EXPECT_LT(EncodeLabelBlock(LabelBlock(), kIndex).size(), 40u);
+  EXPECT_TRUE(RoundTrip(LabelBlock()) == LabelBlock());
+}
+
+// Damage: whatever happens to a blob, decoding says DATA_LOSS.
+
+template <typename Block, typename Decode>
+void ExpectDamageIsSeen(const Bytes& blob, Decode decode) {
+  Block block;
+  for (std::size_t i = 0; i < blob.size(); ++i) {
+    for (const int flip : {0x01, 0x80, 0xFF}) {
+      Bytes damaged = blob;
+      damaged[i] = static_cast<std::uint8_t>(damaged[i] ^ flip);
+      ASSERT_EQ(decode(damaged, kIndex, block).code(), StatusCode::kDataLoss) << "byte " << i << " ^ " << flip;
+    }
+    ASSERT_EQ(decode(ByteView(blob).first(i), kIndex, block).code(), StatusCode::kDataLoss) << "cut at " << i;
+  }
+  Bytes longer = blob;
+  longer.push_back(0);
+  EXPECT_EQ(decode(longer, kIndex, block).code(), StatusCode::kDataLoss);
+  EXPECT_EQ(decode(blob, BlockIndex{-5, 1, 7}, block).code(), StatusCode::kDataLoss) << "under another index";
+  EXPECT_TRUE(decode(blob, kIndex, block).ok());
+}
+
+TEST(TsdfCodec, EveryFlippedOrMissingByteIsDataLoss) {
+  ExpectDamageIsSeen<TsdfBlock>(EncodeTsdfBlock(SomeTsdf(1), kIndex, kTruncation_m), DecodeTsdfBlock);
+}
+
+TEST(LabelCodec, EveryFlippedOrMissingByteIsDataLoss) {
+  ExpectDamageIsSeen<LabelBlock>(EncodeLabelBlock(SomeLabels(1), kIndex), DecodeLabelBlock);
+}
+
+/// Forged payloads with a right checksum: the codecs behind the envelope must stand on their own.
+template <typename Block, typename Decode>
+void ExpectForgeriesAreHarmless(BlobKind kind, const Payload& payload, Decode decode) {
+  Block block;
+  std::mt19937 random(7);
+  int num_refused = 0;
+  for (int round = 0; round < 4000; ++round) {
+    Payload forged = payload;
+    Bytes& part = forged.plain.empty() || round % 4 ? forged.packable : forged.plain;
+    switch (round % 3) {
+      case 0: part[random() % std::min<std::size_t>(part.size(), 80)] = static_cast<std::uint8_t>(random()); break;
+      case 1: part.resize(random() % part.size()); break;
+      default:
+        for (int n = 0; n < 8; ++n) part[random() % part.size()] = static_cast<std::uint8_t>(random());
+    }
+    const Status status = decode(Seal(kind, kIndex, forged), kIndex, block);
+    if (status.ok()) continue;  // another block, but a block
+    EXPECT_EQ(status.code(), StatusCode::kDataLoss) << status.ToString();
+    ++num_refused;
+  }
+  EXPECT_GT(num_refused, 1000);
+}
+
+TEST(TsdfCodec, ForgedPayloadsAreHarmless) {
+  Payload payload;
+  ASSERT_TRUE(Unseal(BlobKind::kTsdfV1, kIndex, EncodeTsdfBlock(SomeTsdf(2), kIndex, kTruncation_m), payload).ok());
+  ExpectForgeriesAreHarmless<TsdfBlock>(BlobKind::kTsdfV1, payload, DecodeTsdfBlock);
+}
+
+TEST(LabelCodec, ForgedPayloadsAreHarmless) {
+  Payload payload;
+  ASSERT_TRUE(Unseal(BlobKind::kLabelsV1, kIndex, EncodeLabelBlock(SomeLabels(2), kIndex), payload).ok());
+  ExpectForgeriesAreHarmless<LabelBlock>(BlobKind::kLabelsV1, payload, DecodeLabelBlock);
+}
+
+TEST(Envelope, AnUnknownKindIsAPreconditionNotALoss) {
+  TsdfBlock block;
+  const Bytes blob = Seal(static_cast<BlobKind>(0x12), kIndex, {.packable = {1, 2, 3}, .plain = {4}});
+  EXPECT_EQ(DecodeTsdfBlock(blob, kIndex, block).code(), StatusCode::kFailedPrecondition);
+}
+
+TEST(Envelope, ForgedLengthsTakeNoMemory) {
+  // A zstd frame header that promises 2^62 bytes, and a plain part that promises 2^63, each with a right checksum.
+  const auto resealed = [](Bytes bytes) {
+    Bytes key;
+    ByteWriter key_writer(key), writer(bytes);
+    for (const int c : {kIndex.x, kIndex.y, kIndex.z}) key_writer.PutU32(static_cast<std::uint32_t>(c));
+    writer.PutU32(Crc32c(bytes, Crc32c(key)));
+    return bytes;
+  };
+  Payload payload;
+  const Bytes frame = {0x28, 0xB5, 0x2F, 0xFD, 0xE0, 0, 0, 0, 0, 0, 0, 0, 0x40, 1, 0, 0};
+  Bytes huge = {0x21, 1, 0};
+  huge.insert(huge.end(), frame.begin(), frame.end());
+  EXPECT_EQ(Unseal(BlobKind::kLabelsV1, kIndex, resealed(huge), payload).code(), StatusCode::kDataLoss);
+  const Bytes plain = {0x21, 0, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x7F, 1, 2, 3};
+  EXPECT_EQ(Unseal(BlobKind::kLabelsV1, kIndex, resealed(plain), payload).code(), StatusCode::kDataLoss);
+  EXPECT_EQ(payload.packable.capacity() + payload.plain.capacity(), 0u);
+}
+
+TEST(Envelope, KeepsPayloadsThatCompressBeyondItsLimitOrNotAtAll) {
+  for (const std::size_t size : {0u, 1u, 100u, 100'000u, 3'000'000u}) {
+    const Payload payload{.packable = Bytes(size, 7), .plain = Bytes(size % 977, 9)};
+    Payload read;
+    ASSERT_TRUE(Unseal(BlobKind::kTsdfV1, kIndex, Seal(BlobKind::kTsdfV1, kIndex, payload), read).ok()) << size;
+    EXPECT_EQ(read.packable, payload.packable);
+    EXPECT_EQ(read.plain, payload.plain);
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap
