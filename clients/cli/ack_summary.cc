@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/cli/ack_summary.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "clients/cli/text_table.h"
+
+namespace dhpmap {
+
+bool AckSummary::Count(std::map<std::string, Kind>& kinds, const std::string& kind, const std::string& message) {
+  Kind& entry = kinds[kind];
+  if (entry.count++ > 0) return false;
+  entry.first_message = message;
+  return true;
+}
+
+bool AckSummary::AddSkipped(const Status& why) {
+  const std::lock_guard lock(mutex_);
+  ++num_skipped_;
+  const std::string kind = why.reason().empty() ? std::string(StatusCodeName(why.code())) : why.reason();
+  return Count(skipped_, kind, why.message());
+}
+
+bool AckSummary::AddAck(const v1::IntegrateFramesResponse& ack) {
+  const std::lock_guard lock(mutex_);
+  revision_ = std::max(revision_, ack.revision());
+  if (ack.error_code() != 0) {
+    ++num_refused_;
+    const std::string code(StatusCodeName(static_cast<StatusCode>(ack.error_code())));
+    return Count(refused_, ack.error_reason().empty() ? code : ack.error_reason(), ack.error_message());
+  }
+  ++num_fused_;
+  num_created_ += static_cast<std::size_t>(ack.num_created());
+  num_points_ += ack.num_points();
+  num_unknown_points_ += ack.num_unknown_points();
+  fuse_s_ += ack.fuse_s();
+  return false;
+}
+
+std::size_t AckSummary::num_done() const {
+  const std::lock_guard lock(mutex_);
+  return num_fused_ + num_refused_ + num_skipped_;
+}
+std::size_t AckSummary::num_fused() const {
+  const std::lock_guard lock(mutex_);
+  return num_fused_;
+}
+std::size_t AckSummary::num_refused() const {
+  const std::lock_guard lock(mutex_);
+  return num_refused_;
+}
+std::size_t AckSummary::num_created() const {
+  const std::lock_guard lock(mutex_);
+  return num_created_;
+}
+
+void AckSummary::Print(std::ostream& out, double elapsed_s) const {
+  const std::lock_guard lock(mutex_);
+  const double num_frames = static_cast<double>(std::max<std::size_t>(num_fused_, 1));
+  out << num_fused_ << " frames fused in " << Fixed(elapsed_s, 1) << " s (" << Fixed(num_frames / elapsed_s, 1)
+      << " frames/s; " << Fixed(1e3 * fuse_s_ / num_frames, 1) << " ms a frame in the server's pipeline)\n";
+  if (num_points_ > 0) {
+    out << num_points_ << " points, "
+        << Fixed(100.0 * static_cast<double>(num_unknown_points_) / static_cast<double>(num_points_), 1)
+        << " % of them of unknown objects\n";
+  }
+  for (const auto& [reason, kind] : skipped_) {
+    out << kind.count << " skipped, " << reason << ": " << kind.first_message << (kind.count > 1 ? ", ..." : "")
+        << "\n";
+  }
+  for (const auto& [reason, kind] : refused_) {
+    out << kind.count << " refused, " << reason << ": " << kind.first_message << (kind.count > 1 ? ", ..." : "")
+        << "\n";
+  }
+}
+
+std::string AckSummary::Json(const v1::Map& map, double elapsed_s) const {
+  const std::lock_guard lock(mutex_);
+  const auto kinds = [](const std::map<std::string, Kind>& in) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const auto& [reason, kind] : in) {
+      list.push_back({{"reason", reason}, {"count", kind.count}, {"firstMessage", kind.first_message}});
+    }
+    return list;
+  };
+  const nlohmann::json summary{{"map", map.name()},
+                               {"revision", std::max(revision_, map.revision())},
+                               {"numSubmaps", map.num_submaps()},
+                               {"numFused", num_fused_},
+                               {"numSkipped", num_skipped_},
+                               {"numRefused", num_refused_},
+                               {"numPoints", num_points_},
+                               {"numUnknownPoints", num_unknown_points_},
+                               {"elapsedS", elapsed_s},
+                               {"fuseS", fuse_s_},
+                               {"skipped", kinds(skipped_)},
+                               {"refused", kinds(refused_)}};
+  return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <google/protobuf/message.h>
+#include <grpcpp/channel.h>
+#include <grpcpp/client_context.h>
+
+#include <memory>
+#include <string>
+
+#include "clients/cli/exit_code.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dhpmap {
+
+/// What every command needs: where the server is, how to answer, and how it went. Filled by the command line.
+struct Session {
+  std::string server = "127.0.0.1:50051";
+  bool json = false;
+  ExitCode exit_code = ExitCode::kOk;
+};
+
+/// A channel without a limit on what it receives. Connects on the first call.
+std::shared_ptr<grpc::Channel> Connect(const Session& session);
+
+/// "kitchen" and "maps/kitchen" -> "maps/kitchen".
+std::string MapName(const std::string& map);
+std::string SubmapName(const std::string& map, std::int64_t id);
+
+/// Prints "dhpmap: NOT_FOUND: message" with details and hints to stderr; returns the exit code.
+ExitCode ReportError(const Session& session, const grpc::Status& status);
+/// The same for something that went wrong here.
+ExitCode ReportLocalError(const std::string& message, ExitCode code = ExitCode::kLocalFile);
+
+/// The message as JSON, in the way of the REST door, to stdout.
+void PrintJson(const google::protobuf::Message& message);
+
+// Each adds its subcommands; when one is chosen it runs and sets session.exit_code.
+void AddMapCommand(CLI::App& app, Session& session);
+void AddMapsCommands(CLI::App& app, Session& session);
+void AddSubmapsCommand(CLI::App& app, Session& session);
+void AddQueryCommands(CLI::App& app, Session& session);
+void AddEditCommands(CLI::App& app, Session& session);
+void AddExportCommands(CLI::App& app, Session& session);
+
+}  // namespace dhpmap

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap export ply|pcd|voxels: geometry as files.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "clients/cli/connection.h"
+#include "clients/cli/output_file.h"
+#include "clients/cli/text_table.h"
+#include "dhpmap/v1/submap_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+struct ExportOptions {
+  std::string map, file, coloring = "sensor";
+  std::int64_t id = -1;  ///< -1: all objects
+  v1::MeshFormat format = v1::PLY;
+  double max_abs_distance_m = 0;
+};
+
+v1::MeshColoring ColoringOf(const std::string& name) {
+  if (name == "class") return v1::BY_CLASS;
+  return name == "instance" ? v1::BY_INSTANCE : v1::SENSOR;
+}
+
+ExitCode Report(const Session& session, const ExportOptions& options, std::int64_t num_bytes, std::int64_t revision) {
+  if (options.file == "-") return ExitCode::kOk;
+  if (session.json) {
+    std::cout << "{\n  \"bytes\": " << num_bytes << ",\n  \"revision\": \"" << revision << "\"\n}\n";
+  } else {
+    std::cout << options.file << ": " << Bytes(static_cast<double>(num_bytes)) << " of revision " << revision << "\n";
+  }
+  return ExitCode::kOk;
+}
+
+ExitCode RunMesh(const Session& session, const ExportOptions& options) {
+  v1::GetSubmapMeshRequest request;
+  request.set_name(options.id >= 0 ? SubmapName(options.map, options.id) : MapName(options.map));
+  request.set_format(options.format);
+  request.set_coloring(ColoringOf(options.coloring));
+  auto file = OutputFile::Open(options.file);
+  if (!file.ok()) return ReportLocalError(file.status().message());
+  grpc::ClientContext context;
+  const auto stub = v1::SubmapService::NewStub(Connect(session));
+  const auto stream = stub->GetSubmapMesh(&context, request);
+  v1::GetSubmapMeshResponse part;
+  std::int64_t revision = 0, total_bytes = 0;
+  while (stream->Read(&part)) {
+    revision = part.revision();
+    total_bytes = std::max(total_bytes, part.total_bytes());
+    file->Write(part.data());
+  }
+  const grpc::Status status = stream->Finish();
+  if (!status.ok()) return ReportError(session, status);
+  if (file->num_bytes() != total_bytes) {
+    return ReportLocalError("the mesh came in short: " + std::to_string(file->num_bytes()) + " of " +
+                                std::to_string(total_bytes) + " bytes",
+                            ExitCode::kServerFailed);
+  }
+  if (const Status closed = file->Close(); !closed.ok()) return ReportLocalError(closed.message());
+  return Report(session, options, total_bytes, revision);
+}
+
+std::string Rows(const v1::StreamSubmapVoxelsResponse& part) {
+  std::string rows;
+  for (int i = 0; i < part.distance_m_size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) rows += Fixed(part.xyz_m(3 * i + axis), 4) + ",";
+    rows += Fixed(part.distance_m(i), 5) + "," + Fixed(part.weight(i), 3);
+    for (int channel = 0; channel < 3; ++channel) {
+      rows += "," + std::to_string(static_cast<unsigned char>(part.rgb()[static_cast<std::size_t>(3 * i + channel)]));
+    }
+    rows += "," + std::to_string(part.class_id(i)) + "," + Fixed(part.class_confidence(i), 3) + "\n";
+  }
+  return rows;
+}
+
+ExitCode RunVoxels(const Session& session, const ExportOptions& options) {
+  v1::StreamSubmapVoxelsRequest request;
+  request.set_name(SubmapName(options.map, options.id));
+  request.set_max_abs_distance_m(options.max_abs_distance_m);
+  auto file = OutputFile::Open(options.file);
+  if (!file.ok()) return ReportLocalError(file.status().message());
+  file->Write("x_m,y_m,z_m,distance_m,weight,r,g,b,class_id,class_confidence\n");
+  grpc::ClientContext context;
+  const auto stub = v1::SubmapService::NewStub(Connect(session));
+  const auto stream = stub->StreamSubmapVoxels(&context, request);
+  v1::StreamSubmapVoxelsResponse part;
+  std::int64_t revision = 0;
+  while (stream->Read(&part)) {
+    revision = part.revision();
+    const int n = part.distance_m_size();
+    if (part.xyz_m_size() != 3 * n || part.weight_size() != n || part.rgb().size() != 3 * static_cast<std::size_t>(n) ||
+        part.class_id_size() != n || part.class_confidence_size() != n) {
+      context.TryCancel();
+      return ReportLocalError("the server sent lists of different lengths", ExitCode::kServerFailed);
+    }
+    file->Write(Rows(part));
+  }
+  const grpc::Status status = stream->Finish();
+  if (!status.ok()) return ReportError(session, status);
+  const std::int64_t num_bytes = file->num_bytes();
+  if (const Status closed = file->Close(); !closed.ok()) return ReportLocalError(closed.message());
+  return Report(session, options, num_bytes, revision);
+}
+
+void AddMesh(CLI::App& parent, const char* name, const char* what, v1::MeshFormat format, Session& session) {
+  auto options = std::make_shared<ExportOptions>();
+  options->format = format;
+  CLI::App* command = parent.add_subcommand(name, what);
+  command->add_option("map", options->map, "Name of the map")->required();
+  command->add_option("id", options->id, "Instance id of one object; default: all in one file");
+  command->add_option("-o,--output", options->file, "File to write, - for stdout")->required();
+  command->add_option("--color", options->coloring, "Colour of the vertices")
+      ->check(CLI::IsMember({"sensor", "class", "instance"}))
+      ->capture_default_str();
+  command->callback([options, &session] { session.exit_code = RunMesh(session, *options); });
+}
+
+}  // namespace
+
+void AddExportCommands(CLI::App& app, Session& session) {
+  CLI::App* parent = app.add_subcommand("export", "Write geometry to a file");
+  parent->require_subcommand(1);
+  AddMesh(*parent, "ply", "The surface as a PLY mesh with class and instance", v1::PLY, session);
+  AddMesh(*parent, "pcd", "The surface's vertices as a PCD cloud", v1::PCD, session);
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* voxels = parent->add_subcommand("voxels", "The observed voxels of one object as CSV");
+  voxels->add_option("map", options->map, "Name of the map")->required();
+  voxels->add_option("id", options->id, "Instance id of the object")->required();
+  voxels->add_option("-o,--output", options->file, "File to write, - for stdout")->required();
+  voxels->add_option("--max-distance", options->max_abs_distance_m, "Only voxels so near the surface (metres)");
+  voxels->callback([options, &session] { session.exit_code = RunVoxels(session, *options); });
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap maps list|show|create|delete, dhpmap stats, dhpmap finish.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "clients/cli/class_names.h"
+#include "clients/cli/connection.h"
+#include "clients/cli/new_map.h"
+#include "clients/cli/text_table.h"
+#include "dhpmap/v1/map_service.grpc.pb.h"
+#include "dhpmap/v1/mapping_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+std::unique_ptr<v1::MapService::Stub> Maps(const Session& session) { return v1::MapService::NewStub(Connect(session)); }
+
+ExitCode RunList(const Session& session) {
+  grpc::ClientContext context;
+  v1::ListMapsResponse response;
+  const grpc::Status status = Maps(session)->ListMaps(&context, {}, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) {
+    PrintJson(response);
+    return ExitCode::kOk;
+  }
+  TextTable table({"MAP", "FRAMES", "SUBMAPS", "CLASSES", "VOXEL_M", "REVISION", "TITLE"});
+  for (const v1::Map& map : response.maps()) {
+    table.Add({map.name().substr(5), std::to_string(map.num_frames()), std::to_string(map.num_submaps()),
+               std::to_string(map.label_classes_size()), Fixed(map.config().voxel_size_m(), 3),
+               std::to_string(map.revision()), map.display_name()});
+  }
+  table.Print(std::cout);
+  return ExitCode::kOk;
+}
+
+ExitCode RunShow(const Session& session, const std::string& name) {
+  v1::Map map;
+  const grpc::Status status = GetMap(Connect(session), name, map);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) {
+    PrintJson(map);
+    return ExitCode::kOk;
+  }
+  std::cout << map.name() << (map.display_name().empty() ? "" : " (" + map.display_name() + ")") << ": "
+            << map.num_frames() << " frames, " << map.num_submaps() << " submaps, revision " << map.revision() << "\n"
+            << map.config().DebugString();
+  TextTable table({"CLASS", "NAME", "KIND"});
+  for (const v1::LabelClass& label_class : map.label_classes()) {
+    table.Add({std::to_string(label_class.id()), label_class.name(), KindName(label_class.kind())});
+  }
+  table.Print(std::cout);
+  return ExitCode::kOk;
+}
+
+struct CreateOptions {
+  NewMap map;
+  std::string dataset, labels = "predicted";
+};
+
+ExitCode RunCreate(const Session& session, const CreateOptions& options) {
+  std::unique_ptr<Dataset> dataset;
+  if (!options.dataset.empty()) {
+    const auto labels = ParseLabelSource(options.labels);
+    if (!labels.ok()) return ReportLocalError(labels.status().message(), ExitCode::kUsage);
+    auto opened = OpenDataset(options.dataset, DatasetFormat::kAuto, *labels);
+    if (!opened.ok()) return ReportLocalError(opened.status().message());
+    dataset = std::move(*opened);
+  }
+  const auto request = ToRequest(options.map, dataset.get());
+  if (!request.ok()) return ReportLocalError(request.status().message(), ExitCode::kUsage);
+  grpc::ClientContext context;
+  v1::CreateMapResponse response;
+  const grpc::Status status = Maps(session)->CreateMap(&context, *request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else std::cout << "created " << response.map().name() << "\n";
+  return ExitCode::kOk;
+}
+
+ExitCode RunDelete(const Session& session, const std::string& name) {
+  grpc::ClientContext context;
+  v1::DeleteMapRequest request;
+  request.set_name(MapName(name));
+  v1::DeleteMapResponse response;
+  const grpc::Status status = Maps(session)->DeleteMap(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else std::cout << "deleted " << MapName(name) << "\n";
+  return ExitCode::kOk;
+}
+
+ExitCode RunStats(const Session& session, const std::string& name) {
+  grpc::ClientContext context;
+  v1::GetMapStatsRequest request;
+  request.set_name(MapName(name));
+  v1::GetMapStatsResponse stats;
+  const grpc::Status status = Maps(session)->GetMapStats(&context, request, &stats);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) {
+    PrintJson(stats);
+    return ExitCode::kOk;
+  }
+  TextTable table({MapName(name), "revision " + std::to_string(stats.revision())});
+  table.Add({"frames", std::to_string(stats.num_frames())});
+  table.Add({"things", std::to_string(stats.num_things()) + " (" + std::to_string(stats.num_active()) + " active)"});
+  table.Add({"stuff", std::to_string(stats.num_stuff())});
+  table.Add({"blocks", std::to_string(stats.num_tsdf_blocks()) + " tsdf, " + std::to_string(stats.num_label_blocks()) +
+                           " label"});
+  table.Add({"voxels", std::to_string(stats.num_observed_voxels()) + " observed of " +
+                           std::to_string(stats.num_allocated_voxels())});
+  table.Add({"memory", Bytes(static_cast<double>(stats.memory_bytes())) + " (" +
+                           Fixed(stats.memory_bytes_per_allocated_voxel(), 1) + " bytes a voxel)"});
+  table.Add({"disk", Bytes(static_cast<double>(stats.disk_bytes()))});
+  table.Print(std::cout);
+  return ExitCode::kOk;
+}
+
+ExitCode RunFinish(const Session& session, const std::string& name) {
+  grpc::ClientContext context;
+  v1::FinishMappingRequest request;
+  request.set_map(MapName(name));
+  v1::FinishMappingResponse response;
+  const grpc::Status status =
+      v1::MappingService::NewStub(Connect(session))->FinishMapping(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else
+    std::cout << MapName(name) << ": " << response.num_frames() << " frames, " << response.num_submaps()
+              << " submaps, revision " << response.revision() << "\n";
+  return ExitCode::kOk;
+}
+
+/// A command that takes the name of a map.
+void AddNamed(CLI::App& app, const char* name, const char* what, Session& session,
+              ExitCode (*run)(const Session&, const std::string&)) {
+  auto map = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(name, what);
+  command->add_option("map", *map, "Name of the map")->required();
+  command->callback([map, run, &session] { session.exit_code = run(session, *map); });
+}
+
+}  // namespace
+
+void AddMapsCommands(CLI::App& app, Session& session) {
+  CLI::App* maps = app.add_subcommand("maps", "List, show, create and delete maps");
+  maps->require_subcommand(0, 1);
+  CLI::App* list = maps->add_subcommand("list", "All maps (the default)");
+  list->callback([&session] { session.exit_code = RunList(session); });
+  maps->callback([maps, &session] {
+    if (maps->get_subcommands().empty()) session.exit_code = RunList(session);
+  });
+  AddNamed(*maps, "show", "One map with its configuration and classes", session, RunShow);
+  AddNamed(*maps, "delete", "Delete a map with all its submaps", session, RunDelete);
+  auto options = std::make_shared<CreateOptions>();
+  CLI::App* create = maps->add_subcommand("create", "Create an empty map");
+  create->add_option("map", options->map.name, "Name of the new map")->required();
+  AddNewMapOptions(*create, options->map);
+  create->add_option("--dataset", options->dataset, "Take preset and classes from this data set");
+  create->add_option("--labels", options->labels, "Whose classes: predicted or groundtruth")->capture_default_str();
+  create->callback([options, &session] { session.exit_code = RunCreate(session, *options); });
+  AddNamed(app, "stats", "What a map holds and what it costs", session, RunStats);
+  AddNamed(app, "finish", "End a mapping session: all things settle, everything is committed", session, RunFinish);
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/cli/new_map.h"
+
+#include <CLI/CLI.hpp>
+#include <unordered_map>
+
+#include "clients/cli/frame_message.h"
+#include "clients/cli/map_settings.h"
+#include "dhpmap/v1/map_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+/// Frames name classes by id, so ids that mean something else would be mapped wrongly without a word.
+Status CheckClasses(const v1::Map& map, const Dataset& dataset) {
+  std::unordered_map<std::uint32_t, const v1::LabelClass*> by_id;
+  for (const v1::LabelClass& label_class : map.label_classes()) by_id[label_class.id()] = &label_class;
+  for (const LabelClass& wanted : dataset.label_classes()) {
+    const auto it = by_id.find(wanted.id.value);
+    if (it != by_id.end() && it->second->name() == wanted.name) continue;
+    return FailedPrecondition(map.name() + " was made with other classes: class " + std::to_string(wanted.id.value) +
+                              " is '" + (it == by_id.end() ? "" : it->second->name()) + "' there and '" + wanted.name +
+                              "' in the data set; map into a new map, or with the same --labels as before");
+  }
+  return Status::Ok();
+}
+
+}  // namespace
+
+void AddNewMapOptions(CLI::App& command, NewMap& map) {
+  command.add_option("--preset", map.preset, "Of a new map: indoor or outdoor_lidar; default: what fits the data set");
+  std::string keys;
+  for (const std::string& key : SettingKeys()) keys += " " + key;
+  command.add_option("--set", map.settings, "Of a new map: KEY=VALUE, may be repeated; keys:" + keys)->take_all();
+  command.add_option("--display-name", map.display_name, "Of a new map");
+}
+
+Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset) {
+  v1::CreateMapRequest request;
+  request.set_map_id(MapName(map.name).substr(std::string("maps/").size()));
+  request.set_display_name(map.display_name);
+  request.set_preset(map.preset);
+  if (dataset != nullptr && map.preset.empty()) request.set_preset(dataset->preset());
+  for (const std::string& setting : map.settings) {
+    DHPMAP_RETURN_IF_ERROR(ApplySetting(setting, *request.mutable_config()));
+  }
+  if (dataset == nullptr) return request;
+  for (const LabelClass& label_class : dataset->label_classes()) *request.add_label_classes() = ToMessage(label_class);
+  return request;
+}
+
+grpc::Status GetMap(const std::shared_ptr<grpc::Channel>& channel, const std::string& name, v1::Map& map) {
+  grpc::ClientContext context;
+  v1::GetMapRequest request;
+  request.set_name(MapName(name));
+  v1::GetMapResponse response;
+  const grpc::Status status = v1::MapService::NewStub(channel)->GetMap(&context, request, &response);
+  map = response.map();
+  return status;
+}
+
+ExitCode EnsureMap(const Session& session, const std::shared_ptr<grpc::Channel>& channel, const NewMap& map,
+                   const Dataset& dataset) {
+  const auto request = ToRequest(map, &dataset);
+  if (!request.ok()) return ReportLocalError(request.status().message(), ExitCode::kUsage);
+  v1::Map existing;
+  const grpc::Status status = GetMap(channel, map.name, existing);
+  if (status.error_code() == grpc::StatusCode::NOT_FOUND) {
+    grpc::ClientContext context;
+    v1::CreateMapResponse response;
+    const grpc::Status created = v1::MapService::NewStub(channel)->CreateMap(&context, *request, &response);
+    return created.ok() ? ExitCode::kOk : ReportError(session, created);
+  }
+  if (!status.ok()) return ReportError(session, status);
+  if (!map.settings.empty() || !map.preset.empty()) {
+    return ReportLocalError(MapName(map.name) + " is there already: --preset and --set are for new maps",
+                            ExitCode::kUsage);
+  }
+  const Status classes = CheckClasses(existing, dataset);
+  return classes.ok() ? ExitCode::kOk : ReportLocalError(classes.message(), ExitCode::kBadRequest);
+}
+
+}  // namespace dhpmap

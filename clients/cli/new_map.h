@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/channel.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clients/cli/connection.h"
+#include "clients/datasets/dataset.h"
+#include "dhpmap/v1/map_service.pb.h"
+
+namespace dhpmap {
+
+/// What the user says of a map that is to be made.
+struct NewMap {
+  std::string name, display_name, preset;
+  std::vector<std::string> settings;  ///< key=value
+};
+void AddNewMapOptions(CLI::App& command, NewMap& map);
+
+/// The request for `map`, with the preset and classes of `dataset` where there is one.
+Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset);
+
+grpc::Status GetMap(const std::shared_ptr<grpc::Channel>& channel, const std::string& name, v1::Map& map);
+
+/// Creates the map unless it is there. A map that is there must have the data set's classes, and cannot be configured.
+ExitCode EnsureMap(const Session& session, const std::shared_ptr<grpc::Channel>& channel, const NewMap& map,
+                   const Dataset& dataset);
+
+}  // namespace dhpmap

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/cli/progress_bar.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::size_t kWidth = 30;
+constexpr auto kMinInterval = std::chrono::milliseconds(100);
+
+}  // namespace
+
+ProgressBar::ProgressBar(std::size_t total) : total_(std::max<std::size_t>(total, 1)), is_terminal_(isatty(2) != 0) {}
+
+ProgressBar::~ProgressBar() {
+  if (is_drawn_) std::fputs("\r\x1b[K", stderr);
+}
+
+double ProgressBar::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void ProgressBar::Show(std::size_t done, const std::string& note) {
+  const auto now = std::chrono::steady_clock::now();
+  const std::lock_guard lock(mutex_);
+  if (is_terminal_) {
+    if (is_drawn_ && now - drawn_ < kMinInterval && done < total_) return;
+    drawn_ = now;
+    Draw(done, note);
+    return;
+  }
+  const std::size_t tenths = 10 * done / total_;
+  if (tenths == tenths_shown_) return;
+  tenths_shown_ = tenths;
+  std::fprintf(stderr, "%zu/%zu frames, %s\n", done, total_, note.c_str());
+}
+
+void ProgressBar::Print(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  std::fprintf(stderr, "%s%s\n", is_drawn_ ? "\r\x1b[K" : "", line.c_str());
+  is_drawn_ = false;
+}
+
+void ProgressBar::Draw(std::size_t done, const std::string& note) {
+  const std::size_t filled = std::min(kWidth, kWidth * done / total_);
+  const std::string bar = std::string(filled, '=') + std::string(kWidth - filled, ' ');
+  std::fprintf(stderr, "\r\x1b[K[%s] %zu/%zu  %s", bar.c_str(), done, total_, note.c_str());
+  std::fflush(stderr);
+  is_drawn_ = true;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+namespace dhpmap {
+
+/// Progress on stderr: a bar where that is a terminal, else a line at every tenth of the way. Thread-safe.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::size_t total);
+  /// Takes the bar away.
+  ~ProgressBar();
+  void Show(std::size_t done, const std::string& note);
+  /// A line of its own, above the bar.
+  void Print(const std::string& line);
+  [[nodiscard]] double elapsed_s() const;
+
+ private:
+  void Draw(std::size_t done, const std::string& note);
+
+  const std::size_t total_;
+  const bool is_terminal_;
+  std::mutex mutex_;
+  bool is_drawn_ = false;  // guarded by mutex_, like all below
+  std::size_t tenths_shown_ = 0;
+  std::chrono::steady_clock::time_point drawn_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap submaps: the objects of a map.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "clients/cli/class_names.h"
+#include "clients/cli/connection.h"
+#include "clients/cli/new_map.h"
+#include "clients/cli/text_table.h"
+#include "dhpmap/v1/submap_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+struct SubmapsOptions {
+  std::string map;
+  std::int64_t id = -1;
+  std::vector<std::string> classes;
+  std::string kind;
+  std::vector<double> near, box;
+};
+
+void SetVector(v1::Vector3& out, const double* values) {
+  out.set_x(values[0]);
+  out.set_y(values[1]);
+  out.set_z(values[2]);
+}
+
+void PrintTable(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {
+  TextTable table(
+      {"ID", "KIND", "CLASS", "NAME", "CONFIDENCE", "STATE", "FRAMES", "BLOCKS", "X_M", "Y_M", "Z_M", "RADIUS_M"});
+  for (const v1::Submap& submap : submaps) {
+    const v1::Sphere& sphere = submap.bounding_sphere();
+    const auto metres = [&](double value) { return submap.has_bounding_sphere() ? Fixed(value, 2) : "-"; };
+    table.Add({std::to_string(submap.instance_id()), KindName(submap.kind()), submap.class_name(),
+               submap.display_name(), Fixed(submap.class_confidence(), 2),
+               submap.activity() == v1::ACTIVE ? "active" : "settled", std::to_string(submap.num_frames_observed()),
+               std::to_string(submap.num_blocks()), metres(sphere.center_m().x()), metres(sphere.center_m().y()),
+               metres(sphere.center_m().z()), metres(sphere.radius_m())});
+  }
+  table.Print(std::cout);
+}
+
+ExitCode RunGet(const Session& session, const SubmapsOptions& options) {
+  grpc::ClientContext context;
+  v1::GetSubmapRequest request;
+  request.set_name(SubmapName(options.map, options.id));
+  v1::GetSubmapResponse response;
+  const grpc::Status status = v1::SubmapService::NewStub(Connect(session))->GetSubmap(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else std::cout << response.submap().DebugString();
+  return ExitCode::kOk;
+}
+
+ExitCode RunList(const Session& session, const SubmapsOptions& options) {
+  const auto channel = Connect(session);
+  v1::ListSubmapsRequest request;
+  request.set_parent(MapName(options.map));
+  if (!options.classes.empty()) {
+    v1::Map map;
+    const grpc::Status status = GetMap(channel, options.map, map);
+    if (!status.ok()) return ReportError(session, status);
+    for (const std::string& name : options.classes) {
+      const auto label_class = FindClass(map, name);
+      if (!label_class.ok()) return ReportLocalError(label_class.status().message(), ExitCode::kNotFound);
+      request.add_class_ids(static_cast<std::int32_t>(label_class->id()));
+    }
+  }
+  if (!options.kind.empty()) request.set_kind(options.kind == "thing" ? v1::THING : v1::STUFF);
+  if (!options.near.empty()) {
+    SetVector(*request.mutable_near()->mutable_center_m(), options.near.data());
+    request.mutable_near()->set_radius_m(options.near[3]);
+  }
+  if (!options.box.empty()) {
+    SetVector(*request.mutable_region()->mutable_min_m(), options.box.data());
+    SetVector(*request.mutable_region()->mutable_max_m(), options.box.data() + 3);
+  }
+  grpc::ClientContext context;
+  v1::ListSubmapsResponse response;
+  const grpc::Status status = v1::SubmapService::NewStub(channel)->ListSubmaps(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else PrintTable(response.submaps());
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddSubmapsCommand(CLI::App& app, Session& session) {
+  auto options = std::make_shared<SubmapsOptions>();
+  CLI::App* command = app.add_subcommand("submaps", "List the objects of a map, or show one of them");
+  command->add_option("map", options->map, "Name of the map")->required();
+  command->add_option("id", options->id, "Instance id of one object, to show all of it");
+  command->add_option("--class", options->classes, "Of these classes only, by name or id");
+  command->add_option("--kind", options->kind, "Of this kind only")->check(CLI::IsMember({"thing", "stuff"}));
+  command->add_option("--near", options->near, "Bounding sphere touches the sphere X Y Z RADIUS (metres)")->expected(4);
+  command->add_option("--box", options->box, "Bounding sphere touches the box X Y Z to X Y Z (metres)")->expected(6);
+  command->callback([options, &session] {
+    session.exit_code = options->id >= 0 ? RunGet(session, *options) : RunList(session, *options);
+  });
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "clients/cli/ack_summary.h"
+#include "clients/cli/class_names.h"
+#include "clients/cli/exit_code.h"
+#include "clients/cli/frame_selection.h"
+#include "clients/cli/output_file.h"
+#include "clients/cli/point_input.h"
+#include "clients/cli/text_table.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+TEST(FrameSelection, StartsLimitsThinsAndHoldsOut) {
+  EXPECT_EQ((FrameSelection{}.Indices(3)), (Indices{0, 1, 2}));
+  EXPECT_EQ((FrameSelection{.start = 2, .frames = 2}.Indices(9)), (Indices{2, 3}));
+  EXPECT_EQ((FrameSelection{.start = 1, .every = 3}.Indices(9)), (Indices{1, 4, 7}));
+  EXPECT_EQ((FrameSelection{.skip_every = 3}.Indices(7)), (Indices{0, 1, 3, 4, 6}));
+  EXPECT_EQ((FrameSelection{.start = 9}.Indices(9)), Indices{});
+  EXPECT_EQ((FrameSelection{.start = 7, .frames = 1'000'000'000'000}.Indices(9)), (Indices{7, 8}));
+}
+
+TEST(FrameSelection, HeldOutFramesAndTheirOppositeMakeTheWhole) {
+  EXPECT_EQ((FrameSelection{.start = 9, .every = 10}.Indices(30)), (Indices{9, 19, 29}));
+  EXPECT_EQ((FrameSelection{.skip_every = 10}.Indices(30)).size(), 27u);
+}
+
+TEST(ReadPoints, TakesBlanksCommasAndComments) {
+  std::istringstream in("# header\n1 2 3\n4,5 , -6e-1 # tail\n\n");
+  EXPECT_EQ(*ReadPoints(in), (std::vector<float>{1, 2, 3, 4, 5, -0.6f}));
+}
+
+TEST(ReadPoints, SaysWhichLineIsWrong) {
+  std::istringstream bad("1 2 3\n1 two 3\n"), cut("1 2 3 4"), none("# nothing\n");
+  EXPECT_NE(ReadPoints(bad).status().message().find("line 2"), std::string::npos);
+  EXPECT_EQ(ReadPoints(cut).status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(ReadPoints(none).status().code(), StatusCode::kInvalidArgument);
+}
+
+TEST(TextTable, AlignsNumbersRightAndTextLeft) {
+  TextTable table({"ID", "NAME"});
+  table.Add({"7", "ä"});
+  table.Add({"123", "bc"});
+  std::ostringstream out;
+  table.Print(out);
+  EXPECT_EQ(out.str(), " ID  NAME\n  7  ä\n123  bc\n");
+}
+
+TEST(Bytes, TakeTheUnitThatFits) {
+  EXPECT_EQ(Bytes(512), "512 B");
+  EXPECT_EQ(Bytes(1536), "1.5 KiB");
+  EXPECT_EQ(Bytes(3.0 * (1 << 20)), "3.0 MiB");
+}
+
+TEST(FindClass, TakesNameInAnyCaseOrId) {
+  v1::Map map;
+  map.set_name("maps/m");
+  v1::LabelClass* chair = map.add_label_classes();
+  chair->set_id(12);
+  chair->set_name("Chair");
+  EXPECT_EQ(FindClass(map, "chair")->id(), 12u);
+  EXPECT_EQ(FindClass(map, "12")->name(), "Chair");
+  const Status status = FindClass(map, "table").status();
+  EXPECT_EQ(status.code(), StatusCode::kNotFound);
+  EXPECT_NE(status.message().find("Chair"), std::string::npos);
+}
+
+TEST(ExitCodeOf, TellsClassesOfErrorsApart) {
+  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::OK), ExitCode::kOk);
+  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::FAILED_PRECONDITION), ExitCode::kBadRequest);
+  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::NOT_FOUND), ExitCode::kNotFound);
+  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::ABORTED), ExitCode::kConflict);
+  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::UNAVAILABLE), ExitCode::kUnreachable);
+  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::DATA_LOSS), ExitCode::kServerFailed);
+}
+
+TEST(AckSummary, TellsOfEachKindOnceAndCountsTheRest) {
+  AckSummary summary;
+  EXPECT_TRUE(summary.AddSkipped(NotFound("no a.png").WithReason("MISSING_FILE")));
+  EXPECT_FALSE(summary.AddSkipped(NotFound("no b.png").WithReason("MISSING_FILE")));
+  v1::IntegrateFramesResponse refused;
+  refused.set_error_code(3);
+  refused.set_error_reason("BAD_POSE");
+  refused.set_error_message("not rigid");
+  EXPECT_TRUE(summary.AddAck(refused));
+  EXPECT_FALSE(summary.AddAck(refused));
+  v1::IntegrateFramesResponse fused;
+  fused.set_revision(4);
+  fused.set_num_created(2);
+  EXPECT_FALSE(summary.AddAck(fused));
+  EXPECT_EQ(summary.num_done(), 5u);
+  const auto json = nlohmann::json::parse(summary.Json({}, 1.0));
+  EXPECT_EQ(json["numFused"], 1);
+  EXPECT_EQ(json["revision"], 4);
+  EXPECT_EQ(json["skipped"][0]["count"], 2);
+  EXPECT_EQ(json["refused"][0]["firstMessage"], "not rigid");
+  std::ostringstream out;
+  summary.Print(out, 1.0);
+  EXPECT_NE(out.str().find("2 skipped, MISSING_FILE: no a.png"), std::string::npos) << out.str();
+}
+
+TEST(OutputFile, IsThereOnlyOnceComplete) {
+  const testing::TempDir temp;
+  const std::string path = (temp.path() / "mesh.ply").string();
+  {
+    auto abandoned = OutputFile::Open(path);
+    ASSERT_TRUE(abandoned.ok());
+    abandoned->Write("half");
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(temp.path()));
+  auto file = OutputFile::Open(path);
+  file->Write("all");
+  EXPECT_FALSE(std::filesystem::exists(path));
+  ASSERT_TRUE(file->Close().ok());
+  EXPECT_EQ(file->num_bytes(), 3);
+  std::string text;
+  std::ifstream(path) >> text;
+  EXPECT_EQ(text, "all");
+  EXPECT_FALSE(OutputFile::Open((temp.path() / "no/where").string()).ok());
+}
+
+}  // namespace
+}  // namespace dhpmap
