@@ -32,7 +32,7 @@ Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionO
   return registry;
 }
 
-MapRegistry::~MapRegistry() { Shutdown(); }
+MapRegistry::~MapRegistry() { (void)Shutdown(); }
 
 Result<MapSummary> MapRegistry::Create(MapInfo info) {
   DHPMAP_RETURN_IF_ERROR(ValidateMapName(info.name));
@@ -96,7 +96,7 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name) {
     entry->session = nullptr;
     entries_.erase(name);
   }
-  if (session) session->Stop();  // here, where none of its own threads can be the one that must join them
+  if (session) (void)session->Stop();  // here, where none of its own threads can be the one that must join them
   return revision;
 }
 
@@ -133,12 +133,16 @@ std::vector<std::shared_ptr<MapSession>> MapRegistry::OpenSessions() const {
   return sessions;
 }
 
-void MapRegistry::Shutdown() {
+Status MapRegistry::Shutdown() {
   {
     const std::lock_guard lock(mutex_);
     is_shut_down_ = true;
   }
-  for (const auto& session : OpenSessions()) session->Stop();
+  Status outcome;
+  for (const auto& session : OpenSessions()) {
+    if (const Status stored = session->Stop(); !stored.ok()) outcome = stored;
+  }
+  return outcome;
 }
 
 std::shared_ptr<MapRegistry::Entry> MapRegistry::FindEntry(const std::string& name) const {

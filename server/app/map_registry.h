@@ -44,8 +44,9 @@ class MapRegistry {
   Result<std::int64_t> DiskBytes(const std::string& name);
   [[nodiscard]] std::vector<std::shared_ptr<MapSession>> OpenSessions() const;
 
-  /// Stops every session: see MapSession::Stop. Later calls to OpenSession fail with UNAVAILABLE.
-  void Shutdown();
+  /// Stops every session: see MapSession::Stop. Later calls to OpenSession fail with UNAVAILABLE. Returns why a map's last
+  /// state could not be stored, or OK.
+  Status Shutdown();
 
  private:
   /// A map that is there, or is just being made.

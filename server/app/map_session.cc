@@ -54,7 +54,7 @@ MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& st
   writer_ = std::thread([this] { WriterLoop(); });
 }
 
-MapSession::~MapSession() { Stop(); }
+MapSession::~MapSession() { (void)Stop(); }
 
 std::shared_ptr<const MapView> MapSession::View() const {
   const std::lock_guard lock(view_mutex_);
@@ -137,7 +137,7 @@ Status MapSession::DeleteFromStore() {
   return status;
 }
 
-void MapSession::Stop() {
+Status MapSession::Stop() {
   const std::lock_guard stop_lock(stop_mutex_);  // of two callers the second waits for the end, too
   {
     const std::lock_guard lock(mutex_);
@@ -147,6 +147,7 @@ void MapSession::Stop() {
   wake_.notify_one();
   if (writer_.joinable()) writer_.join();
   commits_.Stop();
+  return commits_.last_outcome();
 }
 
 void MapSession::Post(Job job) {

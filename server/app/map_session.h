@@ -85,8 +85,8 @@ class MapSession {
   Status DeleteFromStore();
 
   /// Ends the job in hand, refuses those that wait and all later ones with UNAVAILABLE, commits with a full sync, and
-  /// joins the threads.
-  void Stop();
+  /// joins the threads. Returns the outcome of that commit.
+  Status Stop();
 
  private:
   struct Job {

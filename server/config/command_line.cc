@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/config/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "server/config/config_loader.h"
+
+namespace dhpmap {
+namespace {
+
+struct Flags {
+  std::optional<std::string> config, db, grpc, http, log_level;
+  bool log_json = false, insecure = false, print_config = false;
+  std::vector<std::string> set;
+};
+
+void AddFlags(CLI::App& app, Flags& flags) {
+  app.set_version_flag("--version", std::string("dhpmap-server ") + DHPMAP_VERSION);
+  app.add_option("--db", flags.db, "SQLite file with the maps; made if it is not there");
+  app.add_option("--config", flags.config, "YAML file; see deploy/dhpmap.yaml");
+  app.add_option("--grpc", flags.grpc, "address of the gRPC door [127.0.0.1:50051]");
+  app.add_option("--http", flags.http, "address of the REST door [127.0.0.1:8080]");
+  app.add_flag("--insecure", flags.insecure, "allow addresses that other machines can reach");
+  app.add_option("--log-level", flags.log_level, "debug, info, warning, error or off [info]");
+  app.add_flag("--log-json", flags.log_json, "log one JSON object a line");
+  app.add_option("--set", flags.set, "set any other key: --set store.commit_s=1")->type_name("KEY=VALUE");
+  app.add_flag("--print-config", flags.print_config, "print the effective configuration as YAML and exit");
+}
+
+KeyValues KeysFromFlags(const Flags& flags) {
+  KeyValues values;
+  for (const std::string& item : flags.set) {
+    const std::size_t equals = item.find('=');
+    values.emplace_back(item.substr(0, equals), equals == std::string::npos ? "" : item.substr(equals + 1));
+  }
+  const auto add = [&values](const char* key, const std::optional<std::string>& value) {
+    if (value) values.emplace_back(key, *value);
+  };
+  add("db", flags.db);
+  add("grpc.address", flags.grpc);
+  add("http.address", flags.http);
+  add("log.level", flags.log_level);
+  if (flags.log_json) values.emplace_back("log.json", "true");
+  if (flags.insecure) values.emplace_back("insecure", "true");
+  return values;
+}
+
+Result<ServerConfig> Merge(const Flags& flags, const std::vector<std::string>& environment) {
+  ServerConfig config;
+  if (flags.config) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::string text, ReadConfigFile(*flags.config));
+    DHPMAP_ASSIGN_OR_RETURN(const KeyValues values, ParseYaml(text));
+    DHPMAP_RETURN_IF_ERROR(ApplyKeyValues(values, *flags.config, config));
+  }
+  DHPMAP_RETURN_IF_ERROR(ApplyKeyValues(KeysFromEnvironment(environment), "the environment", config));
+  DHPMAP_RETURN_IF_ERROR(ApplyKeyValues(KeysFromFlags(flags), "the flags", config));
+  DHPMAP_RETURN_IF_ERROR(config.Validate());
+  return config;
+}
+
+}  // namespace
+
+Result<Invocation> ParseCommandLine(const std::vector<std::string>& arguments,
+                                    const std::vector<std::string>& environment) {
+  CLI::App app("Builds, keeps and answers for hierarchical panoptic maps, over gRPC and REST.", "dhpmap-server");
+  Flags flags;
+  AddFlags(app, flags);
+  try {
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
+    app.parse(std::move(reversed));
+  } catch (const CLI::CallForHelp&) {
+    return Invocation{.is_done = true, .text = app.help()};
+  } catch (const CLI::CallForVersion& version) {
+    return Invocation{.is_done = true, .text = std::string(version.what()) + "\n"};
+  } catch (const CLI::Error& error) {
+    return InvalidArgument(std::string(error.what()) + "; --help lists the flags");
+  }
+  DHPMAP_ASSIGN_OR_RETURN(ServerConfig config, Merge(flags, environment));
+  if (flags.print_config) return Invocation{.config = config, .is_done = true, .text = ToYaml(config)};
+  if (config.db.empty()) {
+    return InvalidArgument("no database: say --db FILE").WithViolation("db", "is required");
+  }
+  return Invocation{.config = std::move(config)};
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mapping/base/result.h"
+#include "server/config/server_config.h"
+
+namespace dhpmap {
+
+/// What a command line asks for.
+struct Invocation {
+  ServerConfig config;
+  bool is_done = false;  ///< nothing is to be served: print `text` and exit
+  std::string text;      ///< help, version or --print-config
+};
+
+/// Defaults < file (--config) < environment < flags; checked, every bad key named at once. `environment`: strings
+/// "NAME=value". INVALID_ARGUMENT, NOT_FOUND.
+Result<Invocation> ParseCommandLine(const std::vector<std::string>& arguments,
+                                    const std::vector<std::string>& environment);
+
+}  // namespace dhpmap

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/config/config_loader.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::string_view kMapDefaults = "map_defaults.";
+
+Status BadYaml(const std::string& what) {
+  return InvalidArgument("the configuration file cannot be read: " + what).WithReason("BAD_CONFIG");
+}
+
+Status Flatten(const YAML::Node& node, const std::string& prefix, KeyValues& values) {
+  for (const auto& item : node) {
+    const std::string key = prefix + item.first.as<std::string>();
+    if (item.second.IsMap()) DHPMAP_RETURN_IF_ERROR(Flatten(item.second, key + ".", values));
+    else if (item.second.IsScalar()) values.emplace_back(key, item.second.Scalar());
+    else if (item.second.IsNull()) continue;  // a section with everything commented out
+    else return BadYaml("'" + key + "' is a list");
+  }
+  return Status::Ok();
+}
+
+bool Parse(const std::string& text, std::string& value) {
+  value = text;
+  return true;
+}
+bool Parse(const std::string& text, bool& value) {
+  value = text == "true";
+  return text == "true" || text == "false";
+}
+template <typename Number>
+bool Parse(const std::string& text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+void SetOne(const std::string& wanted, const std::string& text, ServerConfig& config, Status& bad) {
+  if (wanted.starts_with(kMapDefaults)) {
+    const Status status = SetField(config.map_defaults, std::string_view(wanted).substr(kMapDefaults.size()), text);
+    for (const FieldViolation& violation : status.violations()) bad.AddViolation(wanted, violation.description);
+    return;
+  }
+  bool is_known = false;
+  VisitServerFields(config, [&](const char* key, auto& value, double, double, const char*) {
+    if (wanted != key) return;
+    is_known = true;
+    auto candidate = value;
+    if (Parse(text, candidate)) value = std::move(candidate);
+    else bad.AddViolation(wanted, "cannot be '" + text + "'");
+  });
+  if (!is_known) bad.AddViolation(wanted, "unknown key");
+}
+
+std::string Format(const std::string& value) {
+  YAML::Emitter emitter;
+  emitter << YAML::DoubleQuoted << value;
+  return emitter.c_str();
+}
+std::string Format(bool value) { return value ? "true" : "false"; }
+std::string Format(int value) { return std::to_string(value); }
+std::string Format(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+std::string Format(Weighting value) { return std::string(WeightingName(value)); }
+
+/// Writes "a.b.c" as nested mappings: opens the sections that the key before was not in.
+class NestedWriter {
+ public:
+  void Write(std::string key, const std::string& value, const char* help) {
+    std::vector<std::string> sections;
+    for (std::size_t dot = 0; (dot = key.find('.')) != std::string::npos; key.erase(0, dot + 1)) {
+      sections.push_back(key.substr(0, dot));
+    }
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (i < open_.size() && open_[i] == sections[i]) continue;
+      open_.resize(i);
+      open_.push_back(sections[i]);
+      text_ << Indent(i) << sections[i] << ":\n";
+    }
+    open_.resize(sections.size());
+    text_ << Indent(sections.size()) << key << ": " << value << "  # " << help << "\n";
+  }
+  [[nodiscard]] std::string text() const { return text_.str(); }
+
+ private:
+  static std::string Indent(std::size_t depth) { return std::string(2 * depth, ' '); }
+
+  std::ostringstream text_;
+  std::vector<std::string> open_;
+};
+
+}  // namespace
+
+Result<KeyValues> ParseYaml(const std::string& text) {
+  try {
+    const YAML::Node root = YAML::Load(text);
+    KeyValues values;
+    if (root.IsNull()) return values;
+    if (!root.IsMap()) return BadYaml("it is not a mapping of keys to values");
+    DHPMAP_RETURN_IF_ERROR(Flatten(root, "", values));
+    return values;
+  } catch (const YAML::Exception& error) {
+    return BadYaml(error.what());
+  }
+}
+
+Result<std::string> ReadConfigFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) return NotFound("cannot read the configuration file " + path);
+  return text;
+}
+
+KeyValues KeysFromEnvironment(const std::vector<std::string>& environment) {
+  std::vector<std::string> known;
+  ServerConfig config;
+  VisitServerFields(config,
+                    [&known](const char* key, const auto&, double, double, const char*) { known.emplace_back(key); });
+  for (const auto& [key, value] : ConfigToText(config.map_defaults)) known.push_back(std::string(kMapDefaults) + key);
+
+  KeyValues values;
+  for (const std::string& variable : environment) {
+    if (!variable.starts_with("DHPMAP_")) continue;
+    const std::size_t equals = variable.find('=');
+    const std::string name = variable.substr(0, equals);
+    std::string key = name;
+    for (const std::string& candidate : known) {
+      if (EnvironmentName(candidate) == name) key = candidate;
+    }
+    values.emplace_back(key, equals == std::string::npos ? "" : variable.substr(equals + 1));
+  }
+  return values;
+}
+
+Status ApplyKeyValues(const KeyValues& values, const std::string& source, ServerConfig& config) {
+  Status bad = InvalidArgument("bad configuration in " + source).WithReason("BAD_CONFIG");
+  for (const auto& [key, text] : values) SetOne(key, text, config, bad);
+  return bad.violations().empty() ? Status::Ok() : bad;
+}
+
+std::string ToYaml(const ServerConfig& config) {
+  NestedWriter writer;
+  const auto write = [&writer](const std::string& prefix) {
+    return [&writer, prefix](const char* key, const auto& value, double, double, const char* help) {
+      writer.Write(prefix + key, Format(value), help);
+    };
+  };
+  VisitServerFields(config, write(""));
+  VisitFields(config.map_defaults, write(std::string(kMapDefaults)));
+  return writer.text();
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/config/server_config.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <sstream>
+#include <type_traits>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::array<std::string_view, 5> kLogLevels = {"debug", "info", "warning", "error", "off"};
+
+bool HasPort(std::string_view address) {
+  if (address.starts_with("unix:")) return address.size() > 5;
+  const std::size_t colon = address.rfind(':');
+  if (colon == std::string_view::npos || colon == 0) return false;
+  const std::string_view digits = address.substr(colon + 1);
+  int port = -1;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
+  return error == std::errc() && end == digits.data() + digits.size() && port >= 0 && port <= 65535;
+}
+
+void CheckAddress(const char* key, const std::string& address, bool insecure, Status& bad) {
+  if (!HasPort(address)) {
+    bad.AddViolation(key, "'" + address + "' is not host:port");
+  } else if (!IsLoopback(address) && !insecure) {
+    bad.AddViolation(key, "'" + address +
+                              "' can be reached from other machines, and there is no TLS and no authentication: say "
+                              "--insecure to allow it");
+  }
+}
+
+template <typename Number>
+void CheckRange(const char* key, Number value, double least, double most, Status& bad) {
+  const auto number = static_cast<double>(value);
+  if (number >= least && number <= most) return;
+  std::ostringstream text;
+  text << number << " is not within " << least << " and " << most;
+  bad.AddViolation(key, text.str());
+}
+
+}  // namespace
+
+Status ServerConfig::Validate() const {
+  Status bad = InvalidArgument("the configuration is not usable").WithReason("BAD_CONFIG");
+  VisitServerFields(*this, [&bad](const char* key, const auto& value, double least, double most, const char*) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if constexpr (!std::is_same_v<Value, bool> && std::is_arithmetic_v<Value>) CheckRange(key, value, least, most, bad);
+  });
+  CheckAddress("grpc.address", grpc.address, insecure, bad);
+  CheckAddress("http.address", http.address, insecure, bad);
+  if (std::find(kLogLevels.begin(), kLogLevels.end(), log.level) == kLogLevels.end()) {
+    bad.AddViolation("log.level", "'" + log.level + "' is not debug, info, warning, error or off");
+  }
+  const Status map = map_defaults.Validate();
+  for (const FieldViolation& violation : map.violations()) {
+    bad.AddViolation("map_defaults." + violation.field, violation.description);
+  }
+  return bad.violations().empty() ? Status::Ok() : bad;
+}
+
+std::string EnvironmentName(std::string_view key) {
+  std::string name = "DHPMAP_";
+  for (const char c : key) {
+    name += c == '.' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return name;
+}
+
+bool IsLoopback(std::string_view address) {
+  if (address.starts_with("unix:")) return true;
+  const std::string_view host = address.substr(0, address.rfind(':'));
+  const auto is_part_of_v4 = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+  return host == "localhost" || host == "[::1]" ||
+         (host.starts_with("127.") && std::all_of(host.begin(), host.end(), is_part_of_v4));
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "mapping/base/status.h"
+#include "mapping/map/map_config.h"
+
+namespace dhpmap {
+
+/// Everything that can be set of the server. Order: these defaults < file < environment < flags.
+struct ServerConfig {
+  std::string db;  ///< the SQLite file with the maps; required to serve
+  bool insecure = false;
+
+  struct Grpc {
+    std::string address = "127.0.0.1:50051";
+    int max_message_mib = 64;
+    int num_threads = 4;
+  } grpc;
+  struct Http {
+    std::string address = "127.0.0.1:8080";
+    int max_body_mib = 64;
+    int num_threads = 1;
+  } http;
+  struct Log {
+    std::string level = "info";
+    bool json = false;
+  } log;
+  struct Mapping {
+    int num_threads = 0;
+    int publish_frames = 10;
+    double publish_s = 0.2;
+    int max_frames_in_flight = 4;
+  } mapping;
+  struct Store {
+    int commit_frames = 50;
+    double commit_s = 2.0;
+    double retry_s = 5.0;
+    int busy_timeout_ms = 5000;
+  } store;
+  struct Limits {
+    int query_points = 1'000'000;
+    int pending_edits = 256;
+  } limits;
+  double shutdown_grace_s = 2.0;
+
+  /// Of a new map that names no preset.
+  MapConfig map_defaults = IndoorConfig();
+
+  /// INVALID_ARGUMENT naming every key that is not usable, at once.
+  [[nodiscard]] Status Validate() const;
+};
+
+/// Calls visit(key, member, least, most, help) for every field but those of map_defaults; least and most mean nothing
+/// for text and switches. The one list of keys: file, environment, flags and --print-config all go through it.
+template <typename Config, typename Visitor>
+void VisitServerFields(Config& c, Visitor&& visit) {
+  visit("db", c.db, 0, 0, "the SQLite file with the maps; required to serve");
+  visit("insecure", c.insecure, 0, 0,
+        "allow addresses that other machines can reach, although there is no TLS and no authentication");
+  visit("grpc.address", c.grpc.address, 0, 0, "host:port; port 0 takes a free one");
+  visit("grpc.max_message_mib", c.grpc.max_message_mib, 1, 2047, "MiB; a larger request is refused");
+  visit("grpc.num_threads", c.grpc.num_threads, 1, 256, "threads that answer requests");
+  visit("http.address", c.http.address, 0, 0, "host:port; port 0 takes a free one");
+  visit("http.max_body_mib", c.http.max_body_mib, 1, 2047, "MiB; a larger body is refused");
+  visit("http.num_threads", c.http.num_threads, 1, 256, "threads of the REST door");
+  visit("log.level", c.log.level, 0, 0, "debug, info, warning, error or off");
+  visit("log.json", c.log.json, 0, 0, "write one JSON object a line");
+  visit("mapping.num_threads", c.mapping.num_threads, 0, 256, "threads of fusion, a map; 0 = one a core");
+  visit("mapping.publish_frames", c.mapping.publish_frames, 1, 1e6, "queries see frames after so many of them");
+  visit("mapping.publish_s", c.mapping.publish_s, 0, 3600, "s; or after so long");
+  visit("mapping.max_frames_in_flight", c.mapping.max_frames_in_flight, 1, 1000,
+        "of a stream, read but not yet acknowledged; then the client has to wait");
+  visit("store.commit_frames", c.store.commit_frames, 1, 1e6, "frames go to the store after so many of them");
+  visit("store.commit_s", c.store.commit_s, 0, 3600, "s; or after so long");
+  visit("store.retry_s", c.store.retry_s, 0.01, 3600, "s between attempts while the store refuses");
+  visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000, "ms to wait for another reader of the file");
+  visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
+  visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
+  visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at the end");
+}
+
+/// "DHPMAP_GRPC_ADDRESS" for "grpc.address".
+std::string EnvironmentName(std::string_view key);
+
+/// True for host:port with a loopback host (127.x.x.x, localhost, [::1]) and for unix: sockets.
+bool IsLoopback(std::string_view address);
+
+}  // namespace dhpmap

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "mapping/base/result.h"
+#include "server/app/map_registry.h"
+
+namespace grpc {
+class Channel;
+}
+
+namespace dhpmap {
+
+struct GrpcOptions {
+  std::string address = "127.0.0.1:50051";    ///< host:port; port 0 takes a free one
+  std::size_t max_message_bytes = 64u << 20;  ///< of a request
+  int num_threads = 4;                        ///< for handlers
+  std::int64_t max_query_points = 1'000'000;  ///< in one QueryPoints
+  int max_frames_in_flight = 4;               ///< of a stream: read, but not yet acknowledged to the client
+  MapConfig default_config;                   ///< of a new map that names no preset; valid
+};
+
+/// What happens in the handlers, for metrics. Called from many threads; each may be empty.
+struct GrpcObserver {
+  std::function<void(std::string_view method, StatusCode code, double seconds)> on_call;  ///< when it has ended
+  std::function<void(std::size_t num_points)> on_query;
+  std::function<void(StatusCode code)> on_frame;
+};
+
+/// The gRPC door: our services, grpc.health.v1 and reflection, without TLS. Thread-safe.
+class GrpcServer {
+ public:
+  /// Binds and serves until Shutdown or destruction; health says NOT_SERVING until SetServing. UNAVAILABLE if the
+  /// address cannot be bound. The registry outlives the server.
+  static Result<std::unique_ptr<GrpcServer>> Start(const GrpcOptions& options, MapRegistry& registry,
+                                                   GrpcObserver observer);
+  ~GrpcServer();
+
+  [[nodiscard]] int port() const;
+  /// What Health/Check and readiness say.
+  void SetServing(bool is_serving);
+  [[nodiscard]] bool is_serving() const;
+  /// A channel to this server inside the process; for the REST gateway and tests.
+  [[nodiscard]] std::shared_ptr<grpc::Channel> InProcessChannel();
+
+  /// Refuses new calls. Streams of frames are ended with UNAVAILABLE once what was read from them is fused, stored and
+  /// acknowledged; other calls may go on for `grace_s`, then they are cancelled. Returns when all have ended.
+  void Shutdown(double grace_s);
+
+ private:
+  struct Impl;
+  explicit GrpcServer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "server/grpc/resource_names.h"
+#include "server/grpc/services.h"
+
+namespace dhpmap {
+namespace {
+
+class MappingService final : public v1::MappingService::CallbackService {
+ public:
+  MappingService(const ServiceContext& context, IntegrateStreams& streams) : context_(context), streams_(streams) {}
+
+  grpc::ServerBidiReactor<v1::IntegrateFramesRequest, v1::IntegrateFramesResponse>* IntegrateFrames(
+      grpc::CallbackServerContext*) override {
+    return IntegrateStream::Start(context_, streams_);
+  }
+
+  grpc::ServerUnaryReactor* FinishMapping(grpc::CallbackServerContext* call, const v1::FinishMappingRequest* request,
+                                          v1::FinishMappingResponse* response) override {
+    return RunAsync(context_, call, "MappingService/FinishMapping", [=, this](const Respond& respond) {
+      const auto name = ParseMapName(request->map(), "map");
+      if (!name.ok()) return respond(name.status());
+      const auto session = context_.registry.OpenSession(*name);
+      if (!session.ok()) return respond(session.status());
+      (*session)->Finish([respond, response](const Result<std::shared_ptr<const MapView>>& view) {
+        if (!view.ok()) return respond(view.status());
+        const MapSnapshot& snapshot = (*view)->snapshot();
+        response->set_revision(snapshot.revision());
+        response->set_num_frames(snapshot.info().num_frames);
+        response->set_num_submaps(static_cast<std::int64_t>(snapshot.submaps().size()));
+        respond(Status::Ok());
+      });
+    });
+  }
+
+ private:
+  const ServiceContext& context_;
+  IntegrateStreams& streams_;
+};
+
+}  // namespace
+
+std::unique_ptr<grpc::Service> MakeMappingService(const ServiceContext& context, IntegrateStreams& streams) {
+  return std::make_unique<MappingService>(context, streams);
+}
+
+}  // namespace dhpmap

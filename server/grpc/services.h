@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/impl/service_type.h>
+
+#include <memory>
+
+#include "server/grpc/call_runner.h"
+#include "server/grpc/integrate_stream.h"
+
+namespace dhpmap {
+
+// One .cc file a service. The context, and the streams, outlive the service.
+std::unique_ptr<grpc::Service> MakeMapService(const ServiceContext& context);
+std::unique_ptr<grpc::Service> MakeMappingService(const ServiceContext& context, IntegrateStreams& streams);
+std::unique_ptr<grpc::Service> MakeSubmapService(const ServiceContext& context);
+std::unique_ptr<grpc::Service> MakeQueryService(const ServiceContext& context);
+
+}  // namespace dhpmap

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include "mapping/base/status.h"
+
+namespace dhpmap {
+
+/// With a serialised google.rpc.Status as details: ErrorInfo (reason, domain "dhpmap") and BadRequest where there is
+/// one.
+grpc::Status ToGrpc(const Status& status);
+
+}  // namespace dhpmap

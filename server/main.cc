@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wiring: store -> registry -> gRPC door -> REST door, until SIGTERM or SIGINT.
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/app/map_stats.h"
+#include "server/config/command_line.h"
+#include "server/grpc/grpc_server.h"
+#include "server/log/log.h"
+#include "server/metrics/metrics.h"
+#include "server/options.h"
+#include "server/rest/gateway.h"
+#include "storage/store.h"
+
+namespace dhpmap {
+namespace {
+
+/// Blocks the signals that end the server in this thread and all it starts, for WaitForSignal to take.
+sigset_t BlockEndSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+  return signals;
+}
+
+/// From here on a second signal ends the process at once.
+int WaitForSignal(const sigset_t& signals) {
+  int signal = 0;
+  sigwait(&signals, &signal);
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  return signal;
+}
+
+Status Serve(const ServerConfig& config, const sigset_t& signals) {
+  Metrics metrics;
+  DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(config.db, StoreOptionsOf(config)));
+  DHPMAP_ASSIGN_OR_RETURN(const auto registry, MapRegistry::Open(*store, SessionOptionsOf(config, metrics)));
+  DHPMAP_ASSIGN_OR_RETURN(const auto grpc, GrpcServer::Start(GrpcOptionsOf(config), *registry, ObserverOf(metrics)));
+  DHPMAP_ASSIGN_OR_RETURN(const auto gateway,
+                          Gateway::Start(GatewayOptionsOf(config), grpc->InProcessChannel(),
+                                         {.is_ready = [&grpc] { return grpc->is_serving(); },
+                                          .metrics_text = [&] { return metrics.Text(GaugesOf(*registry)); }}));
+  grpc->SetServing(true);
+  std::printf("dhpmap-server: gRPC on %s, REST on http://%s\n", WithPort(config.grpc.address, grpc->port()).c_str(),
+              WithPort(config.http.address, gateway->port()).c_str());
+  std::fflush(stdout);
+
+  const int signal = WaitForSignal(signals);
+  LogInfo("got signal " + std::to_string(signal) + ": ending streams, storing what is fused");
+  grpc->SetServing(false);
+  gateway->Shutdown(config.shutdown_grace_s);
+  grpc->Shutdown(config.shutdown_grace_s);
+  return registry->Shutdown();
+}
+
+int Main(std::vector<std::string> arguments, const std::vector<std::string>& environment) {
+  const auto invocation = ParseCommandLine(arguments, environment);
+  if (!invocation.ok()) {
+    std::fprintf(stderr, "dhpmap-server: %s\n", invocation.status().ToString().c_str());
+    return 2;
+  }
+  if (invocation->is_done) {
+    std::fputs(invocation->text.c_str(), stdout);
+    return 0;
+  }
+  InitLog(LogOptionsOf(invocation->config));
+  const Status status = Serve(invocation->config, BlockEndSignals());
+  if (!status.ok()) LogError(status.ToString());
+  return status.ok() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace dhpmap
+
+int main(int argc, char** argv) {
+  std::vector<std::string> environment;
+  for (char** variable = environ; *variable != nullptr; ++variable) environment.emplace_back(*variable);
+  return dhpmap::Main({argv + 1, argv + argc}, environment);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/metrics/metrics.h"
+
+#include <prometheus/counter.h>
+#include <prometheus/family.h>
+#include <prometheus/histogram.h>
+#include <prometheus/metric_family.h>
+#include <prometheus/registry.h>
+#include <prometheus/text_serializer.h>
+
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+using prometheus::Counter;
+using prometheus::Family;
+using prometheus::Histogram;
+
+Histogram::BucketBoundaries SecondsBuckets() {
+  return {0.0001, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30};
+}
+
+std::string Name(StatusCode code) { return std::string(StatusCodeName(code)); }
+
+prometheus::MetricFamily GaugeFamily(const std::string& name, const std::string& help,
+                                     const std::vector<Metrics::MapGauges>& maps,
+                                     std::int64_t Metrics::MapGauges::*field) {
+  prometheus::MetricFamily family;
+  family.name = name;
+  family.help = help;
+  family.type = prometheus::MetricType::Gauge;
+  for (const Metrics::MapGauges& map : maps) {
+    prometheus::ClientMetric metric;
+    metric.label = {{"map", map.name}};
+    metric.gauge.value = static_cast<double>(map.*field);
+    family.metric.push_back(std::move(metric));
+  }
+  return family;
+}
+
+}  // namespace
+
+struct Metrics::Impl {
+  prometheus::Registry registry;
+  Family<Histogram>& calls =
+      prometheus::BuildHistogram().Name("dhpmap_rpc_seconds").Help("Time from request to answer").Register(registry);
+  Family<Counter>& frames =
+      prometheus::BuildCounter().Name("dhpmap_ingest_frames_total").Help("Frames taken or refused").Register(registry);
+  Counter& query_points = prometheus::BuildCounter()
+                              .Name("dhpmap_query_points_total")
+                              .Help("Points answered by QueryPoints")
+                              .Register(registry)
+                              .Add({});
+  Family<Histogram>& commits = prometheus::BuildHistogram()
+                                   .Name("dhpmap_commit_seconds")
+                                   .Help("Time of a commit to the store")
+                                   .Register(registry);
+};
+
+Metrics::Metrics() : impl_(std::make_unique<Impl>()) {}
+Metrics::~Metrics() = default;
+
+void Metrics::RecordCall(std::string_view method, StatusCode code, double seconds) {
+  impl_->calls.Add({{"method", std::string(method)}, {"code", Name(code)}}, SecondsBuckets()).Observe(seconds);
+}
+
+void Metrics::RecordQuery(std::size_t num_points) { impl_->query_points.Increment(static_cast<double>(num_points)); }
+
+void Metrics::RecordFrame(StatusCode code) { impl_->frames.Add({{"code", Name(code)}}).Increment(); }
+
+void Metrics::RecordCommit(StatusCode code, double seconds) {
+  impl_->commits.Add({{"code", Name(code)}}, SecondsBuckets()).Observe(seconds);
+}
+
+std::string Metrics::Text(const std::vector<MapGauges>& maps) const {
+  auto families = impl_->registry.Collect();
+  families.push_back(GaugeFamily("dhpmap_map_submaps", "Submaps of an open map", maps, &MapGauges::num_submaps));
+  families.push_back(GaugeFamily("dhpmap_map_blocks", "Blocks of an open map", maps, &MapGauges::num_blocks));
+  families.push_back(
+      GaugeFamily("dhpmap_map_revision", "Published revision of an open map", maps, &MapGauges::revision));
+  families.push_back(
+      GaugeFamily("dhpmap_map_memory_bytes", "Memory that an open map takes", maps, &MapGauges::memory_bytes));
+  return prometheus::TextSerializer().Serialize(families);
+}
+
+}  // namespace dhpmap

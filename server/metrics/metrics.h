@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mapping/base/status.h"
+
+namespace dhpmap {
+
+/// Counters and timings in the Prometheus text format. Thread-safe.
+class Metrics {
+ public:
+  /// One open map, as it is when the metrics are read.
+  struct MapGauges {
+    std::string name;
+    std::int64_t num_submaps = 0, num_blocks = 0, revision = 0, memory_bytes = 0;
+  };
+
+  Metrics();
+  ~Metrics();
+
+  void RecordCall(std::string_view method, StatusCode code, double seconds);  ///< dhpmap_rpc_seconds
+  void RecordQuery(std::size_t num_points);                                   ///< dhpmap_query_points_total
+  void RecordFrame(StatusCode code);                                          ///< dhpmap_ingest_frames_total
+  void RecordCommit(StatusCode code, double seconds);                         ///< dhpmap_commit_seconds
+
+  /// Everything, and dhpmap_map_{submaps,blocks,revision,memory_bytes} of the maps given.
+  [[nodiscard]] std::string Text(const std::vector<MapGauges>& maps) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/options.h"
+
+#include "server/app/map_stats.h"
+
+namespace dhpmap {
+
+LogOptions LogOptionsOf(const ServerConfig& config) {
+  LogOptions options{.json_lines = config.log.json};
+  if (const auto level = LogLevelFromName(config.log.level); level.ok()) options.level = *level;
+  return options;
+}
+
+SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
+  return {.busy_timeout_ms = config.store.busy_timeout_ms};
+}
+
+SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
+  return {.num_threads = config.mapping.num_threads,
+          .publish_frames = config.mapping.publish_frames,
+          .publish_s = config.mapping.publish_s,
+          .commit_frames = config.store.commit_frames,
+          .commit_s = config.store.commit_s,
+          .commit_retry_s = config.store.retry_s,
+          .max_pending_edits = static_cast<std::size_t>(config.limits.pending_edits),
+          .on_commit = [&metrics](double seconds, const Status& status) {
+            metrics.RecordCommit(status.code(), seconds);
+            if (!status.ok()) LogError("commit failed, will be tried again: " + status.ToString());
+          }};
+}
+
+GrpcOptions GrpcOptionsOf(const ServerConfig& config) {
+  return {.address = config.grpc.address,
+          .max_message_bytes = static_cast<std::size_t>(config.grpc.max_message_mib) << 20,
+          .num_threads = config.grpc.num_threads,
+          .max_query_points = config.limits.query_points,
+          .max_frames_in_flight = config.mapping.max_frames_in_flight,
+          .default_config = config.map_defaults};
+}
+
+GrpcObserver ObserverOf(Metrics& metrics) {
+  return {.on_call = [&metrics](std::string_view method, StatusCode code,
+                                double seconds) { metrics.RecordCall(method, code, seconds); },
+          .on_query = [&metrics](std::size_t num_points) { metrics.RecordQuery(num_points); },
+          .on_frame = [&metrics](StatusCode code) { metrics.RecordFrame(code); }};
+}
+
+GatewayOptions GatewayOptionsOf(const ServerConfig& config) {
+  return {.address = config.http.address,
+          .max_body_bytes = static_cast<std::size_t>(config.http.max_body_mib) << 20,
+          .num_threads = config.http.num_threads};
+}
+
+std::vector<Metrics::MapGauges> GaugesOf(const MapRegistry& registry) {
+  std::vector<Metrics::MapGauges> gauges;
+  for (const auto& session : registry.OpenSessions()) {
+    const auto view = session->View();
+    const MapStats stats = ComputeStats(view->snapshot(), /*with_voxels=*/false);
+    gauges.push_back({.name = view->snapshot().info().name,
+                      .num_submaps = stats.num_submaps,
+                      .num_blocks = stats.num_tsdf_blocks,
+                      .revision = view->snapshot().revision(),
+                      .memory_bytes = stats.memory_bytes});
+  }
+  return gauges;
+}
+
+std::string WithPort(const std::string& address, int port) {
+  const std::size_t colon = address.rfind(':');
+  if (address.starts_with("unix:") || colon == std::string::npos) return address;
+  return address.substr(0, colon + 1) + std::to_string(port);
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "server/app/map_registry.h"
+#include "server/config/server_config.h"
+#include "server/grpc/grpc_server.h"
+#include "server/log/log.h"
+#include "server/metrics/metrics.h"
+#include "server/rest/gateway.h"
+#include "storage/store.h"
+
+namespace dhpmap {
+
+// From the configuration to what each room wants to know. `metrics` outlives what hooks are made for.
+LogOptions LogOptionsOf(const ServerConfig& config);
+SqliteStoreOptions StoreOptionsOf(const ServerConfig& config);
+SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics);
+GrpcOptions GrpcOptionsOf(const ServerConfig& config);
+GrpcObserver ObserverOf(Metrics& metrics);
+GatewayOptions GatewayOptionsOf(const ServerConfig& config);
+
+/// Of the maps that are open now.
+std::vector<Metrics::MapGauges> GaugesOf(const MapRegistry& registry);
+
+/// The address with the port that was taken in place of 0.
+std::string WithPort(const std::string& address, int port);
+
+}  // namespace dhpmap
