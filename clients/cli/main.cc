@@ -1,8 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap: the map server's client.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
 
 #include "clients/cli/connection.h"
+
+namespace {
+
+/// CLI11 takes "-.5" for an option, and "-0.5" for a number.
+std::string NumberSpelledOut(const std::string& argument) {
+  const bool is_number =
+      argument.size() > 2 && argument.starts_with("-.") && std::isdigit(static_cast<unsigned char>(argument[2]));
+  return is_number ? "-0" + argument.substr(1) : argument;
+}
+
+/// The program's arguments in the order that CLI11 wants: last first.
+std::vector<std::string> Arguments(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  std::reverse(arguments.begin(), arguments.end());
+  std::transform(arguments.begin(), arguments.end(), arguments.begin(), NumberSpelledOut);
+  return arguments;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using dhpmap::ExitCode;
@@ -22,7 +45,7 @@ int main(int argc, char** argv) {
   dhpmap::AddEditCommands(app, session);
   dhpmap::AddExportCommands(app, session);
   try {
-    app.parse(argc, argv);
+    app.parse(Arguments(argc, argv));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
   }

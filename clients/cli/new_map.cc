@@ -31,7 +31,8 @@ void AddNewMapOptions(CLI::App& command, NewMap& map) {
   command.add_option("--preset", map.preset, "Of a new map: indoor or outdoor_lidar; default: what fits the data set");
   std::string keys;
   for (const std::string& key : SettingKeys()) keys += " " + key;
-  command.add_option("--set", map.settings, "Of a new map: KEY=VALUE, may be repeated; keys:" + keys)->take_all();
+  command.add_option("--set", map.settings, "Of a new map: KEY=VALUE, may be repeated; keys:" + keys)
+      ->allow_extra_args(false);
   command.add_option("--display-name", map.display_name, "Of a new map");
 }
 

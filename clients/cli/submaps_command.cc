@@ -92,7 +92,8 @@ void AddSubmapsCommand(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand("submaps", "List the objects of a map, or show one of them");
   command->add_option("map", options->map, "Name of the map")->required();
   command->add_option("id", options->id, "Instance id of one object, to show all of it");
-  command->add_option("--class", options->classes, "Of these classes only, by name or id");
+  command->add_option("--class", options->classes, "Of this class only, by name or id; may be repeated")
+      ->allow_extra_args(false);
   command->add_option("--kind", options->kind, "Of this kind only")->check(CLI::IsMember({"thing", "stuff"}));
   command->add_option("--near", options->near, "Bounding sphere touches the sphere X Y Z RADIUS (metres)")->expected(4);
   command->add_option("--box", options->box, "Bounding sphere touches the box X Y Z to X Y Z (metres)")->expected(6);
