@@ -50,11 +50,14 @@ class Extractor {
   /// Sorts the blocks, so that the mesh does not depend on the order of their allocation, and links neighbours.
   void CollectBlocks() {
     const auto entries = submap_.blocks().entries();
+    std::vector<const BlockEntry*> sorted;
     for (const BlockEntry& entry : entries) {
-      if (entry.tsdf != nullptr) blocks_.push_back({.entry = &entry});
+      if (entry.tsdf != nullptr) sorted.push_back(&entry);
     }
-    std::sort(blocks_.begin(), blocks_.end(),
-              [](const MeshBlock& a, const MeshBlock& b) { return a.entry->index < b.entry->index; });
+    std::sort(sorted.begin(), sorted.end(),
+              [](const BlockEntry* a, const BlockEntry* b) { return a->index < b->index; });
+    blocks_.resize(sorted.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i) blocks_[i].entry = sorted[i];
     std::vector<int> block_of_entry(entries.size(), -1);
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       block_of_entry[static_cast<std::size_t>(blocks_[i].entry - entries.data())] = static_cast<int>(i);

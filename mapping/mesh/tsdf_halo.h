@@ -46,11 +46,17 @@ class TsdfHalo {
     const auto end = [](int d) { return d < 0 ? 0 : d * kBlockSide + (d > 0 ? 1 : kBlockSide); };
     for (int z = first(dz); z < end(dz); ++z) {
       for (int y = first(dy); y < end(dy); ++y) {
-        for (int x = first(dx); x < end(dx); ++x) {
-          const int linear = LinearIndex({x, y, z});
-          if (block.IsObserved(linear)) distance_m_[Position(x, y, z)] = block.distance_m[linear];
-        }
+        const int from = LinearIndex({first(dx), y, z}), to = Position(first(dx), y, z);
+        if (dx == 0) CopyRow<kBlockSide>(block, from, to);
+        else CopyRow<1>(block, from, to);
       }
+    }
+  }
+
+  template <int kCount>  // known to the compiler, which then needs no branches
+  void CopyRow(const TsdfBlock& block, int from, int to) {
+    for (int i = 0; i < kCount; ++i) {
+      distance_m_[to + i] = block.IsObserved(from + i) ? block.distance_m[from + i] : distance_m_[to + i];
     }
   }
 
