@@ -25,9 +25,17 @@ constexpr char kWriterConnection[] =
 
 Status NotWritable() { return FailedPrecondition("the database is not writable").WithReason("NOT_WRITABLE"); }
 
-bool Exists(const std::string& path) {
+/// Whether a writer left commits in the log that are not in the file yet.
+bool HasLog(const std::string& path) {
+  std::error_code missing;
+  return std::filesystem::file_size(path + "-wal", missing) > 0 && !missing;
+}
+
+/// What is not there yet may become a file.
+Status CheckIsFile(const std::string& path) {
   std::error_code ignored;
-  return std::filesystem::exists(path, ignored);
+  if (std::filesystem::is_regular_file(path, ignored) || !std::filesystem::exists(path, ignored)) return Status::Ok();
+  return FailedPrecondition("the database is not a file").WithReason("NOT_A_FILE");
 }
 
 Result<Database> OpenReader(const std::string& path, OpenMode mode, int busy_timeout_ms) {
@@ -39,6 +47,7 @@ Result<Database> OpenReader(const std::string& path, OpenMode mode, int busy_tim
 }  // namespace
 
 Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms) {
+  DHPMAP_RETURN_IF_ERROR(CheckIsFile(path));
   DHPMAP_ASSIGN_OR_RETURN(Database database, Database::Open(path, OpenMode::kReadWriteOrCreate, busy_timeout_ms));
   database.SetCheckpointOnClose(false);  // until we know that it is ours
   DHPMAP_ASSIGN_OR_RETURN(const SchemaState schema, InspectSchema(database));
@@ -53,7 +62,11 @@ Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms) {
 }
 
 Result<OpenMode> ProbeReadOnly(const std::string& path, int busy_timeout_ms) {
-  if (!Exists(path)) return NotFound("there is no database file").WithReason("NO_DATABASE");
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    return NotFound("there is no database file").WithReason("NO_DATABASE");
+  }
+  DHPMAP_RETURN_IF_ERROR(CheckIsFile(path));
   OpenMode mode = OpenMode::kReadOnly;
   const auto inspect = [&]() -> Result<SchemaState> {
     DHPMAP_ASSIGN_OR_RETURN(Database database, OpenReader(path, mode, busy_timeout_ms));
@@ -61,8 +74,7 @@ Result<OpenMode> ProbeReadOnly(const std::string& path, int busy_timeout_ms) {
   };
   Result<SchemaState> schema = inspect();
   // In a folder that we may not write, SQLite cannot make the index of a write-ahead log; without a log none is needed.
-  if (schema.status().code() == StatusCode::kFailedPrecondition && schema.status().reason().empty() &&
-      !Exists(path + "-wal")) {
+  if (schema.status().code() == StatusCode::kFailedPrecondition && schema.status().reason().empty() && !HasLog(path)) {
     mode = OpenMode::kReadOnlyImmutable;
     schema = inspect();
   }

@@ -14,6 +14,27 @@ Status NotOurs() {
   return FailedPrecondition("the database file belongs to another application").WithReason("FOREIGN_DATABASE");
 }
 
+/// DATA_LOSS unless every table, index and trigger of our schema is there. More may be: those of an operator.
+Status CheckObjects(sqlite::Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(sqlite::Database reference, sqlite::Database::OpenInMemory());
+  for (const char* step : SchemaSteps()) DHPMAP_RETURN_IF_ERROR(reference.Execute(step, "make a reference schema"));
+  DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement ours,
+                          reference.Prepare("SELECT type, name, sql FROM sqlite_schema", kTask));
+  DHPMAP_ASSIGN_OR_RETURN(
+      sqlite::Statement find,
+      database.Prepare("SELECT count(*) FROM sqlite_schema WHERE type = ? AND name = ? AND ifnull(sql, '') = ?",
+                       kTask));
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, ours.Step());
+    if (!has_row) return Status::Ok();
+    const std::string type = ours.Text(0), name = ours.Text(1), sql = ours.Text(2);
+    DHPMAP_ASSIGN_OR_RETURN(const bool counted, find.Bind(type).Bind(name).Bind(sql).Step());
+    if (!counted || find.Int(0) != 1)
+      return DataLoss("the database lacks a part of its schema").WithReason("BAD_SCHEMA");
+    find.Reset();
+  }
+}
+
 }  // namespace
 
 Result<SchemaState> InspectSchema(sqlite::Database& database) {
@@ -29,7 +50,9 @@ Result<SchemaState> InspectSchema(sqlite::Database& database) {
         .WithReason("NEWER_SCHEMA");
   }
   if (version < 1) return DataLoss("the database's schema version " + std::to_string(version) + " cannot be right");
-  return version < SchemaVersion() ? SchemaState::kOlder : SchemaState::kCurrent;
+  if (version < SchemaVersion()) return SchemaState::kOlder;
+  DHPMAP_RETURN_IF_ERROR(CheckObjects(database));
+  return SchemaState::kCurrent;
 }
 
 Status MigrateSchema(sqlite::Database& database) {

@@ -39,17 +39,23 @@ std::string PlainName(const std::string& path) { return path.starts_with('/') ? 
 
 void Database::Closer::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
-Result<Database> Database::Open(const std::string& path, OpenMode mode, int busy_timeout_ms) {
-  const std::string plain = PlainName(path);
-  const std::string name = mode == OpenMode::kReadOnlyImmutable ? ImmutableUri(plain) : plain;
+Result<Database> Database::OpenNamed(const std::string& name, int flags) {
   sqlite3* handle = nullptr;
-  const int code =
-      sqlite3_open_v2(name.c_str(), &handle, FlagsOf(mode) | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE, nullptr);
+  const int code = sqlite3_open_v2(name.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE, nullptr);
   Database database(handle);  // to be closed even if opening failed
   if (code != SQLITE_OK) return ErrorFrom(code, "open the database");
-  sqlite3_busy_timeout(handle, busy_timeout_ms);
   return database;
 }
+
+Result<Database> Database::Open(const std::string& path, OpenMode mode, int busy_timeout_ms) {
+  const std::string plain = PlainName(path);
+  DHPMAP_ASSIGN_OR_RETURN(Database database,
+                          OpenNamed(mode == OpenMode::kReadOnlyImmutable ? ImmutableUri(plain) : plain, FlagsOf(mode)));
+  sqlite3_busy_timeout(database.database_.get(), busy_timeout_ms);
+  return database;
+}
+
+Result<Database> Database::OpenInMemory() { return OpenNamed(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE); }
 
 Status Database::Execute(const std::string& sql, const char* task) {
   const int code = sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr);

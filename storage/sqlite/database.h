@@ -24,6 +24,8 @@ class Database {
  public:
   static Result<Database> Open(const std::string& path, OpenMode mode, int busy_timeout_ms);
 
+  static Result<Database> OpenInMemory();
+
   /// Runs one or more statements. `task` completes "cannot ..." in error messages.
   Status Execute(const std::string& sql, const char* task);
   Result<Statement> Prepare(const std::string& sql, const char* task);
@@ -41,6 +43,7 @@ class Database {
   struct Closer {
     void operator()(sqlite3* database) const;
   };
+  static Result<Database> OpenNamed(const std::string& name, int flags);
   explicit Database(sqlite3* database) : database_(database) {}
   std::unique_ptr<sqlite3, Closer> database_;
 };

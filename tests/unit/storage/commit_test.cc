@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a commit to the SQLite store writes.
+#include "tests/unit/storage/sqlite_fixture.h"
+
+namespace dhpmap {
+namespace {
+
+namespace fs = std::filesystem;
+using sqlite::Database;
+using sqlite::OpenMode;
+using testing::ExpectDiscreet;
+using testing::ExpectSameMap;
+using testing::SqliteStoreTest;
+
+// Writing.
+
+TEST_F(SqliteStoreTest, OnlyChangedBlocksAreWritten) {
+  Open();
+  const auto map = CreateSample("house");
+  Tamper(
+      "CREATE TABLE written (what TEXT);"
+      "CREATE TRIGGER a AFTER INSERT ON tsdf_blocks BEGIN INSERT INTO written VALUES ('tsdf'); END;"
+      "CREATE TRIGGER b AFTER UPDATE ON tsdf_blocks BEGIN INSERT INTO written VALUES ('tsdf'); END;"
+      "CREATE TRIGGER c AFTER INSERT ON label_blocks BEGIN INSERT INTO written VALUES ('label'); END;"
+      "CREATE TRIGGER d AFTER UPDATE ON label_blocks BEGIN INSERT INTO written VALUES ('label'); END;"
+      "CREATE TRIGGER e AFTER UPDATE OF pose ON submaps BEGIN INSERT INTO written VALUES ('submap'); END;");
+  const auto before = map->published();
+  Submap& submap = *map->FindMutable(SubmapId(2));
+  ASSERT_GT(submap.blocks().size(), 2u);
+  const BlockIndex first = submap.blocks().entries()[0].index, second = submap.blocks().entries()[1].index;
+  submap.MutableTsdf(first).weight[0] += 1;
+  submap.MutableTsdf(second).weight[0] += 1;
+  submap.MutableLabels(second).AddObservation(0, ClassId(9));
+  map->FindMutable(SubmapId(3))->mutable_info().T_map_submap.translation().x() = 4;
+  ASSERT_TRUE(store_->Commit(*before, *map->Publish(20), Durability::kNormal).ok());
+  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tsdf'"), 2);
+  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'label'"), 1);
+  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'submap'"), 2);
+  ExpectStored(*map->published());
+}
+
+TEST_F(SqliteStoreTest, KeepsTotalsAndBoxesInStep) {
+  Open();
+  const auto map = CreateSample("house");
+  for (int step = 0; step < 12; ++step) {
+    const auto before = map->published();
+    generator_.Change(*map);
+    ASSERT_TRUE(store_->Commit(*before, *map->Publish(step), Durability::kNormal).ok());
+    EXPECT_EQ(store_->GetMap("house")->blob_bytes, Query("SELECT (SELECT total(length(blob)) FROM tsdf_blocks) + "
+                                                         "(SELECT total(length(blob)) FROM label_blocks)"));
+    std::int64_t num_spheres = 0;
+    for (const auto& submap : map->submaps()) num_spheres += !submap->bounding_sphere().IsEmpty();
+    EXPECT_EQ(Query("SELECT count(*) FROM submap_boxes"), num_spheres);
+  }
+  ASSERT_TRUE(store_->DeleteMap("house").ok());
+  EXPECT_EQ(Query("SELECT (SELECT count(*) FROM submaps) + (SELECT count(*) FROM tsdf_blocks) + (SELECT count(*) FROM "
+                  "label_blocks) + (SELECT count(*) FROM submap_boxes) + (SELECT count(*) FROM map_config)"),
+            0);
+}
+
+TEST_F(SqliteStoreTest, ABoxEnclosesItsSphereInTheMapFrame) {
+  Open();
+  const auto map = CreateSample("house");
+  auto database = Database::Open(Path(), OpenMode::kReadOnly, 1000);
+  ASSERT_TRUE(database.ok());
+  auto select = database->Prepare(
+      "SELECT min_x_m, max_x_m, min_y_m, max_y_m, min_z_m, max_z_m FROM submap_boxes JOIN submaps USING (submap_key) "
+      "WHERE submap_id = 2",
+      "look");
+  ASSERT_TRUE(select.ok());
+  ASSERT_TRUE(*select->Step());
+  const BoundingSphere sphere = map->Find(SubmapId(2))->BoundingSphereInMap();
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_LE(select->Real(2 * axis), sphere.center_m[axis] - sphere.radius_m);
+    EXPECT_GE(select->Real(2 * axis + 1), sphere.center_m[axis] + sphere.radius_m);
+    EXPECT_NEAR(select->Real(2 * axis + 1) - select->Real(2 * axis), 2 * sphere.radius_m, 1e-4);
+  }
+}
+
+TEST_F(SqliteStoreTest, AFailedWriteLeavesTheOldStateAndAWorkingStore) {
+  Open();
+  const auto map = CreateSample("house");
+  const auto before = map->published();
+  // Fails at the last of many rows.
+  Tamper(
+      "CREATE TRIGGER stop BEFORE UPDATE OF blob_bytes ON submaps WHEN NEW.blob_bytes > 5000 BEGIN SELECT RAISE(ABORT, "
+      "'no'); END");
+  generator_.AddBlocks(*map->FindMutable(SubmapId(1)), 10);
+  generator_.AddSubmap(*map, 20);
+  map->Remove(SubmapId(3));
+  const auto after = map->Publish(20);
+  EXPECT_FALSE(store_->Commit(*before, *after, Durability::kNormal).ok());
+  ExpectStored(*before);
+  Tamper("DROP TRIGGER stop");
+  ASSERT_TRUE(store_->Commit(*before, *after, Durability::kNormal).ok());
+  ExpectStored(*after);
+}
+
+}  // namespace
+}  // namespace dhpmap

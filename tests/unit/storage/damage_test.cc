@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the SQLite store makes of files that were changed behind its back.
+#include "tests/unit/storage/sqlite_fixture.h"
+
+namespace dhpmap {
+namespace {
+
+namespace fs = std::filesystem;
+using sqlite::Database;
+using sqlite::OpenMode;
+using testing::ExpectDiscreet;
+using testing::ExpectSameMap;
+using testing::SqliteStoreTest;
+
+// Damage inside.
+
+TEST_F(SqliteStoreTest, AFlippedByteInABlobNamesTheBlockAndLeavesOtherMapsAlone) {
+  Open();
+  const auto map = CreateSample("house");
+  const auto other = CreateSample("other");
+  store_ = nullptr;
+  Tamper(
+      "UPDATE label_blocks SET blob = CAST(substr(blob, 1, 40) || x'5A' || substr(blob, 42) AS BLOB) WHERE submap_key "
+      "= "
+      "(SELECT submap_key FROM submaps JOIN maps USING (map_key) WHERE name = 'house' AND submap_id = 2) "
+      "AND block_key = (SELECT min(block_key) FROM label_blocks b WHERE b.submap_key = label_blocks.submap_key)");
+  Open();
+  const Status loaded = store_->LoadMap("house").status();
+  EXPECT_EQ(loaded.code(), StatusCode::kDataLoss);
+  for (const char* part : {"map 'house'", "submap 2", "label block ("}) {
+    EXPECT_NE(loaded.message().find(part), std::string::npos) << loaded.ToString();
+  }
+  ExpectDiscreet(loaded, Path());
+  ExpectStored(*other->published());
+  EXPECT_EQ(store_->ListMaps()->size(), 2u);
+  EXPECT_TRUE(store_->DeleteMap("house").ok());
+}
+
+TEST_F(SqliteStoreTest, AnyOtherChangeOfWhatAMapConsistsOfIsDataLoss) {
+  const std::string house = "(SELECT map_key FROM maps WHERE name = 'house')";
+  const std::string submap = "(SELECT max(submap_key) FROM submaps WHERE map_key = " + house + ")";
+  const std::vector<std::string> changes = {
+      "UPDATE maps SET revision = revision + 1 WHERE name = 'house'",
+      "UPDATE maps SET num_frames = 77 WHERE name = 'house'",
+      "UPDATE map_config SET value = '0.123' WHERE key = 'voxel_size_m'",
+      "DELETE FROM label_classes WHERE class_id = 9",
+      "UPDATE label_classes SET panoptic = 0",
+      "UPDATE submaps SET pose = zeroblob(96)",
+      "UPDATE submaps SET pose = x'00'",
+      "UPDATE submaps SET sphere = zeroblob(32)",
+      "UPDATE submaps SET class_counts = x'01'",
+      "UPDATE submaps SET panoptic = 9",
+      "UPDATE submaps SET track_id = 12345",
+      "UPDATE submaps SET submap_id = submap_id + 50 WHERE submap_id > 1",
+      "DELETE FROM submaps WHERE submap_key = " + submap,
+      "DELETE FROM tsdf_blocks WHERE block_key = (SELECT max(block_key) FROM tsdf_blocks)",
+      "UPDATE tsdf_blocks SET x = x + 1000",
+      "UPDATE tsdf_blocks SET blob = x''",
+      "UPDATE label_blocks SET submap_key = " + submap + " WHERE block_key = (SELECT min(block_key) FROM label_blocks)",
+      "UPDATE label_blocks SET blob = (SELECT blob FROM tsdf_blocks LIMIT 1)",
+  };
+  for (const std::string& change : changes) {
+    fs::remove(Path());
+    Open();
+    CreateSample("house");
+    store_ = nullptr;
+    Tamper(change);
+    Open();
+    const Status loaded = store_->LoadMap("house").status();
+    EXPECT_EQ(loaded.code(), StatusCode::kDataLoss) << change << ": " << loaded.ToString();
+    EXPECT_NE(loaded.message().find("map 'house'"), std::string::npos) << loaded.ToString();
+    store_ = nullptr;
+  }
+}
+
+TEST_F(SqliteStoreTest, AConfigKeyOfALaterVersionIsNamed) {
+  Open();
+  CreateSample("house");
+  store_ = nullptr;
+  Tamper("INSERT INTO map_config SELECT map_key, 'warp.factor', '9' FROM maps");
+  Open();
+  const Status loaded = store_->LoadMap("house").status();
+  EXPECT_EQ(loaded.code(), StatusCode::kFailedPrecondition);
+  EXPECT_NE(loaded.message().find("warp.factor"), std::string::npos);
+}
+
+TEST_F(SqliteStoreTest, FlippedBytesAnywhereInTheFileNeverCrash) {
+  Open();
+  const auto map = CreateSample("house");
+  store_ = nullptr;
+  std::ifstream file(Path(), std::ios::binary);
+  const std::string intact((std::istreambuf_iterator<char>(file)), {});
+  int num_seen = 0;
+  for (std::size_t at = 0; at < intact.size(); at += 331) {
+    std::string damaged = intact;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x41);
+    for (const char* left : {"-wal", "-shm"}) fs::remove(Path() + left);
+    WriteFile(damaged);
+    Status status = TryOpen();
+    if (status.ok()) {
+      const auto loaded = store_->LoadMap("house");
+      status = loaded.status();
+      if (status.ok()) ExpectSameMap(*map->published(), **loaded);  // a byte that holds nothing of the map
+    }
+    num_seen += !status.ok();
+    ExpectDiscreet(status, Path());
+    store_ = nullptr;
+    ASSERT_FALSE(HasFailure()) << "byte " << at;
+  }
+  EXPECT_GT(num_seen, 10);
+}
+
+}  // namespace
+}  // namespace dhpmap

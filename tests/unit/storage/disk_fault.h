@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace dhpmap::testing {
+
+/// While it lives, one of this process's calls that write to files or sync them goes wrong, and those after it work
+/// again. One at a time; the definitions of those calls are in disk_fault_test.cc.
+class DiskFault {
+ public:
+  enum class Kind {
+    kFull,    ///< the nth write fails with ENOSPC
+    kBroken,  ///< the nth write fails with EIO, half of it done
+    kNoSync,  ///< the nth sync fails with EIO
+    kKill,    ///< the process is killed in the nth write, truncation or sync; of a write, half is done
+  };
+  DiskFault(Kind kind, int nth);
+  ~DiskFault();
+  DiskFault(const DiskFault&) = delete;
+  DiskFault& operator=(const DiskFault&) = delete;
+
+  [[nodiscard]] bool has_struck() const;
+};
+
+}  // namespace dhpmap::testing

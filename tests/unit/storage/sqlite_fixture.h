@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "storage/sqlite/database.h"
+#include "storage/store.h"
+#include "tests/support/scenes.h"
+#include "tests/unit/storage/map_fixtures.h"
+
+namespace dhpmap::testing {
+
+/// A SQLite store in a folder of its own, and access to its file behind its back.
+class SqliteStoreTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string Path() const { return (folder_.path() / "maps.db").string(); }
+
+  Status TryOpen(bool read_only = false) {
+    store_ = nullptr;
+    auto opened = OpenSqliteStore(Path(), {.read_only = read_only, .busy_timeout_ms = 50});
+    if (!opened.ok()) return opened.status();
+    store_ = std::move(opened).value();
+    return Status::Ok();
+  }
+
+  void Open(bool read_only = false) {
+    const Status opened = TryOpen(read_only);
+    ASSERT_TRUE(opened.ok()) << opened.ToString();
+  }
+
+  /// A map of some 25 blocks, in the store.
+  std::unique_ptr<Map> CreateSample(const std::string& name) {
+    auto map = std::make_unique<Map>(generator_.Info(name));
+    for (int n = 0; n < 3; ++n) generator_.AddSubmap(*map, 8);
+    const Status created = store_->CreateMap(*map->Publish(11));
+    EXPECT_TRUE(created.ok()) << created.ToString();
+    return map;
+  }
+
+  void ExpectStored(const MapSnapshot& expected) {
+    const auto loaded = store_->LoadMap(expected.info().name);
+    ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
+    ExpectSameMap(expected, **loaded);
+  }
+
+  /// Runs SQL of our own on the file, as no store would.
+  void Tamper(const std::string& sql) {
+    auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadWriteOrCreate, 1000);
+    ASSERT_TRUE(database.ok());
+    const Status done = database->Execute(sql, "tamper");
+    ASSERT_TRUE(done.ok()) << done.ToString();
+  }
+
+  std::int64_t Query(const std::string& sql) {
+    auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadOnly, 1000);
+    return database.ok() ? database->QueryInt(sql, "look").value() : -1;
+  }
+
+  void WriteFile(const std::string& bytes) { std::ofstream(Path(), std::ios::binary) << bytes; }
+
+  TempDir folder_;
+  MapGenerator generator_{9};
+  std::unique_ptr<MapStore> store_;
+};
+
+/// No status that may reach a client shows a path or SQL.
+inline void ExpectDiscreet(const Status& status, const std::string& path) {
+  EXPECT_EQ(status.ToString().find(path), std::string::npos) << status.ToString();
+  for (const char* word : {"SELECT", "INSERT", "UPDATE", "PRAGMA", "tsdf_blocks"}) {
+    EXPECT_EQ(status.ToString().find(word), std::string::npos) << status.ToString();
+  }
+}
+
+}  // namespace dhpmap::testing
