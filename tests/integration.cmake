@@ -1,0 +1,9 @@
+find_package(Protobuf REQUIRED)  # before gRPC, see proto/
+find_package(gRPC CONFIG REQUIRED)
+
+# An in-process server with rendered frames to feed it.
+add_library(dhpmap_test_server STATIC EXCLUDE_FROM_ALL integration/test_server.cc)
+target_include_directories(dhpmap_test_server PUBLIC ${CMAKE_SOURCE_DIR})
+target_link_libraries(dhpmap_test_server PUBLIC dhpmap_grpc dhpmap_proto dhpmap_storage dhpmap_test_scenes gRPC::grpc++
+  PRIVATE dhpmap_warnings)
+dhpmap_tests(ROOM integration LIBS dhpmap_test_server gRPC::grpc++_reflection)

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+constexpr int kNumFrames = 24;
+
+v1::QueryPointsResponse Query(TestServer& server, const std::string& map_id) {
+  v1::QueryPointsResponse response;
+  grpc::ClientContext context;
+  const grpc::Status status = server.queries->QueryPoints(&context, TestQuery(map_id), &response);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  return response;
+}
+
+v1::ListSubmapsResponse List(TestServer& server, const std::string& map_id) {
+  v1::ListSubmapsRequest request;
+  request.set_parent("maps/" + map_id);
+  v1::ListSubmapsResponse response;
+  grpc::ClientContext context;
+  EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &response).ok());
+  return response;
+}
+
+void Create(TestServer& server, const std::string& map_id) {
+  v1::CreateMapResponse response;
+  grpc::ClientContext context;
+  const grpc::Status status = server.maps->CreateMap(&context, CreateRequest(map_id), &response);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+}
+
+v1::FinishMappingResponse Finish(TestServer& server, const std::string& map_id) {
+  v1::FinishMappingRequest request;
+  request.set_map("maps/" + map_id);
+  v1::FinishMappingResponse response;
+  grpc::ClientContext context;
+  const grpc::Status status = server.mapping->FinishMapping(&context, request, &response);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  return response;
+}
+
+v1::PointResult QueryOne(TestServer& server, const std::string& map_id, double x, double y, double z) {
+  v1::QueryPointsRequest request;
+  request.set_map("maps/" + map_id);
+  v1::Vector3* p = request.add_points_m();
+  p->set_x(x);
+  p->set_y(y);
+  p->set_z(z);
+  v1::QueryPointsResponse response;
+  grpc::ClientContext context;
+  EXPECT_TRUE(server.queries->QueryPoints(&context, request, &response).ok());
+  return response.results_size() == 1 ? response.results(0) : v1::PointResult{};
+}
+
+TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, "room");
+  const FeedResult fed = Feed(server, "room", 0, kNumFrames);
+  ASSERT_TRUE(fed.status.ok()) << fed.status.error_message();
+  ASSERT_EQ(fed.acks.size(), static_cast<std::size_t>(kNumFrames));
+  for (int i = 0; i < kNumFrames; ++i) {
+    const auto& ack = fed.acks[static_cast<std::size_t>(i)];
+    EXPECT_EQ(ack.sequence(), i);
+    EXPECT_EQ(ack.error_code(), 0) << ack.error_message();
+    EXPECT_GT(ack.num_points(), 1000);
+  }
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, kNumFrames);
+  const auto submaps = List(server, "room");
+  ASSERT_EQ(submaps.submaps_size(), 4) << submaps.DebugString();  // unknown, ball, box, floor
+  std::multiset<std::string> names;
+  for (const auto& submap : submaps.submaps()) names.insert(submap.class_name());
+  EXPECT_EQ(names, (std::multiset<std::string>{"", "thing1", "thing2", "stuff3"}));
+}
+
+TEST(Mapping, PointsOnObjectsAreAnsweredWithTheirClass) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, "room");
+  ASSERT_TRUE(Feed(server, "room", 0, kNumFrames).status.ok());
+  const v1::PointResult ball = QueryOne(server, "room", 0, 0, 0.81);
+  EXPECT_TRUE(ball.observed());
+  EXPECT_EQ(ball.class_name(), "thing1");
+  EXPECT_EQ(ball.kind(), v1::THING);
+  EXPECT_EQ(QueryOne(server, "room", 1.2, 0.3, 0.61).class_name(), "thing2");
+  EXPECT_EQ(QueryOne(server, "room", 0.6, -0.7, 0.01).class_name(), "stuff3");
+  EXPECT_FALSE(QueryOne(server, "room", 0, 0, 30).observed());
+  EXPECT_FALSE(QueryOne(server, "room", 1e30, -1e30, 1e300).observed());
+}
+
+TEST(Mapping, ARestartOnTheSameFileGivesTheSameAnswers) {
+  const TempDir dir;
+  const std::string path = (dir.path() / "maps.db").string();
+  v1::QueryPointsResponse before;
+  v1::ListSubmapsResponse submaps_before;
+  {
+    const auto store = OpenSqliteStore(path);
+    ASSERT_TRUE(store.ok()) << store.status().ToString();
+    TestServer server(**store);
+    Create(server, "room");
+    ASSERT_TRUE(Feed(server, "room", 0, kNumFrames).status.ok());
+    Finish(server, "room");
+    before = Query(server, "room");
+    submaps_before = List(server, "room");
+    ASSERT_TRUE(server.Stop().ok());
+  }
+  const auto store = OpenSqliteStore(path);
+  ASSERT_TRUE(store.ok()) << store.status().ToString();
+  TestServer server(**store);
+  const auto after = Query(server, "room");
+  const auto submaps_after = List(server, "room");
+  EXPECT_EQ(submaps_after.SerializeAsString(), submaps_before.SerializeAsString());
+  EXPECT_EQ(after.revision(), before.revision());
+  const auto& a = after.packed();
+  const auto& b = before.packed();
+  ASSERT_EQ(a.observed_size(), b.observed_size());
+  int num_observed = 0;
+  for (int i = 0; i < a.observed_size(); ++i) {
+    num_observed += a.observed(i) ? 1 : 0;
+    ASSERT_EQ(a.observed(i), b.observed(i));
+    ASSERT_EQ(a.instance_id(i), b.instance_id(i));
+    ASSERT_EQ(a.class_id(i), b.class_id(i));
+    ASSERT_NEAR(a.distance_m(i), b.distance_m(i), 0.1 / 4096 + 1e-7);
+  }
+  EXPECT_GT(num_observed, 500);
+}
+
+TEST(Mapping, GoesOnAfterARestartAsIfThereHadBeenNone) {
+  const TempDir dir;
+  const std::string path = (dir.path() / "maps.db").string();
+  const auto whole_store = MakeMemoryStore();
+  TestServer whole(*whole_store);
+  Create(whole, "room");
+  ASSERT_TRUE(Feed(whole, "room", 0, kNumFrames).status.ok());
+  {
+    const auto store = OpenSqliteStore(path);
+    TestServer server(**store);
+    Create(server, "room");
+    ASSERT_TRUE(Feed(server, "room", 0, kNumFrames / 2).status.ok());
+  }
+  const auto store = OpenSqliteStore(path);
+  TestServer server(**store);
+  ASSERT_TRUE(Feed(server, "room", kNumFrames / 2, kNumFrames).status.ok());
+  const auto a = List(server, "room"), b = List(whole, "room");
+  ASSERT_EQ(a.submaps_size(), b.submaps_size());
+  for (int i = 0; i < a.submaps_size(); ++i) {
+    EXPECT_EQ(a.submaps(i).class_id(), b.submaps(i).class_id());
+    EXPECT_EQ(a.submaps(i).num_blocks(), b.submaps(i).num_blocks());
+    EXPECT_EQ(a.submaps(i).num_frames_observed(), b.submaps(i).num_frames_observed());
+  }
+}
+
+TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, "room");
+  grpc::ClientContext context;
+  const auto stream = server.mapping->IntegrateFrames(&context);
+  std::vector<v1::Frame> frames;
+  frames.push_back(TestFrame(0));
+  frames.push_back(TestFrame(1));
+  frames.back().set_map_from_sensor_matrix(3, std::nan(""));
+  frames.push_back(TestFrame(1));
+  frames.back().mutable_depth_camera()->mutable_depth()->mutable_data()->pop_back();
+  frames.push_back(TestFrame(1));
+  frames.back().mutable_segments()->RemoveLast();  // pixels of the floor have no row now
+  frames.push_back(TestFrame(1));
+  frames.back().mutable_segments(0)->set_class_id(77);
+  frames.emplace_back();  // nothing at all
+  frames.push_back(TestFrame(1));
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/room");
+    request.set_sequence(static_cast<std::int64_t>(i));
+    *request.mutable_frame() = frames[i];
+    ASSERT_TRUE(stream->Write(request));
+    v1::IntegrateFramesResponse ack;
+    ASSERT_TRUE(stream->Read(&ack));
+    EXPECT_EQ(ack.sequence(), static_cast<std::int64_t>(i));
+    const bool is_good = i == 0 || i + 1 == frames.size();
+    EXPECT_EQ(ack.error_code(), is_good ? 0 : 3) << i << ": " << ack.error_message();
+    EXPECT_EQ(ack.error_message().empty(), is_good);
+  }
+  stream->WritesDone();
+  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 2);
+}
+
+TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, "room");
+  grpc::ClientContext context;
+  const auto first = server.mapping->IntegrateFrames(&context);
+  v1::IntegrateFramesRequest request;
+  request.set_map("maps/room");
+  *request.mutable_frame() = TestFrame(0);
+  ASSERT_TRUE(first->Write(request));
+  v1::IntegrateFramesResponse ack;
+  ASSERT_TRUE(first->Read(&ack));
+  EXPECT_EQ(Feed(server, "room", 0, 1).status.error_code(), grpc::ABORTED);
+
+  v1::DeleteMapRequest deletion;
+  deletion.set_name("maps/room");
+  v1::DeleteMapResponse deleted;
+  grpc::ClientContext delete_context;
+  EXPECT_EQ(server.maps->DeleteMap(&delete_context, deletion, &deleted).error_code(), grpc::FAILED_PRECONDITION);
+
+  first->WritesDone();
+  EXPECT_TRUE(first->Finish().ok());
+  EXPECT_TRUE(Feed(server, "room", 1, 2).status.ok());
+  grpc::ClientContext again;
+  EXPECT_TRUE(server.maps->DeleteMap(&again, deletion, &deleted).ok());
+  EXPECT_EQ(Feed(server, "room", 2, 3).status.error_code(), grpc::NOT_FOUND);
+}
+
+TEST(Mapping, AClientThatGoesAwayLeavesTheMapFreeForOthers) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, "room");
+  {
+    grpc::ClientContext context;
+    const auto stream = server.mapping->IntegrateFrames(&context);
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/room");
+    for (int i = 0; i < 3; ++i) {
+      *request.mutable_frame() = TestFrame(i);
+      ASSERT_TRUE(stream->Write(request));
+    }
+    v1::IntegrateFramesResponse ack;
+    ASSERT_TRUE(stream->Read(&ack));
+    context.TryCancel();
+    EXPECT_EQ(stream->Finish().error_code(), grpc::CANCELLED);
+  }
+  grpc::StatusCode code = grpc::ABORTED;
+  for (int attempt = 0; attempt < 100 && code == grpc::ABORTED; ++attempt) {
+    code = Feed(server, "room", 3, 4).status.error_code();
+    if (code == grpc::ABORTED) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_EQ(code, grpc::OK);
+}
+
+TEST(Mapping, ShutdownEndsAnOpenStreamAfterStoringWhatItAcknowledged) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, "room");
+  grpc::ClientContext context;
+  const auto stream = server.mapping->IntegrateFrames(&context);
+  v1::IntegrateFramesRequest request;
+  request.set_map("maps/room");
+  *request.mutable_frame() = TestFrame(0);
+  ASSERT_TRUE(stream->Write(request));
+  v1::IntegrateFramesResponse ack;
+  ASSERT_TRUE(stream->Read(&ack));
+  EXPECT_TRUE(server.Stop().ok());
+  EXPECT_FALSE(stream->Read(&ack));
+  EXPECT_EQ(stream->Finish().error_code(), grpc::UNAVAILABLE);
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 1);
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/integration/test_server.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+namespace dhpmap::testing {
+namespace {
+
+template <typename T>
+T ValueOrDie(Result<T> result) {
+  if (!result.ok()) {
+    std::cerr << result.status().ToString() << std::endl;
+    std::abort();
+  }
+  return std::move(result).value();
+}
+
+GrpcOptions OnFreePort(GrpcOptions options) {
+  options.address = "127.0.0.1:0";
+  return options;
+}
+
+SessionOptions WithOneThread(SessionOptions options) {
+  options.num_threads = 1;
+  return options;
+}
+
+template <typename Values>
+void SetRaw(const Values& values, v1::ImageEncoding encoding, v1::Image* image) {
+  image->set_encoding(encoding);
+  image->set_data(values.data(), values.size() * sizeof(values[0]));
+}
+
+}  // namespace
+
+TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc)
+    : registry_(ValueOrDie(MapRegistry::Open(store, WithOneThread(std::move(session))))),
+      grpc_(ValueOrDie(GrpcServer::Start(OnFreePort(std::move(grpc)), *registry_, {}))) {
+  grpc_->SetServing(true);
+  ::grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL,
+                   1);  // else channels of servers before on the same port are shared
+  channel_ = ::grpc::CreateCustomChannel("127.0.0.1:" + std::to_string(grpc_->port()),
+                                         ::grpc::InsecureChannelCredentials(), arguments);
+  maps = v1::MapService::NewStub(channel_);
+  mapping = v1::MappingService::NewStub(channel_);
+  submaps = v1::SubmapService::NewStub(channel_);
+  queries = v1::QueryService::NewStub(channel_);
+}
+
+TestServer::~TestServer() { (void)Stop(); }
+
+Status TestServer::Stop() {
+  grpc_->Shutdown(/*grace_s=*/2);
+  return registry_->Shutdown();
+}
+
+Scene TestScene() {
+  using Shape = Solid::Shape;
+  return {
+      .solids = {
+          {.shape = Shape::kSphere, .center_m = {0, 0, 0.4}, .size_m = {0.4, 0, 0}, .segment = 1, .color = {200, 0, 0}},
+          {.shape = Shape::kBox,
+           .center_m = {1.2, 0.3, 0.3},
+           .size_m = {0.3, 0.25, 0.3},
+           .segment = 2,
+           .color = {0, 200, 0}},
+          {.shape = Shape::kHalfSpace,
+           .center_m = {0, 0, 0},
+           .size_m = {0, 0, 1},
+           .segment = 3,
+           .color = {0, 0, 200}}}};
+}
+
+v1::Frame TestFrame(int i) {
+  const double angle = 0.25 * i;
+  const Transform T_map_camera = LookAt({0.6 + 2.2 * std::cos(angle), 2.2 * std::sin(angle), 1.4}, {0.6, 0.1, 0.2});
+  const PanopticFrame rendered = Render(TestScene(), SmallCamera(), T_map_camera);
+  const DepthCameraData& data = *rendered.camera;
+  v1::Frame frame;
+  frame.set_stamp_ns(1'000'000'000LL + 100'000'000LL * i);
+  for (int row = 0; row < 4; ++row) {
+    for (int col = 0; col < 4; ++col) frame.add_map_from_sensor_matrix(T_map_camera.matrix()(row, col));
+  }
+  v1::PinholeCamera* camera = frame.mutable_depth_camera()->mutable_camera();
+  camera->set_width_px(data.camera.width_px);
+  camera->set_height_px(data.camera.height_px);
+  camera->set_fx_px(data.camera.fx_px);
+  camera->set_fy_px(data.camera.fy_px);
+  camera->set_cx_px(data.camera.cx_px);
+  camera->set_cy_px(data.camera.cy_px);
+  SetRaw(data.depth_m, v1::RAW_F32, frame.mutable_depth_camera()->mutable_depth());
+  SetRaw(data.color, v1::RAW_RGB8, frame.mutable_depth_camera()->mutable_color());
+  SetRaw(data.segments, v1::RAW_U32, frame.mutable_depth_camera()->mutable_segments());
+  for (std::uint32_t id = 1; id <= 3; ++id) {
+    v1::Segment* segment = frame.add_segments();
+    segment->set_id(id);
+    segment->set_class_id(id);
+    segment->set_score(0.9f);
+  }
+  return frame;
+}
+
+v1::CreateMapRequest CreateRequest(const std::string& map_id) {
+  v1::CreateMapRequest request;
+  request.set_map_id(map_id);
+  request.mutable_config()->set_voxel_size_m(0.05);
+  request.mutable_config()->set_truncation_m(0.1);
+  request.mutable_config()->mutable_tracking()->set_min_points_medium(30);
+  request.mutable_config()->mutable_tracking()->set_min_points_stuff(100);
+  const std::shared_ptr<const LabelSet> label_set = MakeLabelSet(2, 1);
+  for (const LabelClass& c : label_set->classes()) {
+    v1::LabelClass* label = request.add_label_classes();
+    label->set_id(c.id.value);
+    label->set_name(c.name);
+    label->set_kind(c.panoptic == Panoptic::kThing ? v1::THING : v1::STUFF);
+  }
+  return request;
+}
+
+FeedResult Feed(TestServer& server, const std::string& map_id, int begin, int end) {
+  ::grpc::ClientContext context;
+  auto stream = server.mapping->IntegrateFrames(&context);
+  std::thread writer([&] {
+    for (int i = begin; i < end; ++i) {
+      v1::IntegrateFramesRequest request;
+      if (i == begin) request.set_map("maps/" + map_id);
+      request.set_sequence(i);
+      *request.mutable_frame() = TestFrame(i);
+      if (!stream->Write(request)) break;
+    }
+    stream->WritesDone();
+  });
+  FeedResult result;
+  v1::IntegrateFramesResponse ack;
+  while (stream->Read(&ack)) result.acks.push_back(ack);
+  writer.join();
+  result.status = stream->Finish();
+  return result;
+}
+
+v1::QueryPointsRequest TestQuery(const std::string& map_id) {
+  v1::QueryPointsRequest request;
+  request.set_map("maps/" + map_id);
+  request.set_packed(true);
+  for (double x = -1; x < 2; x += 0.07) {
+    for (double y = -1; y < 1; y += 0.07) {
+      for (double z = -0.05; z < 1; z += 0.07) {
+        for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+      }
+    }
+  }
+  return request;
+}
+
+}  // namespace dhpmap::testing

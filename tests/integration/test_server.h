@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dhpmap/v1/map_service.grpc.pb.h"
+#include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "dhpmap/v1/query_service.grpc.pb.h"
+#include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "server/grpc/grpc_server.h"
+#include "storage/store.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap::testing {
+
+/// A whole server but its process: registry and gRPC door over a store that the test holds, reached over TCP.
+class TestServer {
+ public:
+  explicit TestServer(MapStore& store, SessionOptions session = {}, GrpcOptions grpc = {});
+  ~TestServer();
+
+  /// As after SIGTERM; OK if everything is in the store.
+  Status Stop();
+
+  [[nodiscard]] GrpcServer& grpc() { return *grpc_; }
+  [[nodiscard]] MapRegistry& registry() { return *registry_; }
+  [[nodiscard]] const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
+
+  std::unique_ptr<v1::MapService::Stub> maps;
+  std::unique_ptr<v1::MappingService::Stub> mapping;
+  std::unique_ptr<v1::SubmapService::Stub> submaps;
+  std::unique_ptr<v1::QueryService::Stub> queries;
+
+ private:
+  std::unique_ptr<MapRegistry> registry_;
+  std::unique_ptr<GrpcServer> grpc_;
+  std::shared_ptr<grpc::Channel> channel_;
+};
+
+/// A ball and a box (things 1 and 2) on a floor (stuff 3), seen from all around.
+Scene TestScene();
+/// Frame i of a walk around TestScene, with its segment table, as a client would send it: raw images.
+v1::Frame TestFrame(int i);
+
+/// A map over the classes of TestScene.
+v1::CreateMapRequest CreateRequest(const std::string& map_id);
+
+/// What came back for a stream of frames.
+struct FeedResult {
+  std::vector<v1::IntegrateFramesResponse> acks;
+  grpc::Status status;
+};
+/// Sends frames [begin, end) of the walk to maps/{map_id}, reading acknowledgements meanwhile.
+FeedResult Feed(TestServer& server, const std::string& map_id, int begin, int end);
+
+/// A grid of points through TestScene.
+v1::QueryPointsRequest TestQuery(const std::string& map_id);
+
+}  // namespace dhpmap::testing
