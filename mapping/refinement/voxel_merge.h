@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mapping/base/ids.h"
+#include "mapping/map/block_table.h"
+
+namespace dhpmap {
+
+/// What all submaps together know of one voxel position (paper II-D): weighted averages and added counts. Instances are
+/// named by their ids; nothing stands for "own".
+struct MergedVoxel {
+  int num_holders = 0;
+  SubmapId first_holder;  ///< the smallest; the unknown submap only where it is alone
+  double weight = 0;
+  double weighted_distance_m = 0;
+  double weighted_r = 0, weighted_g = 0, weighted_b = 0;
+  LabelHistograms histograms;
+};
+
+/// Adds what `holder` has in its block at `linear`; must be observed. Call by ascending holder.
+void Accumulate(const BlockEntry& block, SubmapId holder, int linear, MergedVoxel& merged);
+
+/// Writes the merged voxel to the blocks of submap `owner`.
+void Store(const MergedVoxel& merged, SubmapId owner, int linear, TsdfBlock& tsdf, LabelBlock& labels);
+
+/// Makes the voxel unobserved and empties its labels.
+void Clear(int linear, TsdfBlock& tsdf, LabelBlock& labels);
+
+/// True if some voxel of the block has seen another instance more often than its own submap.
+bool HasForeignVoxel(const LabelBlock& labels);
+
+}  // namespace dhpmap
