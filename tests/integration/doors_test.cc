@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <google/protobuf/descriptor.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// Calls any method with raw bytes and one request, and returns its status.
+grpc::Status CallRaw(const std::shared_ptr<grpc::Channel>& channel, const std::string& method,
+                     const std::string& bytes) {
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  grpc::GenericStub stub(channel);
+  const auto stream = stub.PrepareCall(&context, method, &queue);
+  const auto wait = [&queue] {
+    void* tag = nullptr;
+    bool ok = false;
+    return queue.Next(&tag, &ok) && ok;
+  };
+  stream->StartCall(nullptr);
+  wait();
+  const grpc::Slice slice(bytes);
+  stream->WriteLast(grpc::ByteBuffer(&slice, 1), grpc::WriteOptions(), nullptr);
+  wait();
+  grpc::ByteBuffer answer;
+  do {
+    stream->Read(&answer, nullptr);
+  } while (wait());
+  grpc::Status status;
+  stream->Finish(&status, nullptr);
+  wait();
+  return status;
+}
+
+std::vector<const google::protobuf::MethodDescriptor*> OurMethods() {
+  std::vector<const google::protobuf::MethodDescriptor*> methods;
+  for (const char* file : {"map", "mapping", "submap", "query"}) {
+    const auto* descriptor = google::protobuf::DescriptorPool::generated_pool()->FindFileByName(
+        std::string("dhpmap/v1/") + file + "_service.proto");
+    for (int s = 0; descriptor != nullptr && s < descriptor->service_count(); ++s) {
+      for (int m = 0; m < descriptor->service(s)->method_count(); ++m) {
+        methods.push_back(descriptor->service(s)->method(m));
+      }
+    }
+  }
+  return methods;
+}
+
+TEST(Doors, EveryRpcInTheDescriptorsIsImplemented) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  (void)v1::CreateMapRequest::descriptor();  // links the descriptors
+  const auto methods = OurMethods();
+  ASSERT_GE(methods.size(), 15u);
+  for (const auto& channel : {server.channel(), server.grpc().InProcessChannel()}) {
+    for (const auto* method : methods) {
+      const std::string path = "/" + method->service()->full_name() + "/" + method->name();
+      const grpc::Status status = CallRaw(channel, path, "");
+      EXPECT_NE(status.error_code(), grpc::UNIMPLEMENTED) << path;
+      // An empty request is a mistake of the client's, except where nothing is required.
+      EXPECT_EQ(status.error_code(), method->name() == "ListMaps" ? grpc::OK : grpc::INVALID_ARGUMENT) << path;
+    }
+    EXPECT_EQ(CallRaw(channel, "/dhpmap.v1.MapService/NoSuchMethod", "").error_code(), grpc::UNIMPLEMENTED);
+  }
+}
+
+TEST(Doors, ReflectionListsOurServices) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  // ServerReflectionRequest{list_services: "*"}: field 7.
+  EXPECT_TRUE(
+      CallRaw(server.channel(), "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", "\x3a\x01*").ok());
+}
+
+TEST(Doors, HealthFollowsTheServer) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  const std::string service = "dhpmap.v1.MapService";
+  const std::string request = std::string("\x0a") + static_cast<char>(service.size()) + service;
+  EXPECT_TRUE(CallRaw(server.channel(), "/grpc.health.v1.Health/Check", request).ok());
+  EXPECT_EQ(CallRaw(server.channel(), "/grpc.health.v1.Health/Check", "\x0a\x01x").error_code(), grpc::NOT_FOUND);
+  EXPECT_TRUE(server.grpc().is_serving());
+  server.grpc().SetServing(false);
+  EXPECT_FALSE(server.grpc().is_serving());
+}
+
+TEST(Doors, CreateMapNamesEveryBadFieldAtOnce) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  v1::CreateMapRequest request = CreateRequest("No Such Name");
+  request.set_preset("underwater");
+  request.mutable_config()->set_voxel_size_m(-0.1);
+  request.mutable_config()->mutable_tracking()->set_iou_threshold(7);
+  request.mutable_label_classes(1)->set_kind(v1::PANOPTIC_KIND_UNSPECIFIED);
+  v1::CreateMapResponse response;
+  grpc::ClientContext context;
+  const grpc::Status status = server.maps->CreateMap(&context, request, &response);
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  google::rpc::Status details;
+  ASSERT_TRUE(details.ParseFromString(status.error_details()));
+  google::rpc::BadRequest bad;
+  ASSERT_TRUE(details.details(details.details_size() - 1).UnpackTo(&bad));
+  std::set<std::string> fields;
+  for (const auto& violation : bad.field_violations()) fields.insert(violation.field());
+  EXPECT_EQ(fields, (std::set<std::string>{"map_id", "preset", "config.voxel_size_m", "config.tracking.iou_threshold",
+                                           "label_classes[1].kind"}));
+}
+
+TEST(Doors, MapsAreMadeListedCountedAndDeleted) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  for (const char* name : {"b", "a"}) {
+    v1::CreateMapResponse response;
+    grpc::ClientContext context;
+    ASSERT_TRUE(server.maps->CreateMap(&context, CreateRequest(name), &response).ok());
+    EXPECT_EQ(response.map().name(), std::string("maps/") + name);
+    EXPECT_EQ(response.map().config().voxel_size_m(), 0.05);
+    EXPECT_EQ(response.map().label_classes_size(), 3);
+    EXPECT_EQ(response.revision(), 1);
+    grpc::ClientContext again;
+    EXPECT_EQ(server.maps->CreateMap(&again, CreateRequest(name), &response).error_code(), grpc::ALREADY_EXISTS);
+  }
+  ASSERT_TRUE(Feed(server, "a", 0, 3).status.ok());
+  v1::ListMapsResponse list;
+  grpc::ClientContext list_context;
+  ASSERT_TRUE(server.maps->ListMaps(&list_context, {}, &list).ok());
+  ASSERT_EQ(list.maps_size(), 2);
+  EXPECT_EQ(list.maps(0).name(), "maps/a");
+  EXPECT_EQ(list.maps(0).num_frames(), 3);
+
+  v1::GetMapStatsRequest request;
+  request.set_name("maps/a");
+  v1::GetMapStatsResponse stats;
+  grpc::ClientContext stats_context;
+  ASSERT_TRUE(server.maps->GetMapStats(&stats_context, request, &stats).ok());
+  EXPECT_EQ(stats.num_frames(), 3);
+  EXPECT_GT(stats.num_observed_voxels(), 1000);
+  EXPECT_EQ(stats.num_allocated_voxels(), stats.num_tsdf_blocks() * 512);
+  EXPECT_GT(stats.memory_bytes_per_allocated_voxel(), 10);
+
+  v1::DeleteMapRequest deletion;
+  deletion.set_name("maps/a");
+  v1::DeleteMapResponse deleted;
+  grpc::ClientContext delete_context;
+  ASSERT_TRUE(server.maps->DeleteMap(&delete_context, deletion, &deleted).ok());
+  EXPECT_GT(deleted.revision(), 1);
+  v1::GetMapRequest get;
+  get.set_name("maps/a");
+  v1::GetMapResponse got;
+  grpc::ClientContext get_context;
+  EXPECT_EQ(server.maps->GetMap(&get_context, get, &got).error_code(), grpc::NOT_FOUND);
+  EXPECT_EQ(store->ListMaps()->size(), 1u);
+}
+
+TEST(Doors, BadPointsAreRefused) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {}, {.max_query_points = 10});
+  v1::CreateMapResponse created;
+  grpc::ClientContext create;
+  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+  const auto query = [&server](const std::vector<float>& xyz) {
+    v1::QueryPointsRequest request;
+    request.set_map("maps/room");
+    request.mutable_xyz_m()->Add(xyz.begin(), xyz.end());
+    v1::QueryPointsResponse response;
+    grpc::ClientContext context;
+    return server.queries->QueryPoints(&context, request, &response);
+  };
+  EXPECT_TRUE(query({1, 2, 3}).ok());
+  EXPECT_TRUE(query(std::vector<float>(30)).ok());
+  EXPECT_TRUE(query({}).ok());
+  EXPECT_EQ(query({1, 2}).error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(query(std::vector<float>(33)).error_code(), grpc::INVALID_ARGUMENT);
+  const grpc::Status status = query({0, 0, 0, 0, std::numeric_limits<float>::infinity(), 0});
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_NE(status.error_details().find("point 1"), std::string::npos);
+}
+
+TEST(Doors, AMessageAboveTheLimitIsRefusedAndTheServerStaysUp) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {}, {.max_message_bytes = 1u << 20});
+  v1::QueryPointsRequest request;
+  request.set_map("maps/room");
+  request.mutable_xyz_m()->Resize(600'000, 0.0f);
+  v1::QueryPointsResponse response;
+  grpc::ClientContext context;
+  EXPECT_EQ(server.queries->QueryPoints(&context, request, &response).error_code(), grpc::RESOURCE_EXHAUSTED);
+  v1::ListMapsResponse list;
+  grpc::ClientContext again;
+  EXPECT_TRUE(server.maps->ListMaps(&again, {}, &list).ok());
+}
+
+TEST(Doors, APortThatIsTakenIsAnError) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  const auto second =
+      GrpcServer::Start({.address = "127.0.0.1:" + std::to_string(server.grpc().port())}, server.registry(), {});
+  ASSERT_FALSE(second.ok());
+  EXPECT_EQ(second.status().code(), StatusCode::kUnavailable);
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// One mapped room; ids of its objects by class.
+class EditTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    grpc::ClientContext create;
+    v1::CreateMapResponse response;
+    ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &response).ok());
+    ASSERT_TRUE(Feed(server, "room", 0, 12).status.ok());
+    const v1::ListSubmapsResponse all = List({});
+    for (const auto& submap : all.submaps()) {
+      if (submap.class_id() == 1) ball = submap;
+      if (submap.class_id() == 2) box = submap;
+      if (submap.class_id() == 3) floor = submap;
+    }
+    ASSERT_GT(ball.instance_id() * box.instance_id() * floor.instance_id(), 0);
+  }
+
+  v1::ListSubmapsResponse List(v1::ListSubmapsRequest request) {
+    request.set_parent("maps/room");
+    v1::ListSubmapsResponse response;
+    grpc::ClientContext context;
+    status = server.submaps->ListSubmaps(&context, request, &response);
+    return response;
+  }
+  v1::Submap Get(const std::string& name) {
+    v1::GetSubmapRequest request;
+    request.set_name(name);
+    v1::GetSubmapResponse response;
+    grpc::ClientContext context;
+    status = server.submaps->GetSubmap(&context, request, &response);
+    return response.submap();
+  }
+  v1::Submap Update(const v1::Submap& submap, const std::vector<std::string>& mask) {
+    v1::UpdateSubmapRequest request;
+    *request.mutable_submap() = submap;
+    for (const auto& path : mask) request.mutable_update_mask()->add_paths(path);
+    v1::UpdateSubmapResponse response;
+    grpc::ClientContext context;
+    status = server.submaps->UpdateSubmap(&context, request, &response);
+    return response.submap();
+  }
+  v1::Submap Clone(const v1::CloneSubmapRequest& request) {
+    v1::CloneSubmapResponse response;
+    grpc::ClientContext context;
+    status = server.submaps->CloneSubmap(&context, request, &response);
+    return response.submap();
+  }
+  void Delete(const std::string& name, const std::string& etag = "") {
+    v1::DeleteSubmapRequest request;
+    request.set_name(name);
+    request.set_etag(etag);
+    v1::DeleteSubmapResponse response;
+    grpc::ClientContext context;
+    status = server.submaps->DeleteSubmap(&context, request, &response);
+  }
+  std::int64_t InstanceAt(double x, double y, double z) {
+    v1::QueryPointsRequest request;
+    request.set_map("maps/room");
+    for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+    v1::QueryPointsResponse response;
+    grpc::ClientContext context;
+    status = server.queries->QueryPoints(&context, request, &response);
+    return response.results_size() == 1 && response.results(0).observed() ? response.results(0).instance_id() : -1;
+  }
+
+  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  TestServer server{*store};
+  grpc::Status status;
+  v1::Submap ball, box, floor;
+};
+
+TEST_F(EditTest, AMovedObjectIsAnsweredWhereItIsNow) {
+  ASSERT_EQ(InstanceAt(0, 0, 0.79), ball.instance_id());
+  ball.mutable_map_from_submap()->mutable_translation_m()->set_y(5);
+  const v1::Submap moved = Update(ball, {"map_from_submap"});
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_NE(moved.etag(), ball.etag());
+  EXPECT_NEAR(moved.bounding_sphere().center_m().y(), ball.bounding_sphere().center_m().y() + 5, 1e-9);
+  EXPECT_NE(InstanceAt(0, 0, 0.79), ball.instance_id());
+  EXPECT_EQ(InstanceAt(0, 5, 0.79), ball.instance_id());
+  EXPECT_EQ((*store->LoadMap("room"))->revision(), moved.revision());  // durable when it is answered
+}
+
+TEST_F(EditTest, PartOfAPoseLeavesTheRest) {
+  v1::Submap turned;
+  turned.set_name(ball.name());
+  turned.mutable_map_from_submap()->mutable_rotation()->set_z(1);  // half a turn
+  turned = Update(turned, {"map_from_submap.rotation"});
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  v1::Submap moved;
+  moved.set_name(ball.name());
+  moved.mutable_map_from_submap()->mutable_translation_m()->set_x(2);
+  moved = Update(moved, {"map_from_submap.translation_m.x"});
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_EQ(moved.map_from_submap().translation_m().x(), 2);
+  EXPECT_NEAR(std::abs(moved.map_from_submap().rotation().z()), 1, 1e-9);
+}
+
+TEST_F(EditTest, RelabelAndRenameStayThroughMoreMapping) {
+  v1::Submap wanted;
+  wanted.set_name(ball.name());
+  wanted.set_class_id(2);
+  wanted.set_display_name("beach ball");
+  Update(wanted, {});  // without a mask: what is set
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_TRUE(Feed(server, "room", 12, 16).status.ok());
+  const v1::Submap now = Get(ball.name());
+  EXPECT_EQ(now.class_name(), "thing2");
+  EXPECT_EQ(now.display_name(), "beach ball");
+}
+
+TEST_F(EditTest, ACloneHasItsOwnIdAndPlaceAndSharesTheShape) {
+  v1::CloneSubmapRequest request;
+  request.set_name(box.name());
+  request.set_display_name("second box");
+  request.mutable_map_from_submap()->mutable_translation_m()->set_y(-4);
+  const v1::Submap clone = Clone(request);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_GT(clone.instance_id(), box.instance_id());
+  EXPECT_EQ(clone.num_blocks(), box.num_blocks());
+  EXPECT_EQ(clone.display_name(), "second box");
+  EXPECT_EQ(InstanceAt(1.2, 0.3, 0.59), box.instance_id());
+  EXPECT_EQ(InstanceAt(1.2, -3.7, 0.59), clone.instance_id());
+}
+
+TEST_F(EditTest, ADeletedObjectIsGoneAndItsIdIsNotUsedAgain) {
+  Delete(box.name(), box.etag());
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  Get(box.name());
+  EXPECT_EQ(status.error_code(), grpc::NOT_FOUND);
+  Delete(box.name());
+  EXPECT_EQ(status.error_code(), grpc::NOT_FOUND);
+  v1::CloneSubmapRequest request;
+  request.set_name(ball.name());
+  EXPECT_GT(Clone(request).instance_id(), box.instance_id());
+}
+
+TEST_F(EditTest, AnOldEtagIsAborted) {
+  ball.set_display_name("a");
+  const std::string old = ball.etag();
+  Update(ball, {"display_name"});
+  ASSERT_TRUE(status.ok());
+  Update(ball, {"display_name"});
+  EXPECT_EQ(status.error_code(), grpc::ABORTED);
+  Delete(ball.name(), old);
+  EXPECT_EQ(status.error_code(), grpc::ABORTED);
+  EXPECT_EQ(Get(ball.name()).display_name(), "a");
+}
+
+TEST_F(EditTest, WhatCannotBeEditedIsRefusedWithItsReason) {
+  v1::Submap submap;
+  submap.set_name("maps/room/submaps/0");
+  submap.set_display_name("x");
+  Update(submap, {"display_name"});
+  EXPECT_EQ(status.error_code(), grpc::FAILED_PRECONDITION);
+  submap.set_name("maps/room/submaps/999");
+  Update(submap, {"display_name"});
+  EXPECT_EQ(status.error_code(), grpc::NOT_FOUND);
+  submap.set_name("maps/hall/submaps/1");
+  Update(submap, {"display_name"});
+  EXPECT_EQ(status.error_code(), grpc::NOT_FOUND);
+  submap.set_name("room/1");
+  Update(submap, {"display_name"});
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+
+  const auto refuses = [this](const std::function<void(v1::Submap&)>& change, const std::string& path) {
+    v1::Submap wanted = ball;
+    change(wanted);
+    Update(wanted, {path});
+    return status.error_code() == grpc::INVALID_ARGUMENT;
+  };
+  EXPECT_TRUE(refuses([](auto& s) { s.set_class_id(3); }, "class_id"));   // a thing cannot become stuff
+  EXPECT_TRUE(refuses([](auto& s) { s.set_class_id(50); }, "class_id"));  // no such class
+  EXPECT_TRUE(refuses([](auto& s) { s.set_class_id(-1); }, "class_id"));
+  EXPECT_TRUE(refuses([](auto& s) { s.set_voxel_size_m(1); }, "voxel_size_m"));
+  EXPECT_TRUE(refuses([](auto&) {}, "no_such_field"));
+  EXPECT_TRUE(refuses([](auto& s) { s.set_display_name(std::string(1000, 'x')); }, "display_name"));
+  EXPECT_TRUE(refuses([](auto& s) { s.mutable_map_from_submap()->mutable_translation_m()->set_x(std::nan("")); },
+                      "map_from_submap"));
+  EXPECT_EQ(Get(ball.name()).SerializeAsString(), ball.SerializeAsString());
+}
+
+TEST_F(EditTest, ErrorsCarryTheirReasonAndFields) {
+  ball.set_class_id(50);
+  Update(ball, {"class_id"});
+  google::rpc::Status details;
+  ASSERT_TRUE(details.ParseFromString(status.error_details()));
+  EXPECT_EQ(details.code(), 3);
+  ASSERT_EQ(details.details_size(), 2);
+  google::rpc::ErrorInfo info;
+  ASSERT_TRUE(details.details(0).UnpackTo(&info));
+  EXPECT_EQ(info.reason(), "BAD_EDIT");
+  EXPECT_EQ(info.domain(), "dhpmap");
+  google::rpc::BadRequest bad;
+  ASSERT_TRUE(details.details(1).UnpackTo(&bad));
+  EXPECT_EQ(bad.field_violations(0).field(), "class_id");
+}
+
+TEST_F(EditTest, ListsAreFiltered) {
+  v1::ListSubmapsRequest request;
+  request.add_class_names("thing1");
+  EXPECT_EQ(List(request).submaps_size(), 1);
+  request.add_class_names("stuff3");
+  EXPECT_EQ(List(request).submaps_size(), 2);
+  request.set_kind(v1::STUFF);
+  EXPECT_EQ(List(request).submaps_size(), 1);
+  request.add_class_ids(1);
+  EXPECT_EQ(List(request).submaps_size(), 0);
+
+  v1::ListSubmapsRequest near;
+  near.mutable_near()->mutable_center_m()->set_x(0);
+  near.mutable_near()->mutable_center_m()->set_z(0.5);
+  near.mutable_near()->set_radius_m(0.01);
+  near.set_kind(v1::THING);
+  ASSERT_EQ(List(near).submaps_size(), 1);
+  EXPECT_EQ(List(near).submaps(0).instance_id(), ball.instance_id());
+
+  v1::ListSubmapsRequest region;
+  region.mutable_region()->mutable_min_m()->set_z(50);
+  region.mutable_region()->mutable_max_m()->set_z(60);
+  EXPECT_EQ(List(region).submaps_size(), 0);
+  EXPECT_TRUE(status.ok());
+  region.mutable_region()->mutable_min_m()->set_x(1);
+  List(region);
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  v1::ListSubmapsRequest unknown;
+  unknown.add_class_names("no such class");
+  List(unknown);
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+}
+
+TEST_F(EditTest, VoxelsAndMeshesComeInChunksThatFit) {
+  v1::StreamSubmapVoxelsRequest request;
+  request.set_name(floor.name());
+  grpc::ClientContext context;
+  const auto voxels = server.submaps->StreamSubmapVoxels(&context, request);
+  v1::StreamSubmapVoxelsResponse part;
+  int num_voxels = 0, num_parts = 0;
+  while (voxels->Read(&part)) {
+    ++num_parts;
+    num_voxels += part.distance_m_size();
+    EXPECT_LE(part.ByteSizeLong(), 256u * 1024);
+    EXPECT_EQ(part.xyz_m_size(), 3 * part.distance_m_size());
+    EXPECT_EQ(part.rgb().size(), 3u * static_cast<unsigned>(part.distance_m_size()));
+    EXPECT_EQ(part.class_id_size(), part.distance_m_size());
+    EXPECT_GT(part.revision(), 0);
+  }
+  EXPECT_TRUE(voxels->Finish().ok());
+  EXPECT_GT(num_voxels, 10000);
+  EXPECT_GT(num_parts, 1);
+
+  for (const std::string& name : {ball.name(), std::string("maps/room")}) {
+    for (const auto format : {v1::PLY, v1::PCD}) {
+      v1::GetSubmapMeshRequest mesh_request;
+      mesh_request.set_name(name);
+      mesh_request.set_format(format);
+      grpc::ClientContext mesh_context;
+      const auto mesh = server.submaps->GetSubmapMesh(&mesh_context, mesh_request);
+      std::string file;
+      std::int64_t total_bytes = 0;
+      v1::GetSubmapMeshResponse chunk;
+      while (mesh->Read(&chunk)) {
+        if (file.empty()) total_bytes = chunk.total_bytes();
+        EXPECT_EQ(chunk.content_type().empty(), !file.empty());
+        EXPECT_LE(chunk.ByteSizeLong(), 256u * 1024);
+        file += chunk.data();
+      }
+      EXPECT_TRUE(mesh->Finish().ok());
+      EXPECT_EQ(static_cast<std::int64_t>(file.size()), total_bytes);
+      EXPECT_GT(file.size(), 10000u);
+      EXPECT_EQ(file.substr(0, 3), format == v1::PLY ? "ply" : "# .");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/integration/failing_store.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+class FailingStoreTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    grpc::ClientContext context;
+    v1::CreateMapResponse response;
+    ASSERT_TRUE(server.maps->CreateMap(&context, CreateRequest("room"), &response).ok());
+  }
+
+  grpc::Status Rename(const std::string& submap, const std::string& name) {
+    v1::UpdateSubmapRequest request;
+    request.mutable_submap()->set_name(submap);
+    request.mutable_submap()->set_display_name(name);
+    v1::UpdateSubmapResponse response;
+    grpc::ClientContext context;
+    return server.submaps->UpdateSubmap(&context, request, &response);
+  }
+
+  FailingStore store;
+  // Every frame is committed, and retries come at once: the test need not wait.
+  TestServer server{store, {.publish_frames = 1, .commit_frames = 1, .commit_retry_s = 0.01}};
+};
+
+TEST_F(FailingStoreTest, AFullDiskIsReportedAndLosesNothing) {
+  ASSERT_TRUE(Feed(server, "room", 0, 4).status.ok());
+  store.set_full(true);
+  const FeedResult fed = Feed(server, "room", 4, 12);
+  EXPECT_EQ(fed.status.error_code(), grpc::RESOURCE_EXHAUSTED) << fed.status.error_message();
+  ASSERT_EQ(fed.acks.size(), 8u);
+  for (const auto& ack : fed.acks) {
+    EXPECT_EQ(ack.error_code(), 0);  // fused all the same
+    EXPECT_FALSE(ack.committed());
+  }
+  EXPECT_EQ(store.GetMap("room")->info.num_frames, 4);
+  EXPECT_EQ(server.registry().Get("room")->info.num_frames, 12);
+
+  const grpc::Status edit = Rename("maps/room/submaps/1", "one");
+  EXPECT_EQ(edit.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_NE(edit.error_message().find("not in the store"), std::string::npos);
+
+  store.set_full(false);
+  EXPECT_TRUE(Rename("maps/room/submaps/2", "two").ok());
+  EXPECT_EQ(store.GetMap("room")->info.num_frames, 12);
+  const auto stored = store.LoadMap("room");
+  EXPECT_EQ((*stored)->Find(SubmapId(1))->info().display_name, "one");
+  EXPECT_EQ((*stored)->Find(SubmapId(2))->info().display_name, "two");
+}
+
+TEST_F(FailingStoreTest, AcknowledgementsSayThatTheStoreIsBehind) {
+  store.set_full(true);
+  grpc::ClientContext context;
+  const auto stream = server.mapping->IntegrateFrames(&context);
+  bool is_reported = false;
+  for (int i = 0; i < 200 && !is_reported; ++i) {
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/room");
+    *request.mutable_frame() = TestFrame(i % 4);
+    ASSERT_TRUE(stream->Write(request));
+    v1::IntegrateFramesResponse ack;
+    ASSERT_TRUE(stream->Read(&ack));
+    is_reported = ack.commit_error_code() == grpc::RESOURCE_EXHAUSTED && !ack.commit_error_message().empty();
+  }
+  EXPECT_TRUE(is_reported);
+  store.set_full(false);
+  stream->WritesDone();
+  EXPECT_TRUE(stream->Finish().ok());
+}
+
+TEST_F(FailingStoreTest, IsTriedAgainWithoutBeingAsked) {
+  store.set_full(true);
+  EXPECT_FALSE(Feed(server, "room", 0, 2).status.ok());
+  const int refused = store.num_refused();
+  while (store.num_refused() < refused + 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  store.set_full(false);
+  while (store.GetMap("room")->info.num_frames != 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+TEST_F(FailingStoreTest, AMapThatCannotBeMadeOrDeletedStaysAsItWas) {
+  store.set_full(true);
+  v1::CreateMapResponse response;
+  grpc::ClientContext create;
+  EXPECT_EQ(server.maps->CreateMap(&create, CreateRequest("hall"), &response).error_code(), grpc::RESOURCE_EXHAUSTED);
+  v1::DeleteMapRequest request;
+  request.set_name("maps/room");
+  v1::DeleteMapResponse deleted;
+  grpc::ClientContext deletion;
+  EXPECT_EQ(server.maps->DeleteMap(&deletion, request, &deleted).error_code(), grpc::RESOURCE_EXHAUSTED);
+  store.set_full(false);
+  grpc::ClientContext again;
+  EXPECT_TRUE(server.maps->CreateMap(&again, CreateRequest("hall"), &response).ok());
+  EXPECT_TRUE(Feed(server, "room", 0, 1).status.ok());
+}
+
+TEST_F(FailingStoreTest, ShutdownSaysThatTheLastStateIsLost) {
+  ASSERT_TRUE(Feed(server, "room", 0, 1).status.ok());
+  store.set_full(true);
+  EXPECT_FALSE(Feed(server, "room", 1, 2).status.ok());
+  EXPECT_EQ(server.Stop().code(), StatusCode::kResourceExhausted);
+}
+
+}  // namespace
+}  // namespace dhpmap::testing
