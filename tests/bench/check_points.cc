@@ -55,7 +55,8 @@ std::unordered_map<std::uint32_t, TruthObject> ObjectsOf(const PanopticFrame& fr
   return objects;
 }
 
-Result<Truth> ReadTruth(Dataset& dataset, const ClassMatch& match, const CheckOptions& options, double voxel_size_m) {
+Result<Truth> ReadTruth(Dataset& dataset, const ClassMatch& match, const CheckOptions& options,
+                        const v1::MapConfig& config) {
   std::map<ClassId, Panoptic> kinds;
   for (const LabelClass& label_class : dataset.label_classes()) kinds[label_class.id] = label_class.panoptic;
   Truth truth;
@@ -71,8 +72,9 @@ Result<Truth> ReadTruth(Dataset& dataset, const ClassMatch& match, const CheckOp
     all.edge_px = 0;
     for (const PointSample& sample : SamplePoints(frame, all)) {
       const auto object = truth.objects.find(sample.segment);
+      if (sample.range_m >= config.integration().max_range_m()) continue;
       if (object == truth.objects.end() || object->second.kind != Panoptic::kThing) continue;
-      truth.voxels[sample.segment].insert(VoxelKey(sample.p_map_m, voxel_size_m));
+      truth.voxels[sample.segment].insert(VoxelKey(sample.p_map_m, config.voxel_size_m()));
     }
   }
   return truth;
@@ -110,6 +112,7 @@ nlohmann::json ToJson(const PointScore::Wrong& wrong, std::int64_t total) {
     return 100.0 * static_cast<double>(count) / static_cast<double>(total);
   };
   return {{"unobserved", percent(wrong.unobserved)},
+          {"out_of_range", percent(wrong.out_of_range)},
           {"unknown_object", percent(wrong.unknown_object)},
           {"at_edge", percent(wrong.at_edge)},
           {"other", percent(wrong.other)}};
@@ -163,9 +166,11 @@ nlohmann::json Report(const PointScore& score, const CheckOptions& options,
 void PrintTable(const nlohmann::json& report) {
   const auto wrong = [&report](const char* what) {
     const nlohmann::json& w = report[what];
-    std::printf("  %-22s unobserved %.2f %%, unknown object %.2f %%, at an edge %.2f %%, other %.2f %%\n", what,
-                w["unobserved"].get<double>(), w["unknown_object"].get<double>(), w["at_edge"].get<double>(),
-                w["other"].get<double>());
+    std::printf(
+        "  %-22s beyond the range of fusion %.2f %%, unobserved %.2f %%, unknown object %.2f %%, at an edge %.2f %%, "
+        "other %.2f %%\n",
+        what, w["out_of_range"].get<double>(), w["unobserved"].get<double>(), w["unknown_object"].get<double>(),
+        w["at_edge"].get<double>(), w["other"].get<double>());
   };
   std::printf("%lld points: %.2f %% observed, %.2f %% right class, %.2f %% right instance\n",
               static_cast<long long>(report["samples"].get<std::int64_t>()), report["observed_percent"].get<double>(),
@@ -206,9 +211,9 @@ Status Run(CheckOptions options, bool has_depth_range) {
   const v1::Map& map = response.map();
   if (options.classes.empty()) options.classes = options.directory + "/evaluation_classes.csv";
   DHPMAP_ASSIGN_OR_RETURN(const ClassMatch match, MatchClasses(map, dataset->label_classes(), options.classes));
-  DHPMAP_ASSIGN_OR_RETURN(const Truth truth, ReadTruth(*dataset, match, options, map.config().voxel_size_m()));
+  DHPMAP_ASSIGN_OR_RETURN(const Truth truth, ReadTruth(*dataset, match, options, map.config()));
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<PointAnswer> answers, Ask(channel, options.map, truth.samples));
-  PointScore score = Score(truth.samples, answers, truth.objects, match);
+  PointScore score = Score(truth.samples, answers, truth.objects, match, map.config().integration().max_range_m());
   for (PointScore::Thing& thing : score.things) {
     const auto it = truth.voxels.find(thing.segment);
     thing.num_voxels = it == truth.voxels.end() ? 0 : static_cast<std::int64_t>(it->second.size());

@@ -31,7 +31,7 @@ void SampleCamera(const PanopticFrame& frame, const SampleOptions& options, std:
       const Eigen::Vector3d p_camera((u - camera.cx_px) / camera.fx_px * depth_m,
                                      (v - camera.cy_px) / camera.fy_px * depth_m, depth_m);
       samples.push_back({(frame.T_map_sensor * p_camera).cast<float>(), data.segments[pixel],
-                         IsNearOtherPixel(data, u, v, options.edge_px)});
+                         IsNearOtherPixel(data, u, v, options.edge_px), static_cast<float>(p_camera.norm())});
     }
   }
 }
@@ -72,7 +72,7 @@ void SampleScan(const PanopticFrame& frame, const SampleOptions& options, std::v
     const double range_m = scan.points_m[i].norm();
     if (scan.segments[i] == 0 || !(range_m >= options.min_depth_m && range_m <= options.max_depth_m)) continue;
     samples.push_back({(frame.T_map_sensor * scan.points_m[i].cast<double>()).cast<float>(), scan.segments[i],
-                       grid.HasOtherNear(scan.points_m[i], scan.segments[i])});
+                       grid.HasOtherNear(scan.points_m[i], scan.segments[i]), static_cast<float>(range_m)});
   }
 }
 

@@ -14,6 +14,7 @@ struct PointSample {
   Eigen::Vector3f p_map_m;
   std::uint32_t segment = 0;  ///< persistent id of the object
   bool at_edge = false;       ///< another object is near
+  float range_m = 0;          ///< from the sensor
 };
 
 struct SampleOptions {

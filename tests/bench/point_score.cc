@@ -39,15 +39,17 @@ std::map<std::uint32_t, std::uint32_t> Owners(const Counts& counts) {
 
 }  // namespace
 
-void PointScore::Wrong::Count(const PointSample& sample, const PointAnswer& answer) {
-  if (!answer.observed) ++unobserved;
+void PointScore::Wrong::Count(const PointSample& sample, const PointAnswer& answer, double max_range_m) {
+  if (!answer.observed && sample.range_m >= max_range_m) ++out_of_range;
+  else if (!answer.observed) ++unobserved;
   else if (answer.instance == 0) ++unknown_object;
   else if (sample.at_edge) ++at_edge;
   else ++other;
 }
 
 PointScore Score(const std::vector<PointSample>& samples, const std::vector<PointAnswer>& answers,
-                 const std::unordered_map<std::uint32_t, TruthObject>& objects, const ClassMatch& match) {
+                 const std::unordered_map<std::uint32_t, TruthObject>& objects, const ClassMatch& match,
+                 double max_range_m) {
   PointScore score;
   std::map<std::uint32_t, PointScore::Thing> things;
   Counts counts;
@@ -79,8 +81,8 @@ PointScore Score(const std::vector<PointSample>& samples, const std::vector<Poin
     score.num_observed += answer.observed ? 1 : 0;
     score.num_right_class += is_right_class ? 1 : 0;
     score.num_right_instance += is_right_instance ? 1 : 0;
-    if (!is_right_class) score.wrong_class.Count(sample, answer);
-    if (!is_right_instance) score.wrong_instance.Count(sample, answer);
+    if (!is_right_class) score.wrong_class.Count(sample, answer, max_range_m);
+    if (!is_right_instance) score.wrong_instance.Count(sample, answer, max_range_m);
     if (!is_right_class && is_known && !sample.at_edge) ++score.confusions[{object.class_id, answer.class_id}];
   }
   for (auto& [segment, thing] : things) score.things.push_back(std::move(thing));

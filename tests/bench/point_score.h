@@ -32,8 +32,8 @@ struct TruthObject {
 struct PointScore {
   /// Where samples with a wrong answer went, in this order of precedence.
   struct Wrong {
-    std::int64_t unobserved = 0, unknown_object = 0, at_edge = 0, other = 0;
-    void Count(const PointSample& sample, const PointAnswer& answer);
+    std::int64_t unobserved = 0, out_of_range = 0, unknown_object = 0, at_edge = 0, other = 0;
+    void Count(const PointSample& sample, const PointAnswer& answer, double max_range_m);
   };
   struct Thing {
     std::uint32_t segment = 0, class_id = 0;
@@ -47,8 +47,10 @@ struct PointScore {
       confusions;  ///< (truth, answered class) away from edges
 };
 
-/// Samples of objects that are not in `objects`, or whose class is not judged, must have been left out.
+/// `max_range_m`: points farther from the sensor were not fused. Samples of objects that are not in `objects`, or whose
+/// class is not judged, must have been left out.
 PointScore Score(const std::vector<PointSample>& samples, const std::vector<PointAnswer>& answers,
-                 const std::unordered_map<std::uint32_t, TruthObject>& objects, const ClassMatch& match);
+                 const std::unordered_map<std::uint32_t, TruthObject>& objects, const ClassMatch& match,
+                 double max_range_m);
 
 }  // namespace dhpmap
