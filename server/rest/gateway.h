@@ -15,8 +15,8 @@ class Channel;
 namespace dhpmap {
 
 struct GatewayOptions {
-  std::string address = "127.0.0.1:8080";       ///< host:port; port 0 takes a free one
-  std::size_t max_body_bytes = 64u << 20;       ///< a larger body is answered with 413
+  std::string address = "127.0.0.1:8080";  ///< host:port; port 0 takes a free one
+  std::size_t max_body_bytes = 64u << 20;  ///< a larger body is answered with 413
   int num_threads = 1;
 };
 
@@ -26,8 +26,8 @@ struct GatewayHooks {
   std::function<std::string()> metrics_text;  ///< /metrics, Prometheus text
 };
 
-/// REST door: every RPC with a google.api.http annotation, transcoded from the descriptors and called over an in-process
-/// channel, so that both doors run the same handlers. Thread-safe.
+/// REST door: every RPC with a google.api.http annotation, transcoded from the descriptors and called over an
+/// in-process channel, so that both doors run the same handlers. Thread-safe.
 class Gateway {
  public:
   /// Binds and serves until Shutdown or destruction. UNAVAILABLE if the address cannot be bound.

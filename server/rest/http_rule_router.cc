@@ -168,11 +168,12 @@ RouteMatch HttpRuleRouter::Find(std::string_view http_method, std::string_view e
 
 std::string HttpRuleRouter::AllowedMethods(std::string_view encoded_path) const {
   std::string allowed;
-  for (const std::string_view method : {"GET", "POST", "PUT", "PATCH", "DELETE"}) {
-    if (Find(method, encoded_path).route == nullptr) continue;
+  std::set<std::string_view> seen;
+  for (const Route& route : routes_) {
+    if (!route.path.Match(encoded_path) || !seen.insert(route.http_method).second) continue;
     if (!allowed.empty()) allowed += ", ";
-    allowed += method;
-    if (method == "GET") allowed += ", HEAD";
+    allowed += route.http_method;
+    if (route.http_method == "GET") allowed += ", HEAD";
   }
   return allowed;
 }
