@@ -1,4 +1,7 @@
 dhpmap_tests(ROOM unit/storage LIBS dhpmap_storage dhpmap_test_scenes)
 
-# Sizes and rates of codec and store on a fused scene; not a test.
-dhpmap_program(NAME dhpmap_storage_bench SOURCES unit/storage/storage_bench.cc LIBS dhpmap_storage dhpmap_pipeline dhpmap_test_scenes)
+# Sizes and rates of codec and store on a fused scene or data set; not a test.
+if(TARGET dhpmap_pipeline AND TARGET dhpmap_datasets)
+  dhpmap_program(NAME dhpmap_storage_bench SOURCES unit/storage/storage_bench.cc
+    LIBS dhpmap_storage dhpmap_pipeline dhpmap_datasets dhpmap_test_scenes)
+endif()

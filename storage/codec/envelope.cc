@@ -27,7 +27,11 @@ struct ContextDeleter {
 };
 
 ZSTD_CCtx* Compressor() {
-  thread_local const std::unique_ptr<ZSTD_CCtx, ContextDeleter> context(ZSTD_createCCtx());
+  thread_local const std::unique_ptr<ZSTD_CCtx, ContextDeleter> context = [] {
+    std::unique_ptr<ZSTD_CCtx, ContextDeleter> made(ZSTD_createCCtx());
+    if (made) ZSTD_CCtx_setParameter(made.get(), ZSTD_c_compressionLevel, kZstdLevel);
+    return made;
+  }();
   return context.get();
 }
 
@@ -56,7 +60,7 @@ bool AppendCompressed(ByteView bytes, Bytes& blob) {
   const std::size_t begin = blob.size();
   blob.resize(begin + ZSTD_compressBound(bytes.size()));
   const std::size_t size =
-      ZSTD_compressCCtx(context, blob.data() + begin, blob.size() - begin, bytes.data(), bytes.size(), kZstdLevel);
+      ZSTD_compress2(context, blob.data() + begin, blob.size() - begin, bytes.data(), bytes.size());
   const bool gains = !ZSTD_isError(size) && size < bytes.size() && bytes.size() <= MaxUnpacked(size);
   blob.resize(begin + (gains ? size : 0));
   return gains;

@@ -43,9 +43,23 @@ class VoxelWalk {
   static std::int32_t PredictSmooth(const Grid& grid, const Site& site);
 
  private:
+  static constexpr int kStepX = 1, kStepY = kGridSide, kStepZ = kGridSide * kGridSide;
+  static constexpr std::uint8_t kXy = 1, kXz = 2, kYz = 4;
+
   std::array<Site, kBlockVoxels> sites_;
   std::size_t num_sites_ = 0;
 };
+
+inline std::int32_t VoxelWalk::PredictSmooth(const Grid& grid, const Site& site) {
+  if (site.faces == 0) return grid[site.near];
+  const std::int32_t* value = grid.data() + site.cell;
+  const std::int32_t x = value[-kStepX], y = value[-kStepY], z = value[-kStepZ];
+  std::int32_t sum = 0, count = 0;
+  if (site.faces & kXy) sum += x + y - value[-kStepX - kStepY], ++count;
+  if (site.faces & kXz) sum += x + z - value[-kStepX - kStepZ], ++count;
+  if (site.faces & kYz) sum += y + z - value[-kStepY - kStepZ], ++count;
+  return sum / count;
+}
 
 // Differences of either sign as small unsigned numbers; undone exactly, modulo 2^32.
 constexpr std::uint32_t ZigZag(std::int32_t value) {
