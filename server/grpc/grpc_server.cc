@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/grpc_server.h"
 
+#include <grpc/support/log.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "server/grpc/services.h"
+#include "server/log/log.h"
 
 namespace dhpmap {
 
@@ -44,10 +46,14 @@ namespace {
 constexpr std::array kServiceNames = {"", "dhpmap.v1.MapService", "dhpmap.v1.MappingService", "dhpmap.v1.SubmapService",
                                       "dhpmap.v1.QueryService"};
 
+/// gRPC tells of its inner life on standard error; what matters of it comes back to us as a status.
+void LogFromGrpc(gpr_log_func_args* line) { LogDebug(std::string("grpc: ") + line->message); }
+
 }  // namespace
 
 Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options, MapRegistry& registry,
                                                       GrpcObserver observer) {
+  gpr_set_log_function(LogFromGrpc);
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   auto impl = std::make_unique<Impl>(options, registry, std::move(observer));

@@ -1,0 +1,9 @@
+find_package(Protobuf REQUIRED)  # before gRPC, see proto/
+find_package(gRPC CONFIG REQUIRED)
+
+dhpmap_tests(ROOM unit/server/app LIBS dhpmap_app dhpmap_test_scenes)
+dhpmap_tests(ROOM unit/server/config LIBS dhpmap_server_config dhpmap_test_scenes)
+dhpmap_tests(ROOM unit/server/grpc LIBS dhpmap_grpc dhpmap_proto dhpmap_test_scenes)
+dhpmap_tests(ROOM unit/server/ingest LIBS dhpmap_ingest)
+dhpmap_tests(ROOM unit/server/log LIBS dhpmap_log)
+dhpmap_tests(ROOM unit/server/metrics LIBS dhpmap_metrics)

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/commit_worker.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <utility>
+
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+namespace {
+
+/// A store in which a test holds up commits and reads what was asked.
+class ScriptedStore final : public MapStore {
+ public:
+  struct Call {
+    std::int64_t before, after;
+    Durability durability;
+  };
+
+  Result<std::vector<StoredMap>> ListMaps() override { return std::vector<StoredMap>{}; }
+  Result<StoredMap> GetMap(const std::string&) override { return NotFound("not here"); }
+  Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return NotFound("not here"); }
+  Status DeleteMap(const std::string&) override { return Status::Ok(); }
+  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
+    const std::lock_guard lock(mutex);  // held by the test: the disk is slow
+    calls.push_back({before.revision(), after.revision(), durability});
+    return std::exchange(next_outcome, Status::Ok());
+  }
+
+  std::mutex mutex;
+  std::vector<Call> calls;
+  Status next_outcome;
+};
+
+class CommitWorkerTest : public ::testing::Test {
+ protected:
+  CommitWorkerTest() {
+    MapInfo info;
+    info.name = "room";
+    map.emplace(info);
+    first = map->Publish(0);
+    worker.emplace(store, first, /*retry_s=*/1000.0, CommitWorker::Observer());
+  }
+
+  std::shared_ptr<const MapSnapshot> Change() {
+    map->mutable_info().num_frames++;
+    return map->Publish(0);
+  }
+  std::future<Status> Request(std::shared_ptr<const MapSnapshot> snapshot, Durability durability) {
+    auto promise = std::make_shared<std::promise<Status>>();
+    worker->Request(std::move(snapshot), durability, [promise](const Status& status) { promise->set_value(status); });
+    return promise->get_future();
+  }
+
+  ScriptedStore store;
+  std::optional<Map> map;
+  std::shared_ptr<const MapSnapshot> first;
+  std::optional<CommitWorker> worker;
+};
+
+TEST_F(CommitWorkerTest, RequestsDuringACommitAreServedByOneCommitOfTheNewest) {
+  std::unique_lock slow(store.mutex);
+  auto a = Request(Change(), Durability::kNormal);
+  std::vector<std::future<Status>> others;
+  for (int i = 0; i < 5; ++i) {
+    others.push_back(Request(Change(), i == 2 ? Durability::kFull : Durability::kNormal));
+  }
+  slow.unlock();
+  EXPECT_TRUE(a.get().ok());
+  for (auto& other : others) EXPECT_TRUE(other.get().ok());
+  slow.lock();
+  ASSERT_LE(store.calls.size(), 2u);
+  EXPECT_EQ(store.calls.back().after, 7);
+  EXPECT_EQ(store.calls.back().durability, Durability::kFull);
+  slow.unlock();
+  EXPECT_EQ(worker->committed_revision(), 7);
+}
+
+TEST_F(CommitWorkerTest, AfterAFailureTheNextCommitStartsFromTheLastGoodState) {
+  store.next_outcome = ResourceExhausted("full");
+  EXPECT_EQ(Request(Change(), Durability::kFull).get().code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(worker->committed_revision(), 1);
+  EXPECT_FALSE(worker->last_outcome().ok());
+  EXPECT_TRUE(Request(Change(), Durability::kNormal).get().ok());
+  EXPECT_TRUE(worker->last_outcome().ok());
+  ASSERT_EQ(store.calls.size(), 2u);
+  EXPECT_EQ(store.calls[1].before, 1);
+  EXPECT_EQ(store.calls[1].after, 3);
+}
+
+TEST_F(CommitWorkerTest, StopCommitsOnceMoreWhatIsNotStored) {
+  store.next_outcome = ResourceExhausted("full");
+  EXPECT_FALSE(Request(Change(), Durability::kNormal).get().ok());
+  worker->Stop();
+  EXPECT_EQ(worker->committed_revision(), 2);
+  EXPECT_EQ(store.calls.back().durability, Durability::kFull);
+  EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kUnavailable);
+}
+
+TEST_F(CommitWorkerTest, AfterDeletionThereIsNothingToCommitTo) {
+  std::promise<Status> deleted;
+  worker->DeleteMap([&deleted](const Status& status) { deleted.set_value(status); });
+  EXPECT_TRUE(deleted.get_future().get().ok());
+  EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kNotFound);
+  worker->Stop();
+  EXPECT_TRUE(store.calls.empty());
+}
+
+}  // namespace
+}  // namespace dhpmap

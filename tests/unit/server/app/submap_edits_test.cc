@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/submap_edits.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "server/app/map_stats.h"
+#include "server/app/submap_filter.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap {
+namespace {
+
+class SubmapEditsTest : public ::testing::Test {
+ protected:
+  SubmapEditsTest() : map(Info()) {
+    SubmapInfo info;
+    info.panoptic = Panoptic::kThing;
+    info.class_id = ClassId(1);
+    info.voxel_size_m = 0.1;
+    Submap& submap = map.Create(info);
+    submap.MutableTsdf({0, 0, 0}).weight.fill(1);
+    submap.UpdateBoundingSphere();
+    thing = submap.id();
+    snapshot = map.Publish(0);
+  }
+  static MapInfo Info() {
+    MapInfo info;
+    info.label_set = testing::MakeLabelSet(2, 1);
+    return info;
+  }
+  const SubmapInfo& ThingInfo() { return map.Find(thing)->info(); }
+
+  Map map;
+  SubmapId thing;
+  std::shared_ptr<const MapSnapshot> snapshot;
+};
+
+TEST_F(SubmapEditsTest, ARefusedEditIsNoNewRevision) {
+  SubmapPatch bad_pose{.T_map_submap = Transform::Identity()};
+  bad_pose.T_map_submap->translation().x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(PatchSubmap(map, thing, "", bad_pose).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(PatchSubmap(map, thing, "", {.class_id = ClassId(3)}).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(PatchSubmap(map, thing, "r99", {.display_name = "x"}).code(), StatusCode::kAborted);
+  EXPECT_EQ(PatchSubmap(map, kUnknownSubmap, "", {.display_name = "x"}).code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(PatchSubmap(map, SubmapId(9), "", {.display_name = "x"}).code(), StatusCode::kNotFound);
+  EXPECT_EQ(DeleteSubmap(map, kUnknownSubmap, "").code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(CloneSubmap(map, thing, "r99", {}).status().code(), StatusCode::kAborted);
+  EXPECT_TRUE(PatchSubmap(map, thing, "", {}).ok());  // nothing to change
+  EXPECT_EQ(map.Publish(1), snapshot);
+}
+
+TEST_F(SubmapEditsTest, ARelabelledClassIsFixed) {
+  ASSERT_TRUE(PatchSubmap(map, thing, EtagOf(*map.Find(thing)), {.class_id = ClassId(2)}).ok());
+  EXPECT_EQ(ThingInfo().class_id, ClassId(2));
+  EXPECT_TRUE(ThingInfo().class_is_fixed);
+  map.Publish(1);
+  EXPECT_NE(EtagOf(*map.Find(thing)), EtagOf(*snapshot->Find(thing)));
+}
+
+TEST_F(SubmapEditsTest, AMoveLeavesTheVoxelsAlone) {
+  SubmapPatch move{.T_map_submap = Transform::Identity()};
+  move.T_map_submap->translation() = Eigen::Vector3d(3, 0, 0);
+  ASSERT_TRUE(PatchSubmap(map, thing, "", move).ok());
+  const auto moved = map.Publish(1);
+  EXPECT_EQ(moved->Find(thing)->blocks().Find({0, 0, 0})->tsdf, snapshot->Find(thing)->blocks().Find({0, 0, 0})->tsdf);
+  EXPECT_NEAR(moved->Find(thing)->BoundingSphereInMap().center_m.x(), 3.4, 1e-12);
+}
+
+TEST_F(SubmapEditsTest, FiltersGoByClassKindAndPlace) {
+  EXPECT_EQ(SelectSubmaps(*snapshot, {}).size(), 2u);
+  EXPECT_EQ(SelectSubmaps(*snapshot, {.classes = std::vector{ClassId(1)}}).size(), 1u);
+  EXPECT_EQ(SelectSubmaps(*snapshot, {.classes = std::vector{ClassId(0)}}).size(), 0u);  // unknown has no class
+  EXPECT_EQ(SelectSubmaps(*snapshot, {.panoptic = Panoptic::kStuff}).size(), 0u);
+  const auto box = [](double x) { return SubmapFilter::Box{{x, 0, 0}, {x + 1, 1, 1}}; };
+  EXPECT_EQ(SelectSubmaps(*snapshot, {.region = box(0.2)}).size(), 1u);
+  EXPECT_EQ(SelectSubmaps(*snapshot, {.region = box(1.05)}).size(), 1u);  // the sphere, radius 0.69, touches it
+  EXPECT_EQ(SelectSubmaps(*snapshot, {.region = box(1.2)}).size(), 0u);
+  EXPECT_EQ(SelectSubmaps(*snapshot, {.near = BoundingSphere{{2, 0.4, 0.4}, 1.0}}).size(), 1u);
+  EXPECT_EQ(SelectSubmaps(*snapshot, {.near = BoundingSphere{{2, 0.4, 0.4}, 0.5}}).size(), 0u);
+}
+
+TEST_F(SubmapEditsTest, StatsCountWhatIsThere) {
+  const MapStats stats = ComputeStats(*snapshot, true);
+  EXPECT_EQ(stats.num_submaps, 2);
+  EXPECT_EQ(stats.num_things, 1);
+  EXPECT_EQ(stats.num_active, 1);
+  EXPECT_EQ(stats.num_tsdf_blocks, 1);
+  EXPECT_EQ(stats.num_label_blocks, 0);
+  EXPECT_EQ(stats.num_observed_voxels, kBlockVoxels);
+  EXPECT_GT(stats.memory_bytes, kBlockVoxels * 11);
+}
+
+}  // namespace
+}  // namespace dhpmap

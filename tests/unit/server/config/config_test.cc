@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "server/config/command_line.h"
+#include "server/config/config_loader.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap {
+namespace {
+
+std::set<std::string> Fields(const Status& status) {
+  std::set<std::string> fields;
+  for (const FieldViolation& violation : status.violations()) fields.insert(violation.field);
+  return fields;
+}
+
+std::string WriteFile(const testing::TempDir& dir, const std::string& text) {
+  const std::string path = (dir.path() / "config.yaml").string();
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(ServerConfig, TheDefaultsAreUsable) { EXPECT_TRUE(ServerConfig{}.Validate().ok()); }
+
+TEST(ServerConfig, EveryBadKeyIsNamedAtOnce) {
+  ServerConfig config;
+  config.grpc.address = "localhost";
+  config.http.address = "0.0.0.0:80";
+  config.log.level = "loud";
+  config.mapping.publish_frames = 0;
+  config.store.commit_s = -1;
+  config.map_defaults.voxel_size_m = 0;
+  EXPECT_EQ(Fields(config.Validate()),
+            (std::set<std::string>{"grpc.address", "http.address", "log.level", "mapping.publish_frames",
+                                   "store.commit_s", "map_defaults.voxel_size_m"}));
+}
+
+TEST(ServerConfig, OtherMachinesAreLetInOnlyWhenToldSo) {
+  ServerConfig config;
+  for (const char* address : {"127.0.0.1:0", "localhost:1", "[::1]:65535", "127.1.2.3:50051"}) {
+    config.grpc.address = address;
+    EXPECT_TRUE(config.Validate().ok()) << address;
+  }
+  for (const char* address : {"0.0.0.0:1", "[::]:1", "192.168.1.1:1", "127.evil.org:1", "localhost.evil.org:1"}) {
+    config.grpc.address = address;
+    config.insecure = false;
+    EXPECT_FALSE(config.Validate().ok()) << address;
+    config.insecure = true;
+    EXPECT_TRUE(config.Validate().ok()) << address;
+  }
+  for (const char* address : {"", "127.0.0.1", ":1", "127.0.0.1:", "127.0.0.1:65536", "127.0.0.1:x"}) {
+    config.grpc.address = address;
+    EXPECT_FALSE(config.Validate().ok()) << address;
+  }
+}
+
+TEST(ConfigLoader, WhatIsPrintedLoadsAsTheSame) {
+  ServerConfig config;
+  config.db = "a \"quoted\" file: #1.db";
+  config.grpc.num_threads = 7;
+  config.store.commit_s = 0.1;
+  config.insecure = true;
+  config.map_defaults = OutdoorLidarConfig();
+  const std::string text = ToYaml(config);
+  const auto values = ParseYaml(text);
+  ASSERT_TRUE(values.ok()) << values.status().ToString();
+  ServerConfig loaded;
+  ASSERT_TRUE(ApplyKeyValues(*values, "a test", loaded).ok());
+  EXPECT_EQ(ToYaml(loaded), text);
+  EXPECT_EQ(loaded.db, config.db);
+  EXPECT_EQ(loaded.map_defaults.truncation_m, 0.6);
+}
+
+TEST(ConfigLoader, TheShippedFileListsEveryKeyWithItsDefault) {
+  const auto text = ReadConfigFile(std::string(DHPMAP_SOURCE_DIR) + "/deploy/dhpmap.yaml");
+  ASSERT_TRUE(text.ok());
+  const auto shipped = ParseYaml(*text);
+  const auto defaults = ParseYaml(ToYaml(ServerConfig{}));
+  ASSERT_TRUE(shipped.ok()) << shipped.status().ToString();
+  EXPECT_EQ(*shipped, *defaults);
+  EXPECT_NE(text->find(ToYaml(ServerConfig{})), std::string::npos) << "the comments differ from --print-config";
+}
+
+TEST(ConfigLoader, UnknownKeysAndBadValuesAreNamedTogether) {
+  const auto values = ParseYaml(
+      "db: x.db\ngrpc: {adress: a, num_threads: many}\nmap_defaults:\n  voxel_size_m: small\n  voxel: 1\nnope: 3\n"
+      "insecure: maybe\n");
+  ASSERT_TRUE(values.ok());
+  ServerConfig config;
+  const Status status = ApplyKeyValues(*values, "a test", config);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(Fields(status), (std::set<std::string>{"grpc.adress", "grpc.num_threads", "map_defaults.voxel_size_m",
+                                                   "map_defaults.voxel", "nope", "insecure"}));
+}
+
+TEST(ConfigLoader, WhatIsNotAMappingIsRefused) {
+  EXPECT_FALSE(ParseYaml("- a\n- b\n").ok());
+  EXPECT_FALSE(ParseYaml("a: [1, 2]\n").ok());
+  EXPECT_FALSE(ParseYaml("a: {b\n").ok());
+  EXPECT_FALSE(ParseYaml("just text").ok());
+  EXPECT_TRUE(ParseYaml("").ok());
+  EXPECT_TRUE(ParseYaml("# nothing\ngrpc:\n").ok());
+}
+
+TEST(CommandLine, FlagsWinOverEnvironmentOverFileOverDefaults) {
+  const testing::TempDir dir;
+  const std::string path =
+      WriteFile(dir, "db: file.db\nhttp: {num_threads: 2}\ngrpc: {num_threads: 2}\nstore: {commit_s: 7}\n");
+  const auto invocation = ParseCommandLine({"--config", path, "--set", "grpc.num_threads=5", "--log-level", "debug"},
+                                           {"DHPMAP_GRPC_NUM_THREADS=3", "DHPMAP_HTTP_NUM_THREADS=3",
+                                            "DHPMAP_MAP_DEFAULTS_TRACKING_IOU_THRESHOLD=0.5", "HOME=/root"});
+  ASSERT_TRUE(invocation.ok()) << invocation.status().ToString();
+  EXPECT_FALSE(invocation->is_done);
+  const ServerConfig& config = invocation->config;
+  EXPECT_EQ(config.db, "file.db");
+  EXPECT_EQ(config.store.commit_s, 7);
+  EXPECT_EQ(config.http.num_threads, 3);
+  EXPECT_EQ(config.grpc.num_threads, 5);
+  EXPECT_EQ(config.map_defaults.tracking.iou_threshold, 0.5);
+  EXPECT_EQ(config.log.level, "debug");
+  EXPECT_EQ(config.mapping.publish_frames, ServerConfig{}.mapping.publish_frames);
+}
+
+TEST(CommandLine, MistakesAreErrors) {
+  EXPECT_EQ(ParseCommandLine({}, {}).status().code(), StatusCode::kInvalidArgument);  // no database
+  EXPECT_EQ(ParseCommandLine({"--db", "x", "--nope"}, {}).status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(ParseCommandLine({"--db", "x", "--config", "/no/such/file"}, {}).status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(Fields(ParseCommandLine({"--db", "x"}, {"DHPMAP_NOPE=1"}).status()), std::set<std::string>{"DHPMAP_NOPE"});
+  EXPECT_EQ(Fields(ParseCommandLine({"--db", "x", "--set", "nope"}, {}).status()), std::set<std::string>{"nope"});
+  EXPECT_EQ(Fields(ParseCommandLine({"--db", "x", "--grpc", "0.0.0.0:1"}, {}).status()),
+            std::set<std::string>{"grpc.address"});
+  EXPECT_TRUE(ParseCommandLine({"--db", "x", "--grpc", "0.0.0.0:1", "--insecure"}, {}).ok());
+}
+
+TEST(CommandLine, PrintConfigShowsWhatIsInForceAndNeedsNoDatabase) {
+  const auto invocation = ParseCommandLine({"--print-config", "--http", "127.0.0.1:9"}, {});
+  ASSERT_TRUE(invocation.ok());
+  EXPECT_TRUE(invocation->is_done);
+  EXPECT_NE(invocation->text.find("address: \"127.0.0.1:9\""), std::string::npos);
+  const auto help = ParseCommandLine({"--help"}, {});
+  ASSERT_TRUE(help.ok());
+  EXPECT_NE(help->text.find("--print-config"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dhpmap
