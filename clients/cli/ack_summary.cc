@@ -2,15 +2,19 @@
 #include "clients/cli/ack_summary.h"
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "clients/cli/text_table.h"
 
 namespace dhpmap {
 
-bool AckSummary::Count(std::map<std::string, Kind>& kinds, const std::string& kind, const std::string& message) {
-  Kind& entry = kinds[kind];
+bool AckSummary::Count(Kinds& kinds, const std::string& reason, const std::string& message) {
+  std::string key = reason + ": " + message;
+  std::erase_if(key, [](unsigned char c) { return std::isdigit(c) != 0; });
+  Kind& entry = kinds[key];
   if (entry.count++ > 0) return false;
+  entry.reason = reason;
   entry.first_message = message;
   return true;
 }
@@ -65,22 +69,22 @@ void AckSummary::Print(std::ostream& out, double elapsed_s) const {
         << Fixed(100.0 * static_cast<double>(num_unknown_points_) / static_cast<double>(num_points_), 1)
         << " % of them of unknown objects\n";
   }
-  for (const auto& [reason, kind] : skipped_) {
-    out << kind.count << " skipped, " << reason << ": " << kind.first_message << (kind.count > 1 ? ", ..." : "")
+  for (const auto& [key, kind] : skipped_) {
+    out << kind.count << " skipped, " << kind.reason << ": " << kind.first_message << (kind.count > 1 ? ", ..." : "")
         << "\n";
   }
-  for (const auto& [reason, kind] : refused_) {
-    out << kind.count << " refused, " << reason << ": " << kind.first_message << (kind.count > 1 ? ", ..." : "")
+  for (const auto& [key, kind] : refused_) {
+    out << kind.count << " refused, " << kind.reason << ": " << kind.first_message << (kind.count > 1 ? ", ..." : "")
         << "\n";
   }
 }
 
 std::string AckSummary::Json(const v1::Map& map, double elapsed_s) const {
   const std::lock_guard lock(mutex_);
-  const auto kinds = [](const std::map<std::string, Kind>& in) {
+  const auto kinds = [](const Kinds& in) {
     nlohmann::json list = nlohmann::json::array();
-    for (const auto& [reason, kind] : in) {
-      list.push_back({{"reason", reason}, {"count", kind.count}, {"firstMessage", kind.first_message}});
+    for (const auto& [key, kind] : in) {
+      list.push_back({{"reason", kind.reason}, {"count", kind.count}, {"firstMessage", kind.first_message}});
     }
     return list;
   };

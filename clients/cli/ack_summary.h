@@ -31,12 +31,14 @@ class AckSummary {
  private:
   struct Kind {
     std::size_t count = 0;
-    std::string first_message;
+    std::string reason, first_message;
   };
-  static bool Count(std::map<std::string, Kind>& kinds, const std::string& kind, const std::string& message);
+  /// By reason and message, numbers in it left out: the same trouble with other frames is of the same kind.
+  using Kinds = std::map<std::string, Kind>;
+  static bool Count(Kinds& kinds, const std::string& reason, const std::string& message);
 
   mutable std::mutex mutex_;
-  std::map<std::string, Kind> skipped_, refused_;  // by reason; guarded by mutex_, like all below
+  Kinds skipped_, refused_;  // guarded by mutex_, like all below
   std::size_t num_skipped_ = 0, num_refused_ = 0, num_fused_ = 0, num_created_ = 0;
   std::int64_t num_points_ = 0, num_unknown_points_ = 0;
   double fuse_s_ = 0;

@@ -85,8 +85,9 @@ TEST(ExitCodeOf, TellsClassesOfErrorsApart) {
 
 TEST(AckSummary, TellsOfEachKindOnceAndCountsTheRest) {
   AckSummary summary;
-  EXPECT_TRUE(summary.AddSkipped(NotFound("no a.png").WithReason("MISSING_FILE")));
-  EXPECT_FALSE(summary.AddSkipped(NotFound("no b.png").WithReason("MISSING_FILE")));
+  EXPECT_TRUE(summary.AddSkipped(NotFound("no 1_color.png").WithReason("MISSING_FILE")));
+  EXPECT_FALSE(summary.AddSkipped(NotFound("no 2_color.png").WithReason("MISSING_FILE")));
+  EXPECT_TRUE(summary.AddSkipped(NotFound("no 2_pose.txt").WithReason("MISSING_FILE"))) << "another kind of file";
   v1::IntegrateFramesResponse refused;
   refused.set_error_code(3);
   refused.set_error_reason("BAD_POSE");
@@ -97,7 +98,7 @@ TEST(AckSummary, TellsOfEachKindOnceAndCountsTheRest) {
   fused.set_revision(4);
   fused.set_num_created(2);
   EXPECT_FALSE(summary.AddAck(fused));
-  EXPECT_EQ(summary.num_done(), 5u);
+  EXPECT_EQ(summary.num_done(), 6u);
   const auto json = nlohmann::json::parse(summary.Json({}, 1.0));
   EXPECT_EQ(json["numFused"], 1);
   EXPECT_EQ(json["revision"], 4);
@@ -105,7 +106,7 @@ TEST(AckSummary, TellsOfEachKindOnceAndCountsTheRest) {
   EXPECT_EQ(json["refused"][0]["firstMessage"], "not rigid");
   std::ostringstream out;
   summary.Print(out, 1.0);
-  EXPECT_NE(out.str().find("2 skipped, MISSING_FILE: no a.png"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("2 skipped, MISSING_FILE: no 1_color.png"), std::string::npos) << out.str();
 }
 
 TEST(OutputFile, IsThereOnlyOnceComplete) {

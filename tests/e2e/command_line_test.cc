@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user sees of the client and of a server that cannot start.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "tests/e2e/rendered_dataset.h"
+#include "tests/e2e/server_process.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap::testing {
+namespace {
+
+std::string ReadAll(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+class CommandLine : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    temp_ = new TempDir();
+    WriteRenderedDataset(temp_->path() / "dataset", 6);
+    server_ = new ServerProcess(temp_->path(), temp_->path() / "maps.db");
+    ASSERT_TRUE(server_->is_serving()) << server_->process().Stderr();
+    const Outcome outcome =
+        server_->Dhpmap({"map", (temp_->path() / "dataset").string(), "--map", "room", "--labels", "groundtruth"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  static void TearDownTestSuite() {
+    delete server_;
+    delete temp_;
+  }
+  static Outcome Run(std::vector<std::string> arguments) { return server_->Dhpmap(std::move(arguments)); }
+  static std::filesystem::path File(const char* name) { return temp_->path() / name; }
+
+  static TempDir* temp_;
+  static ServerProcess* server_;
+};
+TempDir* CommandLine::temp_ = nullptr;
+ServerProcess* CommandLine::server_ = nullptr;
+
+TEST_F(CommandLine, ListsMapsAndSubmapsForPeopleAndMachines) {
+  EXPECT_NE(Run({"maps"}).out.find("room"), std::string::npos);
+  EXPECT_NE(Run({"maps", "show", "room"}).out.find("voxel_size_m"), std::string::npos);
+  const Outcome all = Run({"submaps", "room"});
+  for (const char* name : {"Ball", "Box", "Floor", "Wall"}) EXPECT_NE(all.out.find(name), std::string::npos) << all.out;
+  const Outcome balls = Run({"submaps", "room", "--class", "ball", "--json"});
+  EXPECT_NE(balls.out.find("\"className\": \"Ball\""), std::string::npos) << balls.out;
+  EXPECT_EQ(balls.out.find("Wall"), std::string::npos) << balls.out;
+  EXPECT_EQ(Run({"submaps", "room", "--kind", "stuff", "--json"}).out.find("THING"), std::string::npos);
+  EXPECT_NE(Run({"stats", "room"}).out.find("observed of"), std::string::npos);
+}
+
+TEST_F(CommandLine, QueriesPointsFromArgumentsAndFiles) {
+  const Outcome typed = Run({"query", "point", "room", "1.16", "-.5", ".4", "9", "9", "9"});
+  EXPECT_NE(typed.out.find("Ball"), std::string::npos) << typed.out << typed.err;
+  EXPECT_NE(typed.out.find("unobserved"), std::string::npos) << typed.out;
+  std::ofstream(File("points.txt")) << "1.16,-.5,.4\n9 9 9\n";
+  EXPECT_EQ(Run({"query", "point", "room", "--file", File("points.txt").string()}).out, typed.out);
+}
+
+TEST_F(CommandLine, EditsObjects) {
+  std::istringstream table(Run({"submaps", "room", "--class", "box"}).out);
+  std::string line, id;
+  std::getline(table, line);
+  table >> id;
+  const Outcome cloned = Run({"edit", "clone", "room", id, "--by", "0", "-2", "1", "--name", "second box"});
+  ASSERT_EQ(cloned.exit_code, 0) << cloned.err;
+  const std::size_t slash = cloned.out.rfind('/');
+  const std::string copy = cloned.out.substr(slash + 1, cloned.out.find(',') - slash - 1);
+  EXPECT_NE(Run({"query", "point", "room", "1.6", "-1.4", "1.59"}).out.find("Box"), std::string::npos);
+  EXPECT_EQ(Run({"edit", "move", "room", copy, "--to", "0", "0", "3"}).exit_code, 0);
+  EXPECT_EQ(Run({"query", "point", "room", "1.6", "-1.4", "1.59"}).out.find("Box"), std::string::npos);
+  EXPECT_EQ(Run({"edit", "relabel", "room", copy, "ball"}).exit_code, 0);
+  EXPECT_EQ(Run({"edit", "relabel", "room", copy, "wall"}).exit_code, 2) << "a thing stays a thing";
+  EXPECT_EQ(Run({"edit", "relabel", "room", copy, "spoon"}).exit_code, 3);
+  EXPECT_EQ(Run({"edit", "rename", "room", copy, "lamp"}).exit_code, 0);
+  const Outcome shown = Run({"submaps", "room", copy, "--json"});
+  EXPECT_NE(shown.out.find("\"displayName\": \"lamp\""), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("\"className\": \"Ball\""), std::string::npos) << shown.out;
+  EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 0);
+  EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 3);
+}
+
+TEST_F(CommandLine, ExportsMeshesAndVoxels) {
+  EXPECT_EQ(Run({"export", "ply", "room", "-o", File("room.ply").string(), "--color", "instance"}).exit_code, 0);
+  EXPECT_TRUE(ReadAll(File("room.ply")).starts_with("ply\n"));
+  EXPECT_EQ(Run({"export", "pcd", "room", "1", "-o", File("one.pcd").string()}).exit_code, 0);
+  EXPECT_NE(ReadAll(File("one.pcd")).find("DATA binary"), std::string::npos);
+  const Outcome voxels = Run({"export", "voxels", "room", "1", "-o", "-"});
+  EXPECT_TRUE(voxels.out.starts_with("x_m,y_m,z_m,distance_m")) << voxels.out.substr(0, 80);
+  EXPECT_GT(std::count(voxels.out.begin(), voxels.out.end(), '\n'), 100);
+  EXPECT_EQ(Run({"export", "ply", "room", "999", "-o", File("none.ply").string()}).exit_code, 3);
+  EXPECT_FALSE(std::filesystem::exists(File("none.ply")));
+  EXPECT_EQ(Run({"export", "ply", "room", "-o", File("no/where.ply").string()}).exit_code, 7);
+}
+
+TEST_F(CommandLine, ExitCodesTellErrorsApart) {
+  EXPECT_EQ(Run({}).exit_code, 1);
+  EXPECT_EQ(Run({"fly"}).exit_code, 1);
+  EXPECT_EQ(Run({"query", "point", "room", "1", "2"}).exit_code, 1);
+  EXPECT_EQ(Run({"maps", "create", "other", "--set", "nothing=1"}).exit_code, 1);
+  EXPECT_EQ(Run({"maps", "create", "other", "--set", "voxel_size_m=-1"}).exit_code, 2);
+  EXPECT_EQ(Run({"maps", "create", "room"}).exit_code, 4);
+  EXPECT_EQ(Run({"submaps", "nowhere"}).exit_code, 3);
+  EXPECT_EQ(Run({"map", File("nowhere").string(), "--map", "x"}).exit_code, 7);
+  EXPECT_EQ(Run({"map", File("dataset").string(), "--map", "room", "--labels", "predicted"}).exit_code, 2)
+      << "other classes";
+  const Outcome unreachable = RunProgram(temp_->path(), {Program("dhpmap"), "maps", "--server", "127.0.0.1:1"});
+  EXPECT_EQ(unreachable.exit_code, 5);
+  EXPECT_NE(unreachable.err.find("UNAVAILABLE"), std::string::npos) << unreachable.err;
+  EXPECT_NE(unreachable.err.find("Is dhpmap-server running"), std::string::npos) << unreachable.err;
+}
+
+/// A complete database, with no server on it.
+std::string SettledDatabase(const std::filesystem::path& folder) {
+  const std::filesystem::path db = folder / "settled.db";
+  ServerProcess server(folder, db);
+  EXPECT_EQ(server.Dhpmap({"map", (folder / "dataset").string(), "--map", "room"}).exit_code, 0);
+  EXPECT_EQ(server.Terminate(), 0);
+  return ReadAll(db);
+}
+
+TEST_F(CommandLine, AServerThatCannotUseItsDatabaseSaysWhyAndLeavesItAlone) {
+  const std::string good = SettledDatabase(temp_->path());
+  ASSERT_GT(good.size(), 10'000u);
+  std::string foreign = good, newer = good;
+  foreign[68] = static_cast<char>(foreign[68] ^ 0x55);  // application_id
+  newer[60] = 1;                                        // user_version
+  struct Case {
+    const char* name;
+    std::string content, code;
+  };
+  for (const Case& bad :
+       {Case{"notes.txt", "These are notes. " + std::string(2000, 'x'), "FAILED_PRECONDITION|DATA_LOSS"},
+        Case{"cut.db", good.substr(0, good.size() / 2), "DATA_LOSS"},
+        Case{"foreign.db", foreign, "FAILED_PRECONDITION"}, Case{"newer.db", newer, "FAILED_PRECONDITION"}}) {
+    SCOPED_TRACE(bad.name);
+    std::ofstream(File(bad.name), std::ios::binary) << bad.content;
+    ServerProcess server(temp_->path(), File(bad.name));
+    EXPECT_FALSE(server.is_serving());
+    ASSERT_EQ(server.process().Wait(10), 1) << "an error, not a crash: " << server.process().Stderr();
+    const std::string said = server.process().Stderr();
+    EXPECT_TRUE(std::regex_search(said, std::regex(bad.code))) << said;
+    EXPECT_EQ(ReadAll(File(bad.name)), bad.content);
+  }
+  ServerProcess no_folder(temp_->path(), File("no/such/folder/maps.db"));
+  EXPECT_FALSE(no_folder.is_serving());
+  EXPECT_EQ(no_folder.process().Wait(10), 1);
+  EXPECT_FALSE(no_folder.process().Stderr().empty());
+}
+
+TEST_F(CommandLine, TwoServersDoNotShareADatabase) {
+  ServerProcess second(temp_->path(), temp_->path() / "maps.db");
+  EXPECT_FALSE(second.is_serving());
+  EXPECT_EQ(second.process().Wait(10), 1);
+  EXPECT_EQ(Run({"maps"}).exit_code, 0) << "the first one goes on";
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/channel.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/e2e/process.h"
+
+namespace dhpmap::testing {
+
+/// dhpmap-server on free ports of this machine.
+class ServerProcess {
+ public:
+  /// Waits until it serves or has ended; see is_serving.
+  ServerProcess(const std::filesystem::path& log_dir, const std::filesystem::path& db);
+
+  [[nodiscard]] bool is_serving() const { return !grpc_address_.empty(); }
+  [[nodiscard]] const std::string& grpc_address() const { return grpc_address_; }
+  /// "http://127.0.0.1:12345".
+  [[nodiscard]] const std::string& http_url() const { return http_url_; }
+  [[nodiscard]] std::shared_ptr<grpc::Channel> Connect() const;
+  Process& process() { return process_; }
+  /// SIGTERM; the exit code, or empty if it takes longer than the 10 s that it may.
+  std::optional<int> Terminate();
+  /// The client against this server.
+  [[nodiscard]] Outcome Dhpmap(std::vector<std::string> arguments) const;
+
+ private:
+  std::filesystem::path log_dir_;
+  Process process_;
+  std::string grpc_address_, http_url_;
+};
+
+}  // namespace dhpmap::testing
