@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -23,6 +24,7 @@ std::string ReadAll(const std::filesystem::path& path) {
 class CommandLine : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
+    setenv("DHPMAP_SERVER", "127.0.0.1:1", 1);  // the flag goes before it, and it is no business of the server's
     temp_ = new TempDir();
     WriteRenderedDataset(temp_->path() / "dataset", 6);
     server_ = new ServerProcess(temp_->path(), temp_->path() / "maps.db");

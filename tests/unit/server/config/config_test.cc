@@ -129,6 +129,7 @@ TEST(CommandLine, MistakesAreErrors) {
   EXPECT_EQ(ParseCommandLine({}, {}).status().code(), StatusCode::kInvalidArgument);  // no database
   EXPECT_EQ(ParseCommandLine({"--db", "x", "--nope"}, {}).status().code(), StatusCode::kInvalidArgument);
   EXPECT_EQ(ParseCommandLine({"--db", "x", "--config", "/no/such/file"}, {}).status().code(), StatusCode::kNotFound);
+  EXPECT_TRUE(ParseCommandLine({"--db", "x"}, {"DHPMAP_SERVER=127.0.0.1:1"}).ok()) << "the client's variable";
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x"}, {"DHPMAP_NOPE=1"}).status()), std::set<std::string>{"DHPMAP_NOPE"});
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x", "--set", "nope"}, {}).status()), std::set<std::string>{"nope"});
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x", "--grpc", "0.0.0.0:1"}, {}).status()),
