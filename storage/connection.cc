@@ -44,6 +44,14 @@ Result<Database> OpenReader(const std::string& path, OpenMode mode, int busy_tim
   return database;
 }
 
+/// SQLite answers with the mode that it ended up in.
+Status SwitchToLog(Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement pragma, database.Prepare("PRAGMA journal_mode = WAL", kSetUpTask));
+  DHPMAP_ASSIGN_OR_RETURN(const bool has_row, pragma.Step());
+  if (has_row && pragma.Text(0) == "wal") return Status::Ok();
+  return FailedPrecondition("the file system of the database cannot hold a write-ahead log").WithReason("NO_WAL");
+}
+
 }  // namespace
 
 Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms) {
@@ -54,7 +62,7 @@ Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms) {
   if (database.IsReadOnly()) return NotWritable();
   database.SetCheckpointOnClose(true);
   if (schema == SchemaState::kEmpty) DHPMAP_RETURN_IF_ERROR(database.Execute("PRAGMA page_size = 4096", kSetUpTask));
-  DHPMAP_RETURN_IF_ERROR(database.Execute("PRAGMA journal_mode = WAL", kSetUpTask));
+  DHPMAP_RETURN_IF_ERROR(SwitchToLog(database));
   DHPMAP_RETURN_IF_ERROR(database.Execute(kEveryConnection, kSetUpTask));
   DHPMAP_RETURN_IF_ERROR(database.Execute(kWriterConnection, kSetUpTask));
   if (schema != SchemaState::kCurrent) DHPMAP_RETURN_IF_ERROR(MigrateSchema(database));

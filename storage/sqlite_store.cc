@@ -46,7 +46,19 @@ Result<StoredMap> Describe(Database& database, const std::string& name) {
                                            "count the map's blocks"));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, sums.Bind(row.key).Step());
   if (!has_row) return Internal("counting the map's blocks gave no row");
-  return StoredMap{std::move(row.info), row.num_submaps, sums.Int(0), sums.Int(1), sums.Int(2)};
+  return StoredMap{std::move(row.info), row.num_submaps, sums.Int(0), sums.Int(1), sums.Int(2), {}};
+}
+
+/// Errors that come from one map's rows, not from the database as a whole.
+bool IsDamage(const Status& status) {
+  return status.code() == StatusCode::kDataLoss || status.code() == StatusCode::kFailedPrecondition;
+}
+
+StoredMap DamagedMap(const std::string& name, const Status& why) {
+  StoredMap map;
+  map.info.name = name;
+  map.damage = why;
+  return map;
 }
 
 class SqliteStore final : public MapStore {
@@ -59,8 +71,9 @@ class SqliteStore final : public MapStore {
       DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> names, ReadMapNames(database));
       std::vector<StoredMap> maps;
       for (const std::string& name : names) {
-        DHPMAP_ASSIGN_OR_RETURN(StoredMap map, Describe(database, name));
-        maps.push_back(std::move(map));
+        Result<StoredMap> map = Describe(database, name);
+        if (!map.ok() && !IsDamage(map.status())) return map.status();
+        maps.push_back(map.ok() ? std::move(map).value() : DamagedMap(name, map.status()));
       }
       return maps;
     });

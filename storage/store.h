@@ -21,6 +21,8 @@ struct StoredMap {
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
   std::int64_t blob_bytes = 0;  ///< size of the encoded blocks
+  /// From ListMaps: why the map cannot be read; then of all else only info.name is valid.
+  Status damage;
 };
 
 /// Keeps maps. The only header of storage/ that server/ sees. Thread-safe: calls on different maps and reads may run at
@@ -31,7 +33,7 @@ class MapStore {
  public:
   virtual ~MapStore() = default;
 
-  /// By name.
+  /// By ascending name. A damaged map is among them: it does not keep the others from being served.
   virtual Result<std::vector<StoredMap>> ListMaps() = 0;
   virtual Result<StoredMap> GetMap(const std::string& name) = 0;
 
@@ -53,8 +55,10 @@ struct SqliteStoreOptions {
   int busy_timeout_ms = 5000;
 };
 
-/// Opens or creates a database file. DATA_LOSS if it is not a database, FAILED_PRECONDITION if it is not ours (other
-/// application_id), of a newer schema, or not writable.
+/// Opens or creates a database file. DATA_LOSS if it is damaged or no database; FAILED_PRECONDITION, by reason:
+/// FOREIGN_DATABASE (other application_id), NEWER_SCHEMA, NOT_WRITABLE, NOT_A_FILE, DATABASE_IN_USE (another store, of
+/// this or another process, writes to it; names the process). NOT_FOUND if its folder is not there. With read_only,
+/// which works beside a writer: NOT_FOUND if there is no file, reason OLDER_SCHEMA if it must be migrated first.
 Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const SqliteStoreOptions& options = {});
 
 /// Keeps everything in memory, for tests and benchmarks: the same contract, without loss of precision.

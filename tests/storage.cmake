@@ -1,4 +1,8 @@
-dhpmap_tests(ROOM unit/storage LIBS dhpmap_storage dhpmap_test_scenes)
+# In memory where there is such a folder: most of what these tests wait for is the sync of a busy disk.
+if(EXISTS /dev/shm)
+  set(storage_test_environment TMPDIR=/dev/shm)
+endif()
+dhpmap_tests(ROOM unit/storage LIBS dhpmap_storage dhpmap_test_scenes ENVIRONMENT ${storage_test_environment})
 
 # Sizes and rates of codec and store on a fused scene or data set; not a test.
 if(TARGET dhpmap_pipeline AND TARGET dhpmap_datasets)

@@ -2,6 +2,7 @@
 #include "storage/schema/migrate.h"
 
 #include <string>
+#include <vector>
 
 #include "storage/sqlite/transaction.h"
 
@@ -14,25 +15,40 @@ Status NotOurs() {
   return FailedPrecondition("the database file belongs to another application").WithReason("FOREIGN_DATABASE");
 }
 
-/// DATA_LOSS unless every table, index and trigger of our schema is there. More may be: those of an operator.
-Status CheckObjects(sqlite::Database& database) {
+struct SchemaObject {
+  std::string type, name, sql;
+};
+
+/// What an empty database of the present schema has.
+Result<std::vector<SchemaObject>> ReferenceObjects() {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Database reference, sqlite::Database::OpenInMemory());
   for (const char* step : SchemaSteps()) DHPMAP_RETURN_IF_ERROR(reference.Execute(step, "make a reference schema"));
-  DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement ours,
-                          reference.Prepare("SELECT type, name, sql FROM sqlite_schema", kTask));
+  DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement select,
+                          reference.Prepare("SELECT type, name, ifnull(sql, '') FROM sqlite_schema", kTask));
+  std::vector<SchemaObject> objects;
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
+    if (!has_row) return objects;
+    objects.push_back({select.Text(0), select.Text(1), select.Text(2)});
+  }
+}
+
+/// DATA_LOSS unless every table, index and trigger of our schema is there. More may be: those of an operator.
+Status CheckObjects(sqlite::Database& database) {
+  static const Result<std::vector<SchemaObject>> reference = ReferenceObjects();
+  if (!reference.ok()) return reference.status();
   DHPMAP_ASSIGN_OR_RETURN(
       sqlite::Statement find,
       database.Prepare("SELECT count(*) FROM sqlite_schema WHERE type = ? AND name = ? AND ifnull(sql, '') = ?",
                        kTask));
-  for (;;) {
-    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, ours.Step());
-    if (!has_row) return Status::Ok();
-    const std::string type = ours.Text(0), name = ours.Text(1), sql = ours.Text(2);
-    DHPMAP_ASSIGN_OR_RETURN(const bool counted, find.Bind(type).Bind(name).Bind(sql).Step());
-    if (!counted || find.Int(0) != 1)
+  for (const SchemaObject& object : *reference) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool counted, find.Bind(object.type).Bind(object.name).Bind(object.sql).Step());
+    if (!counted || find.Int(0) != 1) {
       return DataLoss("the database lacks a part of its schema").WithReason("BAD_SCHEMA");
+    }
     find.Reset();
   }
+  return Status::Ok();
 }
 
 }  // namespace

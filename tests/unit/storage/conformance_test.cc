@@ -200,14 +200,14 @@ TEST_P(MapStoreTest, WritesAChangedConfigAndLabelSet) {
 }
 
 TEST_P(MapStoreTest, FollowsRandomHistories) {
-  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     MapGenerator generator(seed);
     const std::string name = "map-" + std::to_string(seed);
     Map map(generator.Info(name));
     generator.AddSubmap(map, 3);
     ASSERT_TRUE(store_->CreateMap(*map.Publish(1)).ok());
-    for (int step = 0; step < 25; ++step) {
+    for (int step = 0; step < 20; ++step) {
       const auto before = map.published();
       generator.Change(map);
       if (generator.Below(3) == 0) map.Publish(step);  // a state that was never committed
