@@ -8,4 +8,5 @@ dhpmap_tests(ROOM unit/storage LIBS dhpmap_storage dhpmap_test_scenes ENVIRONMEN
 if(TARGET dhpmap_pipeline AND TARGET dhpmap_datasets)
   dhpmap_program(NAME dhpmap_storage_bench SOURCES unit/storage/storage_bench.cc
     LIBS dhpmap_storage dhpmap_pipeline dhpmap_datasets dhpmap_test_scenes)
+  set_target_properties(dhpmap_storage_bench PROPERTIES EXCLUDE_FROM_ALL ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
 endif()
