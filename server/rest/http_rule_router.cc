@@ -167,13 +167,16 @@ RouteMatch HttpRuleRouter::Find(std::string_view http_method, std::string_view e
 }
 
 std::string HttpRuleRouter::AllowedMethods(std::string_view encoded_path) const {
-  std::string allowed;
-  std::set<std::string_view> seen;
+  std::set<std::string_view> methods;
   for (const Route& route : routes_) {
-    if (!route.path.Match(encoded_path) || !seen.insert(route.http_method).second) continue;
+    if (!route.path.Match(encoded_path)) continue;
+    methods.insert(route.http_method);
+    if (route.http_method == "GET") methods.insert("HEAD");
+  }
+  std::string allowed;
+  for (const std::string_view method : methods) {
     if (!allowed.empty()) allowed += ", ";
-    allowed += route.http_method;
-    if (route.http_method == "GET") allowed += ", HEAD";
+    allowed += method;
   }
   return allowed;
 }

@@ -59,7 +59,7 @@ class HttpRuleRouter {
 
   /// The route and path values; `route` is null if the path is unknown for this method. HEAD finds the routes of GET.
   [[nodiscard]] RouteMatch Find(std::string_view http_method, std::string_view encoded_path) const;
-  /// Methods that the path has, for `Allow`: "GET, HEAD, DELETE"; empty if the path is unknown.
+  /// Methods that the path has, for `Allow`: "DELETE, GET, HEAD"; empty if the path is unknown.
   [[nodiscard]] std::string AllowedMethods(std::string_view encoded_path) const;
 
   /// Most specific first.

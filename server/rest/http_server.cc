@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -15,6 +16,8 @@
 #include <boost/beast/http/read.hpp>
 #include <charconv>
 #include <chrono>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -58,7 +61,8 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
   void ReadHead() override {
     parser_.emplace();
     parser_->header_limit(kMaxHead_bytes);
-    parser_->body_limit(boost::none);  // the exchange limits it
+    parser_->body_limit(
+        std::numeric_limits<std::uint64_t>::max());  // the exchange limits it; none does not work in 1.74
     stream_.expires_after(kHeadTimeout);
     http::async_read_header(stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
       if (self->events_) self->events()->OnHead(self->MakeHead(error));
@@ -199,6 +203,8 @@ struct HttpServer::Impl {
   void Accepted(const error_code& error, tcp::socket socket);
 
   asio::io_context io;
+  // Calls that outlast their connections still report through the threads.
+  asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   tcp::acceptor acceptor;  // used on its strand only, once the threads run
   asio::steady_timer retry;
   OnConnection on_connection;

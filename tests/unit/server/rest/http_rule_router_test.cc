@@ -116,7 +116,7 @@ TEST(HttpRuleRouter, TellsVerbsApart) {
   EXPECT_EQ(Router().Find("GET", "/v1/maps/a:nothing").route, nullptr);
   EXPECT_EQ(Router().Find("DELETE", "/v1/maps/a:stats").route, nullptr) << "must not delete a map";
   EXPECT_EQ(Router().AllowedMethods("/v1/maps/a:stats"), "GET, HEAD");
-  EXPECT_EQ(Router().AllowedMethods("/v1/maps/a"), "GET, HEAD, DELETE");
+  EXPECT_EQ(Router().AllowedMethods("/v1/maps/a"), "DELETE, GET, HEAD");
   EXPECT_EQ(Router().AllowedMethods("/v2/maps/a"), "");
 }
 
@@ -201,7 +201,7 @@ TEST(HttpRuleRouter, KnowsPutCustomAndAdditionalBindings) {
   ASSERT_TRUE(router.ok()) << router.status().message();
   EXPECT_EQ(router->Find("PUT", "/v1/a/1").route->response_field->name(), "submap");
   EXPECT_NE(router->Find("PURGE", "/v1/a/1").route, nullptr);
-  EXPECT_EQ(router->AllowedMethods("/v1/a/1"), "PUT, PURGE");
+  EXPECT_EQ(router->AllowedMethods("/v1/a/1"), "PURGE, PUT");
 }
 
 }  // namespace
