@@ -9,6 +9,8 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "server/rest/callback_waker.h"
+
 namespace dhpmap::rest {
 namespace {
 
@@ -134,6 +136,7 @@ class GenericStreamCall final : public StreamCall, public grpc::ClientBidiReacto
 struct RpcCaller::Impl {
   explicit Impl(std::shared_ptr<grpc::Channel> channel) : stub(std::move(channel)) {}
 
+  CallbackWaker waker;
   grpc::GenericStub stub;
   std::shared_ptr<CallCounter> counter = std::make_shared<CallCounter>();
 };
