@@ -55,7 +55,7 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
 
   const int signal = WaitForSignal(signals);
   LogInfo("got signal " + std::to_string(signal) + ": ending streams, storing what is fused");
-  grpc->SetServing(false);
+  grpc->Drain();
   gateway->Shutdown(config.shutdown_grace_s);
   grpc->Shutdown(config.shutdown_grace_s);
   return registry->Shutdown();

@@ -93,9 +93,13 @@ std::shared_ptr<grpc::Channel> GrpcServer::InProcessChannel() {
   return impl_->server->InProcessChannel(arguments);
 }
 
-void GrpcServer::Shutdown(double grace_s) {
+void GrpcServer::Drain() {
   SetServing(false);
   impl_->streams.StopAll();
+}
+
+void GrpcServer::Shutdown(double grace_s) {
+  Drain();
   const auto grace =
       std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(grace_s));
   impl_->server->Shutdown(std::chrono::system_clock::now() + grace);

@@ -49,8 +49,12 @@ class GrpcServer {
   /// A channel to this server inside the process; for the REST gateway and tests.
   [[nodiscard]] std::shared_ptr<grpc::Channel> InProcessChannel();
 
-  /// Refuses new calls. Streams of frames are ended with UNAVAILABLE once what was read from them is fused, stored and
-  /// acknowledged; other calls may go on for `grace_s`, then they are cancelled. Returns when all have ended.
+  /// Health says NOT_SERVING, and no more frames are taken: streams of frames end with UNAVAILABLE once what was read
+  /// from them is fused, stored and acknowledged. Everything else goes on. Does not wait.
+  void Drain();
+
+  /// Drain; then refuses new calls, lets running ones go on for `grace_s`, cancels those left, and returns when all
+  /// have ended.
   void Shutdown(double grace_s);
 
  private:

@@ -192,6 +192,58 @@ TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 2);
 }
 
+TEST(Mapping, OneFrameInFlightAndTheInProcessChannelAreEnough) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {}, {.num_threads = 1, .max_frames_in_flight = 1});
+  Create(server, "room");
+  const auto mapping = v1::MappingService::NewStub(server.grpc().InProcessChannel());
+  const FeedResult fed = Feed(*mapping, "room", 0, 8);
+  EXPECT_TRUE(fed.status.ok()) << fed.status.error_message();
+  EXPECT_EQ(fed.acks.size(), 8u);
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 8);
+}
+
+TEST(Mapping, AClientThatReadsNoAcknowledgementsLosesNothing) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {}, {.max_frames_in_flight = 2});
+  Create(server, "room");
+  grpc::ClientContext context;
+  const auto stream = server.mapping->IntegrateFrames(&context);
+  for (int i = 0; i < 20; ++i) {
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/room");
+    *request.mutable_frame() = TestFrame(i);
+    ASSERT_TRUE(stream->Write(request));
+  }
+  stream->WritesDone();
+  int num_acks = 0;
+  v1::IntegrateFramesResponse ack;
+  while (stream->Read(&ack)) ++num_acks;
+  EXPECT_EQ(num_acks, 20);
+  EXPECT_TRUE(stream->Finish().ok());
+}
+
+TEST(Mapping, OneStreamFeedsOneMap) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, "room");
+  Create(server, "hall");
+  grpc::ClientContext context;
+  const auto stream = server.mapping->IntegrateFrames(&context);
+  v1::IntegrateFramesRequest request;
+  for (const char* map : {"maps/room", "", "maps/hall"}) {
+    request.set_map(map);
+    *request.mutable_frame() = TestFrame(0);
+    stream->Write(request);
+  }
+  int num_acks = 0;
+  v1::IntegrateFramesResponse ack;
+  while (stream->Read(&ack)) ++num_acks;
+  EXPECT_EQ(num_acks, 2);
+  EXPECT_EQ(stream->Finish().error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 2);  // what was acknowledged is stored all the same
+}
+
 TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);

@@ -122,9 +122,9 @@ v1::CreateMapRequest CreateRequest(const std::string& map_id) {
   return request;
 }
 
-FeedResult Feed(TestServer& server, const std::string& map_id, int begin, int end) {
+FeedResult Feed(v1::MappingService::Stub& mapping, const std::string& map_id, int begin, int end) {
   ::grpc::ClientContext context;
-  auto stream = server.mapping->IntegrateFrames(&context);
+  auto stream = mapping.IntegrateFrames(&context);
   std::thread writer([&] {
     for (int i = begin; i < end; ++i) {
       v1::IntegrateFramesRequest request;

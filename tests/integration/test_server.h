@@ -55,7 +55,10 @@ struct FeedResult {
   grpc::Status status;
 };
 /// Sends frames [begin, end) of the walk to maps/{map_id}, reading acknowledgements meanwhile.
-FeedResult Feed(TestServer& server, const std::string& map_id, int begin, int end);
+FeedResult Feed(v1::MappingService::Stub& mapping, const std::string& map_id, int begin, int end);
+inline FeedResult Feed(TestServer& server, const std::string& map_id, int begin, int end) {
+  return Feed(*server.mapping, map_id, begin, end);
+}
 
 /// A grid of points through TestScene.
 v1::QueryPointsRequest TestQuery(const std::string& map_id);
