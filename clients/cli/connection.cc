@@ -61,6 +61,7 @@ ExitCode ReportLocalError(const std::string& message, ExitCode code) {
 
 void PrintJson(const google::protobuf::Message& message) {
   google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;  // as the REST door prints them
   options.add_whitespace = true;
   options.always_print_primitive_fields = true;
   std::string text;
