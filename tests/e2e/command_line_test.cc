@@ -52,7 +52,7 @@ TEST_F(CommandLine, ListsMapsAndSubmapsForPeopleAndMachines) {
   const Outcome all = Run({"submaps", "room"});
   for (const char* name : {"Ball", "Box", "Floor", "Wall"}) EXPECT_NE(all.out.find(name), std::string::npos) << all.out;
   const Outcome balls = Run({"submaps", "room", "--class", "ball", "--json"});
-  EXPECT_NE(balls.out.find("\"className\": \"Ball\""), std::string::npos) << balls.out;
+  EXPECT_NE(balls.out.find("\"class_name\": \"Ball\""), std::string::npos) << balls.out;
   EXPECT_EQ(balls.out.find("Wall"), std::string::npos) << balls.out;
   EXPECT_EQ(Run({"submaps", "room", "--kind", "stuff", "--json"}).out.find("THING"), std::string::npos);
   EXPECT_NE(Run({"stats", "room"}).out.find("observed of"), std::string::npos);
@@ -84,7 +84,7 @@ TEST_F(CommandLine, EditsObjects) {
   EXPECT_EQ(Run({"edit", "rename", "room", copy, "lamp"}).exit_code, 0);
   const Outcome shown = Run({"submaps", "room", copy, "--json"});
   EXPECT_NE(shown.out.find("\"displayName\": \"lamp\""), std::string::npos) << shown.out;
-  EXPECT_NE(shown.out.find("\"className\": \"Ball\""), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("\"class_name\": \"Ball\""), std::string::npos) << shown.out;
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 0);
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 3);
 }
