@@ -83,7 +83,7 @@ TEST_F(CommandLine, EditsObjects) {
   EXPECT_EQ(Run({"edit", "relabel", "room", copy, "spoon"}).exit_code, 3);
   EXPECT_EQ(Run({"edit", "rename", "room", copy, "lamp"}).exit_code, 0);
   const Outcome shown = Run({"submaps", "room", copy, "--json"});
-  EXPECT_NE(shown.out.find("\"displayName\": \"lamp\""), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("\"display_name\": \"lamp\""), std::string::npos) << shown.out;
   EXPECT_NE(shown.out.find("\"class_name\": \"Ball\""), std::string::npos) << shown.out;
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 0);
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 3);
