@@ -8,13 +8,13 @@ deploy/setup.sh --quiet
 
 passed=0
 failed=0
-# build_and_test PRESET [ctest arguments]: adds to passed and failed.
+# build_and_test PRESET TARGET [ctest arguments]: adds to passed and failed.
 build_and_test() {
-  local preset=$1
-  shift
+  local preset=$1 target=$2
+  shift 2
   echo "== $preset: configure and build"
   cmake --preset "$preset" -DDHPMAP_BUILD_TESTS=ON >"build/$preset-configure.log" 2>&1 || { cat "build/$preset-configure.log"; exit 1; }
-  cmake --build --preset "$preset" >"build/$preset-build.log" 2>&1 || { tail -n 60 "build/$preset-build.log"; exit 1; }
+  cmake --build --preset "$preset" --target "$target" >"build/$preset-build.log" 2>&1 || { tail -n 60 "build/$preset-build.log"; exit 1; }
   echo "== $preset: test"
   local log="build/$preset-test.log"
   ctest --preset "$preset" -j "$(nproc)" "$@" >"$log" 2>&1 || true
@@ -34,11 +34,11 @@ build_and_test() {
 
 mkdir -p build
 case "${1:-}" in
-  "") build_and_test release ;;
+  "") build_and_test release all ;;
   --sanitizers)
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/deploy/tsan.supp"
-    build_and_test asan -L unit
-    build_and_test tsan -L 'threads|integration'
+    build_and_test asan dhpmap_unit_tests -L unit
+    build_and_test tsan dhpmap_threaded_tests -L threads
     ;;
   *)
     echo "usage: deploy/test.sh [--sanitizers]" >&2
