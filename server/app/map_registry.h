@@ -44,8 +44,8 @@ class MapRegistry {
   Result<std::int64_t> DiskBytes(const std::string& name);
   [[nodiscard]] std::vector<std::shared_ptr<MapSession>> OpenSessions() const;
 
-  /// Stops every session: see MapSession::Stop. Later calls to OpenSession fail with UNAVAILABLE. Returns why a map's last
-  /// state could not be stored, or OK.
+  /// Stops every session: see MapSession::Stop. What is open can still be read; a map that is not open can no longer be
+  /// opened (UNAVAILABLE). Returns why a map's last state could not be stored, or OK.
   Status Shutdown();
 
  private:
