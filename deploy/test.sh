@@ -37,8 +37,8 @@ case "${1:-}" in
   "") build_and_test release all ;;
   --sanitizers)
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/deploy/tsan.supp"
-    build_and_test asan dhpmap_unit_tests -L unit
-    build_and_test tsan dhpmap_threaded_tests -L threads
+    build_and_test asan dhpmap_unit_tests -R '^unit/'
+    build_and_test tsan dhpmap_threaded_tests -R '^(integration|unit/server/[a-z]+|unit/storage|unit/mapping/(base|pipeline))/'
     ;;
   *)
     echo "usage: deploy/test.sh [--sanitizers]" >&2

@@ -17,5 +17,5 @@ add_library(dhpmap_rest_support STATIC ${rest_dir}/canned_server.cc ${rest_dir}/
 target_include_directories(dhpmap_rest_support PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(dhpmap_rest_support PUBLIC dhpmap_rest dhpmap_proto PRIVATE dhpmap_warnings)
 
-dhpmap_tests(ROOM unit/server/rest LABELS server
+dhpmap_tests(ROOM unit/server/rest
   LIBS dhpmap_rest_support dhpmap_rest_test_proto dhpmap_rest dhpmap_app dhpmap_proto)
