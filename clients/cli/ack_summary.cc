@@ -61,9 +61,13 @@ std::size_t AckSummary::num_created() const {
 
 void AckSummary::Print(std::ostream& out, double elapsed_s) const {
   const std::lock_guard lock(mutex_);
-  const double num_frames = static_cast<double>(std::max<std::size_t>(num_fused_, 1));
-  out << num_fused_ << " frames fused in " << Fixed(elapsed_s, 1) << " s (" << Fixed(num_frames / elapsed_s, 1)
-      << " frames/s; " << Fixed(1e3 * fuse_s_ / num_frames, 1) << " ms a frame in the server's pipeline)\n";
+  out << num_fused_ << " frames fused";
+  if (num_fused_ > 0) {
+    const auto num_frames = static_cast<double>(num_fused_);
+    out << " in " << Fixed(elapsed_s, 1) << " s (" << Fixed(num_frames / elapsed_s, 1) << " frames/s; "
+        << Fixed(1e3 * fuse_s_ / num_frames, 1) << " ms a frame in the server's pipeline)";
+  }
+  out << "\n";
   if (num_points_ > 0) {
     out << num_points_ << " points, "
         << Fixed(100.0 * static_cast<double>(num_unknown_points_) / static_cast<double>(num_points_), 1)
