@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <chrono>
 #include <map>
 #include <utility>
 
@@ -232,21 +231,14 @@ TEST(ColorOfId, TellsTheFirstThousandApart) {
   EXPECT_GT(seen.size(), 950u);
 }
 
-TEST(ExtractMesh, HouseSizedSubmapTakesWellUnderATenthOfASecond) {
+TEST(ExtractMesh, MeshesASheetAcrossThousandsOfBlocks) {
   // A wavy sheet: 70 x 70 blocks of surface, 2 high.
   const DistanceFunction sheet = [](const Eigen::Vector3d& p) {
     return p.z() - 0.2 * std::sin(p.x()) * std::sin(p.y() * 1.3);
   };
   const Submap submap = SolidSubmap(sheet, {0, 0, -1}, {49, 49, 0});
   ASSERT_EQ(submap.blocks().size(), 5000u);
-  const auto start = std::chrono::steady_clock::now();
-  const Mesh mesh = Extract(submap);
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-  RecordProperty("ms", static_cast<int>(took.count()));
-  EXPECT_GT(mesh.triangles.size(), 300'000u);
-#if defined(NDEBUG) && !defined(DHPMAP_SANITIZED)
-  EXPECT_LT(took.count(), 400);  // measured about 40; the rest is for a busy machine
-#endif
+  EXPECT_GT(Extract(submap).triangles.size(), 300'000u);
 }
 
 }  // namespace
