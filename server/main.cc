@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/map_stats.h"
 #include "server/config/command_line.h"
 #include "server/grpc/grpc_server.h"
 #include "server/log/log.h"
@@ -43,6 +42,9 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   Metrics metrics;
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(config.db, StoreOptionsOf(config)));
   DHPMAP_ASSIGN_OR_RETURN(const auto registry, MapRegistry::Open(*store, SessionOptionsOf(config, metrics)));
+  for (const MapSummary& map : registry->List()) {
+    if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
+  }
   DHPMAP_ASSIGN_OR_RETURN(const auto grpc, GrpcServer::Start(GrpcOptionsOf(config), *registry, ObserverOf(metrics)));
   DHPMAP_ASSIGN_OR_RETURN(const auto gateway,
                           Gateway::Start(GatewayOptionsOf(config), grpc->InProcessChannel(),

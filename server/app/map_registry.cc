@@ -25,7 +25,7 @@ Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionO
   for (StoredMap& map : maps) {
     auto entry = std::make_shared<Entry>();
     entry->exists = true;
-    entry->stored = {.info = std::move(map.info), .num_submaps = map.num_submaps};
+    entry->stored = {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = std::move(map.damage)};
     const std::string name = entry->stored.info.name;
     registry->entries_.emplace(name, std::move(entry));
   }
@@ -65,7 +65,9 @@ Result<MapSummary> MapRegistry::Get(const std::string& name) const {
   const std::lock_guard lock(mutex_);
   const auto found = entries_.find(name);
   if (found == entries_.end() || !found->second->exists) return NoSuchMap(name);
-  return Summarise(*found->second);
+  MapSummary summary = Summarise(*found->second);
+  if (!summary.damage.ok()) return summary.damage;
+  return summary;
 }
 
 std::vector<MapSummary> MapRegistry::List() const {
@@ -112,6 +114,7 @@ Result<std::shared_ptr<MapSession>> MapRegistry::OpenSession(const std::string& 
     const std::lock_guard lock(mutex_);
     if (!entry->exists) return NoSuchMap(name);
     if (entry->session) return entry->session;
+    if (!entry->stored.damage.ok()) return entry->stored.damage;
   }
   DHPMAP_ASSIGN_OR_RETURN(std::shared_ptr<const MapSnapshot> snapshot, store_.LoadMap(name));
   auto session = Install(*entry, std::move(snapshot));

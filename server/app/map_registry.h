@@ -16,6 +16,7 @@ namespace dhpmap {
 struct MapSummary {
   MapInfo info;
   std::int64_t num_submaps = 0;  ///< the unknown submap included
+  Status damage;                 ///< why the store cannot read the map; then of all else only info.name is valid
 };
 
 /// All maps of a store. A map is loaded when somebody first asks for more than its summary, and stays open.
@@ -30,9 +31,9 @@ class MapRegistry {
   /// Adds a map with `info`'s name, display name, config (must be valid) and label set. INVALID_ARGUMENT for a bad
   /// name, ALREADY_EXISTS.
   Result<MapSummary> Create(MapInfo info);
-  /// NOT_FOUND if there is no such map.
+  /// NOT_FOUND if there is no such map, DATA_LOSS if it is damaged.
   Result<MapSummary> Get(const std::string& name) const;
-  /// By name.
+  /// By name, damaged ones included.
   [[nodiscard]] std::vector<MapSummary> List() const;
   /// Returns the last revision. FAILED_PRECONDITION while frames are being streamed into the map. Blocks.
   Result<std::int64_t> Delete(const std::string& name);

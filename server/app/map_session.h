@@ -47,8 +47,8 @@ struct EditOutcome {
 
 /// One open map: its writer thread owns the MapBuilder and works through frames and edits in the order they came; its
 /// CommitWorker brings what the writer publishes into the store. Readers take View() and never wait for either.
-/// Thread-safe. Callbacks run on the session's threads and must be quick; each runs exactly once. Whoever lets go of the
-/// last reference must have called Stop() if that may happen in a callback.
+/// Thread-safe. Callbacks run on the session's threads and must be quick; each runs exactly once. Whoever lets go of
+/// the last reference must have called Stop() if that may happen in a callback.
 class MapSession {
  public:
   /// `snapshot` is the state the store holds. The store outlives the session.

@@ -22,8 +22,8 @@ struct GrpcServer::Impl {
   Impl(const GrpcOptions& grpc_options, MapRegistry& registry, GrpcObserver grpc_observer)
       : options(grpc_options),
         observer(std::move(grpc_observer)),
-        pool(std::max(1, grpc_options.num_threads)),
-        context{registry, pool, options, observer} {
+        context{registry, pool, options, observer},
+        pool(std::max(1, grpc_options.num_threads)) {
     services.push_back(MakeMapService(context));
     services.push_back(MakeMappingService(context, streams));
     services.push_back(MakeSubmapService(context));
@@ -32,8 +32,8 @@ struct GrpcServer::Impl {
 
   GrpcOptions options;
   GrpcObserver observer;
-  HandlerPool pool;
   ServiceContext context;
+  HandlerPool pool;  // its threads read what is above
   IntegrateStreams streams;
   std::vector<std::unique_ptr<grpc::Service>> services;
   int port = 0;

@@ -179,6 +179,37 @@ TEST_F(MapSessionTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 20);
 }
 
+/// A store with one map of which nothing but the name can be read.
+class DamagedStore final : public MapStore {
+ public:
+  Result<std::vector<StoredMap>> ListMaps() override {
+    if (is_deleted) return std::vector<StoredMap>{};
+    return std::vector<StoredMap>{{.info = {.name = "ruin"}, .damage = DataLoss("a checksum is wrong")}};
+  }
+  Result<StoredMap> GetMap(const std::string&) override { return DataLoss("a checksum is wrong"); }
+  Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
+  Status Commit(const MapSnapshot&, const MapSnapshot&, Durability) override { return Status::Ok(); }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return DataLoss("no"); }
+  Status DeleteMap(const std::string&) override {
+    is_deleted = true;
+    return Status::Ok();
+  }
+  bool is_deleted = false;
+};
+
+TEST(MapRegistry, ADamagedMapIsListedRefusedAndCanBeDeletedBesideTheOthers) {
+  DamagedStore store;
+  const auto registry = std::move(MapRegistry::Open(store, {.num_threads = 1})).value();
+  ASSERT_EQ(registry->List().size(), 1u);
+  EXPECT_EQ(registry->List()[0].damage.code(), StatusCode::kDataLoss);
+  EXPECT_EQ(registry->Get("ruin").status().code(), StatusCode::kDataLoss);
+  EXPECT_EQ(registry->OpenSession("ruin").status().code(), StatusCode::kDataLoss);
+  EXPECT_EQ(registry->Create(RoomInfo("ruin")).status().code(), StatusCode::kAlreadyExists);
+  EXPECT_TRUE(registry->Create(RoomInfo("room")).ok());
+  EXPECT_TRUE(registry->Delete("ruin").ok());
+  EXPECT_EQ(registry->List().size(), 1u);
+}
+
 TEST_F(MapSessionTest, AMapIsDeletedUnderItsUsers) {
   Open({});
   Integrate(0);
