@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "clients/simulator/apartment.h"
+#include "clients/simulator/instance_views.h"
+#include "mapping/base/result.h"
+#include "mapping/base/thread_pool.h"
+
+namespace dhpmap::simulator {
+
+struct RecordingOptions {
+  std::filesystem::path directory;
+  std::string run = "run1";  ///< folder of the frames in `directory`
+  int num_frames = 120;      ///< once round the apartment
+  int first_frame = 0;       ///< earlier ones are left out
+  std::uint64_t seed = 1;
+  int width_px = 640;
+  int height_px = 480;
+  bool has_depth_noise = true;
+  bool has_predictions = true;  ///< beside the ground truth
+
+  /// INVALID_ARGUMENT naming every value out of range.
+  [[nodiscard]] Status Validate() const;
+};
+
+/// Renders a walk through the apartment as a data set in the flat layout: the run's folder, label tables, camera.txt
+/// and truth.json. Every byte follows from the options, whatever the number of threads; a frame does not depend on
+/// which others are written. `on_frame_done` is called from any thread of the pool. Returns what was seen of each
+/// instance. INVALID_ARGUMENT for options out of range, UNAVAILABLE where a file cannot be written; the first error
+/// ends the work.
+Result<std::vector<InstanceView>> RecordApartment(const ApartmentScene& scene, const RecordingOptions& options,
+                                                  ThreadPool& threads, const std::function<void()>& on_frame_done = {});
+
+}  // namespace dhpmap::simulator

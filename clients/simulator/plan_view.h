@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "clients/simulator/renderer.h"
+
+namespace dhpmap::simulator {
+
+/// The apartment from above, ceiling taken off, with the camera's way drawn in; 4:3.
+RenderedFrame RenderPlan(int width_px);
+
+}  // namespace dhpmap::simulator

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <mutex>
+
+namespace dhpmap::simulator {
+
+/// Counts frames on stderr: a bar on a terminal, else a line at every quarter. Thread-safe.
+class Progress {
+ public:
+  Progress(int total, bool is_quiet);
+  void Step();
+
+ private:
+  void Draw();
+
+  const int total_;
+  const bool is_quiet_;
+  const bool is_terminal_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::mutex mutex_;
+  int done_ = 0;  // guarded by mutex_
+};
+
+}  // namespace dhpmap::simulator

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "clients/simulator/apartment.h"
+#include "clients/simulator/shading.h"
+#include "mapping/base/transform.h"
+#include "mapping/sensor/pinhole_camera.h"
+
+namespace dhpmap::simulator {
+
+/// Row-major images of one size, exact.
+struct RenderedFrame {
+  PinholeCamera camera;
+  Transform T_map_camera = Transform::Identity();  ///< camera: z forward, x right, y down
+  std::vector<float> depth_m;                      ///< along the optical axis; 0 = nothing
+  std::vector<std::uint8_t> instances;             ///< ground-truth ids; 0 = nothing
+  std::vector<Rgb> color;                          ///< empty unless asked for
+};
+
+/// Ray direction (unit, camera frame) of a pixel; integer coordinates are pixel centres.
+Eigen::Vector3d PixelDirection(const PinholeCamera& camera, double u_px, double v_px);
+
+/// The flat layout's camera for 640 x 480, scaled with the width: 90 degrees wide.
+PinholeCamera FlatLayoutCamera(int width_px, int height_px);
+
+/// Renders depth and instances by one ray a pixel, colour by more where there are edges. Immutable, so thread-safe; a
+/// frame takes the calling thread. The scene must outlive it.
+class Renderer {
+ public:
+  enum class Output { kGeometry, kGeometryAndColor };
+
+  explicit Renderer(const ApartmentScene& scene, Output output = Output::kGeometryAndColor);
+  /// `camera` must be usable (PinholeCamera::Validate).
+  [[nodiscard]] RenderedFrame Render(const PinholeCamera& camera, const Transform& T_map_camera) const;
+
+ private:
+  struct Surface {
+    const Solid* solid = nullptr;
+    Light light = Light::Zero();
+  };
+
+  [[nodiscard]] Light Look(const Ray& ray, const ApartmentScene::Hit& hit, double focal_px) const;
+  [[nodiscard]] Light LookAround(const RenderedFrame& frame, int u, int v) const;
+  void SmoothEdges(const std::vector<Surface>& surfaces, RenderedFrame& frame) const;
+
+  const ApartmentScene& scene_;
+  std::optional<Shader> shader_;  ///< unless only geometry is wanted
+};
+
+}  // namespace dhpmap::simulator

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/simulator/shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dhpmap::simulator {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr float kExposure = 1.25f;
+constexpr float kGloss = 0.05f;
+constexpr double kReachAcross_m = 0.35;  ///< how far a room's light is followed into the next one
+
+/// How far outside the room p is, 0 inside.
+double DistanceToRoom(const Room& room, double x, double y) {
+  return std::hypot(std::max({room.min_x_m - x, 0.0, x - room.max_x_m}),
+                    std::max({room.min_y_m - y, 0.0, y - room.max_y_m}));
+}
+
+std::size_t RoomOf(double x, double y) {
+  const std::span<const Room> rooms = ApartmentScene::Rooms();
+  const auto nearest = std::min_element(rooms.begin(), rooms.end(), [&](const Room& a, const Room& b) {
+    return DistanceToRoom(a, x, y) < DistanceToRoom(b, x, y);
+  });
+  return static_cast<std::size_t>(nearest - rooms.begin());
+}
+
+}  // namespace
+
+Rgb Develop(const Light& light) {
+  static const std::array<std::uint8_t, 4096> kEncoded = [] {
+    std::array<std::uint8_t, 4096> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const double c = static_cast<double>(i) / static_cast<double>(table.size() - 1);
+      const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+      table[i] = static_cast<std::uint8_t>(std::lround(255 * s));
+    }
+    return table;
+  }();
+  const auto channel = [](float x) {
+    // Linear for dark tones, 1 at infinity.
+    const float y = kExposure * std::max(x, 0.0f);
+    const float kept = y < 0.5f ? y : 1.0f - 0.25f / y;
+    return kEncoded[static_cast<std::size_t>(kept * 4095.0f)];
+  };
+  return {channel(light.x()), channel(light.y()), channel(light.z())};
+}
+
+Shader::Shader(const ApartmentScene& scene)
+    : scene_(scene), grid_(scene.solids()), sources_(ApartmentScene::Rooms().size()) {
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    sources_[i].push_back(
+        {ApartmentScene::Rooms()[i].lamp_m.cast<float>(), Vector3f::Zero(), Light(1.0f, 0.92f, 0.8f) * 0.85f, 7.0f});
+  }
+  for (const Solid& solid : scene.solids()) {
+    if (scene.MaterialOf(solid).pattern != Material::Pattern::kSky) continue;
+    const std::size_t room = RoomOf(solid.center_m.x(), solid.center_m.y());
+    const Room& inside = ApartmentScene::Rooms()[room];
+    const bool faces_x = solid.size_m.x() < solid.size_m.y();
+    const Eigen::Vector3d middle((inside.min_x_m + inside.max_x_m) / 2, (inside.min_y_m + inside.max_y_m) / 2, 0);
+    const Eigen::Vector3d inward = faces_x ? Eigen::Vector3d((middle - solid.center_m).x() < 0 ? -1 : 1, 0, 0)
+                                           : Eigen::Vector3d(0, (middle - solid.center_m).y() < 0 ? -1 : 1, 0);
+    const double area = 4 * std::max(solid.size_m.x(), solid.size_m.y()) * solid.size_m.z();
+    sources_[room].push_back({(solid.center_m + 0.15 * inward).cast<float>(), inward.cast<float>(),
+                              Light(0.82f, 0.92f, 1.0f) * static_cast<float>(0.75 * area), 3.0f});
+  }
+}
+
+// Share of the surroundings that is not blocked: the distance field along the normal, against that of an open plane.
+float Shader::Openness(const Point& at) const {
+  constexpr std::array<float, 4> kHeights_m{0.05f, 0.12f, 0.26f, 0.45f};
+  constexpr std::array<float, 4> kShares{0.2f, 0.22f, 0.26f, 0.32f};
+  float blocked = 0;
+  for (std::size_t i = 0; i < kHeights_m.size(); ++i) {
+    const float open_m = std::min(kHeights_m[i], DistanceGrid::kReach_m);
+    blocked += kShares[i] * std::max(0.0f, open_m - grid_.At(at.p + kHeights_m[i] * at.n)) / open_m;
+  }
+  return std::clamp(1.0f - 0.85f * blocked, 0.12f, 1.0f);
+}
+
+// Soft shadow by the closest pass of the ray to the light (Quilez, "soft shadows in raymarched SDFs").
+float Shader::Visibility(const Point& at, const Source& source) const {
+  constexpr float kStart_m = 0.1f, kMinStep_m = 0.06f, kNearLight_m = 0.3f;
+  const Vector3f start = at.p + 0.05f * at.n;
+  const Vector3f to_light = source.position_m - start;
+  const float distance_m = to_light.norm();
+  const Vector3f direction = to_light / distance_m;
+  float visible = 1;
+  for (float t = kStart_m; t < distance_m - kNearLight_m;) {
+    const float free_m = grid_.At(start + t * direction);
+    visible = std::min(visible, source.softness * free_m / t);
+    if (visible < 0.02f) return 0;
+    t += std::max(free_m, kMinStep_m);
+  }
+  return visible * visible * (3 - 2 * visible);
+}
+
+Light Shader::FromSource(const Point& at, const Source& source) const {
+  const Vector3f to_light = source.position_m - at.p;
+  const float squared = to_light.squaredNorm();
+  const Vector3f direction = to_light / std::sqrt(squared);
+  const float incidence = at.n.dot(direction);
+  if (incidence <= 0) return Light::Zero();
+  float strength = incidence / (0.45f + 0.28f * squared);
+  if (!source.facing.isZero()) strength *= std::max(0.0f, -source.facing.dot(direction));
+  if (strength < 0.004f) return Light::Zero();
+  const float visible = Visibility(at, source);
+  const Vector3f half = (direction + at.to_eye).normalized();
+  const float highlight = kGloss * std::pow(std::max(0.0f, at.n.dot(half)), 60.0f) / (0.15f + 0.1f * squared);
+  return source.light * visible * (strength + highlight);
+}
+
+Light Shader::FromRooms(const Point& at) const {
+  const std::span<const Room> rooms = ApartmentScene::Rooms();
+  const std::size_t own = RoomOf(at.p.x(), at.p.y());
+  Light sum = Light::Zero();
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    float share = 1;
+    if (i != own) {
+      const double outside_m = DistanceToRoom(rooms[i], at.p.x(), at.p.y());
+      if (outside_m >= kReachAcross_m) continue;
+      share = static_cast<float>(1 - outside_m / kReachAcross_m);
+    }
+    for (const Source& source : sources_[i]) sum += share * FromSource(at, source);
+  }
+  return sum;
+}
+
+Light Shader::Shade(const Ray& ray, const ApartmentScene::Hit& hit, double footprint_m) const {
+  const Eigen::Vector3d p = ray.At(hit.distance_m);
+  const Eigen::Vector3d normal = hit.solid->Normal(p);
+  const Material& material = scene_.MaterialOf(*hit.solid);
+  const Light albedo = Albedo(material, {*hit.solid, p, normal, footprint_m});
+  const Point at{p.cast<float>(), normal.cast<float>(), (-ray.direction).cast<float>()};
+  // Light from all around: a little more from above, warm from below off the floor.
+  const float up = 0.5f + 0.5f * at.n.z();
+  const Light around = Light(0.34f, 0.31f, 0.28f) * (1 - up) + Light(0.40f, 0.41f, 0.43f) * up;
+  const auto glow = static_cast<float>(material.glow);
+  const Light lit = albedo.cwiseProduct(around * Openness(at) + FromRooms(at));
+  return lit * (glow > 0.5f ? 0.4f : 1.0f) + glow * albedo;
+}
+
+}  // namespace dhpmap::simulator

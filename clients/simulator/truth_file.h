@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "clients/simulator/apartment.h"
+#include "clients/simulator/instance_views.h"
+
+namespace dhpmap::simulator {
+
+/// truth.json: what a map of the recording should answer. A list, an entry an instance that some frame sees: id, class,
+/// name, kind ("thing" or "stuff"), size ("S", "M", "L"), box_m {min, max}, point_m (on its surface, in full view of
+/// the camera), margin_px (of that point to the border of its surface), num_frames (that see enough of it).
+std::string TruthJson(const ApartmentScene& scene, std::span<const InstanceView> views);
+
+}  // namespace dhpmap::simulator
