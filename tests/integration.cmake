@@ -7,4 +7,3 @@ target_include_directories(dhpmap_test_server PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(dhpmap_test_server PUBLIC dhpmap_grpc dhpmap_proto dhpmap_storage dhpmap_test_scenes gRPC::grpc++
   PRIVATE dhpmap_warnings)
 dhpmap_tests(ROOM integration LIBS dhpmap_test_server gRPC::grpc++_reflection)
-target_sources(integration_test PRIVATE integration/tsan_suppressions.cc)
