@@ -47,7 +47,7 @@ std::string SegmentsJson(std::span<const PredictedSegment> segments) {
     Json entry{{"id", segment.id}, {"isthing", is_thing}, {"category_id", static_cast<int>(segment.object_class)}};
     if (is_thing) {
       entry["instance_id"] = segment.id;
-      entry["score"] = std::round(segment.score * 1000) / 1000;
+      entry["score"] = std::round(static_cast<double>(segment.score) * 1000) / 1000;
     }
     list.push_back(std::move(entry));
   }
