@@ -2,6 +2,7 @@
 #include "clients/simulator/bounding_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -9,7 +10,7 @@
 namespace dhpmap::simulator {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 2;
+constexpr std::uint32_t kLeafSize = 1;
 // A split leaves at least a sixth on each side, which bounds the depth at 38 for a thousand solids and 63 for 90 000.
 constexpr std::uint32_t kSmallestShare = 6;
 constexpr int kMaxDepth = 64;
@@ -21,41 +22,32 @@ double SurfaceArea(const Eigen::AlignedBox3d& box) {
   return s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
 }
 
-struct FloatRay {
-  std::array<float, 3> origin, inverse;
-  explicit FloatRay(const Ray& ray) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      origin[i] = static_cast<float>(ray.origin_m[static_cast<int>(i)]);
-      const auto d = static_cast<float>(ray.direction[static_cast<int>(i)]);
+}  // namespace
+
+struct BoundingTree::FastRay {
+  Eigen::Array4f origin = Eigen::Array4f::Zero(), inverse;
+  explicit FastRay(const Ray& ray) {
+    origin.head<3>() = ray.origin_m.cast<float>();
+    for (int i = 0; i < 3; ++i) {
+      const auto d = static_cast<float>(ray.direction[i]);
       inverse[i] = 1.0f / (std::abs(d) > 1e-12f ? d : 1e-12f);  // finite, so that 0 * inverse is not NaN
     }
+    inverse[3] = static_cast<float>(2 * kFar_m);  // the fourth lane, bounds 0 and 1, is the interval [0, 2 kFar_m]
   }
   /// Where the ray enters the box, or infinity if not before max_m.
-  template <typename Node>
   [[nodiscard]] float Enter(const Node& node, float max_m) const {
-    float enter = 0, leave = max_m;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const float t0 = (node.min[i] - origin[i]) * inverse[i], t1 = (node.max[i] - origin[i]) * inverse[i];
-      enter = std::max(enter, std::min(t0, t1));
-      leave = std::min(leave, std::max(t0, t1));
-    }
+    const Eigen::Array4f t0 = (node.min - origin) * inverse, t1 = (node.max - origin) * inverse;
+    const float enter = t0.min(t1).maxCoeff(), leave = std::min(t0.max(t1).minCoeff(), max_m);
     return enter <= leave ? enter : kNever;
   }
 };
 
 /// Lower bound of the distance from p to what a node holds, 0 inside.
-template <typename Node>
-double DistanceToNode(const Node& node, const Eigen::Vector3d& p) {
-  double squared = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double x = p[static_cast<int>(i)];
-    const double d = std::max({node.min[i] - x, 0.0, x - node.max[i]});
-    squared += d * d;
-  }
-  return std::sqrt(squared);
+double BoundingTree::DistanceToNode(const Node& node, const Eigen::Vector3d& p) {
+  const Eigen::Array3d below = node.min.head<3>().cast<double>() - p.array();
+  const Eigen::Array3d above = p.array() - node.max.head<3>().cast<double>();
+  return below.max(above).max(0.0).matrix().norm();
 }
-
-}  // namespace
 
 BoundingTree::BoundingTree(std::vector<Solid> solids) : solids_(std::move(solids)) {
   for (const Solid& solid : solids_) bounds_.push_back(solid.Bounds());
@@ -70,10 +62,8 @@ std::uint32_t BoundingTree::Build(std::uint32_t begin, std::uint32_t end) {
   for (std::uint32_t i = begin; i < end; ++i) box.extend(bounds_[i]);
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   Node& node = nodes_.emplace_back();
-  for (std::size_t i = 0; i < 3; ++i) {
-    node.min[i] = static_cast<float>(box.min()[static_cast<int>(i)]) - kMargin_m;
-    node.max[i] = static_cast<float>(box.max()[static_cast<int>(i)]) + kMargin_m;
-  }
+  node.min << box.min().cast<float>().array() - kMargin_m, 0.0f;
+  node.max << box.max().cast<float>().array() + kMargin_m, 1.0f;
   if (end - begin <= kLeafSize) {
     node.first = begin;
     node.count = end - begin;
@@ -127,7 +117,7 @@ std::uint32_t BoundingTree::Partition(std::uint32_t begin, std::uint32_t end) {
 BoundingTree::Hit BoundingTree::Cast(const Ray& ray, double max_m) const {
   Hit best{max_m, nullptr};
   if (nodes_.empty()) return best;
-  const FloatRay fast(ray);
+  const FastRay fast(ray);
   struct Pending {
     std::uint32_t node;
     float enter;

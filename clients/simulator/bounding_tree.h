@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
@@ -32,13 +32,14 @@ class BoundingTree {
 
  private:
   struct Node {
-    std::array<float, 3> min;
-    std::uint32_t first;  ///< leaf: first solid; else the right child (the left one is the next node)
-    std::array<float, 3> max;
-    std::uint32_t count;  ///< of solids in a leaf; 0 = inner node
+    Eigen::Array4f min, max;  ///< bounds in x, y, z; the fourth lane lets a ray test be one operation on all lanes
+    std::uint32_t first;      ///< leaf: first solid; else the right child (the left one is the next node)
+    std::uint32_t count;      ///< of solids in a leaf; 0 = inner node
   };
+  struct FastRay;
 
   std::uint32_t Build(std::uint32_t begin, std::uint32_t end);
+  [[nodiscard]] static double DistanceToNode(const Node& node, const Eigen::Vector3d& p);
   [[nodiscard]] std::uint32_t Partition(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Solid> solids_;

@@ -10,17 +10,15 @@
 #include "clients/simulator/plan_view.h"
 #include "clients/simulator/progress.h"
 
+namespace dhpmap::simulator {
 namespace {
-
-using dhpmap::Status;
-using namespace dhpmap::simulator;
 
 constexpr int kFailed = 1, kUsage = 2;
 constexpr int kPlanWidth_px = 1280;
 
 int Fail(const Status& status) {
   std::fprintf(stderr, "dhpmap-simulate: %s\n", status.ToString().c_str());
-  return status.code() == dhpmap::StatusCode::kInvalidArgument ? kUsage : kFailed;
+  return status.code() == StatusCode::kInvalidArgument ? kUsage : kFailed;
 }
 
 Status DrawPlan(const std::string& path) {
@@ -31,7 +29,7 @@ Status DrawPlan(const std::string& path) {
 int Record(const RecordingOptions& options, int num_threads, bool is_quiet) {
   const ApartmentScene scene;
   const int num_frames = options.num_frames - options.first_frame;
-  dhpmap::ThreadPool threads(num_threads);
+  ThreadPool threads(num_threads);
   Progress progress(num_frames, is_quiet);
   const auto views = RecordApartment(scene, options, threads, [&progress] { progress.Step(); });
   if (!views.ok()) return Fail(views.status());
@@ -44,9 +42,7 @@ int Record(const RecordingOptions& options, int num_threads, bool is_quiet) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int Run(int argc, char** argv) {
   CLI::App app("Records a walk through a furnished apartment: colour, depth, poses, panoptic labels and the truth.",
                "dhpmap-simulate");
   RecordingOptions options;
@@ -79,3 +75,8 @@ int main(int argc, char** argv) {
   }
   return Record(options, num_threads, is_quiet);
 }
+
+}  // namespace
+}  // namespace dhpmap::simulator
+
+int main(int argc, char** argv) { return dhpmap::simulator::Run(argc, argv); }

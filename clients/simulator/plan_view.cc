@@ -9,9 +9,9 @@
 namespace dhpmap::simulator {
 namespace {
 
-const Eigen::Vector3d kEye_m(5.5, 2.2, 16.0);
-const Eigen::Vector3d kLookAt_m(5.5, 3.95, 0.0);
-constexpr double kVisibleWidth_m = 12.6;  ///< at the floor
+const Eigen::Vector3d kEye_m(5.5, 0.6, 26.0);
+const Eigen::Vector3d kLookAt_m(5.5, 4.2, 0.0);
+constexpr double kVisibleWidth_m = 13.4;  ///< at the floor
 
 Transform FromAbove() {
   const Eigen::Vector3d forward = (kLookAt_m - kEye_m).normalized(), right = Eigen::Vector3d::UnitX();

@@ -38,15 +38,6 @@ class Renderer {
   [[nodiscard]] RenderedFrame Render(const PinholeCamera& camera, const Transform& T_map_camera) const;
 
  private:
-  struct Surface {
-    const Solid* solid = nullptr;
-    Light light = Light::Zero();
-  };
-
-  [[nodiscard]] Light Look(const Ray& ray, const ApartmentScene::Hit& hit, double focal_px) const;
-  [[nodiscard]] Light LookAround(const RenderedFrame& frame, int u, int v) const;
-  void SmoothEdges(const std::vector<Surface>& surfaces, RenderedFrame& frame) const;
-
   const ApartmentScene& scene_;
   std::optional<Shader> shader_;  ///< unless only geometry is wanted
 };

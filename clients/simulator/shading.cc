@@ -15,8 +15,9 @@ constexpr double kReachAcross_m = 0.35;  ///< how far a room's light is followed
 
 /// How far outside the room p is, 0 inside.
 double DistanceToRoom(const Room& room, double x, double y) {
-  return std::hypot(std::max({room.min_x_m - x, 0.0, x - room.max_x_m}),
-                    std::max({room.min_y_m - y, 0.0, y - room.max_y_m}));
+  const double dx = std::max({room.min_x_m - x, 0.0, x - room.max_x_m});
+  const double dy = std::max({room.min_y_m - y, 0.0, y - room.max_y_m});
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 std::size_t RoomOf(double x, double y) {
@@ -69,57 +70,60 @@ Shader::Shader(const ApartmentScene& scene)
 }
 
 // Share of the surroundings that is not blocked: the distance field along the normal, against that of an open plane.
-float Shader::Openness(const Point& at) const {
+float Shader::Openness(const LitPoint& at) const {
   constexpr std::array<float, 4> kHeights_m{0.05f, 0.12f, 0.26f, 0.45f};
   constexpr std::array<float, 4> kShares{0.2f, 0.22f, 0.26f, 0.32f};
   float blocked = 0;
   for (std::size_t i = 0; i < kHeights_m.size(); ++i) {
     const float open_m = std::min(kHeights_m[i], DistanceGrid::kReach_m);
-    blocked += kShares[i] * std::max(0.0f, open_m - grid_.At(at.p + kHeights_m[i] * at.n)) / open_m;
+    blocked += kShares[i] * std::max(0.0f, open_m - grid_.At(at.p_m + kHeights_m[i] * at.normal)) / open_m;
   }
   return std::clamp(1.0f - 0.85f * blocked, 0.12f, 1.0f);
 }
 
-// Soft shadow by the closest pass of the ray to the light (Quilez, "soft shadows in raymarched SDFs").
-float Shader::Visibility(const Point& at, const Source& source) const {
-  constexpr float kStart_m = 0.1f, kMinStep_m = 0.06f, kNearLight_m = 0.3f;
-  const Vector3f start = at.p + 0.05f * at.n;
-  const Vector3f to_light = source.position_m - start;
-  const float distance_m = to_light.norm();
-  const Vector3f direction = to_light / distance_m;
+// Soft shadow by the closest pass of the ray to the light (Quilez, "soft shadows in raymarched SDFs"), but at fixed
+// shares of the way: steps that depend on the distances would draw contour lines on walls.
+float Shader::Visibility(const LitPoint& at, const Source& source) const {
+  constexpr std::array<float, 12> kShares{0.035f, 0.06f, 0.09f, 0.13f, 0.18f, 0.24f,
+                                          0.31f,  0.39f, 0.48f, 0.58f, 0.69f, 0.81f};
+  constexpr float kNearLight_m = 0.3f;
+  const Vector3f start = at.p_m + 0.05f * at.normal;
+  const Vector3f way = source.position_m - start;
+  const float distance_m = way.norm();
+  const Vector3f direction = way / distance_m;
+  const float length_m = std::max(distance_m - kNearLight_m, 0.0f);
   float visible = 1;
-  for (float t = kStart_m; t < distance_m - kNearLight_m;) {
-    const float free_m = grid_.At(start + t * direction);
-    visible = std::min(visible, source.softness * free_m / t);
+  for (float share : kShares) {
+    const float t = std::max(share * length_m, 0.08f);
+    visible = std::min(visible, source.softness * grid_.At(start + t * direction) / t);
     if (visible < 0.02f) return 0;
-    t += std::max(free_m, kMinStep_m);
   }
   return visible * visible * (3 - 2 * visible);
 }
 
-Light Shader::FromSource(const Point& at, const Source& source) const {
-  const Vector3f to_light = source.position_m - at.p;
+Light Shader::FromSource(const LitPoint& at, const Source& source) const {
+  const Vector3f to_light = source.position_m - at.p_m;
   const float squared = to_light.squaredNorm();
   const Vector3f direction = to_light / std::sqrt(squared);
-  const float incidence = at.n.dot(direction);
+  const float incidence = at.normal.dot(direction);
   if (incidence <= 0) return Light::Zero();
   float strength = incidence / (0.45f + 0.28f * squared);
   if (!source.facing.isZero()) strength *= std::max(0.0f, -source.facing.dot(direction));
   if (strength < 0.004f) return Light::Zero();
   const float visible = Visibility(at, source);
   const Vector3f half = (direction + at.to_eye).normalized();
-  const float highlight = kGloss * std::pow(std::max(0.0f, at.n.dot(half)), 60.0f) / (0.15f + 0.1f * squared);
+  const float highlight = kGloss * std::pow(std::max(0.0f, at.normal.dot(half)), 60.0f) / (0.15f + 0.1f * squared);
   return source.light * visible * (strength + highlight);
 }
 
-Light Shader::FromRooms(const Point& at) const {
+Light Shader::FromRooms(const LitPoint& at) const {
   const std::span<const Room> rooms = ApartmentScene::Rooms();
-  const std::size_t own = RoomOf(at.p.x(), at.p.y());
+  const std::size_t own = RoomOf(at.p_m.x(), at.p_m.y());
   Light sum = Light::Zero();
   for (std::size_t i = 0; i < rooms.size(); ++i) {
     float share = 1;
     if (i != own) {
-      const double outside_m = DistanceToRoom(rooms[i], at.p.x(), at.p.y());
+      const double outside_m = DistanceToRoom(rooms[i], at.p_m.x(), at.p_m.y());
       if (outside_m >= kReachAcross_m) continue;
       share = static_cast<float>(1 - outside_m / kReachAcross_m);
     }
@@ -128,18 +132,18 @@ Light Shader::FromRooms(const Point& at) const {
   return sum;
 }
 
-Light Shader::Shade(const Ray& ray, const ApartmentScene::Hit& hit, double footprint_m) const {
-  const Eigen::Vector3d p = ray.At(hit.distance_m);
-  const Eigen::Vector3d normal = hit.solid->Normal(p);
-  const Material& material = scene_.MaterialOf(*hit.solid);
-  const Light albedo = Albedo(material, {*hit.solid, p, normal, footprint_m});
-  const Point at{p.cast<float>(), normal.cast<float>(), (-ray.direction).cast<float>()};
-  // Light from all around: a little more from above, warm from below off the floor.
-  const float up = 0.5f + 0.5f * at.n.z();
+Light Shader::Illumination(const LitPoint& at) const {
+  // Light from all around: warm from below off the floor, a little more and colder from above.
+  const float up = 0.5f + 0.5f * at.normal.z();
   const Light around = Light(0.34f, 0.31f, 0.28f) * (1 - up) + Light(0.40f, 0.41f, 0.43f) * up;
+  return around * Openness(at) + FromRooms(at);
+}
+
+Light Shader::Reflection(const SurfacePoint& at, const Light& illumination) const {
+  const Material& material = scene_.MaterialOf(at.solid);
+  const Light albedo = Albedo(material, at);
   const auto glow = static_cast<float>(material.glow);
-  const Light lit = albedo.cwiseProduct(around * Openness(at) + FromRooms(at));
-  return lit * (glow > 0.5f ? 0.4f : 1.0f) + glow * albedo;
+  return albedo.cwiseProduct(illumination) * (glow > 0.5f ? 0.4f : 1.0f) + glow * albedo;
 }
 
 }  // namespace dhpmap::simulator

@@ -20,13 +20,20 @@ struct Rgb {
 /// Camera response: bright light saturates softly.
 Rgb Develop(const Light& light);
 
-/// Colours what rays hit: every room is lit by its ceiling lamp and its windows, with soft shadows, and gets darker in
-/// corners. What a point looks like depends on the view only by faint highlights. Immutable, so thread-safe.
+/// A point of a surface and who looks at it; map frame, unit vectors.
+struct LitPoint {
+  Eigen::Vector3f p_m, normal, to_eye;
+};
+
+/// Lights the apartment: every room by its ceiling lamp and its windows, with soft shadows, darker in corners. What a
+/// point looks like depends on the view only by faint highlights. Immutable, so thread-safe.
 class Shader {
  public:
   explicit Shader(const ApartmentScene& scene);
-  /// `ray` met the scene at `hit`; `footprint_m` is the size of a pixel there.
-  [[nodiscard]] Light Shade(const Ray& ray, const ApartmentScene::Hit& hit, double footprint_m) const;
+  /// Light that falls on a point: smooth but for edges, and by far the dearest part of a picture.
+  [[nodiscard]] Light Illumination(const LitPoint& at) const;
+  /// Light that comes from a point so lit; `footprint_m` is the size of a pixel there.
+  [[nodiscard]] Light Reflection(const SurfacePoint& at, const Light& illumination) const;
 
  private:
   struct Source {
@@ -36,14 +43,10 @@ class Shader {
     float softness;  ///< larger = harder shadows
   };
 
-  struct Point {
-    Eigen::Vector3f p, n, to_eye;
-  };
-
-  [[nodiscard]] float Openness(const Point& at) const;
-  [[nodiscard]] float Visibility(const Point& at, const Source& source) const;
-  [[nodiscard]] Light FromSource(const Point& at, const Source& source) const;
-  [[nodiscard]] Light FromRooms(const Point& at) const;
+  [[nodiscard]] float Openness(const LitPoint& at) const;
+  [[nodiscard]] float Visibility(const LitPoint& at, const Source& source) const;
+  [[nodiscard]] Light FromSource(const LitPoint& at, const Source& source) const;
+  [[nodiscard]] Light FromRooms(const LitPoint& at) const;
 
   const ApartmentScene& scene_;
   DistanceGrid grid_;

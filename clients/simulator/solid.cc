@@ -12,15 +12,18 @@ using Eigen::Vector3d;
 constexpr double kTouching_m = 1e-7;
 constexpr int kMaxSteps = 96;
 
+/// std::hypot guards against overflow, which costs ten times as much.
+double Length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 double BoxDistance(const Vector3d& p, const Vector3d& half) {
   const Vector3d q = p.cwiseAbs() - half;
   return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
 }
 
 double CylinderDistance(const Vector3d& p, double radius, double half_height) {
-  const double dr = std::hypot(p.x(), p.y()) - radius;
+  const double dr = Length(p.x(), p.y()) - radius;
   const double dz = std::abs(p.z()) - half_height;
-  return std::min(std::max(dr, dz), 0.0) + std::hypot(std::max(dr, 0.0), std::max(dz, 0.0));
+  return std::min(std::max(dr, dz), 0.0) + Length(std::max(dr, 0.0), std::max(dz, 0.0));
 }
 
 double CapsuleDistance(const Vector3d& p, double radius, double half_length) {
@@ -29,7 +32,7 @@ double CapsuleDistance(const Vector3d& p, double radius, double half_length) {
 
 /// Truncated cone: the nearer of cap and flank, in the half plane (r, z).
 double ConeDistance(const Vector3d& p, double below, double above, double h) {
-  const Eigen::Vector2d q(std::hypot(p.x(), p.y()), p.z());
+  const Eigen::Vector2d q(Length(p.x(), p.y()), p.z());
   const Eigen::Vector2d cap(q.x() - std::min(q.x(), q.y() < 0 ? below : above), std::abs(q.y()) - h);
   const Eigen::Vector2d along(above - below, 2 * h);
   const Eigen::Vector2d from_below(q.x() - below, q.y() + h);
@@ -40,7 +43,7 @@ double ConeDistance(const Vector3d& p, double below, double above, double h) {
 }
 
 double TorusDistance(const Vector3d& p, double ring, double tube) {
-  return std::hypot(std::hypot(p.x(), p.y()) - ring, p.z()) - tube;
+  return Length(Length(p.x(), p.y()) - ring, p.z()) - tube;
 }
 
 /// Interval of the ray inside a box about the origin.
@@ -106,22 +109,33 @@ double Solid::LocalDistance(const Vector3d& p) const {
   return kFar_m;
 }
 
-Vector3d Solid::Normal(const Vector3d& p_map) const {
-  const Vector3d p = ToLocal(p_map);
-  if (shape == Shape::kSphere) return (R_map_solid * p).normalized();
-  if (shape == Shape::kBox && radius_m == 0) {
-    int axis = 0;
-    (p.cwiseAbs() - size_m).maxCoeff(&axis);
-    return R_map_solid.col(axis) * (p[axis] < 0 ? -1.0 : 1.0);
+Vector3d Solid::LocalNormal(const Vector3d& p) const {
+  switch (shape) {
+    case Shape::kSphere: return p;
+    case Shape::kCapsule: return {p.x(), p.y(), p.z() - std::clamp(p.z(), -size_m.z(), size_m.z())};
+    case Shape::kTorus: {
+      const double outward = 1 - size_m.x() / std::max(Length(p.x(), p.y()), 1e-9);
+      return {p.x() * outward, p.y() * outward, p.z()};
+    }
+    case Shape::kCylinder:
+      if (std::abs(p.z()) - size_m.z() > Length(p.x(), p.y()) - radius_m) return {0, 0, p.z()};
+      return {p.x(), p.y(), 0};
+    case Shape::kCone: {
+      const double slope = (size_m.x() - size_m.y()) / (2 * size_m.z());
+      const double r = Length(p.x(), p.y());
+      const double to_flank = (r - (size_m.x() + size_m.y()) / 2 + slope * p.z()) / Length(1, slope);
+      if (std::abs(p.z()) - size_m.z() > to_flank) return {0, 0, p.z()};
+      return {p.x(), p.y(), slope * r};
+    }
+    case Shape::kBox: break;
   }
-  constexpr double kStep_m = 1e-5;
-  Vector3d gradient;
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d step = kStep_m * Vector3d::Unit(i);
-    gradient[i] = LocalDistance(p + step) - LocalDistance(p - step);
-  }
-  return (R_map_solid * gradient).normalized();
+  const Vector3d beyond = p.cwiseAbs() - size_m + Vector3d::Constant(radius_m);
+  int axis = 0;
+  if (beyond.maxCoeff(&axis) <= 0 || radius_m == 0) return p[axis] * Vector3d::Unit(axis);
+  return beyond.cwiseMax(0.0).cwiseProduct(p.cwiseSign());
 }
+
+Vector3d Solid::Normal(const Vector3d& p) const { return (R_map_solid * LocalNormal(ToLocal(p))).normalized(); }
 
 std::optional<double> Solid::Intersect(const Ray& ray_map, double max_m) const {
   const Ray ray{ToLocal(ray_map.origin_m), R_map_solid.transpose() * ray_map.direction};
@@ -146,16 +160,31 @@ std::optional<double> Solid::Intersect(const Ray& ray_map, double max_m) const {
   if (inside.is_empty() || inside.leave_m <= 0 || inside.enter_m >= max_m) return std::nullopt;
   if (is_exact) return inside.enter_m > 0 ? std::optional(inside.enter_m) : std::nullopt;
 
-  // Sphere tracing in the bounding box; the distance is exact, so it closes in fast except at grazing incidence.
-  double t = std::max(inside.enter_m, 0.0);
-  if (t == 0 && LocalDistance(ray.origin_m) <= 0) return std::nullopt;
-  for (int step = 0; step < kMaxSteps; ++step) {
-    const double distance = LocalDistance(ray.At(t));
-    if (distance < kTouching_m) return t > 0 && t < max_m ? std::optional(t) : std::nullopt;
-    t += distance;
-    if (t > inside.leave_m) return std::nullopt;
+  const double start_m = std::max(inside.enter_m, 0.0);
+  if (shape == Shape::kBox && inside.enter_m > 0 && IsOnFlatFace(ray.At(start_m))) return start_m;
+  const std::optional<double> t = Approach(ray, start_m, inside.leave_m);
+  return t && *t > 0 && *t < max_m ? t : std::nullopt;
+}
+
+/// Whether a point of the sharp box's surface is on the rounded one, too.
+bool Solid::IsOnFlatFace(const Vector3d& p) const { return ((p.cwiseAbs() - size_m).array() > -radius_m).count() <= 1; }
+
+// The distance is exact, so steps of it never go too far. Along a line it is convex (but for the torus), so that steps
+// by the secant do not either, and a line that gets no nearer never will.
+std::optional<double> Solid::Approach(const Ray& ray, double from_m, double to_m) const {
+  const bool is_convex = shape != Shape::kTorus;
+  double t = from_m, distance = LocalDistance(ray.At(t));
+  if (distance <= 0) return distance > -kTouching_m ? std::optional(t) : std::nullopt;
+  double step = distance;
+  for (int i = 0; i < kMaxSteps && distance >= kTouching_m; ++i) {
+    t += step;
+    if (t > to_m) return std::nullopt;
+    const double nearer = LocalDistance(ray.At(t)), slope = (nearer - distance) / step;
+    distance = nearer;
+    if (is_convex && slope >= 0 && distance >= kTouching_m) return std::nullopt;
+    step = is_convex ? std::max(distance, -distance / slope) : distance;
   }
-  return std::nullopt;
+  return distance < kTouching_m ? std::optional(t) : std::nullopt;
 }
 
 Vector3d Solid::LocalExtents() const {

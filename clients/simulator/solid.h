@@ -50,6 +50,10 @@ struct Solid {
 
  private:
   [[nodiscard]] double LocalDistance(const Eigen::Vector3d& p) const;
+  [[nodiscard]] Eigen::Vector3d LocalNormal(const Eigen::Vector3d& p) const;  ///< of any length
+  [[nodiscard]] bool IsOnFlatFace(const Eigen::Vector3d& p) const;
+  /// Where a local ray that is outside at from_m gets in before to_m.
+  [[nodiscard]] std::optional<double> Approach(const Ray& ray, double from_m, double to_m) const;
 };
 
 }  // namespace dhpmap::simulator

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "clients/simulator/renderer.h"
+
+namespace dhpmap::simulator {
+
+/// The line of sight of a pixel.
+Ray PixelRay(const RenderedFrame& frame, double u_px, double v_px);
+
+/// Colours one frame. The light on surfaces is computed at every fourth pixel and interpolated within smooth faces;
+/// pixels at edges are the mean of four. One use, one thread.
+class Picture {
+ public:
+  /// `hits`: what every pixel of the frame sees. All must outlive the picture.
+  Picture(const ApartmentScene& scene, const Shader& shader, const RenderedFrame& frame,
+          const std::vector<std::optional<ApartmentScene::Hit>>& hits);
+  std::vector<Rgb> Colors();
+
+ private:
+  struct Pixel {
+    const Solid* solid = nullptr;  ///< null = nothing is seen
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    Light illumination = Light::Zero();
+    Light light = Light::Zero();  ///< what the camera gets
+    /// Of one smooth face, so that light may be taken over from one to the other.
+    [[nodiscard]] bool IsAlike(const Pixel& other) const {
+      return solid == other.solid && normal.dot(other.normal) > 0.93f;
+    }
+  };
+
+  [[nodiscard]] Pixel& At(int u, int v) {
+    return pixels_[static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(u)];
+  }
+  [[nodiscard]] Light Illuminate(const Ray& ray, double distance_m, const Pixel& pixel) const;
+  [[nodiscard]] Light Reflect(const Ray& ray, double distance_m, const Pixel& pixel) const;
+  void IlluminateAll();
+  void IlluminateCell(int u0, int v0);
+  enum class Edge { kNone, kOfPattern, kOfFaces };
+  [[nodiscard]] Edge EdgeAt(int u, int v);
+  [[nodiscard]] Light Smoothed(int u, int v, Edge edge);
+  /// Along a ray beside that of the pixel, which meets the same face.
+  [[nodiscard]] Light LookOnFace(const Pixel& pixel, int u, int v, const Ray& ray) const;
+  /// Along a ray through the pixel that may meet anything.
+  [[nodiscard]] Light LookAgain(int u, int v, const Ray& ray);
+  [[nodiscard]] Light IlluminationLike(const Pixel& sample, int u, int v, const Ray& ray, double distance_m);
+
+  const ApartmentScene& scene_;
+  const Shader& shader_;
+  const RenderedFrame& frame_;
+  const std::vector<std::optional<ApartmentScene::Hit>>& hits_;
+  const int width_, height_;
+  std::vector<Pixel> pixels_;
+};
+
+}  // namespace dhpmap::simulator
