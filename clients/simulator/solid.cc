@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTouching_m = 1e-7;
-constexpr int kMaxSteps = 96;
+constexpr int kMaxSteps = 1000;  // only rings seen at grazing incidence come near it
 
 /// std::hypot guards against overflow, which costs ten times as much.
 double Length(double x, double y) { return std::sqrt(x * x + y * y); }
