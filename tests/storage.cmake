@@ -5,8 +5,6 @@ endif()
 dhpmap_tests(ROOM unit/storage LIBS dhpmap_storage dhpmap_test_scenes ENVIRONMENT ${storage_test_environment})
 
 # Sizes and rates of codec and store on a fused scene or data set; not a test.
-if(TARGET dhpmap_pipeline AND TARGET dhpmap_datasets)
-  dhpmap_program(NAME dhpmap_storage_bench SOURCES unit/storage/storage_bench.cc
-    LIBS dhpmap_storage dhpmap_pipeline dhpmap_datasets dhpmap_test_scenes)
-  set_target_properties(dhpmap_storage_bench PROPERTIES EXCLUDE_FROM_ALL ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-endif()
+dhpmap_program(NAME dhpmap_storage_bench SOURCES unit/storage/storage_bench.cc
+  LIBS dhpmap_storage dhpmap_pipeline dhpmap_datasets dhpmap_test_scenes)
+set_target_properties(dhpmap_storage_bench PROPERTIES EXCLUDE_FROM_ALL ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
