@@ -1,5 +1,5 @@
 find_package(OpenCVParts REQUIRED)
+find_package(nlohmann_json REQUIRED)
 dhpmap_tests(ROOM unit/clients/datasets LIBS dhpmap_datasets dhpmap_test_scenes OpenCVParts::core OpenCVParts::imgcodecs)
 dhpmap_tests(ROOM unit/clients/cli LIBS dhpmap_cli dhpmap_test_scenes nlohmann_json::nlohmann_json)
-find_package(nlohmann_json REQUIRED)
 dhpmap_tests(ROOM unit/clients/simulator LIBS dhpmap_simulator dhpmap_datasets dhpmap_test_scenes nlohmann_json::nlohmann_json)
