@@ -9,6 +9,8 @@
 namespace dhpmap::rest {
 namespace {
 
+using namespace std::string_view_literals;
+
 TEST_F(GatewayTest, ManyRequestsOnOneConnection) {
   for (int i = 0; i < 200; ++i) {
     ASSERT_EQ(client->Ask("GET", "/v1/maps").status, 200);
@@ -63,6 +65,7 @@ TEST_F(GatewayTest, ABodyThatIsTooLargeIsRefusedBeforeItIsRead) {
 }
 
 TEST_F(GatewayTest, AClientThatSendsAHundredMegabytesGetsToSeeTheRefusal) {
+  DHPMAP_SKIP_MEGABYTES();
   for (const bool is_chunked : {false, true}) {
     HttpClient sender(gateway->port());
     const std::size_t size = 100u << 20;
@@ -88,7 +91,7 @@ TEST_F(GatewayTest, MalformedRequestsAreAnsweredAndTheConnectionClosed) {
       {"POST /v1/maps HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n{}\r\n", 400},
       {"GET / HTTP/1.1\r\nX: " + long_value + "\r\n\r\n", 431},
       {"GET /" + long_value + " HTTP/1.1\r\n\r\n", 431},
-      {std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03 tls hello\r\n\r\n", 28), 400},
+      {std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03 tls hello\r\n\r\n"sv), 400},
   };
   for (const auto& [request, status] : cases) {
     HttpClient raw(gateway->port());
