@@ -34,12 +34,6 @@ ApartmentScene::ApartmentScene(Ceiling ceiling) : ApartmentScene(Furnish(ceiling
 ApartmentScene::ApartmentScene(const SceneBuilder& builder)
     : instances_(builder.instances()), materials_(builder.materials()), tree_(builder.solids()) {}
 
-std::optional<ApartmentScene::Hit> ApartmentScene::Cast(const Ray& ray, double max_m) const {
-  const BoundingTree::Hit hit = tree_.Cast(ray, max_m);
-  if (hit.solid == nullptr) return std::nullopt;
-  return Hit{hit.distance_m, hit.solid};
-}
-
 std::span<const Room> ApartmentScene::Rooms() { return kRooms; }
 
 }  // namespace dhpmap::simulator

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,12 +30,9 @@ class ApartmentScene {
   /// kOpen leaves out the ceiling and what hangs from it, for views from above.
   explicit ApartmentScene(Ceiling ceiling = Ceiling::kClosed);
 
-  struct Hit {
-    double distance_m;
-    const Solid* solid;
-  };
-  /// What the ray meets first within max_m.
-  [[nodiscard]] std::optional<Hit> Cast(const Ray& ray, double max_m = kFar_m) const;
+  using Hit = BoundingTree::Hit;
+  /// What the ray meets first within max_m; its solid is null if that is nothing.
+  [[nodiscard]] Hit Cast(const Ray& ray, double max_m = kFar_m) const { return tree_.Cast(ray, max_m); }
 
   /// Signed distance (m, map frame) to the nearest surface: exact in free space, negative inside solids.
   [[nodiscard]] double Distance(const Eigen::Vector3d& p_map) const { return tree_.Closest(p_map).distance_m; }
@@ -48,6 +44,7 @@ class ApartmentScene {
   /// By id; 0 stands for nothing.
   [[nodiscard]] std::span<const Instance> instances() const { return instances_; }
   [[nodiscard]] const Material& MaterialOf(const Solid& solid) const { return materials_[solid.material]; }
+  [[nodiscard]] const BoundingTree& tree() const { return tree_; }
   [[nodiscard]] const std::vector<Solid>& solids() const { return tree_.solids(); }
   static std::span<const Room> Rooms();
 

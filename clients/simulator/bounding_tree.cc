@@ -14,8 +14,6 @@ constexpr std::uint32_t kLeafSize = 1;
 // A split leaves at least a sixth on each side, which bounds the depth at 38 for a thousand solids and 63 for 90 000.
 constexpr std::uint32_t kSmallestShare = 6;
 constexpr int kMaxDepth = 64;
-constexpr float kMargin_m = 1e-4f;  // covers the rounding of bounds to float
-constexpr float kNever = std::numeric_limits<float>::infinity();
 
 double SurfaceArea(const Eigen::AlignedBox3d& box) {
   const Eigen::Vector3d s = box.sizes();
@@ -23,31 +21,6 @@ double SurfaceArea(const Eigen::AlignedBox3d& box) {
 }
 
 }  // namespace
-
-struct BoundingTree::FastRay {
-  Eigen::Array4f origin = Eigen::Array4f::Zero(), inverse;
-  explicit FastRay(const Ray& ray) {
-    origin.head<3>() = ray.origin_m.cast<float>();
-    for (int i = 0; i < 3; ++i) {
-      const auto d = static_cast<float>(ray.direction[i]);
-      inverse[i] = 1.0f / (std::abs(d) > 1e-12f ? d : 1e-12f);  // finite, so that 0 * inverse is not NaN
-    }
-    inverse[3] = static_cast<float>(2 * kFar_m);  // the fourth lane, bounds 0 and 1, is the interval [0, 2 kFar_m]
-  }
-  /// Where the ray enters the box, or infinity if not before max_m.
-  [[nodiscard]] float Enter(const Node& node, float max_m) const {
-    const Eigen::Array4f t0 = (node.min - origin) * inverse, t1 = (node.max - origin) * inverse;
-    const float enter = t0.min(t1).maxCoeff(), leave = std::min(t0.max(t1).minCoeff(), max_m);
-    return enter <= leave ? enter : kNever;
-  }
-};
-
-/// Lower bound of the distance from p to what a node holds, 0 inside.
-double BoundingTree::DistanceToNode(const Node& node, const Eigen::Vector3d& p) {
-  const Eigen::Array3d below = node.min.head<3>().cast<double>() - p.array();
-  const Eigen::Array3d above = p.array() - node.max.head<3>().cast<double>();
-  return below.max(above).max(0.0).matrix().norm();
-}
 
 BoundingTree::BoundingTree(std::vector<Solid> solids) : solids_(std::move(solids)) {
   for (const Solid& solid : solids_) bounds_.push_back(solid.Bounds());
@@ -62,8 +35,7 @@ std::uint32_t BoundingTree::Build(std::uint32_t begin, std::uint32_t end) {
   for (std::uint32_t i = begin; i < end; ++i) box.extend(bounds_[i]);
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   Node& node = nodes_.emplace_back();
-  node.min << box.min().cast<float>().array() - kMargin_m, 0.0f;
-  node.max << box.max().cast<float>().array() + kMargin_m, 1.0f;
+  node.box = FastBox(box);
   if (end - begin <= kLeafSize) {
     node.first = begin;
     node.count = end - begin;
@@ -124,18 +96,18 @@ BoundingTree::Hit BoundingTree::Cast(const Ray& ray, double max_m) const {
   };
   std::array<Pending, kMaxDepth> stack;
   std::size_t size = 0;
-  Pending at{0, fast.Enter(nodes_[0], static_cast<float>(max_m))};
+  Pending at{0, fast.Enter(nodes_[0].box, static_cast<float>(max_m))};
   while (true) {
     const auto limit = static_cast<float>(best.distance_m);
     if (at.enter <= limit) {
       const Node& node = nodes_[at.node];
       if (node.count == 0) {
-        Pending near{at.node + 1, fast.Enter(nodes_[at.node + 1], limit)};
-        Pending far{node.first, fast.Enter(nodes_[node.first], limit)};
+        Pending near{at.node + 1, fast.Enter(nodes_[at.node + 1].box, limit)};
+        Pending far{node.first, fast.Enter(nodes_[node.first].box, limit)};
         if (far.enter < near.enter) std::swap(near, far);
-        if (far.enter < kNever) stack[size++] = far;
+        if (far.enter < FastRay::kNever) stack[size++] = far;
         at = near;
-        if (near.enter < kNever) continue;
+        if (near.enter < FastRay::kNever) continue;
       } else {
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
           const std::optional<double> t = solids_[i].Intersect(ray, best.distance_m);
@@ -148,19 +120,44 @@ BoundingTree::Hit BoundingTree::Cast(const Ray& ray, double max_m) const {
   }
 }
 
-BoundingTree::Nearest BoundingTree::Closest(const Eigen::Vector3d& p) const {
-  Nearest best{std::numeric_limits<double>::infinity(), nullptr};
-  if (nodes_.empty()) return best;
+void BoundingTree::Gather(const Pyramid& pyramid, std::vector<Candidate>& candidates) const {
+  if (nodes_.empty()) return;
   std::array<std::uint32_t, kMaxDepth> stack;
   std::size_t size = 0;
   stack[size++] = 0;
   while (size > 0) {
     const std::uint32_t index = stack[--size];
     const Node& node = nodes_[index];
-    if (DistanceToNode(node, p) > std::max(best.distance_m, 0.0)) continue;
+    const Eigen::Array4f min = node.box.min - pyramid.apex_m, max = node.box.max - pyramid.apex_m;
+    const bool is_outside = std::any_of(pyramid.inward.begin(), pyramid.inward.end(),
+                                        [&](const Eigen::Array4f& n) { return (n * min).max(n * max).sum() < 0; });
+    if (is_outside) continue;
+    if (node.count == 0) {
+      stack[size++] = node.first;
+      stack[size++] = index + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      candidates.push_back({node.box, node.box.Distance(pyramid.apex_m), &solids_[i]});
+    }
+  }
+}
+
+BoundingTree::Nearest BoundingTree::Closest(const Eigen::Vector3d& p) const {
+  Nearest best{std::numeric_limits<double>::infinity(), nullptr};
+  if (nodes_.empty()) return best;
+  Eigen::Array4f fast_p;
+  fast_p << p.cast<float>().array(), 0.0f;
+  std::array<std::uint32_t, kMaxDepth> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t index = stack[--size];
+    const Node& node = nodes_[index];
+    if (node.box.Distance(fast_p) > std::max(best.distance_m, 0.0)) continue;
     if (node.count == 0) {
       std::uint32_t near = index + 1, far = node.first;
-      if (DistanceToNode(nodes_[far], p) < DistanceToNode(nodes_[near], p)) std::swap(near, far);
+      if (nodes_[far].box.Distance(fast_p) < nodes_[near].box.Distance(fast_p)) std::swap(near, far);
       stack[size++] = far;
       stack[size++] = near;
       continue;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "clients/simulator/fast_box.h"
 #include "clients/simulator/solid.h"
 
 namespace dhpmap::simulator {
@@ -22,24 +24,35 @@ class BoundingTree {
     const Solid* solid;
   };
 
+  /// What lies on the inner side of four planes through a point.
+  struct Pyramid {
+    Eigen::Array4f apex_m;                 ///< the fourth lane is 0, as below
+    std::array<Eigen::Array4f, 4> inward;  ///< normals
+  };
+  struct Candidate {
+    FastBox bounds;
+    float nearest_m;  ///< lower bound of the distance from the apex
+    const Solid* solid;
+  };
+
   explicit BoundingTree(std::vector<Solid> solids);
 
   [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
   /// First solid that the ray enters within max_m; solid is null if there is none.
   [[nodiscard]] Hit Cast(const Ray& ray, double max_m) const;
+  /// Appends all solids that may reach into the pyramid.
+  void Gather(const Pyramid& pyramid, std::vector<Candidate>& candidates) const;
   /// Signed distance to the union of solids: exact outside, a bound inside.
   [[nodiscard]] Nearest Closest(const Eigen::Vector3d& p) const;
 
  private:
   struct Node {
-    Eigen::Array4f min, max;  ///< bounds in x, y, z; the fourth lane lets a ray test be one operation on all lanes
-    std::uint32_t first;      ///< leaf: first solid; else the right child (the left one is the next node)
-    std::uint32_t count;      ///< of solids in a leaf; 0 = inner node
+    FastBox box;
+    std::uint32_t first;  ///< leaf: first solid; else the right child (the left one is the next node)
+    std::uint32_t count;  ///< of solids in a leaf; 0 = inner node
   };
-  struct FastRay;
 
   std::uint32_t Build(std::uint32_t begin, std::uint32_t end);
-  [[nodiscard]] static double DistanceToNode(const Node& node, const Eigen::Vector3d& p);
   [[nodiscard]] std::uint32_t Partition(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Solid> solids_;

@@ -19,11 +19,11 @@ Ray PixelRay(const RenderedFrame& frame, double u_px, double v_px) {
   return {frame.T_map_camera.translation(), frame.T_map_camera.linear() * PixelDirection(frame.camera, u_px, v_px)};
 }
 
-Picture::Picture(const ApartmentScene& scene, const Shader& shader, const RenderedFrame& frame,
-                 const std::vector<std::optional<ApartmentScene::Hit>>& hits)
-    : scene_(scene),
-      shader_(shader),
+Picture::Picture(const Shader& shader, const RenderedFrame& frame, const BeamGrid& beams,
+                 const std::vector<BoundingTree::Hit>& hits)
+    : shader_(shader),
       frame_(frame),
+      beams_(beams),
       hits_(hits),
       width_(frame.camera.width_px),
       height_(frame.camera.height_px),
@@ -33,23 +33,24 @@ std::vector<Rgb> Picture::Colors() {
   std::size_t i = 0;
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u, ++i) {
-      if (!hits_[i]) continue;
-      pixels_[i].solid = hits_[i]->solid;
-      pixels_[i].normal = hits_[i]->solid->Normal(PixelRay(frame_, u, v).At(hits_[i]->distance_m)).cast<float>();
+      if (hits_[i].solid == nullptr) continue;
+      pixels_[i].solid = hits_[i].solid;
+      pixels_[i].normal = hits_[i].solid->Normal(PixelRay(frame_, u, v).At(hits_[i].distance_m)).cast<float>();
     }
   }
   IlluminateAll();
   i = 0;
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u, ++i) {
-      pixels_[i].light = hits_[i] ? Reflect(PixelRay(frame_, u, v), hits_[i]->distance_m, pixels_[i]) : kNothing;
+      pixels_[i].light =
+          hits_[i].solid != nullptr ? Reflect(PixelRay(frame_, u, v), hits_[i].distance_m, pixels_[i]) : kNothing;
     }
   }
   std::vector<Rgb> colors(pixels_.size());
   i = 0;
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u, ++i) {
-      const Edge edge = hits_[i] ? EdgeAt(u, v) : Edge::kNone;
+      const Edge edge = hits_[i].solid != nullptr ? EdgeAt(u, v) : Edge::kNone;
       colors[i] = Develop(edge == Edge::kNone ? pixels_[i].light : Smoothed(u, v, edge));
     }
   }
@@ -72,7 +73,7 @@ void Picture::IlluminateAll() {
   const auto illuminate = [this](int u, int v) {
     Pixel& pixel = At(u, v);
     const auto& hit = hits_[static_cast<std::size_t>(&pixel - pixels_.data())];
-    if (hit) pixel.illumination = Illuminate(PixelRay(frame_, u, v), hit->distance_m, pixel);
+    if (hit.solid != nullptr) pixel.illumination = Illuminate(PixelRay(frame_, u, v), hit.distance_m, pixel);
   };
   // Corners of cells first, the last column and row among them.
   for (int v = 0; v < height_ + kCell_px - 1; v += kCell_px) {
@@ -92,7 +93,7 @@ void Picture::IlluminateCell(int u0, int v0) {
     for (int u = u0; u <= std::min(u0 + kCell_px - 1, width_ - 1); ++u) {
       Pixel& pixel = At(u, v);
       const auto& hit = hits_[static_cast<std::size_t>(&pixel - pixels_.data())];
-      if (!hit || ((u == u0 || u == u1) && (v == v0 || v == v1))) continue;
+      if (hit.solid == nullptr || ((u == u0 || u == u1) && (v == v0 || v == v1))) continue;
       const float fu = static_cast<float>(u - u0) / static_cast<float>(std::max(1, u1 - u0));
       const float fv = static_cast<float>(v - v0) / static_cast<float>(std::max(1, v1 - v0));
       const std::array<float, 4> weights{(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv};
@@ -105,7 +106,7 @@ void Picture::IlluminateCell(int u0, int v0) {
       }
       constexpr float kLeast = 0.05f;  // less is guesswork from a far corner
       pixel.illumination =
-          weight > kLeast ? Light(sum / weight) : Illuminate(PixelRay(frame_, u, v), hit->distance_m, pixel);
+          weight > kLeast ? Light(sum / weight) : Illuminate(PixelRay(frame_, u, v), hit.distance_m, pixel);
     }
   }
 }
@@ -142,18 +143,18 @@ Light Picture::LookOnFace(const Pixel& pixel, int u, int v, const Ray& ray) cons
   const auto& hit = hits_[static_cast<std::size_t>(&pixel - pixels_.data())];
   const double cosine = normal.dot(ray.direction);
   const double distance_m =
-      std::abs(cosine) < 1e-3 ? hit->distance_m : hit->distance_m * normal.dot(middle.direction) / cosine;
+      std::abs(cosine) < 1e-3 ? hit.distance_m : hit.distance_m * normal.dot(middle.direction) / cosine;
   return Reflect(ray, distance_m, pixel);
 }
 
 Light Picture::LookAgain(int u, int v, const Ray& ray) {
-  const std::optional<ApartmentScene::Hit> hit = scene_.Cast(ray);
-  if (!hit) return kNothing;
+  const BoundingTree::Hit hit = beams_.Cast(u, v, ray);
+  if (hit.solid == nullptr) return kNothing;
   Pixel sample;
-  sample.solid = hit->solid;
-  sample.normal = hit->solid->Normal(ray.At(hit->distance_m)).cast<float>();
-  sample.illumination = IlluminationLike(sample, u, v, ray, hit->distance_m);
-  return Reflect(ray, hit->distance_m, sample);
+  sample.solid = hit.solid;
+  sample.normal = hit.solid->Normal(ray.At(hit.distance_m)).cast<float>();
+  sample.illumination = IlluminationLike(sample, u, v, ray, hit.distance_m);
+  return Reflect(ray, hit.distance_m, sample);
 }
 
 Light Picture::IlluminationLike(const Pixel& sample, int u, int v, const Ray& ray, double distance_m) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "clients/simulator/beam_grid.h"
 #include "clients/simulator/renderer.h"
 
 namespace dhpmap::simulator {
@@ -17,8 +17,8 @@ Ray PixelRay(const RenderedFrame& frame, double u_px, double v_px);
 class Picture {
  public:
   /// `hits`: what every pixel of the frame sees. All must outlive the picture.
-  Picture(const ApartmentScene& scene, const Shader& shader, const RenderedFrame& frame,
-          const std::vector<std::optional<ApartmentScene::Hit>>& hits);
+  Picture(const Shader& shader, const RenderedFrame& frame, const BeamGrid& beams,
+          const std::vector<BoundingTree::Hit>& hits);
   std::vector<Rgb> Colors();
 
  private:
@@ -49,10 +49,10 @@ class Picture {
   [[nodiscard]] Light LookAgain(int u, int v, const Ray& ray);
   [[nodiscard]] Light IlluminationLike(const Pixel& sample, int u, int v, const Ray& ray, double distance_m);
 
-  const ApartmentScene& scene_;
   const Shader& shader_;
   const RenderedFrame& frame_;
-  const std::vector<std::optional<ApartmentScene::Hit>>& hits_;
+  const BeamGrid& beams_;
+  const std::vector<BoundingTree::Hit>& hits_;
   const int width_, height_;
   std::vector<Pixel> pixels_;
 };

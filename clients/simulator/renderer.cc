@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/simulator/renderer.h"
 
+#include "clients/simulator/beam_grid.h"
 #include "clients/simulator/picture.h"
 
 namespace dhpmap::simulator {
@@ -26,21 +27,22 @@ RenderedFrame Renderer::Render(const PinholeCamera& camera, const Transform& T_m
   const auto num_pixels = static_cast<std::size_t>(camera.num_pixels());
   frame.depth_m.assign(num_pixels, 0);
   frame.instances.assign(num_pixels, 0);
-  std::vector<std::optional<ApartmentScene::Hit>> hits(shader_ ? num_pixels : 0);
+  std::vector<ApartmentScene::Hit> hits(shader_ ? num_pixels : 0);
+  const BeamGrid beams(scene_.tree(), camera, T_map_camera);
   const Eigen::Vector3d forward = T_map_camera.linear().col(2);
   std::size_t i = 0;
   for (int v = 0; v < camera.height_px; ++v) {
     for (int u = 0; u < camera.width_px; ++u, ++i) {
       const Ray ray = PixelRay(frame, u, v);
-      const std::optional<ApartmentScene::Hit> hit = scene_.Cast(ray);
-      if (hit) {
-        frame.depth_m[i] = static_cast<float>(hit->distance_m * forward.dot(ray.direction));
-        frame.instances[i] = hit->solid->instance;
+      const ApartmentScene::Hit hit = beams.Cast(u, v, ray);
+      if (hit.solid != nullptr) {
+        frame.depth_m[i] = static_cast<float>(hit.distance_m * forward.dot(ray.direction));
+        frame.instances[i] = hit.solid->instance;
       }
       if (shader_) hits[i] = hit;
     }
   }
-  if (shader_) frame.color = Picture(scene_, *shader_, frame, hits).Colors();
+  if (shader_) frame.color = Picture(*shader_, frame, beams, hits).Colors();
   return frame;
 }
 
