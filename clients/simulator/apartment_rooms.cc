@@ -129,7 +129,7 @@ void FurnishStudy(SceneBuilder& scene) {
   AddBox(scene, {9.2, 4.95, 0, 6}, {0.55, 0.4, 0.36}, Paint(0xd0574a));
   AddBox(scene, {9.85, 4.93, 0, -5}, {0.5, 0.4, 0.3}, Paint(0x3f78a8));
   AddBox(scene, {9.22, 4.93, 0.36, -14}, {0.34, 0.3, 0.24}, Paint(0xe0b04a));
-  AddBall(scene, {8.9, 5.5}, 0.12, {Pattern::kChecker, 0xf2c230, 0x2c3640, 0.06});
+  AddBall(scene, {8.72, 5.03}, 0.12, {Pattern::kChecker, 0xf2c230, 0x2c3640, 0.06});
   AddFloorLamp(scene, {10.65, 4.9});
   AddBin(scene, {8.3, 7.75}, Paint(0x8a5a3c));
   AddCurtains(scene, {9.3, 8.0, 0, kFacesSouth_deg}, 1.6);

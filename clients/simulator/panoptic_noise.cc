@@ -56,7 +56,7 @@ class Groups {
     return id;
   }
   void Join(std::uint8_t a, std::uint8_t b) {
-    const auto [low, high] = std::minmax(Of(a), Of(b));
+    const auto [low, high] = std::minmax({Of(a), Of(b)});
     parent_[high] = low;
   }
 
