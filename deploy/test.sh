@@ -2,7 +2,7 @@
 # Installs what is missing, builds, and runs all tests; the last line reads `N passed, N failed`.
 #   deploy/test.sh               the release build and every test
 #   deploy/test.sh --sanitizers  all unit tests under ASan+UBSan; pipeline, storage, server and integration tests under TSan
-#                                (but server/rest: Debian's gRPC is not instrumented, and its callback threads drown the rest)
+#                                (but server/rest: one abort inside TSan's allocator there, while gRPC freed a call, is not explained)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 deploy/setup.sh --quiet
