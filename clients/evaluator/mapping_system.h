@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mapping/map/label_set.h"
+#include "mapping/map/map_config.h"
+#include "mapping/mesh/mesh.h"
+#include "mapping/sensor/frame.h"
+
+namespace dhpmap::evaluator {
+
+/// What a system says of the world: surfaces in the map frame, with a class and an instance at each vertex. Class and
+/// instance 0 mean that it does not say. A system that keeps several maps of one place gives all their surfaces.
+struct LabelledSurface {
+  Mesh mesh;
+  /// How sure the system is of an instance, 0..1, for average precision; absent = 1.
+  std::map<std::uint32_t, float> instance_scores;
+};
+
+/// Wall time spent, summed over a run.
+struct SystemTimes {
+  std::int64_t num_frames = 0;
+  double integrate_s = 0;  ///< everything per frame but refinement
+  double refine_s = 0;     ///< label management and CRF, while mapping and at the end
+};
+
+/// A mapping system under evaluation: one map, fed frame by frame. Thread-compatible.
+class MappingSystem {
+ public:
+  virtual ~MappingSystem() = default;
+  /// As in the tables: dhp, dhp_no_refine, panmap, kimera, votes ...
+  [[nodiscard]] virtual std::string name() const = 0;
+  /// False: only classes; instances of its surface mean nothing.
+  [[nodiscard]] virtual bool has_instances() const = 0;
+  virtual Status Integrate(const PanopticFrame& frame) = 0;
+  /// Ends the session. Called once, before Surface.
+  virtual void Finish() = 0;
+  [[nodiscard]] virtual LabelledSurface Surface() const = 0;
+  [[nodiscard]] virtual SystemTimes times() const = 0;
+};
+
+/// All that a system may know before the first frame.
+struct SystemSetup {
+  MapConfig config;  ///< preset of the data set
+  std::shared_ptr<const LabelSet> label_set;
+  int num_threads = 0;  ///< 0 = one a core
+};
+
+}  // namespace dhpmap::evaluator
