@@ -39,6 +39,24 @@ struct ActivityConfig {
   int deactivate_after_missed = 3;  ///< consecutive frames without a matching segment
 };
 
+/// One Gaussian kernel of the CRF (paper II-E): how far and how strongly the label of a voxel speaks for others.
+struct CrfKernelConfig {
+  double position_m = 0;  ///< standard deviation in space
+  double color = 0;       ///< standard deviation of each of r, g and b, in 0..255; not used by the smoothness kernel
+  double weight = 0;      ///< against the voxel's own observations; 0 switches the kernel off
+};
+
+/// Refinement of labels (paper II-D and II-E). The paper's two parts can be switched off one by one.
+struct RefinementConfig {
+  int every_frames = 85;           ///< refine what has settled after so many frames; 0 = only at FinishMapping
+  bool management = true;          ///< each position goes to one submap
+  bool crf = true;                 ///< labels agree with their surroundings; needs management
+  bool drop_voxel_labels = false;  ///< at FinishMapping, when positions are exclusive, keep only the submaps' labels
+  int crf_iterations = 5;          ///< of mean field
+  CrfKernelConfig smoothness{.position_m = 0.10, .color = 0, .weight = 1.0};
+  CrfKernelConfig appearance{.position_m = 0.30, .color = 20.0, .weight = 1.0};
+};
+
 /// Everything that decides how a map is built. Fixed when the map is created and stored with it.
 struct MapConfig {
   double voxel_size_m = 0.04;
@@ -46,6 +64,7 @@ struct MapConfig {
   IntegrationConfig integration;
   TrackingConfig tracking;
   ActivityConfig activity;
+  RefinementConfig refinement;
 
   /// INVALID_ARGUMENT naming every key that is out of range, at once.
   [[nodiscard]] Status Validate() const;
@@ -86,6 +105,23 @@ void VisitFields(Config& c, Visitor&& visit) {
         "of a new thing before it is confirmed");
   visit("activity.deactivate_after_missed", c.activity.deactivate_after_missed, 1.0, 1e6,
         "consecutive frames without a matching segment");
+  visit("refinement.every_frames", c.refinement.every_frames, 0.0, 1e6,
+        "frames between refinements of what has settled; 0 = only at FinishMapping");
+  visit("refinement.management", c.refinement.management, 0.0, 1.0, "each position goes to one submap");
+  visit("refinement.crf", c.refinement.crf, 0.0, 1.0, "labels are made to agree with their surroundings");
+  visit("refinement.drop_voxel_labels", c.refinement.drop_voxel_labels, 0.0, 1.0,
+        "at FinishMapping keep only the labels of submaps");
+  visit("refinement.crf_iterations", c.refinement.crf_iterations, 1.0, 100.0, "of mean field");
+  visit("refinement.smoothness.position_m", c.refinement.smoothness.position_m, 1e-3, 1e3,
+        "standard deviation of the smoothness kernel");
+  visit("refinement.smoothness.weight", c.refinement.smoothness.weight, 0.0, 1e3,
+        "how strongly near voxels should agree");
+  visit("refinement.appearance.position_m", c.refinement.appearance.position_m, 1e-3, 1e3,
+        "standard deviation of the appearance kernel in space");
+  visit("refinement.appearance.color", c.refinement.appearance.color, 0.1, 1e3,
+        "standard deviation of the appearance kernel in red, green and blue of 0 to 255");
+  visit("refinement.appearance.weight", c.refinement.appearance.weight, 0.0, 1e3,
+        "how strongly voxels of like colour should agree");
 }
 
 /// Every key with its value as text, in the order of VisitFields. SetField undoes it exactly.
