@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "mapping/base/thread_pool.h"
+#include "mapping/map/map_config.h"
+#include "mapping/map/tsdf_block.h"
+
+namespace dhpmap {
+
+/// A voxel as the CRF sees it.
+struct CrfPoint {
+  Eigen::Vector3f position_m;  ///< against any origin; single precision must hold it to a fraction of a kernel's width
+  Color color;
+};
+
+/// The fully connected CRF of the paper (II-E; Kraehenbuehl and Koltun 2011): the label of every point speaks for the
+/// same label at all other points, by Gaussian kernels k_m of their distance in space and colour (Potts model). With
+/// K~_m = D_m^-1/2 K_m D_m^-1/2, where D_m = diag(K_m 1) and K_m holds the self term too, and unaries U = -log p:
+///
+///   Q <- softmax(-U),   then n times   Q <- softmax(-U + sum_m w_m K~_m Q)        (all points at once)
+///
+/// The sums over all points are filtered on permutohedral lattices, which are built once for all kinds of labels. The
+/// result is bit-identical for any number of threads, and with it the order of the points decides only roundings.
+/// An object keeps its memory from one use to the next. Not for concurrent callers; the pool must outlive it.
+class DenseCrf {
+ public:
+  explicit DenseCrf(ThreadPool& pool);
+  ~DenseCrf();
+  DenseCrf(DenseCrf&&) noexcept;
+  DenseCrf& operator=(DenseCrf&&) noexcept;
+
+  /// Takes the points (they are not needed afterwards) and builds a lattice for each kernel whose weight is not 0.
+  void SetPoints(std::span<const CrfPoint> points, const CrfKernelConfig& smoothness,
+                 const CrfKernelConfig& appearance);
+
+  /// Mean field for several kinds of labels at once, such as classes and instances: they do not influence each other,
+  /// and each has its own unaries and its own softmax. `num_labels` has the number of labels of each kind, L in all.
+  ///   - In: `values[point * L + label]`, a kind's labels together, is the unary U = -log p. +infinity (or NaN) makes a
+  ///     label impossible. If all labels of a kind are impossible at a point, the point knows nothing: all count alike.
+  ///   - Out: the marginals Q of the same point and label; they add up to 1 over each kind.
+  void Infer(std::span<const int> num_labels, int iterations, std::span<float> values);
+
+  /// Sizes of the lattices; 0 where a kernel is off. For reports.
+  [[nodiscard]] std::size_t num_smoothness_vertices() const;
+  [[nodiscard]] std::size_t num_appearance_vertices() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dhpmap
