@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "clients/evaluator/baselines/semantic_layer.h"
+#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/integrator.h"
+
+namespace dhpmap::evaluator {
+
+/// A frame as Kimera's merged mode sees it: one ray a voxel in which points end, whatever their segments, with the
+/// frequencies of the points' labels.
+class MergedRays {
+ public:
+  MergedRays(const IntegrationConfig& config, ThreadPool& pool) : geometry_(config, pool), labelled_(config, pool) {}
+
+  /// Rays on the grid of the map frame. The frame must be valid. What it gives holds until the next call.
+  void Assign(const PanopticFrame& frame, double voxel_size_m);
+
+  /// All points as one segment; null if no point is in range.
+  [[nodiscard]] const SegmentBundles* rays() const { return rays_; }
+  /// Of one of the rays()->bundles, by ascending class; empty where all its points are of unknown class.
+  [[nodiscard]] std::span<const LabelFrequency> LabelsOf(std::size_t bundle) const {
+    return std::span(labels_).subspan(first_label_[bundle], first_label_[bundle + 1] - first_label_[bundle]);
+  }
+
+ private:
+  void CountLabels(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments);
+
+  Bundler geometry_;
+  Bundler labelled_;
+  const SegmentBundles* rays_ = nullptr;
+  std::vector<LabelFrequency> labels_;
+  std::vector<std::size_t> first_label_;  // of each bundle, and the end
+};
+
+/// Shows the labels of each ray to every voxel that IntegrateSegment updates with that ray.
+void ObserveLabels(const MergedRays& rays, const RayOrigin& origin, const MapConfig& config, SemanticLayer& layer);
+
+}  // namespace dhpmap::evaluator
