@@ -10,7 +10,7 @@ packages=(
   libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
   libsqlite3-dev libzstd-dev
   libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libpcl-dev
-  libspdlog-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev
+  libspdlog-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev libnanoflann-dev
   libgtest-dev
 )
 googleapis_package=golang-github-gogo-googleapis-dev  # the grpc-gateway one is older and has no google.rpc.ErrorInfo

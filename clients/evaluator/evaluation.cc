@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/evaluation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dhpmap::evaluator {
+
+Protocol ProtocolFor(double voxel_size_m) {
+  Protocol protocol;
+  protocol.spacing_m = 0.5 * voxel_size_m;
+  protocol.d_match_m = 2 * voxel_size_m;
+  protocol.geometry.threshold_m = std::max(0.05, voxel_size_m);
+  return protocol;
+}
+
+Truth::Truth(const Mesh& mesh, ClassMap classes, Protocol protocol)
+    : classes_(std::move(classes)),
+      protocol_(std::move(protocol)),
+      samples_(SampleSurface(mesh, protocol_.spacing_m)),
+      labels_(TruthLabels(samples_, classes_)),
+      nearest_(samples_.positions_m) {}
+
+Scores Evaluate(const Truth& truth, const LabelledSurface& surface, bool has_instances, ThreadPool& pool,
+                std::vector<ElementLabel>* labels) {
+  const Protocol& protocol = truth.protocol();
+  const double reach_m = std::max(protocol.geometry.reach_m(), protocol.d_match_m);
+  const SurfaceSamples predicted = SampleSurface(surface.mesh, protocol.spacing_m);
+  const std::vector<Neighbour> from_truth =
+      NearestSample(predicted.positions_m).FindAll(truth.samples().positions_m, reach_m, pool);
+  const std::vector<Neighbour> from_predicted = truth.nearest().FindAll(predicted.positions_m, reach_m, pool);
+
+  std::vector<ElementLabel> predicted_labels =
+      PredictedLabels(from_truth, predicted, truth.classes(), protocol.d_match_m, has_instances);
+  const std::vector<Element> elements = Pair(truth.labels(), predicted_labels);
+  const SegmentOverlap overlap = CountSegments(elements);
+
+  Scores scores;
+  scores.has_instances = has_instances;
+  scores.semantics = ScoreSemantics(elements, truth.classes().classes().size());
+  scores.panoptics = ScorePanoptics(overlap, truth.classes(), protocol.min_elements);
+  if (has_instances) {
+    for (const double iou : protocol.precision_ious) {
+      scores.precisions.push_back(
+          ScoreInstances(overlap, truth.classes(), surface.instance_scores, iou, protocol.min_elements));
+    }
+  }
+  scores.geometry = ScoreGeometry(from_predicted, from_truth, protocol.geometry);
+  if (labels != nullptr) *labels = std::move(predicted_labels);
+  return scores;
+}
+
+}  // namespace dhpmap::evaluator

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/experiment.h"
+
+#include <utility>
+
+#include "clients/evaluator/dhp_system.h"
+#include "clients/evaluator/recording.h"
+#include "clients/evaluator/systems.h"
+#include "mapping/pipeline/map_builder.h"
+
+namespace dhpmap::evaluator {
+namespace {
+
+constexpr std::size_t kCacheBytes = std::size_t{3} << 30;
+
+/// Every object that has a single point stays in the map.
+MapConfig TruthConfig(MapConfig config) {
+  config.refinement.management = false;
+  config.refinement.crf = false;
+  config.refinement.every_frames = 0;
+  config.refinement.drop_voxel_labels = false;
+  config.activity.required_reobservations = 0;
+  config.tracking.min_points_stuff = 1;
+  config.tracking.min_points_small = 1;
+  config.tracking.min_points_medium = 1;
+  config.tracking.min_points_large = 1;
+  return config;
+}
+
+Result<std::shared_ptr<const LabelSet>> MakeLabelSet(const std::vector<LabelClass>& classes) {
+  DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(classes));
+  return std::make_shared<const LabelSet>(std::move(label_set));
+}
+
+Status Map(MappingSystem& system, Recording& recording) {
+  DHPMAP_RETURN_IF_ERROR(recording.ForEach([&system](const PanopticFrame& frame) { return system.Integrate(frame); }));
+  system.Finish();
+  return Status::Ok();
+}
+
+Result<ClassMap> ReadClasses(const ExperimentOptions& options, const std::vector<LabelClass>& truth,
+                             const std::vector<LabelClass>& predicted) {
+  if (!options.class_map.empty()) return ClassMap::Read(options.class_map);
+  return FindClassMap(options.directory, truth, predicted);
+}
+
+}  // namespace
+
+Result<MapConfig> ConfigFor(const std::string& preset,
+                            const std::vector<std::pair<std::string, std::string>>& settings) {
+  MapConfig config;
+  DHPMAP_RETURN_IF_ERROR(ApplyPreset(preset, config));
+  for (const auto& [key, value] : settings) DHPMAP_RETURN_IF_ERROR(SetField(config, key, value));
+  DHPMAP_RETURN_IF_ERROR(config.Validate());
+  return config;
+}
+
+Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemVisitor& visit) {
+  for (const std::string& name : options.systems) DHPMAP_RETURN_IF_ERROR(CheckSystemName(name));
+  DHPMAP_ASSIGN_OR_RETURN(Recording truth_recording, Recording::Open(options.directory, options.format,
+                                                                     LabelSource::kGroundTruth, options.num_frames, 0));
+  DHPMAP_ASSIGN_OR_RETURN(Recording recording, Recording::Open(options.directory, options.format, options.labels,
+                                                               options.num_frames, kCacheBytes));
+  Experiment experiment;
+  experiment.directory = options.directory;
+  experiment.labels = options.labels == LabelSource::kPredicted ? "predicted" : "groundtruth";
+  DHPMAP_ASSIGN_OR_RETURN(experiment.config, ConfigFor(recording.preset(), options.settings));
+  DHPMAP_ASSIGN_OR_RETURN(experiment.classes,
+                          ReadClasses(options, truth_recording.label_classes(), recording.label_classes()));
+  experiment.protocol = ProtocolFor(experiment.config.voxel_size_m);
+
+  SystemSetup truth_setup{TruthConfig(experiment.config), nullptr, options.num_threads};
+  DHPMAP_ASSIGN_OR_RETURN(truth_setup.label_set, MakeLabelSet(truth_recording.label_classes()));
+  auto truth_system = MakeDhp("ground truth", truth_setup);
+  DHPMAP_RETURN_IF_ERROR(Map(*truth_system, truth_recording));
+  const Truth truth(truth_system->Surface().mesh, experiment.classes, experiment.protocol);
+  truth_system.reset();
+  experiment.num_truth_samples = static_cast<std::int64_t>(truth.samples().size());
+
+  SystemSetup setup{experiment.config, nullptr, options.num_threads};
+  DHPMAP_ASSIGN_OR_RETURN(setup.label_set, MakeLabelSet(recording.label_classes()));
+  ThreadPool pool(options.num_threads);
+  for (const std::string& name : options.systems) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::unique_ptr<MappingSystem> system, MakeSystem(name, setup));
+    DHPMAP_RETURN_IF_ERROR(Map(*system, recording));
+    std::vector<ElementLabel> labels;
+    Scores scores = Evaluate(truth, system->Surface(), system->has_instances(), pool, &labels);
+    scores.system = name;
+    scores.times = system->times();
+    if (visit) DHPMAP_RETURN_IF_ERROR(visit(truth, scores, labels));
+    experiment.num_frames = scores.times.num_frames;
+    experiment.systems.push_back(std::move(scores));
+  }
+  experiment.num_skipped = static_cast<std::int64_t>(recording.num_skipped());
+  return experiment;
+}
+
+}  // namespace dhpmap::evaluator

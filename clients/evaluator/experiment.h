@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/datasets/dataset.h"
+#include "clients/evaluator/evaluation.h"
+
+namespace dhpmap::evaluator {
+
+/// What to run on a data set.
+struct ExperimentOptions {
+  std::string directory;
+  DatasetFormat format = DatasetFormat::kAuto;
+  LabelSource labels = LabelSource::kPredicted;
+  std::size_t num_frames = 0;  ///< 0 = all
+  std::string class_map;       ///< file; empty = see FindClassMap
+  std::vector<std::string> systems;
+  std::vector<std::pair<std::string, std::string>> settings;  ///< keys of MapConfig, on top of the preset
+  int num_threads = 0;                                        ///< 0 = one a core
+};
+
+struct Experiment {
+  std::string directory, labels;
+  std::int64_t num_frames = 0, num_skipped = 0;
+  MapConfig config;
+  ClassMap classes;
+  Protocol protocol;
+  std::int64_t num_truth_samples = 0;
+  std::vector<Scores> systems;
+};
+
+/// Called after each system, before its map is freed.
+using SystemVisitor = std::function<Status(const Truth&, const Scores&, const std::vector<ElementLabel>& labels)>;
+
+/// Builds the map of the ground truth's labels with the same fusion (ids persistent, nothing refined, nothing too small
+/// to keep), then each system's map of the same frames, and compares them. `visit` may be empty.
+Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemVisitor& visit);
+
+/// The preset of a data set with the settings on top; INVALID_ARGUMENT for unknown keys and values out of range.
+Result<MapConfig> ConfigFor(const std::string& preset,
+                            const std::vector<std::pair<std::string, std::string>>& settings);
+
+}  // namespace dhpmap::evaluator

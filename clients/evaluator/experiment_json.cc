@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/experiment_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace dhpmap::evaluator {
+namespace {
+
+using nlohmann::json;
+
+json ToJson(const Protocol& p) {
+  return {{"sample_spacing_m", p.spacing_m},
+          {"label_match_distance_m", p.d_match_m},
+          {"min_segment_samples", p.min_elements},
+          {"f_score_threshold_m", p.geometry.threshold_m},
+          {"accuracy_truncation_m", p.geometry.accuracy_truncation_m},
+          {"completion_truncation_m", p.geometry.completion_truncation_m}};
+}
+
+json ToJson(const ClassMap& classes) {
+  json list = json::array();
+  for (const EvaluatedClass& c : classes.classes()) {
+    list.push_back(
+        {{"name", c.name}, {"is_thing", c.is_thing}, {"truth_ids", c.truth_ids}, {"predicted_ids", c.predicted_ids}});
+  }
+  return list;
+}
+
+json ToJson(const PanopticMean& mean) {
+  return {{"pq", mean.pq}, {"sq", mean.sq}, {"rq", mean.rq}, {"num_classes", mean.num_classes}};
+}
+
+std::string IouKey(double iou) { return "ap_" + std::to_string(static_cast<int>(100 * iou + 0.5)); }
+
+json ClassesOf(const Scores& scores, const ClassMap& classes) {
+  json list = json::array();
+  for (std::size_t c = 0; c < scores.semantics.classes.size(); ++c) {
+    const ClassCounts& counts = scores.semantics.classes[c];
+    if (counts.num_truth == 0 && counts.num_predicted == 0) continue;
+    const ClassPanoptic& p = scores.panoptics.classes[c];
+    json row{{"name", classes.classes()[c].name},
+             {"is_thing", classes.classes()[c].is_thing},
+             {"num_truth_samples", counts.num_truth},
+             {"num_predicted_samples", counts.num_predicted},
+             {"num_right_samples", counts.num_right},
+             {"iou", counts.iou()},
+             {"is_present", p.is_present},
+             {"pq", p.pq()},
+             {"sq", p.sq()},
+             {"rq", p.rq()},
+             {"num_matched", p.num_matched},
+             {"num_false", p.num_false},
+             {"num_missed", p.num_missed}};
+    for (const PrecisionAt& at : scores.precisions) {
+      if (at.classes[c]) row[IouKey(at.iou)] = *at.classes[c];
+    }
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+json ToJson(const Scores& s, const ClassMap& classes) {
+  json out{{"system", s.system},
+           {"has_instances", s.has_instances},
+           {"panoptic",
+            {{"all", ToJson(s.panoptics.all)},
+             {"things", ToJson(s.panoptics.things)},
+             {"stuff", ToJson(s.panoptics.stuff)}}},
+           {"semantic",
+            {{"mean_iou", s.semantics.mean_iou},
+             {"accuracy", s.semantics.accuracy},
+             {"num_samples", s.semantics.num_elements},
+             {"num_answered", s.semantics.num_answered}}},
+           {"geometry",
+            {{"accuracy_m", s.geometry.accuracy_m},
+             {"completion_m", s.geometry.completion_m},
+             {"chamfer_l1_m", s.geometry.chamfer_l1_m()},
+             {"precision", s.geometry.precision},
+             {"recall", s.geometry.recall},
+             {"f_score", s.geometry.f_score()}}},
+           {"times",
+            {{"num_frames", s.times.num_frames}, {"integrate_s", s.times.integrate_s}, {"refine_s", s.times.refine_s}}},
+           {"classes", ClassesOf(s, classes)}};
+  json instance = json::object();
+  for (const PrecisionAt& at : s.precisions) instance["m" + IouKey(at.iou)] = at.mean;
+  if (!s.precisions.empty()) out["instance"] = std::move(instance);
+  return out;
+}
+
+}  // namespace
+
+json ToJson(const Experiment& experiment) {
+  json config = json::object();
+  for (const auto& [key, value] : ConfigToText(experiment.config)) config[key] = value;
+  json systems = json::array();
+  for (const Scores& scores : experiment.systems) systems.push_back(ToJson(scores, experiment.classes));
+  return {{"data_set", experiment.directory},
+          {"labels", experiment.labels},
+          {"num_frames", experiment.num_frames},
+          {"num_skipped_frames", experiment.num_skipped},
+          {"config", std::move(config)},
+          {"protocol", ToJson(experiment.protocol)},
+          {"class_map", ToJson(experiment.classes)},
+          {"num_truth_samples", experiment.num_truth_samples},
+          {"systems", std::move(systems)}};
+}
+
+}  // namespace dhpmap::evaluator

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/geometry_score.h"
+
+#include <algorithm>
+
+namespace dhpmap::evaluator {
+namespace {
+
+double ShareBelow(std::span<const Neighbour> neighbours, double threshold_m) {
+  if (neighbours.empty()) return 0;
+  const auto num_near = std::count_if(neighbours.begin(), neighbours.end(), [threshold_m](const Neighbour& n) {
+    return static_cast<double>(n.distance_m) < threshold_m;
+  });
+  return static_cast<double>(num_near) / static_cast<double>(neighbours.size());
+}
+
+}  // namespace
+
+double GeometryLimits::reach_m() const {
+  return std::max({threshold_m, accuracy_truncation_m, completion_truncation_m});
+}
+
+double GeometryScore::f_score() const {
+  return precision + recall == 0 ? 0.0 : 2 * precision * recall / (precision + recall);
+}
+
+GeometryScore ScoreGeometry(std::span<const Neighbour> from_predicted, std::span<const Neighbour> from_truth,
+                            const GeometryLimits& limits) {
+  GeometryScore score;
+  double sum_m = 0;
+  std::int64_t count = 0;
+  for (const Neighbour& n : from_predicted) {
+    if (!n.exists() || n.distance_m > limits.accuracy_truncation_m) continue;
+    sum_m += n.distance_m;
+    ++count;
+  }
+  // A prediction with nothing near the truth is not accurate.
+  score.accuracy_m = count > 0 ? sum_m / static_cast<double>(count) : limits.accuracy_truncation_m;
+  sum_m = 0;
+  for (const Neighbour& n : from_truth) {
+    sum_m +=
+        n.exists() ? std::min<double>(n.distance_m, limits.completion_truncation_m) : limits.completion_truncation_m;
+  }
+  score.completion_m = from_truth.empty() ? 0.0 : sum_m / static_cast<double>(from_truth.size());
+  score.precision = ShareBelow(from_predicted, limits.threshold_m);
+  score.recall = ShareBelow(from_truth, limits.threshold_m);
+  return score;
+}
+
+}  // namespace dhpmap::evaluator

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap-evaluate: how good maps are, ours and those of other systems, against the ground truth of a data set.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "clients/evaluator/run_command.h"
+
+int main(int argc, char** argv) {
+  constexpr int kFailed = 1, kUsage = 2;
+  dhpmap::Status status;
+  CLI::App app("Compares maps with the ground truth of a data set.", "dhpmap-evaluate");
+  app.require_subcommand(1);
+  dhpmap::evaluator::AddRunCommand(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kUsage;
+  }
+  if (status.ok()) return 0;
+  std::fprintf(stderr, "dhpmap-evaluate: %s\n", status.ToString().c_str());
+  return status.code() == dhpmap::StatusCode::kInvalidArgument ? kUsage : kFailed;
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/evaluator/experiment.h"
+
+namespace dhpmap::evaluator {
+
+/// A Markdown table: first column to the left, the others to the right, padded so that it reads as plain text too.
+class MarkdownTable {
+ public:
+  explicit MarkdownTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+  void Add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  [[nodiscard]] std::string Text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// With so many decimals; "-" for what is not finite.
+std::string Decimals(double value, int decimals);
+
+/// What was compared and how: data set, thresholds, class map.
+std::string ProtocolText(const Experiment& experiment);
+/// One row a system, all scores.
+std::string ScoreTable(const Experiment& experiment);
+/// One row a class: IoU and PQ of each system.
+std::string ClassTable(const Experiment& experiment);
+
+}  // namespace dhpmap::evaluator

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mapping/base/result.h"
+
+namespace dhpmap::evaluator {
+
+/// "key=value" each; INVALID_ARGUMENT for one without '=' or without a key.
+Result<std::vector<std::pair<std::string, std::string>>> ParseSettings(const std::vector<std::string>& settings);
+
+/// Replaces the file. UNAVAILABLE if it cannot be written.
+Status WriteText(const std::string& path, const std::string& text);
+
+/// UNAVAILABLE for the first file whose folder is not there, so that nobody waits for a result that has nowhere to go.
+/// Empty paths are passed over.
+Status CheckWritable(const std::vector<std::string>& paths);
+
+}  // namespace dhpmap::evaluator

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "clients/evaluator/class_map.h"
+#include "clients/evaluator/segment_overlap.h"
+
+namespace dhpmap::evaluator {
+
+/// Panoptic quality of one class (Kirillov et al. 2019).
+struct ClassPanoptic {
+  int num_matched = 0, num_false = 0, num_missed = 0;  ///< TP, FP, FN segments
+  double sum_iou = 0;                                  ///< of the matched ones
+  /// Whether the ground truth has a segment of it that counts.
+  bool is_present = false;
+  [[nodiscard]] double sq() const { return num_matched == 0 ? 0.0 : sum_iou / num_matched; }
+  [[nodiscard]] double rq() const;
+  [[nodiscard]] double pq() const { return sq() * rq(); }
+};
+
+struct PanopticMean {
+  double pq = 0, sq = 0, rq = 0;
+  int num_classes = 0;
+};
+
+/// PQ, SQ and RQ as SemanticKITTI's evaluation counts them: segments match if they are of one class and their IoU is
+/// above 0.5, which at most one pair of each can be; segments with fewer than `min_elements` elements that match
+/// nothing count neither as false nor as missed. Means are over the classes that the ground truth has.
+struct PanopticScore {
+  std::vector<ClassPanoptic> classes;  ///< by evaluated class
+  PanopticMean all, things, stuff;
+  std::set<std::pair<ElementLabel, ElementLabel>> matches;  ///< (truth, predicted)
+};
+
+PanopticScore ScorePanoptics(const SegmentOverlap& overlap, const ClassMap& classes, std::int64_t min_elements);
+
+}  // namespace dhpmap::evaluator

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/recording.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dhpmap::evaluator {
+namespace {
+
+template <typename T>
+std::size_t BytesOf(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
+
+std::size_t BytesOf(const PanopticFrame& frame) {
+  std::size_t bytes = sizeof(frame) + BytesOf(frame.segments);
+  if (frame.camera)
+    bytes += BytesOf(frame.camera->depth_m) + BytesOf(frame.camera->color) + BytesOf(frame.camera->segments);
+  if (frame.lidar)
+    bytes += BytesOf(frame.lidar->points_m) + BytesOf(frame.lidar->color) + BytesOf(frame.lidar->segments);
+  return bytes;
+}
+
+}  // namespace
+
+Result<Recording> Recording::Open(const std::string& directory, DatasetFormat format, LabelSource labels,
+                                  std::size_t num_frames, std::size_t cache_bytes) {
+  DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<Dataset> dataset, OpenDataset(directory, format, labels));
+  const std::size_t available = dataset->num_frames();
+  return Recording(std::move(dataset), num_frames == 0 ? available : std::min(num_frames, available), cache_bytes);
+}
+
+Result<PanopticFrame> Recording::Decode(std::size_t index) {
+  DHPMAP_ASSIGN_OR_RETURN(const DatasetFrame raw, dataset_->Read(index));
+  return DecodeFrame(raw, dataset_->has_persistent_ids());
+}
+
+Status Recording::ForEach(const std::function<Status(const PanopticFrame&)>& use) {
+  num_skipped_ = num_cached_indices_ - cached_.size();
+  std::size_t num_used = 0;
+  for (const PanopticFrame& frame : cached_) {
+    DHPMAP_RETURN_IF_ERROR(use(frame));
+    ++num_used;
+  }
+  for (std::size_t i = num_cached_indices_; i < num_frames_; ++i) {
+    Result<PanopticFrame> frame = Decode(i);
+    if (!frame.ok()) {
+      if (num_skipped_++ == 0) first_error_ = frame.status().ToString();
+      if (!is_full_) num_cached_indices_ = i + 1;
+      continue;
+    }
+    DHPMAP_RETURN_IF_ERROR(use(*frame));
+    ++num_used;
+    cached_bytes_ += BytesOf(*frame);
+    is_full_ = is_full_ || cached_bytes_ > cache_bytes_;
+    if (is_full_) continue;
+    cached_.push_back(std::move(frame).value());
+    num_cached_indices_ = i + 1;
+  }
+  if (num_used > 0) return Status::Ok();
+  return NotFound("no frame can be read" + (first_error_.empty() ? "" : ": " + first_error_));
+}
+
+}  // namespace dhpmap::evaluator

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/run_command.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "clients/evaluator/experiment.h"
+#include "clients/evaluator/experiment_json.h"
+#include "clients/evaluator/markdown.h"
+#include "clients/evaluator/output.h"
+#include "clients/evaluator/pictures.h"
+#include "clients/evaluator/systems.h"
+
+namespace dhpmap::evaluator {
+namespace {
+
+struct RunOptions {
+  ExperimentOptions experiment;
+  std::string labels = "predicted", format = "auto", json, markdown, pictures;
+  std::vector<std::string> settings;
+};
+
+Status Run(RunOptions& options) {
+  ExperimentOptions& wanted = options.experiment;
+  DHPMAP_ASSIGN_OR_RETURN(wanted.labels, ParseLabelSource(options.labels));
+  if (wanted.labels == LabelSource::kNone) return InvalidArgument("without labels there is nothing to evaluate");
+  DHPMAP_ASSIGN_OR_RETURN(wanted.format, ParseDatasetFormat(options.format));
+  DHPMAP_ASSIGN_OR_RETURN(wanted.settings, ParseSettings(options.settings));
+  DHPMAP_RETURN_IF_ERROR(CheckWritable({options.json, options.markdown}));
+
+  const SystemVisitor draw = [&options](const Truth& truth, const Scores& scores, const auto& labels) {
+    return options.pictures.empty() ? Status::Ok() : DrawPictures(truth, scores, labels, options.pictures);
+  };
+  DHPMAP_ASSIGN_OR_RETURN(const Experiment experiment, RunExperiment(wanted, draw));
+  const std::string text = ProtocolText(experiment) + "\n" + ScoreTable(experiment) + "\n" + ClassTable(experiment);
+  std::cout << text;
+  if (!options.markdown.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.markdown, text));
+  if (!options.json.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.json, ToJson(experiment).dump(1) + "\n"));
+  return Status::Ok();
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App& app, Status& status) {
+  auto options = std::make_shared<RunOptions>();
+  ExperimentOptions& wanted = options->experiment;
+  wanted.systems = {"dhp_no_refine", "dhp"};
+  CLI::App& command = *app.add_subcommand("run", "Compare maps of one data set with the map of its ground truth");
+  command.add_option("DATASET_DIR", wanted.directory, "Data set with ground truth labels")->required();
+  command.add_option("--labels", options->labels, "Labels the systems map: predicted or groundtruth")
+      ->capture_default_str();
+  command.add_option("--format", options->format, "flat, kitti, sevenscenes, tum or auto")->capture_default_str();
+  command.add_option("--frames", wanted.num_frames, "First frames only; 0 = all")->capture_default_str();
+  command.add_option("--systems", wanted.systems, "Which systems, by commas")->delimiter(',')->capture_default_str();
+  command.add_option("--set", options->settings, "key=value of the map's configuration, on top of the preset");
+  command.add_option("--class-map", wanted.class_map, "File like evaluation_classes.csv instead of the data set's");
+  command.add_option("--threads", wanted.num_threads, "0 = one a core")->capture_default_str();
+  command.add_option("--json", options->json, "Write everything to this file");
+  command.add_option("--markdown", options->markdown, "Write the tables to this file too");
+  command.add_option("--pictures", options->pictures, "Write label and error pictures (PNG) to this folder");
+  command.callback([options, &status] { status = Run(*options); });
+}
+
+}  // namespace dhpmap::evaluator

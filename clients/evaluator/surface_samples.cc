@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/surface_samples.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dhpmap::evaluator {
+namespace {
+
+/// Points of the unit square that fill it evenly from the first on (the additive recurrence of the plastic number).
+class SpreadPoints {
+ public:
+  std::array<double, 2> Next() {
+    u_ += 0.7548776662466927;
+    v_ += 0.5698402909980532;
+    u_ -= std::floor(u_);
+    v_ -= std::floor(v_);
+    return {u_, v_};
+  }
+
+ private:
+  double u_ = 0.5, v_ = 0.5;
+};
+
+}  // namespace
+
+SurfaceSamples SampleSurface(const Mesh& mesh, double spacing_m) {
+  SurfaceSamples samples;
+  SpreadPoints spread;
+  double owed = 0.5;  // samples; what a triangle is too small for goes to the next
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices_m[triangle[0]].cast<double>();
+    const Eigen::Vector3d ab = mesh.vertices_m[triangle[1]].cast<double>() - a;
+    const Eigen::Vector3d ac = mesh.vertices_m[triangle[2]].cast<double>() - a;
+    owed += 0.5 * ab.cross(ac).norm() / (spacing_m * spacing_m);
+    for (; owed >= 1.0; owed -= 1.0) {
+      auto [u, v] = spread.Next();
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      const std::array<double, 3> nearness{1 - u - v, u, v};
+      const auto nearest = std::max_element(nearness.begin(), nearness.end()) - nearness.begin();
+      const std::uint32_t corner = triangle[static_cast<std::size_t>(nearest)];
+      samples.positions_m.push_back((a + u * ab + v * ac).cast<float>());
+      samples.classes.push_back(mesh.classes[corner]);
+      samples.instances.push_back(mesh.instances[corner]);
+    }
+  }
+  return samples;
+}
+
+}  // namespace dhpmap::evaluator

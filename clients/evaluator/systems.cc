@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/systems.h"
+
+#include <algorithm>
+
+#include "clients/evaluator/dhp_system.h"
+
+namespace dhpmap::evaluator {
+namespace {
+
+struct Entry {
+  const char* name;
+  std::unique_ptr<MappingSystem> (*make)(SystemSetup setup);
+};
+
+template <bool kManagement, bool kCrf>
+std::unique_ptr<MappingSystem> MakeVariant(const char* name, SystemSetup setup) {
+  setup.config.refinement.management = kManagement;
+  setup.config.refinement.crf = kCrf;
+  return MakeDhp(name, setup);
+}
+
+constexpr Entry kEntries[] = {
+    {"dhp_no_refine", [](SystemSetup setup) { return MakeVariant<false, false>("dhp_no_refine", std::move(setup)); }},
+    {"dhp_management_only",
+     [](SystemSetup setup) { return MakeVariant<true, false>("dhp_management_only", std::move(setup)); }},
+    {"dhp_crf_only", [](SystemSetup setup) { return MakeVariant<false, true>("dhp_crf_only", std::move(setup)); }},
+    {"dhp", [](SystemSetup setup) { return MakeDhp("dhp", setup); }},
+};
+
+const Entry* Find(const std::string& name) {
+  const auto* it = std::find_if(std::begin(kEntries), std::end(kEntries),
+                                [&name](const Entry& entry) { return name == entry.name; });
+  return it == std::end(kEntries) ? nullptr : it;
+}
+
+}  // namespace
+
+std::vector<std::string> SystemNames() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kEntries) names.emplace_back(entry.name);
+  return names;
+}
+
+Status CheckSystemName(const std::string& name) {
+  if (Find(name) != nullptr) return Status::Ok();
+  std::string known;
+  for (const Entry& entry : kEntries) known += std::string(known.empty() ? "" : ", ") + entry.name;
+  return InvalidArgument("there is no system '" + name + "'; there are " + known);
+}
+
+Result<std::unique_ptr<MappingSystem>> MakeSystem(const std::string& name, SystemSetup setup) {
+  DHPMAP_RETURN_IF_ERROR(CheckSystemName(name));
+  DHPMAP_RETURN_IF_ERROR(setup.config.Validate());
+  return Find(name)->make(std::move(setup));
+}
+
+}  // namespace dhpmap::evaluator
