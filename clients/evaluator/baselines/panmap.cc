@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/baselines/panmap.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "clients/evaluator/baselines/baselines.h"
+#include "clients/evaluator/baselines/panmap_merging.h"
+
+namespace dhpmap::evaluator {
+
+Panmap::Panmap(const SystemSetup& setup)
+    : setup_(setup),
+      pool_(setup.num_threads),
+      bundler_(setup.config.integration, pool_),
+      tracker_(setup.config, *setup.label_set, pool_),
+      integrator_(setup.config, pool_) {}
+
+Status Panmap::Integrate(const PanopticFrame& frame) {
+  DHPMAP_RETURN_IF_ERROR(ValidateFrame(frame, *setup_.label_set));
+  const auto start = std::chrono::steady_clock::now();
+  settings_ = PanmapSettingsFor(frame);
+  const auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, setup_.config.voxel_size_m);
+  const std::vector<SubmapId> assigned = tracker_.Assign(frame, segments, settings_, submaps_, next_id_);
+  integrator_.Integrate(frame, segments, assigned, submaps_);
+  UpdateActivity();
+  times_.num_frames += 1;
+  times_.integrate_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return Status::Ok();
+}
+
+void Panmap::UpdateActivity() {
+  std::vector<SubmapId> deactivated;
+  std::erase_if(submaps_, [&](const auto& submap) {
+    if (!submap->IsActive()) return false;
+    SubmapInfo& info = submap->geometry.mutable_info();
+    const bool is_new = info.num_frames_observed == 0;
+    if (submap->was_tracked) {
+      info.num_frames_observed += 1;
+      info.num_frames_missed = 0;
+      if (!is_new && submap->num_reobservations_left > 0) --submap->num_reobservations_left;
+      return false;
+    }
+    if (submap->num_reobservations_left > 0) return true;
+    if (++info.num_frames_missed >= settings_.deactivate_after_missed) {
+      info.activity = Activity::kInactive;
+      deactivated.push_back(info.id);
+    }
+    return false;
+  });
+  for (const SubmapId id : deactivated) {
+    const bool is_there =
+        std::any_of(submaps_.begin(), submaps_.end(), [id](const auto& submap) { return submap->geometry.id() == id; });
+    if (is_there) MergeWithInactive(id, setup_.config, settings_, submaps_);
+  }
+}
+
+void Panmap::Finish() {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<SubmapId> ids;
+  for (const auto& submap : submaps_) {
+    submap->geometry.PruneBlocks();
+    submap->geometry.UpdateBoundingSphere();
+    submap->geometry.mutable_info().activity = Activity::kInactive;
+    ids.push_back(submap->geometry.id());
+  }
+  for (std::size_t i = 0; i < ids.size();) {
+    const bool is_there = std::any_of(submaps_.begin(), submaps_.end(),
+                                      [&](const auto& submap) { return submap->geometry.id() == ids[i]; });
+    const bool has_merged = is_there && MergeWithInactive(ids[i], setup_.config, settings_, submaps_);
+    i = has_merged ? 0 : i + 1;
+  }
+  times_.integrate_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+LabelledSurface Panmap::Surface() const {
+  LabelledSurface surface;
+  for (const auto& submap : submaps_) {
+    const Mesh mesh = ExtractMesh(submap->OwnGeometry(), *setup_.label_set, MeshColoring::kSensor);
+    if (mesh.vertices_m.empty()) continue;
+    surface.instance_scores[submap->geometry.id().value] = submap->Confidence();
+    AppendMesh(mesh, surface.mesh);
+  }
+  return surface;
+}
+
+std::unique_ptr<MappingSystem> MakePanmap(const SystemSetup& setup) { return std::make_unique<Panmap>(setup); }
+
+}  // namespace dhpmap::evaluator

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "clients/evaluator/baselines/panmap_submap.h"
+#include "clients/evaluator/baselines/panmap_tracker.h"
+#include "clients/evaluator/baselines/projective_integrator.h"
+#include "clients/evaluator/mapping_system.h"
+
+namespace dhpmap::evaluator {
+
+/// Panmap: panoptic submaps that live while they are tracked. Left out, since the data sets are of one session and
+/// static: its submap of free space, and change detection.
+class Panmap final : public MappingSystem {
+ public:
+  explicit Panmap(const SystemSetup& setup);
+
+  [[nodiscard]] std::string name() const override { return "panmap"; }
+  [[nodiscard]] bool has_instances() const override { return true; }
+  Status Integrate(const PanopticFrame& frame) override;
+  /// Deactivates everything and merges until nothing changes.
+  void Finish() override;
+  /// All submaps' own surfaces, overlapping where submaps do. An instance's score is the share of its voxels' counts
+  /// that say it is of its class.
+  [[nodiscard]] LabelledSurface Surface() const override;
+  [[nodiscard]] SystemTimes times() const override { return times_; }
+
+  [[nodiscard]] const PanmapSubmaps& submaps() const { return submaps_; }
+
+ private:
+  void UpdateActivity();
+
+  SystemSetup setup_;
+  PanmapSettings settings_;
+  ThreadPool pool_;
+  Bundler bundler_;
+  PanmapTracker tracker_;
+  ProjectiveIntegrator integrator_;
+  PanmapSubmaps submaps_;
+  SubmapId next_id_{1};
+  SystemTimes times_;
+};
+
+}  // namespace dhpmap::evaluator
