@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/refinement/lattice_builder.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "mapping/refinement/scratch_loop.h"
+
+namespace dhpmap {
+namespace {
+
+// Sizes of pieces of work: fixed, so that nothing depends on the number of threads.
+constexpr std::size_t kPieceRows = 8192;
+constexpr std::size_t kPieceGhosts = 4096;
+
+}  // namespace
+
+/// Numbers the keys of one chunk in the order in which they come up.
+template <int D>
+struct LatticeBuilder<D>::ChunkTable {
+  std::vector<std::uint16_t> slots = std::vector<std::uint16_t>(2048, kFree);
+  std::vector<std::uint32_t> hashes;  ///< by number
+
+  static_assert(Lattice::kChunkPoints * (D + 1) < std::numeric_limits<std::uint16_t>::max());
+  static constexpr std::uint16_t kFree = std::numeric_limits<std::uint16_t>::max();
+
+  void Clear() {
+    std::fill(slots.begin(), slots.end(), kFree);
+    hashes.clear();
+  }
+
+  std::uint16_t NumberOf(Key key, std::vector<Key>& keys) {
+    const std::uint32_t hash = HashOfKey(key);
+    std::size_t slot = hash & (slots.size() - 1);
+    for (; slots[slot] != kFree; slot = (slot + 1) & (slots.size() - 1)) {
+      if (keys[slots[slot]] == key) return slots[slot];
+    }
+    const auto number = static_cast<std::uint16_t>(keys.size());
+    slots[slot] = number;
+    keys.push_back(key);
+    hashes.push_back(hash);
+    if (2 * keys.size() > slots.size()) Grow();
+    return number;
+  }
+
+  void Grow() {
+    slots.assign(2 * slots.size(), kFree);
+    for (std::size_t number = 0; number < hashes.size(); ++number) {
+      std::size_t slot = hashes[number] & (slots.size() - 1);
+      while (slots[slot] != kFree) slot = (slot + 1) & (slots.size() - 1);
+      slots[slot] = static_cast<std::uint16_t>(number);
+    }
+  }
+};
+
+template <int D>
+void LatticeBuilder<D>::FindCorners(std::span<const typename Lattice::Feature> features, std::size_t chunk_points,
+                                    typename Lattice::Corners* corners, LatticeGraph& graph) {
+  const LatticeEmbedding<D> embedding;
+  const std::size_t num_chunks = (features.size() + chunk_points - 1) / chunk_points;
+  chunks_.resize(num_chunks);
+  std::vector<ChunkTable> tables;
+  ParallelForWithScratch(pool_, num_chunks, tables, [&](std::size_t chunk, ChunkTable& table) {
+    ChunkRows& rows = chunks_[chunk];
+    table.Clear();
+    Simplex<D> simplex;
+    const std::size_t end = std::min(features.size(), (chunk + 1) * chunk_points);
+    for (std::size_t i = chunk * chunk_points; i < end; ++i) {
+      embedding.Embed(features[i], simplex);
+      corners[i].weight = simplex.weights;
+      for (std::size_t k = 0; k <= D; ++k) corners[i].row[k] = table.NumberOf(simplex.keys[k], rows.keys);
+    }
+    SortByPart(rows);
+  });
+  graph.chunk_row.assign(num_chunks + 1, 0);
+  for (std::size_t c = 0; c < num_chunks; ++c) graph.chunk_row[c + 1] = graph.chunk_row[c] + chunks_[c].keys.size();
+}
+
+template <int D>
+void LatticeBuilder<D>::SortByPart(ChunkRows& rows) const {
+  rows.part_begin.fill(0);
+  for (const Key& key : rows.keys) ++rows.part_begin[PartOf(HashOfKey(key)) + 1];
+  for (std::size_t part = 0; part < kNumParts; ++part) rows.part_begin[part + 1] += rows.part_begin[part];
+  std::array<std::uint32_t, kNumParts + 1> at = rows.part_begin;
+  rows.by_part.resize(rows.keys.size());
+  for (std::size_t row = 0; row < rows.keys.size(); ++row) {
+    rows.by_part[at[PartOf(HashOfKey(rows.keys[row]))]++] = static_cast<std::uint16_t>(row);
+  }
+}
+
+template <int D>
+void LatticeBuilder<D>::JoinChunks(LatticeGraph& graph) {
+  GatherKeys(graph);
+  pool_.ParallelFor(kNumParts, [&](std::size_t part) { JoinPart(part, graph); });
+  CollectGhosts(graph);
+}
+
+template <int D>
+void LatticeBuilder<D>::GatherKeys(const LatticeGraph& graph) {
+  keys_.Resize(graph.num_rows());
+  vertex_.Resize(graph.num_rows());
+  pool_.ParallelFor(chunks_.size(), [&](std::size_t c) {
+    std::copy(chunks_[c].keys.begin(), chunks_[c].keys.end(), keys_.begin() + graph.chunk_row[c]);
+  });
+  for (std::size_t part = 0; part < kNumParts; ++part) {
+    std::size_t num_rows = 0;
+    for (const ChunkRows& chunk : chunks_) num_rows += chunk.part_begin[part + 1] - chunk.part_begin[part];
+    table_begin_[part + 1] = table_begin_[part] + std::bit_ceil(2 * num_rows + 1);
+  }
+  table_.Resize(table_begin_[kNumParts]);
+}
+
+template <int D>
+void LatticeBuilder<D>::JoinPart(std::size_t part, const LatticeGraph& graph) {
+  Entry* table = table_.data() + table_begin_[part];
+  const std::size_t mask = table_begin_[part + 1] - table_begin_[part] - 1;
+  std::fill(table, table + mask + 1, Entry{0, kNone});
+  for (std::size_t c = 0; c < chunks_.size(); ++c) {
+    for (std::uint32_t i = chunks_[c].part_begin[part]; i < chunks_[c].part_begin[part + 1]; ++i) {
+      const auto row = static_cast<std::uint32_t>(graph.chunk_row[c] + chunks_[c].by_part[i]);
+      const std::uint32_t hash = HashOfKey(keys_[row]);
+      std::size_t slot = hash & mask;
+      while (table[slot].row != kNone && (table[slot].hash != hash || keys_[table[slot].row] != keys_[row])) {
+        slot = (slot + 1) & mask;
+      }
+      if (table[slot].row == kNone) table[slot] = {hash, row};
+      vertex_[row] = table[slot].row;
+    }
+  }
+}
+
+template <int D>
+void LatticeBuilder<D>::CollectGhosts(LatticeGraph& graph) const {
+  // Sorted by counting how many ghosts each vertex has.
+  std::vector<std::uint32_t> begin(graph.num_rows() + 1, 0);
+  std::size_t num_ghosts = 0;
+  for (std::size_t row = 0; row < graph.num_rows(); ++row) {
+    if (vertex_[row] == row) continue;
+    ++begin[vertex_[row] + 1];
+    ++num_ghosts;
+  }
+  graph.num_vertices = graph.num_rows() - num_ghosts;
+  for (std::size_t row = 0; row < graph.num_rows(); ++row) begin[row + 1] += begin[row];
+  graph.ghosts.Resize(num_ghosts);
+  for (std::size_t row = 0; row < graph.num_rows(); ++row) {
+    if (vertex_[row] != row) graph.ghosts[begin[vertex_[row]]++] = {vertex_[row], static_cast<std::uint32_t>(row)};
+  }
+  graph.ghost_piece_begin.assign(1, 0);
+  for (std::size_t i = 1; i < num_ghosts; ++i) {
+    const bool is_full = i - graph.ghost_piece_begin.back() >= kPieceGhosts;
+    if (is_full && graph.ghosts[i].vertex != graph.ghosts[i - 1].vertex) graph.ghost_piece_begin.push_back(i);
+  }
+  graph.ghost_piece_begin.push_back(num_ghosts);
+}
+
+template <int D>
+std::uint32_t LatticeBuilder<D>::Find(Key key, std::uint32_t hash) const {
+  const std::size_t part = PartOf(hash);
+  const Entry* table = table_.data() + table_begin_[part];
+  const std::size_t mask = table_begin_[part + 1] - table_begin_[part] - 1;
+  for (std::size_t slot = hash & mask; table[slot].row != kNone; slot = (slot + 1) & mask) {
+    if (table[slot].hash == hash && keys_[table[slot].row] == key) return table[slot].row;
+  }
+  return kNone;
+}
+
+template <int D>
+void LatticeBuilder<D>::FindNext(std::size_t begin, std::size_t end,
+                                 std::vector<GrowBuffer<std::uint32_t>>& next) const {
+  for (std::size_t row = begin; row < end; ++row) {
+    if (vertex_[row] != row) {
+      for (int axis = 0; axis <= D; ++axis) next[axis][row] = kNone;
+      continue;
+    }
+    for (int axis = 0; axis <= D; ++axis) {
+      const Key key = LatticeEmbedding<D>::Next(keys_[row], axis);
+      next[axis][row] = Find(key, HashOfKey(key));
+    }
+  }
+}
+
+template <int D>
+void LatticeBuilder<D>::FindNeighbours(LatticeGraph& graph) {
+  const std::size_t num_rows = graph.num_rows();
+  std::vector<GrowBuffer<std::uint32_t>> next(D + 1);
+  for (auto& rows : next) rows.Resize(num_rows);
+  pool_.ParallelFor((num_rows + kPieceRows - 1) / kPieceRows, [&](std::size_t piece) {
+    FindNext(piece * kPieceRows, std::min(num_rows, (piece + 1) * kPieceRows), next);
+  });
+  graph.axes.resize(D + 1);
+  pool_.ParallelFor(D + 1, [&](std::size_t a) {
+    LatticeGraph::Axis& axis = graph.axes[a];
+    std::vector<std::uint8_t> has_previous(num_rows, 0);
+    for (const std::uint32_t row : next[a]) {
+      if (row != kNone) has_previous[row] = 1;
+    }
+    axis.chains.clear();
+    axis.piece_begin.assign(1, 0);
+    for (std::size_t row = 0; row < num_rows; ++row) {
+      if (has_previous[row] || next[a][row] == kNone) continue;
+      if (axis.chains.size() - axis.piece_begin.back() >= kPieceRows) axis.piece_begin.push_back(axis.chains.size());
+      axis.chains.push_back(static_cast<std::uint32_t>(row) | LatticeGraph::kChainStart);
+      for (std::uint32_t r = next[a][row]; r != kNone; r = next[a][r]) axis.chains.push_back(r);
+    }
+    axis.piece_begin.push_back(axis.chains.size());
+  });
+}
+
+template class LatticeBuilder<3>;
+template class LatticeBuilder<6>;
+
+}  // namespace dhpmap

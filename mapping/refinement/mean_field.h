@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mapping/refinement/permutohedral_lattice.h"
+
+namespace dhpmap {
+
+/// How the labels of several kinds lie in a row of values: each kind begins a vector of 8 and is padded to whole ones.
+struct LabelLayout {
+  struct Vector {
+    std::size_t first_label;  ///< in the caller's rows
+    int num_labels;           ///< 1 to 8
+    bool ends_kind;
+  };
+  std::vector<Vector> vectors;
+  std::size_t num_labels = 0;  ///< of all kinds: the length of a caller's row
+
+  explicit LabelLayout(std::span<const int> labels_of_kinds);
+  [[nodiscard]] std::size_t num_channels() const { return 8 * vectors.size(); }
+};
+
+/// The part of a lattice that the points of one chunk touch.
+template <int D>
+struct LatticeChunk {
+  const typename PermutohedralLattice<D>::Corners* corners = nullptr;  ///< of the chunk's points; null: kernel off
+  std::size_t num_rows = 0;
+  float* rows = nullptr;  ///< in: filtered values to slice; out: splatted values
+};
+
+enum class MeanFieldPass {
+  kFirst,   ///< Q = softmax(-U), splatted. Unaries that say nothing are set to 0.
+  kMiddle,  ///< Q = softmax(-U + messages), splatted
+  kLast,    ///< Q = softmax(-U + messages), written over U
+  kOnly,    ///< Q = softmax(-U), written over U
+};
+
+/// Working memory of one thread; its contents mean nothing between passes.
+struct MeanFieldScratch {
+  std::vector<float> smoothness_rows, appearance_rows;  ///< what is being splatted
+  std::vector<float> q, last_row;                       ///< of one point
+};
+
+/// One step of mean field for one chunk of points. Slicing, softmax and splatting go point by point, so Q is never
+/// kept. `order`: the indices of the chunk's points in `values`, the caller's rows: U of all points, see
+/// DenseCrf::Infer.
+void RunMeanFieldPass(MeanFieldPass pass, const LabelLayout& layout, std::span<const std::uint32_t> order,
+                      const LatticeChunk<3>& smoothness, const LatticeChunk<6>& appearance, std::span<float> values,
+                      MeanFieldScratch& scratch);
+
+}  // namespace dhpmap

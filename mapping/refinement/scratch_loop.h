@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+
+namespace dhpmap {
+
+/// ParallelFor with working memory: body(i, scratch) for every i in [0, count), where no two threads get the same
+/// scratch at a time. What it holds from earlier items must not change what item i gives.
+template <typename Scratch, typename Body>
+void ParallelForWithScratch(ThreadPool& pool, std::size_t count, std::vector<Scratch>& scratch, const Body& body) {
+  const auto num_lanes = static_cast<std::size_t>(pool.num_threads());
+  if (scratch.size() < num_lanes) scratch.resize(num_lanes);
+  std::atomic<std::size_t> next{0};
+  pool.ParallelFor(num_lanes, [&](std::size_t lane) {
+    for (std::size_t i = next++; i < count; i = next++) body(i, scratch[lane]);
+  });
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/refinement/spatial_order.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace dhpmap {
+namespace {
+
+/// Puts two zeros before each of the 10 bits.
+std::uint32_t SpreadBits(std::uint32_t x) {
+  x = (x | (x << 16)) & 0x030000FFu;
+  x = (x | (x << 8)) & 0x0300F00Fu;
+  x = (x | (x << 4)) & 0x030C30C3u;
+  return (x | (x << 2)) & 0x09249249u;
+}
+
+}  // namespace
+
+std::uint32_t MortonCode(const Eigen::Vector3f& fraction) {
+  std::uint32_t code = 0;
+  for (int i = 0; i < 3; ++i) {
+    // Written so that a NaN becomes 0.
+    const float cell = fraction[i] > 0.0f ? std::min(fraction[i] * 1024.0f, 1023.0f) : 0.0f;
+    code |= SpreadBits(static_cast<std::uint32_t>(cell)) << i;
+  }
+  return code;
+}
+
+void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& order) {
+  constexpr int kBits = 10;
+  constexpr std::size_t kBuckets = std::size_t{1} << kBits;
+  std::vector<std::uint32_t> next_codes(codes.size()), next_order(codes.size());
+  order.resize(codes.size());
+  std::iota(order.begin(), order.end(), 0u);
+  for (int shift = 0; shift < 30; shift += kBits) {
+    std::array<std::size_t, kBuckets + 1> begin{};
+    for (const std::uint32_t code : codes) ++begin[((code >> shift) & (kBuckets - 1)) + 1];
+    for (std::size_t b = 0; b < kBuckets; ++b) begin[b + 1] += begin[b];
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      const std::size_t at = begin[(codes[i] >> shift) & (kBuckets - 1)]++;
+      next_codes[at] = codes[i];
+      next_order[at] = order[i];
+    }
+    codes.swap(next_codes);
+    order.swap(next_order);
+  }
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+
+namespace dhpmap {
+
+/// 30 bits in which points near each other are near each other: the interleaved bits (Morton) of x, y and z, each given
+/// as a fraction of the cloud's extent in [0, 1].
+std::uint32_t MortonCode(const Eigen::Vector3f& fraction);
+
+/// The indices of `codes` by ascending code; equal codes stay in their order. `codes` is used as working memory.
+/// Codes must be below 2^30.
+void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& order);
+
+}  // namespace dhpmap
