@@ -79,7 +79,10 @@ json ToJson(const Scores& s, const ClassMap& classes) {
              {"recall", s.geometry.recall},
              {"f_score", s.geometry.f_score()}}},
            {"times",
-            {{"num_frames", s.times.num_frames}, {"integrate_s", s.times.integrate_s}, {"refine_s", s.times.refine_s}}},
+            {{"num_frames", s.times.num_frames},
+             {"integrate_s", s.times.integrate_s},
+             {"refine_s", s.times.refine_s},
+             {"finish_s", s.times.finish_s}}},
            {"classes", ClassesOf(s, classes)}};
   json instance = json::object();
   for (const PrecisionAt& at : s.precisions) instance["m" + IouKey(at.iou)] = at.mean;

@@ -26,7 +26,8 @@ struct LabelledSurface {
 struct SystemTimes {
   std::int64_t num_frames = 0;
   double integrate_s = 0;  ///< everything per frame but refinement
-  double refine_s = 0;     ///< label management and CRF, while mapping and at the end
+  double refine_s = 0;     ///< label management and CRF, while mapping (may be on a thread of its own) and at the end
+  double finish_s = 0;     ///< Finish alone, refinement at the end included
 };
 
 /// A mapping system under evaluation: one map, fed frame by frame. Thread-compatible.

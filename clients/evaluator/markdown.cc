@@ -91,7 +91,7 @@ std::string ProtocolText(const Experiment& experiment) {
 std::string ScoreTable(const Experiment& experiment) {
   std::vector<std::string> header{"system", "PQ", "SQ", "RQ", "PQ things", "PQ stuff", "mIoU", "accuracy", "answered"};
   for (const double iou : experiment.protocol.precision_ious) header.push_back("mAP-" + Decimals(iou, 1));
-  for (const char* name : {"Acc. m", "Comp. m", "C-L1 m", "F-score %", "ms/frame", "refine ms/frame", "refine s"}) {
+  for (const char* name : {"Acc. m", "Comp. m", "C-L1 m", "F-score %", "ms/frame", "refine ms/frame", "finish s"}) {
     header.emplace_back(name);
   }
   MarkdownTable table(header);
@@ -116,7 +116,7 @@ std::string ScoreTable(const Experiment& experiment) {
     row.push_back(Decimals(100 * s.geometry.f_score(), 2));
     row.push_back(MeanPerFrame_ms(s.times, s.times.integrate_s));
     row.push_back(MeanPerFrame_ms(s.times, s.times.refine_s));
-    row.push_back(Decimals(s.times.refine_s, 2));
+    row.push_back(Decimals(s.times.finish_s, 2));
     table.Add(std::move(row));
   }
   return table.Text();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "clients/evaluator/baselines/baselines.h"
 #include "clients/evaluator/dhp_system.h"
 
 namespace dhpmap::evaluator {
@@ -21,6 +22,9 @@ std::unique_ptr<MappingSystem> MakeVariant(const char* name, SystemSetup setup) 
 }
 
 constexpr Entry kEntries[] = {
+    {"panmap", [](SystemSetup setup) { return MakePanmap(setup); }},
+    {"kimera", [](SystemSetup setup) { return MakeKimera(setup); }},
+    {"votes", [](SystemSetup setup) { return MakeVotes(setup); }},
     {"dhp_no_refine", [](SystemSetup setup) { return MakeVariant<false, false>("dhp_no_refine", std::move(setup)); }},
     {"dhp_management_only",
      [](SystemSetup setup) { return MakeVariant<true, false>("dhp_management_only", std::move(setup)); }},
