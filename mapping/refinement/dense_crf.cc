@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -49,8 +50,9 @@ struct DenseCrf::Impl {
   explicit Impl(ThreadPool& thread_pool) : pool(thread_pool) {}
 
   void SortPoints(std::span<const CrfPoint> points);
+  /// Gives the number of vertices.
   template <int D>
-  void BuildKernel(std::span<const CrfPoint> points, const CrfKernelConfig& config, Kernel<D>& kernel);
+  std::size_t BuildKernel(std::span<const CrfPoint> points, const CrfKernelConfig& config, Kernel<D>& kernel);
 
   ThreadPool& pool;
   Eigen::Vector3f origin_m = Eigen::Vector3f::Zero();
@@ -70,9 +72,10 @@ void DenseCrf::Impl::SortPoints(std::span<const CrfPoint> points) {
 }
 
 template <int D>
-void DenseCrf::Impl::BuildKernel(std::span<const CrfPoint> points, const CrfKernelConfig& config, Kernel<D>& kernel) {
+std::size_t DenseCrf::Impl::BuildKernel(std::span<const CrfPoint> points, const CrfKernelConfig& config,
+                                        Kernel<D>& kernel) {
   kernel.is_on = config.weight > 0 && !points.empty();
-  if (!kernel.is_on) return;
+  if (!kernel.is_on) return 0;
   constexpr float kFarthest = 1e6f;  // kernel widths; keeps lattice coordinates within integers
   const auto per_m = static_cast<float>(1.0 / config.position_m);
   const float per_color = D == 6 ? static_cast<float>(1.0 / config.color) : 0.0f;
@@ -93,6 +96,7 @@ void DenseCrf::Impl::BuildKernel(std::span<const CrfPoint> points, const CrfKern
   });
   kernel.lattice.Build({features.data(), features.size()}, pool);
   kernel.lattice.Normalize(static_cast<float>(config.weight), pool);
+  return kernel.lattice.graph().num_vertices;
 }
 
 DenseCrf::DenseCrf(ThreadPool& pool) : impl_(std::make_unique<Impl>(pool)) {}
@@ -100,11 +104,21 @@ DenseCrf::~DenseCrf() = default;
 DenseCrf::DenseCrf(DenseCrf&&) noexcept = default;
 DenseCrf& DenseCrf::operator=(DenseCrf&&) noexcept = default;
 
-void DenseCrf::SetPoints(std::span<const CrfPoint> points, const CrfKernelConfig& smoothness,
-                         const CrfKernelConfig& appearance) {
-  impl_->SortPoints(points);
-  impl_->BuildKernel(points, smoothness, impl_->smoothness);
-  impl_->BuildKernel(points, appearance, impl_->appearance);
+CrfBuildReport DenseCrf::SetPoints(std::span<const CrfPoint> points, const CrfKernelConfig& smoothness,
+                                   const CrfKernelConfig& appearance) {
+  Impl& impl = *impl_;
+  CrfBuildReport report;
+  const auto start = std::chrono::steady_clock::now();
+  impl.SortPoints(points);
+  const auto sorted = std::chrono::steady_clock::now();
+  report.num_smoothness_vertices = impl.BuildKernel(points, smoothness, impl.smoothness);
+  const auto smoothness_built = std::chrono::steady_clock::now();
+  report.num_appearance_vertices = impl.BuildKernel(points, appearance, impl.appearance);
+  const auto appearance_built = std::chrono::steady_clock::now();
+  report.sort_s = std::chrono::duration<double>(sorted - start).count();
+  report.smoothness_s = std::chrono::duration<double>(smoothness_built - sorted).count();
+  report.appearance_s = std::chrono::duration<double>(appearance_built - smoothness_built).count();
+  return report;
 }
 
 void DenseCrf::Infer(std::span<const int> num_labels, int iterations, std::span<float> values) {
@@ -134,13 +148,6 @@ void DenseCrf::Infer(std::span<const int> num_labels, int iterations, std::span<
     if (smoothness.is_on) smoothness.lattice.graph().Blur(smoothness.values.data(), stride, impl.pool);
     if (appearance.is_on) appearance.lattice.graph().Blur(appearance.values.data(), stride, impl.pool);
   }
-}
-
-std::size_t DenseCrf::num_smoothness_vertices() const {
-  return impl_->smoothness.is_on ? impl_->smoothness.lattice.graph().num_vertices : 0;
-}
-std::size_t DenseCrf::num_appearance_vertices() const {
-  return impl_->appearance.is_on ? impl_->appearance.lattice.graph().num_vertices : 0;
 }
 
 }  // namespace dhpmap

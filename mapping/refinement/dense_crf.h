@@ -18,6 +18,12 @@ struct CrfPoint {
   Color color;
 };
 
+/// Sizes of the lattices and the time they took, for reports; 0 where a kernel is off.
+struct CrfBuildReport {
+  std::size_t num_smoothness_vertices = 0, num_appearance_vertices = 0;
+  double sort_s = 0, smoothness_s = 0, appearance_s = 0;
+};
+
 /// The fully connected CRF of the paper (II-E; Kraehenbuehl and Koltun 2011): the label of every point speaks for the
 /// same label at all other points, by Gaussian kernels k_m of their distance in space and colour (Potts model). With
 /// K~_m = D_m^-1/2 K_m D_m^-1/2, where D_m = diag(K_m 1) and K_m holds the self term too, and unaries U = -log p:
@@ -35,8 +41,8 @@ class DenseCrf {
   DenseCrf& operator=(DenseCrf&&) noexcept;
 
   /// Takes the points (they are not needed afterwards) and builds a lattice for each kernel whose weight is not 0.
-  void SetPoints(std::span<const CrfPoint> points, const CrfKernelConfig& smoothness,
-                 const CrfKernelConfig& appearance);
+  CrfBuildReport SetPoints(std::span<const CrfPoint> points, const CrfKernelConfig& smoothness,
+                           const CrfKernelConfig& appearance);
 
   /// Mean field for several kinds of labels at once, such as classes and instances: they do not influence each other,
   /// and each has its own unaries and its own softmax. `num_labels` has the number of labels of each kind, L in all.
@@ -44,10 +50,6 @@ class DenseCrf {
   ///     label impossible. If all labels of a kind are impossible at a point, the point knows nothing: all count alike.
   ///   - Out: the marginals Q of the same point and label; they add up to 1 over each kind.
   void Infer(std::span<const int> num_labels, int iterations, std::span<float> values);
-
-  /// Sizes of the lattices; 0 where a kernel is off. For reports.
-  [[nodiscard]] std::size_t num_smoothness_vertices() const;
-  [[nodiscard]] std::size_t num_appearance_vertices() const;
 
  private:
   struct Impl;

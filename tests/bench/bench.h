@@ -32,4 +32,17 @@ struct GeometryCheckOptions {
 /// Maps all frames but every n-th, then compares the surface along the rays of the frames held out with their depth.
 Status RunGeometryCheck(const GeometryCheckOptions& options);
 
+struct CrfBenchOptions {
+  std::string directory;       ///< empty: a synthetic room
+  std::size_t num_frames = 8;  ///< of the data set
+  std::size_t num_points = 1000000;
+  int num_labels = 21;
+  int iterations = 5;
+  double smoothness_position_m = 0.10, appearance_position_m = 0.30, appearance_color = 20.0;
+  int num_threads = 2;
+  int repetitions = 3;
+};
+/// Time and memory of the dense CRF on the surface voxels of a map, tiled side by side, with noisy labels.
+Status RunCrfBench(const CrfBenchOptions& options);
+
 }  // namespace dhpmap::bench

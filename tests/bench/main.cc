@@ -30,9 +30,25 @@ int main(int argc, char** argv) {
   geometry_command->add_option("--voxel", geometry.voxel_size_m, "Voxel size in m")->capture_default_str();
   geometry_command->add_option("--truncation", geometry.truncation_m, "Truncation in m")->capture_default_str();
 
+  dhpmap::bench::CrfBenchOptions crf;
+  CLI::App* crf_command = app.add_subcommand("crf", "Time and memory of the dense CRF on many surface voxels");
+  crf_command->add_option("directory", crf.directory, "Data set whose surface is tiled; a synthetic room without");
+  crf_command->add_option("--frames", crf.num_frames, "Frames of the data set, 0 = all")->capture_default_str();
+  crf_command->add_option("--points", crf.num_points, "Points in all")->capture_default_str();
+  crf_command->add_option("--labels", crf.num_labels, "Labels")->capture_default_str();
+  crf_command->add_option("--iterations", crf.iterations, "Of mean field")->capture_default_str();
+  crf_command->add_option("--smoothness-position", crf.smoothness_position_m, "Kernel width in m, 0 = off")
+      ->capture_default_str();
+  crf_command->add_option("--appearance-position", crf.appearance_position_m, "Kernel width in m, 0 = off")
+      ->capture_default_str();
+  crf_command->add_option("--appearance-color", crf.appearance_color, "Kernel width of 0..255")->capture_default_str();
+  crf_command->add_option("--threads", crf.num_threads, "Threads, 0 = one a core")->capture_default_str();
+  crf_command->add_option("--repetitions", crf.repetitions, "Runs")->capture_default_str();
+
   CLI11_PARSE(app, argc, argv);
-  const dhpmap::Status status =
-      fusion_command->parsed() ? dhpmap::bench::RunFusionBench(fusion) : dhpmap::bench::RunGeometryCheck(geometry);
+  const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
+                                : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
+                                                             : dhpmap::bench::RunCrfBench(crf);
   if (!status.ok()) std::fprintf(stderr, "dhpmap-bench: %s\n", status.ToString().c_str());
   return status.ok() ? 0 : 1;
 }

@@ -353,9 +353,9 @@ TEST(DenseCrfTest, AnObjectCanBeUsedAgain) {
       ASSERT_EQ(values, Solve(*problem));
     }
   }
-  crf.SetPoints(small.points, small.smoothness, kOff);
-  EXPECT_GT(crf.num_smoothness_vertices(), 0u);
-  EXPECT_EQ(crf.num_appearance_vertices(), 0u);
+  const CrfBuildReport report = crf.SetPoints(small.points, small.smoothness, kOff);
+  EXPECT_GT(report.num_smoothness_vertices, 0u);
+  EXPECT_EQ(report.num_appearance_vertices, 0u);
 }
 
 TEST(DenseCrfTest, NoPointsAndNoLabels) {
