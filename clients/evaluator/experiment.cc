@@ -63,6 +63,7 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
                                                                options.num_frames, kCacheBytes));
   Experiment experiment;
   experiment.directory = options.directory;
+  experiment.preset = recording.preset();
   experiment.labels = options.labels == LabelSource::kPredicted ? "predicted" : "groundtruth";
   DHPMAP_ASSIGN_OR_RETURN(experiment.config, ConfigFor(recording.preset(), options.settings));
   DHPMAP_ASSIGN_OR_RETURN(experiment.classes,

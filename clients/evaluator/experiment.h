@@ -25,7 +25,7 @@ struct ExperimentOptions {
 };
 
 struct Experiment {
-  std::string directory, labels;
+  std::string directory, preset, labels;
   std::int64_t num_frames = 0, num_skipped = 0;
   MapConfig config;
   ClassMap classes;

@@ -98,6 +98,7 @@ json ToJson(const Experiment& experiment) {
   json systems = json::array();
   for (const Scores& scores : experiment.systems) systems.push_back(ToJson(scores, experiment.classes));
   return {{"data_set", experiment.directory},
+          {"preset", experiment.preset},
           {"labels", experiment.labels},
           {"num_frames", experiment.num_frames},
           {"num_skipped_frames", experiment.num_skipped},

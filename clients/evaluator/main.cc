@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "clients/evaluator/paper_command.h"
 #include "clients/evaluator/run_command.h"
 
 int main(int argc, char** argv) {
@@ -11,6 +12,7 @@ int main(int argc, char** argv) {
   CLI::App app("Compares maps with the ground truth of a data set.", "dhpmap-evaluate");
   app.require_subcommand(1);
   dhpmap::evaluator::AddRunCommand(app, status);
+  dhpmap::evaluator::AddPaperCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

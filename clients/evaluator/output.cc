@@ -16,6 +16,15 @@ Result<std::vector<std::pair<std::string, std::string>>> ParseSettings(const std
   return parsed;
 }
 
+std::string DatasetName(const std::string& directory) {
+  std::error_code ignored;
+  std::filesystem::path path = std::filesystem::absolute(directory, ignored).lexically_normal();
+  if (path.filename().empty()) path = path.parent_path();
+  const std::filesystem::path parent = path.parent_path();
+  if (parent.filename() != "sequences") return path.filename().string();
+  return parent.parent_path().filename().string() + " " + path.filename().string();
+}
+
 Status WriteText(const std::string& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out << text;

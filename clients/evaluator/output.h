@@ -12,6 +12,9 @@ namespace dhpmap::evaluator {
 /// "key=value" each; INVALID_ARGUMENT for one without '=' or without a key.
 Result<std::vector<std::pair<std::string, std::string>>> ParseSettings(const std::vector<std::string>& settings);
 
+/// A data set's directory as a name: "house", "kitti 07" for .../kitti/sequences/07.
+std::string DatasetName(const std::string& directory);
+
 /// Replaces the file. UNAVAILABLE if it cannot be written.
 Status WriteText(const std::string& path, const std::string& text);
 

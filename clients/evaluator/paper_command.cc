@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/paper_command.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "clients/evaluator/experiment_json.h"
+#include "clients/evaluator/output.h"
+#include "clients/evaluator/paper_tables.h"
+#include "clients/evaluator/pictures.h"
+
+namespace dhpmap::evaluator {
+namespace {
+
+struct PaperOptions {
+  std::vector<std::string> directories, settings;
+  std::size_t num_frames = 0;
+  int num_threads = 0;
+  bool without_retrieval = false;
+  std::string json, markdown, pictures;
+};
+
+nlohmann::json ToJson(const RetrievalTimes& r) {
+  return {{"num_voxels", r.scene.num_voxels},
+          {"num_object_voxels", r.scene.num_object_voxels},
+          {"num_copied_voxels", r.num_copied},
+          {"traversal_s", r.traversal_s},
+          {"find_s", r.find_s},
+          {"copy_s", r.copy_s},
+          {"flat_bytes", r.flat_bytes},
+          {"map_bytes", r.map_bytes}};
+}
+
+Result<Experiment> RunOn(const std::string& directory, const PaperOptions& options) {
+  ExperimentOptions wanted;
+  wanted.directory = directory;
+  wanted.num_frames = options.num_frames;
+  wanted.num_threads = options.num_threads;
+  wanted.systems = PaperSystems();
+  DHPMAP_ASSIGN_OR_RETURN(wanted.settings, ParseSettings(options.settings));
+  return RunExperiment(wanted, [&](const Truth& truth, const Scores& scores, const auto& labels) {
+    std::cerr << directory << ": " << scores.system << std::endl;
+    if (options.pictures.empty()) return Status::Ok();
+    return DrawPictures(truth, scores, labels, options.pictures + "/" + DatasetName(directory));
+  });
+}
+
+Status Run(const PaperOptions& options) {
+  DHPMAP_RETURN_IF_ERROR(CheckWritable({options.json, options.markdown}));
+  std::vector<Experiment> experiments;
+  for (const std::string& directory : options.directories) {
+    DHPMAP_ASSIGN_OR_RETURN(Experiment experiment, RunOn(directory, options));
+    experiments.push_back(std::move(experiment));
+  }
+  std::vector<RetrievalTimes> retrievals;
+  if (!options.without_retrieval) {
+    for (const RetrievalScene& scene : PaperScenes()) retrievals.push_back(MeasureRetrieval(scene, kRetrievalRuns));
+  }
+  const std::string text = PaperText(experiments, retrievals);
+  std::cout << text;
+  if (!options.markdown.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.markdown, text));
+  if (options.json.empty()) return Status::Ok();
+  nlohmann::json json{{"processor", ProcessorName()}};
+  json["experiments"] = nlohmann::json::array();
+  json["retrieval"] = nlohmann::json::array();
+  for (const Experiment& experiment : experiments) json["experiments"].push_back(ToJson(experiment));
+  for (const RetrievalTimes& times : retrievals) json["retrieval"].push_back(ToJson(times));
+  return WriteText(options.json, json.dump(1) + "\n");
+}
+
+}  // namespace
+
+void AddPaperCommand(CLI::App& app, Status& status) {
+  auto options = std::make_shared<PaperOptions>();
+  CLI::App& command = *app.add_subcommand("paper", "The paper's tables, ours beside its own numbers");
+  command.add_option("DATASET_DIR", options->directories, "Data sets with ground truth and predicted labels");
+  command.add_option("--frames", options->num_frames, "First frames of each only; 0 = all")->capture_default_str();
+  command.add_option("--set", options->settings, "key=value of the map's configuration, on top of the preset");
+  command.add_option("--threads", options->num_threads, "0 = one a core")->capture_default_str();
+  command.add_flag("--without-retrieval", options->without_retrieval, "Leave out Table IV (takes 2 GB of memory)");
+  command.add_option("--json", options->json, "Write everything to this file");
+  command.add_option("--markdown", options->markdown, "Write the tables to this file too");
+  command.add_option("--pictures", options->pictures, "Write label and error pictures (PNG) to folders in this one");
+  command.callback([options, &status] { status = Run(*options); });
+}
+
+}  // namespace dhpmap::evaluator
