@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/mesh/marching_cubes.h"
+
 #include <algorithm>
+#include <atomic>
 #include <bit>
 
+#include "mapping/map/voxel_answer.h"
 #include "mapping/mesh/cell_cases.h"
-#include "mapping/mesh/mesh.h"
 #include "mapping/mesh/tsdf_halo.h"
 
 namespace dhpmap {
@@ -14,7 +17,13 @@ constexpr int kWords = kEdgesPerBlock / 64;
 constexpr int kRows = kBlockSide * kBlockSide;
 static_assert(kBlockSide == 8, "a row of voxels is a byte of a mask");
 
-/// A block of the submap during extraction. Vertices are numbered by block, then by edge, so that the same edge gives
+/// A cell that the surface crosses.
+struct ActiveCell {
+  std::uint16_t linear = 0;
+  std::uint8_t inside_corners = 0;
+};
+
+/// A block of the field during extraction. Vertices are numbered by block, then by edge, so that the same edge gives
 /// the same vertex to every cell around it, whichever block the cell is in.
 struct MeshBlock {
   const BlockEntry* entry = nullptr;
@@ -23,53 +32,42 @@ struct MeshBlock {
   std::array<std::uint8_t, kRows> observed{};        ///< the same: has been observed
   std::array<std::uint64_t, kWords> edges{};         ///< bit 3 * linear + axis: the surface crosses, in a cell we mesh
   std::array<std::uint32_t, kWords> first_vertex{};  ///< number of the first vertex of each word
+  std::vector<ActiveCell> cells;
+  std::size_t num_triangles = 0, first_triangle = 0;
 };
 
-/// A cell that the surface crosses.
-struct ActiveCell {
-  std::uint32_t block = 0;
-  std::uint16_t linear = 0;
-  std::uint8_t inside_corners = 0;
+/// One end of an edge: a voxel's place in the field.
+struct EdgeEnd {
+  int block;
+  int linear;
 };
 
 class Extractor {
  public:
-  Extractor(const Submap& submap, const LabelSet& label_set, MeshColoring coloring)
-      : submap_(submap), label_set_(label_set), coloring_(coloring) {}
+  Extractor(const SurfaceField& field, const LabelSet& label_set, MeshColoring coloring)
+      : field_(field), label_set_(label_set), coloring_(coloring), blocks_(field.blocks().size()) {}
 
-  Mesh Run() {
-    CollectBlocks();
-    for (std::uint32_t i = 0; i < blocks_.size(); ++i) FindCells(i);
-    NumberVertices();
-    for (const MeshBlock& block : blocks_) MakeVertices(block);
-    for (const ActiveCell& cell : cells_) MakeTriangles(cell);
+  /// Each step is over all blocks before the next one starts, and writes only what its block owns.
+  Mesh Run(ThreadPool& pool) {
+    pool.ParallelFor(blocks_.size(), [this](std::size_t i) { LinkBlock(i); });
+    pool.ParallelFor(blocks_.size(), [this](std::size_t i) { FindCells(static_cast<int>(i)); });
+    Number();
+    pool.ParallelFor(blocks_.size(), [this](std::size_t i) { MakeVertices(static_cast<int>(i)); });
+    pool.ParallelFor(blocks_.size(), [this](std::size_t i) { MakeTriangles(static_cast<int>(i)); });
     return std::move(mesh_);
   }
 
  private:
-  /// Sorts the blocks, so that the mesh does not depend on the order of their allocation, and links neighbours.
-  void CollectBlocks() {
-    const auto entries = submap_.blocks().entries();
-    std::vector<const BlockEntry*> sorted;
-    for (const BlockEntry& entry : entries) {
-      if (entry.tsdf != nullptr) sorted.push_back(&entry);
-    }
-    std::sort(sorted.begin(), sorted.end(),
-              [](const BlockEntry* a, const BlockEntry* b) { return a->index < b->index; });
-    blocks_.resize(sorted.size());
-    for (std::size_t i = 0; i < sorted.size(); ++i) blocks_[i].entry = sorted[i];
-    std::vector<int> block_of_entry(entries.size(), -1);
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      block_of_entry[static_cast<std::size_t>(blocks_[i].entry - entries.data())] = static_cast<int>(i);
-    }
-    for (MeshBlock& block : blocks_) {
-      MaskVoxels(block);
-      const BlockIndex index = block.entry->index;
-      for (int c = 0; c < kCellCorners; ++c) {
-        const BlockEntry* entry =
-            submap_.blocks().Find({index.x + (c & 1), index.y + (c >> 1 & 1), index.z + (c >> 2 & 1)});
-        block.forward[c] = entry == nullptr ? -1 : block_of_entry[static_cast<std::size_t>(entry - entries.data())];
-      }
+  void LinkBlock(std::size_t i) {
+    const auto entries = field_.blocks().entries();
+    MeshBlock& block = blocks_[i];
+    block.entry = &entries[i];
+    MaskVoxels(block);
+    const BlockIndex index = block.entry->index;
+    for (int c = 0; c < kCellCorners; ++c) {
+      const BlockEntry* entry =
+          field_.blocks().Find({index.x + (c & 1), index.y + (c >> 1 & 1), index.z + (c >> 2 & 1)});
+      block.forward[c] = entry == nullptr ? -1 : static_cast<int>(entry - entries.data());
     }
   }
 
@@ -97,8 +95,8 @@ class Extractor {
     return bits;
   }
 
-  void FindCells(std::uint32_t i) {
-    const MeshBlock& block = blocks_[i];
+  void FindCells(int i) {
+    MeshBlock& block = blocks_[i];
     constexpr int kRows9 = kBlockSide + 1;
     std::array<unsigned, kRows9 * kRows9> inside, observed;
     for (int z = 0; z < kRows9; ++z) {
@@ -121,10 +119,12 @@ class Extractor {
           const int x = std::countr_zero(active);
           unsigned corners = 0;
           for (int k = 0; k < 4; ++k) corners |= (inside[rows[k]] >> x & 3u) << (2 * k);
-          AddCell({i, static_cast<std::uint16_t>(LinearIndex({x, y, z})), static_cast<std::uint8_t>(corners)});
+          block.cells.push_back(
+              {static_cast<std::uint16_t>(LinearIndex({x, y, z})), static_cast<std::uint8_t>(corners)});
         }
       }
     }
+    MarkEdges(i);
   }
 
   struct EdgePlace {
@@ -132,89 +132,112 @@ class Extractor {
     int edge;
   };
   /// Where the edge of a cell is kept: at the voxel it starts from.
-  EdgePlace Place(const ActiveCell& cell, int cell_edge) const {
+  EdgePlace Place(const MeshBlock& block, const ActiveCell& cell, int cell_edge) const {
     const CellEdge edge = edge_table_[cell_edge];
     const VoxelIndex v = VoxelIn({0, 0, 0}, cell.linear);
     const VoxelIndex start{v.x + (edge.corner & 1), v.y + (edge.corner >> 1 & 1), v.z + (edge.corner >> 2 & 1)};
     const BlockIndex beyond = BlockOf(start);  // 0 or 1 along each axis
-    return {blocks_[cell.block].forward[beyond.x | beyond.y << 1 | beyond.z << 2], 3 * LinearIndex(start) + edge.axis};
+    return {block.forward[beyond.x | beyond.y << 1 | beyond.z << 2], 3 * LinearIndex(start) + edge.axis};
   }
 
-  void AddCell(const ActiveCell& cell) {
-    cells_.push_back(cell);
-    for (unsigned edges = cases_[cell.inside_corners].edges; edges != 0; edges &= edges - 1) {
-      const EdgePlace place = Place(cell, std::countr_zero(edges));
-      blocks_[place.block].edges[place.edge / 64] |= std::uint64_t{1} << (place.edge % 64);
-    }
-  }
-
-  void NumberVertices() {
-    std::uint32_t count = 0;
-    for (MeshBlock& block : blocks_) {
-      for (int w = 0; w < kWords; ++w) {
-        block.first_vertex[w] = count;
-        count += static_cast<std::uint32_t>(std::popcount(block.edges[w]));
+  /// Marks the edges that cells of block `i` use. Those of blocks behind it are marked by several blocks at once.
+  void MarkEdges(int i) {
+    MeshBlock& block = blocks_[i];
+    std::array<std::uint64_t, kWords> own{};
+    for (const ActiveCell& cell : block.cells) {
+      block.num_triangles += cases_[cell.inside_corners].num_triangles;
+      for (unsigned edges = cases_[cell.inside_corners].edges; edges != 0; edges &= edges - 1) {
+        const EdgePlace place = Place(block, cell, std::countr_zero(edges));
+        const std::uint64_t bit = std::uint64_t{1} << (place.edge % 64);
+        if (place.block == i) own[place.edge / 64] |= bit;
+        else Mark(blocks_[place.block].edges[place.edge / 64], bit);
       }
     }
-    mesh_.vertices_m.reserve(count);
-    mesh_.normals.reserve(count);
-    mesh_.colors.reserve(count);
-    mesh_.classes.reserve(count);
-    mesh_.instances.assign(count, submap_.id().value);
-    mesh_.triangles.reserve(2 * cells_.size());
+    for (int w = 0; w < kWords; ++w) {
+      if (own[w] != 0) Mark(block.edges[w], own[w]);
+    }
   }
 
-  void MakeVertices(const MeshBlock& block) {
+  static void Mark(std::uint64_t& word, std::uint64_t bits) {
+    std::atomic_ref(word).fetch_or(bits, std::memory_order_relaxed);
+  }
+
+  void Number() {
+    std::uint32_t num_vertices = 0;
+    std::size_t num_triangles = 0;
+    for (MeshBlock& block : blocks_) {
+      for (int w = 0; w < kWords; ++w) {
+        block.first_vertex[w] = num_vertices;
+        num_vertices += static_cast<std::uint32_t>(std::popcount(block.edges[w]));
+      }
+      block.first_triangle = num_triangles;
+      num_triangles += block.num_triangles;
+    }
+    mesh_.vertices_m.resize(num_vertices);
+    mesh_.normals.resize(num_vertices);
+    mesh_.colors.resize(num_vertices);
+    mesh_.classes.resize(num_vertices);
+    mesh_.instances.resize(num_vertices);
+    mesh_.triangles.resize(num_triangles);
+  }
+
+  void MakeVertices(int i) {
+    const MeshBlock& block = blocks_[i];
     if (std::all_of(block.edges.begin(), block.edges.end(), [](std::uint64_t word) { return word == 0; })) return;
-    const TsdfHalo halo(submap_.blocks(), block.entry->index);
+    const TsdfHalo halo(field_.blocks(), block.entry->index);
+    std::size_t vertex = block.first_vertex[0];
     for (int w = 0; w < kWords; ++w) {
       for (std::uint64_t bits = block.edges[w]; bits != 0; bits &= bits - 1) {
         const int edge = 64 * w + std::countr_zero(bits);
-        MakeVertex(block, halo, edge / 3, edge % 3);
+        MakeVertex({i, edge / 3}, edge % 3, halo, vertex++);
       }
     }
   }
 
-  /// The zero crossing between voxel `linear` and the next one along `axis`.
-  void MakeVertex(const MeshBlock& block, const TsdfHalo& halo, int linear, int axis) {
+  /// The zero crossing between a voxel and the next one along `axis`.
+  void MakeVertex(EdgeEnd start, int axis, const TsdfHalo& halo, std::size_t vertex) {
     constexpr float kMargin = 1e-3f;  // in voxels: vertices of edges that meet in a zero voxel stay apart
-    const VoxelIndex v = VoxelIn({0, 0, 0}, linear);
+    const MeshBlock& block = blocks_[start.block];
+    const VoxelIndex v = VoxelIn({0, 0, 0}, start.linear);
     const int a = TsdfHalo::Position(v.x, v.y, v.z), b = a + TsdfHalo::kStride[axis];
     const float rise = halo.At(b) - halo.At(a);  // not 0: the signs differ
     const float t = std::clamp(-halo.At(a) / rise, kMargin, 1 - kMargin);
 
-    Eigen::Vector3d p_submap = VoxelCentre(VoxelIn(block.entry->index, linear), 1.0);
-    p_submap[axis] += t;
-    const Transform& T_map_submap = submap_.info().T_map_submap;
-    mesh_.vertices_m.push_back((T_map_submap * (p_submap * submap_.info().voxel_size_m)).cast<float>());
+    Eigen::Vector3d p_field = VoxelCentre(VoxelIn(block.entry->index, start.linear), 1.0);
+    p_field[axis] += t;
+    const Transform& T_map_field = field_.T_map_field();
+    mesh_.vertices_m[vertex] = (T_map_field * (p_field * field_.voxel_size_m())).cast<float>();
 
     Eigen::Vector3d gradient;
     for (int i = 0; i < 3; ++i) {
       gradient[i] = i == axis ? rise : (1 - t) * halo.Slope(a, i) + t * halo.Slope(b, i);
     }
-    mesh_.normals.push_back((T_map_submap.linear() * gradient.normalized()).cast<float>());
-    AddAttributes(block, v, linear, axis, t);
-  }
+    mesh_.normals[vertex] = (T_map_field.linear() * gradient.normalized()).cast<float>();
 
-  void AddAttributes(const MeshBlock& block, VoxelIndex v, int linear, int axis, float t) {
     VoxelIndex next = v;
     (axis == 0 ? next.x : axis == 1 ? next.y : next.z) += 1;
     const bool is_beyond = BlockOf(next) != BlockIndex{0, 0, 0};
-    const BlockEntry& next_entry = is_beyond ? *blocks_[block.forward[1 << axis]].entry : *block.entry;
-    const int next_linear = LinearIndex(next);
-    const BlockEntry& nearest = t > 0.5f ? next_entry : *block.entry;
-    const std::uint16_t vertex_class = ClassAt(nearest, t > 0.5f ? next_linear : linear);
-    mesh_.classes.push_back(vertex_class);
-    mesh_.colors.push_back(coloring_ == MeshColoring::kSensor
-                               ? Mix(block.entry->tsdf->color[linear], next_entry.tsdf->color[next_linear], t)
-                               : LabelColor(vertex_class));
+    SetAttributes(start, {is_beyond ? block.forward[1 << axis] : start.block, LinearIndex(next)}, t, vertex);
   }
 
-  [[nodiscard]] std::uint16_t ClassAt(const BlockEntry& entry, int linear) const {
-    if (entry.labels == nullptr || entry.labels->IsEmpty(linear)) return submap_.info().class_id.value;
-    const BestLabel best = entry.labels->BestClass(linear);
-    return best.count == 0 ? submap_.info().class_id.value : static_cast<std::uint16_t>(best.id);
+  /// From the ends of the vertex's edge; `t` = 0: it is at a, 1: at b.
+  void SetAttributes(EdgeEnd a, EdgeEnd b, float t, std::size_t vertex) {
+    const EdgeEnd nearer = t > 0.5f ? b : a, farther = t > 0.5f ? a : b;
+    const EdgeEnd& answers = IsLabelled(nearer) || !IsLabelled(farther) ? nearer : farther;
+    const BlockHolder& holder = field_.HolderAt(static_cast<std::size_t>(answers.block), answers.linear);
+    const BestLabel voxel_class = ClassOfVoxel(*holder.submap, *holder.block, answers.linear);
+    mesh_.classes[vertex] = static_cast<std::uint16_t>(voxel_class.id);
+    mesh_.instances[vertex] = holder.submap->id().value;
+    mesh_.colors[vertex] = coloring_ == MeshColoring::kSensor
+                               ? Mix(ColorAt(a), ColorAt(b), t)
+                               : LabelColor(holder.submap->info(), ClassId(mesh_.classes[vertex]));
   }
+
+  [[nodiscard]] bool IsLabelled(EdgeEnd end) const {
+    const BlockHolder& holder = field_.HolderAt(static_cast<std::size_t>(end.block), end.linear);
+    return holder.submap->info().panoptic != Panoptic::kUnknown;
+  }
+  [[nodiscard]] Color ColorAt(EdgeEnd end) const { return blocks_[end.block].entry->tsdf->color[end.linear]; }
 
   static Color Mix(Color a, Color b, float t) {
     const auto mix = [t](std::uint8_t x, std::uint8_t y) {
@@ -223,24 +246,28 @@ class Extractor {
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
   }
 
-  [[nodiscard]] Color LabelColor(std::uint16_t vertex_class) const {
-    if (submap_.info().panoptic == Panoptic::kUnknown) return ColorOfId(0);
-    if (coloring_ == MeshColoring::kInstance) return ColorOfId(submap_.id().value);
-    const LabelClass* label = label_set_.Find(ClassId(vertex_class));
+  [[nodiscard]] Color LabelColor(const SubmapInfo& submap, ClassId vertex_class) const {
+    if (submap.panoptic == Panoptic::kUnknown) return ColorOfId(0);
+    if (coloring_ == MeshColoring::kInstance) return ColorOfId(submap.id.value);
+    const LabelClass* label = label_set_.Find(vertex_class);
     // Label sets often come without colours, all black then.
-    return label == nullptr || label->color == Color{} ? ColorOfId(vertex_class) : label->color;
+    return label == nullptr || label->color == Color{} ? ColorOfId(vertex_class.value) : label->color;
   }
 
-  void MakeTriangles(const ActiveCell& cell) {
-    const CellCase& cell_case = cases_[cell.inside_corners];
-    std::array<std::uint32_t, kCellEdges> vertex_of_edge;
-    for (unsigned edges = cell_case.edges; edges != 0; edges &= edges - 1) {
-      const int edge = std::countr_zero(edges);
-      vertex_of_edge[edge] = VertexAt(Place(cell, edge));
-    }
-    for (int i = 0; i < cell_case.num_triangles; ++i) {
-      const auto& [a, b, c] = cell_case.triangles[i];
-      mesh_.triangles.push_back({vertex_of_edge[a], vertex_of_edge[b], vertex_of_edge[c]});
+  void MakeTriangles(int i) {
+    const MeshBlock& block = blocks_[i];
+    std::size_t triangle = block.first_triangle;
+    for (const ActiveCell& cell : block.cells) {
+      const CellCase& cell_case = cases_[cell.inside_corners];
+      std::array<std::uint32_t, kCellEdges> vertex_of_edge;
+      for (unsigned edges = cell_case.edges; edges != 0; edges &= edges - 1) {
+        const int edge = std::countr_zero(edges);
+        vertex_of_edge[edge] = VertexAt(Place(block, cell, edge));
+      }
+      for (int k = 0; k < cell_case.num_triangles; ++k) {
+        const auto& [a, b, c] = cell_case.triangles[k];
+        mesh_.triangles[triangle++] = {vertex_of_edge[a], vertex_of_edge[b], vertex_of_edge[c]};
+      }
     }
   }
 
@@ -251,20 +278,25 @@ class Extractor {
     return block.first_vertex[word] + static_cast<std::uint32_t>(std::popcount(before));
   }
 
-  const Submap& submap_;
+  const SurfaceField& field_;
   const LabelSet& label_set_;
   const MeshColoring coloring_;
   const CellCaseTable& cases_ = CellCases();
   const std::array<CellEdge, kCellEdges>& edge_table_ = CellEdgeTable();
-  std::vector<MeshBlock> blocks_;
-  std::vector<ActiveCell> cells_;
+  std::vector<MeshBlock> blocks_;  // as the field's
   Mesh mesh_;
 };
 
 }  // namespace
 
+Mesh MarchCubes(const SurfaceField& field, const LabelSet& label_set, MeshColoring coloring, ThreadPool& pool) {
+  return Extractor(field, label_set, coloring).Run(pool);
+}
+
 Mesh ExtractMesh(const Submap& submap, const LabelSet& label_set, MeshColoring coloring) {
-  return Extractor(submap, label_set, coloring).Run();
+  ThreadPool here(1);
+  const Submap* const submaps[] = {&submap};
+  return MarchCubes(SurfaceField(submaps, here), label_set, coloring, here);
 }
 
 }  // namespace dhpmap

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mapping/map/map_config.h"
+#include "mapping/map/submap.h"
+
+namespace dhpmap {
+
+/// Whether the submap's voxels are those of the map's own grid, so that the same index is the same place: it was not
+/// moved and has the map's voxel size.
+inline bool IsOnMapGrid(const SubmapInfo& info, const MapConfig& config) {
+  return info.voxel_size_m == config.voxel_size_m && IsIdentity(info.T_map_submap);
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/mesh/surface_field.h"
+
+#include <algorithm>
+#include <array>
+
+#include "mapping/map/voxel_answer.h"
+
+namespace dhpmap {
+namespace {
+
+/// Blocks of all submaps by ascending index, those of one index by ascending submap.
+std::vector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps) {
+  std::vector<BlockHolder> sorted;
+  for (const Submap* submap : submaps) {
+    for (const BlockEntry& entry : submap->blocks().entries()) {
+      if (entry.tsdf != nullptr) sorted.push_back({submap, &entry});
+    }
+  }
+  std::sort(sorted.begin(), sorted.end(), [](const BlockHolder& a, const BlockHolder& b) {
+    return a.block->index != b.block->index ? a.block->index < b.block->index : a.submap->id() < b.submap->id();
+  });
+  return sorted;
+}
+
+/// Writes the average of what holders have at a voxel, by weight as fusion does it, and says which of them answers.
+std::uint16_t AverageVoxel(std::span<const BlockHolder> holders, int linear, TsdfBlock& average) {
+  const auto i = static_cast<std::size_t>(linear);
+  double weight = 0, distance_m = 0;
+  std::array<double, 3> rgb{};
+  VoxelSupport best;
+  std::uint16_t answers = 0;
+  bool is_first = true;
+  for (std::uint16_t h = 0; h < holders.size(); ++h) {
+    const TsdfBlock& tsdf = *holders[h].block->tsdf;
+    if (!tsdf.IsObserved(linear)) continue;
+    const double w = tsdf.weight[i];
+    const Color color = tsdf.color[i];
+    weight += w;
+    distance_m += w * tsdf.distance_m[i];
+    rgb = {rgb[0] + w * color.r, rgb[1] + w * color.g, rgb[2] + w * color.b};
+    const VoxelSupport support = SupportOfVoxel(*holders[h].submap, *holders[h].block, linear);
+    if (is_first || support > best) {
+      best = support;
+      answers = h;
+    }
+    is_first = false;
+  }
+  const auto channel = [weight](double sum) { return static_cast<std::uint8_t>(std::min(sum / weight + 0.5, 255.0)); };
+  average.distance_m[i] = static_cast<float>(distance_m / weight);
+  average.weight[i] = static_cast<float>(weight);
+  average.color[i] = {channel(rgb[0]), channel(rgb[1]), channel(rgb[2])};
+  return answers;
+}
+
+}  // namespace
+
+SurfaceField::SurfaceField(std::span<const Submap* const> submaps, ThreadPool& pool)
+    : T_map_field_(submaps[0]->info().T_map_submap), voxel_size_m_(submaps[0]->info().voxel_size_m) {
+  for (const BlockHolder& holder : SortedBlocks(submaps)) {
+    BlockEntry& entry = blocks_.FindOrInsert(holder.block->index);
+    if (holders_.size() < blocks_.size()) {
+      entry.tsdf = holder.block->tsdf;
+      holders_.emplace_back();
+    }
+    holders_.back().all.push_back(holder);
+  }
+  const std::span<BlockEntry> entries = blocks_.mutable_entries();
+  pool.ParallelFor(entries.size(), [&](std::size_t i) {
+    if (holders_[i].all.size() > 1) Merge(holders_[i], entries[i]);
+  });
+}
+
+void SurfaceField::Merge(Holders& holders, BlockEntry& merged) {
+  auto tsdf = std::make_shared<TsdfBlock>();
+  holders.of_voxel.assign(kBlockVoxels, 0);
+  std::array<bool, kBlockVoxels> is_held{}, is_shared{};
+  for (std::uint16_t h = 0; h < holders.all.size(); ++h) {
+    const TsdfBlock& own = *holders.all[h].block->tsdf;
+    for (std::size_t i = 0; i < kBlockVoxels; ++i) {
+      if (!own.IsObserved(static_cast<int>(i))) continue;
+      is_shared[i] = is_held[i];
+      if (is_held[i]) continue;
+      is_held[i] = true;
+      tsdf->distance_m[i] = own.distance_m[i];
+      tsdf->weight[i] = own.weight[i];
+      tsdf->color[i] = own.color[i];
+      holders.of_voxel[i] = h;
+    }
+  }
+  for (std::size_t i = 0; i < kBlockVoxels; ++i) {
+    if (is_shared[i]) holders.of_voxel[i] = AverageVoxel(holders.all, static_cast<int>(i), *tsdf);
+  }
+  merged.tsdf = std::move(tsdf);
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+#include "mapping/map/submap.h"
+
+namespace dhpmap {
+
+/// A submap that has a block at some index.
+struct BlockHolder {
+  const Submap* submap = nullptr;
+  const BlockEntry* block = nullptr;
+};
+
+/// The voxels of submaps that share one grid (pose and voxel size), read as one: at each position the weighted average
+/// of what they hold, and the submap that answers for it (see SupportOfVoxel). Where one submap alone has a block, that
+/// is shared, not copied. Refers to the submaps. Immutable, thread-safe.
+class SurfaceField {
+ public:
+  /// At least one submap; by ascending id. The result does not depend on the number of threads.
+  SurfaceField(std::span<const Submap* const> submaps, ThreadPool& pool);
+
+  [[nodiscard]] const Transform& T_map_field() const { return T_map_field_; }
+  [[nodiscard]] double voxel_size_m() const { return voxel_size_m_; }
+
+  /// By ascending index, all with geometry; no labels.
+  [[nodiscard]] const BlockTable& blocks() const { return blocks_; }
+  /// Who answers for an observed voxel of entry `block`.
+  [[nodiscard]] const BlockHolder& HolderAt(std::size_t block, int linear) const {
+    const Holders& holders = holders_[block];
+    return holders.all[holders.of_voxel.empty() ? 0 : holders.of_voxel[static_cast<std::size_t>(linear)]];
+  }
+
+ private:
+  struct Holders {
+    std::vector<BlockHolder> all;
+    std::vector<std::uint16_t> of_voxel;  ///< position in `all`; empty: there is only one
+  };
+
+  static void Merge(Holders& holders, BlockEntry& merged);
+
+  Transform T_map_field_;
+  double voxel_size_m_;
+  BlockTable blocks_;
+  std::vector<Holders> holders_;  ///< one an entry of blocks_
+};
+
+}  // namespace dhpmap
