@@ -63,8 +63,8 @@ SurfaceRelation CompareSurfaces(const PanmapSubmap& a, const PanmapSubmap& b, co
     total += weight;
     // What is foreign to b says nothing of b's surface.
     if (!b.Belongs(VoxelAt(p_m, voxel_size_m))) continue;
-    if (std::abs(in_b->distance_m) > max_error_m) conflict += weight;
-    else match += weight;
+    if (in_b->distance_m < -max_error_m) conflict += weight;
+    else if (in_b->distance_m <= max_error_m) match += weight;
   }
   const double least_share = settings.min_points / static_cast<double>(mesh.vertices_m.size());
   if (conflict > std::max(settings.max_conflict, least_share) * total) return SurfaceRelation::kConflict;

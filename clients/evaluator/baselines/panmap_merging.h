@@ -10,9 +10,9 @@ namespace dhpmap::evaluator {
 /// How the surface of one submap lies in another.
 enum class SurfaceRelation { kApart, kMatch, kConflict };
 
-/// Panmap's comparison: each surface point of `a` where `b` is known supports a match if `b`'s distance there is within
-/// the tolerance and the place is `b`'s own, and a conflict if `b`'s distance is beyond it. Points weigh by how well
-/// both know them.
+/// Panmap's comparison: a surface point of `a` where `b` is known and has its own place supports a match if it is
+/// within the tolerance of `b`'s surface, and a conflict if it lies farther behind it. In front of it, `b` may just not
+/// have seen `a`'s part. Points weigh by how well both know them.
 SurfaceRelation CompareSurfaces(const PanmapSubmap& a, const PanmapSubmap& b, const PanmapSettings& settings);
 
 /// Merges what `from` has into `into`: weighted averages of the geometry, sums of the counts.

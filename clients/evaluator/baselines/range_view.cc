@@ -150,8 +150,7 @@ float RangeView::Weight(const Eigen::Vector3f& p, float voxel_size_m) const {
   const float range_m = p.norm();
   if (is_spherical_) {
     const float size = voxel_size_m / range_m;
-    // The height of a point above a scanner says nothing of the ray; see algorithm of Panmap for depth images.
-    return size * size / (kColumnAngle * kRowAngle) * RayWeight(range_m, range_m);
+    return size * size / (kColumnAngle * kRowAngle) * RayWeight(range_m, range_m);  // a scanner has no depth axis
   }
   const float size = voxel_size_m / p.z();
   return static_cast<float>(camera_.fx_px * camera_.fy_px) * size * size * RayWeight(p.z(), range_m);
