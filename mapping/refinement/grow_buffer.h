@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sys/mman.h>
+
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
-#include <span>
+#include <new>
+#include <type_traits>
 
 namespace dhpmap {
 
-/// An array that keeps its memory when it shrinks and does not touch it when it grows: large arrays are first written,
-/// and so paged in, by the threads that fill them.
+/// An array of plain values that keeps its memory when it shrinks and does not touch it when it grows: large arrays are
+/// first written, and so paged in, by the threads that fill them. Large ones ask for huge pages, since most of what the
+/// lattices do is jump about in them.
 template <typename T>
 class GrowBuffer {
+  static_assert(std::is_trivially_destructible_v<T>);
+
  public:
   /// The contents are undefined afterwards.
   void Resize(std::size_t size) {
     if (size > capacity_) {
       data_.reset();  // first, so that old and new never exist side by side
-      data_ = std::make_unique_for_overwrite<T[]>(size);
+      capacity_ = 0;
+      data_ = Allocate(size);
       capacity_ = size;
     }
     size_ = size;
@@ -33,7 +41,37 @@ class GrowBuffer {
   const T* end() const { return data_.get() + size_; }
 
  private:
-  std::unique_ptr<T[]> data_;
+  static constexpr std::size_t kHugePage = std::size_t{2} << 20;
+
+  /// Large arrays are mapped on their own, so that they go back to the system and leave no holes in the heap.
+  struct Free {
+    std::size_t mapped_bytes = 0;  ///< 0: on the heap
+    void operator()(T* data) const {
+      if (mapped_bytes == 0) {
+        std::free(data);
+      } else {
+        munmap(data, mapped_bytes);
+      }
+    }
+  };
+
+  static std::unique_ptr<T[], Free> Allocate(std::size_t size) {
+    constexpr std::size_t kLine = 64;
+    if (size * sizeof(T) < 2 * kHugePage) {
+      void* data = std::aligned_alloc(kLine, (size * sizeof(T) + kLine - 1) / kLine * kLine);
+      if (data == nullptr) throw std::bad_alloc();
+      return {static_cast<T*>(data), Free{}};
+    }
+    const std::size_t num_bytes = (size * sizeof(T) + kHugePage - 1) / kHugePage * kHugePage;
+    void* data = mmap(nullptr, num_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (data == MAP_FAILED) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+    madvise(data, num_bytes, MADV_HUGEPAGE);  // a wish; failing changes nothing
+#endif
+    return {static_cast<T*>(data), Free{num_bytes}};
+  }
+
+  std::unique_ptr<T[], Free> data_;
   std::size_t size_ = 0, capacity_ = 0;
 };
 

@@ -155,6 +155,12 @@ void LatticeBuilder<D>::CollectGhosts(LatticeGraph& graph) const {
 }
 
 template <int D>
+const typename LatticeBuilder<D>::Entry& LatticeBuilder<D>::Slot(std::uint32_t hash) const {
+  const std::size_t part = PartOf(hash);
+  return table_[table_begin_[part] + (hash & (table_begin_[part + 1] - table_begin_[part] - 1))];
+}
+
+template <int D>
 std::uint32_t LatticeBuilder<D>::Find(Key key, std::uint32_t hash) const {
   const std::size_t part = PartOf(hash);
   const Entry* table = table_.data() + table_begin_[part];
@@ -168,14 +174,25 @@ std::uint32_t LatticeBuilder<D>::Find(Key key, std::uint32_t hash) const {
 template <int D>
 void LatticeBuilder<D>::FindNext(std::size_t begin, std::size_t end,
                                  std::vector<GrowBuffer<std::uint32_t>>& next) const {
-  for (std::size_t row = begin; row < end; ++row) {
-    if (vertex_[row] != row) {
-      for (int axis = 0; axis <= D; ++axis) next[axis][row] = kNone;
-      continue;
+  // The table is far larger than the caches: all places to look at are asked for some rows ahead.
+  constexpr std::size_t kBatchRows = 16;
+  std::array<std::uint32_t, kBatchRows*(D + 1)> hashes;
+  for (; begin < end; begin += kBatchRows) {
+    const std::size_t batch_end = std::min(end, begin + kBatchRows);
+    std::size_t i = 0;
+    for (std::size_t row = begin; row < batch_end; ++row) {
+      if (vertex_[row] != row) continue;
+      for (int axis = 0; axis <= D; ++axis) {
+        hashes[i] = HashOfKey(LatticeEmbedding<D>::Next(keys_[row], axis));
+        __builtin_prefetch(&Slot(hashes[i++]));
+      }
     }
-    for (int axis = 0; axis <= D; ++axis) {
-      const Key key = LatticeEmbedding<D>::Next(keys_[row], axis);
-      next[axis][row] = Find(key, HashOfKey(key));
+    i = 0;
+    for (std::size_t row = begin; row < batch_end; ++row) {
+      const bool is_vertex = vertex_[row] == row;
+      for (int axis = 0; axis <= D; ++axis) {
+        next[axis][row] = is_vertex ? Find(LatticeEmbedding<D>::Next(keys_[row], axis), hashes[i++]) : kNone;
+      }
     }
   }
 }

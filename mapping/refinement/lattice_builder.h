@@ -53,6 +53,7 @@ class LatticeBuilder {
   void GatherKeys(const LatticeGraph& graph);
   void JoinPart(std::size_t part, const LatticeGraph& graph);
   void CollectGhosts(LatticeGraph& graph) const;
+  [[nodiscard]] const Entry& Slot(std::uint32_t hash) const;
   [[nodiscard]] std::uint32_t Find(Key key, std::uint32_t hash) const;
   void FindNext(std::size_t begin, std::size_t end, std::vector<GrowBuffer<std::uint32_t>>& next) const;
 
