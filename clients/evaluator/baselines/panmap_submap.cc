@@ -25,11 +25,6 @@ void BelongingBlock::Add(std::size_t linear, const BelongingBlock& other) {
   Set(linear, belongs_[linear] + other.belongs_[linear], foreign_[linear] + other.foreign_[linear]);
 }
 
-bool PanmapSubmap::IsObserved(VoxelIndex voxel) const {
-  const BlockEntry* entry = geometry.blocks().Find(BlockOf(voxel));
-  return entry != nullptr && entry->tsdf != nullptr && entry->tsdf->IsObserved(LinearIndex(voxel));
-}
-
 bool PanmapSubmap::Belongs(VoxelIndex voxel) const {
   const auto it = belonging.find(BlockOf(voxel));
   return it == belonging.end() || it->second.Belongs(static_cast<std::size_t>(LinearIndex(voxel)));

@@ -34,7 +34,6 @@ struct PanmapSubmap {
       : geometry(std::move(info), 1), num_reobservations_left(num_reobservations) {}
 
   [[nodiscard]] bool IsActive() const { return geometry.info().activity == Activity::kActive; }
-  [[nodiscard]] bool IsObserved(VoxelIndex voxel) const;
   [[nodiscard]] bool Belongs(VoxelIndex voxel) const;
   /// The geometry with only the voxels that belong to it, for a mesh of these.
   [[nodiscard]] Submap OwnGeometry() const;
