@@ -20,8 +20,8 @@ MapInfo InfoOf(const SystemSetup& setup) {
 
 class DhpSystem : public MappingSystem {
  public:
-  DhpSystem(std::string name, const SystemSetup& setup)
-      : name_(std::move(name)), builder_(InfoOf(setup), setup.num_threads) {}
+  DhpSystem(std::string name, const SystemSetup& setup, SurfaceKind surface)
+      : name_(std::move(name)), builder_(InfoOf(setup), setup.num_threads), surface_(surface) {}
 
   std::string name() const override { return name_; }
   bool has_instances() const override { return true; }
@@ -41,19 +41,36 @@ class DhpSystem : public MappingSystem {
     times_.refine_s = total.management_s + total.crf_s;
   }
 
-  LabelledSurface Surface() const override { return SurfaceOf(builder_.map()); }
+  LabelledSurface Surface() const override { return SurfaceOf(builder_.map(), surface_); }
   SystemTimes times() const override { return times_; }
 
  private:
   std::string name_;
   MapBuilder builder_;
+  SurfaceKind surface_;
   SystemTimes times_;
 };
 
 }  // namespace
 
 std::unique_ptr<MappingSystem> MakeDhp(std::string name, const SystemSetup& setup) {
-  return std::make_unique<DhpSystem>(std::move(name), setup);
+  const RefinementConfig& refinement = setup.config.refinement;
+  const bool is_exclusive = refinement.management || refinement.crf;
+  return std::make_unique<DhpSystem>(std::move(name), setup,
+                                     is_exclusive ? SurfaceKind::kOneField : SurfaceKind::kEachSubmap);
+}
+
+std::unique_ptr<MappingSystem> MakeTruthMap(SystemSetup setup) {
+  MapConfig& config = setup.config;
+  config.refinement.management = false;
+  config.refinement.crf = false;
+  config.refinement.drop_voxel_labels = false;
+  config.activity.required_reobservations = 0;
+  config.tracking.min_points_stuff = 1;
+  config.tracking.min_points_small = 1;
+  config.tracking.min_points_medium = 1;
+  config.tracking.min_points_large = 1;
+  return std::make_unique<DhpSystem>("ground truth", setup, SurfaceKind::kOneField);
 }
 
 }  // namespace dhpmap::evaluator

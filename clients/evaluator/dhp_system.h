@@ -8,7 +8,12 @@
 
 namespace dhpmap::evaluator {
 
-/// Our own pipeline with the configuration as it is.
+/// Our own pipeline with the configuration as it is. Its surface is one field if the refinement makes positions
+/// exclusive, else that of each submap.
 std::unique_ptr<MappingSystem> MakeDhp(std::string name, const SystemSetup& setup);
+
+/// What the ground truth's labels say: our pipeline that keeps every object that has a single point and refines
+/// nothing; its surface is one field, each place with the object that was seen there most often.
+std::unique_ptr<MappingSystem> MakeTruthMap(SystemSetup setup);
 
 }  // namespace dhpmap::evaluator

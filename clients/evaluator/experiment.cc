@@ -6,26 +6,11 @@
 #include "clients/evaluator/dhp_system.h"
 #include "clients/evaluator/recording.h"
 #include "clients/evaluator/systems.h"
-#include "mapping/pipeline/map_builder.h"
 
 namespace dhpmap::evaluator {
 namespace {
 
 constexpr std::size_t kCacheBytes = std::size_t{3} << 30;
-
-/// Every object that has a single point stays in the map.
-MapConfig TruthConfig(MapConfig config) {
-  config.refinement.management = false;
-  config.refinement.crf = false;
-  config.refinement.every_frames = 0;
-  config.refinement.drop_voxel_labels = false;
-  config.activity.required_reobservations = 0;
-  config.tracking.min_points_stuff = 1;
-  config.tracking.min_points_small = 1;
-  config.tracking.min_points_medium = 1;
-  config.tracking.min_points_large = 1;
-  return config;
-}
 
 Result<std::shared_ptr<const LabelSet>> MakeLabelSet(const std::vector<LabelClass>& classes) {
   DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(classes));
@@ -70,9 +55,9 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
                           ReadClasses(options, truth_recording.label_classes(), recording.label_classes()));
   experiment.protocol = ProtocolFor(experiment.config.voxel_size_m);
 
-  SystemSetup truth_setup{TruthConfig(experiment.config), nullptr, options.num_threads};
+  SystemSetup truth_setup{experiment.config, nullptr, options.num_threads};
   DHPMAP_ASSIGN_OR_RETURN(truth_setup.label_set, MakeLabelSet(truth_recording.label_classes()));
-  auto truth_system = MakeDhp("ground truth", truth_setup);
+  auto truth_system = MakeTruthMap(truth_setup);
   DHPMAP_RETURN_IF_ERROR(Map(*truth_system, truth_recording));
   const Truth truth(truth_system->Surface().mesh, experiment.classes, experiment.protocol);
   truth_system.reset();

@@ -37,8 +37,8 @@ struct Experiment {
 /// Called after each system, before its map is freed.
 using SystemVisitor = std::function<Status(const Truth&, const Scores&, const std::vector<ElementLabel>& labels)>;
 
-/// Builds the map of the ground truth's labels with the same fusion (ids persistent, nothing refined, nothing too small
-/// to keep), then each system's map of the same frames, and compares them. `visit` may be empty.
+/// Builds the map of the ground truth's labels with the same fusion (see MakeTruthMap), then each system's map of the
+/// same frames, and compares them. `visit` may be empty.
 Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemVisitor& visit);
 
 /// The preset of a data set with the settings on top; INVALID_ARGUMENT for unknown keys and values out of range.

@@ -6,14 +6,18 @@
 
 namespace dhpmap::evaluator {
 
-/// The surface of a map of submaps, each vertex with its submap's class (the label that the map keeps of an object when
-/// those of voxels are dropped) and id; the unknown submap says neither. An instance's score is its class confidence
+enum class SurfaceKind {
+  /// Each submap is meshed by itself: where several hold a place, so many surfaces say something about it.
+  kEachSubmap,
+  /// The submaps on the map's grid are meshed as one field (see SurfaceField), so that there are no gaps where a cell's
+  /// corners are different submaps'. A triangle has the label of the submap that answers for most corners of its cell,
+  /// of equals the nearest; submaps on grids of their own are meshed by themselves.
+  kOneField,
+};
+
+/// The surface of a map of submaps, labelled with ids of submaps and their classes (what a map keeps of an object when
+/// the labels of voxels are dropped); the unknown submap says neither. An instance's score is its class confidence
 /// times its instance confidence.
-///
-/// With label management each position belongs to one submap, so that the submaps on the map's grid are parts of one
-/// field: it is meshed as a whole, and there are no gaps along the borders of objects, where a cell's corners belong to
-/// several. A vertex has the label of the voxel that it lies in. Otherwise, and for submaps on grids of their own, each
-/// submap is meshed by itself.
-LabelledSurface SurfaceOf(const Map& map);
+LabelledSurface SurfaceOf(const Map& map, SurfaceKind kind);
 
 }  // namespace dhpmap::evaluator

@@ -68,8 +68,9 @@ std::string ProtocolText(const Experiment& experiment) {
       << " frames";
   if (experiment.num_skipped > 0) out << " (" << experiment.num_skipped << " could not be read)";
   out << ", voxels of " << Decimals(experiment.config.voxel_size_m, 3) << " m.\n\n"
-      << "- Truth: map of the ground truth's labels by the same fusion; " << experiment.num_truth_samples
-      << " samples of its triangles, one every " << Decimals(p.spacing_m, 3)
+      << "- Truth: map of the ground truth's labels by the same fusion, each place the object's that was seen there "
+         "most; "
+      << experiment.num_truth_samples << " samples of its triangles, one every " << Decimals(p.spacing_m, 3)
       << " m squared, each with the label of the nearest sample of the system's surface within "
       << Decimals(p.d_match_m, 3) << " m, else none.\n"
       << "- Segments match above IoU 0.5; unmatched ones below " << p.min_elements << " samples are ignored.\n"
