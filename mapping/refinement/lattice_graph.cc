@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr std::size_t kLookAhead = 6;  // rows, found by prefetching
+constexpr std::size_t kLookAhead = 16;  // rows, found by prefetching
 
 /// Convolves the chains in [i, end) on the N vectors of a row that begin at `values`.
 template <int N>

@@ -15,9 +15,12 @@ struct LabelLayout {
   struct Vector {
     std::size_t first_label;  ///< in the caller's rows
     int num_labels;           ///< 1 to 8
-    bool ends_kind;
+  };
+  struct Kind {
+    int begin, end;  ///< vectors
   };
   std::vector<Vector> vectors;
+  std::vector<Kind> kinds;     ///< that have labels
   std::size_t num_labels = 0;  ///< of all kinds: the length of a caller's row
 
   explicit LabelLayout(std::span<const int> labels_of_kinds);
@@ -42,7 +45,7 @@ enum class MeanFieldPass {
 /// Working memory of one thread; its contents mean nothing between passes.
 struct MeanFieldScratch {
   std::vector<float> smoothness_rows, appearance_rows;  ///< what is being splatted
-  std::vector<float> q, last_row;                       ///< of one point
+  std::vector<float> q, last_row;                       ///< marginals of some points; one of the caller's rows
 };
 
 /// One step of mean field for one chunk of points. Slicing, softmax and splatting go point by point, so Q is never
