@@ -70,7 +70,7 @@ void Panmap::Finish() {
     const bool has_merged = is_there && MergeWithInactive(ids[i], setup_.config, settings_, submaps_);
     i = has_merged ? 0 : i + 1;
   }
-  times_.integrate_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  times_.finish_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 LabelledSurface Panmap::Surface() const {
