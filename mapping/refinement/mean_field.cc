@@ -14,54 +14,82 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kBlockPoints = 16;  // worked on together, in the nearest cache
 constexpr float kSurest = 1e30f;          // a unary of -infinity counts as this, to keep differences finite
 
-/// messages (+)= the values interpolated at a point, on the N vectors that begin at `rows` and `messages`.
-template <int N, int D>
-DHPMAP_ALWAYS_INLINE void Slice(const typename PermutohedralLattice<D>::Corners& corners, const float* rows,
-                                std::size_t stride, float* messages) {
-  Float8 sum[N];
-  for (int v = 0; v < N; ++v) sum[v] = Vector8(messages, v);
-  for (int k = 0; k <= D; ++k) {
-    const float weight = corners.weight[k];
+/// Some consecutive points of a chunk, and N vectors of each row of what belongs to them: the others are c floats away.
+struct Points {
+  std::size_t begin, end;  ///< of the chunk
+  const LatticeChunk<3>& smoothness;
+  const LatticeChunk<6>& appearance;
+  float *smoothness_rows, *appearance_rows;  ///< to slice from or to splat to
+  float* q;                                  ///< a row for each point
+  std::size_t stride;
+};
+
+/// sum += the values interpolated at a point.
+template <int N, typename Corners>
+DHPMAP_ALWAYS_INLINE void Slice(const Corners& corners, const float* rows, std::size_t stride, Float8* sum) {
+  for (std::size_t k = 0; k < corners.row.size(); ++k) {
     const float* row = rows + corners.row[k] * stride;
-    for (int v = 0; v < N; ++v) sum[v] += weight * Vector8(row, v);
+    for (int v = 0; v < N; ++v) sum[v] += corners.weight[k] * Vector8(row, v);
   }
-  for (int v = 0; v < N; ++v) Vector8(messages, v) = sum[v];
 }
 
-template <int N, int D>
-DHPMAP_ALWAYS_INLINE void Splat(const typename PermutohedralLattice<D>::Corners& corners, const float* q,
-                                std::size_t stride, float* rows) {
-  Float8 value[N];
-  for (int v = 0; v < N; ++v) value[v] = Vector8(q, v);
-  for (int k = 0; k <= D; ++k) {
-    const float weight = corners.weight[k];
+template <int N, typename Corners>
+DHPMAP_ALWAYS_INLINE void Splat(const Corners& corners, const Float8* value, std::size_t stride, float* rows) {
+  for (std::size_t k = 0; k < corners.row.size(); ++k) {
     float* row = rows + corners.row[k] * stride;
-    for (int v = 0; v < N; ++v) Vector8(row, v) += weight * value[v];
+    for (int v = 0; v < N; ++v) Vector8(row, v) += corners.weight[k] * value[v];
   }
 }
 
-template <int D>
-DHPMAP_ALWAYS_INLINE void SliceAll(const typename PermutohedralLattice<D>::Corners& corners, const float* rows,
-                                   std::size_t stride, float* messages) {
+template <int N>
+DHPMAP_ALWAYS_INLINE void SlicePoints(const Points& points, std::size_t c) {
+  for (std::size_t i = points.begin; i < points.end; ++i) {
+    Float8 sum[N] = {};
+    if (points.smoothness.corners) {
+      Slice<N>(points.smoothness.corners[i], points.smoothness_rows + c, points.stride, sum);
+    }
+    if (points.appearance.corners) {
+      Slice<N>(points.appearance.corners[i], points.appearance_rows + c, points.stride, sum);
+    }
+    float* q = points.q + (i - points.begin) * points.stride + c;
+    for (int v = 0; v < N; ++v) Vector8(q, v) = sum[v];
+  }
+}
+
+template <int N>
+DHPMAP_ALWAYS_INLINE void SplatPoints(const Points& points, std::size_t c) {
+  for (std::size_t i = points.begin; i < points.end; ++i) {
+    const float* q = points.q + (i - points.begin) * points.stride + c;
+    Float8 value[N];
+    for (int v = 0; v < N; ++v) value[v] = Vector8(q, v);
+    if (points.smoothness.corners) {
+      Splat<N>(points.smoothness.corners[i], value, points.stride, points.smoothness_rows + c);
+    }
+    if (points.appearance.corners) {
+      Splat<N>(points.appearance.corners[i], value, points.stride, points.appearance_rows + c);
+    }
+  }
+}
+
+// Up to 4 vectors at a time fit into registers.
+DHPMAP_ALWAYS_INLINE void SliceAll(const Points& points) {
   std::size_t c = 0;
-  for (; c + 32 <= stride; c += 32) Slice<4, D>(corners, rows + c, stride, messages + c);
-  switch ((stride - c) / 8) {
-    case 1: Slice<1, D>(corners, rows + c, stride, messages + c); break;
-    case 2: Slice<2, D>(corners, rows + c, stride, messages + c); break;
-    case 3: Slice<3, D>(corners, rows + c, stride, messages + c); break;
+  for (; c + 32 <= points.stride; c += 32) SlicePoints<4>(points, c);
+  switch ((points.stride - c) / 8) {
+    case 1: SlicePoints<1>(points, c); break;
+    case 2: SlicePoints<2>(points, c); break;
+    case 3: SlicePoints<3>(points, c); break;
     default: break;
   }
 }
 
-template <int D>
-DHPMAP_ALWAYS_INLINE void SplatAll(const typename PermutohedralLattice<D>::Corners& corners, const float* q,
-                                   std::size_t stride, float* rows) {
+DHPMAP_ALWAYS_INLINE void SplatAll(const Points& points) {
   std::size_t c = 0;
-  for (; c + 32 <= stride; c += 32) Splat<4, D>(corners, q + c, stride, rows + c);
-  switch ((stride - c) / 8) {
-    case 1: Splat<1, D>(corners, q + c, stride, rows + c); break;
-    case 2: Splat<2, D>(corners, q + c, stride, rows + c); break;
-    case 3: Splat<3, D>(corners, q + c, stride, rows + c); break;
+  for (; c + 32 <= points.stride; c += 32) SplatPoints<4>(points, c);
+  switch ((points.stride - c) / 8) {
+    case 1: SplatPoints<1>(points, c); break;
+    case 2: SplatPoints<2>(points, c); break;
+    case 3: SplatPoints<3>(points, c); break;
     default: break;
   }
 }
@@ -109,45 +137,41 @@ void WriteMarginals(const LabelLayout& layout, const float* q, float* marginals)
   }
 }
 
-/// Points [begin, end) of the chunk. Step by step for all of them: each step is a chain of dependent operations for one
-/// point, but independent of the others.
+/// One pass for some points, step by step for all of them: each step is a chain of dependent operations for one point,
+/// but independent of the others. `points` slices from the chunk, `sums` splats to working memory.
 DHPMAP_VECTOR_CLONES
-void RunPoints(MeanFieldPass pass, const LabelLayout& layout, std::span<const std::uint32_t> order, std::size_t begin,
-               std::size_t end, const LatticeChunk<3>& smoothness, const LatticeChunk<6>& appearance,
-               std::span<float> values, float* smoothness_sums, float* appearance_sums, float* q, float* last_row) {
-  const std::size_t stride = layout.num_channels(), num_labels = layout.num_labels, num_points = end - begin;
+void RunPoints(MeanFieldPass pass, const LabelLayout& layout, std::span<const std::uint32_t> order,
+               const Points& points, const Points& sums, std::span<float> values, float* last_row) {
+  const std::size_t stride = layout.num_channels(), num_labels = layout.num_labels;
   const bool is_first = pass == MeanFieldPass::kFirst || pass == MeanFieldPass::kOnly;
   const bool is_last = pass == MeanFieldPass::kLast || pass == MeanFieldPass::kOnly;
-  for (std::size_t i = begin; i < end; ++i) __builtin_prefetch(values.data() + order[i] * num_labels);
-  std::fill(q, q + num_points * stride, 0.0f);
-  for (std::size_t i = begin; i < end && !is_first; ++i) {
-    float* messages = q + (i - begin) * stride;
-    if (smoothness.corners) SliceAll<3>(smoothness.corners[i], smoothness.rows, stride, messages);
-    if (appearance.corners) SliceAll<6>(appearance.corners[i], appearance.rows, stride, messages);
+  for (const std::uint32_t index : order) __builtin_prefetch(values.data() + index * num_labels);
+  if (is_first) {
+    std::fill(points.q, points.q + order.size() * stride, 0.0f);
+  } else {
+    SliceAll(points);
   }
-  for (std::size_t i = begin; i < end; ++i) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
     float* unaries = values.data() + order[i] * num_labels;
     if (is_first) SettleUnaries(layout, unaries);
-    if (order[i] * num_labels + num_labels + 8 > values.size()) {  // vectors must not reach beyond the caller's array
+    if ((order[i] + 1) * num_labels + 8 > values.size()) {  // vectors must not reach beyond the caller's array
       std::copy(unaries, unaries + num_labels, last_row);
       unaries = last_row;
     }
-    SubtractUnaries(layout, unaries, q + (i - begin) * stride);
+    SubtractUnaries(layout, unaries, points.q + i * stride);
   }
-  for (int v = 0; v < static_cast<int>(num_points * layout.vectors.size()); ++v) {
-    Float8 x = Vector8(q, v);
+  for (int v = 0; v < static_cast<int>(order.size() * layout.vectors.size()); ++v) {
+    Float8 x = Vector8(points.q, v);
     ExpOfNegative(x);
-    Vector8(q, v) = x;
+    Vector8(points.q, v) = x;
   }
-  for (std::size_t i = 0; i < num_points; ++i) ScaleToOne(layout, q + i * stride);
-  for (std::size_t i = begin; i < end; ++i) {
-    const float* marginals = q + (i - begin) * stride;
-    if (is_last) {
-      WriteMarginals(layout, marginals, values.data() + order[i] * num_labels);
-    } else {
-      if (smoothness.corners) SplatAll<3>(smoothness.corners[i], marginals, stride, smoothness_sums);
-      if (appearance.corners) SplatAll<6>(appearance.corners[i], marginals, stride, appearance_sums);
+  for (std::size_t i = 0; i < order.size(); ++i) ScaleToOne(layout, points.q + i * stride);
+  if (is_last) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      WriteMarginals(layout, points.q + i * stride, values.data() + order[i] * num_labels);
     }
+  } else {
+    SplatAll(sums);
   }
 }
 
@@ -176,10 +200,13 @@ void RunMeanFieldPass(MeanFieldPass pass, const LabelLayout& layout, std::span<c
   }
   scratch.q.resize(kBlockPoints * stride);
   scratch.last_row.assign(layout.num_labels + 8, 0.0f);
-  for (std::size_t i = 0; i < order.size(); i += kBlockPoints) {
-    RunPoints(pass, layout, order, i, std::min(order.size(), i + kBlockPoints), smoothness, appearance, values,
-              scratch.smoothness_rows.data(), scratch.appearance_rows.data(), scratch.q.data(),
-              scratch.last_row.data());
+  for (std::size_t begin = 0; begin < order.size(); begin += kBlockPoints) {
+    const std::size_t end = std::min(order.size(), begin + kBlockPoints);
+    Points points{begin, end, smoothness, appearance, smoothness.rows, appearance.rows, scratch.q.data(), stride};
+    Points sums = points;
+    sums.smoothness_rows = scratch.smoothness_rows.data();
+    sums.appearance_rows = scratch.appearance_rows.data();
+    RunPoints(pass, layout, order.subspan(begin, end - begin), points, sums, values, scratch.last_row.data());
   }
   if (splats) {
     std::copy(scratch.smoothness_rows.begin(), scratch.smoothness_rows.end(), smoothness.rows);
