@@ -70,8 +70,8 @@ LabelledSurface SingleMap::Surface() const {
   return surface;
 }
 
-// Without Kimera's carving of free space, which does it harm: with it, the F-score falls from 0.986 to 0.943 on kitti
-// 07 and from 0.998 to 0.994 on house, and mIoU on kitti by 0.01.
+// Without Kimera's carving of free space, which does it harm: with it, the F-score falls by 4 points on both sequences
+// of kitti and by half a point on house, and mIoU on kitti by 0.01.
 std::unique_ptr<MappingSystem> MakeKimera(const SystemSetup& setup) {
   constexpr double kMeasurementProbability = 0.8;  // of its launch files
   return std::make_unique<SingleMap>("kimera", setup, std::make_unique<BayesianLayer>(kMeasurementProbability));
