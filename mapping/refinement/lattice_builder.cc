@@ -106,7 +106,7 @@ void LatticeBuilder<D>::GatherKeys(const LatticeGraph& graph) {
   for (std::size_t part = 0; part < kNumParts; ++part) {
     std::size_t num_rows = 0;
     for (const ChunkRows& chunk : chunks_) num_rows += chunk.part_begin[part + 1] - chunk.part_begin[part];
-    table_begin_[part + 1] = table_begin_[part] + std::bit_ceil(2 * num_rows + 1);
+    table_begin_[part + 1] = table_begin_[part] + std::bit_ceil(num_rows + num_rows / 2 + 1);
   }
   table_.Resize(table_begin_[kNumParts]);
 }
@@ -172,56 +172,58 @@ std::uint32_t LatticeBuilder<D>::Find(Key key, std::uint32_t hash) const {
 }
 
 template <int D>
-void LatticeBuilder<D>::FindNext(std::size_t begin, std::size_t end,
-                                 std::vector<GrowBuffer<std::uint32_t>>& next) const {
-  // The table is far larger than the caches: all places to look at are asked for some rows ahead.
-  constexpr std::size_t kBatchRows = 16;
-  std::array<std::uint32_t, kBatchRows*(D + 1)> hashes;
+void LatticeBuilder<D>::FindNext(int axis, std::size_t begin, std::size_t end) {
+  // The table is far larger than the caches: the places to look at are asked for some rows ahead.
+  constexpr std::size_t kBatchRows = 64;
+  std::array<std::uint32_t, kBatchRows> hashes;
   for (; begin < end; begin += kBatchRows) {
     const std::size_t batch_end = std::min(end, begin + kBatchRows);
-    std::size_t i = 0;
     for (std::size_t row = begin; row < batch_end; ++row) {
       if (vertex_[row] != row) continue;
-      for (int axis = 0; axis <= D; ++axis) {
-        hashes[i] = HashOfKey(LatticeEmbedding<D>::Next(keys_[row], axis));
-        __builtin_prefetch(&Slot(hashes[i++]));
-      }
+      hashes[row - begin] = HashOfKey(LatticeEmbedding<D>::Next(keys_[row], axis));
+      __builtin_prefetch(&Slot(hashes[row - begin]));
     }
-    i = 0;
     for (std::size_t row = begin; row < batch_end; ++row) {
       const bool is_vertex = vertex_[row] == row;
-      for (int axis = 0; axis <= D; ++axis) {
-        next[axis][row] = is_vertex ? Find(LatticeEmbedding<D>::Next(keys_[row], axis), hashes[i++]) : kNone;
-      }
+      next_[row] = is_vertex ? Find(LatticeEmbedding<D>::Next(keys_[row], axis), hashes[row - begin]) : kNone;
+      if (next_[row] != kNone)
+        has_previous_[next_[row]] = 1;  // a row has one previous at most: no two threads write it
     }
+  }
+}
+
+template <int D>
+void LatticeBuilder<D>::ListChains(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& chains) const {
+  chains.clear();
+  for (std::size_t row = begin; row < end; ++row) {
+    if (next_[row] == kNone || has_previous_[row] != 0) continue;
+    chains.push_back(static_cast<std::uint32_t>(row) | LatticeGraph::kChainStart);
+    for (std::uint32_t r = next_[row]; r != kNone; r = next_[r]) chains.push_back(r);
   }
 }
 
 template <int D>
 void LatticeBuilder<D>::FindNeighbours(LatticeGraph& graph) {
   const std::size_t num_rows = graph.num_rows();
-  std::vector<GrowBuffer<std::uint32_t>> next(D + 1);
-  for (auto& rows : next) rows.Resize(num_rows);
-  pool_.ParallelFor((num_rows + kPieceRows - 1) / kPieceRows, [&](std::size_t piece) {
-    FindNext(piece * kPieceRows, std::min(num_rows, (piece + 1) * kPieceRows), next);
-  });
+  const std::size_t num_pieces = (num_rows + kPieceRows - 1) / kPieceRows;
   graph.axes.resize(D + 1);
-  pool_.ParallelFor(D + 1, [&](std::size_t a) {
-    LatticeGraph::Axis& axis = graph.axes[a];
-    std::vector<std::uint8_t> has_previous(num_rows, 0);
-    for (const std::uint32_t row : next[a]) {
-      if (row != kNone) has_previous[row] = 1;
-    }
-    axis.chains.clear();
-    axis.piece_begin.assign(1, 0);
-    for (std::size_t row = 0; row < num_rows; ++row) {
-      if (has_previous[row] || next[a][row] == kNone) continue;
-      if (axis.chains.size() - axis.piece_begin.back() >= kPieceRows) axis.piece_begin.push_back(axis.chains.size());
-      axis.chains.push_back(static_cast<std::uint32_t>(row) | LatticeGraph::kChainStart);
-      for (std::uint32_t r = next[a][row]; r != kNone; r = next[a][r]) axis.chains.push_back(r);
-    }
-    axis.piece_begin.push_back(axis.chains.size());
-  });
+  next_.Resize(num_rows);
+  has_previous_.Resize(num_rows);
+  std::vector<std::vector<std::uint32_t>> chains(num_pieces);  // by the piece in which they start
+  for (int a = 0; a <= D; ++a) {
+    std::fill(has_previous_.begin(), has_previous_.end(), std::uint8_t{0});
+    const auto end_of = [&](std::size_t piece) { return std::min(num_rows, (piece + 1) * kPieceRows); };
+    pool_.ParallelFor(num_pieces, [&](std::size_t piece) { FindNext(a, piece * kPieceRows, end_of(piece)); });
+    pool_.ParallelFor(num_pieces,
+                      [&](std::size_t piece) { ListChains(piece * kPieceRows, end_of(piece), chains[piece]); });
+    LatticeGraph::Axis& axis = graph.axes[static_cast<std::size_t>(a)];
+    axis.piece_begin.assign(num_pieces + 1, 0);
+    for (std::size_t p = 0; p < num_pieces; ++p) axis.piece_begin[p + 1] = axis.piece_begin[p] + chains[p].size();
+    axis.chains.Resize(axis.piece_begin.back());
+    pool_.ParallelFor(num_pieces, [&](std::size_t piece) {
+      std::copy(chains[piece].begin(), chains[piece].end(), axis.chains.begin() + axis.piece_begin[piece]);
+    });
+  }
 }
 
 template class LatticeBuilder<3>;

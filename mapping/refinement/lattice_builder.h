@@ -55,7 +55,8 @@ class LatticeBuilder {
   void CollectGhosts(LatticeGraph& graph) const;
   [[nodiscard]] const Entry& Slot(std::uint32_t hash) const;
   [[nodiscard]] std::uint32_t Find(Key key, std::uint32_t hash) const;
-  void FindNext(std::size_t begin, std::size_t end, std::vector<GrowBuffer<std::uint32_t>>& next) const;
+  void FindNext(int axis, std::size_t begin, std::size_t end);
+  void ListChains(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& chains) const;
 
   ThreadPool& pool_;
   std::vector<ChunkRows> chunks_;
@@ -63,6 +64,9 @@ class LatticeBuilder {
   GrowBuffer<std::uint32_t> vertex_;  ///< of all rows: the first row with the same key
   GrowBuffer<Entry> table_;           ///< open addressing, a piece of a power of two for each part
   std::array<std::size_t, kNumParts + 1> table_begin_{};
+  // Along the axis in hand, for all rows.
+  GrowBuffer<std::uint32_t> next_;
+  GrowBuffer<std::uint8_t> has_previous_;
 };
 
 extern template class LatticeBuilder<3>;

@@ -23,7 +23,7 @@ class LatticeGraph {
   /// Neighbouring vertices along one axis, chain after chain: rows, kChainStart set on the first of each chain.
   /// Vertices without a neighbour are left out: blurring does not change them.
   struct Axis {
-    std::vector<std::uint32_t> chains;
+    GrowBuffer<std::uint32_t> chains;
     std::vector<std::size_t> piece_begin;  ///< work is cut here, at starts of chains; the last is chains.size()
   };
   static constexpr std::uint32_t kChainStart = 1u << 31;
