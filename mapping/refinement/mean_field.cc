@@ -2,8 +2,8 @@
 #include "mapping/refinement/mean_field.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
+#include <utility>
 
 #include "mapping/refinement/float8.h"
 
@@ -94,46 +94,51 @@ DHPMAP_ALWAYS_INLINE void SplatAll(const Points& points) {
   }
 }
 
-/// q = (q - unaries) less its greatest element of the kind, -infinity where a label is impossible.
+DHPMAP_ALWAYS_INLINE const UnalignedInt8& MaskOf(const LabelLayout::Part& part) {
+  return *reinterpret_cast<const UnalignedInt8*>(part.mask.data());
+}
+
+/// q = (q - unaries) less its greatest element of the kind, -infinity where a label is impossible and in the padding.
 DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float* unaries, float* q) {
   const Int8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+  const auto num_labels = static_cast<int>(layout.num_labels);
+  for (int v = 0; 8 * v < num_labels; ++v) {
+    const Float8 u = Vector8(unaries, v);
+    const Int8 is_possible = (u < kInfinity) & (lane < num_labels - 8 * v);
+    const Float8 x = Vector8(q, v) - (u > -kSurest ? u : Float8{} - kSurest);
+    Vector8(q, v) = is_possible ? x : Float8{} - kInfinity;
+  }
   for (const LabelLayout::Kind& kind : layout.kinds) {
     Float8 most = Float8{} - kInfinity;
-    for (int v = kind.begin; v < kind.end; ++v) {
-      const Float8 u = Vector8(unaries + layout.vectors[v].first_label, 0);
-      const Int8 is_possible = (u < kInfinity) & (lane < layout.vectors[v].num_labels);
-      Float8 x = Vector8(q, v) - (u > -kSurest ? u : Float8{} - kSurest);
-      x = is_possible ? x : Float8{} - kInfinity;
+    for (const LabelLayout::Part& part : kind.parts) {
+      const Float8 x = MaskOf(part) ? Vector8(q, part.vector) : Float8{} - kInfinity;
       most = most > x ? most : x;
-      Vector8(q, v) = x;
     }
     SpreadMax(most);
-    for (int v = kind.begin; v < kind.end; ++v) Vector8(q, v) -= most;
+    for (const LabelLayout::Part& part : kind.parts) {
+      const Float8 x = Vector8(q, part.vector);
+      Vector8(q, part.vector) = MaskOf(part) ? x - most : x;
+    }
   }
 }
 
 DHPMAP_ALWAYS_INLINE void ScaleToOne(const LabelLayout& layout, float* q) {
   for (const LabelLayout::Kind& kind : layout.kinds) {
     Float8 sum = {};
-    for (int v = kind.begin; v < kind.end; ++v) sum += Vector8(q, v);
+    for (const LabelLayout::Part& part : kind.parts) sum += MaskOf(part) ? Vector8(q, part.vector) : Float8{};
     SpreadSum(sum);
     const Float8 scale = 1.0f / sum;
-    for (int v = kind.begin; v < kind.end; ++v) Vector8(q, v) *= scale;
+    for (const LabelLayout::Part& part : kind.parts) {
+      Vector8(q, part.vector) *= MaskOf(part) ? scale : Float8{} + 1.0f;
+    }
   }
 }
 
 /// Where all labels of a kind are impossible, the unaries become 0.
 void SettleUnaries(const LabelLayout& layout, float* unaries) {
   for (const LabelLayout::Kind& kind : layout.kinds) {
-    float* begin = unaries + layout.vectors[kind.begin].first_label;
-    float* end = unaries + layout.vectors[kind.end - 1].first_label + layout.vectors[kind.end - 1].num_labels;
+    float *begin = unaries + kind.begin, *end = unaries + kind.end;
     if (std::none_of(begin, end, [](float u) { return u < kInfinity; })) std::fill(begin, end, 0.0f);
-  }
-}
-
-void WriteMarginals(const LabelLayout& layout, const float* q, float* marginals) {
-  for (std::size_t v = 0; v < layout.vectors.size(); ++v) {
-    std::copy(q + 8 * v, q + 8 * v + layout.vectors[v].num_labels, marginals + layout.vectors[v].first_label);
   }
 }
 
@@ -160,7 +165,7 @@ void RunPoints(MeanFieldPass pass, const LabelLayout& layout, std::span<const st
     }
     SubtractUnaries(layout, unaries, points.q + i * stride);
   }
-  for (int v = 0; v < static_cast<int>(order.size() * layout.vectors.size()); ++v) {
+  for (int v = 0; v < static_cast<int>(order.size() * stride / 8); ++v) {
     Float8 x = Vector8(points.q, v);
     ExpOfNegative(x);
     Vector8(points.q, v) = x;
@@ -168,7 +173,7 @@ void RunPoints(MeanFieldPass pass, const LabelLayout& layout, std::span<const st
   for (std::size_t i = 0; i < order.size(); ++i) ScaleToOne(layout, points.q + i * stride);
   if (is_last) {
     for (std::size_t i = 0; i < order.size(); ++i) {
-      WriteMarginals(layout, points.q + i * stride, values.data() + order[i] * num_labels);
+      std::copy_n(points.q + i * stride, num_labels, values.data() + order[i] * num_labels);
     }
   } else {
     SplatAll(sums);
@@ -179,12 +184,17 @@ void RunPoints(MeanFieldPass pass, const LabelLayout& layout, std::span<const st
 
 LabelLayout::LabelLayout(std::span<const int> labels_of_kinds) {
   for (const int num_labels_of_kind : labels_of_kinds) {
-    const auto begin = static_cast<int>(vectors.size());
-    for (int l = 0; l < num_labels_of_kind; l += 8) {
-      vectors.push_back({num_labels, std::min(8, num_labels_of_kind - l)});
-      num_labels += static_cast<std::size_t>(vectors.back().num_labels);
+    if (num_labels_of_kind <= 0) continue;
+    Kind kind{num_labels, num_labels + static_cast<std::size_t>(num_labels_of_kind), {}};
+    num_labels = kind.end;
+    for (std::size_t v = kind.begin / 8; 8 * v < kind.end; ++v) {
+      Part part{static_cast<int>(v), {}};
+      for (std::size_t lane = 0; lane < 8; ++lane) {
+        part.mask[lane] = 8 * v + lane >= kind.begin && 8 * v + lane < kind.end ? -1 : 0;
+      }
+      kind.parts.push_back(part);
     }
-    if (num_labels_of_kind > 0) kinds.push_back({begin, static_cast<int>(vectors.size())});
+    kinds.push_back(std::move(kind));
   }
 }
 

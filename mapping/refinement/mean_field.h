@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,21 +11,23 @@
 
 namespace dhpmap {
 
-/// How the labels of several kinds lie in a row of values: each kind begins a vector of 8 and is padded to whole ones.
+/// How labels lie in a row of values: as in the caller's rows, all kinds without a gap, padded to whole vectors of 8.
 struct LabelLayout {
-  struct Vector {
-    std::size_t first_label;  ///< in the caller's rows
-    int num_labels;           ///< 1 to 8
+  /// A kind's labels in one vector, which it may share with its neighbours: elements are 0 or, where they are its own,
+  /// all bits set.
+  struct Part {
+    int vector;
+    std::array<std::int32_t, 8> mask;
   };
   struct Kind {
-    int begin, end;  ///< vectors
+    std::size_t begin, end;  ///< labels
+    std::vector<Part> parts;
   };
-  std::vector<Vector> vectors;
   std::vector<Kind> kinds;     ///< that have labels
   std::size_t num_labels = 0;  ///< of all kinds: the length of a caller's row
 
   explicit LabelLayout(std::span<const int> labels_of_kinds);
-  [[nodiscard]] std::size_t num_channels() const { return 8 * vectors.size(); }
+  [[nodiscard]] std::size_t num_channels() const { return (num_labels + 7) / 8 * 8; }
 };
 
 /// The part of a lattice that the points of one chunk touch.
