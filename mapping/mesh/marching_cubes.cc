@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <optional>
 
 #include "mapping/map/voxel_answer.h"
 #include "mapping/mesh/cell_cases.h"
+#include "mapping/mesh/owner_halo.h"
 #include "mapping/mesh/tsdf_halo.h"
 
 namespace dhpmap {
@@ -36,10 +38,20 @@ struct MeshBlock {
   std::size_t num_triangles = 0, first_triangle = 0;
 };
 
-/// One end of an edge: a voxel's place in the field.
-struct EdgeEnd {
+/// A voxel's place in the field.
+struct VoxelPlace {
   int block;
   int linear;
+};
+
+/// Copies of what is in a block and around it.
+struct BlockSurroundings {
+  TsdfHalo tsdf;
+  std::optional<OwnerHalo> owners;  ///< none: the submap of any voxel answers
+
+  BlockSurroundings(const SurfaceField& field, const Halo::Blocks& blocks) : tsdf(blocks) {
+    if (OwnerHalo::IsNeeded(field, blocks)) owners.emplace(field, blocks);
+  }
 };
 
 class Extractor {
@@ -184,60 +196,69 @@ class Extractor {
   void MakeVertices(int i) {
     const MeshBlock& block = blocks_[i];
     if (std::all_of(block.edges.begin(), block.edges.end(), [](std::uint64_t word) { return word == 0; })) return;
-    const TsdfHalo halo(field_.blocks(), block.entry->index);
+    const Halo::Blocks around = Halo::FindBlocks(field_.blocks(), block.entry->index);
+    const BlockSurroundings surroundings(field_, around);
     std::size_t vertex = block.first_vertex[0];
     for (int w = 0; w < kWords; ++w) {
       for (std::uint64_t bits = block.edges[w]; bits != 0; bits &= bits - 1) {
         const int edge = 64 * w + std::countr_zero(bits);
-        MakeVertex({i, edge / 3}, edge % 3, halo, vertex++);
+        MakeVertex({i, edge / 3}, edge % 3, surroundings, vertex++);
       }
     }
   }
 
   /// The zero crossing between a voxel and the next one along `axis`.
-  void MakeVertex(EdgeEnd start, int axis, const TsdfHalo& halo, std::size_t vertex) {
+  void MakeVertex(VoxelPlace start, int axis, const BlockSurroundings& around, std::size_t vertex) {
     constexpr float kMargin = 1e-3f;  // in voxels: vertices of edges that meet in a zero voxel stay apart
-    const MeshBlock& block = blocks_[start.block];
+    const BlockIndex block = blocks_[start.block].entry->index;
     const VoxelIndex v = VoxelIn({0, 0, 0}, start.linear);
-    const int a = TsdfHalo::Position(v.x, v.y, v.z), b = a + TsdfHalo::kStride[axis];
-    const float rise = halo.At(b) - halo.At(a);  // not 0: the signs differ
-    const float t = std::clamp(-halo.At(a) / rise, kMargin, 1 - kMargin);
+    const int a = Halo::Position(v.x, v.y, v.z), b = a + Halo::kStride[axis];
+    const TsdfHalo& tsdf = around.tsdf;
+    const float rise = tsdf.At(b) - tsdf.At(a);  // not 0: the signs differ
+    const float t = std::clamp(-tsdf.At(a) / rise, kMargin, 1 - kMargin);
 
-    Eigen::Vector3d p_field = VoxelCentre(VoxelIn(block.entry->index, start.linear), 1.0);
+    Eigen::Vector3d p_field = VoxelCentre(VoxelIn(block, start.linear), 1.0);
     p_field[axis] += t;
     const Transform& T_map_field = field_.T_map_field();
     mesh_.vertices_m[vertex] = (T_map_field * (p_field * field_.voxel_size_m())).cast<float>();
 
     Eigen::Vector3d gradient;
     for (int i = 0; i < 3; ++i) {
-      gradient[i] = i == axis ? rise : (1 - t) * halo.Slope(a, i) + t * halo.Slope(b, i);
+      gradient[i] = i == axis ? rise : (1 - t) * tsdf.Slope(a, i) + t * tsdf.Slope(b, i);
     }
     mesh_.normals[vertex] = (T_map_field.linear() * gradient.normalized()).cast<float>();
 
-    VoxelIndex next = v;
-    (axis == 0 ? next.x : axis == 1 ? next.y : next.z) += 1;
-    const bool is_beyond = BlockOf(next) != BlockIndex{0, 0, 0};
-    SetAttributes(start, {is_beyond ? block.forward[1 << axis] : start.block, LinearIndex(next)}, t, vertex);
+    const int nearer = t > 0.5f ? b : a, farther = t > 0.5f ? a : b;
+    const VoxelPlace labelling =
+        PlaceOf(start.block, around.owners ? around.owners->Labelling(nearer, farther, axis) : nearer);
+    SetLabel(labelling, vertex);
+    if (coloring_ == MeshColoring::kSensor) {
+      mesh_.colors[vertex] = Mix(ColorAt(start), ColorAt(PlaceOf(start.block, b)), t);
+    }
   }
 
-  /// From the ends of the vertex's edge; `t` = 0: it is at a, 1: at b.
-  void SetAttributes(EdgeEnd a, EdgeEnd b, float t, std::size_t vertex) {
-    const EdgeEnd nearer = t > 0.5f ? b : a, farther = t > 0.5f ? a : b;
-    const EdgeEnd& answers = IsLabelled(nearer) || !IsLabelled(farther) ? nearer : farther;
-    const BlockHolder& holder = field_.HolderAt(static_cast<std::size_t>(answers.block), answers.linear);
-    const BestLabel voxel_class = ClassOfVoxel(*holder.submap, *holder.block, answers.linear);
-    mesh_.classes[vertex] = static_cast<std::uint16_t>(voxel_class.id);
+  /// The voxel at a position of the halo of `block`.
+  [[nodiscard]] VoxelPlace PlaceOf(int block, int position) const {
+    const VoxelIndex v = Halo::VoxelAt(position);
+    const BlockIndex offset = BlockOf(v);  // -1 to 1 along each axis
+    const BlockIndex index = blocks_[block].entry->index;
+    if (std::min({offset.x, offset.y, offset.z}) >= 0) {
+      return {blocks_[block].forward[offset.x | offset.y << 1 | offset.z << 2], LinearIndex(v)};
+    }
+    const BlockEntry* entry = field_.blocks().Find({index.x + offset.x, index.y + offset.y, index.z + offset.z});
+    return {static_cast<int>(field_.NumberOf(*entry)), LinearIndex(v)};
+  }
+
+  void SetLabel(VoxelPlace voxel, std::size_t vertex) {
+    const BlockHolder& holder = field_.HolderAt(static_cast<std::size_t>(voxel.block), voxel.linear);
+    const BestLabel best = ClassOfVoxel(*holder.submap, *holder.block, voxel.linear);
+    const ClassId vertex_class(static_cast<std::uint16_t>(best.id));
+    mesh_.classes[vertex] = vertex_class.value;
     mesh_.instances[vertex] = holder.submap->id().value;
-    mesh_.colors[vertex] = coloring_ == MeshColoring::kSensor
-                               ? Mix(ColorAt(a), ColorAt(b), t)
-                               : LabelColor(holder.submap->info(), ClassId(mesh_.classes[vertex]));
+    if (coloring_ != MeshColoring::kSensor) mesh_.colors[vertex] = LabelColor(holder.submap->info(), vertex_class);
   }
 
-  [[nodiscard]] bool IsLabelled(EdgeEnd end) const {
-    const BlockHolder& holder = field_.HolderAt(static_cast<std::size_t>(end.block), end.linear);
-    return holder.submap->info().panoptic != Panoptic::kUnknown;
-  }
-  [[nodiscard]] Color ColorAt(EdgeEnd end) const { return blocks_[end.block].entry->tsdf->color[end.linear]; }
+  [[nodiscard]] Color ColorAt(VoxelPlace voxel) const { return blocks_[voxel.block].entry->tsdf->color[voxel.linear]; }
 
   static Color Mix(Color a, Color b, float t) {
     const auto mix = [t](std::uint8_t x, std::uint8_t y) {

@@ -11,8 +11,8 @@
 namespace dhpmap {
 
 /// Triangles of the surface of one submap or of a whole map (map_mesh.h), vertices shared between triangles.
-/// Coordinates in metres of the map frame. A vertex has the label of the nearer voxel of the edge that it lies on, or
-/// of the only one that is not the unknown submap's.
+/// Coordinates in metres of the map frame. A vertex has the label of the nearer voxel of the edge that it lies on;
+/// where submaps meet, that of the submap around it (see OwnerHalo::Labelling).
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices_m;
   std::vector<Eigen::Vector3f> normals;  ///< unit, out of the surface, one a vertex

@@ -29,6 +29,14 @@ class SurfaceField {
 
   /// By ascending index, all with geometry; no labels.
   [[nodiscard]] const BlockTable& blocks() const { return blocks_; }
+  /// Position of one of them in blocks().
+  [[nodiscard]] std::size_t NumberOf(const BlockEntry& entry) const {
+    return static_cast<std::size_t>(&entry - blocks_.entries().data());
+  }
+  /// The submap that alone has a block at the index of entry `block`; null if there are several.
+  [[nodiscard]] const Submap* SoleHolder(std::size_t block) const {
+    return holders_[block].all.size() == 1 ? holders_[block].all[0].submap : nullptr;
+  }
   /// Who answers for an observed voxel of entry `block`.
   [[nodiscard]] const BlockHolder& HolderAt(std::size_t block, int linear) const {
     const Holders& holders = holders_[block];

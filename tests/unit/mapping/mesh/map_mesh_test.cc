@@ -113,7 +113,7 @@ TEST(ExtractMapMesh, SphereOfThreeOwnersIsWatertight) {
   EXPECT_LT(SumOfTriangles(map), mesh.triangles.size());
 }
 
-TEST(ExtractMapMesh, VertexHasTheLabelOfTheNearerEndOfItsEdge) {
+TEST(ExtractMapMesh, VertexBetweenAsManyCornersOfTwoHasTheLabelOfTheNearerEndOfItsEdge) {
   // The lower layer is submap 1's, the upper one 2's.
   const OwnerFunction owner = [](const Eigen::Vector3d& p) { return p.z() < 0 ? 1u : 2u; };
   for (const double height_vox : {-0.3, 0.3}) {
@@ -133,16 +133,33 @@ TEST(ExtractMapMesh, VertexHasTheLabelOfTheNearerEndOfItsEdge) {
   }
 }
 
+TEST(ExtractMapMesh, VertexHasTheLabelOfMostCornersAroundItsEdge) {
+  const Submap whole =
+      SolidSubmap([](const Eigen::Vector3d& p) { return p.z() + 0.3 * kVoxel_m; }, {0, 0, -1}, {1, 0, 0});
+  // Submap 2 has all beyond x = 8 voxels, a block border, and a single voxel on the near side, just below the surface.
+  const OwnerFunction owner = [](const Eigen::Vector3d& p) {
+    const VoxelIndex v = VoxelAt(p, kVoxel_m);
+    return v.x >= 8 || v == VoxelIndex{3, 4, -1} ? 2u : 1u;
+  };
+  const Mesh mesh = Extract(MapOf({OwnedPart(whole, 1, owner), OwnedPart(whole, 2, owner)}));
+  ASSERT_EQ(mesh.triangles.size(), 2u * 15 * 7);
+  for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
+    EXPECT_EQ(mesh.instances[i], mesh.vertices_m[i].x() < 8 * kVoxel_m ? 1u : 2u) << mesh.vertices_m[i].transpose();
+    EXPECT_EQ(mesh.classes[i], mesh.instances[i]);
+  }
+}
+
 TEST(ExtractMapMesh, UnknownSubmapFillsGapsAndLeavesLabelsToItsNeighbours) {
   const Submap whole =
       SolidSubmap([](const Eigen::Vector3d& p) { return p.z() + 0.3 * kVoxel_m; }, {0, 0, -1}, {0, 0, 0});
-  // Of the columns with x >= 4 voxels nobody knows anything, of the others, submap 5 has only the upper half.
+  // Of the columns from the fifth on nobody knows anything, of the others, submap 5 has only the upper half. The fifth
+  // has neighbours that are known.
   const OwnerFunction owner = [](const Eigen::Vector3d& p) { return p.z() > 0 && p.x() < 4 * kVoxel_m ? 5u : 0u; };
   const MapSnapshot map = MapOf({OwnedPart(whole, 0, owner), OwnedPart(whole, 5, owner)});
   const Mesh mesh = Extract(map, 1, MeshColoring::kInstance);
   ASSERT_EQ(mesh.triangles.size(), 2u * 7 * 7);
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
-    const std::uint32_t expected = mesh.vertices_m[i].x() < 4 * kVoxel_m ? 5 : 0;
+    const std::uint32_t expected = mesh.vertices_m[i].x() < 5 * kVoxel_m ? 5 : 0;
     EXPECT_EQ(mesh.instances[i], expected);
     EXPECT_EQ(mesh.classes[i], expected);
     EXPECT_EQ(mesh.colors[i], ColorOfId(expected));
