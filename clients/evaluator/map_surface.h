@@ -9,9 +9,8 @@ namespace dhpmap::evaluator {
 enum class SurfaceKind {
   /// Each submap is meshed by itself: where several hold a place, so many surfaces say something about it.
   kEachSubmap,
-  /// The submaps on the map's grid are meshed as one field (see SurfaceField), so that there are no gaps where a cell's
-  /// corners are different submaps'. A triangle has the label of the submap that answers for most corners of its cell,
-  /// of equals the nearest; submaps on grids of their own are meshed by themselves.
+  /// The submaps on the map's grid are meshed as one field (see ExtractMapMesh), so that there are no gaps where a
+  /// cell's corners are different submaps'. Submaps on grids of their own are meshed by themselves.
   kOneField,
 };
 
