@@ -2,6 +2,7 @@
 #include "mapping/refinement/mean_field.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -98,16 +99,20 @@ DHPMAP_ALWAYS_INLINE const UnalignedInt8& MaskOf(const LabelLayout::Part& part) 
   return *reinterpret_cast<const UnalignedInt8*>(part.mask.data());
 }
 
-/// q = (q - unaries) less its greatest element of the kind, -infinity where a label is impossible and in the padding.
-DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float* unaries, float* q) {
-  const Int8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
-  const auto num_labels = static_cast<int>(layout.num_labels);
-  for (int v = 0; 8 * v < num_labels; ++v) {
-    const Float8 u = Vector8(unaries, v);
-    const Int8 is_possible = (u < kInfinity) & (lane < num_labels - 8 * v);
-    const Float8 x = Vector8(q, v) - (u > -kSurest ? u : Float8{} - kSurest);
-    Vector8(q, v) = is_possible ? x : Float8{} - kInfinity;
-  }
+/// Subtracts the v-th vector of unaries; -infinity where a label is impossible.
+DHPMAP_ALWAYS_INLINE void SubtractVector(const float* unaries, int v, float* q) {
+  const Float8 u = Vector8(unaries, 0);
+  const Float8 x = Vector8(q, v) - (u > -kSurest ? u : Float8{} - kSurest);
+  Vector8(q, v) = u < kInfinity ? x : Float8{} - kInfinity;
+}
+
+/// q = (q - unaries) less its greatest element of the kind. `tail`: the last unaries, that are not a whole vector, with
+/// infinite padding.
+DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float* unaries, const float* tail,
+                                          float* q) {
+  const auto num_whole = static_cast<int>(layout.num_labels / 8);
+  for (int v = 0; v < num_whole; ++v) SubtractVector(unaries + 8 * v, v, q);
+  if (layout.num_labels % 8 != 0) SubtractVector(tail, num_whole, q);
   for (const LabelLayout::Kind& kind : layout.kinds) {
     Float8 most = Float8{} - kInfinity;
     for (const LabelLayout::Part& part : kind.parts) {
@@ -134,6 +139,21 @@ DHPMAP_ALWAYS_INLINE void ScaleToOne(const LabelLayout& layout, float* q) {
   }
 }
 
+/// Copies less than 8 floats. Not a whole vector with too much in it: what follows may be another thread's.
+DHPMAP_ALWAYS_INLINE void CopyTail(const float* from, std::size_t n, float* to) {
+  if (n & 4) {
+    std::memcpy(to, from, 4 * sizeof(float));
+    to += 4;
+    from += 4;
+  }
+  if (n & 2) {
+    std::memcpy(to, from, 2 * sizeof(float));
+    to += 2;
+    from += 2;
+  }
+  if (n & 1) *to = *from;
+}
+
 /// Where all labels of a kind are impossible, the unaries become 0.
 void SettleUnaries(const LabelLayout& layout, float* unaries) {
   for (const LabelLayout::Kind& kind : layout.kinds) {
@@ -146,24 +166,22 @@ void SettleUnaries(const LabelLayout& layout, float* unaries) {
 /// but independent of the others. `points` slices from the chunk, `sums` splats to working memory.
 DHPMAP_VECTOR_CLONES
 void RunPoints(MeanFieldPass pass, const LabelLayout& layout, std::span<const std::uint32_t> order,
-               const Points& points, const Points& sums, std::span<float> values, float* last_row) {
+               const Points& points, const Points& sums, std::span<float> values, float* tails) {
   const std::size_t stride = layout.num_channels(), num_labels = layout.num_labels;
   const bool is_first = pass == MeanFieldPass::kFirst || pass == MeanFieldPass::kOnly;
   const bool is_last = pass == MeanFieldPass::kLast || pass == MeanFieldPass::kOnly;
-  for (const std::uint32_t index : order) __builtin_prefetch(values.data() + index * num_labels);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    float* unaries = values.data() + order[i] * num_labels;
+    if (is_first) SettleUnaries(layout, unaries);
+    CopyTail(unaries + num_labels / 8 * 8, num_labels % 8, tails + 8 * i);
+  }
   if (is_first) {
     std::fill(points.q, points.q + order.size() * stride, 0.0f);
   } else {
     SliceAll(points);
   }
   for (std::size_t i = 0; i < order.size(); ++i) {
-    float* unaries = values.data() + order[i] * num_labels;
-    if (is_first) SettleUnaries(layout, unaries);
-    if ((order[i] + 1) * num_labels + 8 > values.size()) {  // vectors must not reach beyond the caller's array
-      std::copy(unaries, unaries + num_labels, last_row);
-      unaries = last_row;
-    }
-    SubtractUnaries(layout, unaries, points.q + i * stride);
+    SubtractUnaries(layout, values.data() + order[i] * num_labels, tails + 8 * i, points.q + i * stride);
   }
   for (int v = 0; v < static_cast<int>(order.size() * stride / 8); ++v) {
     Float8 x = Vector8(points.q, v);
@@ -209,14 +227,18 @@ void RunMeanFieldPass(MeanFieldPass pass, const LabelLayout& layout, std::span<c
     scratch.appearance_rows.assign(appearance_size, 0.0f);
   }
   scratch.q.resize(kBlockPoints * stride);
-  scratch.last_row.assign(layout.num_labels + 8, 0.0f);
+  scratch.tails.assign(kBlockPoints * 8, kInfinity);
   for (std::size_t begin = 0; begin < order.size(); begin += kBlockPoints) {
     const std::size_t end = std::min(order.size(), begin + kBlockPoints);
+    for (std::size_t i = end; i < std::min(order.size(), end + kBlockPoints); ++i) {
+      const float* next = values.data() + order[i] * layout.num_labels;
+      for (std::size_t l = 0; l < layout.num_labels; l += 16) __builtin_prefetch(next + l);
+    }
     Points points{begin, end, smoothness, appearance, smoothness.rows, appearance.rows, scratch.q.data(), stride};
     Points sums = points;
     sums.smoothness_rows = scratch.smoothness_rows.data();
     sums.appearance_rows = scratch.appearance_rows.data();
-    RunPoints(pass, layout, order.subspan(begin, end - begin), points, sums, values, scratch.last_row.data());
+    RunPoints(pass, layout, order.subspan(begin, end - begin), points, sums, values, scratch.tails.data());
   }
   if (splats) {
     std::copy(scratch.smoothness_rows.begin(), scratch.smoothness_rows.end(), smoothness.rows);

@@ -48,7 +48,7 @@ enum class MeanFieldPass {
 /// Working memory of one thread; its contents mean nothing between passes.
 struct MeanFieldScratch {
   std::vector<float> smoothness_rows, appearance_rows;  ///< what is being splatted
-  std::vector<float> q, last_row;                       ///< marginals of some points; one of the caller's rows
+  std::vector<float> q, tails;                          ///< marginals of some points; last unaries of each
 };
 
 /// One step of mean field for one chunk of points. Slicing, softmax and splatting go point by point, so Q is never
