@@ -42,12 +42,12 @@ std::string MarkdownTable::Text() const {
     for (std::size_t c = 0; c < widths.size(); ++c) {
       const std::string cell = c < rows_[r].size() ? rows_[r][c] : "";
       const std::string padding(widths[c] - cell.size(), ' ');
-      out << "| " << (c == 0 ? cell + padding : padding + cell) << ' ';
+      out << "| " << (c < num_left_ ? cell + padding : padding + cell) << ' ';
     }
     out << "|\n";
     if (r > 0) continue;
     for (std::size_t c = 0; c < widths.size(); ++c) {
-      out << '|' << std::string(widths[c] + 1, '-') << (c == 0 ? '-' : ':');
+      out << '|' << std::string(widths[c] + 1, '-') << (c < num_left_ ? '-' : ':');
     }
     out << "|\n";
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,15 +9,17 @@
 
 namespace dhpmap::evaluator {
 
-/// A Markdown table: first column to the left, the others to the right, padded so that it reads as plain text too.
+/// A Markdown table: the first columns to the left, the others to the right, padded so that it reads as plain text too.
 class MarkdownTable {
  public:
-  explicit MarkdownTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+  explicit MarkdownTable(std::vector<std::string> header, std::size_t num_left = 1)
+      : rows_{std::move(header)}, num_left_(num_left) {}
   void Add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   [[nodiscard]] std::string Text() const;
 
  private:
   std::vector<std::vector<std::string>> rows_;
+  std::size_t num_left_;
 };
 
 /// With so many decimals; "-" for what is not finite.

@@ -48,7 +48,7 @@ std::vector<std::string> PaperSystems() {
 }
 
 std::string LabelTable(const std::vector<Experiment>& experiments) {
-  MarkdownTable table({"data set", "method", "PQ", "RQ", "SQ", "mIoU", "accuracy", "mAP-0.3", "mAP-0.4", "mAP-0.5"});
+  MarkdownTable table({"data set", "method", "PQ", "RQ", "SQ", "mIoU", "accuracy", "mAP-0.3", "mAP-0.4", "mAP-0.5"}, 2);
   const auto add = [&table](const Experiment& experiment, const Scores& s, const PaperRow& paper) {
     std::vector<std::string> row{DatasetName(experiment.directory),
                                  s.system + (s.has_instances ? "" : "*"),
@@ -69,7 +69,7 @@ std::string LabelTable(const std::vector<Experiment>& experiments) {
 }
 
 std::string KimeraTable(const std::vector<Experiment>& experiments) {
-  MarkdownTable table({"data set", "method", "mIoU", "accuracy"});
+  MarkdownTable table({"data set", "method", "mIoU", "accuracy"}, 2);
   ForEach(experiments, {"kimera", "votes", "dhp"}, [&table](const auto& experiment, const auto& s, const auto& paper) {
     table.Add({DatasetName(experiment.directory), s.system, Cell(s.semantics.mean_iou, paper.mean_iou, 3),
                Cell(s.semantics.accuracy, paper.accuracy, 3)});
@@ -78,7 +78,7 @@ std::string KimeraTable(const std::vector<Experiment>& experiments) {
 }
 
 std::string GeometryTable(const std::vector<Experiment>& experiments) {
-  MarkdownTable table({"data set", "method", "Acc. (m)", "Comp. (m)", "C-L1 (m)", "F-score (%)", "at (m)"});
+  MarkdownTable table({"data set", "method", "Acc. (m)", "Comp. (m)", "C-L1 (m)", "F-score (%)", "at (m)"}, 2);
   ForEach(experiments, {"kimera", "panmap", "dhp"}, [&table](const auto& experiment, const auto& s, const auto& paper) {
     table.Add({DatasetName(experiment.directory), s.system, Cell(s.geometry.accuracy_m, paper.accuracy_m, 4),
                Cell(s.geometry.completion_m, paper.completion_m, 4),
@@ -104,7 +104,8 @@ std::string RetrievalTable(const std::vector<RetrievalTimes>& retrievals) {
 
 std::string AblationTable(const std::vector<Experiment>& experiments) {
   MarkdownTable table({"data set", "refinement", "PQ", "SQ", "RQ", "mIoU", "accuracy", "mAP-0.5", "mapping ms/frame",
-                       "refinement ms/frame", "finish (s)"});
+                       "refinement ms/frame", "finish (s)"},
+                      2);
   const std::vector<std::pair<std::string, std::string>> variants{{"dhp_no_refine", "none"},
                                                                   {"dhp_management_only", "management only"},
                                                                   {"dhp_crf_only", "CRF only"},

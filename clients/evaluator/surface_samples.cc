@@ -38,10 +38,12 @@ SurfaceSamples SampleSurface(const Mesh& mesh, double spacing_m) {
     for (; owed >= 1.0; owed -= 1.0) {
       auto [u, v] = spread.Next();
       if (u + v > 1) u = 1 - u, v = 1 - v;
-      const std::array<double, 3> nearness{1 - u - v, u, v};
-      const auto nearest = std::max_element(nearness.begin(), nearness.end()) - nearness.begin();
-      const std::uint32_t corner = triangle[static_cast<std::size_t>(nearest)];
-      samples.positions_m.push_back((a + u * ab + v * ac).cast<float>());
+      const Eigen::Vector3f p_m = (a + u * ab + v * ac).cast<float>();
+      const std::uint32_t corner =
+          *std::min_element(triangle.begin(), triangle.end(), [&](std::uint32_t i, std::uint32_t j) {
+            return (mesh.vertices_m[i] - p_m).squaredNorm() < (mesh.vertices_m[j] - p_m).squaredNorm();
+          });
+      samples.positions_m.push_back(p_m);
       samples.classes.push_back(mesh.classes[corner]);
       samples.instances.push_back(mesh.instances[corner]);
     }
