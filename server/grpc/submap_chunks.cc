@@ -8,7 +8,7 @@
 
 #include "mapping/io/pcd.h"
 #include "mapping/io/ply.h"
-#include "mapping/mesh/mesh.h"
+#include "mapping/mesh/map_mesh.h"
 
 namespace dhpmap {
 namespace {
@@ -76,17 +76,15 @@ MeshColoring ColoringFromProto(v1::MeshColoring coloring) {
 }
 
 Result<Mesh> MeshOf(const MapSnapshot& snapshot, std::optional<SubmapId> wanted, MeshColoring coloring) {
-  const LabelSet& label_set = *snapshot.info().label_set;
   if (wanted) {
     const Submap* submap = snapshot.Find(*wanted);
     if (submap == nullptr) {
       return NotFound("submap " + std::to_string(wanted->value) + " does not exist").WithReason("SUBMAP_NOT_FOUND");
     }
-    return ExtractMesh(*submap, label_set, coloring);
+    return ExtractMesh(*submap, *snapshot.info().label_set, coloring);
   }
-  Mesh whole;
-  for (const auto& submap : snapshot.submaps()) AppendMesh(ExtractMesh(*submap, label_set, coloring), whole);
-  return whole;
+  ThreadPool here(1);  // an export takes a core at most from mapping
+  return ExtractMapMesh(snapshot, coloring, here);
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ using NextMeshPart = std::function<bool(v1::GetSubmapMeshResponse&)>;
 /// the revision is known for an empty submap, too.
 NextVoxels StreamVoxels(std::shared_ptr<const MapSnapshot> snapshot, SubmapId submap, double max_abs_distance_m);
 
-/// The surface of one submap, or without one of the whole map, as a file. Takes the time of meshing; NOT_FOUND.
+/// The surface of one submap, or without one of the whole map, as a file: the map's has no gaps between submaps (see
+/// ExtractMapMesh). Takes the time of meshing; NOT_FOUND.
 Result<NextMeshPart> StreamMesh(const MapSnapshot& snapshot, std::optional<SubmapId> submap, v1::MeshFormat format,
                                 v1::MeshColoring coloring);
 
