@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kChunkPoints = PermutohedralLattice<3>::kChunkPoints;
 static_assert(kChunkPoints == PermutohedralLattice<6>::kChunkPoints);
 
+std::size_t NumChunks(std::size_t num_points) { return (num_points + kChunkPoints - 1) / kChunkPoints; }
+
 /// The box around the points that have a position.
 Eigen::AlignedBox3f BoundsOf(std::span<const CrfPoint> points) {
   Eigen::AlignedBox3f bounds;
@@ -67,8 +69,13 @@ void DenseCrf::Impl::SortPoints(std::span<const CrfPoint> points) {
   origin_m = bounds.min();
   const float extent_m = std::max(bounds.sizes().maxCoeff(), 1e-6f);
   std::vector<std::uint32_t> codes(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) codes[i] = MortonCode((points[i].position_m - origin_m) / extent_m);
-  SortByCode(codes, order);
+  pool.ParallelFor(NumChunks(points.size()), [&](std::size_t chunk) {
+    const std::size_t end = std::min(points.size(), (chunk + 1) * kChunkPoints);
+    for (std::size_t i = chunk * kChunkPoints; i < end; ++i) {
+      codes[i] = MortonCode((points[i].position_m - origin_m) / extent_m);
+    }
+  });
+  SortByCode(codes, order, pool);
 }
 
 template <int D>
@@ -81,7 +88,7 @@ std::size_t DenseCrf::Impl::BuildKernel(std::span<const CrfPoint> points, const 
   const float per_color = D == 6 ? static_cast<float>(1.0 / config.color) : 0.0f;
   GrowBuffer<typename PermutohedralLattice<D>::Feature> features;
   features.Resize(points.size());
-  pool.ParallelFor((points.size() + kChunkPoints - 1) / kChunkPoints, [&](std::size_t chunk) {
+  pool.ParallelFor(NumChunks(points.size()), [&](std::size_t chunk) {
     const std::size_t end = std::min(points.size(), (chunk + 1) * kChunkPoints);
     for (std::size_t i = chunk * kChunkPoints; i < end; ++i) {
       const CrfPoint& point = points[order[i]];
@@ -138,12 +145,12 @@ void DenseCrf::Infer(std::span<const int> num_labels, int iterations, std::span<
                                : step == 0         ? MeanFieldPass::kFirst
                                : step == num_steps ? MeanFieldPass::kLast
                                                    : MeanFieldPass::kMiddle;
-    const std::size_t num_chunks = (num_points + kChunkPoints - 1) / kChunkPoints;
-    ParallelForWithScratch(impl.pool, num_chunks, impl.scratch, [&](std::size_t c, MeanFieldScratch& scratch) {
-      const std::size_t begin = c * kChunkPoints, end = std::min(num_points, begin + kChunkPoints);
-      RunMeanFieldPass(pass, layout, {impl.order.data() + begin, end - begin}, smoothness.Chunk(c, stride),
-                       appearance.Chunk(c, stride), values, scratch);
-    });
+    ParallelForWithScratch(
+        impl.pool, NumChunks(num_points), impl.scratch, [&](std::size_t c, MeanFieldScratch& scratch) {
+          const std::size_t begin = c * kChunkPoints, end = std::min(num_points, begin + kChunkPoints);
+          RunMeanFieldPass(pass, layout, {impl.order.data() + begin, end - begin}, smoothness.Chunk(c, stride),
+                           appearance.Chunk(c, stride), values, scratch);
+        });
     if (step == num_steps) break;
     if (smoothness.is_on) smoothness.lattice.graph().Blur(smoothness.values.data(), stride, impl.pool);
     if (appearance.is_on) appearance.lattice.graph().Blur(appearance.values.data(), stride, impl.pool);

@@ -30,9 +30,11 @@ struct CrfBuildReport {
 ///
 ///   Q <- softmax(-U),   then n times   Q <- softmax(-U + sum_m w_m K~_m Q)        (all points at once)
 ///
-/// The sums over all points are filtered on permutohedral lattices, which are built once for all kinds of labels. The
-/// result is bit-identical for any number of threads, and with it the order of the points decides only roundings.
-/// An object keeps its memory from one use to the next. Not for concurrent callers; the pool must outlive it.
+/// The rows of K~_m add up to about 1, so all kernels together cannot overrule unaries that differ by more than the sum
+/// of their weights. The sums over all points are filtered on permutohedral lattices (see there for how exactly), which
+/// are built once for all kinds of labels. The result is bit-identical for any number of threads; the order of the
+/// points decides roundings only. An object keeps its memory from one use to the next. Not for concurrent callers; the
+/// pool must outlive it.
 class DenseCrf {
  public:
   explicit DenseCrf(ThreadPool& pool);

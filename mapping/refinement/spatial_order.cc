@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 namespace dhpmap {
 namespace {
@@ -28,21 +29,34 @@ std::uint32_t MortonCode(const Eigen::Vector3f& fraction) {
   return code;
 }
 
-void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& order) {
+void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& order, ThreadPool& pool) {
   constexpr int kBits = 10;
   constexpr std::size_t kBuckets = std::size_t{1} << kBits;
+  constexpr std::size_t kPiece = 1 << 16;
+  const std::size_t num_pieces = (codes.size() + kPiece - 1) / kPiece;
+  std::vector<std::array<std::uint32_t, kBuckets>> places(num_pieces);  // first counts, then where the next one goes
   std::vector<std::uint32_t> next_codes(codes.size()), next_order(codes.size());
   order.resize(codes.size());
   std::iota(order.begin(), order.end(), 0u);
   for (int shift = 0; shift < 30; shift += kBits) {
-    std::array<std::size_t, kBuckets + 1> begin{};
-    for (const std::uint32_t code : codes) ++begin[((code >> shift) & (kBuckets - 1)) + 1];
-    for (std::size_t b = 0; b < kBuckets; ++b) begin[b + 1] += begin[b];
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-      const std::size_t at = begin[(codes[i] >> shift) & (kBuckets - 1)]++;
-      next_codes[at] = codes[i];
-      next_order[at] = order[i];
+    const auto for_each = [&](std::size_t piece, const auto& visit) {
+      const std::size_t end = std::min(codes.size(), (piece + 1) * kPiece);
+      for (std::size_t i = piece * kPiece; i < end; ++i) visit(i, places[piece][(codes[i] >> shift) & (kBuckets - 1)]);
+    };
+    pool.ParallelFor(num_pieces, [&](std::size_t piece) {
+      places[piece].fill(0);
+      for_each(piece, [](std::size_t, std::uint32_t& count) { ++count; });
+    });
+    std::uint32_t place = 0;
+    for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
+      for (auto& piece : places) place += std::exchange(piece[bucket], place);
     }
+    pool.ParallelFor(num_pieces, [&](std::size_t piece) {
+      for_each(piece, [&](std::size_t i, std::uint32_t& at) {
+        next_codes[at] = codes[i];
+        next_order[at++] = order[i];
+      });
+    });
     codes.swap(next_codes);
     order.swap(next_order);
   }

@@ -14,8 +14,8 @@ namespace dhpmap {
 /// as a fraction of the cloud's extent in [0, 1].
 std::uint32_t MortonCode(const Eigen::Vector3f& fraction);
 
-/// The indices of `codes` by ascending code; equal codes stay in their order. `codes` is used as working memory.
-/// Codes must be below 2^30.
-void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& order);
+/// The indices of `codes` by ascending code; equal codes stay in their order. `codes` serves as working memory. Codes
+/// must be below 2^30, and less than 2^32 of them.
+void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& order, ThreadPool& pool);
 
 }  // namespace dhpmap
