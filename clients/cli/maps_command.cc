@@ -116,6 +116,12 @@ ExitCode RunStats(const Session& session, const std::string& name) {
   return ExitCode::kOk;
 }
 
+std::string Describe(const v1::Refinement& refinement) {
+  return "refined in " + Fixed(refinement.management_s() + refinement.crf_s(), 2) + " s: " +
+         std::to_string(refinement.num_shared_voxels()) + " voxels that several submaps held, " +
+         std::to_string(refinement.num_changed_instances()) + " given to another submap";
+}
+
 ExitCode RunFinish(const Session& session, const std::string& name) {
   grpc::ClientContext context;
   v1::FinishMappingRequest request;
@@ -127,7 +133,7 @@ ExitCode RunFinish(const Session& session, const std::string& name) {
   if (session.json) PrintJson(response);
   else
     std::cout << MapName(name) << ": " << response.num_frames() << " frames, " << response.num_submaps()
-              << " submaps, revision " << response.revision() << "\n";
+              << " submaps, revision " << response.revision() << "; " << Describe(response.refinement()) << "\n";
   return ExitCode::kOk;
 }
 

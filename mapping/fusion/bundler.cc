@@ -304,7 +304,7 @@ void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& s
   }
 }
 
-const std::vector<SegmentBundles>& Bundler::BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
+std::vector<SegmentBundles>& Bundler::BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
                                                         double voxel_size_m) {
   const Grid grid(T_grid_sensor, voxel_size_m);
   if (frame.camera) {

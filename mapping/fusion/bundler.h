@@ -49,9 +49,11 @@ class SegmentBundles {
   [[nodiscard]] const BundleCell* Find(BlockIndex block) const;
   [[nodiscard]] bool EndsIn(VoxelIndex voxel) const;
 
+  /// May invalidate references to cells.
+  BundleCell& FindOrInsert(BlockIndex block);
+
  private:
   friend class Bundler;
-  BundleCell& FindOrInsert(BlockIndex block);
   void Reset();
   std::vector<std::uint32_t> slots_;  // open addressing over cells, 1 + index, 0 = free
 };
@@ -64,8 +66,8 @@ class Bundler {
 
   /// Every valid point in range, on the grid of `voxel_size_m` to which `T_grid_sensor` leads. The result holds only
   /// segments with points, first that of unknown objects, then by table row; it stays valid until the next call. The
-  /// same for any number of threads. The frame must be valid (ValidateFrame).
-  const std::vector<SegmentBundles>& BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
+  /// same for any number of threads, and the caller's to change. The frame must be valid (ValidateFrame).
+  std::vector<SegmentBundles>& BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
                                                  double voxel_size_m);
 
  private:

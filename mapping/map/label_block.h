@@ -70,6 +70,13 @@ class LabelBlock {
   /// Sum of the instance counts.
   [[nodiscard]] std::uint64_t NumObservations(int linear) const;
 
+  /// Calls visit(LabelCount) for each class that the voxel has seen, in no fixed order.
+  template <typename Visitor>
+  void VisitClasses(int linear, Visitor&& visit) const;
+  /// The same for instances, with id 0 for the own one.
+  template <typename Visitor>
+  void VisitInstances(int linear, Visitor&& visit) const;
+
   [[nodiscard]] std::size_t NumOverflowVoxels() const;
   [[nodiscard]] std::size_t MemoryBytes() const;
   bool operator==(const LabelBlock& other) const;
@@ -92,5 +99,27 @@ class LabelBlock {
   std::vector<LabelHistograms> overflow_;
   std::vector<std::uint32_t> free_overflow_;
 };
+
+template <typename Visitor>
+void LabelBlock::VisitClasses(int linear, Visitor&& visit) const {
+  const Cell& cell = cells_[static_cast<std::size_t>(linear)];
+  if (cell.class_a == kOverflow) {
+    for (const LabelCount& entry : Overflow(cell).classes) visit(entry);
+    return;
+  }
+  if (cell.count_a != 0) visit(LabelCount{cell.class_a, cell.count_a});
+  if (cell.count_b != 0) visit(LabelCount{cell.class_b, cell.count_b});
+}
+
+template <typename Visitor>
+void LabelBlock::VisitInstances(int linear, Visitor&& visit) const {
+  const Cell& cell = cells_[static_cast<std::size_t>(linear)];
+  if (cell.class_a == kOverflow) {
+    for (const LabelCount& entry : Overflow(cell).instances) visit(entry);
+    return;
+  }
+  const std::uint32_t own = std::uint32_t{cell.count_a} + cell.count_b;
+  if (own != 0) visit(LabelCount{0, own});
+}
 
 }  // namespace dhpmap

@@ -145,6 +145,17 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
   return published_;
 }
 
+std::shared_ptr<const MapSnapshot> Map::Freeze() {
+  std::vector<std::shared_ptr<const Submap>> frozen;
+  for (auto& submap : submaps_) {
+    if (submap->generation() == generation_) {
+      const_cast<Submap&>(*submap).ShareBlocks();  // made by this generation: no snapshot holds it
+    }
+    frozen.push_back(std::make_shared<const Submap>(*submap));
+  }
+  return std::make_shared<const MapSnapshot>(info_, std::move(frozen));
+}
+
 std::vector<SubmapChange> DiffSnapshots(const MapSnapshot* before, const MapSnapshot& after) {
   std::vector<SubmapChange> changes;
   for (const auto& submap : after.submaps()) {

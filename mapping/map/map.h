@@ -76,6 +76,10 @@ class Map {
   std::shared_ptr<const MapSnapshot> Publish(std::int64_t time_ns);
   [[nodiscard]] const std::shared_ptr<const MapSnapshot>& published() const { return published_; }
 
+  /// The present state, published or not, without making a revision of it: for work on the side such as refinement.
+  /// Whatever is written afterwards is copied first. Copies the block tables.
+  [[nodiscard]] std::shared_ptr<const MapSnapshot> Freeze();
+
  private:
   [[nodiscard]] std::size_t Position(SubmapId id) const;
 

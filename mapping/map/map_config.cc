@@ -80,8 +80,9 @@ MapConfig OutdoorLidarConfig() {
   config.integration.weighting = Weighting::kConstant;
   config.tracking.iou_threshold = 0.1;
   config.tracking.min_points_stuff = 100;
-  config.tracking.min_points_small = 10;
-  config.tracking.min_points_medium = 20;
+  config.tracking.split_gap_vox = 3;
+  config.tracking.min_points_small = 20;
+  config.tracking.min_points_medium = 40;
   config.tracking.min_points_large = 100;
   config.activity.required_reobservations = 2;
   return config;

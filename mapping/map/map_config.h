@@ -28,9 +28,10 @@ struct TrackingConfig {
   double iou_threshold = 0.12;        ///< a segment joins a submap only above this IoU
   double depth_tolerance_vox = 1.0;   ///< a point hits a submap where |distance| is below this
   bool match_requires_class = false;  ///< things only match submaps of their own class
-  int min_points_stuff = 1000;        ///< points that a new background submap needs in one frame
-  int min_points_small = 100;         ///< the same for things, by the size of their class
-  int min_points_medium = 200;
+  int split_gap_vox = 0;        ///< parts of a thing's segment that lie farther apart are matched one by one; 0 = never
+  int min_points_stuff = 1000;  ///< points that a new background submap needs in one frame
+  int min_points_small = 60;    ///< the same for things, by the size of their class
+  int min_points_medium = 60;
   int min_points_large = 1000;
 };
 
@@ -97,6 +98,8 @@ void VisitFields(Config& c, Visitor&& visit) {
         "a point hits a submap where |distance| is below this");
   visit("tracking.match_requires_class", c.tracking.match_requires_class, 0.0, 1.0,
         "things only match submaps of their own class");
+  visit("tracking.split_gap_vox", c.tracking.split_gap_vox, 0.0, 1000.0,
+        "parts of a thing's segment farther apart are matched one by one; 0 = never");
   visit("tracking.min_points_stuff", c.tracking.min_points_stuff, 1.0, 1e9, "points a new background submap needs");
   visit("tracking.min_points_small", c.tracking.min_points_small, 1.0, 1e9, "points a new small thing needs");
   visit("tracking.min_points_medium", c.tracking.min_points_medium, 1.0, 1e9, "points a new medium thing needs");

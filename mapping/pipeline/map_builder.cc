@@ -9,6 +9,8 @@
 #include "mapping/base/thread_pool.h"
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
+#include "mapping/fusion/segment_parts.h"
+#include "mapping/pipeline/background_refinement.h"
 #include "mapping/tracking/activity.h"
 #include "mapping/tracking/tracker.h"
 #include "mapping/tracking/visibility.h"
@@ -28,6 +30,15 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Which rows of the frame's table are things.
+std::vector<bool> ThingRows(const PanopticFrame& frame, const LabelSet& label_set) {
+  std::vector<bool> is_thing;
+  for (const SegmentInfo& segment : frame.segments) {
+    is_thing.push_back(segment.class_id && label_set.Find(*segment.class_id)->panoptic == Panoptic::kThing);
+  }
+  return is_thing;
+}
+
 /// The segments of a frame that go into one submap, in the order of the table.
 struct SubmapWork {
   Submap* submap;
@@ -38,20 +49,28 @@ struct SubmapWork {
 }  // namespace
 
 struct MapBuilder::Impl {
-  Impl(Map m, int num_threads)
+  Impl(Map m, int num_threads, RefinementTiming t)
       : map(std::move(m)),
         pool(num_threads),
+        timing(t),
         bundler(map.info().config.integration, pool),
         tracker(map.info().config, pool) {}
 
   std::vector<SubmapWork> GroupBySubmap(const std::vector<Assignment>& assignments);
   void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, SubmapWork& work);
   std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments);
+  void RefineOnTheSide();
+  void TakeOver(const BackgroundRefinement::Outcome& outcome);
+  void PruneEmptyBlocks();
 
   Map map;
   ThreadPool pool;
+  RefinementTiming timing;
   Bundler bundler;
   Tracker tracker;
+  BackgroundRefinement refinement;
+  bool is_overdue = false;  // the refinement under way should be taken over
+  RefinementReport refinement_total;
 };
 
 std::vector<SubmapWork> MapBuilder::Impl::GroupBySubmap(const std::vector<Assignment>& assignments) {
@@ -75,18 +94,23 @@ void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<Segmen
   const RayOrigin origin(T_submap_sensor.translation(), info.voxel_size_m);
   const std::size_t num_blocks = submap.blocks().size();
 
-  // A moved object has a grid of its own: bundle the frame again on that one.
+  // A moved object has a grid of its own: bundle the frame again on that one, whole segments.
   ThreadPool here(1);
   Bundler own_bundler(config, here);
-  const std::vector<SegmentBundles>* bundled = &segments;
+  const std::vector<SegmentBundles>* bundled = nullptr;
   if (!on_map_grid) bundled = &own_bundler.BundleFrame(frame, T_submap_sensor, info.voxel_size_m);
 
+  int last_row = -2;
   for (const std::size_t s : work.segments) {
     const int row = segments[s].row;
-    const auto same_row = std::find_if(bundled->begin(), bundled->end(), [row](const auto& b) { return b.row == row; });
+    const SegmentBundles* bundles = &segments[s];
+    if (!on_map_grid) {
+      if (std::exchange(last_row, row) == row) continue;  // another part of the same segment
+      bundles = &*std::find_if(bundled->begin(), bundled->end(), [row](const auto& b) { return b.row == row; });
+    }
     std::optional<ClassId> class_id;
     if (!is_unknown) class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
-    work.num_updates += IntegrateSegment(*same_row, origin, class_id, config, submap);
+    work.num_updates += IntegrateSegment(*bundles, origin, class_id, config, submap);
   }
   if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
   submap.mutable_info().num_frames_observed += 1;
@@ -115,14 +139,52 @@ std::int64_t MapBuilder::Impl::Carve(const PanopticFrame& frame, const std::vect
   return total;
 }
 
-MapBuilder::MapBuilder(MapInfo info, int num_threads)
-    : impl_(std::make_unique<Impl>(Map(std::move(info)), num_threads)) {}
-MapBuilder::MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads)
-    : impl_(std::make_unique<Impl>(Map(std::move(snapshot)), num_threads)) {}
+void MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome& outcome) {
+  RefinementReport report = outcome.report;
+  report.num_deferred_blocks = AdoptRefinement(*outcome.before, *outcome.refined, map);
+  refinement_total += report;
+}
+
+/// Turns come by the number of frames in the map, not in this session: so a map that was saved and loaded in between
+/// is refined at the same frames.
+void MapBuilder::Impl::RefineOnTheSide() {
+  const MapConfig& config = map.info().config;
+  const RefinementConfig& refine = config.refinement;
+  if (refine.every_frames == 0 || !(refine.management || refine.crf)) return;
+  const bool is_turn = map.info().num_frames % refine.every_frames == 0;
+  is_overdue = is_overdue || (is_turn && refinement.IsUnderWay());
+  if (is_overdue && (timing == RefinementTiming::kReproducible || refinement.IsReady())) {
+    if (const auto outcome = refinement.Take()) TakeOver(*outcome);
+    is_overdue = false;
+  }
+  if (is_turn && !refinement.IsUnderWay()) refinement.Start(map.Freeze());
+}
+
+void MapBuilder::Impl::PruneEmptyBlocks() {
+  std::vector<SubmapId> ids;
+  for (const auto& submap : map.submaps()) {
+    const auto& entries = submap->blocks().entries();
+    const bool has_empty_block = std::any_of(entries.begin(), entries.end(), [](const BlockEntry& entry) {
+      return entry.tsdf == nullptr || !entry.tsdf->HasObservedVoxel();
+    });
+    if (has_empty_block) ids.push_back(submap->id());
+  }
+  for (const SubmapId id : ids) {
+    Submap& submap = *map.FindMutable(id);
+    submap.PruneBlocks();
+    submap.UpdateBoundingSphere();
+  }
+}
+
+MapBuilder::MapBuilder(MapInfo info, int num_threads, RefinementTiming timing)
+    : impl_(std::make_unique<Impl>(Map(std::move(info)), num_threads, timing)) {}
+MapBuilder::MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads, RefinementTiming timing)
+    : impl_(std::make_unique<Impl>(Map(std::move(snapshot)), num_threads, timing)) {}
 MapBuilder::~MapBuilder() = default;
 
 Map& MapBuilder::map() { return impl_->map; }
 const Map& MapBuilder::map() const { return impl_->map; }
+const RefinementReport& MapBuilder::refinement_total() const { return impl_->refinement_total; }
 
 Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
   Map& map = impl_->map;
@@ -131,7 +193,11 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
   Stopwatch watch;
 
   // (A) Points become bundles of segments on the map's grid.
-  const auto& segments = impl_->bundler.BundleFrame(frame, frame.T_map_sensor, map.info().config.voxel_size_m);
+  auto& segments = impl_->bundler.BundleFrame(frame, frame.T_map_sensor, map.info().config.voxel_size_m);
+  const int gap_vox = map.info().config.tracking.split_gap_vox;
+  if (gap_vox > 0 && !frame.has_persistent_ids) {
+    SplitIntoParts(ThingRows(frame, *map.info().label_set), gap_vox, segments);
+  }
   report.bundle_s = watch.Lap_s();
 
   // (B) Each segment finds its submap.
@@ -151,6 +217,10 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
   map.mutable_info().num_frames += 1;
   report.activity_s = watch.Lap_s();
 
+  // (D) What has settled is refined on the side.
+  impl_->RefineOnTheSide();
+  report.refine_s = watch.Lap_s();
+
   for (std::size_t s = 0; s < segments.size(); ++s) {
     report.num_points += segments[s].num_points;
     if (assignments[s].submap == kUnknownSubmap) report.num_unknown_points += segments[s].num_points;
@@ -165,22 +235,18 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
   return report;
 }
 
-void MapBuilder::Finish() {
+RefinementReport MapBuilder::Finish() {
   Map& map = impl_->map;
+  impl_->refinement.Cancel();
+  impl_->is_overdue = false;
   DeactivateAll(map);
-  std::vector<SubmapId> ids;
-  for (const auto& submap : map.submaps()) {
-    const auto& entries = submap->blocks().entries();
-    const bool has_empty_block = std::any_of(entries.begin(), entries.end(), [](const BlockEntry& entry) {
-      return entry.tsdf == nullptr || !entry.tsdf->HasObservedVoxel();
-    });
-    if (has_empty_block) ids.push_back(submap->id());
+  RefinementReport report = RefineMap(map, impl_->pool);
+  if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
+    report.num_bytes_dropped = DropVoxelLabels(map);
   }
-  for (const SubmapId id : ids) {
-    Submap& submap = *map.FindMutable(id);
-    submap.PruneBlocks();
-    submap.UpdateBoundingSphere();
-  }
+  impl_->PruneEmptyBlocks();
+  impl_->refinement_total += report;
+  return report;
 }
 
 }  // namespace dhpmap

@@ -6,6 +6,7 @@
 
 #include "mapping/base/result.h"
 #include "mapping/map/map.h"
+#include "mapping/refinement/refine_map.h"
 #include "mapping/sensor/frame.h"
 
 namespace dhpmap {
@@ -19,26 +20,39 @@ struct FrameReport {
   int num_created = 0;                  ///< new submaps
   int num_dissolved = 0;                ///< unconfirmed submaps that went into the unknown submap
   std::int64_t num_voxels_updated = 0;
-  // Wall time by stage.
-  double bundle_s = 0, track_s = 0, fuse_s = 0, activity_s = 0;
-  [[nodiscard]] double total_s() const { return bundle_s + track_s + fuse_s + activity_s; }
+  // Wall time by stage; of refinement only what the frame had to wait for: freezing, taking over.
+  double bundle_s = 0, track_s = 0, fuse_s = 0, activity_s = 0, refine_s = 0;
+  [[nodiscard]] double total_s() const { return bundle_s + track_s + fuse_s + activity_s + refine_s; }
+};
+
+/// When the outcome of a refinement on the side is taken over, which is the refinement's next turn at the earliest.
+enum class RefinementTiming {
+  kReproducible,  ///< exactly then, waiting for it if need be: the same frames give the same map
+  kNeverWait,     ///< then or as soon as it is ready: for servers. Differs only where refinement cannot keep up
 };
 
 /// The mapping pipeline (paper Fig. 2): a posed panoptic frame goes in, a new state of the map comes out. The same
-/// frames give a bit-identical map for any number of threads. Thread-compatible: one writer a map.
+/// frames give a bit-identical map for any number of threads. Every refinement.every_frames frames what has settled is
+/// refined on a thread of its own (see RefineMap), and taken over when its next turn comes. Thread-compatible: one
+/// writer a map.
 class MapBuilder {
  public:
   /// `num_threads` 0 means one a core.
-  MapBuilder(MapInfo info, int num_threads);
+  MapBuilder(MapInfo info, int num_threads, RefinementTiming timing = RefinementTiming::kReproducible);
   /// Goes on mapping where the snapshot (published or loaded) stopped.
-  MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads);
+  MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads,
+             RefinementTiming timing = RefinementTiming::kReproducible);
   ~MapBuilder();
 
   /// Fuses one frame. On error (see ValidateFrame) the map is unchanged.
   Result<FrameReport> Integrate(const PanopticFrame& frame);
 
-  /// Ends a mapping session: every thing becomes inactive, empty blocks go, bounding spheres are tight.
-  void Finish();
+  /// Ends a mapping session: every thing becomes inactive, all is refined, empty blocks go, bounding spheres are tight,
+  /// and the labels of voxels are dropped if the config says so.
+  RefinementReport Finish();
+
+  /// All refinements of this builder so far, summed; times are those of their own threads.
+  [[nodiscard]] const RefinementReport& refinement_total() const;
 
   /// The map for edits between frames, and for Publish.
   [[nodiscard]] Map& map();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/refinement/submap_labels.h"
 #include "mapping/refinement/voxel_merge.h"
 
 namespace dhpmap {
@@ -75,16 +76,33 @@ void MakeWritable(Holder& holder) {
   holder.labels = had_labels ? std::make_shared<LabelBlock>(*holder.before->labels) : std::make_shared<LabelBlock>();
 }
 
+/// Whether the voxel is nobody else's: held once, and by the instance seen most often.
+bool IsSettledVoxel(const Position& position, int linear) {
+  const Holder* holder = nullptr;
+  for (const Holder& candidate : position.holders) {
+    if (candidate.before == nullptr || !candidate.before->tsdf->IsObserved(linear)) continue;
+    if (holder != nullptr) return false;
+    holder = &candidate;
+  }
+  if (holder == nullptr) return true;
+  if (holder->before->labels == nullptr) return true;
+  std::uint32_t own = 0, most = 0;
+  holder->before->labels->VisitInstances(linear, [&](LabelCount seen) {
+    (seen.id == 0 ? own : most) = seen.id == 0 ? seen.count : std::max(most, seen.count);
+  });
+  return own > most || most == 0;
+}
+
 /// Settles every voxel of one block position. Touches nothing but `position`.
 void SettlePosition(const std::vector<SubmapId>& ids, Position& position) {
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
+    if (IsSettledVoxel(position, linear)) continue;
     MergedVoxel merged;
     for (const Holder& holder : position.holders) {
       if (holder.before != nullptr && holder.before->tsdf->IsObserved(linear)) {
         Accumulate(*holder.before, holder.id, linear, merged);
       }
     }
-    if (merged.num_holders == 0) continue;
     const SubmapId winner = WinnerOf(merged, ids, position).id;
     if (merged.num_holders == 1 && merged.first_holder == winner) continue;
     if (merged.num_holders > 1) ++position.num_shared;
@@ -100,28 +118,6 @@ void SettlePosition(const std::vector<SubmapId>& ids, Position& position) {
       }
     }
   }
-}
-
-/// Class totals, label and instance confidence of a submap from its voxels.
-void RecomputeLabels(Submap& submap) {
-  SubmapInfo& info = submap.mutable_info();
-  if (info.panoptic == Panoptic::kUnknown) return;
-  std::unordered_map<std::uint32_t, std::uint64_t> classes;
-  std::uint64_t own = 0, all = 0;
-  for (const BlockEntry& entry : submap.blocks().entries()) {
-    for (int i = 0; entry.labels && i < kBlockVoxels; ++i) {
-      if (entry.labels->IsEmpty(i)) continue;
-      const LabelHistograms histograms = entry.labels->Get(i);
-      for (const LabelCount& c : histograms.classes) classes[c.id] += c.count;
-      for (const LabelCount& c : histograms.instances) {
-        all += c.count;
-        if (c.id == 0) own += c.count;
-      }
-    }
-  }
-  info.class_counts.clear();
-  for (const auto& [id, count] : classes) submap.AddClassObservations(ClassId(static_cast<std::uint16_t>(id)), count);
-  info.instance_confidence = all == 0 ? 1.0f : static_cast<float>(static_cast<double>(own) / static_cast<double>(all));
 }
 
 }  // namespace
@@ -169,7 +165,7 @@ ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPoo
       continue;
     }
     submap.UpdateBoundingSphere();
-    RecomputeLabels(submap);
+    RecomputeSubmapLabels(submap);
   }
   return report;
 }

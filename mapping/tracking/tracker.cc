@@ -162,6 +162,18 @@ void Tracker::MatchThings(const std::vector<SegmentBundles>& segments, const std
     is_matched[pair.segment] = true;
     assignments[pair.segment] = {overlaps.candidates[pair.candidate], false, static_cast<float>(pair.iou)};
   }
+
+  // A part that lies on the object that another part of its segment joined belongs to that object.
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    if (!is_open[s] || is_matched[s]) continue;
+    for (std::size_t c = 0; c < overlaps.candidates.size(); ++c) {
+      const bool is_sibling = std::any_of(joined[c].begin(), joined[c].end(),
+                                          [&](std::size_t other) { return segments[other].row == segments[s].row; });
+      if (!is_sibling || 2 * overlaps.hits[s][c] <= segments[s].num_points) continue;
+      assignments[s] = {overlaps.candidates[c], false, static_cast<float>(overlaps.Iou(s, c, segments[s].num_points))};
+      break;
+    }
+  }
 }
 
 std::int64_t Tracker::MinPoints(const LabelClass& label_class) const {

@@ -49,7 +49,7 @@ Outcome Guarded(Work&& work) {
 MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& store, SessionOptions options)
     : options_(WithClock(std::move(options))),
       commits_(store, snapshot, options_.commit_retry_s, options_.on_commit),
-      builder_(snapshot, options_.num_threads),
+      builder_(snapshot, options_.num_threads, RefinementTiming::kNeverWait),
       view_(std::make_shared<const MapView>(snapshot)) {
   writer_ = std::thread([this] { WriterLoop(); });
 }
@@ -107,15 +107,14 @@ void MapSession::Flush(std::function<void(const Status&)> done) {
   Post({.run = std::move(run), .refuse = done});
 }
 
-void MapSession::Finish(std::function<void(Result<std::shared_ptr<const MapView>>)> done) {
+void MapSession::Finish(std::function<void(Result<FinishOutcome>)> done) {
   auto run = [this, done] {
-    const auto finished = Guarded<Result<bool>>([this]() -> Result<bool> {
-      builder_.Finish();
-      return true;
-    });
-    if (!finished.ok()) return done(finished.status());
-    RequestCommit(Durability::kFull, [done, view = Publish()](const Status& status) {
-      if (status.ok()) done(view);
+    const auto refinement =
+        Guarded<Result<RefinementReport>>([this]() -> Result<RefinementReport> { return builder_.Finish(); });
+    if (!refinement.ok()) return done(refinement.status());
+    FinishOutcome outcome{.view = Publish(), .refinement = *refinement};
+    RequestCommit(Durability::kFull, [done, outcome = std::move(outcome)](const Status& status) {
+      if (status.ok()) done(outcome);
       else done(NotStored(status));
     });
   };

@@ -45,6 +45,12 @@ struct EditOutcome {
   SubmapId submap;
 };
 
+/// The finished state, and what refining it did.
+struct FinishOutcome {
+  std::shared_ptr<const MapView> view;
+  RefinementReport refinement;
+};
+
 /// One open map: its writer thread owns the MapBuilder and works through frames and edits in the order they came; its
 /// CommitWorker brings what the writer publishes into the store. Readers take View() and never wait for either.
 /// Thread-safe. Callbacks run on the session's threads and must be quick; each runs exactly once. Whoever lets go of
@@ -78,7 +84,7 @@ class MapSession {
   void Flush(std::function<void(const Status&)> done);
 
   /// MapBuilder::Finish, then a commit with a full sync.
-  void Finish(std::function<void(Result<std::shared_ptr<const MapView>>)> done);
+  void Finish(std::function<void(Result<FinishOutcome>)> done);
 
   /// Removes the map from the store and refuses all further work with NOT_FOUND. FAILED_PRECONDITION while somebody
   /// feeds frames. Blocks for the time of the deletion.

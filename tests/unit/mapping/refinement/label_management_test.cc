@@ -4,112 +4,23 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <random>
 #include <set>
 
 #include "tests/support/map_equality.h"
-#include "tests/support/scenes.h"
+#include "tests/unit/mapping/refinement/random_map.h"
 
 namespace dhpmap {
 namespace {
 
-constexpr int kNumClasses = 4;
-constexpr int kSpan_vox = 12;  // voxels per axis in which random submaps overlap, across block borders
+using testing::AddSubmap;
+using testing::AllIds;
+using testing::ForEachVoxel;
+using testing::Put;
+using testing::RandomMap;
+using testing::Sum;
+using testing::Totals;
 
-MapInfo Info() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(2, 2);
-  return info;
-}
-
-Submap& AddSubmap(Map& map, Panoptic panoptic = Panoptic::kThing) {
-  SubmapInfo info;
-  info.panoptic = panoptic;
-  info.class_id = ClassId(1);
-  info.voxel_size_m = map.info().config.voxel_size_m;
-  info.truncation_m = map.info().config.truncation_m;
-  return map.Create(std::move(info));
-}
-
-void Put(Submap& submap, VoxelIndex v, float distance_m, float weight, const LabelHistograms& labels) {
-  const int i = LinearIndex(v);
-  TsdfBlock& tsdf = submap.MutableTsdf(BlockOf(v));
-  tsdf.distance_m[static_cast<std::size_t>(i)] = distance_m;
-  tsdf.weight[static_cast<std::size_t>(i)] = weight;
-  tsdf.color[static_cast<std::size_t>(i)] = {100, 150, 200};
-  if (submap.id() != kUnknownSubmap) submap.MutableLabels(BlockOf(v)).Add(i, labels);
-}
-
-/// Several submaps, the unknown one too, that overlap at random, with counts for each other and for ids long gone.
-Map RandomMap(unsigned seed) {
-  std::mt19937 random(seed);
-  const auto pick = [&random](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
-  Map map(Info());
-  const int num_submaps = pick(2, 6);
-  for (int s = 0; s < num_submaps; ++s) AddSubmap(map, s % 2 == 0 ? Panoptic::kThing : Panoptic::kStuff);
-  std::vector<SubmapId> ids;
-  for (const auto& submap : map.submaps()) ids.push_back(submap->id());
-  for (const SubmapId id : ids) {
-    Submap& submap = *map.FindMutable(id);
-    for (int n = 0; n < 400; ++n) {
-      const VoxelIndex v{pick(-kSpan_vox, kSpan_vox), pick(-3, 3), pick(-3, 3)};
-      const BlockEntry* entry = submap.blocks().Find(BlockOf(v));
-      if (entry && entry->tsdf && entry->tsdf->IsObserved(LinearIndex(v))) continue;
-      LabelHistograms labels;
-      const auto count = static_cast<std::uint32_t>(pick(1, 30));
-      labels.classes = {{static_cast<std::uint32_t>(pick(1, kNumClasses)), count}};
-      labels.instances = {{0, count}};
-      if (pick(0, 3) == 0) {
-        const auto other = static_cast<std::uint32_t>(pick(1, num_submaps + 2));  // may be gone, or itself
-        if (other != id.value) {
-          const auto more = static_cast<std::uint32_t>(pick(1, 60));
-          labels.instances.push_back({other, more});
-          labels.classes = SumCounts(labels.classes, std::vector<LabelCount>{{1, more}});
-        }
-      }
-      // Dyadic weights add up without rounding in any order.
-      Put(submap, v, 0.01f * static_cast<float>(pick(-8, 8)), 0.25f * static_cast<float>(pick(1, 40)), labels);
-    }
-    submap.UpdateBoundingSphere();
-  }
-  return map;
-}
-
-std::vector<SubmapId> AllIds(const Map& map) {
-  std::vector<SubmapId> ids;
-  for (const auto& submap : map.submaps()) ids.push_back(submap->id());
-  return ids;
-}
-
-struct Totals {
-  std::map<std::uint32_t, std::uint64_t> classes, instances;
-  double weight = 0;
-  bool operator==(const Totals&) const = default;
-};
-
-template <typename Visit>
-void ForEachVoxel(const Map& map, Visit&& visit) {
-  for (const auto& submap : map.submaps()) {
-    for (const BlockEntry& entry : submap->blocks().entries()) {
-      for (int i = 0; i < kBlockVoxels; ++i) {
-        if (entry.tsdf->IsObserved(i)) visit(*submap, entry, i);
-      }
-    }
-  }
-}
-
-Totals Sum(const Map& map) {
-  Totals totals;
-  ForEachVoxel(map, [&](const Submap& submap, const BlockEntry& entry, int i) {
-    totals.weight += entry.tsdf->weight[static_cast<std::size_t>(i)];
-    if (!entry.labels) return;
-    const LabelHistograms labels = entry.labels->Get(i);
-    for (const LabelCount& c : labels.classes) totals.classes[c.id] += c.count;
-    for (const LabelCount& c : labels.instances) totals.instances[c.id == 0 ? submap.id().value : c.id] += c.count;
-  });
-  return totals;
-}
+Map EmptyMap() { return Map(testing::RandomMapInfo()); }
 
 class RandomMaps : public ::testing::TestWithParam<unsigned> {
  protected:
@@ -185,7 +96,7 @@ TEST_P(RandomMaps, SubmapTotalsAreThoseOfTheirVoxels) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMaps, ::testing::Range(0u, 12u));
 
 TEST(LabelManagement, MergesGeometryByWeight) {
-  Map map(Info());
+  Map map = EmptyMap();
   Put(AddSubmap(map), {0, 0, 0}, 0.02f, 3.0f, {{{1, 2}}, {{0, 2}}});
   Put(AddSubmap(map), {0, 0, 0}, 0.06f, 1.0f, {{{2, 9}}, {{0, 9}}});
   ThreadPool pool(1);
@@ -200,7 +111,7 @@ TEST(LabelManagement, MergesGeometryByWeight) {
 }
 
 TEST(LabelManagement, LeavesSubmapsAloneThatAreNotNamed) {
-  Map map(Info());
+  Map map = EmptyMap();
   Put(AddSubmap(map), {0, 0, 0}, 0.02f, 3.0f, {{{1, 2}}, {{0, 2}}});
   Put(AddSubmap(map), {0, 0, 0}, 0.06f, 1.0f, {{{2, 9}}, {{0, 9}}});
   const auto before = map.Publish(0);
@@ -210,7 +121,7 @@ TEST(LabelManagement, LeavesSubmapsAloneThatAreNotNamed) {
 }
 
 TEST(LabelManagement, MovedSubmapsAndOtherVoxelSizesNeverMerge) {
-  Map map(Info());
+  Map map = EmptyMap();
   Put(AddSubmap(map), {0, 0, 0}, 0.02f, 3.0f, {{{1, 2}}, {{0, 2}}});
   Submap& moved = AddSubmap(map);
   Put(moved, {0, 0, 0}, 0.06f, 1.0f, {{{2, 9}}, {{0, 9}}});
@@ -225,7 +136,7 @@ TEST(LabelManagement, MovedSubmapsAndOtherVoxelSizesNeverMerge) {
 }
 
 TEST(LabelManagement, UnknownGeometryGoesToTheObjectThatIsThere) {
-  Map map(Info());
+  Map map = EmptyMap();
   Put(*map.FindMutable(kUnknownSubmap), {0, 0, 0}, 0.02f, 3.0f, {});
   Put(*map.FindMutable(kUnknownSubmap), {1, 0, 0}, 0.02f, 3.0f, {});
   Put(AddSubmap(map), {0, 0, 0}, 0.06f, 1.0f, {{{2, 1}}, {{0, 1}}});

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/fusion/segment_parts.h"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+/// Disjoint sets of coarse cells.
+class Islands {
+ public:
+  std::uint32_t Add() {
+    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+    return parent_.back();
+  }
+  std::uint32_t RootOf(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  /// The older root stays, so roots are numbered in the order of the bundles.
+  void Join(std::uint32_t a, std::uint32_t b) {
+    a = RootOf(a), b = RootOf(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+constexpr std::int32_t FloorDiv(std::int32_t a, std::int32_t b) { return (a >= 0 ? a : a - b + 1) / b; }
+
+/// For each bundle the number of its part, in the order of their first bundles.
+std::vector<std::uint32_t> FindParts(const SegmentBundles& segment, int gap_vox, std::uint32_t& num_parts) {
+  std::unordered_map<BlockIndex, std::uint32_t, BlockIndexHash> cells;  // of gap_vox voxels
+  Islands islands;
+  std::vector<std::uint32_t> cell_of(segment.bundles.size());
+  for (const BundleCell& cell : segment.cells) {
+    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+      const VoxelIndex v = VoxelIn(cell.block, segment.bundles[b].linear);
+      const BlockIndex coarse{FloorDiv(v.x, gap_vox), FloorDiv(v.y, gap_vox), FloorDiv(v.z, gap_vox)};
+      const auto [it, is_new] = cells.try_emplace(coarse, 0);
+      if (is_new) it->second = islands.Add();
+      cell_of[b] = it->second;
+    }
+  }
+  for (const auto& [c, island] : cells) {
+    for (int n = 14; n < 27; ++n) {  // half of the neighbours: the other half finds this one
+      const auto it = cells.find({c.x + n % 3 - 1, c.y + n / 3 % 3 - 1, c.z + n / 9 - 1});
+      if (it != cells.end()) islands.Join(island, it->second);
+    }
+  }
+  std::unordered_map<std::uint32_t, std::uint32_t> part_of_root;
+  for (std::uint32_t& cell : cell_of) {
+    cell =
+        part_of_root.try_emplace(islands.RootOf(cell), static_cast<std::uint32_t>(part_of_root.size())).first->second;
+  }
+  num_parts = static_cast<std::uint32_t>(part_of_root.size());
+  return cell_of;
+}
+
+std::vector<SegmentBundles> Cut(const SegmentBundles& segment, const std::vector<std::uint32_t>& part_of,
+                                std::uint32_t num_parts) {
+  std::vector<SegmentBundles> parts(num_parts);
+  for (const BundleCell& cell : segment.cells) {
+    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+      SegmentBundles& part = parts[part_of[b]];
+      BundleCell& own = part.FindOrInsert(cell.block);
+      if (own.num_bundles == 0) own.first_bundle = static_cast<std::uint32_t>(part.bundles.size());
+      own.slot[segment.bundles[b].linear] = static_cast<std::uint16_t>(++own.num_bundles);
+      part.bundles.push_back(segment.bundles[b]);
+      part.num_points += segment.bundles[b].num_points;
+      part.row = segment.row;
+    }
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& a, const auto& b) { return a.num_points > b.num_points; });
+  return parts;
+}
+
+}  // namespace
+
+void SplitIntoParts(const std::vector<bool>& may_split, int gap_vox, std::vector<SegmentBundles>& segments) {
+  std::vector<SegmentBundles> result;
+  result.reserve(segments.size());
+  for (SegmentBundles& segment : segments) {
+    std::uint32_t num_parts = 1;
+    std::vector<std::uint32_t> part_of;
+    if (segment.row >= 0 && may_split[static_cast<std::size_t>(segment.row)]) {
+      part_of = FindParts(segment, gap_vox, num_parts);
+    }
+    if (num_parts == 1) {
+      result.push_back(std::move(segment));
+      continue;
+    }
+    for (SegmentBundles& part : Cut(segment, part_of, num_parts)) result.push_back(std::move(part));
+  }
+  segments = std::move(result);
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/pipeline/background_refinement.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace dhpmap {
+
+BackgroundRefinement::~BackgroundRefinement() { Cancel(); }
+
+void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before) {
+  is_cancelled_ = false;
+  outcome_ = std::async(std::launch::async, [this, before = std::move(before)] {
+    ThreadPool pool(1);  // the other cores go on fusing
+    Map map(before);
+    Outcome outcome{.before = before};
+    outcome.report = RefineMap(map, pool, [this] { return is_cancelled_.load(); });
+    outcome.refined = map.Freeze();
+    return outcome;
+  });
+}
+
+bool BackgroundRefinement::IsReady() const {
+  return outcome_.valid() && outcome_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+std::optional<BackgroundRefinement::Outcome> BackgroundRefinement::Take() {
+  try {
+    return outcome_.get();
+  } catch (const std::exception&) {
+    return std::nullopt;  // nothing is lost: the next refinement finds the same voxels
+  }
+}
+
+void BackgroundRefinement::Cancel() {
+  if (!outcome_.valid()) return;
+  is_cancelled_ = true;
+  (void)Take();
+}
+
+}  // namespace dhpmap

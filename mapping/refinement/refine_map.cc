@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/refinement/refine_map.h"
+
+#include <chrono>
+
+#include "mapping/refinement/submap_labels.h"
+
+namespace dhpmap {
+namespace {
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void RestoreLabels(const std::vector<SubmapId>& ids, Map& map) {
+  for (const SubmapId id : ids) {
+    for (const BlockEntry& entry : map.Find(id)->blocks().entries()) {
+      if (id == kUnknownSubmap || !entry.tsdf || entry.labels) continue;
+      RestoreDroppedLabels(*map.FindMutable(id));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+RefinementReport& RefinementReport::operator+=(const RefinementReport& other) {
+  management.num_shared_voxels += other.management.num_shared_voxels;
+  management.num_moved_voxels += other.management.num_moved_voxels;
+  management.num_removed_submaps += other.management.num_removed_submaps;
+  management.num_skipped_submaps += other.management.num_skipped_submaps;
+  crf.num_voxels += other.crf.num_voxels;
+  crf.num_changed_classes += other.crf.num_changed_classes;
+  crf.num_changed_instances += other.crf.num_changed_instances;
+  crf.num_tiles += other.crf.num_tiles;
+  management_s += other.management_s;
+  crf_s += other.crf_s;
+  num_bytes_dropped += other.num_bytes_dropped;
+  num_deferred_blocks += other.num_deferred_blocks;
+  return *this;
+}
+
+bool IsSettled(const SubmapInfo& info) {
+  return info.panoptic != Panoptic::kThing || info.activity == Activity::kInactive;
+}
+
+std::vector<SubmapId> SettledSubmaps(const Map& map) {
+  std::vector<SubmapId> ids;
+  for (const auto& submap : map.submaps()) {
+    if (IsSettled(submap->info())) ids.push_back(submap->id());
+  }
+  return ids;
+}
+
+RefinementReport RefineMap(Map& map, ThreadPool& pool, const std::function<bool()>& is_cancelled) {
+  RefinementReport report;
+  const RefinementConfig& config = map.info().config.refinement;
+  const std::vector<SubmapId> ids = SettledSubmaps(map);
+  if (config.management) {
+    const auto start = std::chrono::steady_clock::now();
+    RestoreLabels(ids, map);
+    report.management = ManageLabels(ids, map, pool);
+    report.management_s = SecondsSince(start);
+  }
+  if (config.crf && !(is_cancelled && is_cancelled())) {
+    const auto start = std::chrono::steady_clock::now();
+    report.crf = RefineLabels(ids, map, pool, is_cancelled);
+    report.crf_s = SecondsSince(start);
+  }
+  return report;
+}
+
+std::int64_t DropVoxelLabels(Map& map) {
+  std::int64_t num_bytes = 0;
+  std::vector<SubmapId> labelled;
+  for (const auto& submap : map.submaps()) {
+    std::int64_t own_bytes = 0;
+    for (const BlockEntry& entry : submap->blocks().entries()) {
+      if (entry.labels) own_bytes += static_cast<std::int64_t>(entry.labels->MemoryBytes());
+    }
+    if (own_bytes > 0) labelled.push_back(submap->id());
+    num_bytes += own_bytes;
+  }
+  for (const SubmapId id : labelled) map.FindMutable(id)->DropLabels();
+  return num_bytes;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "mapping/base/ids.h"
+#include "mapping/base/thread_pool.h"
+#include "mapping/map/map.h"
+#include "mapping/refinement/label_crf.h"
+#include "mapping/refinement/label_management.h"
+
+namespace dhpmap {
+
+struct RefinementReport {
+  ManagementReport management;
+  LabelCrfReport crf;
+  double management_s = 0, crf_s = 0;    ///< wall time
+  std::int64_t num_bytes_dropped = 0;    ///< by drop_voxel_labels
+  std::int64_t num_deferred_blocks = 0;  ///< refined on the side, but written meanwhile: left for the next time
+
+  RefinementReport& operator+=(const RefinementReport& other);
+};
+
+/// Settled things, all background classes and the unknown submap are refined together (paper II-D).
+bool IsSettled(const SubmapInfo& info);
+std::vector<SubmapId> SettledSubmaps(const Map& map);
+
+/// Label management, then the CRF, on the settled submaps, each if its switch in the map's config is on (paper II-D and
+/// II-E). Does not depend on the number of threads. `is_cancelled`, if set, is asked now and then; once it says true,
+/// the map is left half refined and must be thrown away.
+RefinementReport RefineMap(Map& map, ThreadPool& pool, const std::function<bool()>& is_cancelled = {});
+
+/// Brings what was refined on the side into the map that went on: `before` is the state that both came from (see
+/// Map::Freeze), `refined` what refinement made of it. Taken position by position (one block index, all submaps): where
+/// no settled submap of `before` was written since, the refined state is taken; where one was, where one that the
+/// refinement gave voxels to is gone or has moved, everything stays as it is now, to be refined the next time. So each
+/// voxel keeps exactly one of both states, and nothing observed is lost. Returns how many positions were left.
+std::int64_t AdoptRefinement(const MapSnapshot& before, const MapSnapshot& refined, Map& map);
+
+/// Drops the labels of voxels of all labelled submaps (paper II-D): afterwards a voxel has the label of its submap.
+/// Returns the bytes saved. Call it where positions are exclusive.
+std::int64_t DropVoxelLabels(Map& map);
+
+}  // namespace dhpmap
