@@ -2,9 +2,8 @@
 #include "tests/bench/class_match.h"
 
 #include <algorithm>
-#include <sstream>
 
-#include "clients/datasets/file_reader.h"
+#include "clients/evaluator/class_map.h"
 
 namespace dhpmap {
 namespace {
@@ -27,12 +26,11 @@ Result<ClassMatch> MatchClasses(const v1::Map& map, const std::vector<LabelClass
     for (const LabelClass& label_class : truth) match[label_class.id.value] = {label_class.id.value};
     return match;
   }
-  DHPMAP_ASSIGN_OR_RETURN(const std::vector<TextRow> rows, ReadRows(file, ','));
-  for (const TextRow& row : rows) {
-    if (row.cells[0] == "ClassID" || row.cells.size() < 4) continue;
-    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t id, ParseInteger(row.cells[0]));
-    std::istringstream truth_ids(row.cells[3]);
-    for (std::uint32_t truth_id = 0; truth_ids >> truth_id;) match[truth_id].insert(static_cast<std::uint32_t>(id));
+  DHPMAP_ASSIGN_OR_RETURN(const evaluator::ClassMap classes, evaluator::ClassMap::Read(file));
+  for (const evaluator::EvaluatedClass& evaluated : classes.classes()) {
+    for (const std::uint32_t id : evaluated.truth_ids) {
+      match[id].insert(evaluated.predicted_ids.begin(), evaluated.predicted_ids.end());
+    }
   }
   return match;
 }

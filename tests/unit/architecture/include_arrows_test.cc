@@ -42,6 +42,8 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server", {"mapping", "storage/store.h", "server", "proto"}},  // main.cc: wiring
       {"clients/datasets", {"mapping"}},
       {"clients/simulator", {"mapping"}},
+      {"clients/evaluator", {"mapping", "clients/datasets"}},
+      {"clients/evaluator/baselines", {"mapping", "clients/evaluator/mapping_system.h"}},
       {"clients/cli", {"mapping/base", "mapping/map", "mapping/sensor", "clients/datasets", "proto"}},
   };
   return arrows;
@@ -59,7 +61,8 @@ const std::vector<Fence>& Fences() {
       {"grpcpp/|google/|dhpmap/v1/",
        {"server/grpc", "server/rest", "server/ingest", "server/main.cc", "clients/cli", "tests"},
        true},
-      {"opencv2/", {"mapping/sensor", "clients/simulator", "tests"}, false},
+      {"opencv2/", {"mapping/sensor", "clients/simulator", "clients/evaluator", "tests"}, false},
+      {"nanoflann", {"clients/evaluator"}, false},
       {"pcl/", {"mapping/io", "tests"}, false},
       {"boost/", {"server/rest", "tests"}, false},
       {"yaml-cpp/", {"server/config", "tests"}, false},
