@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "clients/evaluator/triangle_distance.h"
+
 namespace dhpmap::evaluator {
 
 Protocol ProtocolFor(double voxel_size_m) {
@@ -14,10 +16,11 @@ Protocol ProtocolFor(double voxel_size_m) {
   return protocol;
 }
 
-Truth::Truth(const Mesh& mesh, ClassMap classes, Protocol protocol)
-    : classes_(std::move(classes)),
+Truth::Truth(Mesh mesh, ClassMap classes, Protocol protocol)
+    : mesh_(std::move(mesh)),
+      classes_(std::move(classes)),
       protocol_(std::move(protocol)),
-      samples_(SampleSurface(mesh, protocol_.spacing_m)),
+      samples_(SampleSurface(mesh_, protocol_.spacing_m)),
       labels_(TruthLabels(samples_, classes_)),
       nearest_(samples_.positions_m) {}
 
@@ -26,9 +29,9 @@ Scores Evaluate(const Truth& truth, const LabelledSurface& surface, bool has_ins
   const Protocol& protocol = truth.protocol();
   const double reach_m = std::max(protocol.geometry.reach_m(), protocol.d_match_m);
   const SurfaceSamples predicted = SampleSurface(surface.mesh, protocol.spacing_m);
-  const std::vector<Neighbour> from_truth =
+  std::vector<Neighbour> from_truth =
       NearestSample(predicted.positions_m).FindAll(truth.samples().positions_m, reach_m, pool);
-  const std::vector<Neighbour> from_predicted = truth.nearest().FindAll(predicted.positions_m, reach_m, pool);
+  std::vector<Neighbour> from_predicted = truth.nearest().FindAll(predicted.positions_m, reach_m, pool);
 
   std::vector<ElementLabel> predicted_labels =
       PredictedLabels(from_truth, predicted, truth.classes(), protocol.d_match_m, has_instances);
@@ -45,6 +48,8 @@ Scores Evaluate(const Truth& truth, const LabelledSurface& surface, bool has_ins
           ScoreInstances(overlap, truth.classes(), surface.instance_scores, iou, protocol.min_elements));
     }
   }
+  MeasureToTriangles(truth.samples().positions_m, surface.mesh, predicted, from_truth);
+  MeasureToTriangles(predicted.positions_m, truth.mesh(), truth.samples(), from_predicted);
   scores.geometry = ScoreGeometry(from_predicted, from_truth, protocol.geometry);
   if (labels != nullptr) *labels = std::move(predicted_labels);
   return scores;

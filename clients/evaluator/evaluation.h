@@ -30,10 +30,11 @@ Protocol ProtocolFor(double voxel_size_m);
 /// A data set's truth, which systems are compared with. Refers to itself: neither copied nor moved.
 class Truth {
  public:
-  Truth(const Mesh& mesh, ClassMap classes, Protocol protocol);
+  Truth(Mesh mesh, ClassMap classes, Protocol protocol);
   Truth(const Truth&) = delete;
   Truth& operator=(const Truth&) = delete;
 
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const SurfaceSamples& samples() const { return samples_; }
   [[nodiscard]] const std::vector<ElementLabel>& labels() const { return labels_; }
   [[nodiscard]] const NearestSample& nearest() const { return nearest_; }
@@ -41,6 +42,7 @@ class Truth {
   [[nodiscard]] const Protocol& protocol() const { return protocol_; }
 
  private:
+  Mesh mesh_;
   ClassMap classes_;
   Protocol protocol_;
   SurfaceSamples samples_;

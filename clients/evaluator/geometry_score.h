@@ -15,7 +15,7 @@ struct GeometryLimits {
   [[nodiscard]] double reach_m() const;
 };
 
-/// How near two surfaces are, over evenly spread samples of both.
+/// How near two surfaces are, over evenly spread samples of both, each with its distance to the other surface.
 struct GeometryScore {
   double accuracy_m = 0;    ///< mean distance of predicted samples to the ground truth
   double completion_m = 0;  ///< mean distance of the ground truth's samples to the prediction

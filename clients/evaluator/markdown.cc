@@ -74,7 +74,8 @@ std::string ProtocolText(const Experiment& experiment) {
       << " m squared, each with the label of the nearest sample of the system's surface within "
       << Decimals(p.d_match_m, 3) << " m, else none.\n"
       << "- Segments match above IoU 0.5; unmatched ones below " << p.min_elements << " samples are ignored.\n"
-      << "- Geometry: F-score at " << Decimals(p.geometry.threshold_m, 3) << " m; accuracy ignores distances above "
+      << "- Geometry: distance of each sample to the triangle of the other surface's nearest sample; F-score at "
+      << Decimals(p.geometry.threshold_m, 3) << " m; accuracy ignores distances above "
       << Decimals(p.geometry.accuracy_truncation_m, 2) << " m, completion clips them at "
       << Decimals(p.geometry.completion_truncation_m, 2) << " m.\n"
       << "- Classes (ground truth ids = predicted ids):";

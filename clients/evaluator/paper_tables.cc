@@ -145,6 +145,10 @@ std::string PaperText(const std::vector<Experiment>& experiments, const std::vec
   }
   if (!experiments.empty()) {
     text += "\n### What each part of the refinement brings\n\n" + AblationTable(experiments);
+    text +=
+        "\nWithout refinement a place can be held by several submaps, and all their surfaces count, as in the paper. "
+        "Times\n"
+        "are wall time; refinement while mapping runs on a thread of its own.\n";
     text += "\n### How it was measured\n";
     for (const Experiment& experiment : experiments) text += "\n" + ProtocolText(experiment);
   }

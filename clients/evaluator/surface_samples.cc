@@ -30,7 +30,8 @@ SurfaceSamples SampleSurface(const Mesh& mesh, double spacing_m) {
   SurfaceSamples samples;
   SpreadPoints spread;
   double owed = 0.5;  // samples; what a triangle is too small for goes to the next
-  for (const auto& triangle : mesh.triangles) {
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& triangle = mesh.triangles[t];
     const Eigen::Vector3d a = mesh.vertices_m[triangle[0]].cast<double>();
     const Eigen::Vector3d ab = mesh.vertices_m[triangle[1]].cast<double>() - a;
     const Eigen::Vector3d ac = mesh.vertices_m[triangle[2]].cast<double>() - a;
@@ -46,6 +47,7 @@ SurfaceSamples SampleSurface(const Mesh& mesh, double spacing_m) {
       samples.positions_m.push_back(p_m);
       samples.classes.push_back(mesh.classes[corner]);
       samples.instances.push_back(mesh.instances[corner]);
+      samples.triangles.push_back(t);
     }
   }
   return samples;

@@ -14,6 +14,7 @@ struct SurfaceSamples {
   std::vector<Eigen::Vector3f> positions_m;
   std::vector<std::uint16_t> classes;    ///< 0 = the surface does not say
   std::vector<std::uint32_t> instances;  ///< 0 = the surface does not say
+  std::vector<std::uint32_t> triangles;  ///< of the mesh, that the sample lies on
   [[nodiscard]] std::size_t size() const { return positions_m.size(); }
 };
 
