@@ -58,7 +58,7 @@ struct DenseCrf::Impl {
 
   ThreadPool& pool;
   Eigen::Vector3f origin_m = Eigen::Vector3f::Zero();
-  std::vector<std::uint32_t> order;  ///< points near each other lie together
+  GrowBuffer<std::uint32_t> order;  ///< points near each other lie together
   Kernel<3> smoothness;
   Kernel<6> appearance;
   std::vector<MeanFieldScratch> scratch;
@@ -68,7 +68,8 @@ void DenseCrf::Impl::SortPoints(std::span<const CrfPoint> points) {
   const Eigen::AlignedBox3f bounds = BoundsOf(points);
   origin_m = bounds.min();
   const float extent_m = std::max(bounds.sizes().maxCoeff(), 1e-6f);
-  std::vector<std::uint32_t> codes(points.size());
+  GrowBuffer<std::uint32_t> codes;
+  codes.Resize(points.size());
   pool.ParallelFor(NumChunks(points.size()), [&](std::size_t chunk) {
     const std::size_t end = std::min(points.size(), (chunk + 1) * kChunkPoints);
     for (std::size_t i = chunk * kChunkPoints; i < end; ++i) {

@@ -16,11 +16,15 @@ constexpr std::size_t kPieceGhosts = 4096;
 
 }  // namespace
 
-/// Numbers the keys of one chunk in the order in which they come up.
+/// What one thread works with. Numbers the keys of a chunk in the order in which they come up.
 template <int D>
-struct LatticeBuilder<D>::ChunkTable {
+struct LatticeBuilder<D>::Lane {
   std::vector<std::uint16_t> slots = std::vector<std::uint16_t>(2048, kFree);
   std::vector<std::uint32_t> hashes;  ///< by number
+  std::vector<Key> keys;              ///< by number
+  // Keys of all chunks that the lane has done, in blocks too large to leave holes in the heap.
+  std::vector<GrowBuffer<Key>> blocks;
+  std::size_t block_used = 0;
 
   static_assert(Lattice::kChunkPoints * (D + 1) < std::numeric_limits<std::uint16_t>::max());
   static constexpr std::uint16_t kFree = std::numeric_limits<std::uint16_t>::max();
@@ -28,9 +32,10 @@ struct LatticeBuilder<D>::ChunkTable {
   void Clear() {
     std::fill(slots.begin(), slots.end(), kFree);
     hashes.clear();
+    keys.clear();
   }
 
-  std::uint16_t NumberOf(Key key, std::vector<Key>& keys) {
+  std::uint16_t NumberOf(Key key) {
     const std::uint32_t hash = HashOfKey(key);
     std::size_t slot = hash & (slots.size() - 1);
     for (; slots[slot] != kFree; slot = (slot + 1) & (slots.size() - 1)) {
@@ -52,7 +57,25 @@ struct LatticeBuilder<D>::ChunkTable {
       slots[slot] = static_cast<std::uint16_t>(number);
     }
   }
+
+  /// Puts the keys where they stay. `most_keys`: that can still come up in all.
+  std::span<const Key> Keep(std::size_t most_keys) {
+    constexpr std::size_t kBlockKeys = (std::size_t{8} << 20) / sizeof(Key);
+    if (blocks.empty() || block_used + keys.size() > blocks.back().size()) {
+      blocks.emplace_back().Resize(std::min(most_keys, kBlockKeys));
+      block_used = 0;
+    }
+    Key* kept = blocks.back().data() + block_used;
+    std::copy(keys.begin(), keys.end(), kept);
+    block_used += keys.size();
+    return {kept, keys.size()};
+  }
 };
+
+template <int D>
+LatticeBuilder<D>::LatticeBuilder(ThreadPool& pool) : pool_(pool) {}
+template <int D>
+LatticeBuilder<D>::~LatticeBuilder() = default;
 
 template <int D>
 void LatticeBuilder<D>::FindCorners(std::span<const typename Lattice::Feature> features, std::size_t chunk_points,
@@ -60,18 +83,17 @@ void LatticeBuilder<D>::FindCorners(std::span<const typename Lattice::Feature> f
   const LatticeEmbedding<D> embedding;
   const std::size_t num_chunks = (features.size() + chunk_points - 1) / chunk_points;
   chunks_.resize(num_chunks);
-  std::vector<ChunkTable> tables;
-  ParallelForWithScratch(pool_, num_chunks, tables, [&](std::size_t chunk, ChunkTable& table) {
-    ChunkRows& rows = chunks_[chunk];
-    table.Clear();
+  ParallelForWithScratch(pool_, num_chunks, lanes_, [&](std::size_t chunk, Lane& lane) {
+    lane.Clear();
     Simplex<D> simplex;
-    const std::size_t end = std::min(features.size(), (chunk + 1) * chunk_points);
-    for (std::size_t i = chunk * chunk_points; i < end; ++i) {
+    const std::size_t begin = chunk * chunk_points, end = std::min(features.size(), begin + chunk_points);
+    for (std::size_t i = begin; i < end; ++i) {
       embedding.Embed(features[i], simplex);
       corners[i].weight = simplex.weights;
-      for (std::size_t k = 0; k <= D; ++k) corners[i].row[k] = table.NumberOf(simplex.keys[k], rows.keys);
+      for (std::size_t k = 0; k <= D; ++k) corners[i].row[k] = lane.NumberOf(simplex.keys[k]);
     }
-    SortByPart(rows);
+    chunks_[chunk].keys = lane.Keep((features.size() - begin) * (D + 1));
+    SortByPart(chunks_[chunk]);
   });
   graph.chunk_row.assign(num_chunks + 1, 0);
   for (std::size_t c = 0; c < num_chunks; ++c) graph.chunk_row[c + 1] = graph.chunk_row[c] + chunks_[c].keys.size();

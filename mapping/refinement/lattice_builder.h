@@ -23,7 +23,8 @@ class LatticeBuilder {
   using Lattice = PermutohedralLattice<D>;
   using Key = LatticeKey<D>;
 
-  explicit LatticeBuilder(ThreadPool& pool) : pool_(pool) {}
+  explicit LatticeBuilder(ThreadPool& pool);
+  ~LatticeBuilder();
 
   /// Writes the corners of all points, and graph.chunk_row.
   void FindCorners(std::span<const typename Lattice::Feature> features, std::size_t chunk_points,
@@ -38,14 +39,14 @@ class LatticeBuilder {
 
   /// What a chunk found: the keys of its rows, and its rows by part.
   struct ChunkRows {
-    std::vector<Key> keys;
+    std::span<const Key> keys;
     std::vector<std::uint16_t> by_part;
     std::array<std::uint32_t, kNumParts + 1> part_begin;
   };
   struct Entry {
     std::uint32_t hash, row;
   };
-  struct ChunkTable;
+  struct Lane;
 
   static std::size_t PartOf(std::uint32_t hash) { return hash >> 26; }
 
@@ -59,6 +60,7 @@ class LatticeBuilder {
   void ListChains(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& chains) const;
 
   ThreadPool& pool_;
+  std::vector<Lane> lanes_;
   std::vector<ChunkRows> chunks_;
   GrowBuffer<Key> keys_;              ///< of all rows
   GrowBuffer<std::uint32_t> vertex_;  ///< of all rows: the first row with the same key

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "mapping/refinement/lattice_builder.h"
 
@@ -21,8 +20,10 @@ void PermutohedralLattice<D>::Build(std::span<const Feature> features, ThreadPoo
 
 template <int D>
 void PermutohedralLattice<D>::Normalize(float weight, ThreadPool& pool) {
-  std::vector<float> sums(num_points(), 1.0f);
-  Filter(sums, 1, sums, pool);
+  GrowBuffer<float> sums;
+  sums.Resize(num_points());
+  std::fill(sums.begin(), sums.end(), 1.0f);
+  Filter({sums.data(), sums.size()}, 1, {sums.data(), sums.size()}, pool);
   const float factor = weight * slice_factor_;
   pool.ParallelFor(num_chunks(), [&](std::size_t chunk) {
     const std::size_t end = std::min(num_points(), (chunk + 1) * kChunkPoints);
@@ -39,9 +40,11 @@ template <int D>
 void PermutohedralLattice<D>::Filter(std::span<const float> in, std::size_t channels, std::span<float> out,
                                      ThreadPool& pool) const {
   const std::size_t stride = channels == 1 ? 1 : (channels + 7) / 8 * 8;
-  std::vector<float> values(graph_.num_rows() * stride);
+  GrowBuffer<float> values;
+  values.Resize(graph_.num_rows() * stride);
   pool.ParallelFor(num_chunks(), [&](std::size_t chunk) {
     float* chunk_values = values.data() + graph_.chunk_row[chunk] * stride;
+    std::fill(chunk_values, values.data() + graph_.chunk_row[chunk + 1] * stride, 0.0f);
     const std::size_t end = std::min(num_points(), (chunk + 1) * kChunkPoints);
     for (std::size_t i = chunk * kChunkPoints; i < end; ++i) {
       for (std::size_t k = 0; k <= D; ++k) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace dhpmap {
 namespace {
@@ -29,14 +30,16 @@ std::uint32_t MortonCode(const Eigen::Vector3f& fraction) {
   return code;
 }
 
-void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& order, ThreadPool& pool) {
+void SortByCode(GrowBuffer<std::uint32_t>& codes, GrowBuffer<std::uint32_t>& order, ThreadPool& pool) {
   constexpr int kBits = 10;
   constexpr std::size_t kBuckets = std::size_t{1} << kBits;
   constexpr std::size_t kPiece = 1 << 16;
   const std::size_t num_pieces = (codes.size() + kPiece - 1) / kPiece;
   std::vector<std::array<std::uint32_t, kBuckets>> places(num_pieces);  // first counts, then where the next one goes
-  std::vector<std::uint32_t> next_codes(codes.size()), next_order(codes.size());
-  order.resize(codes.size());
+  GrowBuffer<std::uint32_t> next_codes, next_order;
+  next_codes.Resize(codes.size());
+  next_order.Resize(codes.size());
+  order.Resize(codes.size());
   std::iota(order.begin(), order.end(), 0u);
   for (int shift = 0; shift < 30; shift += kBits) {
     const auto for_each = [&](std::size_t piece, const auto& visit) {
@@ -57,8 +60,8 @@ void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& o
         next_order[at++] = order[i];
       });
     });
-    codes.swap(next_codes);
-    order.swap(next_order);
+    std::swap(codes, next_codes);
+    std::swap(order, next_order);
   }
 }
 

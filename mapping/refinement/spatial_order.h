@@ -2,11 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "mapping/base/thread_pool.h"
+#include "mapping/refinement/grow_buffer.h"
 
 namespace dhpmap {
 
@@ -16,6 +15,6 @@ std::uint32_t MortonCode(const Eigen::Vector3f& fraction);
 
 /// The indices of `codes` by ascending code; equal codes stay in their order. `codes` serves as working memory. Codes
 /// must be below 2^30, and less than 2^32 of them.
-void SortByCode(std::vector<std::uint32_t>& codes, std::vector<std::uint32_t>& order, ThreadPool& pool);
+void SortByCode(GrowBuffer<std::uint32_t>& codes, GrowBuffer<std::uint32_t>& order, ThreadPool& pool);
 
 }  // namespace dhpmap

@@ -33,8 +33,8 @@ struct GeometryCheckOptions {
 Status RunGeometryCheck(const GeometryCheckOptions& options);
 
 struct CrfBenchOptions {
-  std::string directory;       ///< empty: a synthetic room
-  std::size_t num_frames = 8;  ///< of the data set
+  std::string directory;        ///< empty: a synthetic room
+  std::size_t num_frames = 80;  ///< of the data set
   std::size_t num_points = 1000000;
   int num_labels = 21;
   int iterations = 5;

@@ -146,7 +146,6 @@ Status RunCrfBench(const CrfBenchOptions& options) {
     DHPMAP_ASSIGN_OR_RETURN(tile, SurfaceOf(options));
   }
   const auto num_labels = static_cast<std::size_t>(options.num_labels);
-  const std::vector<CrfPoint> points = Tiled(tile, options.num_points);
   const CrfKernelConfig smoothness{.position_m = options.smoothness_position_m,
                                    .weight = options.smoothness_position_m > 0 ? 1.0 : 0.0};
   const CrfKernelConfig appearance{.position_m = options.appearance_position_m,
@@ -154,18 +153,20 @@ Status RunCrfBench(const CrfBenchOptions& options) {
                                    .weight = options.appearance_position_m > 0 ? 1.0 : 0.0};
   std::printf(
       "%zu points (tiles of %zu), %d labels, %d iterations, kernels %g m and %g m with %g of 255, %d thread(s)\n",
-      points.size(), tile.size(), options.num_labels, options.iterations, smoothness.position_m, appearance.position_m,
-      appearance.color, options.num_threads);
+      options.num_points, tile.size(), options.num_labels, options.iterations, smoothness.position_m,
+      appearance.position_m, appearance.color, options.num_threads);
   std::printf(
       "        sort   smoothness (vertices)  appearance (vertices)   infer  argmax | total s   CPU s  peak MB\n");
   ThreadPool pool(options.num_threads);
   for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+    std::vector<CrfPoint> points = Tiled(tile, options.num_points);
     std::vector<float> values = NoisyUnaries(points, num_labels);
     ResetPeakMemory();
     const double cpu_before_s = CpuSeconds();
     const auto start = std::chrono::steady_clock::now();
     DenseCrf crf(pool);
     const CrfBuildReport report = crf.SetPoints(points, smoothness, appearance);
+    std::vector<CrfPoint>().swap(points);  // a caller needs them no longer
     const auto built = std::chrono::steady_clock::now();
     crf.Infer({{options.num_labels}}, options.iterations, values);
     const auto inferred = std::chrono::steady_clock::now();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <vector>
 
 namespace dhpmap {
 namespace {
@@ -36,9 +37,11 @@ TEST(SpatialOrderTest, SortsStablyOnAnyNumberOfThreads) {
                      [&](std::uint32_t a, std::uint32_t b) { return codes[a] < codes[b]; });
     for (const int num_threads : {1, 3}) {
       ThreadPool pool(num_threads);
-      std::vector<std::uint32_t> scratch = codes, order;
+      GrowBuffer<std::uint32_t> scratch, order;
+      scratch.Resize(size);
+      std::copy(codes.begin(), codes.end(), scratch.begin());
       SortByCode(scratch, order, pool);
-      EXPECT_EQ(order, expected);
+      EXPECT_EQ(std::vector<std::uint32_t>(order.begin(), order.end()), expected);
     }
   }
 }
