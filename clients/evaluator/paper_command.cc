@@ -47,8 +47,19 @@ Result<Experiment> RunOn(const std::string& directory, const PaperOptions& optio
   });
 }
 
+/// So that a data set that is not there does not throw away what was measured of those before it.
+Status CheckReadable(const std::vector<std::string>& directories) {
+  for (const std::string& directory : directories) {
+    for (const LabelSource labels : {LabelSource::kGroundTruth, LabelSource::kPredicted}) {
+      DHPMAP_RETURN_IF_ERROR(OpenDataset(directory, DatasetFormat::kAuto, labels).status());
+    }
+  }
+  return Status::Ok();
+}
+
 Status Run(const PaperOptions& options) {
   DHPMAP_RETURN_IF_ERROR(CheckWritable({options.json, options.markdown}));
+  DHPMAP_RETURN_IF_ERROR(CheckReadable(options.directories));
   std::vector<Experiment> experiments;
   for (const std::string& directory : options.directories) {
     DHPMAP_ASSIGN_OR_RETURN(Experiment experiment, RunOn(directory, options));

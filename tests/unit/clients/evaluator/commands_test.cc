@@ -21,7 +21,7 @@ using dhpmap::testing::TempDir;
 
 struct Outcome {
   Status status;
-  std::string out;
+  std::string out, err;
 };
 
 Outcome Call(std::vector<std::string> arguments) {
@@ -37,7 +37,7 @@ Outcome Call(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& error) {
     outcome.status = InvalidArgument(error.what());
   }
-  ::testing::internal::GetCapturedStderr();
+  outcome.err = ::testing::internal::GetCapturedStderr();
   outcome.out = ::testing::internal::GetCapturedStdout();
   return outcome;
 }
@@ -105,6 +105,14 @@ TEST(PaperCommand, PrintsAllTablesOfADataSet) {
   }
   EXPECT_EQ(outcome.out.find("Table IV"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(TextOf(dir.path() / "o.json"))["experiments"].size(), 1u);
+}
+
+TEST(PaperCommand, OpensEveryDataSetBeforeItStarts) {
+  const TempDir dir;
+  dhpmap::testing::WriteRenderedDataset(dir.path(), 2);
+  const Outcome outcome = Call({"paper", dir.path().string(), (dir.path() / "none").string(), "--without-retrieval"});
+  EXPECT_NE(outcome.status.message().find("none"), std::string::npos);
+  EXPECT_EQ(outcome.err.find("panmap"), std::string::npos) << "nothing was run";
 }
 
 TEST(DatasetName, IsShort) {
