@@ -89,8 +89,12 @@ void LatticeBuilder<D>::FindCorners(std::span<const typename Lattice::Feature> f
     const std::size_t begin = chunk * chunk_points, end = std::min(features.size(), begin + chunk_points);
     for (std::size_t i = begin; i < end; ++i) {
       embedding.Embed(features[i], simplex);
-      corners[i].weight = simplex.weights;
-      for (std::size_t k = 0; k <= D; ++k) corners[i].row[k] = lane.NumberOf(simplex.keys[k]);
+      corners[i].scale = 1.0f / Lattice::kWeightSum;
+      for (std::size_t k = 0; k <= D; ++k) {
+        const float weight = std::clamp(simplex.weights[k], 0.0f, 1.0f) * Lattice::kWeightSum + 0.5f;
+        corners[i].weight[k] = static_cast<std::uint16_t>(weight);
+        corners[i].row[k] = lane.NumberOf(simplex.keys[k]);
+      }
     }
     chunks_[chunk].keys = lane.Keep((features.size() - begin) * (D + 1));
     SortByPart(chunks_[chunk]);

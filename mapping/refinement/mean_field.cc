@@ -30,7 +30,8 @@ template <int N, typename Corners>
 DHPMAP_ALWAYS_INLINE void Slice(const Corners& corners, const float* rows, std::size_t stride, Float8* sum) {
   for (std::size_t k = 0; k < corners.row.size(); ++k) {
     const float* row = rows + corners.row[k] * stride;
-    for (int v = 0; v < N; ++v) sum[v] += corners.weight[k] * Vector8(row, v);
+    const float weight = corners.scale * static_cast<float>(corners.weight[k]);
+    for (int v = 0; v < N; ++v) sum[v] += weight * Vector8(row, v);
   }
 }
 
@@ -38,7 +39,8 @@ template <int N, typename Corners>
 DHPMAP_ALWAYS_INLINE void Splat(const Corners& corners, const Float8* value, std::size_t stride, float* rows) {
   for (std::size_t k = 0; k < corners.row.size(); ++k) {
     float* row = rows + corners.row[k] * stride;
-    for (int v = 0; v < N; ++v) Vector8(row, v) += corners.weight[k] * value[v];
+    const float weight = corners.scale * static_cast<float>(corners.weight[k]);
+    for (int v = 0; v < N; ++v) Vector8(row, v) += weight * value[v];
   }
 }
 

@@ -29,8 +29,7 @@ void PermutohedralLattice<D>::Normalize(float weight, ThreadPool& pool) {
     const std::size_t end = std::min(num_points(), (chunk + 1) * kChunkPoints);
     for (std::size_t i = chunk * kChunkPoints; i < end; ++i) {
       // Positive: the self term alone is at least 1/(D+1). The weights are used once to splat and once to slice.
-      const float scale = std::sqrt(factor / sums[i]);
-      for (float& w : corners_[i].weight) w *= scale;
+      corners_[i].scale *= std::sqrt(factor / sums[i]);
     }
   });
   slice_factor_ = 1.0f;
@@ -49,7 +48,8 @@ void PermutohedralLattice<D>::Filter(std::span<const float> in, std::size_t chan
     for (std::size_t i = chunk * kChunkPoints; i < end; ++i) {
       for (std::size_t k = 0; k <= D; ++k) {
         float* row = chunk_values + corners_[i].row[k] * stride;
-        for (std::size_t c = 0; c < channels; ++c) row[c] += corners_[i].weight[k] * in[i * channels + c];
+        const float weight = corners_[i].scale * static_cast<float>(corners_[i].weight[k]);
+        for (std::size_t c = 0; c < channels; ++c) row[c] += weight * in[i * channels + c];
       }
     }
   });
@@ -61,9 +61,9 @@ void PermutohedralLattice<D>::Filter(std::span<const float> in, std::size_t chan
       for (std::size_t c = 0; c < channels; ++c) {
         float sum = 0;
         for (std::size_t k = 0; k <= D; ++k) {
-          sum += corners_[i].weight[k] * chunk_values[corners_[i].row[k] * stride + c];
+          sum += static_cast<float>(corners_[i].weight[k]) * chunk_values[corners_[i].row[k] * stride + c];
         }
-        out[i * channels + c] = slice_factor_ * sum;
+        out[i * channels + c] = slice_factor_ * corners_[i].scale * sum;
       }
     }
   });

@@ -26,11 +26,14 @@ class PermutohedralLattice {
  public:
   using Feature = std::array<float, D>;  ///< in kernel widths: divided by the standard deviations; within +-10^6
 
-  /// Where a point lies: the rows of its simplex' corners, counted from the first row of its chunk, and their weights.
+  /// Where a point lies: the rows of its simplex' corners, counted from the first row of its chunk, and their weights,
+  /// scale * weight. Weights are whole numbers that add up to kWeightSum but for rounding.
   struct Corners {
-    std::array<float, D + 1> weight;
+    float scale;
+    std::array<std::uint16_t, D + 1> weight;
     std::array<std::uint16_t, D + 1> row;
   };
+  static constexpr float kWeightSum = 65535.0f;
   /// Points [c * kChunkPoints, (c + 1) * kChunkPoints) are chunk c.
   static constexpr std::size_t kChunkPoints = 4096;
 

@@ -145,6 +145,7 @@ Status RunCrfBench(const CrfBenchOptions& options) {
   } else {
     DHPMAP_ASSIGN_OR_RETURN(tile, SurfaceOf(options));
   }
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);  // what is freed goes back: the peak shows what is in use, not holes in the heap
   const auto num_labels = static_cast<std::size_t>(options.num_labels);
   const CrfKernelConfig smoothness{.position_m = options.smoothness_position_m,
                                    .weight = options.smoothness_position_m > 0 ? 1.0 : 0.0};
