@@ -53,9 +53,9 @@ struct RefinementConfig {
   bool management = true;          ///< each position goes to one submap
   bool crf = true;                 ///< labels agree with their surroundings; needs management
   bool drop_voxel_labels = false;  ///< at FinishMapping, when positions are exclusive, keep only the submaps' labels
-  int crf_iterations = 5;          ///< of mean field
-  CrfKernelConfig smoothness{.position_m = 0.10, .color = 0, .weight = 1.0};
-  CrfKernelConfig appearance{.position_m = 0.30, .color = 20.0, .weight = 1.0};
+  int crf_iterations = 3;          ///< of mean field
+  CrfKernelConfig smoothness{.position_m = 0.06, .color = 0, .weight = 1.0};
+  CrfKernelConfig appearance{.position_m = 0.20, .color = 10.0, .weight = 5.0};
 };
 
 /// Everything that decides how a map is built. Fixed when the map is created and stored with it.

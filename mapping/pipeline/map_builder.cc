@@ -10,6 +10,7 @@
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
 #include "mapping/fusion/segment_parts.h"
+#include "mapping/map/map_grid.h"
 #include "mapping/pipeline/background_refinement.h"
 #include "mapping/tracking/activity.h"
 #include "mapping/tracking/tracker.h"
@@ -89,7 +90,7 @@ void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<Segmen
   const SubmapInfo& info = submap.info();
   const IntegrationConfig& config = map.info().config.integration;
   const bool is_unknown = info.id == kUnknownSubmap;
-  const bool on_map_grid = IsIdentity(info.T_map_submap) && info.voxel_size_m == map.info().config.voxel_size_m;
+  const bool on_map_grid = IsOnMapGrid(info, map.info().config);
   const Transform T_submap_sensor = info.T_map_submap.inverse() * frame.T_map_sensor;
   const RayOrigin origin(T_submap_sensor.translation(), info.voxel_size_m);
   const std::size_t num_blocks = submap.blocks().size();
@@ -123,9 +124,8 @@ std::int64_t MapBuilder::Impl::Carve(const PanopticFrame& frame, const std::vect
   std::vector<Submap*> in_view;
   std::vector<SubmapId> ids;
   for (const auto& submap : map.submaps()) {
-    const bool on_map_grid =
-        IsIdentity(submap->info().T_map_submap) && submap->info().voxel_size_m == config.voxel_size_m;
-    if (on_map_grid && MayBeInView(frame, config.integration.max_range_m, submap->bounding_sphere())) {
+    if (IsOnMapGrid(submap->info(), config) &&
+        MayBeInView(frame, config.integration.max_range_m, submap->bounding_sphere())) {
       ids.push_back(submap->id());
     }
   }

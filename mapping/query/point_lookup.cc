@@ -2,8 +2,9 @@
 #include "mapping/query/point_lookup.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "mapping/map/voxel_answer.h"
 
 namespace dhpmap {
 
@@ -25,20 +26,8 @@ struct Vote {
   const Submap* submap = nullptr;
   const BlockEntry* block = nullptr;
   int linear = 0;
-  float support = 0;
+  VoxelSupport support;
 };
-
-/// A submap's say at a voxel: its observations there, the fewer the farther its surface is. So an object keeps the
-/// points on it though the wall behind was seen more often. The unknown submap and dropped labels have none: they
-/// answer only where nobody else does. Measured on ground-truth frames of a house, right class: 96.9 % by counts
-/// alone, 97.8 % so.
-float Support(const Submap& submap, const BlockEntry& block, int linear) {
-  if (block.labels == nullptr) return 0.0f;
-  const auto truncation_m = static_cast<float>(submap.info().truncation_m);
-  const float nearness = 1.0f - std::abs(block.tsdf->distance_m[static_cast<std::size_t>(linear)]) / truncation_m;
-  constexpr float kLeastNearness = 0.05f;  // at the border of the band, counts still decide
-  return static_cast<float>(block.labels->NumObservations(linear)) * (nearness + kLeastNearness);
-}
 
 }  // namespace
 
@@ -67,7 +56,6 @@ PointInfo PointLookup::At(const Eigen::Vector3d& p_map) const {
   const Eigen::Vector3f p = p_map.cast<float>();
   Vote best;
   float total_support = 0;
-  float observed_weight = -1;
   for (std::size_t i = 0; i < index_->entries.size(); ++i) {
     const float dx = p.x() - index_->x[i], dy = p.y() - index_->y[i], dz = p.z() - index_->z[i];
     if (dx * dx + dy * dy + dz * dz > index_->radius2[i]) continue;
@@ -79,15 +67,9 @@ PointInfo PointLookup::At(const Eigen::Vector3d& p_map) const {
     const int linear = LinearIndex(voxel);
     if (!block->tsdf->IsObserved(linear)) continue;
 
-    const float support = Support(*entry.submap, *block, linear);
-    total_support += support;
-    const float weight = block->tsdf->weight[static_cast<std::size_t>(linear)];
-    const bool is_better = best.submap == nullptr || support > best.support ||
-                           (support == best.support && entry.submap->id() != kUnknownSubmap &&
-                            (best.submap->id() == kUnknownSubmap || weight > observed_weight));
-    if (!is_better) continue;
-    best = {entry.submap, block, linear, support};
-    observed_weight = weight;
+    const VoxelSupport support = SupportOfVoxel(*entry.submap, *block, linear);
+    total_support += support.observations;
+    if (best.submap == nullptr || support > best.support) best = {entry.submap, block, linear, support};
   }
   PointInfo info;
   if (best.submap == nullptr) return info;
@@ -102,14 +84,11 @@ PointInfo PointLookup::At(const Eigen::Vector3d& p_map) const {
   info.color = best.block->tsdf->color[linear];
   info.class_id = submap.class_id;
   if (submap.panoptic == Panoptic::kUnknown) return info;
-  info.class_confidence = submap.ClassConfidence();
+  const BestLabel seen = ClassOfVoxel(*best.submap, *best.block, best.linear);
+  const bool is_labelled = best.block->labels != nullptr && !best.block->labels->IsEmpty(best.linear);
+  info.class_confidence = is_labelled && !submap.class_is_fixed ? seen.share : submap.ClassConfidence();
   info.instance_confidence = submap.instance_confidence;
-  if (best.block->labels == nullptr || submap.class_is_fixed) return info;
-  const BestLabel voxel_class = best.block->labels->BestClass(best.linear);
-  if (voxel_class.count == 0) return info;
-  info.class_id = ClassId(static_cast<std::uint16_t>(voxel_class.id));
-  info.class_confidence = voxel_class.share;
-  info.instance_confidence = total_support > 0 ? best.support / total_support : 0.0f;
+  if (total_support > 0) info.instance_confidence = best.support.observations / total_support;
   return info;
 }
 

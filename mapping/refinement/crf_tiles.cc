@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <unordered_map>
+
+#include "mapping/map/map_grid.h"
 
 namespace dhpmap {
 namespace {
@@ -42,9 +43,7 @@ std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& m
   std::vector<HeldBlock> blocks;
   for (const SubmapId id : ids) {
     const Submap* submap = map.Find(id);
-    const bool is_on_map_grid = submap != nullptr && IsIdentity(submap->info().T_map_submap) &&
-                                submap->info().voxel_size_m == map.info().config.voxel_size_m;
-    if (!is_on_map_grid) continue;
+    if (submap == nullptr || !IsOnMapGrid(submap->info(), map.info().config)) continue;
     for (const BlockEntry& entry : submap->blocks().entries()) {
       if (entry.tsdf && entry.labels) blocks.push_back({entry.index, id, &entry});
     }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/map/map_grid.h"
 #include "mapping/refinement/submap_labels.h"
 #include "mapping/refinement/voxel_merge.h"
 
@@ -26,10 +27,6 @@ struct Position {
   std::vector<Holder> holders;
   std::int64_t num_shared = 0, num_moved = 0;
 };
-
-bool IsOnMapGrid(const Submap& submap, const MapConfig& config) {
-  return IsIdentity(submap.info().T_map_submap) && submap.info().voxel_size_m == config.voxel_size_m;
-}
 
 /// Blocks that more than one submap holds, and blocks with a voxel that belongs elsewhere; by ascending index.
 std::vector<Position> FindPositions(const std::vector<const Submap*>& submaps) {
@@ -76,39 +73,50 @@ void MakeWritable(Holder& holder) {
   holder.labels = had_labels ? std::make_shared<LabelBlock>(*holder.before->labels) : std::make_shared<LabelBlock>();
 }
 
-/// Whether the voxel is nobody else's: held once, and by the instance seen most often.
-bool IsSettledVoxel(const Position& position, int linear) {
-  const Holder* holder = nullptr;
-  for (const Holder& candidate : position.holders) {
-    if (candidate.before == nullptr || !candidate.before->tsdf->IsObserved(linear)) continue;
-    if (holder != nullptr) return false;
-    holder = &candidate;
-  }
-  if (holder == nullptr) return true;
-  if (holder->before->labels == nullptr) return true;
+enum class Scope { kAll, kForeign };
+
+bool IsHeld(const Holder& holder, int linear) {
+  return holder.before != nullptr && holder.before->tsdf->IsObserved(linear);
+}
+
+/// Whether the holder is the instance that its voxel has seen most; ties go to the smaller id.
+bool IsAtHome(const Holder& holder, int linear) {
+  if (holder.before->labels == nullptr) return true;
   std::uint32_t own = 0, most = 0;
-  holder->before->labels->VisitInstances(linear, [&](LabelCount seen) {
-    (seen.id == 0 ? own : most) = seen.id == 0 ? seen.count : std::max(most, seen.count);
+  bool is_tied_to_smaller = false;
+  holder.before->labels->VisitInstances(linear, [&](LabelCount seen) {
+    if (seen.id == 0) own = seen.count;
+    else if (seen.count > most) most = seen.count, is_tied_to_smaller = seen.id < holder.id.value;
+    else if (seen.count == most) is_tied_to_smaller = is_tied_to_smaller || seen.id < holder.id.value;
   });
-  return own > most || most == 0;
+  return own > most || (own == most && !is_tied_to_smaller);
+}
+
+/// Whether the voxel can stay as it is.
+bool IsSettledVoxel(const Position& position, int linear, Scope scope) {
+  int num_holders = 0;
+  bool all_at_home = true;
+  for (const Holder& holder : position.holders) {
+    if (!IsHeld(holder, linear)) continue;
+    ++num_holders;
+    all_at_home = all_at_home && IsAtHome(holder, linear);
+  }
+  return all_at_home && (num_holders <= 1 || scope == Scope::kForeign);
 }
 
 /// Settles every voxel of one block position. Touches nothing but `position`.
-void SettlePosition(const std::vector<SubmapId>& ids, Position& position) {
+void SettlePosition(const std::vector<SubmapId>& ids, Scope scope, Position& position) {
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
-    if (IsSettledVoxel(position, linear)) continue;
+    if (IsSettledVoxel(position, linear, scope)) continue;
     MergedVoxel merged;
     for (const Holder& holder : position.holders) {
-      if (holder.before != nullptr && holder.before->tsdf->IsObserved(linear)) {
-        Accumulate(*holder.before, holder.id, linear, merged);
-      }
+      if (IsHeld(holder, linear)) Accumulate(*holder.before, holder.id, linear, merged);
     }
     const SubmapId winner = WinnerOf(merged, ids, position).id;
     if (merged.num_holders == 1 && merged.first_holder == winner) continue;
     if (merged.num_holders > 1) ++position.num_shared;
     for (Holder& holder : position.holders) {
-      const bool held = holder.before != nullptr && holder.before->tsdf->IsObserved(linear);
-      if (!held && holder.id != winner) continue;
+      if (!IsHeld(holder, linear) && holder.id != winner) continue;
       MakeWritable(holder);
       if (holder.id == winner) {
         Store(merged, winner, linear, *holder.tsdf, *holder.labels);
@@ -120,9 +128,7 @@ void SettlePosition(const std::vector<SubmapId>& ids, Position& position) {
   }
 }
 
-}  // namespace
-
-ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool) {
+ManagementReport Settle(std::span<const SubmapId> ids, Scope scope, Map& map, ThreadPool& pool) {
   ManagementReport report;
   std::vector<const Submap*> submaps;
   std::vector<SubmapId> merging;
@@ -132,7 +138,7 @@ ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPoo
   for (const SubmapId id : sorted) {
     const Submap* submap = map.Find(id);
     if (submap == nullptr) continue;
-    if (!IsOnMapGrid(*submap, map.info().config)) {
+    if (!IsOnMapGrid(submap->info(), map.info().config)) {
       ++report.num_skipped_submaps;
       continue;
     }
@@ -141,7 +147,7 @@ ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPoo
   }
 
   std::vector<Position> positions = FindPositions(submaps);
-  pool.ParallelFor(positions.size(), [&](std::size_t i) { SettlePosition(merging, positions[i]); });
+  pool.ParallelFor(positions.size(), [&](std::size_t i) { SettlePosition(merging, scope, positions[i]); });
 
   std::vector<SubmapId> changed;
   for (Position& position : positions) {
@@ -168,6 +174,16 @@ ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPoo
     RecomputeSubmapLabels(submap);
   }
   return report;
+}
+
+}  // namespace
+
+ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool) {
+  return Settle(ids, Scope::kAll, map, pool);
+}
+
+ManagementReport MoveForeignVoxels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool) {
+  return Settle(ids, Scope::kForeign, map, pool);
 }
 
 }  // namespace dhpmap

@@ -29,4 +29,8 @@ struct ManagementReport {
 /// does not depend on the number of threads. Ids that are not in the map are ignored.
 ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool);
 
+/// Only moves voxels that have seen another of the submaps `ids` more often than the one that holds them, and merges
+/// them with what is there. Other overlaps stay. For the CRF, and for measuring it alone.
+ManagementReport MoveForeignVoxels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool);
+
 }  // namespace dhpmap

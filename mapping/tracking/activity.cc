@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mapping/map/map_grid.h"
 #include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
@@ -60,8 +61,7 @@ int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& obse
 
 bool DissolveIntoUnknown(SubmapId id, Map& map) {
   const Submap* submap = map.Find(id);
-  if (submap == nullptr || id == kUnknownSubmap || !IsIdentity(submap->info().T_map_submap) ||
-      submap->info().voxel_size_m != map.info().config.voxel_size_m) {
+  if (submap == nullptr || id == kUnknownSubmap || !IsOnMapGrid(submap->info(), map.info().config)) {
     return false;
   }
   Submap& unknown = *map.FindMutable(kUnknownSubmap);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "mapping/map/map_grid.h"
 #include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
@@ -97,7 +98,7 @@ OverlapTable Tracker::CountOverlaps(const PanopticFrame& frame, const std::vecto
     const SubmapInfo& info = submap->info();
     const BoundingSphere sphere = submap->BoundingSphereInMap();
     if (info.panoptic != Panoptic::kThing || !MayBeInView(frame, config_.integration.max_range_m, sphere)) continue;
-    const bool on_grid = IsIdentity(info.T_map_submap) && info.voxel_size_m == config_.voxel_size_m;
+    const bool on_grid = IsOnMapGrid(info, config_);
     candidates.push_back(
         {submap.get(), sphere, on_grid, static_cast<float>(config_.tracking.depth_tolerance_vox * info.voxel_size_m)});
     table.candidates.push_back(info.id);

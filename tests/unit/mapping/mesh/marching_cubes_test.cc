@@ -146,7 +146,7 @@ TEST(ExtractMesh, InterpolatesSensorColour) {
   for (const Color c : Extract(submap).colors) EXPECT_EQ(c, (Color{80, 40, 0}));  // 0.2 of the way up
 }
 
-TEST(ExtractMesh, TakesTheClassOfTheNearestVoxelOrElseOfTheSubmap) {
+TEST(ExtractMesh, TakesTheClassOfTheSubmap) {
   Submap submap = PlaneSubmap();
   LabelBlock& below = submap.MutableLabels({0, 0, -1});
   LabelBlock& above = submap.MutableLabels({0, 0, 0});
@@ -154,7 +154,7 @@ TEST(ExtractMesh, TakesTheClassOfTheNearestVoxelOrElseOfTheSubmap) {
   for (int y = 0; y < kBlockSide; ++y) below.AddObservation(LinearIndex({0, y, 7}), ClassId(5));
   const Mesh mesh = Extract(submap);
   for (std::size_t i = 0; i < mesh.classes.size(); ++i) {
-    EXPECT_EQ(mesh.classes[i], mesh.vertices_m[i].x() < kVoxel_m ? 5 : 2);
+    EXPECT_EQ(mesh.classes[i], 2);
     EXPECT_EQ(mesh.instances[i], 7u);
   }
 }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/refinement/label_crf.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "mapping/refinement/crf_tiles.h"
+#include "mapping/refinement/label_management.h"
+#include "tests/support/map_equality.h"
+#include "tests/unit/mapping/refinement/random_map.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::AddSubmap;
+using testing::AllIds;
+using testing::ForEachVoxel;
+using testing::Put;
+using testing::RandomMap;
+using testing::Sum;
+using testing::Totals;
+
+std::uint64_t TotalOf(const std::map<std::uint32_t, std::uint64_t>& counts) {
+  std::uint64_t total = 0;
+  for (const auto& [id, count] : counts) total += count;
+  return total;
+}
+
+class ManagedMaps : public ::testing::TestWithParam<unsigned> {
+ protected:
+  ManagedMaps() { ManageLabels(AllIds(map_), map_, pool_); }
+  ThreadPool pool_{2};
+  Map map_ = RandomMap(GetParam());
+};
+
+TEST_P(ManagedMaps, StayExclusiveAndKeepTheNumberOfObservationsAndAllWeight) {
+  const Totals before = Sum(map_);
+  const LabelCrfReport report = RefineLabels(AllIds(map_), map_, pool_);
+  EXPECT_GT(report.num_changed_instances, 0);
+  const Totals after = Sum(map_);
+  EXPECT_EQ(TotalOf(after.classes), TotalOf(before.classes));
+  EXPECT_EQ(TotalOf(after.instances), TotalOf(before.instances));
+  EXPECT_EQ(after.weight, before.weight);
+  std::set<VoxelIndex> held;
+  ForEachVoxel(map_, [&](const Submap&, const BlockEntry& entry, int i) {
+    EXPECT_TRUE(held.insert(VoxelIn(entry.index, i)).second) << "held twice";
+  });
+}
+
+TEST_P(ManagedMaps, LeaveNothingForLabelManagementAfterwards) {
+  RefineLabels(AllIds(map_), map_, pool_);
+  const auto refined = map_.Publish(0);
+  ManageLabels(AllIds(map_), map_, pool_);
+  EXPECT_EQ(map_.Publish(0), refined);
+}
+
+TEST_P(ManagedMaps, AreRefinedTheSameByAnyNumberOfThreads) {
+  Map other(map_.Freeze());
+  ThreadPool single(1);
+  RefineLabels(AllIds(map_), map_, pool_);
+  RefineLabels(AllIds(other), other, single);
+  EXPECT_TRUE(testing::MapsAreEqual(*map_.Freeze(), *other.Freeze()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, ManagedMaps, ::testing::Range(0u, 6u));
+
+/// A slab of two submaps, 1 (class 1) at x < 0 and 2 (class 2) beyond, in which a share of the voxels has seen the
+/// other one more often. `colors`: the two halves look different.
+Map Slab(double flipped_share, bool colors) {
+  constexpr int kHalf_vox = 24;
+  Map map(testing::RandomMapInfo());
+  for (int s = 0; s < 2; ++s) AddSubmap(map).mutable_info().class_id = ClassId(static_cast<std::uint16_t>(s + 1));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> chance(0, 1);
+  for (int x = -kHalf_vox; x < kHalf_vox; ++x) {
+    for (int y = 0; y < kHalf_vox; ++y) {
+      for (int z = -2; z < 2; ++z) {
+        const std::uint32_t right = x < 0 ? 1 : 2;
+        const std::uint32_t seen = chance(random) < flipped_share ? 3 - right : right;
+        Submap& submap = *map.FindMutable(SubmapId(seen));
+        Put(submap, {x, y, z}, 0.01f * static_cast<float>(z), 1.0f, {{{seen, 5}}, {{0, 5}}});
+        Color& color =
+            submap.MutableTsdf(BlockOf(VoxelIndex{x, y, z})).color[static_cast<std::size_t>(LinearIndex({x, y, z}))];
+        color = colors && x < 0 ? Color{200, 60, 40} : Color{60, 80, 90};
+      }
+    }
+  }
+  return map;
+}
+
+/// Share of the voxels, `margin_vox` from the border at least, that lie in the submap they should.
+double RightShare(const Map& map, int margin_vox) {
+  double right = 0, all = 0;
+  ForEachVoxel(map, [&](const Submap& submap, const BlockEntry& entry, int i) {
+    const VoxelIndex v = VoxelIn(entry.index, i);
+    if (v.x >= -margin_vox && v.x < margin_vox) return;
+    all += 1;
+    right += submap.id() == SubmapId(v.x < 0 ? 1 : 2);
+  });
+  return right / all;
+}
+
+TEST(RefineLabels, RestoresASlabInWhichAFifthOfTheVoxelsIsWrong) {
+  Map map = Slab(0.2, false);
+  ThreadPool pool(2);
+  RefineLabels(AllIds(map), map, pool);
+  EXPECT_GT(RightShare(map, 3), 0.99);
+}
+
+TEST(RefineLabels, DoesNotBleedAcrossAnEdgeOfColour) {
+  Map map = Slab(0.2, true);
+  ThreadPool pool(2);
+  RefineLabels(AllIds(map), map, pool);
+  EXPECT_GT(RightShare(map, 0), 0.99);
+}
+
+TEST(RefineLabels, ClassesFollowTheirNeighboursToo) {
+  Map map = Slab(0.2, true);
+  ThreadPool pool(2);
+  const LabelCrfReport report = RefineLabels(AllIds(map), map, pool);
+  EXPECT_GT(report.num_changed_classes, 0.19 * 48 * 24 * 4);
+  ForEachVoxel(map, [](const Submap& submap, const BlockEntry& entry, int i) {
+    EXPECT_EQ(entry.labels->BestClass(i).id, submap.id().value);
+  });
+}
+
+TEST(RefineLabels, DoesNotTouchSubmapsThatAreNotNamed) {
+  Map map = Slab(0.2, false);
+  const auto before = map.Publish(0);
+  ThreadPool pool(1);
+  RefineLabels(std::vector<SubmapId>{}, map, pool);
+  EXPECT_EQ(map.Publish(0), before);
+}
+
+TEST(RefineLabels, ACancelledRunEnds) {
+  Map map = Slab(0.2, false);
+  ThreadPool pool(1);
+  EXPECT_EQ(RefineLabels(AllIds(map), map, pool, [] { return true; }).num_voxels, 0);
+}
+
+TEST(CutTiles, EachBlockIsInsideOneTileAndInTheRimOfItsNeighbours) {
+  Map map = Slab(0.2, false);
+  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
+  std::vector<int> inside(blocks.size(), 0);
+  for (const CrfTile& tile : CutTiles(blocks, 2, 1)) {
+    for (const std::uint32_t b : tile.inner) ++inside[b];
+    for (const std::uint32_t b : tile.rim) {
+      for (const std::uint32_t other : tile.inner) EXPECT_NE(other, b);
+    }
+  }
+  for (const int count : inside) EXPECT_EQ(count, 1);
+}
+
+TEST(CutTiles, LeavesOutWhatNobodyDisputes) {
+  Map map = Slab(0.0, false);
+  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
+  for (const CrfTile& tile : CutTiles(blocks, 1, 1)) {
+    for (const std::uint32_t b : tile.inner) {
+      EXPECT_GE(blocks[b].index.x, -1) << "far from the border";
+      EXPECT_LE(blocks[b].index.x, 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap
