@@ -9,16 +9,18 @@ namespace dhpmap {
 
 BackgroundRefinement::~BackgroundRefinement() { Cancel(); }
 
-void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before) {
+void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before,
+                                 std::shared_ptr<const MapSnapshot> refined_before) {
   is_cancelled_ = false;
-  outcome_ = std::async(std::launch::async, [this, before = std::move(before)] {
-    ThreadPool pool(1);  // the other cores go on fusing
-    Map map(before);
-    Outcome outcome{.before = before};
-    outcome.report = RefineMap(map, pool, [this] { return is_cancelled_.load(); });
-    outcome.refined = map.Freeze();
-    return outcome;
-  });
+  outcome_ =
+      std::async(std::launch::async, [this, before = std::move(before), refined_before = std::move(refined_before)] {
+        ThreadPool pool(1);  // the other cores go on fusing
+        Map map(before);
+        Outcome outcome{.before = before};
+        outcome.report = RefineMap(map, pool, refined_before.get(), [this] { return is_cancelled_.load(); });
+        outcome.refined = map.Freeze();
+        return outcome;
+      });
 }
 
 bool BackgroundRefinement::IsReady() const {

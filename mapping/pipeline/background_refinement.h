@@ -26,8 +26,8 @@ class BackgroundRefinement {
   BackgroundRefinement(const BackgroundRefinement&) = delete;
   BackgroundRefinement& operator=(const BackgroundRefinement&) = delete;
 
-  /// Requires that none is under way.
-  void Start(std::shared_ptr<const MapSnapshot> before);
+  /// Requires that none is under way. `refined_before` may be null, see RefineLabels.
+  void Start(std::shared_ptr<const MapSnapshot> before, std::shared_ptr<const MapSnapshot> refined_before);
   [[nodiscard]] bool IsUnderWay() const { return outcome_.valid(); }
   [[nodiscard]] bool IsReady() const;
   /// Waits for the outcome; empty if it failed, such as for want of memory. Requires that one is under way.

@@ -70,7 +70,8 @@ struct MapBuilder::Impl {
   Bundler bundler;
   Tracker tracker;
   BackgroundRefinement refinement;
-  bool is_overdue = false;  // the refinement under way should be taken over
+  bool is_overdue = false;                          // the refinement under way should be taken over
+  std::shared_ptr<const MapSnapshot> last_refined;  // in this session
   RefinementReport refinement_total;
 };
 
@@ -143,6 +144,7 @@ void MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome& outcome) {
   RefinementReport report = outcome.report;
   report.num_deferred_blocks = AdoptRefinement(*outcome.before, *outcome.refined, map);
   refinement_total += report;
+  last_refined = outcome.refined;
 }
 
 /// Turns come by the number of frames in the map, not in this session: so a map that was saved and loaded in between
@@ -157,7 +159,7 @@ void MapBuilder::Impl::RefineOnTheSide() {
     if (const auto outcome = refinement.Take()) TakeOver(*outcome);
     is_overdue = false;
   }
-  if (is_turn && !refinement.IsUnderWay()) refinement.Start(map.Freeze());
+  if (is_turn && !refinement.IsUnderWay()) refinement.Start(map.Freeze(), last_refined);
 }
 
 void MapBuilder::Impl::PruneEmptyBlocks() {
@@ -240,11 +242,12 @@ RefinementReport MapBuilder::Finish() {
   impl_->refinement.Cancel();
   impl_->is_overdue = false;
   DeactivateAll(map);
-  RefinementReport report = RefineMap(map, impl_->pool);
+  RefinementReport report = RefineMap(map, impl_->pool, impl_->last_refined.get());
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
     report.num_bytes_dropped = DropVoxelLabels(map);
   }
   impl_->PruneEmptyBlocks();
+  impl_->last_refined = map.Freeze();
   impl_->refinement_total += report;
   return report;
 }

@@ -32,4 +32,7 @@ struct CrfTile {
 /// dispute: all voxels, rim included, saw one instance and one class, the same everywhere.
 std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim);
 
+/// Leaves out tiles of which no block, rim included, was written since `before`.
+void DropUnchanged(std::span<const HeldBlock> blocks, const MapSnapshot& before, std::vector<CrfTile>& tiles);
+
 }  // namespace dhpmap

@@ -181,10 +181,11 @@ void Apply(const Change& change, SubmapId holder, LabelBlock& labels) {
 }  // namespace
 
 LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool,
-                            const std::function<bool()>& is_cancelled) {
+                            const MapSnapshot* refined_before, const std::function<bool()>& is_cancelled) {
   const MapConfig& config = map.info().config;
   const std::vector<HeldBlock> blocks = CollectBlocks(ids, map);
-  const std::vector<CrfTile> tiles = CutTiles(blocks, kTileSide, RimOf(config));
+  std::vector<CrfTile> tiles = CutTiles(blocks, kTileSide, RimOf(config));
+  if (refined_before != nullptr) DropUnchanged(blocks, *refined_before, tiles);
   LabelCrfReport report{.num_tiles = static_cast<int>(tiles.size())};
   std::vector<std::vector<Change>> changes(tiles.size());
   std::vector<std::int64_t> num_voxels(tiles.size(), 0);

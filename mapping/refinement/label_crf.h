@@ -22,7 +22,10 @@ struct LabelCrfReport {
 /// A voxel whose class or instance becomes another has the counts of its old and new label exchanged, so all sums of
 /// counts are conserved and the new label is its most seen one; it then moves to the submap of its instance. Every
 /// other voxel keeps its counts as they are. Does not depend on the number of threads.
+/// `refined_before`, if there is one, is what an earlier run left: where no block has been written since, nothing is
+/// solved again, so that only what is new costs time, and labels that have settled stay.
 LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool,
+                            const MapSnapshot* refined_before = nullptr,
                             const std::function<bool()>& is_cancelled = {});
 
 }  // namespace dhpmap

@@ -52,7 +52,8 @@ std::vector<SubmapId> SettledSubmaps(const Map& map) {
   return ids;
 }
 
-RefinementReport RefineMap(Map& map, ThreadPool& pool, const std::function<bool()>& is_cancelled) {
+RefinementReport RefineMap(Map& map, ThreadPool& pool, const MapSnapshot* refined_before,
+                           const std::function<bool()>& is_cancelled) {
   RefinementReport report;
   const RefinementConfig& config = map.info().config.refinement;
   const std::vector<SubmapId> ids = SettledSubmaps(map);
@@ -64,7 +65,7 @@ RefinementReport RefineMap(Map& map, ThreadPool& pool, const std::function<bool(
   }
   if (config.crf && !(is_cancelled && is_cancelled())) {
     const auto start = std::chrono::steady_clock::now();
-    report.crf = RefineLabels(ids, map, pool, is_cancelled);
+    report.crf = RefineLabels(ids, map, pool, refined_before, is_cancelled);
     report.crf_s = SecondsSince(start);
   }
   return report;

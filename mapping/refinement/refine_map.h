@@ -31,7 +31,9 @@ std::vector<SubmapId> SettledSubmaps(const Map& map);
 /// Label management, then the CRF, on the settled submaps, each if its switch in the map's config is on (paper II-D and
 /// II-E). Does not depend on the number of threads. `is_cancelled`, if set, is asked now and then; once it says true,
 /// the map is left half refined and must be thrown away.
-RefinementReport RefineMap(Map& map, ThreadPool& pool, const std::function<bool()>& is_cancelled = {});
+/// `refined_before`: see RefineLabels.
+RefinementReport RefineMap(Map& map, ThreadPool& pool, const MapSnapshot* refined_before = nullptr,
+                           const std::function<bool()>& is_cancelled = {});
 
 /// Brings what was refined on the side into the map that went on: `before` is the state that both came from (see
 /// Map::Freeze), `refined` what refinement made of it. Taken position by position (one block index, all submaps): where

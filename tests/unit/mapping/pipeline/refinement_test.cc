@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "mapping/pipeline/map_builder.h"
+#include "tests/support/map_equality.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::LookAt;
+using testing::MapsAreEqual;
+using testing::Render;
+using testing::Scene;
+using testing::SmallCamera;
+using testing::Solid;
+
+constexpr ClassId kCrate{1}, kFloor{3};
+constexpr std::uint32_t kCrateSegment = 12, kFloorSegment = 13;
+
+MapInfo Info(int every_frames) {
+  MapInfo info;
+  info.name = "room";
+  info.label_set = testing::MakeLabelSet(2, 1);
+  info.config.tracking.min_points_stuff = 100;
+  info.config.tracking.min_points_medium = 50;
+  info.config.refinement.every_frames = every_frames;
+  return info;
+}
+
+/// A crate on the floor; in every third frame the segmentation takes a strip of it for floor.
+PanopticFrame Frame(int i, const Eigen::Vector3d& target_m = {2.1, 0, 0.3}) {
+  const Scene scene{{{.shape = Solid::Shape::kBox,
+                      .center_m = {2.2, 0, 0.3},
+                      .size_m = {0.3, 0.3, 0.3},
+                      .segment = kCrateSegment,
+                      .color = {0, 200, 0}},
+                     {.shape = Solid::Shape::kHalfSpace,
+                      .center_m = {0, 0, 0},
+                      .size_m = {0, 0, 1},
+                      .segment = kFloorSegment,
+                      .color = {90, 90, 90}}}};
+  PanopticFrame frame = Render(scene, SmallCamera(), LookAt({0, -0.5 + 0.08 * i, 1.2}, target_m));
+  frame.stamp_ns = i;
+  frame.segments = {{.id = SegmentId(kCrateSegment), .class_id = kCrate},
+                    {.id = SegmentId(kFloorSegment), .class_id = kFloor}};
+  std::vector<std::uint32_t>& segments = frame.camera->segments;
+  for (std::size_t p = 0; i % 3 == 0 && p < segments.size(); ++p) {
+    if (segments[p] == kCrateSegment && p % 7 < 2) segments[p] = kFloorSegment;
+  }
+  return frame;
+}
+
+void MapFrames(int begin, int end, MapBuilder& builder) {
+  for (int i = begin; i < end; ++i) ASSERT_TRUE(builder.Integrate(Frame(i)).ok());
+}
+
+/// The robot looks away: the crate settles, and nobody writes to the floor below it.
+void LookAway(int num_frames, MapBuilder& builder) {
+  for (int i = 0; i < num_frames; ++i) ASSERT_TRUE(builder.Integrate(Frame(i, {-2.1, 0, 0.3})).ok());
+}
+
+int NumPositionsHeldTwice(const MapSnapshot& map) {
+  std::set<VoxelIndex> held;
+  int num_twice = 0;
+  for (const auto& submap : map.submaps()) {
+    for (const BlockEntry& entry : submap->blocks().entries()) {
+      for (int i = 0; i < kBlockVoxels; ++i) {
+        if (entry.tsdf->IsObserved(i)) num_twice += held.insert(VoxelIn(entry.index, i)).second ? 0 : 1;
+      }
+    }
+  }
+  return num_twice;
+}
+
+TEST(Refinement, FinishLeavesEachPositionToOneSubmap) {
+  MapBuilder builder(Info(0), 2);
+  MapFrames(0, 8, builder);
+  EXPECT_GT(NumPositionsHeldTwice(*builder.map().Freeze()), 0);
+  const RefinementReport report = builder.Finish();
+  EXPECT_GT(report.management.num_shared_voxels, 0);
+  EXPECT_GT(report.crf.num_voxels, 0);
+  EXPECT_EQ(NumPositionsHeldTwice(*builder.map().Freeze()), 0);
+}
+
+TEST(Refinement, OnTheSideIsTheSameForAnyNumberOfThreads) {
+  MapBuilder one(Info(2), 1), three(Info(2), 3);
+  for (MapBuilder* builder : {&one, &three}) {
+    MapFrames(0, 4, *builder);
+    LookAway(8, *builder);
+    MapFrames(4, 7, *builder);
+  }
+  EXPECT_GT(one.refinement_total().crf.num_voxels, 0);
+  EXPECT_TRUE(MapsAreEqual(*one.map().Freeze(), *three.map().Freeze()));
+  one.Finish();
+  three.Finish();
+  EXPECT_TRUE(MapsAreEqual(*one.map().Freeze(), *three.map().Freeze()));
+}
+
+TEST(Refinement, OnTheSideTakesOverWhatNobodyWrote) {
+  MapBuilder builder(Info(4), 2);
+  MapFrames(0, 4, builder);
+  const int before = NumPositionsHeldTwice(*builder.map().Freeze());
+  ASSERT_GT(before, 0);
+  LookAway(8, builder);  // settles, is refined at the turn after 8 frames, and taken over at that after 12
+  EXPECT_GT(builder.refinement_total().management.num_shared_voxels, 0);
+  EXPECT_LT(NumPositionsHeldTwice(*builder.map().Freeze()), before / 10);
+}
+
+TEST(Refinement, AServerThatNeverWaitsEndsWithAnExclusiveMapToo) {
+  MapBuilder builder(Info(1), 2, RefinementTiming::kNeverWait);
+  MapFrames(0, 9, builder);
+  builder.Finish();
+  EXPECT_EQ(NumPositionsHeldTwice(*builder.map().Freeze()), 0);
+}
+
+TEST(Refinement, SnapshotsDoNotChangeWhileRefinementIsUnderWay) {
+  MapBuilder builder(Info(2), 2);
+  MapFrames(0, 4, builder);
+  const auto snapshot = builder.map().Publish(0);
+  MapBuilder same(Info(2), 1);
+  MapFrames(0, 4, same);
+  const auto untouched = same.map().Publish(0);
+  MapFrames(4, 8, builder);
+  builder.Finish();
+  EXPECT_TRUE(MapsAreEqual(*snapshot, *untouched));
+}
+
+TEST(Refinement, DroppedLabelsComeBackWhenMappingGoesOn) {
+  MapInfo info = Info(0);
+  info.config.refinement.drop_voxel_labels = true;
+  MapBuilder builder(info, 2);
+  MapFrames(0, 4, builder);
+  EXPECT_GT(builder.Finish().num_bytes_dropped, 0);
+  const auto finished = builder.map().Publish(0);
+  for (const auto& submap : finished->submaps()) {
+    for (const BlockEntry& entry : submap->blocks().entries()) EXPECT_EQ(entry.labels, nullptr);
+  }
+  MapBuilder next_day(finished, 2);
+  MapFrames(4, 8, next_day);
+  next_day.Finish();
+  const auto map = next_day.map().Publish(0);
+  EXPECT_EQ(NumPositionsHeldTwice(*map), 0);
+  ASSERT_EQ(map->submaps().size(), finished->submaps().size());
+  for (std::size_t s = 0; s < map->submaps().size(); ++s) {
+    EXPECT_EQ(map->submaps()[s]->info().class_id, finished->submaps()[s]->info().class_id);
+  }
+}
+
+TEST(Refinement, SwitchedOffLeavesOverlaps) {
+  MapInfo info = Info(2);
+  info.config.refinement.management = info.config.refinement.crf = false;
+  MapBuilder builder(info, 2);
+  MapFrames(0, 6, builder);
+  builder.Finish();
+  EXPECT_GT(NumPositionsHeldTwice(*builder.map().Freeze()), 0);
+}
+
+}  // namespace
+}  // namespace dhpmap
