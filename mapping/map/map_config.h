@@ -28,7 +28,7 @@ struct TrackingConfig {
   double iou_threshold = 0.12;        ///< a segment joins a submap only above this IoU
   double depth_tolerance_vox = 1.0;   ///< a point hits a submap where |distance| is below this
   bool match_requires_class = false;  ///< things only match submaps of their own class
-  int split_gap_vox = 0;        ///< parts of a thing's segment that lie farther apart are matched one by one; 0 = never
+  int split_gap_vox = 5;        ///< parts of a thing's segment that lie farther apart are matched one by one; 0 = never
   int min_points_stuff = 1000;  ///< points that a new background submap needs in one frame
   int min_points_small = 60;    ///< the same for things, by the size of their class
   int min_points_medium = 60;
@@ -54,8 +54,8 @@ struct RefinementConfig {
   bool crf = true;                 ///< labels agree with their surroundings; needs management
   bool drop_voxel_labels = false;  ///< at FinishMapping, when positions are exclusive, keep only the submaps' labels
   int crf_iterations = 3;          ///< of mean field
-  CrfKernelConfig smoothness{.position_m = 0.06, .color = 0, .weight = 1.0};
-  CrfKernelConfig appearance{.position_m = 0.20, .color = 10.0, .weight = 5.0};
+  CrfKernelConfig smoothness{.position_m = 0.04, .color = 0, .weight = 1.0};
+  CrfKernelConfig appearance{.position_m = 0.12, .color = 8.0, .weight = 5.0};
 };
 
 /// Everything that decides how a map is built. Fixed when the map is created and stored with it.
