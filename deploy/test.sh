@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs all tests; the last line reads `N passed, N failed`.
 #   deploy/test.sh               the release build and every test
-#   deploy/test.sh --sanitizers  all unit tests under ASan+UBSan; pipeline, storage, server and integration tests under TSan
+#   deploy/test.sh --sanitizers  all unit tests under ASan+UBSan; refinement, pipeline, storage, server and integration tests under TSan
 #                                (but server/rest: one abort inside TSan's allocator there, while gRPC freed a call, is not explained)
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -39,7 +39,7 @@ case "${1:-}" in
   --sanitizers)
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/deploy/tsan.supp"
     build_and_test asan dhpmap_unit_tests -R '^unit/'
-    build_and_test tsan dhpmap_threaded_tests -R '^(integration|unit/server/(app|grpc|ingest|config|log|metrics)|unit/storage|unit/mapping/(base|pipeline))/'
+    build_and_test tsan dhpmap_threaded_tests -R '^(integration|unit/server/(app|grpc|ingest|config|log|metrics)|unit/storage|unit/mapping/(base|refinement|pipeline))/'
     ;;
   *)
     echo "usage: deploy/test.sh [--sanitizers]" >&2

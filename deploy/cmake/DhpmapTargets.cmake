@@ -64,7 +64,7 @@ function(dhpmap_tests)
   if(label STREQUAL unit)
     add_dependencies(dhpmap_unit_tests ${name})
   endif()
-  if(ARG_ROOM MATCHES "^(integration|unit/(server/(app|grpc|ingest|config|log|metrics)|storage|mapping/(base|pipeline)))$")
+  if(ARG_ROOM MATCHES "^(integration|unit/(server/(app|grpc|ingest|config|log|metrics)|storage|mapping/(base|refinement|pipeline)))$")
     add_dependencies(dhpmap_threaded_tests ${name})
   endif()
   # One label only, and no property without a value: gtest_discover_tests passes lists on as separate words.

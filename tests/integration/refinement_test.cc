@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+constexpr int kNumFrames = 12;
+
+/// Every third frame takes half of the box for floor.
+v1::Frame NoisyFrame(int i) {
+  constexpr std::uint32_t kBox = 2, kFloor = 3;
+  v1::Frame frame = TestFrame(i);
+  if (i % 3 != 0) return frame;
+  std::string& segments = *frame.mutable_depth_camera()->mutable_segments()->mutable_data();
+  auto* ids = reinterpret_cast<std::uint32_t*>(segments.data());
+  for (std::size_t p = 0; p < segments.size() / sizeof(std::uint32_t); ++p) {
+    if (ids[p] == kBox && p % 8 < 4) ids[p] = kFloor;
+  }
+  return frame;
+}
+
+void Create(TestServer& server, const v1::CreateMapRequest& request) {
+  v1::CreateMapResponse response;
+  grpc::ClientContext context;
+  const grpc::Status status = server.maps->CreateMap(&context, request, &response);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+}
+
+void FeedNoisyFrames(TestServer& server, int begin, int end) {
+  grpc::ClientContext context;
+  const auto stream = server.mapping->IntegrateFrames(&context);
+  v1::IntegrateFramesRequest request;
+  request.set_map("maps/room");
+  for (int i = begin; i < end; ++i) {
+    *request.mutable_frame() = NoisyFrame(i);
+    ASSERT_TRUE(stream->Write(request));
+    v1::IntegrateFramesResponse ack;
+    ASSERT_TRUE(stream->Read(&ack));
+    EXPECT_EQ(ack.error_code(), 0) << ack.error_message();
+  }
+  stream->WritesDone();
+  EXPECT_TRUE(stream->Finish().ok());
+}
+
+v1::FinishMappingResponse FinishMapping(TestServer& server) {
+  v1::FinishMappingRequest request;
+  request.set_map("maps/room");
+  v1::FinishMappingResponse response;
+  grpc::ClientContext context;
+  EXPECT_TRUE(server.mapping->FinishMapping(&context, request, &response).ok());
+  return response;
+}
+
+TEST(Refinement, FinishMappingSaysWhatItDid) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, CreateRequest("room"));
+  FeedNoisyFrames(server, 0, kNumFrames);
+  const v1::Refinement refinement = FinishMapping(server).refinement();
+  EXPECT_GT(refinement.num_shared_voxels(), 0);
+  EXPECT_GT(refinement.num_moved_voxels(), 0);
+  EXPECT_GT(refinement.num_crf_voxels(), 0);
+  EXPECT_EQ(refinement.num_dropped_bytes(), 0);
+  EXPECT_GT(refinement.management_s() + refinement.crf_s(), 0);
+  EXPECT_EQ(FinishMapping(server).refinement().num_shared_voxels(), 0) << "a second time there is nothing to do";
+}
+
+TEST(Refinement, DroppedVoxelLabelsAreReportedAndSurviveARestart) {
+  const TempDir dir;
+  const std::string path = (dir.path() / "maps.db").string();
+  v1::QueryPointsResponse before;
+  {
+    const auto store = OpenSqliteStore(path);
+    ASSERT_TRUE(store.ok());
+    TestServer server(**store);
+    v1::CreateMapRequest request = CreateRequest("room");
+    request.mutable_config()->mutable_refinement()->set_drop_voxel_labels(true);
+    Create(server, request);
+    FeedNoisyFrames(server, 0, kNumFrames);
+    EXPECT_GT(FinishMapping(server).refinement().num_dropped_bytes(), 0);
+    grpc::ClientContext context;
+    ASSERT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &before).ok());
+    ASSERT_TRUE(server.Stop().ok());
+  }
+  const auto store = OpenSqliteStore(path);
+  ASSERT_TRUE(store.ok());
+  TestServer server(**store);
+  grpc::ClientContext context;
+  v1::QueryPointsResponse answer;
+  ASSERT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &answer).ok());
+  ASSERT_EQ(answer.packed().observed_size(), before.packed().observed_size());
+  for (int i = 0; i < before.packed().observed_size(); ++i) {
+    ASSERT_EQ(answer.packed().observed(i), before.packed().observed(i));
+    ASSERT_EQ(answer.packed().instance_id(i), before.packed().instance_id(i));
+    ASSERT_EQ(answer.packed().class_id(i), before.packed().class_id(i));
+  }
+}
+
+TEST(Refinement, OnTheSideQueriesGoOnAndEachSeesOneRevision) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {.publish_frames = 1});
+  v1::CreateMapRequest request = CreateRequest("room");
+  request.mutable_config()->mutable_refinement()->set_every_frames(1);
+  Create(server, request);
+  std::atomic<bool> is_done = false;
+  std::atomic<int> num_answers = 0;
+  std::thread planner([&] {
+    std::int64_t revision = 0;
+    while (!is_done) {
+      grpc::ClientContext context;
+      v1::QueryPointsResponse answer;
+      EXPECT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &answer).ok());
+      EXPECT_GE(answer.revision(), revision);
+      revision = answer.revision();
+      ++num_answers;
+    }
+  });
+  FeedNoisyFrames(server, 0, kNumFrames);
+  const auto finished = FinishMapping(server);
+  is_done = true;
+  planner.join();
+  EXPECT_GT(num_answers, 0);
+  EXPECT_EQ(finished.num_frames(), kNumFrames);
+}
+
+}  // namespace
+}  // namespace dhpmap::testing
