@@ -9,6 +9,7 @@
 #include "mapping/refinement/crf_tiles.h"
 #include "mapping/refinement/dense_crf.h"
 #include "mapping/refinement/label_management.h"
+#include "mapping/refinement/voxel_merge.h"
 
 namespace dhpmap {
 namespace {
@@ -148,21 +149,6 @@ std::vector<Change> ReadChanges(std::span<const HeldBlock> blocks, const Problem
     if (change.class_id != Change::kKeep || change.instance != Change::kKeep) changes.push_back(change);
   }
   return changes;
-}
-
-/// Exchanges the counts of two ids; both lists stay sorted.
-void ExchangeCounts(std::uint32_t a, std::uint32_t b, std::vector<LabelCount>& counts) {
-  const auto count_of = [&counts](std::uint32_t id) {
-    const auto it = std::find_if(counts.begin(), counts.end(), [id](const LabelCount& c) { return c.id == id; });
-    return it == counts.end() ? 0u : it->count;
-  };
-  const std::uint32_t count_a = count_of(a), count_b = count_of(b);
-  std::erase_if(counts, [a, b](const LabelCount& c) { return c.id == a || c.id == b; });
-  std::vector<LabelCount> exchanged;
-  if (count_b > 0) exchanged.push_back({a, count_b});
-  if (count_a > 0) exchanged.push_back({b, count_a});
-  std::sort(exchanged.begin(), exchanged.end(), [](LabelCount x, LabelCount y) { return x.id < y.id; });
-  counts = SumCounts(counts, exchanged);
 }
 
 void Apply(const Change& change, SubmapId holder, LabelBlock& labels) {

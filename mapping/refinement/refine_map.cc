@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "mapping/refinement/stray_voxels.h"
 #include "mapping/refinement/submap_labels.h"
 
 namespace dhpmap {
@@ -35,6 +36,7 @@ RefinementReport& RefinementReport::operator+=(const RefinementReport& other) {
   crf.num_tiles += other.crf.num_tiles;
   management_s += other.management_s;
   crf_s += other.crf_s;
+  num_stray_voxels += other.num_stray_voxels;
   num_bytes_dropped += other.num_bytes_dropped;
   num_deferred_blocks += other.num_deferred_blocks;
   return *this;
@@ -67,6 +69,11 @@ RefinementReport RefineMap(Map& map, ThreadPool& pool, const MapSnapshot* refine
     const auto start = std::chrono::steady_clock::now();
     report.crf = RefineLabels(ids, map, pool, refined_before, is_cancelled);
     report.crf_s = SecondsSince(start);
+  }
+  if (config.management && !(is_cancelled && is_cancelled())) {
+    const auto start = std::chrono::steady_clock::now();
+    report.num_stray_voxels = AbsorbStrayVoxels(ids, map, pool);
+    report.management_s += SecondsSince(start);
   }
   return report;
 }

@@ -17,6 +17,7 @@ namespace dhpmap {
 struct RefinementReport {
   ManagementReport management;
   LabelCrfReport crf;
+  std::int64_t num_stray_voxels = 0;     ///< see AbsorbStrayVoxels
   double management_s = 0, crf_s = 0;    ///< wall time
   std::int64_t num_bytes_dropped = 0;    ///< by drop_voxel_labels
   std::int64_t num_deferred_blocks = 0;  ///< refined on the side, but written meanwhile: left for the next time
@@ -28,10 +29,10 @@ struct RefinementReport {
 bool IsSettled(const SubmapInfo& info);
 std::vector<SubmapId> SettledSubmaps(const Map& map);
 
-/// Label management, then the CRF, on the settled submaps, each if its switch in the map's config is on (paper II-D and
-/// II-E). Does not depend on the number of threads. `is_cancelled`, if set, is asked now and then; once it says true,
-/// the map is left half refined and must be thrown away.
-/// `refined_before`: see RefineLabels.
+/// Label management, the CRF and the return of stray voxels (AbsorbStrayVoxels) on the settled submaps, each part if
+/// its switch in the map's config is on (paper II-D and II-E). Does not depend on the number of threads.
+/// `is_cancelled`, if set, is asked now and then; once it says true, the map is left half refined and must be thrown
+/// away. `refined_before`: see RefineLabels.
 RefinementReport RefineMap(Map& map, ThreadPool& pool, const MapSnapshot* refined_before = nullptr,
                            const std::function<bool()>& is_cancelled = {});
 

@@ -22,6 +22,20 @@ std::uint8_t Rounded(double value) { return static_cast<std::uint8_t>(std::clamp
 
 }  // namespace
 
+void ExchangeCounts(std::uint32_t a, std::uint32_t b, std::vector<LabelCount>& counts) {
+  const auto count_of = [&counts](std::uint32_t id) {
+    const auto it = std::find_if(counts.begin(), counts.end(), [id](const LabelCount& c) { return c.id == id; });
+    return it == counts.end() ? 0u : it->count;
+  };
+  const std::uint32_t count_a = count_of(a), count_b = count_of(b);
+  std::erase_if(counts, [a, b](const LabelCount& c) { return c.id == a || c.id == b; });
+  std::vector<LabelCount> exchanged;
+  if (count_b > 0) exchanged.push_back({a, count_b});
+  if (count_a > 0) exchanged.push_back({b, count_a});
+  std::sort(exchanged.begin(), exchanged.end(), [](LabelCount x, LabelCount y) { return x.id < y.id; });
+  counts = SumCounts(counts, exchanged);
+}
+
 void Accumulate(const BlockEntry& block, SubmapId holder, int linear, MergedVoxel& merged) {
   const auto i = static_cast<std::size_t>(linear);
   const double weight = block.tsdf->weight[i];
