@@ -4,18 +4,19 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <unordered_map>
 
 #include "mapping/map/map_grid.h"
 
 namespace dhpmap {
 namespace {
 
-/// The only label of some voxels, if there is just one.
-struct SoleLabel {
+/// The first choice of some voxels, if they all agree.
+struct FirstChoice {
   bool is_disputed = false;
   std::optional<std::uint32_t> class_id, instance;
 
-  void Add(const SoleLabel& other) {
+  void Add(const FirstChoice& other) {
     const auto differ = [](const auto& a, const auto& b) { return a && b && *a != *b; };
     is_disputed =
         is_disputed || other.is_disputed || differ(class_id, other.class_id) || differ(instance, other.instance);
@@ -24,15 +25,67 @@ struct SoleLabel {
   }
 };
 
-SoleLabel LabelOf(const HeldBlock& block) {
-  SoleLabel sole;
+FirstChoice ChoiceOf(const HeldBlock& block) {
+  FirstChoice choice;
   const LabelBlock& labels = *block.entry->labels;
-  for (int i = 0; i < kBlockVoxels && !sole.is_disputed; ++i) {
-    labels.VisitClasses(i, [&](LabelCount seen) { sole.Add({.class_id = seen.id}); });
-    labels.VisitInstances(
-        i, [&](LabelCount seen) { sole.Add({.instance = seen.id == 0 ? block.holder.value : seen.id}); });
+  for (int i = 0; i < kBlockVoxels && !choice.is_disputed; ++i) {
+    if (!block.entry->tsdf->IsObserved(i) || labels.IsEmpty(i)) continue;
+    const std::uint32_t instance = labels.BestInstance(i).id;
+    choice.Add({.class_id = labels.BestClass(i).id, .instance = instance == 0 ? block.holder.value : instance});
   }
-  return sole;
+  return choice;
+}
+
+/// All blocks at one index: a run of the list of CollectBlocks.
+struct Place {
+  BlockIndex index;
+  std::uint32_t begin = 0, end = 0;
+  FirstChoice choice;
+  bool is_disputed = false;  ///< here or within the rim
+};
+
+class Places {
+ public:
+  Places(std::span<const HeldBlock> blocks, int rim, ThreadPool& pool) : rim_(rim) {
+    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+      if (i == 0 || blocks[i].index != blocks[i - 1].index) places_.push_back({.index = blocks[i].index, .begin = i});
+      places_.back().end = i + 1;
+    }
+    numbers_.reserve(places_.size());
+    for (std::uint32_t p = 0; p < places_.size(); ++p) numbers_.emplace(places_[p].index, p);
+    pool.ParallelFor(places_.size(), [&](std::size_t p) {
+      for (std::uint32_t i = places_[p].begin; i < places_[p].end; ++i) places_[p].choice.Add(ChoiceOf(blocks[i]));
+    });
+    pool.ParallelFor(places_.size(), [&](std::size_t p) {
+      FirstChoice around;
+      VisitAround(places_[p].index, [&](std::uint32_t n) { around.Add(places_[n].choice); });
+      places_[p].is_disputed = around.is_disputed;
+    });
+  }
+
+  [[nodiscard]] const std::vector<Place>& all() const { return places_; }
+
+  /// Calls visit(number of the place) for those within the rim of `index`, itself included.
+  template <typename Visitor>
+  void VisitAround(BlockIndex index, Visitor&& visit) const {
+    for (std::int32_t x = index.x - rim_; x <= index.x + rim_; ++x) {
+      for (std::int32_t y = index.y - rim_; y <= index.y + rim_; ++y) {
+        for (std::int32_t z = index.z - rim_; z <= index.z + rim_; ++z) {
+          const auto it = numbers_.find({x, y, z});
+          if (it != numbers_.end()) visit(it->second);
+        }
+      }
+    }
+  }
+
+ private:
+  const int rim_;
+  std::vector<Place> places_;
+  std::unordered_map<BlockIndex, std::uint32_t, BlockIndexHash> numbers_;
+};
+
+void Append(const Place& place, std::vector<std::uint32_t>& blocks) {
+  for (std::uint32_t i = place.begin; i < place.end; ++i) blocks.push_back(i);
 }
 
 constexpr std::int32_t FloorDiv(std::int32_t a, std::int32_t b) { return (a >= 0 ? a : a - b + 1) / b; }
@@ -54,30 +107,32 @@ std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& m
   return blocks;
 }
 
-std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim) {
-  std::map<BlockIndex, CrfTile> tiles;  // by tile coordinates: ordered, so that the result is
-  std::map<BlockIndex, SoleLabel> sole;
-  for (std::uint32_t i = 0; i < blocks.size(); ++i) {
-    const BlockIndex b = blocks[i].index;
-    const SoleLabel label = LabelOf(blocks[i]);
-    const BlockIndex home{FloorDiv(b.x, side), FloorDiv(b.y, side), FloorDiv(b.z, side)};
-    const BlockIndex low{FloorDiv(b.x - rim, side), FloorDiv(b.y - rim, side), FloorDiv(b.z - rim, side)};
-    const BlockIndex high{FloorDiv(b.x + rim, side), FloorDiv(b.y + rim, side), FloorDiv(b.z + rim, side)};
-    for (BlockIndex t = low; t.x <= high.x; ++t.x) {
-      for (t.y = low.y; t.y <= high.y; ++t.y) {
-        for (t.z = low.z; t.z <= high.z; ++t.z) {
-          CrfTile& tile = tiles[t];
-          (t == home ? tile.inner : tile.rim).push_back(i);
-          sole[t].Add(label);
-        }
-      }
+std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim, ThreadPool& pool) {
+  const Places places(blocks, rim, pool);
+  std::map<BlockIndex, std::vector<std::uint32_t>> cubes;  // disputed places; ordered, so that the result is
+  for (std::uint32_t p = 0; p < places.all().size(); ++p) {
+    const auto& [x, y, z] = places.all()[p].index;
+    if (places.all()[p].is_disputed) cubes[{FloorDiv(x, side), FloorDiv(y, side), FloorDiv(z, side)}].push_back(p);
+  }
+  std::vector<CrfTile> tiles;
+  for (const auto& [cube, inner] : cubes) {
+    std::vector<std::uint32_t> around;
+    for (const std::uint32_t p : inner) {
+      places.VisitAround(places.all()[p].index, [&](std::uint32_t n) { around.push_back(n); });
     }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    CrfTile tile;
+    for (const std::uint32_t p : inner) Append(places.all()[p], tile.inner);
+    for (const std::uint32_t p : around) {
+      if (!std::binary_search(inner.begin(), inner.end(), p)) Append(places.all()[p], tile.rim);
+    }
+    tiles.push_back(std::move(tile));
   }
-  std::vector<CrfTile> disputed;
-  for (auto& [index, tile] : tiles) {
-    if (!tile.inner.empty() && sole[index].is_disputed) disputed.push_back(std::move(tile));
-  }
-  return disputed;
+  const auto num_blocks = [](const CrfTile& tile) { return tile.inner.size() + tile.rim.size(); };
+  std::stable_sort(tiles.begin(), tiles.end(),
+                   [&](const CrfTile& a, const CrfTile& b) { return num_blocks(a) > num_blocks(b); });
+  return tiles;
 }
 
 void DropUnchanged(std::span<const HeldBlock> blocks, const MapSnapshot& before, std::vector<CrfTile>& tiles) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mapping/base/ids.h"
+#include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
 
 namespace dhpmap {
@@ -21,16 +22,17 @@ struct HeldBlock {
 /// next written.
 std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map);
 
-/// A cube of blocks that the CRF solves at once, with the blocks around it whose labels reach into it. Indices into the
-/// list of CollectBlocks, ascending.
+/// Blocks of a cube that the CRF solves at once, with the blocks around them whose labels reach into them. Indices into
+/// the list of CollectBlocks, ascending.
 struct CrfTile {
   std::vector<std::uint32_t> inner;
   std::vector<std::uint32_t> rim;
 };
 
-/// Cuts the blocks into cubes of `side` blocks with a rim of `rim` blocks. Leaves out tiles in which nothing is in
-/// dispute: all voxels, rim included, saw one instance and one class, the same everywhere.
-std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim);
+/// Cuts the blocks into cubes of `side` blocks; what lies within `rim` blocks of an inner block is in its tile, too.
+/// Blocks are left out where nothing is in dispute: if all voxels within `rim` blocks have the same first choice of
+/// class and instance, then it gets the largest message everywhere and stays the first choice. Largest tiles first.
+std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim, ThreadPool& pool);
 
 /// Leaves out tiles of which no block, rim included, was written since `before`.
 void DropUnchanged(std::span<const HeldBlock> blocks, const MapSnapshot& before, std::vector<CrfTile>& tiles);

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "mapping/refinement/crf_tiles.h"
 #include "mapping/refinement/dense_crf.h"
 #include "mapping/refinement/label_management.h"
+#include "mapping/refinement/scratch_loop.h"
 #include "mapping/refinement/voxel_merge.h"
 
 namespace dhpmap {
@@ -39,6 +41,7 @@ class LabelList {
     std::sort(ids_.begin(), ids_.end());
     ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
   }
+  void Clear() { ids_.clear(); }
   [[nodiscard]] int size() const { return static_cast<int>(ids_.size()); }
   [[nodiscard]] std::uint32_t id(int i) const { return ids_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] std::size_t IndexOf(std::uint32_t id) const {
@@ -56,6 +59,20 @@ struct Problem {
   std::vector<CrfPoint> points;
   LabelList classes, instances;
   std::vector<float> values;
+
+  void Clear() {
+    members.clear();
+    points.clear();
+    classes.Clear();
+    instances.Clear();
+  }
+};
+
+/// What one thread works with, tile after tile: taking tens of megabytes anew for each costs as much as the filtering.
+struct Workbench {
+  std::unique_ptr<ThreadPool> here = std::make_unique<ThreadPool>(1);
+  DenseCrf crf{*here};
+  Problem problem;
 };
 
 template <typename Visitor>
@@ -170,24 +187,24 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
                             const MapSnapshot* refined_before, const std::function<bool()>& is_cancelled) {
   const MapConfig& config = map.info().config;
   const std::vector<HeldBlock> blocks = CollectBlocks(ids, map);
-  std::vector<CrfTile> tiles = CutTiles(blocks, kTileSide, RimOf(config));
+  std::vector<CrfTile> tiles = CutTiles(blocks, kTileSide, RimOf(config), pool);
   if (refined_before != nullptr) DropUnchanged(blocks, *refined_before, tiles);
   LabelCrfReport report{.num_tiles = static_cast<int>(tiles.size())};
   std::vector<std::vector<Change>> changes(tiles.size());
   std::vector<std::int64_t> num_voxels(tiles.size(), 0);
-  pool.ParallelFor(tiles.size(), [&](std::size_t t) {
+  std::vector<Workbench> benches;
+  ParallelForWithScratch(pool, tiles.size(), benches, [&](std::size_t t, Workbench& bench) {
     if (is_cancelled && is_cancelled()) return;
-    Problem problem;
+    Problem& problem = bench.problem;
+    problem.Clear();
     const Eigen::Vector3d origin = BlockCorner(blocks[tiles[t].inner.front()].index, config.voxel_size_m);
     AddMembers(blocks, tiles[t].inner, origin, config.voxel_size_m, problem);
     problem.num_inner = problem.members.size();
     AddMembers(blocks, tiles[t].rim, origin, config.voxel_size_m, problem);
     FillUnaries(blocks, problem);
-    ThreadPool here(1);
-    DenseCrf crf(here);
-    crf.SetPoints(problem.points, config.refinement.smoothness, config.refinement.appearance);
+    bench.crf.SetPoints(problem.points, config.refinement.smoothness, config.refinement.appearance);
     const int num_labels[] = {problem.classes.size(), problem.instances.size()};
-    crf.Infer(num_labels, config.refinement.crf_iterations, problem.values);
+    bench.crf.Infer(num_labels, config.refinement.crf_iterations, problem.values);
     changes[t] = ReadChanges(blocks, problem);
     num_voxels[t] = static_cast<std::int64_t>(problem.num_inner);
   });

@@ -260,6 +260,21 @@ TEST(DenseCrfTest, KindsOfLabelsDoNotInfluenceEachOther) {
   }
 }
 
+TEST(DenseCrfTest, AFirstChoiceThatAllShareStaysFirst) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    Problem problem = SmallRandomProblem(seed);
+    const std::size_t row_size = problem.RowSize();
+    for (std::size_t p = 0; p < problem.points.size(); ++p) {
+      const auto row = problem.unaries.begin() + static_cast<std::ptrdiff_t>(p * row_size);
+      std::iter_swap(row, std::min_element(row, row + static_cast<std::ptrdiff_t>(row_size)));
+    }
+    problem.smoothness = kStrongSmoothness;
+    problem.appearance = kStrongAppearance;
+    const std::vector<float> marginals = Solve(problem);
+    for (std::size_t p = 0; p < problem.points.size(); ++p) EXPECT_EQ(ArgMax(marginals, p, row_size), 0);
+  }
+}
+
 TEST(DenseCrfTest, MarginalsAddUpToOne) {
   const Problem problem = SmallRandomProblem(10);
   const std::vector<float> values = Solve(problem);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -151,27 +153,65 @@ TEST(RefineLabels, ACancelledRunEnds) {
   EXPECT_EQ(RefineLabels(AllIds(map), map, pool, nullptr, [] { return true; }).num_voxels, 0);
 }
 
-TEST(CutTiles, EachBlockIsInsideOneTileAndInTheRimOfItsNeighbours) {
-  Map map = Slab(0.2, false);
-  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
-  std::vector<int> inside(blocks.size(), 0);
-  for (const CrfTile& tile : CutTiles(blocks, 2, 1)) {
-    for (const std::uint32_t b : tile.inner) ++inside[b];
-    for (const std::uint32_t b : tile.rim) {
-      for (const std::uint32_t other : tile.inner) EXPECT_NE(other, b);
+/// First choices (class, instance) of all voxels within `rim` blocks: the obvious way.
+std::set<std::pair<std::uint32_t, std::uint32_t>> ChoicesAround(std::span<const HeldBlock> blocks, BlockIndex at,
+                                                                int rim) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> choices;
+  for (const HeldBlock& block : blocks) {
+    const int distance =
+        std::max({std::abs(block.index.x - at.x), std::abs(block.index.y - at.y), std::abs(block.index.z - at.z)});
+    for (int i = 0; i < kBlockVoxels && distance <= rim; ++i) {
+      if (!block.entry->tsdf->IsObserved(i) || block.entry->labels->IsEmpty(i)) continue;
+      const std::uint32_t instance = block.entry->labels->BestInstance(i).id;
+      choices.emplace(block.entry->labels->BestClass(i).id, instance == 0 ? block.holder.value : instance);
     }
   }
-  for (const int count : inside) EXPECT_EQ(count, 1);
+  return choices;
+}
+
+TEST_P(ManagedMaps, AreCutIntoTilesOfJustTheBlocksInDisputeAndWhatIsAround) {
+  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map_), map_);
+  std::vector<int> inside(blocks.size(), 0);
+  for (const CrfTile& tile : CutTiles(blocks, 2, 1, pool_)) {
+    for (const std::uint32_t b : tile.inner) ++inside[b];
+    for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+      const bool is_near = std::any_of(tile.inner.begin(), tile.inner.end(), [&](std::uint32_t inner) {
+        const BlockIndex i = blocks[inner].index, j = blocks[b].index;
+        return std::abs(i.x - j.x) <= 1 && std::abs(i.y - j.y) <= 1 && std::abs(i.z - j.z) <= 1;
+      });
+      const bool is_member = std::binary_search(tile.inner.begin(), tile.inner.end(), b) ||
+                             std::binary_search(tile.rim.begin(), tile.rim.end(), b);
+      EXPECT_EQ(is_member, is_near);
+    }
+  }
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    EXPECT_EQ(inside[b], ChoicesAround(blocks, blocks[b].index, 1).size() > 1 ? 1 : 0);
+  }
 }
 
 TEST(CutTiles, LeavesOutWhatNobodyDisputes) {
   Map map = Slab(0.0, false);
+  ThreadPool pool(1);
   const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
-  for (const CrfTile& tile : CutTiles(blocks, 1, 1)) {
+  std::size_t num_inner = 0;
+  for (const CrfTile& tile : CutTiles(blocks, 1, 1, pool)) {
+    num_inner += tile.inner.size();
     for (const std::uint32_t b : tile.inner) {
       EXPECT_GE(blocks[b].index.x, -1) << "far from the border";
       EXPECT_LE(blocks[b].index.x, 0);
     }
+  }
+  EXPECT_GT(num_inner, 0u);
+}
+
+TEST(CutTiles, TheLargestComesFirst) {
+  Map map = RandomMap(3);
+  ThreadPool pool(1);
+  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
+  std::size_t size_before = blocks.size();
+  for (const CrfTile& tile : CutTiles(blocks, 1, 1, pool)) {
+    EXPECT_LE(tile.inner.size() + tile.rim.size(), size_before);
+    size_before = tile.inner.size() + tile.rim.size();
   }
 }
 
