@@ -132,7 +132,7 @@ void MeasureMap(const ScenePlan& plan, int num_runs, std::vector<RetrievedVoxel>
   times.find_s = Median_s(num_runs,
                           [&] {
                             for (int n = 0; n < kLookups; ++n) {
-                              num_blocks += snapshot->Find(SubmapId(kObject))->blocks().entries().size();
+                              num_blocks += snapshot->Find(SubmapId(kObject))->blocks().size();
                               asm volatile("" : "+r"(num_blocks));  // keeps the look-ups apart
                             }
                           }) /

@@ -97,6 +97,11 @@ UpdateRule MakeRule(const IntegrationConfig& config, const Submap& submap) {
   return {truncation_m, fades ? voxel_size_m : truncation_m, static_cast<float>(config.max_weight)};
 }
 
+const TsdfBlock* TsdfAt(const Submap& submap, BlockIndex index) {
+  const BlockEntry* entry = submap.blocks().Find(index);
+  return entry != nullptr ? entry->tsdf.get() : nullptr;
+}
+
 }  // namespace
 
 RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
@@ -176,19 +181,19 @@ std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayO
 
       GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m, from_m, to_m);
       BlockIndex block = BlockOf(ray.voxel());
-      const BlockEntry* entry = submap.blocks().Find(block);
+      const TsdfBlock* seen = TsdfAt(submap, block);
       TsdfBlock* tsdf = nullptr;
       for (int step = ray.num_voxels(); step > 0; --step, ray.Next()) {
         const VoxelIndex voxel = ray.voxel();
         if (const BlockIndex now = BlockOf(voxel); now != block) {
           block = now;
-          entry = submap.blocks().Find(now);
+          seen = TsdfAt(submap, now);
           tsdf = nullptr;
         }
         const auto linear = static_cast<std::size_t>(LinearIndex(voxel));
-        if (entry == nullptr || entry->tsdf == nullptr || !entry->tsdf->IsObserved(static_cast<int>(linear))) continue;
+        if (seen == nullptr || !seen->IsObserved(static_cast<int>(linear))) continue;
         if (std::any_of(segments.begin(), segments.end(), [&](const auto& s) { return s.EndsIn(voxel); })) continue;
-        if (tsdf == nullptr) tsdf = &submap.MutableTsdf(block);
+        if (tsdf == nullptr) seen = tsdf = &submap.MutableTsdf(block);
         // The colour weighs nothing: free space has none.
         if (UpdateVoxel(rule.truncation_m, bundle.weight, Eigen::Vector3f::Zero(), rule, *tsdf, linear)) ++num_updates;
       }

@@ -2,57 +2,126 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "mapping/base/grid.h"
-#include "mapping/map/label_block.h"
-#include "mapping/map/tsdf_block.h"
+#include "mapping/base/index_map.h"
+#include "mapping/map/block_tile.h"
 
 namespace dhpmap {
 
-/// One block of a submap: its two layers, shared with every snapshot that holds the same state. `labels` is null where
-/// nothing was ever labelled (the unknown submap, dropped labels).
-struct BlockEntry {
-  BlockIndex index;
-  std::shared_ptr<const TsdfBlock> tsdf;
-  std::shared_ptr<const LabelBlock> labels;
-  /// Writer's generation in which each layer was made: equal to the current one, the writer alone owns it.
-  std::uint64_t tsdf_generation = 0;
-  std::uint64_t labels_generation = 0;
+/// One tile of a table, shared with every copy of the table that holds the same state.
+struct TileEntry {
+  TileIndex index;
+  std::shared_ptr<const BlockTile> tile;  ///< never null, never empty
+  std::uint64_t generation = 0;           ///< of the writer that made it; see BlockTable
 };
 
-/// Hash table from block index to block, with entries kept in one array in the order of their allocation. Copying it
-/// shares the blocks. Thread-compatible.
+/// Blocks by their index, in tiles. Copying shares the tiles, so it costs some bytes a tile, and two copies are
+/// compared tile by tile. A writer names its generation, which must be new after each copy of the table: a tile of
+/// another generation is copied before it is written to. Thread-compatible.
 class BlockTable {
  public:
-  [[nodiscard]] std::size_t size() const { return entries_.size(); }
-  [[nodiscard]] bool empty() const { return entries_.empty(); }
-  /// Order of allocation; erasing moves the last entry into the gap.
-  [[nodiscard]] std::span<const BlockEntry> entries() const { return entries_; }
-  /// The caller leaves every index as it is.
-  [[nodiscard]] std::span<BlockEntry> mutable_entries() { return entries_; }
+  /// Number of blocks.
+  [[nodiscard]] std::size_t size() const { return num_blocks_; }
+  [[nodiscard]] bool empty() const { return num_blocks_ == 0; }
 
-  /// Null if the block is not there. Valid until the table is next modified.
-  [[nodiscard]] const BlockEntry* Find(BlockIndex index) const;
-  [[nodiscard]] BlockEntry* Find(BlockIndex index);
+  /// Null if the block is not there. Valid until the table is next written to.
+  [[nodiscard]] const BlockEntry* Find(BlockIndex index) const {
+    const std::uint32_t tile = numbers_.Find(TileOf(index));
+    return tile == kNone ? nullptr : tiles_[tile].tile->Find(CellOf(index));
+  }
+  /// Null if the tile is not there. Valid until the table is next written to.
+  [[nodiscard]] const TileEntry* FindTile(TileIndex index) const {
+    const std::uint32_t tile = numbers_.Find(index);
+    return tile == kNone ? nullptr : &tiles_[tile];
+  }
 
-  /// Finds the entry or appends one without layers. May invalidate pointers to entries.
-  BlockEntry& FindOrInsert(BlockIndex index);
-  bool Erase(BlockIndex index);
+  /// In order of allocation; erasing the last block of a tile moves the last tile into the gap.
+  [[nodiscard]] std::span<const TileEntry> tiles() const { return tiles_; }
+
+  /// All blocks, tile by tile: a forward range of const BlockEntry&.
+  class Range;
+  [[nodiscard]] Range entries() const;
+
+  /// Finds the entry or adds one without layers. Invalidates pointers to entries.
+  BlockEntry& FindOrInsert(BlockIndex index, std::uint64_t generation);
+  /// Returns whether it was there. Invalidates pointers to entries.
+  bool Erase(BlockIndex index, std::uint64_t generation);
+  /// Calls visit(BlockEntry&) for all blocks; it leaves every index as it is.
+  template <typename Visitor>
+  void ForEachMutable(std::uint64_t generation, Visitor&& visit) {
+    for (TileEntry& tile : tiles_) {
+      for (BlockEntry& entry : Own(tile, generation).mutable_entries()) visit(entry);
+    }
+  }
+  /// Makes every tile count as shared, whatever its generation: for two copies that go on with the same one.
+  void ShareTiles();
 
   [[nodiscard]] std::size_t MemoryBytes() const;
 
  private:
-  static constexpr std::uint32_t kFree = 0xFFFFFFFFu;
+  static constexpr std::uint32_t kNone = IndexMap<TileIndex>::kNone;
+  static BlockTile& Own(TileEntry& entry, std::uint64_t generation);
 
-  /// The slot that holds `index`, or the free slot where it would go. Requires a non-empty slot array.
-  [[nodiscard]] std::size_t SlotOf(BlockIndex index) const;
-  void Rehash(std::size_t num_slots);
-
-  std::vector<BlockEntry> entries_;
-  std::vector<std::uint32_t> slots_;  // open addressing, linear probing, power of two, at most half full
+  std::vector<TileEntry> tiles_;
+  IndexMap<TileIndex> numbers_;  ///< position in tiles_
+  std::size_t num_blocks_ = 0;
 };
+
+class BlockTable::Range {
+ public:
+  class Iterator {
+   public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = BlockEntry;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const BlockEntry*;
+    using reference = const BlockEntry&;
+
+    Iterator() = default;
+    Iterator(const TileEntry* tile, const TileEntry* end) : tile_(tile), end_(end) { Enter(); }
+    reference operator*() const { return *entry_; }
+    pointer operator->() const { return entry_; }
+    Iterator& operator++() {
+      if (++entry_ == last_) {
+        ++tile_;
+        Enter();
+      }
+      return *this;
+    }
+    Iterator operator++(int) {
+      Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    bool operator==(const Iterator& other) const { return entry_ == other.entry_; }
+
+   private:
+    void Enter() {
+      const std::span<const BlockEntry> entries =
+          tile_ == end_ ? std::span<const BlockEntry>() : tile_->tile->entries();
+      entry_ = entries.data();
+      last_ = entry_ + entries.size();
+    }
+    const TileEntry* tile_ = nullptr;
+    const TileEntry* end_ = nullptr;
+    const BlockEntry* entry_ = nullptr;  ///< null at the end
+    const BlockEntry* last_ = nullptr;
+  };
+
+  explicit Range(std::span<const TileEntry> tiles) : tiles_(tiles) {}
+  [[nodiscard]] Iterator begin() const { return {tiles_.data(), tiles_.data() + tiles_.size()}; }
+  [[nodiscard]] Iterator end() const { return {tiles_.data() + tiles_.size(), tiles_.data() + tiles_.size()}; }
+  /// Requires at least one block.
+  [[nodiscard]] const BlockEntry& front() const { return *begin(); }
+
+ private:
+  std::span<const TileEntry> tiles_;
+};
+
+inline BlockTable::Range BlockTable::entries() const { return Range(tiles_); }
 
 }  // namespace dhpmap

@@ -45,8 +45,8 @@ class MapSnapshot {
   std::vector<std::shared_ptr<const Submap>> submaps_;
 };
 
-/// The writer's map. Publishes immutable snapshots; what it then changes, it copies first, one submap row and one block
-/// at a time, so a snapshot costs only what changes after it. Thread-compatible: one writer.
+/// The writer's map. Publishes immutable snapshots; what it then changes, it copies first, one submap row, one tile and
+/// one block at a time, so a snapshot costs only what changes after it. Thread-compatible: one writer.
 class Map {
  public:
   /// A map with nothing but the unknown submap. `info.config` must be valid.
@@ -77,7 +77,7 @@ class Map {
   [[nodiscard]] const std::shared_ptr<const MapSnapshot>& published() const { return published_; }
 
   /// The present state, published or not, without making a revision of it: for work on the side such as refinement.
-  /// Whatever is written afterwards is copied first. Copies the block tables.
+  /// Whatever is written afterwards is copied first.
   [[nodiscard]] std::shared_ptr<const MapSnapshot> Freeze();
 
  private:

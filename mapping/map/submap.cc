@@ -10,14 +10,14 @@ namespace {
 
 /// The layer to write to: the present one if this writer made it, else a private copy or a new one.
 template <typename Layer>
-Layer& Own(std::shared_ptr<const Layer>& layer, std::uint64_t& made_in, std::uint64_t generation) {
+Layer& Own(std::shared_ptr<const Layer>& layer, bool& is_owned) {
   if (layer == nullptr) {
     layer = std::make_shared<Layer>();
-  } else if (made_in != generation) {
+  } else if (!is_owned) {
     layer = std::make_shared<Layer>(*layer);
   }
-  made_in = generation;
-  return const_cast<Layer&>(*layer);  // made by this generation: nobody else holds it
+  is_owned = true;
+  return const_cast<Layer&>(*layer);  // nobody else holds it
 }
 
 bool HasLabels(const LabelBlock* labels) {
@@ -41,21 +41,21 @@ float SubmapInfo::ClassConfidence() const {
 BoundingSphere Submap::BoundingSphereInMap() const { return {info_.T_map_submap * sphere_.center_m, sphere_.radius_m}; }
 
 TsdfBlock& Submap::MutableTsdf(BlockIndex index) {
-  BlockEntry& entry = blocks_.FindOrInsert(index);
-  return Own(entry.tsdf, entry.tsdf_generation, generation_);
+  BlockEntry& entry = blocks_.FindOrInsert(index, generation_);
+  return Own(entry.tsdf, entry.owns_tsdf);
 }
 
 LabelBlock& Submap::MutableLabels(BlockIndex index) {
-  BlockEntry& entry = blocks_.FindOrInsert(index);
-  return Own(entry.labels, entry.labels_generation, generation_);
+  BlockEntry& entry = blocks_.FindOrInsert(index, generation_);
+  return Own(entry.labels, entry.owns_labels);
 }
 
 void Submap::PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf,
                       std::shared_ptr<const LabelBlock> labels) {
-  BlockEntry& entry = blocks_.FindOrInsert(index);
+  BlockEntry& entry = blocks_.FindOrInsert(index, generation_);
   entry.tsdf = std::move(tsdf);
   entry.labels = std::move(labels);
-  entry.tsdf_generation = entry.labels_generation = 0;
+  entry.owns_tsdf = entry.owns_labels = false;
 }
 
 int Submap::PruneBlocks() {
@@ -64,16 +64,12 @@ int Submap::PruneBlocks() {
     const bool is_observed = entry.tsdf != nullptr && entry.tsdf->HasObservedVoxel();
     if (!is_observed && !HasLabels(entry.labels.get())) empty.push_back(entry.index);
   }
-  for (const BlockIndex index : empty) blocks_.Erase(index);
+  for (const BlockIndex index : empty) blocks_.Erase(index, generation_);
   return static_cast<int>(empty.size());
 }
 
 void Submap::DropLabels() {
-  for (BlockEntry& entry : blocks_.mutable_entries()) entry.labels = nullptr;
-}
-
-void Submap::ShareBlocks() {
-  for (BlockEntry& entry : blocks_.mutable_entries()) entry.tsdf_generation = entry.labels_generation = 0;
+  blocks_.ForEachMutable(generation_, [](BlockEntry& entry) { entry.labels = nullptr; });
 }
 
 void Submap::UpdateBoundingSphere() {
@@ -81,17 +77,27 @@ void Submap::UpdateBoundingSphere() {
   if (blocks_.empty()) return;
   constexpr auto kMax = std::numeric_limits<std::int32_t>::max();
   Eigen::Array3i low(kMax, kMax, kMax), high(-kMax, -kMax, -kMax);
-  for (const BlockEntry& entry : blocks_.entries()) {
-    const Eigen::Array3i corner(entry.index.x, entry.index.y, entry.index.z);
-    low = low.min(corner);
-    high = high.max(corner + 1);
+  for (const TileEntry& tile : blocks_.tiles()) {
+    const Eigen::Array3i tile_low = Eigen::Array3i(tile.index.x, tile.index.y, tile.index.z) * kTileSide;
+    if ((tile_low >= low).all() && (tile_low + kTileSide <= high).all()) continue;  // adds nothing to the box
+    for (const BlockEntry& entry : tile.tile->entries()) {
+      const Eigen::Array3i corner(entry.index.x, entry.index.y, entry.index.z);
+      low = low.min(corner);
+      high = high.max(corner + 1);
+    }
   }
-  // In block units; the farthest corner of a block from c is |block centre - c| + half a side along each axis.
+  // In block units; the farthest corner of a cube from c is |its centre - c| + half a side along each axis.
   const Eigen::Array3d center = (low.cast<double>() + high.cast<double>()) / 2;
+  const auto farthest_squared = [&center](const auto& index, double side) {
+    const Eigen::Array3d cube_center = (Eigen::Array3d(index.x, index.y, index.z) + 0.5) * side;
+    return ((cube_center - center).abs() + 0.5 * side).square().sum();
+  };
   double radius_squared = 0;
-  for (const BlockEntry& entry : blocks_.entries()) {
-    const Eigen::Array3d block_center = Eigen::Array3d(entry.index.x, entry.index.y, entry.index.z) + 0.5;
-    radius_squared = std::max(radius_squared, ((block_center - center).abs() + 0.5).square().sum());
+  for (const TileEntry& tile : blocks_.tiles()) {
+    if (farthest_squared(tile.index, kTileSide) <= radius_squared) continue;  // nor does any block in it reach farther
+    for (const BlockEntry& entry : tile.tile->entries()) {
+      radius_squared = std::max(radius_squared, farthest_squared(entry.index, 1.0));
+    }
   }
   const double side_m = kBlockSide * info_.voxel_size_m;
   sphere_ = {center.matrix() * side_m, std::sqrt(radius_squared) * side_m};

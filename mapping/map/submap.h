@@ -61,7 +61,7 @@ struct SubmapInfo {
 /// Thread-compatible.
 class Submap {
  public:
-  /// `generation` is the writer's current one; see BlockEntry.
+  /// `generation` is the writer's current one; see BlockTable.
   Submap(SubmapInfo info, std::uint64_t generation) : info_(std::move(info)), generation_(generation) {}
 
   [[nodiscard]] const SubmapInfo& info() const { return info_; }
@@ -79,12 +79,12 @@ class Submap {
   LabelBlock& MutableLabels(BlockIndex index);
   /// Puts layers in place as they are (a loaded map). Either may be null.
   void PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf, std::shared_ptr<const LabelBlock> labels);
-  bool EraseBlock(BlockIndex index) { return blocks_.Erase(index); }
+  bool EraseBlock(BlockIndex index) { return blocks_.Erase(index, generation_); }
   /// Removes blocks without an observed voxel and without labels. Returns how many.
   int PruneBlocks();
   void DropLabels();
   /// Makes every present layer count as shared: the next write to one copies it first. For clones.
-  void ShareBlocks();
+  void ShareBlocks() { blocks_.ShareTiles(); }
 
   /// Recomputes the sphere from the blocks: centre of their box, radius to the farthest corner of a block.
   void UpdateBoundingSphere();

@@ -4,7 +4,7 @@
 #include <array>
 #include <type_traits>
 
-#include "mapping/map/block_table.h"
+#include "mapping/mesh/surface_field.h"
 
 namespace dhpmap {
 
@@ -26,11 +26,11 @@ struct Halo {
 
   /// Blocks at offsets -1 to 1, x fastest; null where there is none.
   using Blocks = std::array<const BlockEntry*, 27>;
-  [[nodiscard]] static Blocks FindBlocks(const BlockTable& table, BlockIndex index) {
+  [[nodiscard]] static Blocks FindBlocks(const SurfaceField& field, BlockIndex index) {
     Blocks blocks;
     for (int i = 0; i < 27; ++i) {
       blocks[static_cast<std::size_t>(i)] =
-          table.Find({index.x + i % 3 - 1, index.y + i / 3 % 3 - 1, index.z + i / 9 - 1});
+          field.Find({index.x + i % 3 - 1, index.y + i / 3 % 3 - 1, index.z + i / 9 - 1});
     }
     return blocks;
   }

@@ -71,15 +71,13 @@ class Extractor {
 
  private:
   void LinkBlock(std::size_t i) {
-    const auto entries = field_.blocks().entries();
     MeshBlock& block = blocks_[i];
-    block.entry = &entries[i];
+    block.entry = &field_.blocks()[i];
     MaskVoxels(block);
     const BlockIndex index = block.entry->index;
     for (int c = 0; c < kCellCorners; ++c) {
-      const BlockEntry* entry =
-          field_.blocks().Find({index.x + (c & 1), index.y + (c >> 1 & 1), index.z + (c >> 2 & 1)});
-      block.forward[c] = entry == nullptr ? -1 : static_cast<int>(entry - entries.data());
+      const BlockEntry* entry = field_.Find({index.x + (c & 1), index.y + (c >> 1 & 1), index.z + (c >> 2 & 1)});
+      block.forward[c] = entry == nullptr ? -1 : static_cast<int>(field_.NumberOf(*entry));
     }
   }
 
@@ -196,7 +194,7 @@ class Extractor {
   void MakeVertices(int i) {
     const MeshBlock& block = blocks_[i];
     if (std::all_of(block.edges.begin(), block.edges.end(), [](std::uint64_t word) { return word == 0; })) return;
-    const Halo::Blocks around = Halo::FindBlocks(field_.blocks(), block.entry->index);
+    const Halo::Blocks around = Halo::FindBlocks(field_, block.entry->index);
     const BlockSurroundings surroundings(field_, around);
     std::size_t vertex = block.first_vertex[0];
     for (int w = 0; w < kWords; ++w) {
@@ -245,7 +243,7 @@ class Extractor {
     if (std::min({offset.x, offset.y, offset.z}) >= 0) {
       return {blocks_[block].forward[offset.x | offset.y << 1 | offset.z << 2], LinearIndex(v)};
     }
-    const BlockEntry* entry = field_.blocks().Find({index.x + offset.x, index.y + offset.y, index.z + offset.z});
+    const BlockEntry* entry = field_.Find({index.x + offset.x, index.y + offset.y, index.z + offset.z});
     return {static_cast<int>(field_.NumberOf(*entry)), LinearIndex(v)};
   }
 

@@ -58,16 +58,16 @@ std::uint16_t AverageVoxel(std::span<const BlockHolder> holders, int linear, Tsd
 SurfaceField::SurfaceField(std::span<const Submap* const> submaps, ThreadPool& pool)
     : T_map_field_(submaps[0]->info().T_map_submap), voxel_size_m_(submaps[0]->info().voxel_size_m) {
   for (const BlockHolder& holder : SortedBlocks(submaps)) {
-    BlockEntry& entry = blocks_.FindOrInsert(holder.block->index);
-    if (holders_.size() < blocks_.size()) {
-      entry.tsdf = holder.block->tsdf;
+    const BlockIndex index = holder.block->index;
+    if (blocks_.empty() || blocks_.back().index != index) {
+      numbers_.Set(index, static_cast<std::uint32_t>(blocks_.size()));
+      blocks_.push_back({.index = index, .tsdf = holder.block->tsdf, .labels = nullptr});
       holders_.emplace_back();
     }
     holders_.back().all.push_back(holder);
   }
-  const std::span<BlockEntry> entries = blocks_.mutable_entries();
-  pool.ParallelFor(entries.size(), [&](std::size_t i) {
-    if (holders_[i].all.size() > 1) Merge(holders_[i], entries[i]);
+  pool.ParallelFor(blocks_.size(), [&](std::size_t i) {
+    if (holders_[i].all.size() > 1) Merge(holders_[i], blocks_[i]);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mapping/base/index_map.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/submap.h"
 
@@ -28,10 +29,15 @@ class SurfaceField {
   [[nodiscard]] double voxel_size_m() const { return voxel_size_m_; }
 
   /// By ascending index, all with geometry; no labels.
-  [[nodiscard]] const BlockTable& blocks() const { return blocks_; }
+  [[nodiscard]] std::span<const BlockEntry> blocks() const { return blocks_; }
+  /// Null if there is no such block.
+  [[nodiscard]] const BlockEntry* Find(BlockIndex index) const {
+    const std::uint32_t number = numbers_.Find(index);
+    return number == IndexMap<BlockIndex>::kNone ? nullptr : &blocks_[number];
+  }
   /// Position of one of them in blocks().
   [[nodiscard]] std::size_t NumberOf(const BlockEntry& entry) const {
-    return static_cast<std::size_t>(&entry - blocks_.entries().data());
+    return static_cast<std::size_t>(&entry - blocks_.data());
   }
   /// The submap that alone has a block at the index of entry `block`; null if there are several.
   [[nodiscard]] const Submap* SoleHolder(std::size_t block) const {
@@ -53,7 +59,8 @@ class SurfaceField {
 
   Transform T_map_field_;
   double voxel_size_m_;
-  BlockTable blocks_;
+  std::vector<BlockEntry> blocks_;
+  IndexMap<BlockIndex> numbers_;  ///< position in blocks_
   std::vector<Holders> holders_;  ///< one an entry of blocks_
 };
 

@@ -165,7 +165,7 @@ void MapBuilder::Impl::RefineOnTheSide() {
 void MapBuilder::Impl::PruneEmptyBlocks() {
   std::vector<SubmapId> ids;
   for (const auto& submap : map.submaps()) {
-    const auto& entries = submap->blocks().entries();
+    const auto entries = submap->blocks().entries();
     const bool has_empty_block = std::any_of(entries.begin(), entries.end(), [](const BlockEntry& entry) {
       return entry.tsdf == nullptr || !entry.tsdf->HasObservedVoxel();
     });

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <unordered_map>
 
+#include "mapping/base/index_map.h"
 #include "mapping/map/map_grid.h"
 
 namespace dhpmap {
@@ -51,8 +51,8 @@ class Places {
       if (i == 0 || blocks[i].index != blocks[i - 1].index) places_.push_back({.index = blocks[i].index, .begin = i});
       places_.back().end = i + 1;
     }
-    numbers_.reserve(places_.size());
-    for (std::uint32_t p = 0; p < places_.size(); ++p) numbers_.emplace(places_[p].index, p);
+    numbers_.Reserve(places_.size());
+    for (std::uint32_t p = 0; p < places_.size(); ++p) numbers_.Set(places_[p].index, p);
     pool.ParallelFor(places_.size(), [&](std::size_t p) {
       for (std::uint32_t i = places_[p].begin; i < places_[p].end; ++i) places_[p].choice.Add(ChoiceOf(blocks[i]));
     });
@@ -71,8 +71,8 @@ class Places {
     for (std::int32_t x = index.x - rim_; x <= index.x + rim_; ++x) {
       for (std::int32_t y = index.y - rim_; y <= index.y + rim_; ++y) {
         for (std::int32_t z = index.z - rim_; z <= index.z + rim_; ++z) {
-          const auto it = numbers_.find({x, y, z});
-          if (it != numbers_.end()) visit(it->second);
+          const std::uint32_t number = numbers_.Find({x, y, z});
+          if (number != IndexMap<BlockIndex>::kNone) visit(number);
         }
       }
     }
@@ -81,7 +81,7 @@ class Places {
  private:
   const int rim_;
   std::vector<Place> places_;
-  std::unordered_map<BlockIndex, std::uint32_t, BlockIndexHash> numbers_;
+  IndexMap<BlockIndex> numbers_;
 };
 
 void Append(const Place& place, std::vector<std::uint32_t>& blocks) {

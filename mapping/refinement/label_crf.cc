@@ -16,7 +16,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr int kTileSide = 12;     // blocks; of 8 the same time, and 0.4 points of PQ less in an apartment
+constexpr int kCrfTileSide = 12;     // blocks; of 8 the same time, and 0.4 points of PQ less in an apartment
 constexpr float kPriorCount = 1;  // observations that an unobserved voxel is given, spread over all labels
 
 /// A voxel that takes part: where it is stored.
@@ -187,7 +187,7 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
                             const MapSnapshot* refined_before, const std::function<bool()>& is_cancelled) {
   const MapConfig& config = map.info().config;
   const std::vector<HeldBlock> blocks = CollectBlocks(ids, map);
-  std::vector<CrfTile> tiles = CutTiles(blocks, kTileSide, RimOf(config), pool);
+  std::vector<CrfTile> tiles = CutTiles(blocks, kCrfTileSide, RimOf(config), pool);
   if (refined_before != nullptr) DropUnchanged(blocks, *refined_before, tiles);
   LabelCrfReport report{.num_tiles = static_cast<int>(tiles.size())};
   std::vector<std::vector<Change>> changes(tiles.size());

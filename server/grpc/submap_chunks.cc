@@ -23,15 +23,15 @@ static_assert(kVoxelsPerMessage >= kBlockVoxels, "a message holds whole blocks")
 class VoxelCursor {
  public:
   VoxelCursor(std::shared_ptr<const MapSnapshot> snapshot, SubmapId submap, double max_abs_distance_m)
-      : snapshot_(std::move(snapshot)), submap_(*snapshot_->Find(submap)), max_abs_distance_m_(max_abs_distance_m) {}
+      : snapshot_(std::move(snapshot)),
+        submap_(*snapshot_->Find(submap)),
+        max_abs_distance_m_(max_abs_distance_m),
+        next_(submap_.blocks().entries().begin()),
+        end_(submap_.blocks().entries().end()) {}
 
   bool Next(v1::StreamSubmapVoxelsResponse& message) {
-    const auto blocks = submap_.blocks().entries();
-    const bool is_first = next_block_ == 0 && !has_begun_;
-    has_begun_ = true;
-    while (next_block_ < blocks.size() && message.distance_m_size() + kBlockVoxels <= kVoxelsPerMessage) {
-      Append(blocks[next_block_++], message);
-    }
+    const bool is_first = !std::exchange(has_begun_, true);
+    while (next_ != end_ && message.distance_m_size() + kBlockVoxels <= kVoxelsPerMessage) Append(*next_++, message);
     message.set_revision(snapshot_->revision());
     return is_first || message.distance_m_size() > 0;
   }
@@ -63,7 +63,7 @@ class VoxelCursor {
   std::shared_ptr<const MapSnapshot> snapshot_;
   const Submap& submap_;
   double max_abs_distance_m_;
-  std::size_t next_block_ = 0;
+  BlockTable::Range::Iterator next_, end_;
   bool has_begun_ = false;
 };
 

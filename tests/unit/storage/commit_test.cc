@@ -27,7 +27,8 @@ TEST_F(SqliteStoreTest, OnlyChangedBlocksAreWritten) {
   const auto before = map->published();
   Submap& submap = *map->FindMutable(SubmapId(2));
   ASSERT_GT(submap.blocks().size(), 2u);
-  const BlockIndex first = submap.blocks().entries()[0].index, second = submap.blocks().entries()[1].index;
+  const BlockIndex first = submap.blocks().entries().front().index,
+                   second = std::next(submap.blocks().entries().begin())->index;
   submap.MutableTsdf(first).weight[0] += 1;
   submap.MutableTsdf(second).weight[0] += 1;
   submap.MutableLabels(second).AddObservation(0, ClassId(9));

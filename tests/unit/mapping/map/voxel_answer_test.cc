@@ -24,14 +24,14 @@ Submap Labelled(std::uint32_t id, int count, float distance_m, float weight = 1)
   return submap;
 }
 
-BestLabel ClassOf(const Submap& submap) { return ClassOfVoxel(submap, submap.blocks().entries()[0], kVoxel); }
-VoxelSupport SupportOf(const Submap& submap) { return SupportOfVoxel(submap, submap.blocks().entries()[0], kVoxel); }
+BestLabel ClassOf(const Submap& submap) { return ClassOfVoxel(submap, submap.blocks().entries().front(), kVoxel); }
+VoxelSupport SupportOf(const Submap& submap) { return SupportOfVoxel(submap, submap.blocks().entries().front(), kVoxel); }
 
 TEST(ClassOfVoxel, IsTheSubmapsWithItsShareOfWhatTheVoxelSaw) {
   Submap submap = Labelled(1, 3, 0);  // three times class 9, in a submap of class 4
   EXPECT_EQ(ClassOf(submap).id, 4u);
   EXPECT_EQ(ClassOf(submap).count, 0u);
-  submap.MutableLabels(submap.blocks().entries()[0].index).AddObservation(kVoxel, ClassId(4));
+  submap.MutableLabels(submap.blocks().entries().front().index).AddObservation(kVoxel, ClassId(4));
   EXPECT_EQ(ClassOf(submap).id, 4u);
   EXPECT_EQ(ClassOf(submap).count, 1u);
   EXPECT_FLOAT_EQ(ClassOf(submap).share, 0.25f);

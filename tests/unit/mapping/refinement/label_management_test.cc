@@ -104,7 +104,7 @@ TEST(LabelManagement, MergesGeometryByWeight) {
   EXPECT_EQ(report.num_shared_voxels, 1);
   EXPECT_EQ(report.num_removed_submaps, 1);
   EXPECT_EQ(map.Find(SubmapId(1)), nullptr);
-  const BlockEntry& entry = map.Find(SubmapId(2))->blocks().entries()[0];
+  const BlockEntry& entry = map.Find(SubmapId(2))->blocks().entries().front();
   EXPECT_FLOAT_EQ(entry.tsdf->distance_m[0], 0.03f);
   EXPECT_FLOAT_EQ(entry.tsdf->weight[0], 4.0f);
   EXPECT_EQ(entry.labels->Get(0), (LabelHistograms{{{1, 2}, {2, 9}}, {{0, 9}, {1, 2}}}));
@@ -142,8 +142,8 @@ TEST(LabelManagement, UnknownGeometryGoesToTheObjectThatIsThere) {
   Put(AddSubmap(map), {0, 0, 0}, 0.06f, 1.0f, {{{2, 1}}, {{0, 1}}});
   ThreadPool pool(1);
   ManageLabels(AllIds(map), map, pool);
-  EXPECT_FLOAT_EQ(map.Find(SubmapId(1))->blocks().entries()[0].tsdf->weight[0], 4.0f);
-  const TsdfBlock& unknown = *map.Find(kUnknownSubmap)->blocks().entries()[0].tsdf;
+  EXPECT_FLOAT_EQ(map.Find(SubmapId(1))->blocks().entries().front().tsdf->weight[0], 4.0f);
+  const TsdfBlock& unknown = *map.Find(kUnknownSubmap)->blocks().entries().front().tsdf;
   EXPECT_FALSE(unknown.IsObserved(0));
   EXPECT_TRUE(unknown.IsObserved(1));
 }

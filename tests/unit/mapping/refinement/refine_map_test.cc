@@ -77,9 +77,9 @@ TEST(DropVoxelLabels, ComeBackAsTheLabelOfTheSubmap) {
   submap.DropLabels();
   EXPECT_EQ(RestoreDroppedLabels(submap), 1);
   const LabelHistograms average{{{2, 4}}, {{0, 4}}};
-  EXPECT_EQ(submap.blocks().entries()[0].labels->Get(0), average);
-  EXPECT_EQ(submap.blocks().entries()[0].labels->Get(1), average);
-  EXPECT_TRUE(submap.blocks().entries()[0].labels->IsEmpty(2));
+  EXPECT_EQ(submap.blocks().entries().front().labels->Get(0), average);
+  EXPECT_EQ(submap.blocks().entries().front().labels->Get(1), average);
+  EXPECT_TRUE(submap.blocks().entries().front().labels->IsEmpty(2));
 }
 
 }  // namespace

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <bit>
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mapping/base/grid.h"
+#include "mapping/map/label_block.h"
+#include "mapping/map/tsdf_block.h"
+
+namespace dhpmap {
+
+/// One block of a submap: its two layers, shared with every snapshot that holds the same state. `labels` is null where
+/// nothing was ever labelled (the unknown submap, dropped labels).
+struct BlockEntry {
+  BlockIndex index;
+  // Set by the writer on what it has made since it took over the tile: nobody else holds it.
+  bool owns_tsdf = false;
+  bool owns_labels = false;
+  std::shared_ptr<const TsdfBlock> tsdf;
+  std::shared_ptr<const LabelBlock> labels;
+};
+
+// A tile is a cube of 4 x 4 x 4 blocks: what is copied when a writer goes on from a published state. Surfaces fill some
+// 10 to 20 blocks of one.
+inline constexpr int kTileSideLog2 = 2;
+inline constexpr int kTileSide = 1 << kTileSideLog2;
+inline constexpr int kTileBlocks = kTileSide * kTileSide * kTileSide;
+
+struct TileIndex {
+  std::int32_t x = 0, y = 0, z = 0;
+  constexpr auto operator<=>(const TileIndex&) const = default;
+};
+
+constexpr TileIndex TileOf(BlockIndex b) { return {b.x >> kTileSideLog2, b.y >> kTileSideLog2, b.z >> kTileSideLog2}; }
+
+/// Position of a block in its tile: x fastest, then y, then z.
+constexpr int CellOf(BlockIndex b) {
+  constexpr int mask = kTileSide - 1;
+  return (b.x & mask) | ((b.y & mask) << kTileSideLog2) | ((b.z & mask) << (2 * kTileSideLog2));
+}
+
+/// Inverse of TileOf and CellOf taken together.
+constexpr BlockIndex BlockIn(TileIndex t, int cell) {
+  constexpr int mask = kTileSide - 1;
+  return {(t.x << kTileSideLog2) + (cell & mask), (t.y << kTileSideLog2) + ((cell >> kTileSideLog2) & mask),
+          (t.z << kTileSideLog2) + (cell >> (2 * kTileSideLog2))};
+}
+
+/// The blocks of a tile, by ascending cell. Thread-compatible.
+class BlockTile {
+ public:
+  [[nodiscard]] bool empty() const { return cells_ == 0; }
+  [[nodiscard]] std::span<const BlockEntry> entries() const { return entries_; }
+  /// The caller leaves every index as it is.
+  [[nodiscard]] std::span<BlockEntry> mutable_entries() { return entries_; }
+
+  /// Null if there is no block at this cell.
+  [[nodiscard]] const BlockEntry* Find(int cell) const {
+    return (cells_ >> cell & 1u) != 0 ? &entries_[PositionOf(cell)] : nullptr;
+  }
+  /// Finds the entry or adds one without layers. May invalidate pointers to entries.
+  BlockEntry& FindOrInsert(BlockIndex index);
+  /// Returns whether it was there.
+  bool Erase(int cell);
+
+  [[nodiscard]] std::size_t MemoryBytes() const;
+
+ private:
+  [[nodiscard]] std::size_t PositionOf(int cell) const {
+    return static_cast<std::size_t>(std::popcount(cells_ & ((std::uint64_t{1} << cell) - 1)));
+  }
+
+  std::uint64_t cells_ = 0;  ///< bit c: there is a block at cell c
+  std::vector<BlockEntry> entries_;
+};
+static_assert(kTileBlocks <= 64, "one bit a block");
+
+}  // namespace dhpmap
