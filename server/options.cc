@@ -16,17 +16,21 @@ SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
 }
 
 SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
-  return {.num_threads = config.mapping.num_threads,
-          .publish_frames = config.mapping.publish_frames,
-          .publish_s = config.mapping.publish_s,
-          .commit_frames = config.store.commit_frames,
-          .commit_s = config.store.commit_s,
-          .commit_retry_s = config.store.retry_s,
-          .max_pending_edits = static_cast<std::size_t>(config.limits.pending_edits),
-          .on_commit = [&metrics](double seconds, const Status& status) {
+  return {
+      .num_threads = config.mapping.num_threads,
+      .publish_frames = config.mapping.publish_frames,
+      .publish_s = config.mapping.publish_s,
+      .commit_frames = config.store.commit_frames,
+      .commit_s = config.store.commit_s,
+      .commit_retry_s = config.store.retry_s,
+      .max_pending_edits = static_cast<std::size_t>(config.limits.pending_edits),
+      .on_commit =
+          [&metrics](double seconds, const Status& status) {
             metrics.RecordCommit(status.code(), seconds);
             if (!status.ok()) LogError("commit failed, will be tried again: " + status.ToString());
-          }};
+          },
+      .on_refinement =
+          [&metrics](const RefinementReport& report) { metrics.RecordRefinement(report.management_s, report.crf_s); }};
 }
 
 GrpcOptions GrpcOptionsOf(const ServerConfig& config) {

@@ -60,8 +60,8 @@ struct MapBuilder::Impl {
   std::vector<SubmapWork> GroupBySubmap(const std::vector<Assignment>& assignments);
   void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, SubmapWork& work);
   std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments);
-  void RefineOnTheSide();
-  void TakeOver(const BackgroundRefinement::Outcome& outcome);
+  std::optional<RefinementReport> RefineOnTheSide();
+  RefinementReport TakeOver(const BackgroundRefinement::Outcome& outcome);
   void PruneEmptyBlocks();
 
   Map map;
@@ -140,26 +140,29 @@ std::int64_t MapBuilder::Impl::Carve(const PanopticFrame& frame, const std::vect
   return total;
 }
 
-void MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome& outcome) {
+RefinementReport MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome& outcome) {
   RefinementReport report = outcome.report;
   report.num_deferred_blocks = AdoptRefinement(*outcome.before, *outcome.refined, map);
   refinement_total += report;
   last_refined = outcome.refined;
+  return report;
 }
 
 /// Turns come by the number of frames in the map, not in this session: so a map that was saved and loaded in between
-/// is refined at the same frames.
-void MapBuilder::Impl::RefineOnTheSide() {
+/// is refined at the same frames. Returns what was taken over, if anything was.
+std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide() {
   const MapConfig& config = map.info().config;
   const RefinementConfig& refine = config.refinement;
-  if (refine.every_frames == 0 || !(refine.management || refine.crf)) return;
+  if (refine.every_frames == 0 || !(refine.management || refine.crf)) return std::nullopt;
+  std::optional<RefinementReport> report;
   const bool is_turn = map.info().num_frames % refine.every_frames == 0;
   is_overdue = is_overdue || (is_turn && refinement.IsUnderWay());
   if (is_overdue && (timing == RefinementTiming::kReproducible || refinement.IsReady())) {
-    if (const auto outcome = refinement.Take()) TakeOver(*outcome);
+    if (const auto outcome = refinement.Take()) report = TakeOver(*outcome);
     is_overdue = false;
   }
   if (is_turn && !refinement.IsUnderWay()) refinement.Start(map.Freeze(), last_refined);
+  return report;
 }
 
 void MapBuilder::Impl::PruneEmptyBlocks() {
@@ -220,7 +223,7 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
   report.activity_s = watch.Lap_s();
 
   // (D) What has settled is refined on the side.
-  impl_->RefineOnTheSide();
+  report.refinement = impl_->RefineOnTheSide();
   report.refine_s = watch.Lap_s();
 
   for (std::size_t s = 0; s < segments.size(); ++s) {

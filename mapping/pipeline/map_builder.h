@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "mapping/base/result.h"
 #include "mapping/map/map.h"
@@ -22,6 +23,7 @@ struct FrameReport {
   std::int64_t num_voxels_updated = 0;
   // Wall time by stage; of refinement only what the frame had to wait for: freezing, taking over.
   double bundle_s = 0, track_s = 0, fuse_s = 0, activity_s = 0, refine_s = 0;
+  std::optional<RefinementReport> refinement;  ///< on the side, taken over at this frame
   [[nodiscard]] double total_s() const { return bundle_s + track_s + fuse_s + activity_s + refine_s; }
 };
 

@@ -112,6 +112,7 @@ void MapSession::Finish(std::function<void(Result<FinishOutcome>)> done) {
     const auto refinement =
         Guarded<Result<RefinementReport>>([this]() -> Result<RefinementReport> { return builder_.Finish(); });
     if (!refinement.ok()) return done(refinement.status());
+    if (options_.on_refinement) options_.on_refinement(*refinement);
     FinishOutcome outcome{.view = Publish(), .refinement = *refinement};
     RequestCommit(Durability::kFull, [done, outcome = std::move(outcome)](const Status& status) {
       if (status.ok()) done(outcome);
@@ -215,6 +216,7 @@ FrameOutcome MapSession::IntegrateNow(Result<PanopticFrame> frame) {
   FrameOutcome outcome{.report = frame.ok() ? Guarded<Result<FrameReport>>([&] { return builder_.Integrate(*frame); })
                                             : frame.status()};
   if (outcome.report.ok()) {
+    if (outcome.report->refinement && options_.on_refinement) options_.on_refinement(*outcome.report->refinement);
     if (num_unpublished_++ == 0) publish_due_ = In(options_.publish_s);
     if (num_uncommitted_++ == 0) commit_due_ = In(options_.commit_s);
     DoBatchesThatAreDue();

@@ -29,6 +29,7 @@ struct SessionOptions {
   std::size_t max_pending_edits = 256;   ///< waiting for the writer; more are answered RESOURCE_EXHAUSTED
   std::function<std::int64_t()> now_ns;  ///< UTC; empty = the system's clock
   std::function<void(double seconds, const Status& status)> on_commit;  ///< on the commit thread; may be empty
+  std::function<void(const RefinementReport&)> on_refinement;           ///< on the writer thread; may be empty
 };
 
 /// What became of a frame.

@@ -56,6 +56,10 @@ struct Metrics::Impl {
                                    .Name("dhpmap_commit_seconds")
                                    .Help("Time of a commit to the store")
                                    .Register(registry);
+  Family<Histogram>& refinements = prometheus::BuildHistogram()
+                                       .Name("dhpmap_refinement_seconds")
+                                       .Help("Time of a refinement that was taken over, by step")
+                                       .Register(registry);
 };
 
 Metrics::Metrics() : impl_(std::make_unique<Impl>()) {}
@@ -71,6 +75,11 @@ void Metrics::RecordFrame(StatusCode code) { impl_->frames.Add({{"code", Name(co
 
 void Metrics::RecordCommit(StatusCode code, double seconds) {
   impl_->commits.Add({{"code", Name(code)}}, SecondsBuckets()).Observe(seconds);
+}
+
+void Metrics::RecordRefinement(double management_s, double crf_s) {
+  impl_->refinements.Add({{"step", "management"}}, SecondsBuckets()).Observe(management_s);
+  impl_->refinements.Add({{"step", "crf"}}, SecondsBuckets()).Observe(crf_s);
 }
 
 std::string Metrics::Text(const std::vector<MapGauges>& maps) const {

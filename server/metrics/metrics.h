@@ -29,6 +29,7 @@ class Metrics {
   void RecordQuery(std::size_t num_points);                                   ///< dhpmap_query_points_total
   void RecordFrame(StatusCode code);                                          ///< dhpmap_ingest_frames_total
   void RecordCommit(StatusCode code, double seconds);                         ///< dhpmap_commit_seconds
+  void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
   /// Everything, and dhpmap_map_{submaps,blocks,revision,memory_bytes} of the maps given.
   [[nodiscard]] std::string Text(const std::vector<MapGauges>& maps) const;

@@ -58,7 +58,8 @@ v1::FinishMappingResponse FinishMapping(TestServer& server) {
 
 TEST(Refinement, FinishMappingSaysWhatItDid) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store);
+  std::atomic<int> num_observed = 0;
+  TestServer server(*store, {.on_refinement = [&](const RefinementReport&) { ++num_observed; }});
   Create(server, CreateRequest("room"));
   FeedNoisyFrames(server, 0, kNumFrames);
   const v1::Refinement refinement = FinishMapping(server).refinement();
@@ -67,6 +68,7 @@ TEST(Refinement, FinishMappingSaysWhatItDid) {
   EXPECT_GT(refinement.num_crf_voxels(), 0);
   EXPECT_EQ(refinement.num_dropped_bytes(), 0);
   EXPECT_GT(refinement.management_s() + refinement.crf_s(), 0);
+  EXPECT_EQ(num_observed, 1);
   EXPECT_EQ(FinishMapping(server).refinement().num_shared_voxels(), 0) << "a second time there is nothing to do";
 }
 

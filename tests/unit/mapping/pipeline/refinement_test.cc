@@ -109,6 +109,23 @@ TEST(Refinement, OnTheSideTakesOverWhatNobodyWrote) {
   EXPECT_LT(NumPositionsHeldTwice(*builder.map().Freeze()), before / 10);
 }
 
+TEST(Refinement, TheFrameThatTakesOverSaysWhatWasDone) {
+  MapBuilder builder(Info(4), 2);
+  RefinementReport sum;
+  int num_reports = 0;
+  for (int i = 0; i < 16; ++i) {
+    const auto report = builder.Integrate(i < 4 ? Frame(i) : Frame(i, {-2.1, 0, 0.3}));
+    ASSERT_TRUE(report.ok());
+    if (!report->refinement) continue;
+    sum += *report->refinement;
+    ++num_reports;
+  }
+  EXPECT_EQ(num_reports, 3) << "started after frames 4, 8, 12; taken over after 8, 12, 16";
+  EXPECT_GT(sum.management.num_shared_voxels, 0);
+  EXPECT_EQ(sum.management.num_shared_voxels, builder.refinement_total().management.num_shared_voxels);
+  EXPECT_EQ(sum.crf_s, builder.refinement_total().crf_s);
+}
+
 TEST(Refinement, AServerThatNeverWaitsEndsWithAnExclusiveMapToo) {
   MapBuilder builder(Info(1), 2, RefinementTiming::kNeverWait);
   MapFrames(0, 9, builder);
