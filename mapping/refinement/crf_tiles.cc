@@ -68,14 +68,10 @@ class Places {
   /// Calls visit(number of the place) for those within the rim of `index`, itself included.
   template <typename Visitor>
   void VisitAround(BlockIndex index, Visitor&& visit) const {
-    for (std::int32_t x = index.x - rim_; x <= index.x + rim_; ++x) {
-      for (std::int32_t y = index.y - rim_; y <= index.y + rim_; ++y) {
-        for (std::int32_t z = index.z - rim_; z <= index.z + rim_; ++z) {
-          const std::uint32_t number = numbers_.Find({x, y, z});
-          if (number != IndexMap<BlockIndex>::kNone) visit(number);
-        }
-      }
-    }
+    VisitBlocksAround(index, rim_, [&](BlockIndex around) {
+      const std::uint32_t number = numbers_.Find(around);
+      if (number != IndexMap<BlockIndex>::kNone) visit(number);
+    });
   }
 
  private:

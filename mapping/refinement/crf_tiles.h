@@ -22,6 +22,16 @@ struct HeldBlock {
 /// next written.
 std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map);
 
+/// Calls visit(BlockIndex) for all indices within `rim` of `center`, itself included.
+template <typename Visitor>
+void VisitBlocksAround(BlockIndex center, int rim, Visitor&& visit) {
+  for (std::int32_t x = center.x - rim; x <= center.x + rim; ++x) {
+    for (std::int32_t y = center.y - rim; y <= center.y + rim; ++y) {
+      for (std::int32_t z = center.z - rim; z <= center.z + rim; ++z) visit(BlockIndex{x, y, z});
+    }
+  }
+}
+
 /// Blocks of a cube that the CRF solves at once, with the blocks around them whose labels reach into them. Indices into
 /// the list of CollectBlocks, ascending.
 struct CrfTile {

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/base/index_map.h"
 #include "mapping/refinement/crf_tiles.h"
 #include "mapping/refinement/dense_crf.h"
+#include "mapping/refinement/label_channels.h"
 #include "mapping/refinement/label_management.h"
 #include "mapping/refinement/scratch_loop.h"
 #include "mapping/refinement/voxel_merge.h"
@@ -16,7 +18,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr int kCrfTileSide = 12;     // blocks; of 8 the same time, and 0.4 points of PQ less in an apartment
+constexpr int kCrfTileSide = 12;  // blocks; of 8 the same time, and 0.4 points of PQ less in an apartment
 constexpr float kPriorCount = 1;  // observations that an unobserved voxel is given, spread over all labels
 
 /// A voxel that takes part: where it is stored.
@@ -33,39 +35,17 @@ struct Change {
   std::uint32_t instance = kKeep;
 };
 
-/// The labels of one kind that occur in a tile, by ascending id.
-class LabelList {
- public:
-  void Add(std::uint32_t id) { ids_.push_back(id); }
-  void Close() {
-    std::sort(ids_.begin(), ids_.end());
-    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
-  }
-  void Clear() { ids_.clear(); }
-  [[nodiscard]] int size() const { return static_cast<int>(ids_.size()); }
-  [[nodiscard]] std::uint32_t id(int i) const { return ids_[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] std::size_t IndexOf(std::uint32_t id) const {
-    return static_cast<std::size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
-  }
-
- private:
-  std::vector<std::uint32_t> ids_;
-};
-
 /// One tile as a CRF problem.
 struct Problem {
   std::vector<Member> members;
   std::size_t num_inner = 0;  // the first members; the others are the rim
   std::vector<CrfPoint> points;
-  LabelList classes, instances;
+  LabelChannels classes, instances;
   std::vector<float> values;
 
-  void Clear() {
-    members.clear();
-    points.clear();
-    classes.Clear();
-    instances.Clear();
-  }
+  // Places: the block indices of the tile.
+  IndexMap<BlockIndex> place_numbers;
+  std::vector<std::vector<std::uint32_t>> neighbours;  // of each place, within the rim
 };
 
 /// What one thread works with, tile after tile: taking tens of megabytes anew for each costs as much as the filtering.
@@ -95,35 +75,72 @@ void AddMembers(std::span<const HeldBlock> blocks, std::span<const std::uint32_t
   }
 }
 
-void FillUnaries(std::span<const HeldBlock> blocks, Problem& problem) {
-  for (const Member& m : problem.members) {
-    blocks[m.block].entry->labels->VisitClasses(m.linear, [&](LabelCount seen) { problem.classes.Add(seen.id); });
-    VisitInstanceIds(blocks[m.block], m.linear, [&](LabelCount seen) { problem.instances.Add(seen.id); });
-    if (problem.classes.size() > 1 << 16) problem.classes.Close();
-    if (problem.instances.size() > 1 << 16) problem.instances.Close();
+void NumberPlaces(std::span<const HeldBlock> blocks, const CrfTile& tile, int rim, Problem& problem) {
+  std::vector<BlockIndex> places;
+  problem.place_numbers = {};
+  for (const auto* list : {&tile.inner, &tile.rim}) {
+    for (const std::uint32_t b : *list) {
+      if (problem.place_numbers.Find(blocks[b].index) != IndexMap<BlockIndex>::kNone) continue;
+      problem.place_numbers.Set(blocks[b].index, static_cast<std::uint32_t>(places.size()));
+      places.push_back(blocks[b].index);
+    }
   }
-  problem.classes.Close();
-  problem.instances.Close();
-  const auto num_classes = static_cast<std::size_t>(problem.classes.size());
-  const auto num_instances = static_cast<std::size_t>(problem.instances.size());
+  problem.neighbours.assign(places.size(), {});
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    VisitBlocksAround(places[p], rim, [&](BlockIndex index) {
+      const std::uint32_t n = problem.place_numbers.Find(index);
+      if (n != IndexMap<BlockIndex>::kNone) problem.neighbours[p].push_back(n);
+    });
+  }
+}
+
+void AssignChannels(std::span<const HeldBlock> blocks, Problem& problem) {
+  problem.classes.Reset(problem.neighbours.size());
+  problem.instances.Reset(problem.neighbours.size());
+  std::vector<std::uint32_t> classes, instances;  // of one block
+  const auto add = [](std::vector<std::uint32_t>& seen, std::uint32_t place, LabelChannels& channels) {
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    for (const std::uint32_t label : seen) channels.Add(place, label);
+    seen.clear();
+  };
+  for (std::size_t m = 0; m < problem.members.size(); ++m) {
+    const auto& [b, linear] = problem.members[m];
+    blocks[b].entry->labels->VisitClasses(linear, [&](LabelCount seen) { classes.push_back(seen.id); });
+    VisitInstanceIds(blocks[b], linear, [&](LabelCount seen) { instances.push_back(seen.id); });
+    if (m + 1 < problem.members.size() && problem.members[m + 1].block == b) continue;
+    const std::uint32_t place = problem.place_numbers.Find(blocks[b].index);
+    add(classes, place, problem.classes);
+    add(instances, place, problem.instances);
+  }
+  problem.classes.Assign(problem.neighbours);
+  problem.instances.Assign(problem.neighbours);
+}
+
+/// Turns counts into energies, -log of their shares. What was not seen has the prior alone.
+void ToEnergies(std::span<float> counts, int num_labels) {
+  float total = kPriorCount;
+  for (const float count : counts) total += count;
+  const float prior = kPriorCount / static_cast<float>(num_labels);
+  const float unseen = -std::log(prior / total);  // most labels, at most voxels
+  for (float& value : counts) value = value == 0 ? unseen : -std::log((value + prior) / total);
+}
+
+void FillUnaries(std::span<const HeldBlock> blocks, Problem& problem) {
+  const auto num_classes = static_cast<std::size_t>(problem.classes.num_channels());
+  const auto num_instances = static_cast<std::size_t>(problem.instances.num_channels());
   const std::size_t stride = num_classes + num_instances;
   problem.values.assign(problem.members.size() * stride, 0.0f);
   for (std::size_t p = 0; p < problem.members.size(); ++p) {
-    const Member& m = problem.members[p];
-    float* row = problem.values.data() + p * stride;
-    blocks[m.block].entry->labels->VisitClasses(
-        m.linear, [&](LabelCount seen) { row[problem.classes.IndexOf(seen.id)] = static_cast<float>(seen.count); });
-    VisitInstanceIds(blocks[m.block], m.linear, [&](LabelCount seen) {
-      row[num_classes + problem.instances.IndexOf(seen.id)] = static_cast<float>(seen.count);
+    const auto& [b, linear] = problem.members[p];
+    const std::span<float> row(problem.values.data() + p * stride, stride);
+    blocks[b].entry->labels->VisitClasses(
+        linear, [&](LabelCount seen) { row[problem.classes.ChannelOf(seen.id)] = static_cast<float>(seen.count); });
+    VisitInstanceIds(blocks[b], linear, [&](LabelCount seen) {
+      row[num_classes + problem.instances.ChannelOf(seen.id)] = static_cast<float>(seen.count);
     });
-    const auto to_energies = [](float* begin, std::size_t count) {
-      float total = kPriorCount;
-      for (std::size_t i = 0; i < count; ++i) total += begin[i];
-      const float prior = kPriorCount / static_cast<float>(count);
-      for (std::size_t i = 0; i < count; ++i) begin[i] = -std::log((begin[i] + prior) / total);
-    };
-    to_energies(row, num_classes);
-    to_energies(row + num_classes, num_instances);
+    ToEnergies(row.first(num_classes), problem.classes.num_labels());
+    ToEnergies(row.last(num_instances), problem.instances.num_labels());
   }
 }
 
@@ -136,33 +153,31 @@ int RimOf(const MapConfig& config) {
   return std::max(1, static_cast<int>(std::ceil(reach_m / (kBlockSide * config.voxel_size_m))));
 }
 
-std::size_t Best(std::span<const float> q) {
-  return static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin());
+/// The label that is now more likely than `present`, if one is; else kKeep.
+std::uint32_t BetterLabel(std::span<const float> q, const LabelChannels& channels, std::uint32_t place,
+                          std::uint32_t present) {
+  const auto best = static_cast<std::uint32_t>(std::max_element(q.begin(), q.end()) - q.begin());
+  if (q[best] <= q[channels.ChannelOf(present)]) return Change::kKeep;
+  const std::uint32_t label = channels.LabelAt(place, best);
+  return label == LabelChannels::kNone ? Change::kKeep : label;
 }
 
 std::vector<Change> ReadChanges(std::span<const HeldBlock> blocks, const Problem& problem) {
   std::vector<Change> changes;
-  const auto num_classes = static_cast<std::size_t>(problem.classes.size());
-  const auto num_instances = static_cast<std::size_t>(problem.instances.size());
+  const auto num_classes = static_cast<std::size_t>(problem.classes.num_channels());
+  const auto num_instances = static_cast<std::size_t>(problem.instances.num_channels());
+  const std::size_t stride = num_classes + num_instances;
   for (std::size_t p = 0; p < problem.num_inner; ++p) {
     const Member& m = problem.members[p];
     const HeldBlock& block = blocks[m.block];
-    const std::span<const float> row(problem.values.data() + p * (num_classes + num_instances),
-                                     num_classes + num_instances);
-    const auto class_q = row.first(num_classes);
-    const auto instance_q = row.last(num_instances);
-    Change change{.member = m};
+    const std::uint32_t place = problem.place_numbers.Find(block.index);
+    const std::span<const float> row(problem.values.data() + p * stride, stride);
     const std::uint32_t class_now = block.entry->labels->BestClass(m.linear).id;
-    const std::size_t best_class = Best(class_q);
-    if (class_q[best_class] > class_q[problem.classes.IndexOf(class_now)]) {
-      change.class_id = problem.classes.id(static_cast<int>(best_class));
-    }
     const std::uint32_t instance_seen = block.entry->labels->BestInstance(m.linear).id;
     const std::uint32_t instance_now = instance_seen == 0 ? block.holder.value : instance_seen;
-    const std::size_t best_instance = Best(instance_q);
-    if (instance_q[best_instance] > instance_q[problem.instances.IndexOf(instance_now)]) {
-      change.instance = problem.instances.id(static_cast<int>(best_instance));
-    }
+    const Change change{.member = m,
+                        .class_id = BetterLabel(row.first(num_classes), problem.classes, place, class_now),
+                        .instance = BetterLabel(row.last(num_instances), problem.instances, place, instance_now)};
     if (change.class_id != Change::kKeep || change.instance != Change::kKeep) changes.push_back(change);
   }
   return changes;
@@ -187,7 +202,8 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
                             const MapSnapshot* refined_before, const std::function<bool()>& is_cancelled) {
   const MapConfig& config = map.info().config;
   const std::vector<HeldBlock> blocks = CollectBlocks(ids, map);
-  std::vector<CrfTile> tiles = CutTiles(blocks, kCrfTileSide, RimOf(config), pool);
+  const int rim = RimOf(config);
+  std::vector<CrfTile> tiles = CutTiles(blocks, kCrfTileSide, rim, pool);
   if (refined_before != nullptr) DropUnchanged(blocks, *refined_before, tiles);
   LabelCrfReport report{.num_tiles = static_cast<int>(tiles.size())};
   std::vector<std::vector<Change>> changes(tiles.size());
@@ -196,15 +212,18 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
   ParallelForWithScratch(pool, tiles.size(), benches, [&](std::size_t t, Workbench& bench) {
     if (is_cancelled && is_cancelled()) return;
     Problem& problem = bench.problem;
-    problem.Clear();
+    problem.members.clear();
+    problem.points.clear();
     const Eigen::Vector3d origin = BlockCorner(blocks[tiles[t].inner.front()].index, config.voxel_size_m);
     AddMembers(blocks, tiles[t].inner, origin, config.voxel_size_m, problem);
     problem.num_inner = problem.members.size();
     AddMembers(blocks, tiles[t].rim, origin, config.voxel_size_m, problem);
+    NumberPlaces(blocks, tiles[t], rim, problem);
+    AssignChannels(blocks, problem);
     FillUnaries(blocks, problem);
     bench.crf.SetPoints(problem.points, config.refinement.smoothness, config.refinement.appearance);
-    const int num_labels[] = {problem.classes.size(), problem.instances.size()};
-    bench.crf.Infer(num_labels, config.refinement.crf_iterations, problem.values);
+    const int num_channels[] = {problem.classes.num_channels(), problem.instances.num_channels()};
+    bench.crf.Infer(num_channels, config.refinement.crf_iterations, problem.values);
     changes[t] = ReadChanges(blocks, problem);
     num_voxels[t] = static_cast<std::int64_t>(problem.num_inner);
   });
