@@ -19,7 +19,7 @@ namespace dhpmap {
 namespace {
 
 constexpr int kCrfTileSide = 12;  // blocks; of 8 the same time, and 0.4 points of PQ less in an apartment
-constexpr float kPriorCount = 1;  // observations that an unobserved voxel is given, spread over all labels
+constexpr float kPriorCount = 1;  // observations that an unobserved voxel is given, spread over all channels
 
 /// A voxel that takes part: where it is stored.
 struct Member {
@@ -118,10 +118,10 @@ void AssignChannels(std::span<const HeldBlock> blocks, Problem& problem) {
 }
 
 /// Turns counts into energies, -log of their shares. What was not seen has the prior alone.
-void ToEnergies(std::span<float> counts, int num_labels) {
+void ToEnergies(std::span<float> counts) {
   float total = kPriorCount;
   for (const float count : counts) total += count;
-  const float prior = kPriorCount / static_cast<float>(num_labels);
+  const float prior = kPriorCount / static_cast<float>(counts.size());
   const float unseen = -std::log(prior / total);  // most labels, at most voxels
   for (float& value : counts) value = value == 0 ? unseen : -std::log((value + prior) / total);
 }
@@ -139,8 +139,8 @@ void FillUnaries(std::span<const HeldBlock> blocks, Problem& problem) {
     VisitInstanceIds(blocks[b], linear, [&](LabelCount seen) {
       row[num_classes + problem.instances.ChannelOf(seen.id)] = static_cast<float>(seen.count);
     });
-    ToEnergies(row.first(num_classes), problem.classes.num_labels());
-    ToEnergies(row.last(num_instances), problem.instances.num_labels());
+    ToEnergies(row.first(num_classes));
+    ToEnergies(row.last(num_instances));
   }
 }
 
