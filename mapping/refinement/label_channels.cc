@@ -25,15 +25,6 @@ class BitRows {
 
 }  // namespace
 
-void LabelChannels::Reset(std::size_t num_places) {
-  num_places_ = num_places;
-  num_channels_ = 0;
-  seen_.clear();
-  labels_.clear();
-  channel_.clear();
-  label_at_.clear();
-}
-
 std::size_t LabelChannels::NumberOf(std::uint32_t label) const {
   return static_cast<std::size_t>(std::lower_bound(labels_.begin(), labels_.end(), label) - labels_.begin());
 }

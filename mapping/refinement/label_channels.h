@@ -11,14 +11,13 @@ namespace dhpmap {
 
 /// Packs the labels of one kind into channels of the CRF: labels that nowhere occur within reach of one another share a
 /// channel, since no voxel can confuse them. A room has dozens of objects, but few of them near any one place; time and
-/// memory of the CRF go with the number of channels. First Add, then Assign, then ask. Keeps its memory from one use to
-/// the next. Thread-compatible.
+/// memory of the CRF go with the number of channels. First Add, then Assign, then ask. Thread-compatible.
 class LabelChannels {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-  /// Forgets everything; places are numbered from 0 to num_places - 1.
-  void Reset(std::size_t num_places);
+  /// Places are numbered from 0 to num_places - 1.
+  explicit LabelChannels(std::size_t num_places = 0) : num_places_(num_places) {}
 
   /// A voxel at this place has seen the label. Saying so again changes nothing.
   void Add(std::uint32_t place, std::uint32_t label) { seen_.emplace_back(place, label); }
@@ -27,7 +26,6 @@ class LabelChannels {
   /// the smaller). `neighbours[place]`: the places within reach, itself included; the relation is symmetric.
   void Assign(std::span<const std::vector<std::uint32_t>> neighbours);
 
-  [[nodiscard]] int num_labels() const { return static_cast<int>(labels_.size()); }
   [[nodiscard]] int num_channels() const { return num_channels_; }
   /// The label must have been added.
   [[nodiscard]] std::uint32_t ChannelOf(std::uint32_t label) const { return channel_[NumberOf(label)]; }
@@ -39,7 +37,7 @@ class LabelChannels {
  private:
   [[nodiscard]] std::size_t NumberOf(std::uint32_t label) const;
 
-  std::size_t num_places_ = 0;
+  std::size_t num_places_;
   int num_channels_ = 0;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> seen_;  ///< place and label
   std::vector<std::uint32_t> labels_;                          ///< ascending
