@@ -1,23 +1,34 @@
 #!/usr/bin/env bash
 # Installs what the build needs: Debian 12 packages, and the google/api protos, which Debian ships only inside a
 # Go -dev package (unpacked here without its dependencies). Asks nothing, skips what is there, safe to run again.
-#   deploy/setup.sh [--quiet]
+#   deploy/setup.sh [--quiet] [--checks]
+# --checks adds what deploy/check.sh and the fuzzers need and a build does not: clang, its formatter and its tidy.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(
   g++ cmake ninja-build ccache pkg-config ca-certificates curl
   libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
-  libsqlite3-dev libzstd-dev
+  libsqlite3-dev libzstd-dev libjemalloc-dev
   libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libpcl-dev
   libspdlog-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev libnanoflann-dev
   libgtest-dev
 )
+check_packages=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev)
 googleapis_package=golang-github-gogo-googleapis-dev  # the grpc-gateway one is older and has no google.rpc.ErrorInfo
 googleapis_dir=build/googleapis
 
 say() { [ "${quiet:-}" ] || printf '%s\n' "$*"; }
-[ "${1:-}" = --quiet ] && quiet=1
+for argument in "$@"; do
+  case "$argument" in
+    --quiet) quiet=1 ;;
+    --checks) packages+=("${check_packages[@]}") ;;
+    *)
+      echo "usage: deploy/setup.sh [--quiet] [--checks]" >&2
+      exit 2
+      ;;
+  esac
+done
 
 as_root() {
   if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi

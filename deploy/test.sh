@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs all tests; the last line reads `N passed, N failed`.
 #   deploy/test.sh               the release build and every test
-#   deploy/test.sh --sanitizers  all unit tests under ASan+UBSan; refinement, pipeline, storage, server and integration tests under TSan
-#                                (but server/rest: one abort inside TSan's allocator there, while gRPC freed a call, is not explained)
+#   deploy/test.sh --sanitizers  all unit tests under ASan+UBSan; base, refinement, pipeline, storage, server and integration tests under TSan
+#   deploy/test.sh --fuzz SECONDS  each fuzz target for so long, from its seeds on; what it finds stays in build/fuzz/findings
 set -euo pipefail
 cd "$(dirname "$0")/.."
 deploy/setup.sh --quiet
@@ -33,16 +33,44 @@ build_and_test() {
   failed=$((failed + bad))
 }
 
+# Feeds each target of tests/fuzz for so many seconds. A finding fails it and stays in build/fuzz/findings.
+fuzz() {
+  local seconds=$1
+  deploy/setup.sh --quiet --checks
+  echo "== fuzz: configure and build"
+  { cmake --preset fuzz -DDHPMAP_BUILD_TESTS=ON && cmake --build --preset fuzz --target dhpmap_fuzzers; } \
+    >build/fuzz-build.log 2>&1 || { tail -n 60 build/fuzz-build.log; exit 1; }
+  mkdir -p build/fuzz/findings
+  local target name work log
+  for target in build/fuzz/fuzz/*_fuzz; do
+    name=$(basename "$target" _fuzz)
+    work=build/fuzz/corpus/$name
+    log=build/fuzz/$name.log
+    mkdir -p "$work" "tests/fuzz/corpus/$name"
+    "build/fuzz/tests/${name}_replay" --write-seeds "$work"
+    if "$target" -max_total_time="$seconds" -max_len=4096 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
+      -artifact_prefix="build/fuzz/findings/$name-" "$work" "tests/fuzz/corpus/$name" >"$log" 2>&1; then
+      passed=$((passed + 1))
+      echo "$name: $(sed -nE 's/^stat::number_of_executed_units: *//p' "$log") inputs, nothing found"
+    else
+      failed=$((failed + 1))
+      echo "$name: a finding, see $log"
+      grep -E 'ERROR:|SUMMARY:|runtime error|Test unit written' "$log" | head -n 5
+    fi
+  done
+}
+
 mkdir -p build
 case "${1:-}" in
   "") build_and_test release all ;;
   --sanitizers)
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/deploy/tsan.supp"
     build_and_test asan dhpmap_unit_tests -R '^unit/'
-    build_and_test tsan dhpmap_threaded_tests -R '^(integration|unit/server/(app|grpc|ingest|config|log|metrics)|unit/storage|unit/mapping/(base|refinement|pipeline))/'
+    build_and_test tsan dhpmap_threaded_tests -R '^(integration|unit/server/(app|wire|grpc|http|json|gateway|config|log|metrics)|unit/storage|unit/mapping/(base|refinement|pipeline))/'
     ;;
+  --fuzz) fuzz "${2:?seconds a target}" ;;
   *)
-    echo "usage: deploy/test.sh [--sanitizers]" >&2
+    echo "usage: deploy/test.sh [--sanitizers | --fuzz SECONDS]" >&2
     exit 2
     ;;
 esac

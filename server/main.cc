@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "server/config/command_line.h"
+#include "server/gateway/gateway.h"
 #include "server/grpc/grpc_server.h"
 #include "server/log/log.h"
 #include "server/metrics/metrics.h"
 #include "server/options.h"
-#include "server/rest/gateway.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -46,10 +46,12 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
     if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
   }
   DHPMAP_ASSIGN_OR_RETURN(const auto grpc, GrpcServer::Start(GrpcOptionsOf(config), *registry, ObserverOf(metrics)));
-  DHPMAP_ASSIGN_OR_RETURN(const auto gateway,
-                          Gateway::Start(GatewayOptionsOf(config), grpc->InProcessChannel(),
-                                         {.is_ready = [&grpc] { return grpc->is_serving(); },
-                                          .metrics_text = [&] { return metrics.Text(GaugesOf(*registry)); }}));
+  DHPMAP_ASSIGN_OR_RETURN(
+      const auto gateway,
+      Gateway::Start(
+          GatewayOptionsOf(config), grpc->InProcessChannel(),
+          {.is_ready = [&] { return grpc->is_serving() && !IsStoreBehind(*registry, config.store.max_behind_s); },
+           .metrics_text = [&] { return metrics.Text(GaugesOf(*registry)); }}));
   grpc->SetServing(true);
   std::printf("dhpmap-server: gRPC on %s, REST on http://%s\n", WithPort(config.grpc.address, grpc->port()).c_str(),
               WithPort(config.http.address, gateway->port()).c_str());

@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/options.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "server/app/map_stats.h"
 
 namespace dhpmap {
+namespace {
+
+/// "a, b" -> {"a", "b"}.
+std::vector<std::string> SplitByComma(const std::string& text) {
+  std::vector<std::string> parts;
+  std::string part;
+  for (const char c : text + ",") {
+    if (c == ',') {
+      if (!part.empty()) parts.push_back(std::exchange(part, {}));
+    } else if (c != ' ') {
+      part += c;
+    }
+  }
+  return parts;
+}
+
+}  // namespace
 
 LogOptions LogOptionsOf(const ServerConfig& config) {
   LogOptions options{.json_lines = config.log.json};
@@ -23,6 +43,9 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
       .commit_frames = config.store.commit_frames,
       .commit_s = config.store.commit_s,
       .commit_retry_s = config.store.retry_s,
+      .max_behind_s = config.store.max_behind_s,
+      .idle_close_s = config.maps.idle_close_s,
+      .feed_idle_s = config.mapping.feed_idle_s,
       .max_pending_edits = static_cast<std::size_t>(config.limits.pending_edits),
       .on_commit =
           [&metrics](double seconds, const Status& status) {
@@ -37,6 +60,9 @@ GrpcOptions GrpcOptionsOf(const ServerConfig& config) {
   return {.address = config.grpc.address,
           .max_message_bytes = static_cast<std::size_t>(config.grpc.max_message_mib) << 20,
           .num_threads = config.grpc.num_threads,
+          .num_bulk_threads = config.grpc.bulk_threads,
+          .max_inflight_bytes = static_cast<std::size_t>(config.limits.inflight_mib) << 20,
+          .keepalive_s = config.grpc.keepalive_s,
           .max_query_points = config.limits.query_points,
           .max_frames_in_flight = config.mapping.max_frames_in_flight,
           .default_config = config.map_defaults};
@@ -52,7 +78,12 @@ GrpcObserver ObserverOf(Metrics& metrics) {
 GatewayOptions GatewayOptionsOf(const ServerConfig& config) {
   return {.address = config.http.address,
           .max_body_bytes = static_cast<std::size_t>(config.http.max_body_mib) << 20,
-          .num_threads = config.http.num_threads};
+          .max_inflight_bytes = static_cast<std::size_t>(config.limits.inflight_mib) << 20,
+          .num_threads = config.http.num_threads,
+          .allowed_hosts = SplitByComma(config.http.allowed_hosts),
+          .max_connections = config.http.max_connections,
+          .idle_timeout_s = config.http.idle_timeout_s,
+          .head_timeout_s = config.http.head_timeout_s};
 }
 
 std::vector<Metrics::MapGauges> GaugesOf(const MapRegistry& registry) {
@@ -64,9 +95,16 @@ std::vector<Metrics::MapGauges> GaugesOf(const MapRegistry& registry) {
                       .num_submaps = stats.num_submaps,
                       .num_blocks = stats.num_tsdf_blocks,
                       .revision = view->snapshot().revision(),
-                      .memory_bytes = stats.memory_bytes});
+                      .memory_bytes = stats.memory_bytes,
+                      .behind_s = session->BehindSeconds()});
   }
   return gauges;
+}
+
+bool IsStoreBehind(const MapRegistry& registry, double max_behind_s) {
+  const auto sessions = registry.OpenSessions();
+  return std::any_of(sessions.begin(), sessions.end(),
+                     [max_behind_s](const auto& session) { return session->BehindSeconds() > max_behind_s; });
 }
 
 std::string WithPort(const std::string& address, int port) {

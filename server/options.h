@@ -6,10 +6,10 @@
 
 #include "server/app/map_registry.h"
 #include "server/config/server_config.h"
+#include "server/gateway/gateway.h"
 #include "server/grpc/grpc_server.h"
 #include "server/log/log.h"
 #include "server/metrics/metrics.h"
-#include "server/rest/gateway.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -24,6 +24,8 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config);
 
 /// Of the maps that are open now.
 std::vector<Metrics::MapGauges> GaugesOf(const MapRegistry& registry);
+/// Whether a map has waited for its store for longer than that.
+bool IsStoreBehind(const MapRegistry& registry, double max_behind_s);
 
 /// The address with the port that was taken in place of 0.
 std::string WithPort(const std::string& address, int port);

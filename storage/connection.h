@@ -2,10 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
+#include "mapping/base/mutex.h"
 #include "storage/sqlite/database.h"
 #include "storage/store.h"
 
@@ -44,8 +44,8 @@ class ReaderPool {
   const std::string path_;
   const sqlite::OpenMode mode_;
   const int busy_timeout_ms_;
-  std::mutex mutex_;
-  std::vector<sqlite::Database> idle_;  // guarded by mutex_
+  Mutex mutex_;
+  std::vector<sqlite::Database> idle_ DHPMAP_GUARDED_BY(mutex_);
 };
 
 /// How a database that we may not write can be read: FAILED_PRECONDITION, NOT_FOUND or DATA_LOSS if it cannot.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
-#include <mutex>
 #include <string>
 #include <utility>
 
+#include "mapping/base/mutex.h"
 #include "storage/commit_rules.h"
 #include "storage/store.h"
 
@@ -13,7 +13,7 @@ namespace {
 using SnapshotPtr = std::shared_ptr<const MapSnapshot>;
 
 Status NoSuchMap(const std::string& name) {
-  return NotFound("there is no map '" + name + "'").WithReason("NO_SUCH_MAP");
+  return NotFound("there is no map '" + name + "'").WithReason("MAP_NOT_FOUND");
 }
 
 StoredMap Describe(const MapSnapshot& snapshot) {
@@ -32,7 +32,7 @@ StoredMap Describe(const MapSnapshot& snapshot) {
 class MemoryStore final : public MapStore {
  public:
   Result<std::vector<StoredMap>> ListMaps() override {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     std::vector<StoredMap> maps;
     for (const auto& [name, snapshot] : maps_) maps.push_back(Describe(*snapshot));
     return maps;
@@ -45,7 +45,7 @@ class MemoryStore final : public MapStore {
 
   Status CreateMap(const MapSnapshot& snapshot) override {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(snapshot.info().name));
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     const std::string& name = snapshot.info().name;
     const bool is_new = maps_.emplace(name, std::make_shared<const MapSnapshot>(snapshot)).second;
     return is_new ? Status::Ok() : AlreadyExists("there is already a map '" + name + "'").WithReason("MAP_EXISTS");
@@ -53,7 +53,7 @@ class MemoryStore final : public MapStore {
 
   Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability) override {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     const auto stored = maps_.find(before.info().name);
     if (stored == maps_.end()) return NoSuchMap(before.info().name);
     const MapInfo& head = stored->second->info();
@@ -63,20 +63,26 @@ class MemoryStore final : public MapStore {
   }
 
   Result<SnapshotPtr> LoadMap(const std::string& name) override {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     const auto stored = maps_.find(name);
     if (stored == maps_.end()) return NoSuchMap(name);
     return stored->second;
   }
 
   Status DeleteMap(const std::string& name) override {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     return maps_.erase(name) > 0 ? Status::Ok() : NoSuchMap(name);
   }
 
+  /// Nothing outlives a memory store: there is no one to keep the numbers from.
+  Status Reserve(const std::string& name, const NumberMarks&) override {
+    const MutexLock lock(mutex_);
+    return maps_.contains(name) ? Status::Ok() : NoSuchMap(name);
+  }
+
  private:
-  std::mutex mutex_;
-  std::map<std::string, SnapshotPtr> maps_;  // guarded by mutex_
+  Mutex mutex_;
+  std::map<std::string, SnapshotPtr> maps_ DHPMAP_GUARDED_BY(mutex_);
 };
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "storage/block_rows.h"
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
-#include "storage/map_rows.h"
-#include "storage/submap_rows.h"
+#include "storage/rows/block_rows.h"
+#include "storage/rows/map_rows.h"
+#include "storage/rows/submap_rows.h"
 
 namespace dhpmap {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "storage/block_rows.h"
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
-#include "storage/submap_rows.h"
+#include "storage/rows/block_rows.h"
+#include "storage/rows/submap_rows.h"
 
 namespace dhpmap {
 namespace {

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 
+#include "mapping/base/mutex.h"
 #include "mapping/base/thread_pool.h"
+#include "storage/backup.h"
 #include "storage/commit_rules.h"
 #include "storage/connection.h"
 #include "storage/file_lock.h"
-#include "storage/map_rows.h"
+#include "storage/rows/map_rows.h"
+#include "storage/rows/submap_rows.h"
 #include "storage/snapshot_reader.h"
 #include "storage/snapshot_writer.h"
 #include "storage/sqlite/transaction.h"
 #include "storage/store.h"
-#include "storage/submap_rows.h"
 
 namespace dhpmap {
 namespace {
@@ -30,7 +31,7 @@ int NumThreads() { return std::min(kMaxThreads, std::max(1, static_cast<int>(std
 
 /// What makes a store a writer: the only one of its database.
 struct Writer {
-  FileLock lock;  // first, so that it outlives the connection
+  FileLock lock;  // first, so that it outlives the connection (and the store closes its readers before)
   Database database;
   ThreadPool pool{NumThreads()};
   Durability durability = Durability::kNormal;
@@ -46,7 +47,12 @@ Result<StoredMap> Describe(Database& database, const std::string& name) {
                                            "count the map's blocks"));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, sums.Bind(row.key).Step());
   if (!has_row) return Internal("counting the map's blocks gave no row");
-  return StoredMap{std::move(row.info), row.num_submaps, sums.Int(0), sums.Int(1), sums.Int(2), {}};
+  StoredMap map{.info = std::move(row.info), .num_submaps = row.num_submaps, .damage = {}};
+  sqlite::Columns columns(sums);
+  map.num_tsdf_blocks = columns.Int();
+  map.num_label_blocks = columns.Int();
+  map.blob_bytes = columns.Int();
+  return map;
 }
 
 /// Errors that come from one map's rows, not from the database as a whole.
@@ -64,7 +70,7 @@ StoredMap DamagedMap(const std::string& name, const Status& why) {
 class SqliteStore final : public MapStore {
  public:
   SqliteStore(std::unique_ptr<Writer> writer, std::string path, sqlite::OpenMode reader_mode, int busy_timeout_ms)
-      : writer_(std::move(writer)), readers_(std::move(path), reader_mode, busy_timeout_ms) {}
+      : path_(path), writer_(std::move(writer)), readers_(std::move(path), reader_mode, busy_timeout_ms) {}
 
   Result<std::vector<StoredMap>> ListMaps() override {
     return Read<std::vector<StoredMap>>([](Database& database) -> Result<std::vector<StoredMap>> {
@@ -92,24 +98,41 @@ class SqliteStore final : public MapStore {
 
   Status CreateMap(const MapSnapshot& snapshot) override {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(snapshot.info().name));
-    return Write(Durability::kFull, [&](Database& database) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const std::int64_t map_key, InsertMap(database, snapshot));
-      return WriteChanges(database, map_key, DiffSnapshots(nullptr, snapshot), writer_->pool);
+    return Write(Durability::kFull, [&](Writer& writer) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::int64_t map_key, InsertMap(writer.database, snapshot));
+      return WriteChanges(writer.database, map_key, DiffSnapshots(nullptr, snapshot), writer.pool);
     });
   }
 
   Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
-    return Write(durability, [&](Database& database) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const MapHead head, ReadMapHead(database, before.info().name));
-      DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.revision, head.create_time_ns));
-      DHPMAP_RETURN_IF_ERROR(UpdateMap(database, head.key, before.info(), after));
-      return WriteChanges(database, head.key, DiffSnapshots(&before, after), writer_->pool);
+    return Write(durability, [&](Writer& writer) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
+      DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
+      DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, before.info(), after));
+      return WriteChanges(writer.database, head.key, DiffSnapshots(&before, after), writer.pool);
     });
   }
 
   Status DeleteMap(const std::string& name) override {
-    return Write(Durability::kFull, [&](Database& database) { return DeleteMapRows(database, name); });
+    return Write(Durability::kFull, [&](Writer& writer) { return DeleteMapRows(writer.database, name); });
+  }
+
+  Status Reserve(const std::string& name, const NumberMarks& marks) override {
+    return Write(Durability::kFull, [&](Writer& writer) { return SetMarks(writer.database, name, marks); });
+  }
+
+  Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) override {
+    DHPMAP_ASSIGN_OR_RETURN(ReaderPool::Lease lease, readers_.Borrow());
+    return MakeBackup(*lease, path_, stop);
+  }
+
+  /// For a store that has just been opened: see Reserve and Backup.
+  Status GoOn() {
+    return Write(Durability::kFull, [](Writer& writer) -> Status {
+      DHPMAP_RETURN_IF_ERROR(LeaveReservedNumbers(writer.database));
+      return BeginHistoriesOfBackup(writer.database);
+    });
   }
 
  private:
@@ -127,24 +150,25 @@ class SqliteStore final : public MapStore {
     if (writer_ == nullptr) {
       return FailedPrecondition("the database was opened read-only").WithReason("NOT_WRITABLE");
     }
-    const std::lock_guard lock(writer_mutex_);
-    DHPMAP_RETURN_IF_ERROR(SetDurability(durability));
+    const MutexLock lock(writer_mutex_);
+    DHPMAP_RETURN_IF_ERROR(SetDurability(*writer_, durability));
     DHPMAP_ASSIGN_OR_RETURN(Transaction transaction, Transaction::BeginWrite(writer_->database));
-    DHPMAP_RETURN_IF_ERROR(body(writer_->database));
+    DHPMAP_RETURN_IF_ERROR(body(*writer_));
     return transaction.Commit();
   }
 
   /// In WAL mode, synchronous = FULL syncs the log at each commit, and with it all commits before.
-  Status SetDurability(Durability durability) {
-    if (writer_->durability == durability) return Status::Ok();
+  static Status SetDurability(Writer& writer, Durability durability) {
+    if (writer.durability == durability) return Status::Ok();
     const char* pragma = durability == Durability::kFull ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL";
-    DHPMAP_RETURN_IF_ERROR(writer_->database.Execute(pragma, "set the durability of a commit"));
-    writer_->durability = durability;
+    DHPMAP_RETURN_IF_ERROR(writer.database.Execute(pragma, "set the durability of a commit"));
+    writer.durability = durability;
     return Status::Ok();
   }
 
-  const std::unique_ptr<Writer> writer_;  // null: read-only
-  std::mutex writer_mutex_;               // guards what writer_ points to
+  const std::string path_;
+  Mutex writer_mutex_;
+  const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
 };
 
@@ -158,9 +182,11 @@ Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const
   }
   DHPMAP_ASSIGN_OR_RETURN(FileLock lock, FileLock::Acquire(path));
   DHPMAP_ASSIGN_OR_RETURN(Database database, OpenWriter(path, timeout_ms));
+  RemoveUnfinishedBackups(path);
   auto writer = std::make_unique<Writer>(std::move(lock), std::move(database));
-  return std::unique_ptr<MapStore>(
-      std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, timeout_ms));
+  auto store = std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, timeout_ms);
+  DHPMAP_RETURN_IF_ERROR(store->GoOn());
+  return std::unique_ptr<MapStore>(std::move(store));
 }
 
 }  // namespace dhpmap

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,12 @@ namespace dhpmap {
 /// How far a commit must have gone when it returns: kNormal survives a killed process, kFull a power cut too.
 enum class Durability { kNormal, kFull };
 
+/// Up to where a map's numbers may be shown to others before the state that bears them is stored.
+struct NumberMarks {
+  std::int64_t revision = 0;   ///< the last revision
+  SubmapId next_submap_id{0};  ///< the first id beyond
+};
+
 /// A map without its submaps, as the store has it.
 struct StoredMap {
   MapInfo info;
@@ -23,6 +31,15 @@ struct StoredMap {
   std::int64_t blob_bytes = 0;  ///< size of the encoded blocks
   /// From ListMaps: why the map cannot be read; then of all else only info.name is valid.
   Status damage;
+};
+
+/// A copy of a whole store, as a file of its own. Thread-compatible.
+class StoreBackup {
+ public:
+  virtual ~StoreBackup() = default;
+  [[nodiscard]] virtual std::int64_t size_bytes() const = 0;
+  /// The next part; empty at the end.
+  virtual Result<std::string> Read(std::size_t max_bytes) = 0;
 };
 
 /// Keeps maps. The only header of storage/ that server/ sees. Thread-safe: calls on different maps and reads may run at
@@ -48,6 +65,19 @@ class MapStore {
   virtual Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) = 0;
 
   virtual Status DeleteMap(const std::string& name) = 0;
+
+  /// Keeps numbers that are shown before they are stored from ever meaning something else: stores, with a full sync,
+  /// that those up to `marks` may be in use. Whoever opens the store after an end that did not lower them again goes on
+  /// above: the map then has a later revision and next id than were last committed. Commits raise the marks to what
+  /// they store.
+  virtual Status Reserve(const std::string& name, const NumberMarks& marks) = 0;
+
+  /// One state of all maps, as committed, while commits go on. Whoever opens it for writing gives its maps new
+  /// histories. Takes as much space as the store until it is let go of.
+  /// CANCELLED; FAILED_PRECONDITION, reason NOT_A_FILE, for a store that has none.
+  virtual Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token&) {
+    return FailedPrecondition("this store is kept in memory: there is no file to copy").WithReason("NOT_A_FILE");
+  }
 };
 
 struct SqliteStoreOptions {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "clients/cli/text_table.h"
@@ -20,20 +21,24 @@ bool AckSummary::Count(Kinds& kinds, const std::string& reason, const std::strin
 }
 
 bool AckSummary::AddSkipped(const Status& why) {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   ++num_skipped_;
-  const std::string kind = why.reason().empty() ? std::string(StatusCodeName(why.code())) : why.reason();
+  const std::string kind(why.reason().empty() ? StatusCodeName(why.code()) : why.reason().name());
   return Count(skipped_, kind, why.message());
 }
 
 bool AckSummary::AddAck(const v1::IntegrateFramesResponse& ack) {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   revision_ = std::max(revision_, ack.revision());
+  if (ack.has_committed_sequence()) committed_ = ack.committed_sequence();
   if (ack.error_code() != 0) {
     ++num_refused_;
     const std::string code(StatusCodeName(static_cast<StatusCode>(ack.error_code())));
     return Count(refused_, ack.error_reason().empty() ? code : ack.error_reason(), ack.error_message());
   }
+  const bool is_new = taken_.insert(ack.sequence()).second;
+  if (ack.outcome() == v1::DUPLICATE && is_new) ++num_duplicates_;
+  if (ack.outcome() == v1::DUPLICATE || (ack.outcome() == v1::FUSED && !is_new)) return false;
   ++num_fused_;
   num_created_ += static_cast<std::size_t>(ack.num_created());
   num_points_ += ack.num_points();
@@ -42,25 +47,50 @@ bool AckSummary::AddAck(const v1::IntegrateFramesResponse& ack) {
   return false;
 }
 
+void AckSummary::AddProgress(const v1::IntegrateFramesResponse& answer) {
+  const MutexLock lock(mutex_);
+  revision_ = std::max(revision_, answer.revision());
+  if (answer.has_committed_sequence()) committed_ = answer.committed_sequence();
+}
+
+void AckSummary::SetStoredBefore(std::size_t num_frames) {
+  const MutexLock lock(mutex_);
+  num_stored_before_ = num_frames;
+}
+
+void AckSummary::SetAllStored() {
+  const MutexLock lock(mutex_);
+  if (!taken_.empty()) committed_ = *taken_.rbegin();
+}
+
+std::size_t AckSummary::NumStored() const {
+  if (!committed_) return num_stored_before_;
+  return num_stored_before_ + static_cast<std::size_t>(std::distance(taken_.begin(), taken_.upper_bound(*committed_)));
+}
+
+std::size_t AckSummary::num_stored() const {
+  const MutexLock lock(mutex_);
+  return NumStored();
+}
 std::size_t AckSummary::num_done() const {
-  const std::lock_guard lock(mutex_);
-  return num_fused_ + num_refused_ + num_skipped_;
+  const MutexLock lock(mutex_);
+  return num_fused_ + num_duplicates_ + num_stored_before_ + num_refused_ + num_skipped_;
 }
 std::size_t AckSummary::num_fused() const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   return num_fused_;
 }
 std::size_t AckSummary::num_refused() const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   return num_refused_;
 }
 std::size_t AckSummary::num_created() const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   return num_created_;
 }
 
 void AckSummary::Print(std::ostream& out, double elapsed_s) const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   out << num_fused_ << " frames fused";
   if (num_fused_ > 0) {
     const auto num_frames = static_cast<double>(num_fused_);
@@ -68,6 +98,11 @@ void AckSummary::Print(std::ostream& out, double elapsed_s) const {
         << Fixed(1e3 * fuse_s_ / num_frames, 1) << " ms a frame in the server's pipeline)";
   }
   out << "\n";
+  if (!taken_.empty() || num_stored_before_ > 0) {
+    out << NumStored() << " frames stored";
+    if (num_stored_before_ > 0) out << ", " << num_stored_before_ << " of them before";
+    out << "\n";
+  }
   if (num_points_ > 0) {
     out << num_points_ << " points, "
         << Fixed(100.0 * static_cast<double>(num_unknown_points_) / static_cast<double>(num_points_), 1)
@@ -84,7 +119,7 @@ void AckSummary::Print(std::ostream& out, double elapsed_s) const {
 }
 
 std::string AckSummary::Json(const v1::Map& map, double elapsed_s) const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   const auto kinds = [](const Kinds& in) {
     nlohmann::json list = nlohmann::json::array();
     for (const auto& [key, kind] : in) {
@@ -96,6 +131,7 @@ std::string AckSummary::Json(const v1::Map& map, double elapsed_s) const {
                                {"revision", std::max(revision_, map.revision())},
                                {"numSubmaps", map.num_submaps()},
                                {"numFused", num_fused_},
+                               {"numStored", NumStored()},
                                {"numSkipped", num_skipped_},
                                {"numRefused", num_refused_},
                                {"numPoints", num_points_},

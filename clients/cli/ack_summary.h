@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <map>
-#include <mutex>
+#include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 
 #include "dhpmap/v1/mapping_service.pb.h"
+#include "mapping/base/mutex.h"
 #include "mapping/base/status.h"
 
 namespace dhpmap {
@@ -16,10 +19,18 @@ class AckSummary {
  public:
   /// A frame that could not be read. True the first time for its kind: then the user should be told.
   bool AddSkipped(const Status& why);
-  /// True the first time for its kind of refusal.
+  /// True the first time for its kind of refusal. A frame that is sent and fused again, because it was lost before it
+  /// was stored, counts once.
   bool AddAck(const v1::IntegrateFramesResponse& ack);
+  /// An answer for no frame: says how much is stored.
+  void AddProgress(const v1::IntegrateFramesResponse& answer);
+  /// So many frames need not be sent: they are in the store from an earlier run.
+  void SetStoredBefore(std::size_t num_frames);
+  /// The stream ended well: whatever was taken is in the store.
+  void SetAllStored();
 
-  [[nodiscard]] std::size_t num_done() const;  ///< skipped, refused and fused
+  [[nodiscard]] std::size_t num_done() const;    ///< skipped, refused, taken now, and stored before
+  [[nodiscard]] std::size_t num_stored() const;  ///< as far as the server has said, those before included
   [[nodiscard]] std::size_t num_fused() const;
   [[nodiscard]] std::size_t num_refused() const;
   [[nodiscard]] std::size_t num_created() const;
@@ -36,13 +47,23 @@ class AckSummary {
   /// By reason and message, numbers in it left out: the same trouble with other frames is of the same kind.
   using Kinds = std::map<std::string, Kind>;
   static bool Count(Kinds& kinds, const std::string& reason, const std::string& message);
+  [[nodiscard]] std::size_t NumStored() const DHPMAP_REQUIRES(mutex_);
 
-  mutable std::mutex mutex_;
-  Kinds skipped_, refused_;  // guarded by mutex_, like all below
-  std::size_t num_skipped_ = 0, num_refused_ = 0, num_fused_ = 0, num_created_ = 0;
-  std::int64_t num_points_ = 0, num_unknown_points_ = 0;
-  double fuse_s_ = 0;
-  std::int64_t revision_ = 0;
+  mutable Mutex mutex_;
+  Kinds skipped_ DHPMAP_GUARDED_BY(mutex_);
+  Kinds refused_ DHPMAP_GUARDED_BY(mutex_);
+  std::size_t num_skipped_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::size_t num_refused_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::size_t num_fused_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::set<std::int64_t> taken_ DHPMAP_GUARDED_BY(mutex_);           ///< sequences of frames fused, now or before
+  std::optional<std::int64_t> committed_ DHPMAP_GUARDED_BY(mutex_);  ///< those up to here are stored
+  std::size_t num_duplicates_ DHPMAP_GUARDED_BY(mutex_) = 0;         ///< taken before, but not counted as fused
+  std::size_t num_stored_before_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::size_t num_created_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::int64_t num_points_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::int64_t num_unknown_points_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  double fuse_s_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::int64_t revision_ DHPMAP_GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace dhpmap

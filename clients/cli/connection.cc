@@ -7,26 +7,16 @@
 
 #include <iostream>
 
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
-#include "mapping/base/status.h"
+#include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
 namespace {
 
 void PrintDetails(const grpc::Status& status) {
-  google::rpc::Status details;
-  if (status.error_details().empty() || !details.ParseFromString(status.error_details())) return;
-  for (const auto& detail : details.details()) {
-    google::rpc::BadRequest bad_request;
-    google::rpc::ErrorInfo info;
-    if (detail.UnpackTo(&bad_request)) {
-      for (const auto& violation : bad_request.field_violations()) {
-        std::cerr << "  " << violation.field() << ": " << violation.description() << "\n";
-      }
-    } else if (detail.UnpackTo(&info)) {
-      std::cerr << "  reason: " << info.reason() << "\n";
-    }
+  const ErrorDetails details = ReadErrorDetails(status.error_details());
+  if (!details.reason.empty()) std::cerr << "  reason: " << details.reason << "\n";
+  for (const FieldViolation& violation : details.violations) {
+    std::cerr << "  " << violation.field << ": " << violation.description << "\n";
   }
 }
 
@@ -35,6 +25,11 @@ void PrintDetails(const grpc::Status& status) {
 std::shared_ptr<grpc::Channel> Connect(const Session& session) {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);
+  // A server that is dead or cut off is noticed, and one that comes back is found soon.
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 20'000);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20'000);
+  arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2'000);
   return grpc::CreateCustomChannel(session.server, grpc::InsecureChannelCredentials(), arguments);
 }
 

@@ -44,6 +44,7 @@ void AddMapsCommands(CLI::App& app, Session& session);
 void AddSubmapsCommand(CLI::App& app, Session& session);
 void AddQueryCommands(CLI::App& app, Session& session);
 void AddEditCommands(CLI::App& app, Session& session);
+void AddBackupCommand(CLI::App& app, Session& session);
 void AddExportCommands(CLI::App& app, Session& session);
 
 }  // namespace dhpmap

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/file_download.h"
 #include "clients/cli/output_file.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
@@ -43,22 +44,10 @@ ExitCode RunMesh(const Session& session, const ExportOptions& options) {
   grpc::ClientContext context;
   const auto stub = v1::SubmapService::NewStub(Connect(session));
   const auto stream = stub->GetSubmapMesh(&context, request);
-  v1::GetSubmapMeshResponse part;
-  std::int64_t revision = 0, total_bytes = 0;
-  while (stream->Read(&part)) {
-    revision = part.revision();
-    total_bytes = std::max(total_bytes, part.total_bytes());
-    file->Write(part.data());
-  }
-  const grpc::Status status = stream->Finish();
-  if (!status.ok()) return ReportError(session, status);
-  if (file->num_bytes() != total_bytes) {
-    return ReportLocalError("the mesh came in short: " + std::to_string(file->num_bytes()) + " of " +
-                                std::to_string(total_bytes) + " bytes",
-                            ExitCode::kServerFailed);
-  }
-  if (const Status closed = file->Close(); !closed.ok()) return ReportLocalError(closed.message());
-  return Report(session, options, total_bytes, revision);
+  std::int64_t revision = 0;
+  const ExitCode code = Download(session, *stream, "mesh", *file,
+                                 [&revision](const v1::GetSubmapMeshResponse& part) { revision = part.revision(); });
+  return code == ExitCode::kOk ? Report(session, options, file->num_bytes(), revision) : code;
 }
 
 std::string Rows(const v1::StreamSubmapVoxelsResponse& part) {

@@ -40,16 +40,6 @@ void Fill(const DatasetFrame::Lidar& in, v1::LidarFrame& out) {
   if (!in.segment_image.bytes.empty()) Fill(in.segment_image, *camera.mutable_segments());
 }
 
-v1::PanopticKind KindOf(Panoptic panoptic) {
-  if (panoptic == Panoptic::kThing) return v1::THING;
-  return panoptic == Panoptic::kStuff ? v1::STUFF : v1::PANOPTIC_KIND_UNSPECIFIED;
-}
-
-v1::SizeClass SizeOf(SizeClass size) {
-  if (size == SizeClass::kSmall) return v1::SMALL;
-  return size == SizeClass::kLarge ? v1::LARGE : v1::MEDIUM;
-}
-
 }  // namespace
 
 v1::Frame ToMessage(const DatasetFrame& frame, bool has_persistent_ids) {
@@ -68,18 +58,6 @@ v1::Frame ToMessage(const DatasetFrame& frame, bool has_persistent_ids) {
   }
   out.set_has_persistent_ids(has_persistent_ids);
   out.set_unlisted_ids_are_unknown(true);
-  return out;
-}
-
-v1::LabelClass ToMessage(const LabelClass& label_class) {
-  v1::LabelClass out;
-  out.set_id(label_class.id.value);
-  out.set_name(label_class.name);
-  out.set_kind(KindOf(label_class.panoptic));
-  out.set_size(SizeOf(label_class.size));
-  out.mutable_color()->set_r(label_class.color.r);
-  out.mutable_color()->set_g(label_class.color.g);
-  out.mutable_color()->set_b(label_class.color.b);
   return out;
 }
 

@@ -11,6 +11,4 @@ namespace dhpmap {
 /// A data set's frame as the server takes it; image files are passed on unread.
 v1::Frame ToMessage(const DatasetFrame& frame, bool has_persistent_ids);
 
-v1::LabelClass ToMessage(const LabelClass& label_class);
-
 }  // namespace dhpmap

@@ -29,34 +29,34 @@ void FrameQueue::Run(Dataset& dataset, const std::vector<std::size_t>& indices, 
       return;
     }
   }
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   is_complete_ = true;
-  changed_.notify_all();
+  changed_.NotifyAll();
 }
 
 bool FrameQueue::Push(QueuedFrame frame) {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return is_stopped_ || frames_.size() < kMaxReadAhead; });
+  const MutexLock lock(mutex_);
+  while (!is_stopped_ && frames_.size() >= kMaxReadAhead) changed_.Wait(mutex_);
   if (is_stopped_) return false;
   frames_.push_back(std::move(frame));
-  changed_.notify_all();
+  changed_.NotifyAll();
   return true;
 }
 
 std::optional<QueuedFrame> FrameQueue::Next() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return is_stopped_ || is_complete_ || !frames_.empty(); });
+  const MutexLock lock(mutex_);
+  while (!is_stopped_ && !is_complete_ && frames_.empty()) changed_.Wait(mutex_);
   if (is_stopped_ || frames_.empty()) return std::nullopt;
   QueuedFrame frame = std::move(frames_.front());
   frames_.pop_front();
-  changed_.notify_all();
+  changed_.NotifyAll();
   return frame;
 }
 
 void FrameQueue::Stop() {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   is_stopped_ = true;
-  changed_.notify_all();
+  changed_.NotifyAll();
 }
 
 }  // namespace dhpmap

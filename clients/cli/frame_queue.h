@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <condition_variable>
 #include <cstddef>
 #include <deque>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "clients/cli/frame_message.h"
+#include "mapping/base/mutex.h"
 
 namespace dhpmap {
 
@@ -40,13 +39,13 @@ class FrameQueue {
   void Run(Dataset& dataset, const std::vector<std::size_t>& indices, bool has_persistent_ids,
            const OnSkipped& on_skipped);
   /// Waits for room. False once stopped.
-  bool Push(QueuedFrame frame);
+  bool Push(QueuedFrame frame) DHPMAP_EXCLUDES(mutex_);
 
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<QueuedFrame> frames_;  // guarded by mutex_
-  bool is_complete_ = false;        // guarded by mutex_: nothing more will come
-  bool is_stopped_ = false;         // guarded by mutex_
+  Mutex mutex_;
+  CondVar changed_;
+  std::deque<QueuedFrame> frames_ DHPMAP_GUARDED_BY(mutex_);
+  bool is_complete_ DHPMAP_GUARDED_BY(mutex_) = false;  ///< nothing more will come
+  bool is_stopped_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::thread thread_;
 };
 

@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   dhpmap::AddQueryCommands(app, session);
   dhpmap::AddEditCommands(app, session);
   dhpmap::AddExportCommands(app, session);
+  dhpmap::AddBackupCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));
   } catch (const CLI::ParseError& error) {

@@ -4,6 +4,9 @@
 #include <atomic>
 #include <csignal>
 #include <iostream>
+#include <set>
+#include <thread>
+#include <utility>
 
 #include "clients/cli/ack_summary.h"
 #include "clients/cli/connection.h"
@@ -23,8 +26,13 @@ struct MapOptions {
   std::string directory, format = "auto", labels = "auto", ids = "auto";
   FrameSelection selection;
   NewMap map;
-  bool no_finish = false, keep_moving_points = false;
+  bool no_finish = false, keep_moving_points = false, take_over = false;
+  std::string session;
+  double reconnect_s = 30;
 };
+
+/// Without anything being stored in between: a frame that ends the server must not end it for ever.
+constexpr int kMaxReconnects = 10;
 
 std::atomic<bool> g_is_interrupted = false;
 
@@ -48,25 +56,88 @@ Result<std::unique_ptr<Dataset>> Open(const MapOptions& options) {
   return OpenDataset(options.directory, format, LabelSource::kNone, dataset_options);
 }
 
-/// Streams and reports; the caller still has to look at the counts.
-grpc::Status Stream(const std::shared_ptr<grpc::Channel>& channel, const MapOptions& options, Dataset& dataset,
-                    AckSummary& summary, ProgressBar& progress, const std::vector<std::size_t>& indices) {
-  const auto warn = [&progress](std::size_t index, const char* what, const std::string& why) {
-    progress.Print(std::string(what) + " frame " + std::to_string(index) +
-                   " (others like it are only counted): " + why);
-  };
-  const bool persistent = options.ids == "auto" ? dataset.has_persistent_ids() : options.ids == "persistent";
-  FrameQueue queue(dataset, indices, persistent, [&](std::size_t index, const Status& why) {
-    if (summary.AddSkipped(why)) warn(index, "skipped", why.message());
-  });
-  const auto stub = v1::MappingService::NewStub(channel);
-  return StreamFrames(*stub, MapName(options.map.name), queue, [&](const v1::IntegrateFramesResponse& ack) {
-    if (summary.AddAck(ack)) warn(static_cast<std::size_t>(ack.sequence()), "refused", ack.error_message());
-    progress.Show(summary.num_done(), Fixed(static_cast<double>(summary.num_done()) / progress.elapsed_s(), 1) +
-                                          " frames/s, " + std::to_string(summary.num_created()) + " new submaps");
+/// One run of frames into a map.
+class Run {
+ public:
+  Run(const MapOptions& options, Dataset& dataset, std::shared_ptr<grpc::Channel> channel, AckSummary& summary,
+      ProgressBar& progress)
+      : options_(options),
+        dataset_(dataset),
+        channel_(std::move(channel)),
+        stub_(v1::MappingService::NewStub(channel_)),
+        summary_(summary),
+        progress_(progress) {}
+
+  /// Streams and reports; the caller still has to look at the counts.
+  grpc::Status Stream(const std::vector<std::size_t>& indices) {
+    const std::string map = MapName(options_.map.name);
+    grpc::Status status;
+    if (options_.session.empty()) {
+      const auto queue = Read(indices);
+      status = StreamFrames(
+          *stub_, map, *queue, [&](const v1::IntegrateFramesResponse& ack) { Hear(ack, *queue); }, options_.take_over);
+    } else {
+      FrameQueue* queue = nullptr;
+      status = StreamSession(
+          *stub_, {.map = map, .name = options_.session, .take_over = options_.take_over}, indices,
+          {.read =
+               [&](const std::vector<std::size_t>& left) {
+                 auto next = Read(left);
+                 queue = next.get();
+                 return next;
+               },
+           .on_stored_before = [this](std::size_t num_frames) { summary_.SetStoredBefore(num_frames); },
+           .on_ack = [&](const v1::IntegrateFramesResponse& ack) { Hear(ack, *queue); },
+           .on_progress = [this](const v1::IntegrateFramesResponse& answer) { summary_.AddProgress(answer); },
+           .reconnect = [this](const grpc::Status& why) { return Reconnect(why); }});
+    }
+    if (status.ok()) summary_.SetAllStored();
+    return status;
+  }
+
+ private:
+  std::unique_ptr<FrameQueue> Read(const std::vector<std::size_t>& indices) {
+    const bool persistent = options_.ids == "auto" ? dataset_.has_persistent_ids() : options_.ids == "persistent";
+    return std::make_unique<FrameQueue>(dataset_, indices, persistent, [this](std::size_t index, const Status& why) {
+      if (!skipped_.insert(index).second) return;  // met again after a lost connection
+      if (summary_.AddSkipped(why)) Warn(index, "skipped", why.message());
+    });
+  }
+
+  void Hear(const v1::IntegrateFramesResponse& ack, FrameQueue& queue) {
+    if (summary_.AddAck(ack)) Warn(static_cast<std::size_t>(ack.sequence()), "refused", ack.error_message());
+    progress_.Show(summary_.num_done(), Fixed(static_cast<double>(summary_.num_done()) / progress_.elapsed_s(), 1) +
+                                            " frames/s, " + std::to_string(summary_.num_created()) + " new submaps");
     if (g_is_interrupted) queue.Stop();
-  });
-}
+  }
+
+  bool Reconnect(const grpc::Status& why) {
+    const std::size_t num_stored = summary_.num_stored();
+    num_reconnects_ = num_stored > std::exchange(num_stored_, num_stored) ? 1 : num_reconnects_ + 1;
+    if (g_is_interrupted || num_reconnects_ > kMaxReconnects) return false;
+    progress_.Print("the connection is lost (" + why.error_message() + "): trying for " +
+                    Fixed(options_.reconnect_s, 0) + " s to go on where the server stopped");
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // a server that is ending still answers
+    const auto time = std::chrono::duration_cast<std::chrono::system_clock::duration>(
+        std::chrono::duration<double>(options_.reconnect_s));
+    return channel_->WaitForConnected(std::chrono::system_clock::now() + time);
+  }
+
+  void Warn(std::size_t index, const char* what, const std::string& why) {
+    progress_.Print(std::string(what) + " frame " + std::to_string(index) +
+                    " (others like it are only counted): " + why);
+  }
+
+  const MapOptions& options_;
+  Dataset& dataset_;
+  const std::shared_ptr<grpc::Channel> channel_;
+  const std::unique_ptr<v1::MappingService::Stub> stub_;
+  AckSummary& summary_;
+  ProgressBar& progress_;
+  std::size_t num_stored_ = 0;     // when the connection was lost last
+  int num_reconnects_ = 0;         // since more than that was stored
+  std::set<std::size_t> skipped_;  // used by one queue's thread at a time
+};
 
 grpc::Status Finish(const std::shared_ptr<grpc::Channel>& channel, const std::string& map) {
   grpc::ClientContext context;
@@ -93,7 +164,7 @@ ExitCode RunMap(const Session& session, const MapOptions& options) {
   std::signal(SIGINT, OnInterrupt);
   {
     ProgressBar progress(indices.size());
-    status = Stream(channel, options, **dataset, summary, progress, indices);
+    status = Run(options, **dataset, channel, summary, progress).Stream(indices);
     elapsed_s = progress.elapsed_s();
   }
   if (status.ok() && !options.no_finish && !g_is_interrupted) status = Finish(channel, MapName(options.map.name));
@@ -109,7 +180,7 @@ ExitCode RunMap(const Session& session, const MapOptions& options) {
   }
   if (!status.ok()) return ReportError(session, status);
   if (g_is_interrupted) return ExitCode::kInterrupted;
-  return summary.num_refused() > 0 || summary.num_fused() == 0 ? ExitCode::kPartly : ExitCode::kOk;
+  return summary.num_refused() > 0 || summary.num_stored() == 0 ? ExitCode::kPartly : ExitCode::kOk;
 }
 
 }  // namespace
@@ -139,6 +210,13 @@ void AddMapCommand(CLI::App& app, Session& session) {
   command->add_flag("--keep-moving-points", options->keep_moving_points,
                     "Keep LiDAR points that the data set's labels call moving or unlabelled");
   command->add_flag("--no-finish", options->no_finish, "Leave the session open: do not call FinishMapping at the end");
+  command->add_option("--session", options->session,
+                      "Name of this session of frames: the server remembers how far it has got, so that running the "
+                      "command again, or a lost connection, goes on with the frames that it has not stored");
+  command->add_option("--reconnect-s", options->reconnect_s, "In a session: how long to try after a lost connection")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_flag("--take-over", options->take_over, "End the stream that feeds the map now, if there is one");
   command->callback([options, &session] { session.exit_code = RunMap(session, *options); });
 }
 

@@ -6,6 +6,7 @@
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
 #include "clients/cli/new_map.h"
+#include "clients/cli/pages.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
@@ -16,9 +17,13 @@ namespace {
 std::unique_ptr<v1::MapService::Stub> Maps(const Session& session) { return v1::MapService::NewStub(Connect(session)); }
 
 ExitCode RunList(const Session& session) {
-  grpc::ClientContext context;
   v1::ListMapsResponse response;
-  const grpc::Status status = Maps(session)->ListMaps(&context, {}, &response);
+  v1::ListMapsRequest request;
+  request.set_include_label_classes(true);
+  const auto maps = Maps(session);
+  const grpc::Status status = ReadAllPages(request, response, [&maps](auto* context, const auto& page, auto* answer) {
+    return maps->ListMaps(context, page, answer);
+  });
   if (!status.ok()) return ReportError(session, status);
   if (session.json) {
     PrintJson(response);
@@ -78,6 +83,20 @@ ExitCode RunCreate(const Session& session, const CreateOptions& options) {
   return ExitCode::kOk;
 }
 
+ExitCode RunRename(const Session& session, const std::string& name, const std::string& title) {
+  grpc::ClientContext context;
+  v1::UpdateMapRequest request;
+  request.mutable_map()->set_name(MapName(name));
+  request.mutable_map()->set_display_name(title);
+  request.mutable_update_mask()->add_paths("display_name");
+  v1::UpdateMapResponse response;
+  const grpc::Status status = Maps(session)->UpdateMap(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else std::cout << MapName(name) << " is now called '" << title << "'\n";
+  return ExitCode::kOk;
+}
+
 ExitCode RunDelete(const Session& session, const std::string& name) {
   grpc::ClientContext context;
   v1::DeleteMapRequest request;
@@ -117,8 +136,8 @@ ExitCode RunStats(const Session& session, const std::string& name) {
 }
 
 std::string Describe(const v1::Refinement& refinement) {
-  return "refined in " + Fixed(refinement.management_s() + refinement.crf_s(), 2) + " s: " +
-         std::to_string(refinement.num_shared_voxels()) + " voxels that several submaps held, " +
+  return "refined in " + Fixed(refinement.management_s() + refinement.crf_s(), 2) +
+         " s: " + std::to_string(refinement.num_shared_voxels()) + " voxels that several submaps held, " +
          std::to_string(refinement.num_changed_instances()) + " given to another submap";
 }
 
@@ -157,6 +176,11 @@ void AddMapsCommands(CLI::App& app, Session& session) {
     if (maps->get_subcommands().empty()) session.exit_code = RunList(session);
   });
   AddNamed(*maps, "show", "One map with its configuration and classes", session, RunShow);
+  auto renamed = std::make_shared<std::pair<std::string, std::string>>();
+  CLI::App* rename = maps->add_subcommand("rename", "Give a map another title; its name stays");
+  rename->add_option("map", renamed->first, "Name of the map")->required();
+  rename->add_option("title", renamed->second, "Its title from now on")->required();
+  rename->callback([renamed, &session] { session.exit_code = RunRename(session, renamed->first, renamed->second); });
   AddNamed(*maps, "delete", "Delete a map with all its submaps", session, RunDelete);
   auto options = std::make_shared<CreateOptions>();
   CLI::App* create = maps->add_subcommand("create", "Create an empty map");

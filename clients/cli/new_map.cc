@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <unordered_map>
 
-#include "clients/cli/frame_message.h"
 #include "clients/cli/map_settings.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
+#include "server/wire/types/label_conversion.h"
 
 namespace dhpmap {
 namespace {
@@ -46,7 +46,7 @@ Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset
     DHPMAP_RETURN_IF_ERROR(ApplySetting(setting, *request.mutable_config()));
   }
   if (dataset == nullptr) return request;
-  for (const LabelClass& label_class : dataset->label_classes()) *request.add_label_classes() = ToMessage(label_class);
+  for (const LabelClass& label_class : dataset->label_classes()) *request.add_label_classes() = ToProto(label_class);
   return request;
 }
 

@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/cli/output_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
 #include <iostream>
 #include <utility>
 
 namespace dhpmap {
+namespace {
+
+/// What is renamed before it is on the disk can be empty after a power cut.
+bool Sync(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool is_synced = fsync(descriptor) == 0 || errno == EINVAL;  // a device has nothing to sync
+  close(descriptor);
+  return is_synced;
+}
+
+}  // namespace
 
 Result<OutputFile> OutputFile::Open(const std::string& path) {
   OutputFile file(path);
@@ -37,7 +53,7 @@ Status OutputFile::Close() {
   }
   file_.close();
   const std::string path = std::exchange(path_, {});
-  if (file_ && std::rename((path + ".part").c_str(), path.c_str()) == 0) return Status::Ok();
+  if (file_ && Sync(path + ".part") && std::rename((path + ".part").c_str(), path.c_str()) == 0) return Status::Ok();
   std::remove((path + ".part").c_str());
   return ResourceExhausted("cannot write all of " + path);
 }

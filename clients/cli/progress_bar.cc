@@ -26,7 +26,7 @@ double ProgressBar::elapsed_s() const {
 
 void ProgressBar::Show(std::size_t done, const std::string& note) {
   const auto now = std::chrono::steady_clock::now();
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   if (is_terminal_) {
     if (is_drawn_ && now - drawn_ < kMinInterval && done < total_) return;
     drawn_ = now;
@@ -40,7 +40,7 @@ void ProgressBar::Show(std::size_t done, const std::string& note) {
 }
 
 void ProgressBar::Print(const std::string& line) {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   std::fprintf(stderr, "%s%s\n", is_drawn_ ? "\r\x1b[K" : "", line.c_str());
   is_drawn_ = false;
 }

@@ -3,8 +3,9 @@
 
 #include <chrono>
 #include <cstddef>
-#include <mutex>
 #include <string>
+
+#include "mapping/base/mutex.h"
 
 namespace dhpmap {
 
@@ -20,15 +21,15 @@ class ProgressBar {
   [[nodiscard]] double elapsed_s() const;
 
  private:
-  void Draw(std::size_t done, const std::string& note);
+  void Draw(std::size_t done, const std::string& note) DHPMAP_REQUIRES(mutex_);
 
   const std::size_t total_;
   const bool is_terminal_;
-  std::mutex mutex_;
-  bool is_drawn_ = false;  // guarded by mutex_, like all below
-  std::size_t tenths_shown_ = 0;
-  std::chrono::steady_clock::time_point drawn_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Mutex mutex_;
+  bool is_drawn_ DHPMAP_GUARDED_BY(mutex_) = false;
+  std::size_t tenths_shown_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::chrono::steady_clock::time_point drawn_ DHPMAP_GUARDED_BY(mutex_);
 };
 
 }  // namespace dhpmap

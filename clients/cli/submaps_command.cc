@@ -6,6 +6,7 @@
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
 #include "clients/cli/new_map.h"
+#include "clients/cli/pages.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
 
@@ -76,9 +77,12 @@ ExitCode RunList(const Session& session, const SubmapsOptions& options) {
     SetVector(*request.mutable_region()->mutable_min_m(), options.box.data());
     SetVector(*request.mutable_region()->mutable_max_m(), options.box.data() + 3);
   }
-  grpc::ClientContext context;
+  const auto submaps = v1::SubmapService::NewStub(channel);
   v1::ListSubmapsResponse response;
-  const grpc::Status status = v1::SubmapService::NewStub(channel)->ListSubmaps(&context, request, &response);
+  const grpc::Status status =
+      ReadAllPages(request, response, [&submaps](auto* context, const auto& page, auto* answer) {
+        return submaps->ListSubmaps(context, page, answer);
+      });
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
   else PrintTable(response.submaps());

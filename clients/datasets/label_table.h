@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mapping/base/result.h"
-#include "mapping/map/label_set.h"
+#include "mapping/labels/label_set.h"
 #include "mapping/sensor/frame.h"
 
 namespace dhpmap {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mapping/map/label_set.h"
+#include "mapping/labels/label_set.h"
 
 namespace dhpmap {
 

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 constexpr PinholeCamera kKinect{640, 480, 585.0, 585.0, 320.0, 240.0};
 constexpr double kDepthScale_m = 0.001;
 constexpr double kFramePeriod_ns = 1e9 / 30;  // the layout has no times
+constexpr std::int64_t kMaxFrameNumber = 1'000'000'000;
 constexpr const char* kDepthEnding = ".depth.png";
 
 fs::path FindSequence(const fs::path& directory) {
@@ -60,8 +61,9 @@ class SevenScenesDataset : public Dataset {
     DatasetFrame frame;
     frame.id = ids_[index];
     const Result<std::int64_t> number = ParseInteger(frame.id.substr(frame.id.find('-') + 1));
-    frame.stamp_ns =
-        static_cast<std::int64_t>((number.ok() ? *number : static_cast<std::int64_t>(index)) * kFramePeriod_ns);
+    const bool is_numbered = number.ok() && *number >= 0 && *number <= kMaxFrameNumber;
+    const double place = is_numbered ? static_cast<double>(*number) : static_cast<double>(index);
+    frame.stamp_ns = static_cast<std::int64_t>(place * kFramePeriod_ns);
     DHPMAP_ASSIGN_OR_RETURN(frame.T_map_sensor, ReadPose(folder_ / (frame.id + ".pose.txt")));
     DatasetFrame::DepthCamera& camera = frame.camera.emplace();
     camera.camera = camera_;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mapping/map/label_set.h"
+#include "mapping/labels/label_set.h"
 #include "mapping/map/map_config.h"
 #include "mapping/mesh/mesh.h"
 #include "mapping/sensor/frame.h"

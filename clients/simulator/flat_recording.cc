@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <mutex>
 #include <system_error>
 
 #include "clients/simulator/camera_path.h"
@@ -14,6 +13,7 @@
 #include "clients/simulator/panoptic_noise.h"
 #include "clients/simulator/renderer.h"
 #include "clients/simulator/truth_file.h"
+#include "mapping/base/mutex.h"
 
 namespace dhpmap::simulator {
 namespace {
@@ -113,29 +113,41 @@ Status WriteTables(const ApartmentScene& scene, const RecordingOptions& options,
   return WriteText(folder / options.run / "timestamps.csv", TimestampsCsv(options));
 }
 
+/// What went wrong first, on whichever thread. Thread-safe.
+class FirstError {
+ public:
+  void Offer(const Status& error) {
+    const MutexLock lock(mutex_);
+    if (error_.ok()) error_ = error;
+  }
+  [[nodiscard]] Status Get() {
+    const MutexLock lock(mutex_);
+    return error_;
+  }
+
+ private:
+  Mutex mutex_;
+  Status error_ DHPMAP_GUARDED_BY(mutex_);
+};
+
 /// All frames, spread over the threads; by frame.
 Result<std::vector<std::vector<InstanceView>>> WriteFrames(const FrameWriter& writer, const RecordingOptions& options,
                                                            ThreadPool& threads,
                                                            const std::function<void()>& on_frame_done) {
   std::vector<std::vector<InstanceView>> views_of_frames(
       static_cast<std::size_t>(options.num_frames - options.first_frame));
-  std::mutex mutex;
-  Status first_error;  // guarded by mutex
+  FirstError first_error;
   threads.ParallelFor(views_of_frames.size(), [&](std::size_t i) {
-    {
-      const std::lock_guard lock(mutex);
-      if (!first_error.ok()) return;
-    }
+    if (!first_error.Get().ok()) return;
     Result<std::vector<InstanceView>> views = writer.Write(options.first_frame + static_cast<int>(i));
     if (views.ok()) {
       views_of_frames[i] = std::move(*views);
       if (on_frame_done) on_frame_done();
       return;
     }
-    const std::lock_guard lock(mutex);
-    if (first_error.ok()) first_error = views.status();
+    first_error.Offer(views.status());
   });
-  DHPMAP_RETURN_IF_ERROR(first_error);
+  DHPMAP_RETURN_IF_ERROR(first_error.Get());
   return views_of_frames;
 }
 

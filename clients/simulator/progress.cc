@@ -12,7 +12,7 @@ Progress::Progress(int total, bool is_quiet)
     : total_(total), is_quiet_(is_quiet), is_terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void Progress::Step() {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   ++done_;
   if (!is_quiet_) Draw();
 }

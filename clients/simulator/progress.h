@@ -2,7 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <mutex>
+
+#include "mapping/base/mutex.h"
 
 namespace dhpmap::simulator {
 
@@ -13,14 +14,14 @@ class Progress {
   void Step();
 
  private:
-  void Draw();
+  void Draw() DHPMAP_REQUIRES(mutex_);
 
   const int total_;
   const bool is_quiet_;
   const bool is_terminal_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::mutex mutex_;
-  int done_ = 0;  // guarded by mutex_
+  Mutex mutex_;
+  int done_ DHPMAP_GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace dhpmap::simulator

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/base/status.h"
 
+#include <cassert>
+
 namespace dhpmap {
 
 std::string_view StatusCodeName(StatusCode code) {
@@ -26,15 +28,13 @@ std::string_view StatusCodeName(StatusCode code) {
   return "UNKNOWN";
 }
 
-Status& Status::WithReason(std::string reason) & {
-  reason_ = std::move(reason);
+Status& Status::WithReason(Reason reason) & {
+  assert(reason.Allows(code_));
+  reason_ = reason;
   return *this;
 }
 
-Status&& Status::WithReason(std::string reason) && {
-  reason_ = std::move(reason);
-  return std::move(*this);
-}
+Status&& Status::WithReason(Reason reason) && { return std::move(WithReason(reason)); }
 
 Status&& Status::WithViolation(std::string field, std::string description) && {
   AddViolation(std::move(field), std::move(description));

@@ -2,34 +2,13 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "mapping/base/reason.h"
+#include "mapping/base/status_code.h"
+
 namespace dhpmap {
-
-/// The subset of google.rpc.Code that we use, with the same numbers (server/grpc checks that at compile time).
-enum class StatusCode : int {
-  kOk = 0,
-  kCancelled = 1,
-  kUnknown = 2,
-  kInvalidArgument = 3,
-  kDeadlineExceeded = 4,
-  kNotFound = 5,
-  kAlreadyExists = 6,
-  kPermissionDenied = 7,
-  kResourceExhausted = 8,
-  kFailedPrecondition = 9,
-  kAborted = 10,
-  kOutOfRange = 11,
-  kUnimplemented = 12,
-  kInternal = 13,
-  kUnavailable = 14,
-  kDataLoss = 15,
-  kUnauthenticated = 16,
-};
-
-std::string_view StatusCodeName(StatusCode code);
 
 /// One offending field of a request or a config, by its dotted path.
 struct FieldViolation {
@@ -50,12 +29,13 @@ class [[nodiscard]] Status {
   [[nodiscard]] StatusCode code() const { return code_; }
   [[nodiscard]] const std::string& message() const { return message_; }
 
-  /// Machine-readable cause in UPPER_SNAKE (google.rpc.ErrorInfo.reason), or empty.
-  [[nodiscard]] const std::string& reason() const { return reason_; }
+  /// Machine-readable cause, or none.
+  [[nodiscard]] Reason reason() const { return reason_; }
   [[nodiscard]] const std::vector<FieldViolation>& violations() const { return violations_; }
 
-  Status& WithReason(std::string reason) &;
-  Status&& WithReason(std::string reason) &&;
+  /// The table of reasons allows the reason to come with this code.
+  Status& WithReason(Reason reason) &;
+  Status&& WithReason(Reason reason) &&;
   Status&& WithViolation(std::string field, std::string description) &&;
   void AddViolation(std::string field, std::string description);
 
@@ -65,7 +45,7 @@ class [[nodiscard]] Status {
  private:
   StatusCode code_ = StatusCode::kOk;
   std::string message_;
-  std::string reason_;
+  Reason reason_;
   std::vector<FieldViolation> violations_;
 };
 

@@ -2,8 +2,21 @@
 #include "mapping/base/thread_pool.h"
 
 #include <algorithm>
+#include <exception>
 
 namespace dhpmap {
+
+/// What a caller of ParallelFor waits for. Belongs to the pool's mutex.
+struct ThreadPool::Loop {
+  const std::function<void(std::size_t)>& body;
+  std::size_t count;
+  std::size_t next = 0;
+  std::size_t num_running = 0;
+  std::exception_ptr error = nullptr;  ///< the first
+
+  [[nodiscard]] bool IsOpen() const { return next < count; }
+  [[nodiscard]] bool IsDone() const { return !IsOpen() && num_running == 0; }
+};
 
 ThreadPool::ThreadPool(int num_threads) {
   if (num_threads <= 0) num_threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -12,10 +25,10 @@ ThreadPool::ThreadPool(int num_threads) {
 
 ThreadPool::~ThreadPool() {
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     stopping_ = true;
   }
-  work_ready_.notify_all();
+  work_ready_.NotifyAll();
   for (std::thread& worker : workers_) worker.join();
 }
 
@@ -25,34 +38,48 @@ void ThreadPool::ParallelFor(std::size_t count, const std::function<void(std::si
     for (std::size_t i = 0; i < count; ++i) body(i);
     return;
   }
-  std::unique_lock lock(mutex_);
-  body_ = &body;
-  next_ = 0;
-  count_ = count;
-  unfinished_ = count;
-  work_ready_.notify_all();
-  RunItems(lock);
-  work_done_.wait(lock, [this] { return unfinished_ == 0; });
-  body_ = nullptr;
+  Loop loop{.body = body, .count = count};
+  {
+    const MutexLock lock(mutex_);
+    open_.push_back(&loop);
+    work_ready_.NotifyAll();
+    while (loop.IsOpen()) RunItem(loop);
+    while (!loop.IsDone()) work_done_.Wait(mutex_);
+  }
+  if (loop.error) std::rethrow_exception(loop.error);
 }
 
-void ThreadPool::RunItems(std::unique_lock<std::mutex>& lock) {
-  while (body_ != nullptr && next_ < count_) {
-    const std::size_t item = next_++;
-    const auto& body = *body_;
-    lock.unlock();
-    body(item);
-    lock.lock();
-    if (--unfinished_ == 0) work_done_.notify_all();
+void ThreadPool::RunItem(Loop& loop) {
+  const std::size_t item = loop.next++;
+  ++loop.num_running;
+  if (!loop.IsOpen()) std::erase(open_, &loop);
+  mutex_.Unlock();
+  std::exception_ptr error;
+  try {
+    loop.body(item);
+  } catch (...) {
+    error = std::current_exception();
   }
+  mutex_.Lock();
+  if (error && !loop.error) {
+    loop.error = error;
+    Close(loop);
+  }
+  --loop.num_running;
+  if (loop.IsDone()) work_done_.NotifyAll();
+}
+
+void ThreadPool::Close(Loop& loop) {
+  loop.next = loop.count;
+  std::erase(open_, &loop);
 }
 
 void ThreadPool::WorkerLoop() {
-  std::unique_lock lock(mutex_);
+  const MutexLock lock(mutex_);
   while (true) {
-    work_ready_.wait(lock, [this] { return stopping_ || (body_ != nullptr && next_ < count_); });
+    while (!stopping_ && open_.empty()) work_ready_.Wait(mutex_);
     if (stopping_) return;
-    RunItems(lock);
+    RunItem(*open_[turn_++ % open_.size()]);
   }
 }
 

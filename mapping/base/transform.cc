@@ -8,7 +8,7 @@ namespace dhpmap {
 namespace {
 
 constexpr double kMaxOrthonormalError = 1e-3;
-constexpr double kMinQuaternionNorm = 1e-6;
+constexpr double kMinQuaternionNorm = 1e-6, kMaxQuaternionNorm = 1e6;
 
 Status BadTransform(std::string_view name, const char* what) {
   return InvalidArgument(std::string(name) + " " + what)
@@ -39,6 +39,7 @@ Result<Transform> TransformFromQuaternion(const Eigen::Vector3d& translation_m, 
                                           std::string_view name) {
   if (!translation_m.allFinite() || !xyzw.allFinite()) return BadTransform(name, "has a NaN or infinite entry");
   if (xyzw.norm() < kMinQuaternionNorm) return BadTransform(name, "has a zero quaternion");
+  if (!(xyzw.norm() <= kMaxQuaternionNorm)) return BadTransform(name, "has a quaternion of a norm above 1e6");
   const Eigen::Quaterniond q(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
   Transform T = Transform::Identity();
   T.linear() = q.normalized().toRotationMatrix();

@@ -17,7 +17,7 @@ using Transform = Eigen::Isometry3d;
 Result<Transform> TransformFromMatrix(const Eigen::Matrix4d& matrix, std::string_view name);
 
 /// Builds a transform from a translation (m) and a quaternion (x, y, z, w) that need not be normalised; refuses
-/// non-finite values and a quaternion of norm below 1e-6.
+/// non-finite values and a quaternion of norm below 1e-6 or above 1e6.
 Result<Transform> TransformFromQuaternion(const Eigen::Vector3d& translation_m, const Eigen::Vector4d& xyzw,
                                           std::string_view name);
 

@@ -207,7 +207,7 @@ void Bundler::CollectLidarRuns(const LidarData& data, const Grid& grid) {
     for (std::size_t i = band * kPointsPerBand; i < end; ++i) {
       const Eigen::Vector3f& p_sensor = data.points_m[i];
       const double range = p_sensor.cast<double>().norm();
-      if (!(range > 0.0 && range >= config_.min_range_m && range <= config_.max_range_m)) continue;
+      if (!(range >= kLeastDepth_m && range >= config_.min_range_m && range <= config_.max_range_m)) continue;
       float weight = 1.0f;
       if (config_.weighting == Weighting::kInverseRangeSquared) weight = static_cast<float>(1.0 / (range * range));
       if (config_.weighting == Weighting::kInverseDepthSquared) weight = static_cast<float>(1.0 / (range * range));
@@ -305,7 +305,7 @@ void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& s
 }
 
 std::vector<SegmentBundles>& Bundler::BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
-                                                        double voxel_size_m) {
+                                                  double voxel_size_m) {
   const Grid grid(T_grid_sensor, voxel_size_m);
   if (frame.camera) {
     CollectCameraRuns(*frame.camera, grid);

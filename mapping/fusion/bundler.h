@@ -68,7 +68,7 @@ class Bundler {
   /// segments with points, first that of unknown objects, then by table row; it stays valid until the next call. The
   /// same for any number of threads, and the caller's to change. The frame must be valid (ValidateFrame).
   std::vector<SegmentBundles>& BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
-                                                 double voxel_size_m);
+                                           double voxel_size_m);
 
  private:
   struct Run;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "mapping/fusion/grid_ray.h"
+#include "mapping/map/voxel_average.h"
 
 namespace dhpmap {
 namespace {
@@ -62,11 +63,7 @@ struct UpdateRule {
   float max_weight;
 };
 
-std::uint8_t Blend(std::uint8_t old_value, float old_weight, float value, float weight, float inverse_sum) {
-  return static_cast<std::uint8_t>((static_cast<float>(old_value) * old_weight + value * weight) * inverse_sum + 0.5f);
-}
-
-/// Weighted running average (Curless and Levoy 1996). Returns false where the observation weighs nothing.
+/// Adds an observation to the voxel's average. Returns false where the observation weighs nothing.
 bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const UpdateRule& rule, TsdfBlock& block,
                  std::size_t i) {
   if (-sdf_m > rule.dropoff_start_m) {
@@ -75,16 +72,14 @@ bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const 
   const float old_weight = block.weight[i];
   const float sum = old_weight + weight;
   if (weight <= 0.0f || sum < kMinObservedWeight) return false;
-  const float inverse_sum = 1.0f / sum;
+  const RunningAverage average(old_weight, weight);
   // Each observation is clamped before averaging, so that the average does not depend on their order; the average is
   // clamped again because rounding may push it out of the band.
   const float clamped_m = std::clamp(sdf_m, -rule.truncation_m, rule.truncation_m);
-  const float average_m = (clamped_m * weight + block.distance_m[i] * old_weight) * inverse_sum;
-  block.distance_m[i] = std::clamp(average_m, -rule.truncation_m, rule.truncation_m);
+  block.distance_m[i] = std::clamp(average(block.distance_m[i], clamped_m), -rule.truncation_m, rule.truncation_m);
   if (std::abs(sdf_m) < rule.truncation_m) {
     Color& c = block.color[i];
-    c = {Blend(c.r, old_weight, color.x(), weight, inverse_sum), Blend(c.g, old_weight, color.y(), weight, inverse_sum),
-         Blend(c.b, old_weight, color.z(), weight, inverse_sum)};
+    c = {average.Channel(c.r, color.x()), average.Channel(c.g, color.y()), average.Channel(c.b, color.z())};
   }
   block.weight[i] = std::min(sum, rule.max_weight);
   return true;

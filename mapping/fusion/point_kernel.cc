@@ -40,8 +40,8 @@ void ProjectRow(const float* __restrict depth_m, int width, const RowGeometry& g
     const float depth = depth_m[u];
     const float length2 = column_length2[u] + g.row_length2;
     const float range2 = depth * depth * length2;
-    // False for NaN and infinity too; min_range may be 0, so the sign is tested on its own.
-    const bool valid = (depth > 0.0f) & (range2 >= g.min_range2_m2) & (range2 <= g.max_range2_m2);
+    // False for NaN and infinity too; min_range may be 0, so the depth is tested on its own.
+    const bool valid = (depth >= kLeastDepth_m) & (range2 >= g.min_range2_m2) & (range2 <= g.max_range2_m2);
     const float z = valid ? depth : 1.0f;
     const float divisor = by_depth ? z * z : (by_range ? z * z * length2 : 1.0f);
     weight[u] = valid ? 1.0f / divisor : 0.0f;

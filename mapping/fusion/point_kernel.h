@@ -7,6 +7,9 @@
 
 namespace dhpmap {
 
+/// Nearer than any sensor measures. A point's weight may go with 1 / depth^2, which must stay finite.
+inline constexpr float kLeastDepth_m = 1e-3f;
+
 /// What a row of depth pixels needs to become points on a grid. A pixel's ray, along the axes of the grid, is
 /// column[u] + row; its squared length for unit depth is column_length2[u] + row_length2.
 struct RowGeometry {

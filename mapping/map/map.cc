@@ -122,12 +122,14 @@ Submap& Map::Create(SubmapInfo info) {
 }
 
 Submap* Map::Clone(SubmapId id) {
-  Submap* original = FindMutable(id);
+  const Submap* original = Find(id);
   if (original == nullptr) return nullptr;
-  // From here on both copies hold the same blocks, so neither may write to them in place: what was made in this
-  // generation must count as old.
+  changed_ = true;
+  // From here on both hold the same blocks, so neither may write to them in place: what was made in this generation
+  // must count as old. An original that a snapshot holds is left alone: nothing of it changes.
+  if (original->generation() == generation_) FindMutable(id)->ShareBlocks();
   auto copy = std::make_shared<Submap>(*original);
-  original->ShareBlocks();
+  copy->set_generation(generation_);
   copy->ShareBlocks();
   copy->mutable_info().id = info_.next_submap_id++;
   copy->mutable_info().track_id = 0;
@@ -157,6 +159,16 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
   ++generation_;
   changed_ = false;
   return published_;
+}
+
+Map Map::Fork() {
+  Map fork = *this;
+  for (auto& submap : fork.submaps_) {
+    if (submap->generation() != generation_) continue;  // both copy it before they write
+    const_cast<Submap&>(*submap).ShareBlocks();         // made by this generation: no snapshot holds it
+    submap = std::make_shared<const Submap>(*submap);
+  }
+  return fork;
 }
 
 std::shared_ptr<const MapSnapshot> Map::Freeze() {

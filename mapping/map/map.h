@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "mapping/base/result.h"
-#include "mapping/map/label_set.h"
+#include "mapping/labels/label_set.h"
 #include "mapping/map/map_config.h"
+#include "mapping/map/session_marks.h"
 #include "mapping/map/submap.h"
 
 namespace dhpmap {
@@ -17,6 +18,9 @@ namespace dhpmap {
 struct MapInfo {
   std::string name;  ///< [a-z0-9][a-z0-9._-]{0,62}, unique in a server
   std::string display_name;
+  /// Of this map's ids and revisions: another for each map that is made, restored from a backup or imported, though its
+  /// name be the same. 0: not drawn yet.
+  std::uint64_t history_id = 0;
   MapConfig config;
   std::shared_ptr<const LabelSet> label_set = std::make_shared<LabelSet>();
   std::int64_t revision = 0;        ///< +1 with each published change
@@ -24,6 +28,7 @@ struct MapInfo {
   SubmapId next_submap_id{1};       ///< ids are never reused
   std::int64_t create_time_ns = 0;  ///< UTC
   std::int64_t update_time_ns = 0;  ///< UTC
+  SessionMarks sessions;            ///< of the frames fused so far
 };
 
 Status ValidateMapName(const std::string& name);
@@ -75,6 +80,10 @@ class Map {
   /// snapshot.
   std::shared_ptr<const MapSnapshot> Publish(std::int64_t time_ns);
   [[nodiscard]] const std::shared_ptr<const MapSnapshot>& published() const { return published_; }
+
+  /// A second writer's map of the same state, published or not: to go back to by assigning it. Whatever either writes
+  /// afterwards is copied first.
+  [[nodiscard]] Map Fork();
 
   /// The present state, published or not, without making a revision of it: for work on the side such as refinement.
   /// Whatever is written afterwards is copied first.

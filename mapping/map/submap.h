@@ -7,9 +7,9 @@
 
 #include "mapping/base/ids.h"
 #include "mapping/base/transform.h"
+#include "mapping/labels/panoptic.h"
 #include "mapping/map/block_table.h"
 #include "mapping/map/bounding_sphere.h"
-#include "mapping/map/label_set.h"
 
 namespace dhpmap {
 
@@ -31,7 +31,7 @@ struct SubmapInfo {
   ClassId class_id;
   /// Set by a user's relabelling; fusion then leaves class_id alone.
   bool class_is_fixed = false;
-  std::string display_name;
+  std::string display_name;  ///< as somebody has set it; empty: see DisplayNameOf
   Transform T_map_submap = Transform::Identity();
   double voxel_size_m = 0;
   double truncation_m = 0;

@@ -5,14 +5,9 @@
 #include <cstdint>
 
 #include "mapping/base/grid.h"
+#include "mapping/labels/color.h"
 
 namespace dhpmap {
-
-/// 8-bit sRGB as the camera gave it.
-struct Color {
-  std::uint8_t r = 0, g = 0, b = 0;
-  constexpr bool operator==(const Color&) const = default;
-};
 
 /// A voxel of less weight than this has not been observed, and its distance means nothing.
 inline constexpr float kMinObservedWeight = 1e-6f;

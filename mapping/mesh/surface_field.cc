@@ -5,6 +5,7 @@
 #include <array>
 
 #include "mapping/map/voxel_answer.h"
+#include "mapping/map/voxel_average.h"
 
 namespace dhpmap {
 namespace {
@@ -23,22 +24,18 @@ std::vector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps) {
   return sorted;
 }
 
-/// Writes the average of what holders have at a voxel, by weight as fusion does it, and says which of them answers.
+/// Writes the average of what holders have at a voxel, by weight as fusion does it (MergedAverage), and says which of
+/// them answers.
 std::uint16_t AverageVoxel(std::span<const BlockHolder> holders, int linear, TsdfBlock& average) {
   const auto i = static_cast<std::size_t>(linear);
-  double weight = 0, distance_m = 0;
-  std::array<double, 3> rgb{};
+  MergedAverage<double> merged;
   VoxelSupport best;
   std::uint16_t answers = 0;
   bool is_first = true;
   for (std::uint16_t h = 0; h < holders.size(); ++h) {
     const TsdfBlock& tsdf = *holders[h].block->tsdf;
     if (!tsdf.IsObserved(linear)) continue;
-    const double w = tsdf.weight[i];
-    const Color color = tsdf.color[i];
-    weight += w;
-    distance_m += w * tsdf.distance_m[i];
-    rgb = {rgb[0] + w * color.r, rgb[1] + w * color.g, rgb[2] + w * color.b};
+    merged.Add(tsdf, i);
     const VoxelSupport support = SupportOfVoxel(*holders[h].submap, *holders[h].block, linear);
     if (is_first || support > best) {
       best = support;
@@ -46,10 +43,7 @@ std::uint16_t AverageVoxel(std::span<const BlockHolder> holders, int linear, Tsd
     }
     is_first = false;
   }
-  const auto channel = [weight](double sum) { return static_cast<std::uint8_t>(std::min(sum / weight + 0.5, 255.0)); };
-  average.distance_m[i] = static_cast<float>(distance_m / weight);
-  average.weight[i] = static_cast<float>(weight);
-  average.color[i] = {channel(rgb[0]), channel(rgb[1]), channel(rgb[2])};
+  merged.Store(average, i);
   return answers;
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <limits>
 
+#include "mapping/map/slope.h"
 #include "mapping/mesh/halo.h"
 
 namespace dhpmap {
@@ -25,13 +25,10 @@ class TsdfHalo {
   }
 
   [[nodiscard]] float At(int position) const { return distance_m_[position]; }
-  /// Change of the distance over one voxel along an axis, from the neighbours there are.
+  /// See Slope in mapping/map.
   [[nodiscard]] float Slope(int position, int axis) const {
     const int stride = Halo::kStride[axis];
-    const float here = At(position), below = At(position - stride), above = At(position + stride);
-    if (!std::isnan(below) && !std::isnan(above)) return 0.5f * (above - below);
-    if (!std::isnan(above)) return above - here;
-    return std::isnan(below) ? 0.0f : here - below;
+    return dhpmap::Slope(At(position - stride), At(position), At(position + stride));
   }
 
  private:

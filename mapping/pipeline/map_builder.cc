@@ -2,34 +2,24 @@
 #include "mapping/pipeline/map_builder.h"
 
 #include <algorithm>
-#include <chrono>
+#include <exception>
+#include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "mapping/base/thread_pool.h"
+#include "mapping/fusion/band_size.h"
 #include "mapping/fusion/bundler.h"
-#include "mapping/fusion/integrator.h"
 #include "mapping/fusion/segment_parts.h"
-#include "mapping/map/map_grid.h"
 #include "mapping/pipeline/background_refinement.h"
+#include "mapping/pipeline/frame_fusion.h"
+#include "mapping/pipeline/stage_clock.h"
+#include "mapping/sensor/frame_reach.h"
 #include "mapping/tracking/activity.h"
 #include "mapping/tracking/tracker.h"
-#include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
 namespace {
-
-class Stopwatch {
- public:
-  /// Seconds since construction or the last lap.
-  double Lap_s() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Which rows of the frame's table are things.
 std::vector<bool> ThingRows(const PanopticFrame& frame, const LabelSet& label_set) {
@@ -40,34 +30,39 @@ std::vector<bool> ThingRows(const PanopticFrame& frame, const LabelSet& label_se
   return is_thing;
 }
 
-/// The segments of a frame that go into one submap, in the order of the table.
-struct SubmapWork {
-  Submap* submap;
-  std::vector<std::size_t> segments;
-  std::int64_t num_updates = 0;
-};
-
 }  // namespace
 
 struct MapBuilder::Impl {
-  Impl(Map m, int num_threads, RefinementTiming t)
+  Impl(Map m, std::shared_ptr<ThreadPool> p, RefinementTiming t)
       : map(std::move(m)),
-        pool(num_threads),
+        pool(std::move(p)),
         timing(t),
-        bundler(map.info().config.integration, pool),
-        tracker(map.info().config, pool) {}
+        bundler(std::in_place, map.info().config.integration, *pool),
+        tracker(map.info().config, *pool) {}
 
-  std::vector<SubmapWork> GroupBySubmap(const std::vector<Assignment>& assignments);
-  void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, SubmapWork& work);
-  std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments);
+  [[nodiscard]] Status CheckFrame(const PanopticFrame& frame) const;
+  Result<FrameReport> IntegrateChecked(const PanopticFrame& frame);
+  void GoBackTo(Map&& before);
+
+  // The stages of a frame; each notes its time and outcome in the report.
+  const std::vector<SegmentBundles>& Bundle(const PanopticFrame& frame, FrameReport& report);
+  [[nodiscard]] Status CheckSize(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments) const;
+  std::vector<Assignment> Associate(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                                    FrameReport& report);
+  void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+            const std::vector<Assignment>& assignments, FrameReport& report);
+  void Settle(const PanopticFrame& frame, const std::vector<Assignment>& assignments, FrameReport& report);
+  void Refine(FrameReport& report);
+
   std::optional<RefinementReport> RefineOnTheSide();
   RefinementReport TakeOver(const BackgroundRefinement::Outcome& outcome);
   void PruneEmptyBlocks();
+  RefinementReport Finish();
 
   Map map;
-  ThreadPool pool;
+  std::shared_ptr<ThreadPool> pool;
   RefinementTiming timing;
-  Bundler bundler;
+  std::optional<Bundler> bundler;  // always there
   Tracker tracker;
   BackgroundRefinement refinement;
   bool is_overdue = false;                          // the refinement under way should be taken over
@@ -75,69 +70,70 @@ struct MapBuilder::Impl {
   RefinementReport refinement_total;
 };
 
-std::vector<SubmapWork> MapBuilder::Impl::GroupBySubmap(const std::vector<Assignment>& assignments) {
-  std::vector<SubmapWork> works;
-  for (std::size_t s = 0; s < assignments.size(); ++s) {
-    Submap* submap = map.FindMutable(assignments[s].submap);
-    auto it = std::find_if(works.begin(), works.end(), [&](const SubmapWork& work) { return work.submap == submap; });
-    if (it == works.end()) it = works.insert(works.end(), {submap, {}});
-    it->segments.push_back(s);
-  }
-  return works;
+/// What can be said before anything is touched.
+Status MapBuilder::Impl::CheckFrame(const PanopticFrame& frame) const {
+  DHPMAP_RETURN_IF_ERROR(ValidateFrame(frame, *map.info().label_set));
+  return CheckFrameIsOnGrid(frame, map.info().config.voxel_size_m);
 }
 
-void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, SubmapWork& work) {
-  Submap& submap = *work.submap;
-  const SubmapInfo& info = submap.info();
-  const IntegrationConfig& config = map.info().config.integration;
-  const bool is_unknown = info.id == kUnknownSubmap;
-  const bool on_map_grid = IsOnMapGrid(info, map.info().config);
-  const Transform T_submap_sensor = info.T_map_submap.inverse() * frame.T_map_sensor;
-  const RayOrigin origin(T_submap_sensor.translation(), info.voxel_size_m);
-  const std::size_t num_blocks = submap.blocks().size();
-
-  // A moved object has a grid of its own: bundle the frame again on that one, whole segments.
-  ThreadPool here(1);
-  Bundler own_bundler(config, here);
-  const std::vector<SegmentBundles>* bundled = nullptr;
-  if (!on_map_grid) bundled = &own_bundler.BundleFrame(frame, T_submap_sensor, info.voxel_size_m);
-
-  int last_row = -2;
-  for (const std::size_t s : work.segments) {
-    const int row = segments[s].row;
-    const SegmentBundles* bundles = &segments[s];
-    if (!on_map_grid) {
-      if (std::exchange(last_row, row) == row) continue;  // another part of the same segment
-      bundles = &*std::find_if(bundled->begin(), bundled->end(), [row](const auto& b) { return b.row == row; });
-    }
-    std::optional<ClassId> class_id;
-    if (!is_unknown) class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
-    work.num_updates += IntegrateSegment(*bundles, origin, class_id, config, submap);
+/// Points become segments: bundles on the map's grid, things that lie apart in parts.
+const std::vector<SegmentBundles>& MapBuilder::Impl::Bundle(const PanopticFrame& frame, FrameReport& report) {
+  const StageClock clock(report.bundle_s);
+  const MapInfo& info = map.info();
+  auto& segments = bundler->BundleFrame(frame, frame.T_map_sensor, info.config.voxel_size_m);
+  const int gap_vox = info.config.tracking.split_gap_vox;
+  if (gap_vox > 0 && !frame.has_persistent_ids) SplitIntoParts(ThingRows(frame, *info.label_set), gap_vox, segments);
+  for (const SegmentBundles& segment : segments) {
+    report.num_points += segment.num_points;
+    report.num_segments += segment.row >= 0;
   }
-  if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
-  submap.mutable_info().num_frames_observed += 1;
-  submap.mutable_info().last_observed_ns = frame.stamp_ns;
+  return segments;
 }
 
-std::int64_t MapBuilder::Impl::Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments) {
+/// What a frame may allocate, before it does.
+Status MapBuilder::Impl::CheckSize(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments) const {
   const MapConfig& config = map.info().config;
   const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
-  std::vector<Submap*> in_view;
-  std::vector<SubmapId> ids;
-  for (const auto& submap : map.submaps()) {
-    if (IsOnMapGrid(submap->info(), config) &&
-        MayBeInView(frame, config.integration.max_range_m, submap->bounding_sphere())) {
-      ids.push_back(submap->id());
-    }
+  const std::size_t num_blocks =
+      CountBandBlocks(segments, origin, config.voxel_size_m, config.truncation_m, kMaxBlocksAFrame);
+  if (num_blocks <= kMaxBlocksAFrame) return Status::Ok();
+  return ResourceExhausted("the frame touches more than " + std::to_string(kMaxBlocksAFrame) +
+                           " blocks of the map: use larger voxels, a shorter range, or smaller frames")
+      .WithReason("FRAME_TOO_LARGE");
+}
+
+std::vector<Assignment> MapBuilder::Impl::Associate(const PanopticFrame& frame,
+                                                    const std::vector<SegmentBundles>& segments, FrameReport& report) {
+  const StageClock clock(report.track_s);
+  std::vector<Assignment> assignments = tracker.Assign(frame, segments, map);
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const bool is_unknown = assignments[s].submap == kUnknownSubmap;
+    if (is_unknown) report.num_unknown_points += segments[s].num_points;
+    report.num_created += assignments[s].is_new;
+    report.num_matched += !is_unknown && !assignments[s].is_new;
   }
-  for (const SubmapId id : ids) in_view.push_back(map.FindMutable(id));
-  std::vector<std::int64_t> num_updates(in_view.size(), 0);
-  pool.ParallelFor(in_view.size(), [&](std::size_t i) {
-    num_updates[i] = CarveFreeSpace(segments, origin, config.integration, *in_view[i]);
-  });
-  std::int64_t total = 0;
-  for (const std::int64_t n : num_updates) total += n;
-  return total;
+  return assignments;
+}
+
+void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                            const std::vector<Assignment>& assignments, FrameReport& report) {
+  const StageClock clock(report.fuse_s);
+  report.num_voxels_updated = FuseFrame(frame, segments, assignments, map, *pool);
+}
+
+/// Things that were not seen for a while become inactive, and so may be refined.
+void MapBuilder::Impl::Settle(const PanopticFrame& frame, const std::vector<Assignment>& assignments,
+                              FrameReport& report) {
+  const StageClock clock(report.activity_s);
+  std::vector<SubmapId> observed;
+  for (const Assignment& assignment : assignments) observed.push_back(assignment.submap);
+  report.num_dissolved = UpdateActivity(frame, observed, map);
+  map.mutable_info().num_frames += 1;
+}
+
+void MapBuilder::Impl::Refine(FrameReport& report) {
+  const StageClock clock(report.refine_s);
+  report.refinement = RefineOnTheSide();
 }
 
 RefinementReport MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome& outcome) {
@@ -157,7 +153,7 @@ std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide() {
   std::optional<RefinementReport> report;
   const bool is_turn = map.info().num_frames % refine.every_frames == 0;
   is_overdue = is_overdue || (is_turn && refinement.IsUnderWay());
-  if (is_overdue && (timing == RefinementTiming::kReproducible || refinement.IsReady())) {
+  if (is_overdue && refinement.IsUnderWay() && (timing == RefinementTiming::kReproducible || refinement.IsReady())) {
     if (const auto outcome = refinement.Take()) report = TakeOver(*outcome);
     is_overdue = false;
   }
@@ -181,78 +177,75 @@ void MapBuilder::Impl::PruneEmptyBlocks() {
   }
 }
 
+void MapBuilder::Impl::GoBackTo(Map&& before) {
+  map = std::move(before);
+  bundler.emplace(map.info().config.integration, *pool);  // what is in it may be half made, and is memory
+}
+
+MapBuilder::MapBuilder(MapInfo info, std::shared_ptr<ThreadPool> pool, RefinementTiming timing)
+    : impl_(std::make_unique<Impl>(Map(std::move(info)), std::move(pool), timing)) {}
+MapBuilder::MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<ThreadPool> pool,
+                       RefinementTiming timing)
+    : impl_(std::make_unique<Impl>(Map(std::move(snapshot)), std::move(pool), timing)) {}
 MapBuilder::MapBuilder(MapInfo info, int num_threads, RefinementTiming timing)
-    : impl_(std::make_unique<Impl>(Map(std::move(info)), num_threads, timing)) {}
+    : MapBuilder(std::move(info), std::make_shared<ThreadPool>(num_threads), timing) {}
 MapBuilder::MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads, RefinementTiming timing)
-    : impl_(std::make_unique<Impl>(Map(std::move(snapshot)), num_threads, timing)) {}
+    : MapBuilder(std::move(snapshot), std::make_shared<ThreadPool>(num_threads), timing) {}
 MapBuilder::~MapBuilder() = default;
 
 Map& MapBuilder::map() { return impl_->map; }
 const Map& MapBuilder::map() const { return impl_->map; }
 const RefinementReport& MapBuilder::refinement_total() const { return impl_->refinement_total; }
 
-Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
-  Map& map = impl_->map;
-  DHPMAP_RETURN_IF_ERROR(ValidateFrame(frame, *map.info().label_set));
+/// Paper Fig. 2, from left to right.
+Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& frame) {
   FrameReport report;
-  Stopwatch watch;
+  const auto& segments = Bundle(frame, report);  // sensor data to point segments
+  DHPMAP_RETURN_IF_ERROR(CheckSize(frame, segments));
+  const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
+  Fuse(frame, segments, assignments, report);                   // (B) ray tracing into it, II-C
+  Settle(frame, assignments, report);                           // what (C) and (D) may work on, II-D
+  Refine(report);                                               // (C) and (D), II-D and II-E
+  return report;
+}
 
-  // (A) Points become bundles of segments on the map's grid.
-  auto& segments = impl_->bundler.BundleFrame(frame, frame.T_map_sensor, map.info().config.voxel_size_m);
-  const int gap_vox = map.info().config.tracking.split_gap_vox;
-  if (gap_vox > 0 && !frame.has_persistent_ids) {
-    SplitIntoParts(ThingRows(frame, *map.info().label_set), gap_vox, segments);
+Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
+  std::optional<Map> before;
+  try {
+    DHPMAP_RETURN_IF_ERROR(impl_->CheckFrame(frame));
+    before = impl_->map.Fork();
+    return impl_->IntegrateChecked(frame);
+  } catch (const std::bad_alloc&) {
+    if (before) impl_->GoBackTo(*std::move(before));
+    return ResourceExhausted("there is not enough memory for the frame").WithReason("OUT_OF_MEMORY");
+  } catch (const std::exception& error) {
+    if (before) impl_->GoBackTo(*std::move(before));
+    return Internal(std::string("the frame could not be fused: ") + error.what());
   }
-  report.bundle_s = watch.Lap_s();
+}
 
-  // (B) Each segment finds its submap.
-  const std::vector<Assignment> assignments = impl_->tracker.Assign(frame, segments, map);
-  report.track_s = watch.Lap_s();
-
-  // (C) Each submap takes its segments; submaps are independent of each other.
-  std::vector<SubmapWork> works = impl_->GroupBySubmap(assignments);
-  impl_->pool.ParallelFor(works.size(), [&](std::size_t i) { impl_->Fuse(frame, segments, works[i]); });
-  if (map.info().config.integration.carving) report.num_voxels_updated += impl_->Carve(frame, segments);
-  report.fuse_s = watch.Lap_s();
-
-  // Things that were not seen for a while settle.
-  std::vector<SubmapId> observed;
-  for (const Assignment& assignment : assignments) observed.push_back(assignment.submap);
-  report.num_dissolved = UpdateActivity(frame, observed, map);
-  map.mutable_info().num_frames += 1;
-  report.activity_s = watch.Lap_s();
-
-  // (D) What has settled is refined on the side.
-  report.refinement = impl_->RefineOnTheSide();
-  report.refine_s = watch.Lap_s();
-
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    report.num_points += segments[s].num_points;
-    if (assignments[s].submap == kUnknownSubmap) report.num_unknown_points += segments[s].num_points;
-    if (segments[s].row >= 0) report.num_segments += 1;
-    if (assignments[s].is_new) {
-      report.num_created += 1;
-    } else if (assignments[s].submap != kUnknownSubmap) {
-      report.num_matched += 1;
-    }
+RefinementReport MapBuilder::Impl::Finish() {
+  refinement.Cancel();
+  is_overdue = false;
+  DeactivateAll(map);
+  RefinementReport report = RefineMap(map, *pool, last_refined.get());
+  if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
+    report.num_bytes_dropped = DropVoxelLabels(map);
   }
-  for (const SubmapWork& work : works) report.num_voxels_updated += work.num_updates;
+  PruneEmptyBlocks();
+  last_refined = map.Freeze();
+  refinement_total += report;
   return report;
 }
 
 RefinementReport MapBuilder::Finish() {
-  Map& map = impl_->map;
-  impl_->refinement.Cancel();
-  impl_->is_overdue = false;
-  DeactivateAll(map);
-  RefinementReport report = RefineMap(map, impl_->pool, impl_->last_refined.get());
-  if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
-    report.num_bytes_dropped = DropVoxelLabels(map);
+  Map before = impl_->map.Fork();
+  try {
+    return impl_->Finish();
+  } catch (...) {
+    impl_->GoBackTo(std::move(before));
+    throw;
   }
-  impl_->PruneEmptyBlocks();
-  impl_->last_refined = map.Freeze();
-  impl_->refinement_total += report;
-  return report;
 }
 
 }  // namespace dhpmap

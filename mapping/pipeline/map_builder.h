@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "mapping/base/result.h"
+#include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
 #include "mapping/refinement/refine_map.h"
 #include "mapping/sensor/frame.h"
@@ -39,18 +40,25 @@ enum class RefinementTiming {
 /// writer a map.
 class MapBuilder {
  public:
-  /// `num_threads` 0 means one a core.
-  MapBuilder(MapInfo info, int num_threads, RefinementTiming timing = RefinementTiming::kReproducible);
+  /// Frames are worked on by the threads of `pool`, which several maps may share.
+  MapBuilder(MapInfo info, std::shared_ptr<ThreadPool> pool, RefinementTiming timing = RefinementTiming::kReproducible);
   /// Goes on mapping where the snapshot (published or loaded) stopped.
+  MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<ThreadPool> pool,
+             RefinementTiming timing = RefinementTiming::kReproducible);
+  /// The same with a pool of its own; `num_threads` 0 means one a core.
+  MapBuilder(MapInfo info, int num_threads, RefinementTiming timing = RefinementTiming::kReproducible);
   MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads,
              RefinementTiming timing = RefinementTiming::kReproducible);
   ~MapBuilder();
 
-  /// Fuses one frame. On error (see ValidateFrame) the map is unchanged.
+  /// Fuses one frame, as a whole or not at all: on error the map is as it was before. INVALID_ARGUMENT for a frame that
+  /// is not usable (see ValidateFrame) or beyond the grid; RESOURCE_EXHAUSTED for one that touches more than
+  /// kMaxBlocksAFrame blocks, or for which memory does not suffice; INTERNAL for any other exception.
   Result<FrameReport> Integrate(const PanopticFrame& frame);
 
   /// Ends a mapping session: every thing becomes inactive, all is refined, empty blocks go, bounding spheres are tight,
-  /// and the labels of voxels are dropped if the config says so.
+  /// and the labels of voxels are dropped if the config says so. If it throws, for want of memory, the map is as
+  /// before.
   RefinementReport Finish();
 
   /// All refinements of this builder so far, summed; times are those of their own threads.

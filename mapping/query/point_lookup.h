@@ -3,10 +3,9 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <span>
-#include <vector>
 
 #include "mapping/map/map.h"
+#include "mapping/query/submap_index.h"
 
 namespace dhpmap {
 
@@ -28,9 +27,6 @@ struct PointInfo {
 class PointLookup {
  public:
   explicit PointLookup(std::shared_ptr<const MapSnapshot> snapshot);
-  ~PointLookup();
-  PointLookup(PointLookup&&) noexcept;
-  PointLookup& operator=(PointLookup&&) noexcept;
 
   [[nodiscard]] const MapSnapshot& snapshot() const { return *snapshot_; }
 
@@ -38,9 +34,8 @@ class PointLookup {
   [[nodiscard]] PointInfo At(const Eigen::Vector3d& p_map) const;
 
  private:
-  struct Index;
   std::shared_ptr<const MapSnapshot> snapshot_;
-  std::unique_ptr<const Index> index_;
+  SubmapIndex index_;  // of the snapshot's submaps
 };
 
 }  // namespace dhpmap

@@ -84,6 +84,7 @@ std::size_t DenseCrf::Impl::BuildKernel(std::span<const CrfPoint> points, const 
                                         Kernel<D>& kernel) {
   kernel.is_on = config.weight > 0 && !points.empty();
   if (!kernel.is_on) return 0;
+  // Paper eq. (5): p / theta_1 and, of the appearance kernel, o / theta_2, so that a unit Gaussian is left to filter.
   constexpr float kFarthest = 1e6f;  // kernel widths; keeps lattice coordinates within integers
   const auto per_m = static_cast<float>(1.0 / config.position_m);
   const float per_color = D == 6 ? static_cast<float>(1.0 / config.color) : 0.0f;
@@ -141,6 +142,7 @@ void DenseCrf::Infer(std::span<const int> num_labels, int iterations, std::span<
   if (num_steps > 0 && smoothness.is_on) smoothness.values.Resize(smoothness.lattice.graph().num_rows() * stride);
   if (num_steps > 0 && appearance.is_on) appearance.values.Resize(appearance.lattice.graph().num_rows() * stride);
 
+  // Mean field for paper eq. (2).
   for (int step = 0; step <= num_steps; ++step) {
     const MeanFieldPass pass = num_steps == 0      ? MeanFieldPass::kOnly
                                : step == 0         ? MeanFieldPass::kFirst

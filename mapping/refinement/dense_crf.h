@@ -7,8 +7,8 @@
 #include <span>
 
 #include "mapping/base/thread_pool.h"
+#include "mapping/labels/color.h"
 #include "mapping/map/map_config.h"
-#include "mapping/map/tsdf_block.h"
 
 namespace dhpmap {
 
@@ -24,12 +24,14 @@ struct CrfBuildReport {
   double sort_s = 0, smoothness_s = 0, appearance_s = 0;
 };
 
-/// The fully connected CRF of the paper (II-E; Kraehenbuehl and Koltun 2011): the label of every point speaks for the
-/// same label at all other points, by Gaussian kernels k_m of their distance in space and colour (Potts model). With
-/// K~_m = D_m^-1/2 K_m D_m^-1/2, where D_m = diag(K_m 1) and K_m holds the self term too, and unaries U = -log p:
+/// The fully connected CRF of the paper (II-E, eq. (1) to (5); Kraehenbuehl and Koltun 2011): the label of every point
+/// speaks for the same label at all other points, by Gaussian kernels k_m of their distance in space and colour (eq.
+/// (5), with the distances squared as in a Gaussian) and the Potts model (eq. (4)). With K~_m = D_m^-1/2 K_m D_m^-1/2,
+/// where D_m = diag(K_m 1) and K_m holds the self term too, and unaries U = -log p (eq. (3)):
 ///
 ///   Q <- softmax(-U),   then n times   Q <- softmax(-U + sum_m w_m K~_m Q)        (all points at once)
 ///
+/// whose label of largest Q approximates the one of least energy, which is that of greatest P (eq. (1) and (2)).
 /// The rows of K~_m add up to about 1, so all kernels together cannot overrule unaries that differ by more than the sum
 /// of their weights. The sums over all points are filtered on permutohedral lattices (see there for how exactly), which
 /// are built once for all kinds of labels. The result is bit-identical for any number of threads; the order of the

@@ -106,7 +106,8 @@ void AssignChannels(std::span<const HeldBlock> blocks, Problem& problem) {
   problem.instances.Assign(problem.neighbours);
 }
 
-/// Turns counts into energies, -log of their shares. What was not seen has the prior alone.
+/// The unary terms of paper eq. (3): turns counts into energies, -log of their shares. What was not seen has the prior
+/// alone.
 void ToEnergies(std::span<float> counts) {
   float total = kPriorCount;
   for (const float count : counts) total += count;
@@ -142,7 +143,8 @@ int RimOf(const MapConfig& config) {
   return std::max(1, static_cast<int>(std::ceil(reach_m / (kBlockSide * config.voxel_size_m))));
 }
 
-/// The most likely label within reach of the place, if it is more likely than `present`; else kKeep.
+/// Paper eq. (2) for one voxel: the most likely label within reach of the place, if it is more likely than `present`;
+/// else kKeep.
 std::uint32_t BetterLabel(std::span<const float> q, const LabelChannels& channels, std::uint32_t place,
                           std::uint32_t present) {
   std::uint32_t better = Change::kKeep;

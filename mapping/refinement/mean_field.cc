@@ -108,8 +108,9 @@ DHPMAP_ALWAYS_INLINE void SubtractVector(const float* unaries, int v, float* q) 
   Vector8(q, v) = u < kInfinity ? x : Float8{} - kInfinity;
 }
 
-/// q = (q - unaries) less its greatest element of the kind. `tail`: the last unaries, that are not a whole vector, with
-/// infinite padding.
+/// The exponent of paper eq. (1), -E by label: what the pairwise terms of eq. (4) say for a label, which is in q, less
+/// the unary term of eq. (3). q = (q - unaries) less its greatest element of the kind. `tail`: the last unaries, that
+/// are not a whole vector, with infinite padding.
 DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float* unaries, const float* tail,
                                           float* q) {
   const auto num_whole = static_cast<int>(layout.num_labels / 8);
@@ -129,6 +130,7 @@ DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float
   }
 }
 
+/// Z of paper eq. (1), a kind of labels and a point at a time.
 DHPMAP_ALWAYS_INLINE void ScaleToOne(const LabelLayout& layout, float* q) {
   for (const LabelLayout::Kind& kind : layout.kinds) {
     Float8 sum = {};

@@ -18,8 +18,6 @@ void Rename(std::uint32_t from, std::uint32_t to, std::vector<LabelCount>& insta
   instances = SumCounts(instances, std::vector<LabelCount>{renamed});
 }
 
-std::uint8_t Rounded(double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
-
 }  // namespace
 
 void ExchangeCounts(std::uint32_t a, std::uint32_t b, std::vector<LabelCount>& counts) {
@@ -37,15 +35,8 @@ void ExchangeCounts(std::uint32_t a, std::uint32_t b, std::vector<LabelCount>& c
 }
 
 void Accumulate(const BlockEntry& block, SubmapId holder, int linear, MergedVoxel& merged) {
-  const auto i = static_cast<std::size_t>(linear);
-  const double weight = block.tsdf->weight[i];
-  const Color color = block.tsdf->color[i];
   if (merged.num_holders++ == 0 || merged.first_holder == kUnknownSubmap) merged.first_holder = holder;
-  merged.weight += weight;
-  merged.weighted_distance_m += weight * block.tsdf->distance_m[i];
-  merged.weighted_r += weight * color.r;
-  merged.weighted_g += weight * color.g;
-  merged.weighted_b += weight * color.b;
+  merged.tsdf.Add(*block.tsdf, static_cast<std::size_t>(linear));
   if (block.labels == nullptr || block.labels->IsEmpty(linear)) return;
   LabelHistograms histograms = block.labels->Get(linear);
   Rename(kOwnInstance, holder.value, histograms.instances);
@@ -54,11 +45,7 @@ void Accumulate(const BlockEntry& block, SubmapId holder, int linear, MergedVoxe
 }
 
 void Store(const MergedVoxel& merged, SubmapId owner, int linear, TsdfBlock& tsdf, LabelBlock& labels) {
-  const auto i = static_cast<std::size_t>(linear);
-  tsdf.distance_m[i] = static_cast<float>(merged.weighted_distance_m / merged.weight);
-  tsdf.weight[i] = static_cast<float>(merged.weight);
-  tsdf.color[i] = {Rounded(merged.weighted_r / merged.weight), Rounded(merged.weighted_g / merged.weight),
-                   Rounded(merged.weighted_b / merged.weight)};
+  merged.tsdf.Store(tsdf, static_cast<std::size_t>(linear));
   LabelHistograms histograms = merged.histograms;
   Rename(owner.value, kOwnInstance, histograms.instances);
   labels.Set(linear, histograms);

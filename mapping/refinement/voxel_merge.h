@@ -3,6 +3,7 @@
 
 #include "mapping/base/ids.h"
 #include "mapping/map/block_table.h"
+#include "mapping/map/voxel_average.h"
 
 namespace dhpmap {
 
@@ -11,9 +12,7 @@ namespace dhpmap {
 struct MergedVoxel {
   int num_holders = 0;
   SubmapId first_holder;  ///< the smallest; the unknown submap only where it is alone
-  double weight = 0;
-  double weighted_distance_m = 0;
-  double weighted_r = 0, weighted_g = 0, weighted_b = 0;
+  MergedAverage<double> tsdf;
   LabelHistograms histograms;
 };
 

@@ -78,33 +78,33 @@ void CheckCount(std::size_t count, std::size_t wanted, bool may_be_empty, const 
 void CheckCamera(const PanopticFrame& frame, const DepthCameraData& data, Status& bad) {
   const Status camera = data.camera.Validate();
   for (const FieldViolation& violation : camera.violations()) {
-    bad.AddViolation("depth_camera.camera." + violation.field, violation.description);
+    bad.AddViolation("camera.camera." + violation.field, violation.description);
   }
   if (!camera.ok()) return;
   const auto num_pixels = static_cast<std::size_t>(data.camera.num_pixels());
-  CheckCount(data.depth_m.size(), num_pixels, false, "depth_camera.depth", bad);
-  CheckCount(data.color.size(), num_pixels, true, "depth_camera.color", bad);
-  CheckCount(data.segments.size(), num_pixels, true, "depth_camera.segments", bad);
-  CheckIdsHaveRows(frame, data.segments, "depth_camera.segments", bad);
+  CheckCount(data.depth_m.size(), num_pixels, false, "camera.depth_m", bad);
+  CheckCount(data.color.size(), num_pixels, true, "camera.color", bad);
+  CheckCount(data.segments.size(), num_pixels, true, "camera.segments", bad);
+  CheckIdsHaveRows(frame, data.segments, "camera.segments", bad);
 }
 
 void CheckLidar(const PanopticFrame& frame, const LidarData& data, Status& bad) {
   const std::size_t num_points = data.points_m.size();
-  CheckCount(data.color.size(), num_points, true, "lidar.rgb", bad);
-  CheckCount(data.segments.size(), num_points, true, "lidar.segment_ids", bad);
+  CheckCount(data.color.size(), num_points, true, "lidar.color", bad);
+  CheckCount(data.segments.size(), num_points, true, "lidar.segments", bad);
   const auto first_bad =
       std::find_if(data.points_m.begin(), data.points_m.end(), [](const Eigen::Vector3f& p) { return !p.allFinite(); });
   if (first_bad != data.points_m.end()) {
-    bad.AddViolation("lidar.xyz_m", "point " + std::to_string(first_bad - data.points_m.begin()) + " is not finite");
+    bad.AddViolation("lidar.points_m", "point " + std::to_string(first_bad - data.points_m.begin()) + " is not finite");
   }
-  CheckIdsHaveRows(frame, data.segments, "lidar.segment_ids", bad);
+  CheckIdsHaveRows(frame, data.segments, "lidar.segments", bad);
 }
 
 }  // namespace
 
 Status ValidateFrame(const PanopticFrame& frame, const LabelSet& label_set) {
   Status bad = InvalidArgument("the frame is not usable").WithReason("BAD_FRAME");
-  if (!IsFinite(frame.T_map_sensor)) bad.AddViolation("map_from_sensor", "has a NaN or infinite entry");
+  if (!IsFinite(frame.T_map_sensor)) bad.AddViolation("T_map_sensor", "has a NaN or infinite entry");
   if (frame.camera.has_value() == frame.lidar.has_value()) {
     bad.AddViolation("sensor", frame.camera ? "has both a camera and a LiDAR" : "has neither a camera nor a LiDAR");
   }

@@ -9,7 +9,7 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/status.h"
 #include "mapping/base/transform.h"
-#include "mapping/map/label_set.h"
+#include "mapping/labels/label_set.h"
 #include "mapping/sensor/pinhole_camera.h"
 
 namespace dhpmap {
@@ -55,7 +55,8 @@ struct PanopticFrame {
 
 /// INVALID_ARGUMENT, naming every violation at once, for: a pose with non-finite entries, neither or both sensors, a
 /// camera that is not usable, image sizes that do not fit, a segment id of 0 or given twice, a class outside the label
-/// set, a score outside 0..1, non-finite points, and an id without a row unless the frame allows it.
+/// set, a score outside 0..1, non-finite points, and an id without a row unless the frame allows it. Violations name
+/// the members above: "camera.depth_m", "segments[3].score".
 Status ValidateFrame(const PanopticFrame& frame, const LabelSet& label_set);
 
 }  // namespace dhpmap

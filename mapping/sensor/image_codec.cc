@@ -14,7 +14,9 @@ namespace dhpmap {
 namespace {
 
 constexpr std::int64_t kMaxSide_px = 16384;
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;  // 200 MB of colour: a small file can claim any size
+// A small file can claim, and hold, any size.
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;
+constexpr std::int64_t kMaxDecodedBytes = std::int64_t{1} << 28;  // as many pixels of float or of 8-bit colour
 constexpr std::uint16_t kNoReturn = 0xFFFF;
 
 Status BadImage(std::string what) { return InvalidArgument(std::move(what)).WithReason("BAD_IMAGE"); }
@@ -31,6 +33,9 @@ Result<cv::Mat> Decode(std::span<const std::byte> file) {
   if (header.width_px < 1 || header.height_px < 1 || header.width_px > kMaxSide_px || header.height_px > kMaxSide_px ||
       header.width_px * header.height_px > kMaxPixels) {
     return BadImage("the image has " + size + ", which is not 1 to 16384 a side and 2^26 in all");
+  }
+  if (header.decoded_bytes > kMaxDecodedBytes) {
+    return BadImage("the image of " + size + " takes more than 2^28 bytes when decoded");
   }
   // We report errors ourselves.
   [[maybe_unused]] static const auto quiet = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mapping/base/result.h"
-#include "mapping/map/tsdf_block.h"
+#include "mapping/labels/color.h"
 
 namespace dhpmap {
 
@@ -20,8 +20,8 @@ struct Image {
 };
 
 // Each decodes a compressed image file held in memory (PNG, JPEG, TIFF) and answers INVALID_ARGUMENT, with reason
-// BAD_IMAGE, for anything truncated, of another kind, of another pixel type, or above 16384 pixels a side or 2^26 in
-// all.
+// BAD_IMAGE, for anything truncated, of another kind, of another pixel type, above 16384 pixels a side or 2^26 in all,
+// or that takes more than 2^28 bytes to decode.
 
 /// 32-bit float images are metres. 16-bit integer images are multiplied by `scale_m` (metres a unit), which must then
 /// be positive; their 0 and 65535 mean no return. Every other type is refused.

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace dhpmap {
 namespace {
@@ -37,6 +39,19 @@ struct Reader {
   }
 };
 
+std::int64_t DecodedBytes(std::int64_t width, std::int64_t height, std::int64_t bytes_per_pixel) {
+  constexpr std::int64_t kBeyondAll = std::numeric_limits<std::int64_t>::max();
+  std::int64_t bytes = 0;
+  const bool overflows =
+      __builtin_mul_overflow(width, height, &bytes) || __builtin_mul_overflow(bytes, bytes_per_pixel, &bytes);
+  return overflows ? kBeyondAll : bytes;
+}
+
+std::int64_t PngBytesPerPixel(std::uint64_t bit_depth, std::uint64_t color_type) {
+  const std::int64_t channels = color_type == 0 ? 1 : 4;  // at most: colours and palettes may have alpha
+  return channels * (bit_depth == 16 ? 2 : 1);
+}
+
 // PNG (ISO/IEC 15948): after the signature, chunks of length, type, data, checksum; IHDR first, IEND last.
 Result<ImageHeader> ReadPng(Bytes file) {
   constexpr std::uint64_t kIhdr = 0x49484452, kIend = 0x49454E44;
@@ -46,6 +61,8 @@ Result<ImageHeader> ReadPng(Bytes file) {
   if (in.Read(position + 4, 4) != kIhdr) return BadImage("the PNG file has no header");
   header.width_px = static_cast<std::int64_t>(in.Read(position + 8, 4));
   header.height_px = static_cast<std::int64_t>(in.Read(position + 12, 4));
+  header.decoded_bytes = DecodedBytes(header.width_px, header.height_px,
+                                      PngBytesPerPixel(in.Read(position + 16, 1), in.Read(position + 17, 1)));
   while (!in.is_short) {
     const std::uint64_t length = in.Read(position, 4);
     const std::uint64_t type = in.Read(position + 4, 4);
@@ -60,14 +77,15 @@ bool IsFrameMarker(std::uint64_t marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-/// First position from `position` on that holds 0xFF and then a marker other than a stuffed zero, a restart or fill.
+/// First position from `position` on that holds 0xFF and then a marker other than a stuffed zero, fill, or one that
+/// stands alone (a restart, TEM).
 std::uint64_t FindMarker(Bytes file, std::uint64_t position) {
   while (position < file.size()) {
     const void* found = std::memchr(file.data() + position, 0xFF, file.size() - position);
     if (found == nullptr) break;
     position = static_cast<std::uint64_t>(static_cast<const std::byte*>(found) - file.data());
     const auto next = position + 1 < file.size() ? std::to_integer<int>(file[position + 1]) : 0;
-    if (next != 0x00 && next != 0xFF && !(next >= 0xD0 && next <= 0xD7)) return position;
+    if (next != 0x00 && next != 0x01 && next != 0xFF && !(next >= 0xD0 && next <= 0xD7)) return position;
     ++position;
   }
   return file.size();
@@ -75,10 +93,11 @@ std::uint64_t FindMarker(Bytes file, std::uint64_t position) {
 
 // JPEG (ITU-T T.81, annex B): marker segments; the coded data after each SOS runs up to the next marker.
 Result<ImageHeader> ReadJpeg(Bytes file) {
-  constexpr std::uint64_t kEoi = 0xD9, kSos = 0xDA;
+  constexpr std::uint64_t kProgressive = 0xC2, kEoi = 0xD9, kSos = 0xDA;
   Reader in{file};
   ImageHeader header{.kind = ImageKind::kJpeg};
-  bool has_pixels = false;
+  bool has_frame = false, is_progressive = false;
+  int num_scans = 0;
   std::uint64_t position = 2;
   while (true) {
     position = FindMarker(file, position);
@@ -86,14 +105,21 @@ Result<ImageHeader> ReadJpeg(Bytes file) {
     if (marker == kEoi) break;
     const std::uint64_t length = in.Read(position + 2, 2);
     if (IsFrameMarker(marker)) {
+      // The decoder takes the first, whatever a later one says.
+      if (std::exchange(has_frame, true)) return BadImage("the JPEG file has more than one frame header");
+      is_progressive = marker == kProgressive;
       header.height_px = static_cast<std::int64_t>(in.Read(position + 5, 2));
       header.width_px = static_cast<std::int64_t>(in.Read(position + 7, 2));
+      header.decoded_bytes =
+          DecodedBytes(header.width_px, header.height_px, static_cast<std::int64_t>(in.Read(position + 9, 1)));
     }
-    has_pixels = has_pixels || marker == kSos;
+    num_scans += marker == kSos;
     if (in.is_short) return BadImage("the JPEG file is truncated");
     position += 2 + length;
   }
-  if (!has_pixels) return BadImage("the JPEG file holds no image");
+  if (num_scans == 0) return BadImage("the JPEG file holds no image");
+  // Until the last scan is read the decoder keeps a coefficient of two bytes for each value.
+  if (is_progressive || num_scans > 1) header.decoded_bytes *= 3;
   return header;
 }
 
@@ -122,6 +148,20 @@ std::optional<TiffField> FindTiffField(Reader& in, std::uint64_t directory, std:
   return std::nullopt;
 }
 
+/// Samples a pixel (1 if it is not said), each as wide as the widest; at least the four bytes of the RGBA buffer that
+/// libtiff may go through.
+std::int64_t TiffBytesPerPixel(Reader& in, std::uint64_t directory) {
+  constexpr std::uint64_t kMostSamples = 64;
+  const auto bits = FindTiffField(in, directory, 258);
+  const auto samples = FindTiffField(in, directory, 277);
+  const std::uint64_t num_samples = samples ? samples->Value(in, 0) : 1;
+  std::uint64_t most_bits = 8;
+  for (std::uint64_t i = 0; bits && i < std::min(bits->count, kMostSamples); ++i) {
+    most_bits = std::max(most_bits, bits->Value(in, i));
+  }
+  return static_cast<std::int64_t>(std::max<std::uint64_t>(num_samples * ((most_bits + 7) / 8), 4));
+}
+
 // TIFF 6.0: a directory of fields, among them where the strips (or tiles) of the first image lie.
 Result<ImageHeader> ReadTiff(Bytes file, bool is_big_endian) {
   Reader in{.file = file, .is_big_endian = is_big_endian};
@@ -142,9 +182,20 @@ Result<ImageHeader> ReadTiff(Bytes file, bool is_big_endian) {
     const std::uint64_t end = offsets->Value(in, i) + lengths->Value(in, i);
     if (in.is_short || end > file.size()) return BadImage("the TIFF file is truncated");
   }
-  return ImageHeader{.kind = ImageKind::kTiff,
+  ImageHeader header{.kind = ImageKind::kTiff,
                      .width_px = static_cast<std::int64_t>(width->Value(in, 0)),
                      .height_px = static_cast<std::int64_t>(height->Value(in, 0))};
+  const std::int64_t bytes_per_pixel = TiffBytesPerPixel(in, directory);
+  const auto tile_width = FindTiffField(in, directory, 322);
+  const auto tile_height = FindTiffField(in, directory, 323);
+  header.decoded_bytes = DecodedBytes(header.width_px, header.height_px, bytes_per_pixel);
+  if (tile_width && tile_height) {
+    const auto width_of_tile = static_cast<std::int64_t>(tile_width->Value(in, 0));
+    const auto height_of_tile = static_cast<std::int64_t>(tile_height->Value(in, 0));
+    header.decoded_bytes = std::max(header.decoded_bytes, DecodedBytes(width_of_tile, height_of_tile, bytes_per_pixel));
+  }
+  if (in.is_short) return BadImage("the TIFF file is truncated");
+  return header;
 }
 
 }  // namespace

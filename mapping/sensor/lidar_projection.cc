@@ -26,15 +26,15 @@ Status Check(const LidarCamera& camera, const Image<Color>& color, const Image<s
   constexpr int kMaxSide_px = 16384;
   Status bad = InvalidArgument("the camera beside the LiDAR is not usable").WithReason("BAD_CAMERA");
   if (camera.width_px < 1 || camera.width_px > kMaxSide_px || camera.height_px < 1 || camera.height_px > kMaxSide_px) {
-    bad.AddViolation("lidar.camera", "width_px or height_px is not within 1 and 16384");
+    bad.AddViolation("camera", "width_px or height_px is not within 1 and 16384");
   }
-  if (!camera.P_image_lidar.allFinite()) bad.AddViolation("lidar.camera.image_from_lidar", "is not finite");
+  if (!camera.P_image_lidar.allFinite()) bad.AddViolation("camera.P_image_lidar", "is not finite");
   const std::size_t n = scan.points_m.size();
-  if (!scan.color.empty() && scan.color.size() != n) bad.AddViolation("lidar.rgb", "is not one a point");
-  if (!scan.segments.empty() && scan.segments.size() != n) bad.AddViolation("lidar.segment_ids", "is not one a point");
+  if (!scan.color.empty() && scan.color.size() != n) bad.AddViolation("scan.color", "is not one a point");
+  if (!scan.segments.empty() && scan.segments.size() != n) bad.AddViolation("scan.segments", "is not one a point");
   if (!bad.violations().empty()) return bad;
-  DHPMAP_RETURN_IF_ERROR(CheckSize(camera, color, "lidar.camera.color"));
-  return CheckSize(camera, segments, "lidar.camera.segments");
+  DHPMAP_RETURN_IF_ERROR(CheckSize(camera, color, "color"));
+  return CheckSize(camera, segments, "segments");
 }
 
 /// Bilinear at (u, v), which lies between pixel centres of the image.

@@ -5,24 +5,20 @@
 #include <cmath>
 
 #include "mapping/map/map_grid.h"
+#include "mapping/map/voxel_average.h"
 #include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
 namespace {
 
-std::uint8_t Average(std::uint8_t a, float weight_a, std::uint8_t b, float weight_b) {
-  return static_cast<std::uint8_t>(
-      (static_cast<float>(a) * weight_a + static_cast<float>(b) * weight_b) / (weight_a + weight_b) + 0.5f);
-}
-
 void MergeTsdf(const TsdfBlock& from, TsdfBlock& into, float max_weight) {
   for (std::size_t i = 0; i < kBlockVoxels; ++i) {
     if (from.weight[i] < kMinObservedWeight) continue;
-    const float a = into.weight[i], b = from.weight[i];
-    into.distance_m[i] = (into.distance_m[i] * a + from.distance_m[i] * b) / (a + b);
-    into.color[i] = {Average(into.color[i].r, a, from.color[i].r, b), Average(into.color[i].g, a, from.color[i].g, b),
-                     Average(into.color[i].b, a, from.color[i].b, b)};
-    into.weight[i] = std::min(a + b, max_weight);
+    MergedAverage<float> merged;
+    merged.Add(into, i);
+    merged.Add(from, i);
+    merged.Store(into, i);
+    into.weight[i] = std::min(into.weight[i], max_weight);
   }
 }
 

@@ -193,8 +193,6 @@ SubmapId Tracker::CreateSubmap(const PanopticFrame& frame, const SegmentInfo& se
   SubmapInfo info;
   info.panoptic = label_class.panoptic;
   info.class_id = label_class.id;
-  info.display_name = label_class.name;
-  if (is_thing) info.display_name += " " + std::to_string(map.info().next_submap_id.value);
   info.voxel_size_m = config_.voxel_size_m;
   info.truncation_m = config_.truncation_m;
   info.is_confirmed = !is_thing || frame.has_persistent_ids || config_.activity.required_reobservations == 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <utility>
 
 namespace dhpmap {
@@ -18,94 +19,118 @@ Status MapIsDeleted(const MapSnapshot& snapshot) {
 
 CommitWorker::CommitWorker(MapStore& store, std::shared_ptr<const MapSnapshot> committed, double retry_s,
                            Observer observer)
-    : store_(store), retry_s_(retry_s), observer_(std::move(observer)), committed_(committed), newest_(committed) {
-  thread_ = std::thread([this] { Loop(); });
-}
+    : store_(store), retry_s_(retry_s), observer_(std::move(observer)), committed_(committed), newest_(committed) {}
 
 CommitWorker::~CommitWorker() { Stop(); }
 
 void CommitWorker::Request(std::shared_ptr<const MapSnapshot> snapshot, Durability durability, Done done) {
+  Enqueue(std::move(snapshot), {.durability = durability, .done = std::move(done)});
+}
+
+Status CommitWorker::CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot) {
+  std::promise<Status> outcome;
+  Enqueue(std::move(snapshot), {.durability = Durability::kFull,
+                                .done = [&outcome](const Status& status) { outcome.set_value(status); },
+                                .is_unseen = true});
+  return outcome.get_future().get();
+}
+
+void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter waiter) {
   Status refused;
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     if (deleted_) {
       refused = MapIsDeleted(*snapshot);
     } else if (stopping_) {
       refused = Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN");
-    } else {
+    } else if (refused = thread_.Start([this] { Loop(); }); refused.ok()) {
       newest_ = std::move(snapshot);
-      waiters_.push_back({durability, std::move(done)});
+      waiters_.push_back(std::move(waiter));
     }
   }
-  if (refused.ok()) wake_.notify_one();
-  else if (done) done(refused);
+  if (refused.ok()) wake_.NotifyOne();
+  else if (waiter.done) waiter.done(refused);
 }
 
 void CommitWorker::DeleteMap(Done done) {
-  bool refused = false;
+  Status refused;
   {
-    const std::lock_guard lock(mutex_);
-    refused = stopping_;
-    if (!refused) deletions_.push_back(std::move(done));
+    const MutexLock lock(mutex_);
+    refused = stopping_ ? Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN")
+                        : thread_.Start([this] { Loop(); });
+    if (refused.ok()) deletions_.push_back(std::move(done));
   }
-  if (!refused) wake_.notify_one();
-  else done(Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"));
+  if (refused.ok()) wake_.NotifyOne();
+  else done(refused);
 }
 
 std::int64_t CommitWorker::committed_revision() const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   return committed_->revision();
 }
 
+std::int64_t CommitWorker::committed_frames() const {
+  const MutexLock lock(mutex_);
+  return committed_->info().num_frames;
+}
+
+std::optional<std::int64_t> CommitWorker::committed_sequence(const std::string& session) const {
+  const MutexLock lock(mutex_);
+  return committed_->info().sessions.LastOf(session);
+}
+
 Status CommitWorker::last_outcome() const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   return last_outcome_;
 }
 
 void CommitWorker::Stop() {
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     stopping_ = true;
   }
-  wake_.notify_one();
-  if (thread_.joinable()) thread_.join();
+  wake_.NotifyOne();
+  thread_.Join();
 }
 
 void CommitWorker::Loop() {
-  std::unique_lock lock(mutex_);
+  const auto retry = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(retry_s_));
+  const MutexLock lock(mutex_);
   while (true) {
-    const auto is_ready = [this] { return stopping_ || HasWork(); };
+    const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || HasWork(); };
     if (last_outcome_.ok() || deleted_) {
-      wake_.wait(lock, is_ready);
-    } else if (!wake_.wait_for(lock, std::chrono::duration<double>(retry_s_), is_ready)) {
-      CommitNewest(lock);  // behind, and nobody asks: try again
+      wake_.Wait(mutex_, is_ready);
+    } else if (!wake_.WaitFor(mutex_, retry, is_ready)) {
+      CommitNewest();  // behind, and nobody asks: try again
       continue;
     }
     const bool last_round = stopping_;
-    if (!deletions_.empty()) DeleteNow(lock);
-    if (!waiters_.empty() || (last_round && newest_ != committed_)) CommitNewest(lock);
+    if (!deletions_.empty()) DeleteNow();
+    if (!waiters_.empty() || (last_round && newest_ != committed_)) CommitNewest();
     if (last_round && !HasWork()) return;
   }
 }
 
-void CommitWorker::CommitNewest(std::unique_lock<std::mutex>& lock) {
+void CommitWorker::CommitNewest() {
   auto before = committed_;
   auto after = newest_;
+  const auto is_unseen = [](const Waiter& waiter) { return waiter.is_unseen; };
   std::vector<Waiter> served = std::exchange(waiters_, {});
   const bool full = stopping_ || std::any_of(served.begin(), served.end(), [](const Waiter& waiter) {
                       return waiter.durability == Durability::kFull;
                     });
   Status status = deleted_ ? MapIsDeleted(*after) : Status::Ok();
-  lock.unlock();
+  mutex_.Unlock();
 
   if (status.ok()) {
     const auto start = Clock::now();
     status = store_.Commit(*before, *after, full ? Durability::kFull : Durability::kNormal);
     if (observer_) observer_(std::chrono::duration<double>(Clock::now() - start).count(), status);
-    lock.lock();
+    mutex_.Lock();
     if (status.ok()) committed_ = after;
+    else if (std::any_of(served.begin(), served.end(), is_unseen)) newest_ = before;
     last_outcome_ = status;
-    lock.unlock();
+    mutex_.Unlock();
   }
   for (const Waiter& waiter : served) {
     if (waiter.done) waiter.done(status);
@@ -113,23 +138,23 @@ void CommitWorker::CommitNewest(std::unique_lock<std::mutex>& lock) {
   served.clear();  // to free these may take long: not under the lock
   before.reset();
   after.reset();
-  lock.lock();
+  mutex_.Lock();
 }
 
-void CommitWorker::DeleteNow(std::unique_lock<std::mutex>& lock) {
+void CommitWorker::DeleteNow() {
   const std::vector<Done> served = std::exchange(deletions_, {});
   const std::string name = committed_->info().name;
   Status status = deleted_ ? MapIsDeleted(*committed_) : Status::Ok();
-  lock.unlock();
+  mutex_.Unlock();
   if (status.ok()) status = store_.DeleteMap(name);
-  lock.lock();
+  mutex_.Lock();
   if (status.ok()) {
     deleted_ = true;
     newest_ = committed_;
   }
-  lock.unlock();
+  mutex_.Unlock();
   for (const Done& done : served) done(status);
-  lock.lock();
+  mutex_.Lock();
 }
 
 }  // namespace dhpmap

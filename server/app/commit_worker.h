@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "mapping/base/mutex.h"
+#include "server/app/lazy_thread.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -33,10 +34,19 @@ class CommitWorker {
   /// runs on the worker's thread once this snapshot or a newer one is in the store, or the attempt has failed.
   void Request(std::shared_ptr<const MapSnapshot> snapshot, Durability durability, Done done = {});
 
+  /// Asks for `snapshot`, which nobody has seen yet, to be committed with a full sync, and waits for the outcome. On
+  /// error it is dropped, as if it had never been: no later commit writes it. Not while another call of Request or
+  /// CommitUnseen is under way.
+  Status CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot);
+
   /// Removes the map from the store; from then on requests fail with NOT_FOUND. On error nothing has changed.
   void DeleteMap(Done done);
 
+  // Of what is in the store.
   [[nodiscard]] std::int64_t committed_revision() const;
+  [[nodiscard]] std::int64_t committed_frames() const;
+  /// Of the session's last frame; nothing if none of it is there.
+  [[nodiscard]] std::optional<std::int64_t> committed_sequence(const std::string& session) const;
   /// Outcome of the last commit: OK, or why the store is behind.
   [[nodiscard]] Status last_outcome() const;
 
@@ -48,29 +58,32 @@ class CommitWorker {
   struct Waiter {
     Durability durability;
     Done done;
+    bool is_unseen = false;
   };
 
+  void Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter waiter);
+
   void Loop();
-  void CommitNewest(std::unique_lock<std::mutex>& lock);
-  void DeleteNow(std::unique_lock<std::mutex>& lock);
-  [[nodiscard]] bool HasWork() const { return !waiters_.empty() || !deletions_.empty(); }
+  // Both let go of the mutex while they work.
+  void CommitNewest() DHPMAP_REQUIRES(mutex_);
+  void DeleteNow() DHPMAP_REQUIRES(mutex_);
+  [[nodiscard]] bool HasWork() const DHPMAP_REQUIRES(mutex_) { return !waiters_.empty() || !deletions_.empty(); }
 
   MapStore& store_;
   const double retry_s_;
   const Observer observer_;
 
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
-  // Guarded by mutex_.
-  std::shared_ptr<const MapSnapshot> committed_;
-  std::shared_ptr<const MapSnapshot> newest_;
-  std::vector<Waiter> waiters_;
-  std::vector<Done> deletions_;
-  Status last_outcome_;
-  bool stopping_ = false;
-  bool deleted_ = false;
+  mutable Mutex mutex_;
+  CondVar wake_;
+  std::shared_ptr<const MapSnapshot> committed_ DHPMAP_GUARDED_BY(mutex_);
+  std::shared_ptr<const MapSnapshot> newest_ DHPMAP_GUARDED_BY(mutex_);
+  std::vector<Waiter> waiters_ DHPMAP_GUARDED_BY(mutex_);
+  std::vector<Done> deletions_ DHPMAP_GUARDED_BY(mutex_);
+  Status last_outcome_ DHPMAP_GUARDED_BY(mutex_);
+  bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
+  bool deleted_ DHPMAP_GUARDED_BY(mutex_) = false;
 
-  std::thread thread_;
+  LazyThread thread_;  // started under the mutex, joined by Stop, after which nobody starts it
 };
 
 }  // namespace dhpmap

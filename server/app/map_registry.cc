@@ -4,6 +4,9 @@
 #include <chrono>
 #include <utility>
 
+#include "mapping/map/history_id.h"
+#include "server/app/etag.h"
+
 namespace dhpmap {
 namespace {
 
@@ -17,17 +20,34 @@ std::int64_t Now(const SessionOptions& options) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
+/// One pool for all maps.
+SessionOptions WithPool(SessionOptions options) {
+  if (options.pool == nullptr) options.pool = std::make_shared<ThreadPool>(options.num_threads);
+  return options;
+}
+
 }  // namespace
+
+MapSummary SummaryOf(const MapSnapshot& snapshot) {
+  return {.info = snapshot.info(), .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size())};
+}
+
+MapRegistry::MapRegistry(MapStore& store, SessionOptions options)
+    : store_(store), options_(WithPool(std::move(options))) {}
 
 Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionOptions options) {
   DHPMAP_ASSIGN_OR_RETURN(std::vector<StoredMap> maps, store.ListMaps());
   std::unique_ptr<MapRegistry> registry(new MapRegistry(store, std::move(options)));
+  const MutexLock lock(registry->mutex_);
   for (StoredMap& map : maps) {
     auto entry = std::make_shared<Entry>();
     entry->exists = true;
     entry->stored = {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = std::move(map.damage)};
     const std::string name = entry->stored.info.name;
     registry->entries_.emplace(name, std::move(entry));
+  }
+  if (registry->options_.idle_close_s > 0) {
+    DHPMAP_RETURN_IF_ERROR(registry->closer_.Start([closer = registry.get()] { closer->CloserLoop(); }));
   }
   return registry;
 }
@@ -38,10 +58,11 @@ Result<MapSummary> MapRegistry::Create(MapInfo info) {
   DHPMAP_RETURN_IF_ERROR(ValidateMapName(info.name));
   const std::string name = info.name;
   info.create_time_ns = Now(options_);
+  info.history_id = DrawHistoryId();
   auto entry = std::make_shared<Entry>();
-  const std::lock_guard busy(entry->busy);
+  const MutexLock busy(entry->busy);
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     if (!entries_.emplace(name, entry).second) {
       return AlreadyExists("there is a map '" + name + "' already").WithReason("MAP_EXISTS");
     }
@@ -50,19 +71,19 @@ Result<MapSummary> MapRegistry::Create(MapInfo info) {
   const auto snapshot = map.Publish(map.info().create_time_ns);
   const Status status = store_.CreateMap(*snapshot);
   if (!status.ok()) {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     entries_.erase(name);
     return status;
   }
-  MapSummary summary{.info = snapshot->info(), .num_submaps = static_cast<std::int64_t>(snapshot->submaps().size())};
-  const std::lock_guard lock(mutex_);
+  MapSummary summary = SummaryOf(*snapshot);
+  const MutexLock lock(mutex_);
   entry->exists = true;
   entry->stored = summary;
   return summary;
 }
 
 Result<MapSummary> MapRegistry::Get(const std::string& name) const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   const auto found = entries_.find(name);
   if (found == entries_.end() || !found->second->exists) return NoSuchMap(name);
   MapSummary summary = Summarise(*found->second);
@@ -70,29 +91,30 @@ Result<MapSummary> MapRegistry::Get(const std::string& name) const {
   return summary;
 }
 
-std::vector<MapSummary> MapRegistry::List() const {
-  const std::lock_guard lock(mutex_);
+std::vector<MapSummary> MapRegistry::List(const std::string& after, std::size_t max) const {
+  const MutexLock lock(mutex_);
   std::vector<MapSummary> summaries;
-  for (const auto& [name, entry] : entries_) {
-    if (entry->exists) summaries.push_back(Summarise(*entry));
+  for (auto it = entries_.upper_bound(after); it != entries_.end() && summaries.size() < max; ++it) {
+    if (it->second->exists) summaries.push_back(Summarise(*it->second));
   }
   return summaries;
 }
 
-Result<std::int64_t> MapRegistry::Delete(const std::string& name) {
+Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::string& etag) {
   const auto entry = FindEntry(name);
   if (entry == nullptr) return NoSuchMap(name);
-  const std::lock_guard busy(entry->busy);
+  const MutexLock busy(entry->busy);
   std::shared_ptr<MapSession> session;
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     if (!entry->exists) return NoSuchMap(name);
+    DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, EtagOf(Summarise(*entry).info), "map '" + name + "'"));
     session = entry->session;
   }
   DHPMAP_RETURN_IF_ERROR(session ? session->DeleteFromStore() : store_.DeleteMap(name));
   std::int64_t revision = 0;
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     revision = Summarise(*entry).info.revision;
     entry->exists = false;
     entry->session = nullptr;
@@ -106,13 +128,15 @@ Result<std::shared_ptr<MapSession>> MapRegistry::OpenSession(const std::string& 
   const auto entry = FindEntry(name);
   if (entry == nullptr) return NoSuchMap(name);
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
+    entry->last_used = Clock::now();
     if (entry->session) return entry->session;
   }
-  const std::lock_guard busy(entry->busy);
+  const MutexLock busy(entry->busy);
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     if (!entry->exists) return NoSuchMap(name);
+    entry->last_used = Clock::now();
     if (entry->session) return entry->session;
     if (!entry->stored.damage.ok()) return entry->stored.damage;
   }
@@ -122,13 +146,18 @@ Result<std::shared_ptr<MapSession>> MapRegistry::OpenSession(const std::string& 
   return session;
 }
 
+Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& name) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto session, OpenSession(name));
+  return session->View();
+}
+
 Result<std::int64_t> MapRegistry::DiskBytes(const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(const StoredMap map, store_.GetMap(name));
   return map.blob_bytes;
 }
 
 std::vector<std::shared_ptr<MapSession>> MapRegistry::OpenSessions() const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   std::vector<std::shared_ptr<MapSession>> sessions;
   for (const auto& [name, entry] : entries_) {
     if (entry->session) sessions.push_back(entry->session);
@@ -138,9 +167,11 @@ std::vector<std::shared_ptr<MapSession>> MapRegistry::OpenSessions() const {
 
 Status MapRegistry::Shutdown() {
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     is_shut_down_ = true;
   }
+  shut_down_.NotifyAll();
+  closer_.Join();
   Status outcome;
   for (const auto& session : OpenSessions()) {
     if (const Status stored = session->Stop(); !stored.ok()) outcome = stored;
@@ -148,21 +179,57 @@ Status MapRegistry::Shutdown() {
   return outcome;
 }
 
+void MapRegistry::CloserLoop() {
+  const auto period =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.idle_close_s / 4));
+  MutexLock lock(mutex_);
+  while (!shut_down_.WaitFor(mutex_, period, [this]() DHPMAP_REQUIRES(mutex_) { return is_shut_down_; })) {
+    lock.Unlock();
+    CloseIdleMaps(Clock::now());
+    lock.Lock();
+  }
+}
+
+void MapRegistry::CloseIdleMaps(Clock::time_point now) {
+  std::vector<std::shared_ptr<Entry>> open;
+  {
+    const MutexLock lock(mutex_);
+    for (const auto& [name, entry] : entries_) {
+      if (entry->session) open.push_back(entry);
+    }
+  }
+  for (const auto& entry : open) CloseIfIdle(*entry, now);
+}
+
+void MapRegistry::CloseIfIdle(Entry& entry, Clock::time_point now) {
+  const auto limit = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.idle_close_s));
+  const MutexLock busy(entry.busy);  // whoever wants the map meanwhile waits, and loads it again
+  std::shared_ptr<MapSession> session;
+  {
+    const MutexLock lock(mutex_);
+    const bool is_held = entry.session.use_count() != 1;  // whoever comes next asks us, under this lock
+    if (is_shut_down_ || !entry.session || is_held || now - entry.last_used < limit) return;
+    if (!entry.session->IsAtRest()) return;
+    entry.stored = Summarise(entry);
+    session = std::exchange(entry.session, nullptr);
+  }
+  (void)session->Stop();  // nothing is left to be stored
+}
+
 std::shared_ptr<MapRegistry::Entry> MapRegistry::FindEntry(const std::string& name) const {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   const auto found = entries_.find(name);
   return found == entries_.end() ? nullptr : found->second;
 }
 
-MapSummary MapRegistry::Summarise(const Entry& entry) {
+MapSummary MapRegistry::Summarise(const Entry& entry) const {
   if (entry.session == nullptr) return entry.stored;
-  const auto view = entry.session->View();
-  return {.info = view->snapshot().info(), .num_submaps = static_cast<std::int64_t>(view->snapshot().submaps().size())};
+  return SummaryOf(entry.session->View()->snapshot());
 }
 
 std::shared_ptr<MapSession> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot) {
   auto session = std::make_shared<MapSession>(std::move(snapshot), store_, options_);
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   if (is_shut_down_) return nullptr;
   entry.session = session;
   return session;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
+#include "mapping/base/mutex.h"
 #include "server/app/map_session.h"
 #include "storage/store.h"
 
@@ -19,10 +22,15 @@ struct MapSummary {
   Status damage;                 ///< why the store cannot read the map; then of all else only info.name is valid
 };
 
-/// All maps of a store. A map is loaded when somebody first asks for more than its summary, and stays open.
+MapSummary SummaryOf(const MapSnapshot& snapshot);
+
+/// All maps of a store. A map is loaded when somebody first asks for more than its summary, and closed when nobody has
+/// asked for SessionOptions::idle_close_s.
 /// Thread-safe; no call on one map waits for another map.
 class MapRegistry {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// Reads the list of maps. The store outlives the registry, and nobody else writes to it.
   static Result<std::unique_ptr<MapRegistry>> Open(MapStore& store, SessionOptions options);
   /// Shutdown().
@@ -33,43 +41,57 @@ class MapRegistry {
   Result<MapSummary> Create(MapInfo info);
   /// NOT_FOUND if there is no such map, DATA_LOSS if it is damaged.
   Result<MapSummary> Get(const std::string& name) const;
-  /// By name, damaged ones included.
-  [[nodiscard]] std::vector<MapSummary> List() const;
-  /// Returns the last revision. FAILED_PRECONDITION while frames are being streamed into the map. Blocks.
-  Result<std::int64_t> Delete(const std::string& name);
+  /// Up to `max` of them, by name, from the first behind `after` on; damaged ones included.
+  [[nodiscard]] std::vector<MapSummary> List(const std::string& after = "",
+                                             std::size_t max = std::numeric_limits<std::size_t>::max()) const;
+  /// Returns the last revision. ABORTED for an etag that is not the present one, FAILED_PRECONDITION while frames are
+  /// being streamed into the map. Blocks.
+  Result<std::int64_t> Delete(const std::string& name, const std::string& etag = "");
 
   /// The open map; loads it, which blocks, if it is not open yet. Errors of MapStore::LoadMap are passed on, and the
   /// next call tries again.
   Result<std::shared_ptr<MapSession>> OpenSession(const std::string& name);
+  /// The last published state of the map, which is opened if it is not open yet.
+  Result<std::shared_ptr<const MapView>> ViewOf(const std::string& name);
+  /// See MapStore::Backup.
+  Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) { return store_.Backup(stop); }
   /// Bytes of encoded blocks in the store.
   Result<std::int64_t> DiskBytes(const std::string& name);
   [[nodiscard]] std::vector<std::shared_ptr<MapSession>> OpenSessions() const;
+  /// Closes the maps that are idle at the time `now`, as the registry does by itself from time to time. What views of
+  /// them hold stays.
+  void CloseIdleMaps(Clock::time_point now);
 
   /// Stops every session: see MapSession::Stop. What is open can still be read; a map that is not open can no longer be
   /// opened (UNAVAILABLE). Returns why a map's last state could not be stored, or OK.
   Status Shutdown();
 
  private:
+  mutable Mutex mutex_;
+
   /// A map that is there, or is just being made.
   struct Entry {
-    std::mutex busy;  ///< held while the map is made, loaded or deleted
-    // Guarded by MapRegistry::mutex_.
-    bool exists = false;
-    MapSummary stored;  ///< while there is no session
-    std::shared_ptr<MapSession> session;
+    Mutex busy;  ///< held while the map is made, loaded or deleted; taken before the registry's
+    bool exists DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;
+    MapSummary stored DHPMAP_GUARDED_BY(&MapRegistry::mutex_);  ///< while there is no session
+    std::shared_ptr<MapSession> session DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
+    Clock::time_point last_used DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
   };
 
-  MapRegistry(MapStore& store, SessionOptions options) : store_(store), options_(std::move(options)) {}
+  MapRegistry(MapStore& store, SessionOptions options);
   [[nodiscard]] std::shared_ptr<Entry> FindEntry(const std::string& name) const;
-  [[nodiscard]] static MapSummary Summarise(const Entry& entry);
+  [[nodiscard]] MapSummary Summarise(const Entry& entry) const DHPMAP_REQUIRES(mutex_);
+  void CloseIfIdle(Entry& entry, Clock::time_point now);
+  void CloserLoop();
   /// Puts a session into the entry; null if the registry is shut down.
   std::shared_ptr<MapSession> Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot);
 
   MapStore& store_;
   const SessionOptions options_;
-  mutable std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<Entry>> entries_;  // guarded by mutex_
-  bool is_shut_down_ = false;                              // guarded by mutex_
+  std::map<std::string, std::shared_ptr<Entry>> entries_ DHPMAP_GUARDED_BY(mutex_);
+  bool is_shut_down_ DHPMAP_GUARDED_BY(mutex_) = false;
+  CondVar shut_down_;
+  LazyThread closer_;  // joined by Shutdown
 };
 
 }  // namespace dhpmap

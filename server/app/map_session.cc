@@ -7,10 +7,16 @@
 #include <string>
 #include <utility>
 
+#include "mapping/map/session_marks.h"
+
 namespace dhpmap {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Each step costs one full sync; after an unclean end up to so many numbers are left out.
+constexpr std::int64_t kRevisionsAStep = 1000;
+constexpr std::uint32_t kIdsAStep = 100;
 
 Clock::time_point In(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -26,10 +32,16 @@ SessionOptions WithClock(SessionOptions options) {
   return options;
 }
 
-/// What an edit is answered when it is done but could not be made durable.
-Status NotStored(const Status& cause) {
-  return Status(cause.code(), "the change is made, but is not in the store yet: " + cause.message())
-      .WithReason(cause.reason().empty() ? "NOT_STORED" : cause.reason());
+/// What is answered when a finished map could not be made durable.
+Status NotStoredYet(const Status& cause) {
+  return Status(cause.code(), "the map is finished, but is not in the store yet: " + cause.message())
+      .WithReason(cause.reason().empty() ? Reason("NOT_STORED") : cause.reason());
+}
+
+/// What an edit is answered that did not happen because it could not be stored.
+Status NotMade(const Status& cause) {
+  return Status(cause.code(), "nothing was changed, because it cannot be stored: " + cause.message())
+      .WithReason(cause.reason().empty() ? Reason("NOT_STORED") : cause.reason());
 }
 
 Status ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
@@ -44,65 +56,99 @@ Outcome Guarded(Work&& work) {
   }
 }
 
+std::shared_ptr<ThreadPool> PoolOf(const SessionOptions& options) {
+  return options.pool ? options.pool : std::make_shared<ThreadPool>(options.num_threads);
+}
+
 }  // namespace
 
 MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& store, SessionOptions options)
     : options_(WithClock(std::move(options))),
+      store_(store),
       commits_(store, snapshot, options_.commit_retry_s, options_.on_commit),
-      builder_(snapshot, options_.num_threads, RefinementTiming::kNeverWait),
-      view_(std::make_shared<const MapView>(snapshot)) {
-  writer_ = std::thread([this] { WriterLoop(); });
-}
+      seat_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s))),
+      builder_(snapshot, PoolOf(options_), RefinementTiming::kNeverWait),
+      marks_{snapshot->revision(), snapshot->info().next_submap_id},
+      view_(std::make_shared<const MapView>(snapshot)) {}
 
 MapSession::~MapSession() { (void)Stop(); }
 
 std::shared_ptr<const MapView> MapSession::View() const {
-  const std::lock_guard lock(view_mutex_);
+  const MutexLock lock(view_mutex_);
   return view_;
 }
 
-Status MapSession::BeginFeed() {
-  const std::lock_guard lock(mutex_);
-  if (!refusal_.ok()) return refusal_;
-  if (is_fed_) return Aborted("another stream feeds this map already").WithReason("MAP_IS_FED");
-  is_fed_ = true;
-  return Status::Ok();
-}
-
-void MapSession::EndFeed() {
-  const std::lock_guard lock(mutex_);
-  is_fed_ = false;
+Result<std::shared_ptr<Feed>> MapSession::BeginFeed(FeedRequest request) {
+  if (!request.session.empty()) DHPMAP_RETURN_IF_ERROR(ValidateSessionName(request.session));
+  {
+    const MutexLock lock(mutex_);
+    if (!refusal_.ok()) return refusal_;
+  }
+  return seat_.Take(std::move(request));
 }
 
 void MapSession::Integrate(Result<PanopticFrame> frame, std::function<void(FrameOutcome)> done) {
+  Integrate(nullptr, 0, std::move(frame), std::move(done));
+}
+
+void MapSession::Integrate(const std::shared_ptr<Feed>& feed, std::int64_t sequence, Result<PanopticFrame> frame,
+                           std::function<void(FrameOutcome)> done) {
+  if (feed) feed->OnFrameBegun();
+  const auto answer = [this, feed, done = std::move(done)](FrameOutcome outcome) {
+    if (feed) feed->OnFrameDone(seat_.Now());
+    done(std::move(outcome));
+  };
   auto shared = std::make_shared<Result<PanopticFrame>>(std::move(frame));
-  Post({.run = [this, shared, done] { done(IntegrateNow(std::move(*shared))); },
+  Post({.run = [this, feed, sequence, shared, answer] { answer(IntegrateNow(feed, sequence, std::move(*shared))); },
         .refuse =
-            [this, done](const Status& status) {
-              done({.report = status,
-                    .revision = View()->snapshot().revision(),
-                    .commit_status = commits_.last_outcome()});
+            [this, answer](const Status& status) {
+              answer({.report = status,
+                      .revision = View()->snapshot().revision(),
+                      .commit_status = commits_.last_outcome()});
             }});
 }
 
+void MapSession::Greet(const std::shared_ptr<Feed>& feed, std::function<void(FeedProgress)> done) {
+  const auto answer = [this, feed, done = std::move(done)] { done(ProgressOf(feed)); };
+  Post({.run = answer, .refuse = [answer](const Status&) { answer(); }});
+}
+
+FeedProgress MapSession::ProgressOf(const std::shared_ptr<Feed>& feed) const {
+  return {.revision = View()->snapshot().revision(),
+          .committed_sequence = feed->session().empty() ? feed->StoredUpTo(commits_.committed_frames())
+                                                        : commits_.committed_sequence(feed->session()),
+          .commit_status = commits_.last_outcome()};
+}
+
 void MapSession::Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done) {
-  auto run = [this, change = std::move(change), done] {
-    Publish();  // so that revisions and etags of what the change meets are those of its present state
-    auto submap = Guarded<Result<SubmapId>>([&] { return change(builder_.map()); });
-    if (!submap.ok()) return done(submap.status());
-    EditOutcome outcome{.view = Publish(), .submap = *submap};
-    RequestCommit(Durability::kFull, [done, outcome = std::move(outcome)](const Status& status) {
-      if (status.ok()) done(outcome);
-      else done(NotStored(status));
-    });
-  };
+  auto run = [this, change = std::move(change), done] { done(EditNow(change)); };
   Post({.run = std::move(run), .refuse = [done](const Status& status) { done(status); }, .is_edit = true});
+}
+
+Result<EditOutcome> MapSession::EditNow(const std::function<Result<SubmapId>(Map&)>& change) {
+  // First what is fused: revisions and etags of what the change meets are then those of its present state, and what is
+  // dropped if the store fails is the change alone.
+  Publish();
+  const auto before = builder_.map().published();
+  if (const Status stored = CommitPublished(); !stored.ok()) return NotMade(stored);
+  Map& map = builder_.map();
+  auto submap = Guarded<Result<SubmapId>>([&] { return change(map); });
+  if (!submap.ok()) {
+    map = Map(before);  // it may have stopped half-way
+    return submap.status();
+  }
+  auto after = map.Publish(options_.now_ns());
+  if (const Status stored = commits_.CommitUnseen(after); !stored.ok()) {
+    map = Map(before);
+    return NotMade(stored);
+  }
+  return EditOutcome{.view = Show(std::move(after)), .submap = *submap};
 }
 
 void MapSession::Flush(std::function<void(const Status&)> done) {
   auto run = [this, done] {
     Publish();
-    RequestCommit(Durability::kNormal, done);
+    RequestCommit(Durability::kFull, done);
   };
   Post({.run = std::move(run), .refuse = done});
 }
@@ -116,90 +162,107 @@ void MapSession::Finish(std::function<void(Result<FinishOutcome>)> done) {
     FinishOutcome outcome{.view = Publish(), .refinement = *refinement};
     RequestCommit(Durability::kFull, [done, outcome = std::move(outcome)](const Status& status) {
       if (status.ok()) done(outcome);
-      else done(NotStored(status));
+      else done(NotStoredYet(status));
     });
   };
   Post({.run = std::move(run), .refuse = [done](const Status& status) { done(status); }, .is_edit = true});
 }
 
 Status MapSession::DeleteFromStore() {
-  Status fed = BeginFeed();  // nobody may start feeding meanwhile
-  if (fed.code() == StatusCode::kAborted) {
-    return FailedPrecondition("frames are being streamed into this map").WithReason("MAP_IS_FED");
+  {
+    const MutexLock lock(mutex_);
+    if (!refusal_.ok()) return refusal_;
   }
-  DHPMAP_RETURN_IF_ERROR(std::move(fed));
+  DHPMAP_RETURN_IF_ERROR(seat_.Close());  // nobody may start feeding meanwhile
   std::promise<Status> outcome;
   commits_.DeleteMap([&outcome](const Status& status) { outcome.set_value(status); });
   const Status status = outcome.get_future().get();
-  const std::lock_guard lock(mutex_);
-  if (status.ok()) refusal_ = NotFound("the map has been deleted").WithReason("MAP_NOT_FOUND");
-  is_fed_ = false;
+  if (!status.ok()) {
+    seat_.Reopen();
+    return status;
+  }
+  const MutexLock lock(mutex_);
+  refusal_ = NotFound("the map has been deleted").WithReason("MAP_NOT_FOUND");
   return status;
 }
 
-Status MapSession::Stop() {
-  const std::lock_guard stop_lock(stop_mutex_);  // of two callers the second waits for the end, too
+bool MapSession::IsAtRest() const {
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
+    if (!jobs_.empty() || is_running_) return false;
+  }
+  return BehindSeconds() == 0 && commits_.committed_revision() == View()->snapshot().revision();
+}
+
+Status MapSession::Stop() {
+  const MutexLock stop_lock(stop_mutex_);  // of two callers the second waits for the end, too
+  bool is_deleted = false;
+  {
+    const MutexLock lock(mutex_);
     stopping_ = true;
+    is_deleted = refusal_.code() == StatusCode::kNotFound;  // its name may be another map's by now
     if (refusal_.ok()) refusal_ = ShuttingDown();
   }
-  wake_.notify_one();
-  if (writer_.joinable()) writer_.join();
+  wake_.NotifyOne();
+  writer_.Join();
   commits_.Stop();
+  if (!is_deleted) ReleaseNumbers();
   return commits_.last_outcome();
 }
 
 void MapSession::Post(Job job) {
   Status refused;
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     refused = refusal_;
     if (refused.ok() && job.is_edit && num_pending_edits_ >= options_.max_pending_edits) {
       refused = ResourceExhausted("too many edits wait for this map").WithReason("TOO_MANY_EDITS");
     }
+    if (refused.ok()) refused = writer_.Start([this] { WriterLoop(); });
     if (refused.ok()) {
       num_pending_edits_ += job.is_edit ? 1 : 0;
       jobs_.push_back(std::move(job));
     }
   }
-  if (refused.ok()) wake_.notify_one();
+  if (refused.ok()) wake_.NotifyOne();
   else job.refuse(refused);
 }
 
 void MapSession::WriterLoop() {
-  std::unique_lock lock(mutex_);
+  MutexLock lock(mutex_);
   while (!stopping_) {
-    const auto is_ready = [this] { return stopping_ || !jobs_.empty(); };
+    const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !jobs_.empty(); };
     if (num_unpublished_ > 0) {
-      wake_.wait_until(lock, std::min(publish_due_, commit_due_), is_ready);
+      wake_.WaitUntil(mutex_, std::min(publish_due_, commit_due_), is_ready);
     } else if (num_uncommitted_ > 0) {
-      wake_.wait_until(lock, commit_due_, is_ready);
+      wake_.WaitUntil(mutex_, commit_due_, is_ready);
     } else {
-      wake_.wait(lock, is_ready);
+      wake_.Wait(mutex_, is_ready);
     }
-    if (!stopping_ && !jobs_.empty()) RunOne(lock);
-    lock.unlock();
+    if (!stopping_ && !jobs_.empty()) RunOne();
+    lock.Unlock();
     DoBatchesThatAreDue();
-    lock.lock();
+    lock.Lock();
   }
   const std::deque<Job> refused = std::exchange(jobs_, {});
   const Status status = refusal_;
-  lock.unlock();
+  lock.Unlock();
   for (const Job& job : refused) job.refuse(status);
   Publish();
   RequestCommit(Durability::kFull);
 }
 
-void MapSession::RunOne(std::unique_lock<std::mutex>& lock) {
+void MapSession::RunOne() {
   {
     const Job job = std::move(jobs_.front());
     jobs_.pop_front();
     num_pending_edits_ -= job.is_edit ? 1 : 0;
-    lock.unlock();
+    is_running_ = true;
+    mutex_.Unlock();
     job.run();
   }
-  lock.lock();
+  mutex_.Lock();
+  is_running_ = false;
 }
 
 void MapSession::DoBatchesThatAreDue() {
@@ -212,35 +275,102 @@ void MapSession::DoBatchesThatAreDue() {
   }
 }
 
-FrameOutcome MapSession::IntegrateNow(Result<PanopticFrame> frame) {
-  FrameOutcome outcome{.report = frame.ok() ? Guarded<Result<FrameReport>>([&] { return builder_.Integrate(*frame); })
-                                            : frame.status()};
-  if (outcome.report.ok()) {
-    if (outcome.report->refinement && options_.on_refinement) options_.on_refinement(*outcome.report->refinement);
-    if (num_unpublished_++ == 0) publish_due_ = In(options_.publish_s);
-    if (num_uncommitted_++ == 0) commit_due_ = In(options_.commit_s);
-    DoBatchesThatAreDue();
+double MapSession::BehindSeconds() const {
+  lag_.OnStored(commits_.committed_frames());
+  return lag_.Seconds(StoreLag::Clock::now());
+}
+
+/// More frames would only be more that a crash can take.
+Status MapSession::WhyBehind() const {
+  const double behind_s = BehindSeconds();
+  if (behind_s <= options_.max_behind_s) return Status::Ok();
+  const std::string cause = commits_.last_outcome().message();
+  return Unavailable("the store is " + std::to_string(static_cast<int>(behind_s)) + " s behind" +
+                     (cause.empty() ? "" : ": " + cause) + "; send the frame again when it has caught up")
+      .WithReason("STORE_BEHIND");
+}
+
+FrameOutcome MapSession::IntegrateNow(const std::shared_ptr<Feed>& feed, std::int64_t sequence,
+                                      Result<PanopticFrame> frame) {
+  FrameOutcome outcome{.report = FrameReport{}};
+  const Status refusal = feed ? feed->MayFeed() : Status::Ok();
+  if (!refusal.ok()) {
+    outcome.report = refusal;
+  } else if (feed && sequence <= builder_.map().info().sessions.LastOf(feed->session())) {
+    outcome.is_duplicate = true;
+  } else if (Status behind = WhyBehind(); !behind.ok()) {
+    outcome.report = std::move(behind);
+  } else {
+    outcome.report = frame.ok() ? Fuse(feed.get(), sequence, *frame) : frame.status();
   }
+  outcome.is_committed =
+      num_unpublished_ == 0 && commits_.committed_revision() == builder_.map().published()->revision();
+  if (feed) outcome.committed_sequence = ProgressOf(feed).committed_sequence;
   outcome.revision = View()->snapshot().revision();
-  outcome.is_committed = num_unpublished_ == 0 && commits_.committed_revision() == outcome.revision;
   outcome.commit_status = commits_.last_outcome();
   return outcome;
+}
+
+Result<FrameReport> MapSession::Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame) {
+  auto report = Guarded<Result<FrameReport>>([&] { return builder_.Integrate(frame); });
+  if (!report.ok()) return report;
+  lag_.OnFused(builder_.map().info().num_frames, StoreLag::Clock::now());
+  if (feed) {
+    MapInfo& info = builder_.map().mutable_info();
+    if (!feed->session().empty()) info.sessions.Set({feed->session(), sequence, options_.now_ns()});
+    feed->OnFused(info.num_frames, sequence);
+  }
+  if (report->refinement && options_.on_refinement) options_.on_refinement(*report->refinement);
+  if (num_unpublished_++ == 0) publish_due_ = In(options_.publish_s);
+  if (num_uncommitted_++ == 0) commit_due_ = In(options_.commit_s);
+  DoBatchesThatAreDue();
+  return report;
 }
 
 std::shared_ptr<const MapView> MapSession::Publish() {
   num_unpublished_ = 0;
   auto snapshot = builder_.map().Publish(options_.now_ns());
+  // Nobody sees numbers that might be given out again after a crash; the next turn tries again.
+  if (!ReserveNumbersOf(snapshot->info()).ok() && commits_.committed_revision() != snapshot->revision()) return View();
+  return Show(std::move(snapshot));
+}
+
+Status MapSession::ReserveNumbersOf(const MapInfo& info) {
+  if (info.revision <= marks_.revision && info.next_submap_id <= marks_.next_submap_id) return Status::Ok();
+  const NumberMarks wanted{info.revision + kRevisionsAStep, SubmapId(info.next_submap_id.value + kIdsAStep)};
+  DHPMAP_RETURN_IF_ERROR(store_.Reserve(info.name, wanted));
+  marks_ = wanted;
+  return Status::Ok();
+}
+
+/// After a clean end, numbering goes on without a gap.
+void MapSession::ReleaseNumbers() {
+  const MapInfo& info = builder_.map().info();
+  if (!commits_.last_outcome().ok() || commits_.committed_revision() != info.revision) return;
+  if (marks_.revision == info.revision && marks_.next_submap_id == info.next_submap_id) return;
+  (void)store_.Reserve(info.name, {info.revision, info.next_submap_id});  // a gap is no harm
+}
+
+std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapSnapshot> snapshot) {
   auto view = View();
   if (view->shared_snapshot() == snapshot) return view;
   auto next = std::make_shared<const MapView>(std::move(snapshot));
-  const std::lock_guard lock(view_mutex_);
+  const MutexLock lock(view_mutex_);
   view_.swap(next);  // `view` still holds the old one: nothing is freed under the lock
   return view_;
 }
 
+/// Not with a full sync: that comes with the commit of the change.
+Status MapSession::CommitPublished() {
+  if (commits_.committed_revision() == builder_.map().published()->revision()) return Status::Ok();
+  std::promise<Status> outcome;
+  RequestCommit(Durability::kNormal, [&outcome](const Status& status) { outcome.set_value(status); });
+  return outcome.get_future().get();
+}
+
 void MapSession::RequestCommit(Durability durability, CommitWorker::Done done) {
   num_uncommitted_ = 0;
-  commits_.Request(View()->shared_snapshot(), durability, std::move(done));
+  commits_.Request(builder_.map().published(), durability, std::move(done));
 }
 
 }  // namespace dhpmap

@@ -2,23 +2,26 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
+#include <optional>
 
+#include "mapping/base/mutex.h"
 #include "mapping/pipeline/map_builder.h"
 #include "server/app/commit_worker.h"
+#include "server/app/feed_seat.h"
+#include "server/app/lazy_thread.h"
 #include "server/app/map_view.h"
+#include "server/app/store_lag.h"
 
 namespace dhpmap {
 
 struct SessionOptions {
-  int num_threads = 0;  ///< of fusion; 0 = one a core
+  int num_threads = 0;                         ///< of fusion; 0 = one a core
+  std::shared_ptr<ThreadPool> pool = nullptr;  ///< for fusion, shared with other maps; null: num_threads of its own
   // Fused frames become visible to queries after so many of them, or so long after the first of them.
   int publish_frames = 10;
   double publish_s = 0.2;
@@ -26,6 +29,9 @@ struct SessionOptions {
   int commit_frames = 50;
   double commit_s = 2.0;
   double commit_retry_s = 5.0;           ///< between attempts while the store refuses
+  double max_behind_s = 30;              ///< what is fused may be so long not stored; then frames are refused
+  double idle_close_s = 600;             ///< a map that nobody uses for so long is closed; 0: never
+  double feed_idle_s = 30;               ///< a feeder that is silent for so long makes place for others
   std::size_t max_pending_edits = 256;   ///< waiting for the writer; more are answered RESOURCE_EXHAUSTED
   std::function<std::int64_t()> now_ns;  ///< UTC; empty = the system's clock
   std::function<void(double seconds, const Status& status)> on_commit;  ///< on the commit thread; may be empty
@@ -38,6 +44,16 @@ struct FrameOutcome {
   std::int64_t revision = 0;   ///< last published
   bool is_committed = false;   ///< everything up to this frame is in the store
   Status commit_status;        ///< why the store is behind, if the last commit failed
+  bool is_duplicate = false;   ///< of one that its session had taken before: changed nothing, and the report is empty
+  std::optional<std::int64_t> committed_sequence = std::nullopt;  ///< see FeedProgress
+};
+
+/// How far a feed has got.
+struct FeedProgress {
+  std::int64_t revision = 0;  ///< last published
+  /// Of the newest frame that is in the store together with all before it: of the session, or of a feed without one.
+  std::optional<std::int64_t> committed_sequence;
+  Status commit_status;  ///< why the store is behind, if the last commit failed
 };
 
 /// A state that holds an edit, and the submap that was edited (or made).
@@ -68,28 +84,48 @@ class MapSession {
   /// The last published state.
   [[nodiscard]] std::shared_ptr<const MapView> View() const;
 
-  /// Reserves the map for one feeder of frames; ABORTED if there is one already, NOT_FOUND if the map is being deleted.
-  Status BeginFeed();
-  void EndFeed();
+  /// A turn at feeding the map: see FeedSeat::Take. INVALID_ARGUMENT for a bad name of a session, NOT_FOUND if the map
+  /// is being deleted.
+  Result<std::shared_ptr<Feed>> BeginFeed(FeedRequest request = {});
+  void EndFeed(const std::shared_ptr<Feed>& feed) { seat_.Leave(feed); }
 
-  /// Fuses a frame. An error in its place is passed on to `done` in its turn, so that answers keep the order of the
-  /// calls. The feeder limits how many are under way.
+  /// For how long what was fused has not been stored.
+  [[nodiscard]] double BehindSeconds() const;
+
+  /// Fuses a frame, which the client calls `sequence`. UNAVAILABLE, reason STORE_BEHIND, while the store has been
+  /// behind for longer than max_behind_s. An error in its place is passed on to `done` in its turn, so that answers
+  /// keep the order of the calls. Refused with ABORTED if the feed has lost its place by then; without effect if its
+  /// session has taken this or a later sequence. The feeder limits how many are under way.
+  void Integrate(const std::shared_ptr<Feed>& feed, std::int64_t sequence, Result<PanopticFrame> frame,
+                 std::function<void(FrameOutcome)> done);
+  /// The same for one who feeds alone, without a name.
   void Integrate(Result<PanopticFrame> frame, std::function<void(FrameOutcome)> done);
 
-  /// Runs `change` on the map between two frames, after publishing what was fused so far; an error from it must have
-  /// left the map as it was. `done` hears of success once the change is in the store with a full sync. If the store
-  /// fails, the change stays in memory and goes with the next commit that succeeds.
+  /// Tells how far the feed has got, in turn with its frames.
+  void Greet(const std::shared_ptr<Feed>& feed, std::function<void(FeedProgress)> done);
+  /// The same at once.
+  [[nodiscard]] FeedProgress ProgressOf(const std::shared_ptr<Feed>& feed) const;
+
+  /// Runs `change` on the map between two frames, after publishing and committing what was fused so far; on an error
+  /// from it the map is as it was. The new state is committed with a full sync before anybody sees it. If the
+  /// store fails, the change has not happened: `done` gets the store's error, and nothing of it is seen or stored
+  /// later.
   void Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done);
 
-  /// Publishes and commits everything that was handed in before.
+  /// Publishes and commits everything that was handed in before, with a full sync: what a feeder hears at its end is
+  /// true after a power cut, too.
   void Flush(std::function<void(const Status&)> done);
 
   /// MapBuilder::Finish, then a commit with a full sync.
   void Finish(std::function<void(Result<FinishOutcome>)> done);
 
   /// Removes the map from the store and refuses all further work with NOT_FOUND. FAILED_PRECONDITION while somebody
-  /// feeds frames. Blocks for the time of the deletion.
+  /// feeds frames, unless that feed is idle: then it ends. Blocks for the time of the deletion.
   Status DeleteFromStore();
+
+  /// Nothing is under way, and everything is in the store: Stop() would lose nothing and refuse nobody, if nobody holds
+  /// the session who may still ask for something.
+  [[nodiscard]] bool IsAtRest() const;
 
   /// Ends the job in hand, refuses those that wait and all later ones with UNAVAILABLE, commits with a full sync, and
   /// joins the threads. Returns the outcome of that commit.
@@ -105,36 +141,47 @@ class MapSession {
 
   void Post(Job job);
   void WriterLoop();
-  void RunOne(std::unique_lock<std::mutex>& lock);
+  /// Lets go of the mutex while the job runs.
+  void RunOne() DHPMAP_REQUIRES(mutex_);
   void DoBatchesThatAreDue();
-  FrameOutcome IntegrateNow(Result<PanopticFrame> frame);
+  [[nodiscard]] Status WhyBehind() const;
+  FrameOutcome IntegrateNow(const std::shared_ptr<Feed>& feed, std::int64_t sequence, Result<PanopticFrame> frame);
+  Result<FrameReport> Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame);
+  Result<EditOutcome> EditNow(const std::function<Result<SubmapId>(Map&)>& change);
   std::shared_ptr<const MapView> Publish();
+  std::shared_ptr<const MapView> Show(std::shared_ptr<const MapSnapshot> snapshot);
+  Status CommitPublished();
+  Status ReserveNumbersOf(const MapInfo& info);
+  void ReleaseNumbers();
   void RequestCommit(Durability durability, CommitWorker::Done done = {});
 
   const SessionOptions options_;
+  MapStore& store_;
   CommitWorker commits_;
+  mutable StoreLag lag_;  // hears of commits when it is asked
+  FeedSeat seat_;
 
   // Writer thread only.
   MapBuilder builder_;
+  NumberMarks marks_;        // what others may see; see MapStore::Reserve
   int num_unpublished_ = 0;  // frames
   int num_uncommitted_ = 0;
   TimePoint publish_due_;
   TimePoint commit_due_;
 
-  mutable std::mutex view_mutex_;
-  std::shared_ptr<const MapView> view_;
+  mutable Mutex view_mutex_;
+  std::shared_ptr<const MapView> view_ DHPMAP_GUARDED_BY(view_mutex_);
 
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
-  // Guarded by mutex_.
-  std::deque<Job> jobs_;
-  std::size_t num_pending_edits_ = 0;
-  bool is_fed_ = false;
-  Status refusal_;  // not OK: no more work is taken
-  bool stopping_ = false;
+  Mutex stop_mutex_ DHPMAP_ACQUIRED_BEFORE(mutex_);
+  mutable Mutex mutex_;
+  CondVar wake_;
+  std::deque<Job> jobs_ DHPMAP_GUARDED_BY(mutex_);
+  std::size_t num_pending_edits_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  Status refusal_ DHPMAP_GUARDED_BY(mutex_);           // not OK: no more work is taken
+  bool is_running_ DHPMAP_GUARDED_BY(mutex_) = false;  // a job
+  bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
 
-  std::mutex stop_mutex_;
-  std::thread writer_;
+  LazyThread writer_;  // started under mutex_, joined under stop_mutex_
 };
 
 }  // namespace dhpmap

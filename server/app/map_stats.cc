@@ -29,4 +29,14 @@ MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels) {
   return stats;
 }
 
+Result<MapReport> ReportOf(MapRegistry& registry, const std::string& map) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto view, registry.ViewOf(map));
+  const MapSnapshot& snapshot = view->snapshot();
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t disk_bytes, registry.DiskBytes(map));
+  return MapReport{.revision = snapshot.revision(),
+                   .num_frames = snapshot.info().num_frames,
+                   .stats = ComputeStats(snapshot, /*with_voxels=*/true),
+                   .disk_bytes = disk_bytes};
+}
+
 }  // namespace dhpmap

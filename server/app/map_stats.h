@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
+#include "mapping/base/result.h"
 #include "mapping/map/map.h"
+#include "server/app/map_registry.h"
 
 namespace dhpmap {
 
@@ -22,5 +25,16 @@ struct MapStats {
 /// Visits every submap; if `with_voxels` also every voxel, else num_observed_voxels stays 0. Blocks that clones share
 /// count once for each.
 MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels);
+
+/// What there is to know of a map and its cost.
+struct MapReport {
+  std::int64_t revision = 0;
+  std::int64_t num_frames = 0;
+  MapStats stats;
+  std::int64_t disk_bytes = 0;  ///< encoded blocks in the store
+};
+
+/// Opens the map; NOT_FOUND. Visits every voxel.
+Result<MapReport> ReportOf(MapRegistry& registry, const std::string& map);
 
 }  // namespace dhpmap

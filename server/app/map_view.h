@@ -2,9 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 
+#include "mapping/base/mutex.h"
 #include "mapping/map/map.h"
 #include "mapping/query/point_lookup.h"
 
@@ -20,14 +20,15 @@ class MapView {
 
   /// Built by the first caller; others that come meanwhile wait for it.
   [[nodiscard]] const PointLookup& lookup() const {
-    std::call_once(lookup_built_, [this] { lookup_.emplace(snapshot_); });
-    return *lookup_;
+    const MutexLock lock(mutex_);
+    if (!lookup_) lookup_.emplace(snapshot_);
+    return *lookup_;  // stays as it is from now on
   }
 
  private:
   std::shared_ptr<const MapSnapshot> snapshot_;
-  mutable std::once_flag lookup_built_;
-  mutable std::optional<PointLookup> lookup_;
+  mutable Mutex mutex_;
+  mutable std::optional<PointLookup> lookup_ DHPMAP_GUARDED_BY(mutex_);
 };
 
 }  // namespace dhpmap

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/submap_edits.h"
 
+#include "mapping/base/grid_reach.h"
+#include "server/app/etag.h"
+
 namespace dhpmap {
 namespace {
 
@@ -14,14 +17,43 @@ void CheckClass(const Map& map, const Submap& submap, ClassId class_id, Status& 
   }
 }
 
-Status CheckPatch(const Map& map, const Submap& submap, const SubmapPatch& patch) {
+void CheckPose(const Transform& T_map_submap, double voxel_size_m, Status& bad) {
+  if (!IsFinite(T_map_submap)) {
+    bad.AddViolation("map_from_submap", "is not finite");
+  } else if (const std::string problem = WhyBeyondGrid(T_map_submap.translation(), voxel_size_m); !problem.empty()) {
+    bad.AddViolation("map_from_submap", problem);
+  }
+}
+
+Result<Transform> Changed(const Transform& T, const PoseChange& change) {
+  Eigen::Vector3d translation_m = T.translation();
+  Eigen::Vector4d xyzw = Eigen::Quaterniond(T.linear()).coeffs();
+  for (int i = 0; i < 3; ++i) translation_m[i] = change.translation_m[i].value_or(translation_m[i]);
+  for (int i = 0; i < 4; ++i) xyzw[i] = change.rotation_xyzw[i].value_or(xyzw[i]);
+  return TransformFromQuaternion(translation_m, xyzw, "map_from_submap");
+}
+
+/// The pose that the patch gives, if it gives one.
+std::optional<Transform> PoseOf(const SubmapPatch& patch, const Submap& submap, Status& bad) {
+  if (patch.T_map_submap || !patch.pose_change) return patch.T_map_submap;
+  const auto T = Changed(submap.info().T_map_submap, *patch.pose_change);
+  for (const FieldViolation& violation : T.status().violations()) {
+    bad.AddViolation(violation.field, violation.description);
+  }
+  return T.ok() ? std::optional(*T) : std::nullopt;
+}
+
+/// The patch with its pose worked out, if the map allows it.
+Result<SubmapPatch> Checked(const Map& map, const Submap& submap, SubmapPatch patch) {
   Status bad = InvalidArgument("the submap cannot be changed like this").WithReason("BAD_EDIT");
-  if (patch.T_map_submap && !IsFinite(*patch.T_map_submap)) bad.AddViolation("map_from_submap", "is not finite");
+  patch.T_map_submap = PoseOf(patch, submap, bad);
+  if (patch.T_map_submap) CheckPose(*patch.T_map_submap, submap.info().voxel_size_m, bad);
   if (patch.class_id) CheckClass(map, submap, *patch.class_id, bad);
   if (patch.display_name && patch.display_name->size() > kMaxDisplayNameBytes) {
     bad.AddViolation("display_name", "is longer than " + std::to_string(kMaxDisplayNameBytes) + " bytes");
   }
-  return bad.violations().empty() ? Status::Ok() : bad;
+  if (!bad.violations().empty()) return bad;
+  return patch;
 }
 
 void Apply(const SubmapPatch& patch, SubmapInfo& info) {
@@ -35,35 +67,36 @@ void Apply(const SubmapPatch& patch, SubmapInfo& info) {
 
 }  // namespace
 
-std::string EtagOf(const Submap& submap) { return "r" + std::to_string(submap.info().revision); }
+Status NoSuchSubmap(SubmapId id) {
+  return NotFound("submap " + std::to_string(id.value) + " does not exist").WithReason("SUBMAP_NOT_FOUND");
+}
 
 Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag) {
   const Submap* submap = map.Find(id);
   const std::string which = "submap " + std::to_string(id.value);
-  if (submap == nullptr) return NotFound(which + " does not exist").WithReason("SUBMAP_NOT_FOUND");
+  if (submap == nullptr) return NoSuchSubmap(id);
   if (id == kUnknownSubmap) {
     return FailedPrecondition("submap 0 holds the geometry of unknown objects and cannot be edited")
         .WithReason("UNKNOWN_SUBMAP");
   }
-  if (!etag.empty() && etag != EtagOf(*submap)) {
-    return Aborted(which + " has changed: its etag is now " + EtagOf(*submap)).WithReason("ETAG_MISMATCH");
-  }
+  DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, EtagOf(*submap, map.info()), which));
   return submap;
 }
 
 Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch) {
   DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
-  DHPMAP_RETURN_IF_ERROR(CheckPatch(map, *submap, patch));
-  const bool changes_anything = patch.T_map_submap || patch.class_id || patch.display_name;
-  if (changes_anything) Apply(patch, map.FindMutable(id)->mutable_info());
+  DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
+  const bool changes_anything = checked.T_map_submap || checked.class_id || checked.display_name;
+  if (changes_anything) Apply(checked, map.FindMutable(id)->mutable_info());
   return Status::Ok();
 }
 
 Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch) {
   DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
-  DHPMAP_RETURN_IF_ERROR(CheckPatch(map, *submap, patch));
+  DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
   Submap* copy = map.Clone(id);
-  Apply(patch, copy->mutable_info());
+  Apply(checked, copy->mutable_info());
+  copy->mutable_info().is_confirmed = true;  // somebody asked for it: not to be dissolved as something seen wrongly
   return copy->id();
 }
 

@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
 #include "mapping/base/result.h"
 #include "mapping/map/map.h"
+#include "server/app/map_edits.h"
 
 namespace dhpmap {
 
-inline constexpr std::size_t kMaxDisplayNameBytes = 256;
+/// NOT_FOUND.
+Status NoSuchSubmap(SubmapId id);
 
-/// Identifies the state of a submap: changes with every published change of it.
-std::string EtagOf(const Submap& submap);
+/// Single numbers of a pose; what is empty stays.
+struct PoseChange {
+  std::array<std::optional<double>, 3> translation_m;  ///< x, y, z
+  std::array<std::optional<double>, 4> rotation_xyzw;  ///< of the quaternion, which need not have a norm of 1
+};
 
 /// What to change of a submap; what is empty stays.
 struct SubmapPatch {
   std::optional<Transform> T_map_submap;
-  std::optional<ClassId> class_id;  ///< fixes the class against later votes
+  std::optional<PoseChange> pose_change;  ///< made to the present pose; only without T_map_submap
+  std::optional<ClassId> class_id;        ///< fixes the class against later votes
   std::optional<std::string> display_name;
 };
 
@@ -28,8 +35,8 @@ struct SubmapPatch {
 /// The submap an edit may work on, under the conditions above.
 Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag);
 
-/// INVALID_ARGUMENT for a class outside the label set or of the other kind, a pose that is not finite, or a display
-/// name above kMaxDisplayNameBytes.
+/// INVALID_ARGUMENT for a class outside the label set or of the other kind, a pose that is not finite or beyond
+/// the reach of the grid, or a display name above kMaxDisplayNameBytes.
 Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch);
 
 /// The id of a copy with a new id, at the place and with the name given, or those of the original.

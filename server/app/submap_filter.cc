@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mapping/map/observed_sphere.h"
+
 namespace dhpmap {
 namespace {
 
@@ -21,14 +23,19 @@ bool SubmapFilter::Passes(const Submap& submap) const {
                   std::find(classes->begin(), classes->end(), info.class_id) == classes->end())) {
     return false;
   }
-  const BoundingSphere sphere = submap.BoundingSphereInMap();
-  if (region && !Touches(sphere, *region)) return false;
-  return !near || sphere.Intersects(*near);
+  const auto touches_all = [this](const BoundingSphere& sphere) {
+    return (!region || Touches(sphere, *region)) && (!near || sphere.Intersects(*near));
+  };
+  if (!region && !near) return true;
+  return touches_all(submap.BoundingSphereInMap()) && touches_all(SphereOfObservedInMap(submap));  // cheap one first
 }
 
-std::vector<std::shared_ptr<const Submap>> SelectSubmaps(const MapSnapshot& snapshot, const SubmapFilter& filter) {
+std::vector<std::shared_ptr<const Submap>> SelectSubmaps(const MapSnapshot& snapshot, const SubmapFilter& filter,
+                                                         std::optional<SubmapId> after, std::size_t max) {
   std::vector<std::shared_ptr<const Submap>> selected;
   for (const auto& submap : snapshot.submaps()) {
+    if (selected.size() >= max) break;
+    if (after && submap->id() <= *after) continue;
     if (filter.Passes(*submap)) selected.push_back(submap);
   }
   return selected;

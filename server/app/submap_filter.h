@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,7 +25,9 @@ struct SubmapFilter {
   [[nodiscard]] bool Passes(const Submap& submap) const;
 };
 
-/// By ascending id.
-std::vector<std::shared_ptr<const Submap>> SelectSubmaps(const MapSnapshot& snapshot, const SubmapFilter& filter);
+/// Up to `max` of them, by ascending id, from the first behind `after` on.
+std::vector<std::shared_ptr<const Submap>> SelectSubmaps(const MapSnapshot& snapshot, const SubmapFilter& filter,
+                                                         std::optional<SubmapId> after = std::nullopt,
+                                                         std::size_t max = std::numeric_limits<std::size_t>::max());
 
 }  // namespace dhpmap

@@ -17,11 +17,17 @@ struct ServerConfig {
     std::string address = "127.0.0.1:50051";
     int max_message_mib = 64;
     int num_threads = 4;
+    int bulk_threads = 0;
+    double keepalive_s = 10;
   } grpc;
   struct Http {
     std::string address = "127.0.0.1:8080";
     int max_body_mib = 64;
     int num_threads = 1;
+    std::string allowed_hosts;
+    int max_connections = 1000;
+    double idle_timeout_s = 60;
+    double head_timeout_s = 10;
   } http;
   struct Log {
     std::string level = "info";
@@ -32,16 +38,22 @@ struct ServerConfig {
     int publish_frames = 10;
     double publish_s = 0.2;
     int max_frames_in_flight = 4;
+    double feed_idle_s = 30;
   } mapping;
+  struct Maps {
+    double idle_close_s = 600;
+  } maps;
   struct Store {
     int commit_frames = 50;
     double commit_s = 2.0;
+    double max_behind_s = 30;
     double retry_s = 5.0;
     int busy_timeout_ms = 5000;
   } store;
   struct Limits {
     int query_points = 1'000'000;
     int pending_edits = 256;
+    int inflight_mib = 256;
   } limits;
   double shutdown_grace_s = 2.0;
 
@@ -61,23 +73,41 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "allow addresses that other machines can reach, although there is no TLS and no authentication");
   visit("grpc.address", c.grpc.address, 0, 0, "host:port; port 0 takes a free one");
   visit("grpc.max_message_mib", c.grpc.max_message_mib, 1, 2047, "MiB; a larger request is refused");
-  visit("grpc.num_threads", c.grpc.num_threads, 1, 256, "threads that answer requests");
+  visit("grpc.num_threads", c.grpc.num_threads, 1, 256, "threads that answer what is quick");
+  visit("grpc.bulk_threads", c.grpc.bulk_threads, 0, 256,
+        "threads for meshes, voxels and many points, at lower priority; 0 = one a core");
+  visit("grpc.keepalive_s", c.grpc.keepalive_s, 1, 86400,
+        "s of silence after which a client is asked whether it is there, and again until it is given up");
   visit("http.address", c.http.address, 0, 0, "host:port; port 0 takes a free one");
   visit("http.max_body_mib", c.http.max_body_mib, 1, 2047, "MiB; a larger body is refused");
   visit("http.num_threads", c.http.num_threads, 1, 256, "threads of the REST door");
+  visit("http.allowed_hosts", c.http.allowed_hosts, 0, 0,
+        "names that requests may be for besides the address and localhost, separated by commas");
+  visit("http.max_connections", c.http.max_connections, 1, 1e6, "the idlest is closed for one more; if none is, 503");
+  visit("http.idle_timeout_s", c.http.idle_timeout_s, 0.1, 86400, "s; a connection without a request is closed then");
+  visit("http.head_timeout_s", c.http.head_timeout_s, 0.1, 3600, "s that a request's head may take to arrive");
   visit("log.level", c.log.level, 0, 0, "debug, info, warning, error or off");
   visit("log.json", c.log.json, 0, 0, "write one JSON object a line");
-  visit("mapping.num_threads", c.mapping.num_threads, 0, 256, "threads of fusion, a map; 0 = one a core");
+  visit("mapping.num_threads", c.mapping.num_threads, 0, 256,
+        "threads of fusion, of all maps together; 0 = one a core");
   visit("mapping.publish_frames", c.mapping.publish_frames, 1, 1e6, "queries see frames after so many of them");
   visit("mapping.publish_s", c.mapping.publish_s, 0, 3600, "s; or after so long");
   visit("mapping.max_frames_in_flight", c.mapping.max_frames_in_flight, 1, 1000,
         "of a stream, read but not yet acknowledged; then the client has to wait");
+  visit("mapping.feed_idle_s", c.mapping.feed_idle_s, 0, 86400,
+        "s of silence after which a stream makes place for another, or for the deletion of its map");
+  visit("maps.idle_close_s", c.maps.idle_close_s, 0, 1e6,
+        "s after which a map that nobody uses is closed, and its memory freed; 0 = never");
   visit("store.commit_frames", c.store.commit_frames, 1, 1e6, "frames go to the store after so many of them");
   visit("store.commit_s", c.store.commit_s, 0, 3600, "s; or after so long");
   visit("store.retry_s", c.store.retry_s, 0.01, 3600, "s between attempts while the store refuses");
+  visit("store.max_behind_s", c.store.max_behind_s, 0, 86400,
+        "s that fused frames may wait to be stored; then further ones are refused, and /readyz says so");
   visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000, "ms to wait for another reader of the file");
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
+  visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,
+        "MiB of requests and answers in memory at once, at each door; more are refused");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at the end");
 }
 

@@ -31,33 +31,79 @@ Status RunGuarded(const std::function<Status()>& work) {
   }
 }
 
-grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, grpc::CallbackServerContext* call,
-                                   std::string_view method, std::function<void(Respond)> handler) {
-  struct State {
-    CallRecord record;
-    grpc::ServerUnaryReactor* reactor;
-    std::atomic<bool> has_responded = false;
-  };
-  auto state = std::make_shared<State>(CallRecord(context, method), call->DefaultReactor());
-  const Respond respond = [state](const Status& status) {
-    if (state->has_responded.exchange(true)) return;
-    state->record.End(status);
-    state->reactor->Finish(ToGrpc(status));
-  };
-  context.pool.Post([respond, handler = std::move(handler)] {
-    const Status status = RunGuarded([&] {
-      handler(respond);
-      return Status::Ok();
+Status TooBusy() {
+  return ResourceExhausted("too many calls of this kind wait already: try again later").WithReason("TOO_BUSY");
+}
+
+namespace {
+
+/// One unary call from its arrival to its answer. Owns itself: lives until gRPC is done with it and nobody can respond
+/// any more.
+class UnaryReactor final : public grpc::ServerUnaryReactor {
+ public:
+  using Handler = std::function<void(Respond, std::stop_token)>;
+
+  static grpc::ServerUnaryReactor* Start(const ServiceContext& context, std::string_view method, Lane& lane,
+                                         Handler handler) {
+    const auto self = std::make_shared<UnaryReactor>(context, method);
+    self->self_ = self;
+    self->task_ = std::make_shared<LaneTask>([self, handler = std::move(handler)] {
+      const Status status = RunGuarded([&] {
+        handler([self](const Status& answer) { self->Respond(answer); }, self->stop_.get_token());
+        return Status::Ok();
+      });
+      if (!status.ok()) self->Respond(status);
     });
-    if (!status.ok()) respond(status);
-  });
-  return state->reactor;
+    if (!lane.TryPost(self->task_)) {
+      self->task_->GiveUp();
+      self->Respond(TooBusy());
+    }
+    return self.get();
+  }
+
+  UnaryReactor(const ServiceContext& context, std::string_view method) : record_(context, method) {}
+
+  void OnCancel() override {
+    stop_.request_stop();
+    if (task_->GiveUp()) Respond(Cancelled("the client went away, or its deadline has passed"));
+  }
+  void OnDone() override { const auto last = std::move(self_); }
+
+ private:
+  void Respond(const Status& status) {
+    if (has_responded_.exchange(true)) return;
+    record_.End(status);
+    Finish(ToGrpc(status));
+  }
+
+  CallRecord record_;
+  std::shared_ptr<UnaryReactor> self_;  // until OnDone
+  std::shared_ptr<LaneTask> task_;
+  std::stop_source stop_;
+  std::atomic<bool> has_responded_ = false;
+};
+
+}  // namespace
+
+grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, grpc::CallbackServerContext*, std::string_view method,
+                                   std::function<void(Respond)> handler) {
+  return UnaryReactor::Start(
+      context, method, context.lanes.quick,
+      [handler = std::move(handler)](const Respond& respond, const std::stop_token&) { handler(respond); });
 }
 
 grpc::ServerUnaryReactor* Run(const ServiceContext& context, grpc::CallbackServerContext* call, std::string_view method,
                               std::function<Status()> handler) {
   return RunAsync(context, call, method,
                   [handler = std::move(handler)](const Respond& respond) { respond(handler()); });
+}
+
+grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, grpc::CallbackServerContext*, std::string_view method,
+                                  std::function<Status(std::stop_token)> handler) {
+  return UnaryReactor::Start(context, method, context.lanes.bulk,
+                             [handler = std::move(handler)](const Respond& respond, std::stop_token stop) {
+                               respond(handler(std::move(stop)));
+                             });
 }
 
 }  // namespace dhpmap

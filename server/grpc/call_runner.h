@@ -7,6 +7,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,7 +15,7 @@
 #include "mapping/base/result.h"
 #include "server/app/map_registry.h"
 #include "server/grpc/grpc_server.h"
-#include "server/grpc/handler_pool.h"
+#include "server/grpc/lane.h"
 #include "server/grpc/status_conversion.h"
 
 namespace dhpmap {
@@ -22,7 +23,7 @@ namespace dhpmap {
 /// What all services share.
 struct ServiceContext {
   MapRegistry& registry;
-  HandlerPool& pool;
+  Lanes& lanes;
   const GrpcOptions& options;
   const GrpcObserver& observer;
 };
@@ -44,54 +45,74 @@ class CallRecord {
 /// Calls work() and turns whatever it throws into INTERNAL: the one outer catch of every handler.
 Status RunGuarded(const std::function<Status()>& work);
 
+/// What a call is answered for which there is no room in its lane.
+Status TooBusy();
+
 /// Answers a unary call. From any thread; the first call counts.
 using Respond = std::function<void(const Status&)>;
 
-/// Runs a unary handler on the pool; it responds itself, at once or later from another thread. What it throws before
-/// that is answered as INTERNAL.
+/// Runs a unary handler on the quick lane; it responds itself, at once or later from another thread. What it throws
+/// before that is answered as INTERNAL. A call whose client is gone, or past its deadline, before its turn has come is
+/// let go at once; if too many wait, it is answered RESOURCE_EXHAUSTED.
 grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, grpc::CallbackServerContext* call,
                                    std::string_view method, std::function<void(Respond)> handler);
 
-/// Runs a unary handler on the pool and responds with what it returns.
+/// Runs a unary handler on the quick lane and responds with what it returns.
 grpc::ServerUnaryReactor* Run(const ServiceContext& context, grpc::CallbackServerContext* call, std::string_view method,
                               std::function<Status()> handler);
 
-/// Streams messages to a client. Deletes itself when the call is over.
+/// The same on the bulk lane, for what takes milliseconds or more. The token tells when nobody waits for the answer any
+/// longer: then the handler ends soon, with whatever status.
+grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, grpc::CallbackServerContext* call,
+                                  std::string_view method, std::function<Status(std::stop_token)> handler);
+
+/// Streams messages to a client, made on the bulk lane one at a time while the client takes them. Deletes itself when
+/// the call is over.
 template <typename Response>
 class ChunkStream final : public grpc::ServerWriteReactor<Response> {
  public:
-  /// Fills the next message; false: there is none. Must be quick: runs on gRPC's threads.
-  using Next = std::function<bool(Response&)>;
+  /// Fills the next message; false: there is none.
+  using Next = std::function<Result<bool>(Response&)>;
+  /// What comes before the first message, which may take long; the token tells when nobody waits for it any longer.
+  using Prepare = std::function<Result<Next>(std::stop_token)>;
 
-  /// `prepare` runs on the pool and may take long.
-  static ChunkStream* Start(const ServiceContext& context, std::string_view method,
-                            std::function<Result<Next>()> prepare) {
+  static ChunkStream* Start(const ServiceContext& context, std::string_view method, Prepare prepare) {
     auto* stream = new ChunkStream(context, method);
-    context.pool.Post([stream, prepare = std::move(prepare)] {
+    const auto begin = std::make_shared<LaneTask>([stream, prepare = std::move(prepare)] {
       const Status status = RunGuarded([&] {
-        DHPMAP_ASSIGN_OR_RETURN(stream->next_, prepare());
+        DHPMAP_ASSIGN_OR_RETURN(stream->next_, prepare(stream->stop_.get_token()));
         return Status::Ok();
       });
       if (status.ok()) stream->WriteNext();
       else stream->End(status);
     });
+    stream->begin_ = begin;
+    if (!context.lanes.bulk.TryPost(begin)) {
+      begin->GiveUp();
+      stream->End(TooBusy());
+    }
     return stream;
   }
 
   void OnWriteDone(bool ok) override {
-    if (ok) WriteNext();
-    else End(Cancelled("the client went away"));
+    if (!ok) return End(Cancelled("the client went away"));
+    context_.lanes.bulk.Post([this] { WriteNext(); });  // one a stream, so bounded by the streams that have begun
+  }
+  void OnCancel() override {
+    stop_.request_stop();
+    if (begin_->GiveUp()) End(Cancelled("the client went away"));
   }
   void OnDone() override { delete this; }
 
  private:
-  ChunkStream(const ServiceContext& context, std::string_view method) : record_(context, method) {}
+  ChunkStream(const ServiceContext& context, std::string_view method) : context_(context), record_(context, method) {}
 
   void WriteNext() {
     bool has_next = false;
     response_.Clear();
     const Status status = RunGuarded([&] {
-      has_next = next_(response_);
+      if (stop_.stop_requested()) return Cancelled("the client went away");
+      DHPMAP_ASSIGN_OR_RETURN(has_next, next_(response_));
       return Status::Ok();
     });
     if (status.ok() && has_next) this->StartWrite(&response_);
@@ -103,7 +124,10 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     this->Finish(ToGrpc(status));
   }
 
+  const ServiceContext& context_;
   CallRecord record_;
+  std::shared_ptr<LaneTask> begin_;
+  std::stop_source stop_;
   Next next_;
   Response response_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/grpc_server.h"
 
+#include <google/protobuf/message.h>
 #include <grpc/support/log.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
@@ -10,35 +11,78 @@
 #include <atomic>
 #include <chrono>
 #include <limits>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "grpc/health/v1/health.pb.h"
 #include "server/grpc/services.h"
 #include "server/log/log.h"
 
 namespace dhpmap {
 
+namespace {
+
+constexpr std::size_t kMaxWaiting = 1024;
+/// A step of niceness is worth a quarter: with 10, a busy core goes to mapping and quick answers nine times in ten.
+constexpr int kBulkNiceness = 10;
+constexpr int kFrameThreads = 2;
+/// Of one client's connection; the next call waits in the client.
+constexpr int kMaxStreamsPerConnection = 128;
+/// Clients, too, may ask whether we are there, but not all the time.
+constexpr int kMinClientPing_ms = 5'000;
+
+int BulkThreads(const GrpcOptions& options) {
+  return options.num_bulk_threads > 0 ? options.num_bulk_threads
+                                      : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+int Milliseconds(double seconds) { return static_cast<int>(seconds * 1e3); }
+
+/// What a connection may cost: memory for what has arrived and is not handled yet, streams, and how long a peer that
+/// has frozen or is cut off keeps what it holds.
+void LimitConnections(const GrpcOptions& options, grpc::ServerBuilder& builder) {
+  grpc::ResourceQuota quota("dhpmap");
+  builder.SetResourceQuota(quota.Resize(options.max_inflight_bytes));
+  builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kMaxStreamsPerConnection);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, Milliseconds(options.keepalive_s));
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, Milliseconds(options.keepalive_s));
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);  // as many as it takes
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kMinClientPing_ms);
+}
+
+std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& context, IntegrateStreams& streams) {
+  std::vector<std::unique_ptr<grpc::Service>> services;
+  services.push_back(MakeMapService(context));
+  services.push_back(MakeMappingService(context, streams));
+  services.push_back(MakeSubmapService(context));
+  services.push_back(MakeQueryService(context));
+  return services;
+}
+
+}  // namespace
+
 struct GrpcServer::Impl {
   Impl(const GrpcOptions& grpc_options, MapRegistry& registry, GrpcObserver grpc_observer)
       : options(grpc_options),
         observer(std::move(grpc_observer)),
-        context{registry, pool, options, observer},
-        pool(std::max(1, grpc_options.num_threads)) {
-    services.push_back(MakeMapService(context));
-    services.push_back(MakeMappingService(context, streams));
-    services.push_back(MakeSubmapService(context));
-    services.push_back(MakeQueryService(context));
-  }
+        context{registry, lanes, options, observer},
+        services(MakeServices(context, streams)),
+        lanes{
+            .quick = Lane({.num_threads = options.num_threads, .max_waiting = kMaxWaiting}),
+            .bulk = Lane({.num_threads = BulkThreads(options), .max_waiting = kMaxWaiting, .niceness = kBulkNiceness}),
+            .frames = Lane({.num_threads = kFrameThreads})} {}
 
   GrpcOptions options;
   GrpcObserver observer;
   ServiceContext context;
-  HandlerPool pool;  // its threads read what is above
   IntegrateStreams streams;
   std::vector<std::unique_ptr<grpc::Service>> services;
   int port = 0;
   std::atomic<bool> is_serving = false;
-  std::unique_ptr<grpc::Server> server;  // the first to go
+  std::unique_ptr<grpc::Server> server;
+  Lanes lanes;  // last: its threads begin when all they read stands, and end before any of it goes
 };
 
 namespace {
@@ -56,11 +100,13 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   gpr_set_log_function(LogFromGrpc);
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+  google::protobuf::LinkMessageReflection<grpc::health::v1::HealthCheckRequest>();  // reflection describes it, too
   auto impl = std::make_unique<Impl>(options, registry, std::move(observer));
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   grpc::ServerBuilder builder;
   builder.AddListeningPort(options.address, grpc::InsecureServerCredentials(), &impl->port);
   builder.SetMaxReceiveMessageSize(static_cast<int>(std::min(options.max_message_bytes, kMost)));
+  LimitConnections(options, builder);
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);  // else a second server on the port would go unnoticed
   for (const auto& service : impl->services) builder.RegisterService(service.get());
   impl->server = builder.BuildAndStart();

@@ -3,212 +3,223 @@
 
 #include <utility>
 
-#include "server/grpc/resource_names.h"
-#include "server/ingest/frame_conversion.h"
+#include "server/wire/frame_conversion.h"
+#include "server/wire/mapping_conversion.h"
+#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
 
 Status ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
 
-v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& outcome) {
-  v1::IntegrateFramesResponse ack;
-  ack.set_sequence(sequence);
-  ack.set_revision(outcome.revision);
-  ack.set_committed(outcome.is_committed);
-  ack.set_commit_error_code(static_cast<int>(outcome.commit_status.code()));
-  ack.set_commit_error_message(outcome.commit_status.message());
-  if (!outcome.report.ok()) {
-    const Status& status = outcome.report.status();
-    ack.set_error_code(static_cast<int>(status.code()));
-    ack.set_error_message(status.message());
-    for (const FieldViolation& violation : status.violations()) {
-      ack.mutable_error_message()->append("; " + violation.field + ": " + violation.description);
-    }
-    ack.set_error_reason(status.reason());
-    return ack;
-  }
-  const FrameReport& report = *outcome.report;
-  ack.set_num_points(report.num_points);
-  ack.set_num_unknown_points(report.num_unknown_points);
-  ack.set_num_segments(report.num_segments);
-  ack.set_num_matched(report.num_matched);
-  ack.set_num_created(report.num_created);
-  ack.set_fuse_s(report.total_s());
-  return ack;
+Status NoFrame() {
+  return InvalidArgument("the message has no frame").WithReason("BAD_FRAME").WithViolation("frame", "is required");
+}
+
+Status Differs(const char* field, const std::string& first, const std::string& now) {
+  const std::string wanted = first.empty() ? "empty" : "'" + first + "' or empty";
+  return InvalidArgument("one stream feeds one map in one session: " + std::string(field) + " is now '" +
+                         now.substr(0, 120) + "'")
+      .WithViolation(field, "must be " + wanted + ", as in the first message");
 }
 
 }  // namespace
 
 void IntegrateStreams::StopAll() {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   is_stopped_ = true;
-  for (IntegrateStream* stream : streams_) stream->Stop();
+  for (IntegrateStream* stream : streams_) stream->Stop(ShuttingDown());
 }
 
 bool IntegrateStreams::Add(IntegrateStream* stream) {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   if (!is_stopped_) streams_.insert(stream);
   return !is_stopped_;
 }
 
 void IntegrateStreams::Remove(IntegrateStream* stream) {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   streams_.erase(stream);
 }
 
-IntegrateStream* IntegrateStream::Start(const ServiceContext& context, IntegrateStreams& streams) {
-  auto* stream = new IntegrateStream(context, streams);
+IntegrateStream* IntegrateStream::Start(const ServiceContext& context, IntegrateStreams& streams, Messages messages) {
+  auto* stream = new IntegrateStream(context, streams, messages);
   stream->self_.reset(stream);
   if (!streams.Add(stream)) {
     stream->End(ShuttingDown());
     return stream;
   }
-  const std::lock_guard lock(stream->mutex_);
-  stream->ReadIfThereIsRoom();
+  const MutexLock lock(stream->mutex_);
+  stream->Do(stream->turns_.OnStart());
   return stream;
 }
 
-void IntegrateStream::Stop() {
-  const std::lock_guard lock(mutex_);
-  EndReading(ShuttingDown());
+void IntegrateStream::Stop(const Status& reason) {
+  const MutexLock lock(mutex_);
+  StopReading(reason);
 }
 
 void IntegrateStream::OnReadDone(bool ok) {
   {
-    const std::lock_guard lock(mutex_);
-    if (!ok || has_ended_reading_) {
-      is_reading_ = false;
-      EndReading(Status::Ok());
-      return;
-    }
-    is_handling_ = true;
+    const MutexLock lock(mutex_);
+    StreamTurns::Todo todo;
+    const bool is_to_be_handled = turns_.OnRead(ok, todo);
+    Do(todo);
+    if (!is_to_be_handled) return;
   }
-  context_.pool.Post([self = self_] {
+  context_.lanes.frames.Post([self = self_] {
     const Status status = RunGuarded([&self] {
       self->HandleRequest();
       return Status::Ok();
     });
-    const std::lock_guard lock(self->mutex_);
-    self->is_reading_ = self->is_handling_ = false;
-    if (!status.ok()) self->EndReading(status);
-    self->ReadIfThereIsRoom();
-    self->EndIfAllIsAcknowledged();
+    const MutexLock lock(self->mutex_);
+    if (!status.ok()) self->StopReading(status);
+    self->Do(self->turns_.OnHandled());
   });
 }
 
 void IntegrateStream::HandleRequest() {
-  const Status open = OpenMap();
-  if (!open.ok()) {
-    const std::lock_guard lock(mutex_);
-    EndReading(open);
-    return;
-  }
-  std::shared_ptr<MapSession> session;
+  const auto place = PlaceForRequest();
   {
-    const std::lock_guard lock(mutex_);
-    if (has_ended_reading_) return;
-    ++num_in_flight_;
-    session = session_;
+    const MutexLock lock(mutex_);
+    if (!place.ok()) return StopReading(place.status());
+    if (!turns_.OnAccepted()) return;
+    if (messages_ == Messages::kOne) StopReading(Status::Ok());
   }
-  Result<PanopticFrame> frame =
-      request_.has_frame()
-          ? FrameFromProto(request_.frame())
-          : InvalidArgument("the message has no frame").WithReason("BAD_FRAME").WithViolation("frame", "is required");
-  session->Integrate(std::move(frame), [self = self_, sequence = request_.sequence()](const FrameOutcome& outcome) {
+  const std::int64_t sequence = request_.sequence();
+  const bool is_first = std::exchange(is_first_, false);
+  if (is_first && !request_.has_frame() && !request_.session().empty()) {
+    return place->map->Greet(place->feed, [self = self_, sequence](const FeedProgress& progress) {
+      self->Answer(AnswerOf(sequence, progress));
+    });
+  }
+  Result<PanopticFrame> frame = request_.has_frame() ? FrameFromProto(request_.frame()) : NoFrame();
+  place->map->Integrate(place->feed, sequence, std::move(frame), [self = self_, sequence](const FrameOutcome& outcome) {
     self->OnFrameDone(sequence, outcome);
   });
 }
 
-Status IntegrateStream::OpenMap() {
-  if (session_ == nullptr) {  // only this thread writes to it until the stream ends
-    DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request_.map(), "map"));
-    DHPMAP_ASSIGN_OR_RETURN(auto session, context_.registry.OpenSession(name));
-    DHPMAP_RETURN_IF_ERROR(session->BeginFeed());
-    const std::lock_guard lock(mutex_);
-    map_name_ = request_.map();
-    session_ = std::move(session);
-    return Status::Ok();
+Result<IntegrateStream::Place> IntegrateStream::PlaceForRequest() {
+  {
+    const MutexLock lock(mutex_);
+    if (place_) {
+      DHPMAP_RETURN_IF_ERROR(CheckSamePlace());
+      return *place_;
+    }
   }
-  if (request_.map().empty() || request_.map() == map_name_) return Status::Ok();
-  return InvalidArgument("one stream feeds one map: '" + map_name_ + "', not '" + request_.map().substr(0, 120) + "'")
-      .WithReason("MAP_CHANGED")
-      .WithViolation("map", "must be '" + map_name_ + "' or empty");
+  return TakePlace();
+}
+
+Status IntegrateStream::CheckSamePlace() const {
+  const std::string &map = request_.map(), &session = request_.session();
+  if (!map.empty() && map != map_name_) return Differs("map", map_name_, map).WithReason("MAP_CHANGED");
+  if (!session.empty() && session != place_->feed->session()) {
+    return Differs("session", place_->feed->session(), session).WithReason("BAD_SESSION");
+  }
+  return Status::Ok();
+}
+
+Result<IntegrateStream::Place> IntegrateStream::TakePlace() {
+  DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request_.map(), "map"));
+  DHPMAP_ASSIGN_OR_RETURN(auto map, context_.registry.OpenSession(name));
+  DHPMAP_ASSIGN_OR_RETURN(auto feed,
+                          map->BeginFeed({.session = request_.session(),
+                                          .take_over = request_.take_over(),
+                                          .on_evicted = [self = self_](const Status& why) { self->Stop(why); }}));
+  const MutexLock lock(mutex_);  // nobody else has set it meanwhile: one message is handled at a time
+  map_name_ = request_.map();
+  place_ = Place{.map = std::move(map), .feed = std::move(feed)};
+  return *place_;
 }
 
 void IntegrateStream::OnFrameDone(std::int64_t sequence, const FrameOutcome& outcome) {
   if (context_.observer.on_frame) context_.observer.on_frame(outcome.report.status().code());
-  Ack ack = AckOf(sequence, outcome);
-  const std::lock_guard lock(mutex_);
-  if (is_client_gone_) {
-    --num_in_flight_;
-    EndIfAllIsAcknowledged();
-    return;
+  if (messages_ == Messages::kOne) {
+    const MutexLock lock(mutex_);
+    if (end_status_.ok()) end_status_ = InWireTerms(outcome.report.status());
   }
-  acks_.push_back(std::move(ack));
-  if (is_writing_) return;
-  is_writing_ = true;
-  StartWrite(&acks_.front());
+  Answer(AckOf(sequence, outcome));
+}
+
+void IntegrateStream::Answer(Ack ack) {
+  const MutexLock lock(mutex_);
+  if (IsLastAnswer()) {
+    last_ = std::move(ack);
+    is_kept_ = true;
+    return Do(turns_.OnSettled());
+  }
+  last_.set_sequence(ack.sequence());
+  StreamTurns::Todo todo;
+  if (turns_.OnAcknowledged(todo)) acks_.push_back(std::move(ack));
+  Do(todo);
+}
+
+bool IntegrateStream::IsLastAnswer() const {
+  if (messages_ == Messages::kOne) return true;
+  return turns_.IsAtLastFrame() && end_status_.ok() && place_->feed->session().empty();
 }
 
 void IntegrateStream::OnWriteDone(bool ok) {
-  const std::lock_guard lock(mutex_);
-  is_writing_ = false;
-  if (!ok) is_client_gone_ = true;
-  if (is_client_gone_) {
-    num_in_flight_ -= static_cast<int>(acks_.size());
-    acks_.clear();
-    EndReading(Cancelled("the client went away"));
-    return;
+  MutexLock lock(mutex_);
+  if (turns_.is_over()) {  // that was the last answer
+    const Status status = end_status_;
+    lock.Unlock();
+    return Finish(ToGrpc(status));
   }
   acks_.pop_front();
-  --num_in_flight_;
-  if (!acks_.empty()) {
-    is_writing_ = true;
-    StartWrite(&acks_.front());
+  const int num_waiting = static_cast<int>(acks_.size());
+  if (!ok) {
+    acks_.clear();
+    if (!turns_.has_stopped()) end_status_ = Cancelled("the client went away");
   }
-  ReadIfThereIsRoom();
-  EndIfAllIsAcknowledged();
+  Do(turns_.OnWritten(ok, num_waiting));
 }
 
-void IntegrateStream::ReadIfThereIsRoom() {
-  if (is_reading_ || has_ended_reading_ || num_in_flight_ >= context_.options.max_frames_in_flight) return;
-  is_reading_ = true;
-  StartRead(&request_);
+void IntegrateStream::StopReading(const Status& reason) {
+  if (!turns_.has_stopped()) end_status_ = reason;
+  Do(turns_.OnStop());
 }
 
-void IntegrateStream::EndReading(const Status& reason) {
-  if (!has_ended_reading_) end_status_ = reason;
-  has_ended_reading_ = true;
-  EndIfAllIsAcknowledged();
-}
-
-void IntegrateStream::EndIfAllIsAcknowledged() {
-  if (!has_ended_reading_ || is_handling_ || num_in_flight_ > 0 || is_ending_) return;
-  is_ending_ = true;
+void IntegrateStream::Do(StreamTurns::Todo todo) {
+  if (todo.read) StartRead(&request_);
+  if (todo.write) StartWrite(&acks_.front());
   // Not from here: the session may answer at once, and End takes the lock.
-  context_.pool.Post([self = self_] {
-    std::shared_ptr<MapSession> session;
-    {
-      const std::lock_guard lock(self->mutex_);
-      session = self->session_;
-    }
-    if (session == nullptr) return self->End(Status::Ok());
-    session->Flush([self](const Status& committed) { self->End(committed); });
-  });
+  if (todo.end) context_.lanes.frames.Post([self = self_] { self->CommitAndEnd(); });
+}
+
+void IntegrateStream::CommitAndEnd() {
+  std::shared_ptr<MapSession> map;
+  {
+    const MutexLock lock(mutex_);
+    if (place_) map = place_->map;
+  }
+  if (map == nullptr) return End(Status::Ok());
+  map->Flush([self = self_](const Status& committed) { self->End(committed); });
 }
 
 void IntegrateStream::End(const Status& committed) {
-  std::shared_ptr<MapSession> session;
+  std::optional<Place> place;
   Status status;
+  bool is_owed = false;
   {
-    const std::lock_guard lock(mutex_);
-    session = std::exchange(session_, nullptr);
-    status = end_status_.ok() ? committed : end_status_;
+    const MutexLock lock(mutex_);
+    place = std::exchange(place_, std::nullopt);
+    if (end_status_.ok()) end_status_ = committed;
+    status = end_status_;
+    conclusion_ = last_;
+    const bool is_heard = place && turns_.outlet() != StreamTurns::Outlet::kBroken;
+    is_owed = is_heard &&
+              (status.ok() ? is_kept_ || !place->feed->session().empty() : is_kept_ && messages_ == Messages::kAny);
   }
-  if (session) session->EndFeed();  // before the client knows, so that it may start anew at once
+  if (place) {
+    SetProgress(place->map->ProgressOf(place->feed), conclusion_);
+    if (status.ok()) conclusion_.set_committed(true);
+    place->map->EndFeed(place->feed);  // before the client knows, so that it may start anew at once
+  }
   record_.End(status);
-  Finish(ToGrpc(status));
+  if (!is_owed) return Finish(ToGrpc(status));
+  if (status.ok()) return StartWriteAndFinish(&conclusion_, grpc::WriteOptions(), grpc::Status::OK);
+  StartWrite(&conclusion_);  // with an error gRPC would drop it; OnWriteDone finishes
 }
 
 void IntegrateStream::OnDone() {

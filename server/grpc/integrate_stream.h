@@ -5,13 +5,15 @@
 
 #include <deque>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "dhpmap/v1/mapping_service.pb.h"
+#include "mapping/base/mutex.h"
 #include "server/app/map_session.h"
 #include "server/grpc/call_runner.h"
+#include "server/grpc/stream_turns.h"
 
 namespace dhpmap {
 
@@ -21,29 +23,38 @@ class IntegrateStream;
 class IntegrateStreams {
  public:
   /// Ends every stream, and those that come later, with UNAVAILABLE: see IntegrateStream::Stop.
-  void StopAll();
+  void StopAll() DHPMAP_EXCLUDES(mutex_);
 
  private:
   friend class IntegrateStream;
   /// False if it is too late.
-  bool Add(IntegrateStream* stream);
-  void Remove(IntegrateStream* stream);
+  bool Add(IntegrateStream* stream) DHPMAP_EXCLUDES(mutex_);
+  void Remove(IntegrateStream* stream) DHPMAP_EXCLUDES(mutex_);
 
-  std::mutex mutex_;
-  std::set<IntegrateStream*> streams_;  // guarded by mutex_
-  bool is_stopped_ = false;             // guarded by mutex_
+  Mutex mutex_;
+  std::set<IntegrateStream*> streams_ DHPMAP_GUARDED_BY(mutex_);
+  bool is_stopped_ DHPMAP_GUARDED_BY(mutex_) = false;
 };
 
 /// One client's stream of frames. Reads a message only while fewer than `max_frames_in_flight` frames are read and not
 /// yet acknowledged to the client, so that neither frames nor acknowledgements pile up: gRPC's flow control then holds
-/// the client back. Frames are decoded on the handler pool while the map's writer fuses those before them.
-/// Owns itself: lives until gRPC is done with the call and no callback is left.
+/// the client back. Frames are decoded on the lane for frames while the map's writer fuses those before them. Whose
+/// turn it is says StreamTurns. When the client has no more, everything is stored before the last answer: that is one
+/// for no frame in a session; else the last frame's, if the client had half-closed by the time it was fused. Owns
+/// itself: lives until gRPC is done with the call and no callback is left.
 class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFramesRequest, v1::IntegrateFramesResponse> {
  public:
-  static IntegrateStream* Start(const ServiceContext& context, IntegrateStreams& streams);
+  /// How many messages the client will send.
+  enum class Messages {
+    kAny,
+    kOne,  ///< then there is one answer, when all is stored, or the error that refuses it
+  };
 
-  /// Reads no more; what was read is fused, stored and acknowledged, then the stream ends with UNAVAILABLE.
-  void Stop();
+  static IntegrateStream* Start(const ServiceContext& context, IntegrateStreams& streams, Messages messages);
+
+  /// Reads no more; what was read is fused (or refused, if the map takes no more from us), stored and acknowledged,
+  /// then the stream ends with `reason`.
+  void Stop(const Status& reason) DHPMAP_EXCLUDES(mutex_);
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
@@ -51,43 +62,60 @@ class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFrames
 
  private:
   using Ack = v1::IntegrateFramesResponse;
+  /// A map that is open, and our turn at feeding it.
+  struct Place {
+    std::shared_ptr<MapSession> map;
+    std::shared_ptr<Feed> feed;
+  };
 
-  IntegrateStream(const ServiceContext& context, IntegrateStreams& streams)
-      : context_(context), streams_(streams), record_(context, "MappingService/IntegrateFrames") {}
+  IntegrateStream(const ServiceContext& context, IntegrateStreams& streams, Messages messages)
+      : context_(context),
+        streams_(streams),
+        messages_(messages),
+        record_(context, "MappingService/IntegrateFrames"),
+        turns_(context.options.max_frames_in_flight) {}
 
-  /// The message just read: opens the map if it is the first, and hands its frame to the writer.
-  void HandleRequest();
-  Status OpenMap();
-  void OnFrameDone(std::int64_t sequence, const FrameOutcome& outcome);
+  /// The message just read: takes a place at the map if it is the first, and hands its frame to the writer.
+  void HandleRequest() DHPMAP_EXCLUDES(mutex_);
+  /// The place that the message just read is for: taken by the first message.
+  Result<Place> PlaceForRequest() DHPMAP_EXCLUDES(mutex_);
+  Result<Place> TakePlace() DHPMAP_EXCLUDES(mutex_);
+  /// INVALID_ARGUMENT unless a later message is for the same map and session as the first.
+  [[nodiscard]] Status CheckSamePlace() const DHPMAP_REQUIRES(mutex_);
 
-  // All with mutex_ held.
-  void ReadIfThereIsRoom();
-  void EndReading(const Status& reason);
-  void EndIfAllIsAcknowledged();
+  void OnFrameDone(std::int64_t sequence, const FrameOutcome& outcome) DHPMAP_EXCLUDES(mutex_);
+  /// The answer to a message: goes to the client, or is kept for the end.
+  void Answer(Ack ack) DHPMAP_EXCLUDES(mutex_);
+  /// Whether the next answer to a message is kept as the stream's last one.
+  [[nodiscard]] bool IsLastAnswer() const DHPMAP_REQUIRES(mutex_);
 
-  void End(const Status& committed);
+  /// Asks for no more messages, because of `reason`; the first reason counts.
+  void StopReading(const Status& reason) DHPMAP_REQUIRES(mutex_);
+  void Do(StreamTurns::Todo todo) DHPMAP_REQUIRES(mutex_);
+
+  void CommitAndEnd() DHPMAP_EXCLUDES(mutex_);
+  void End(const Status& committed) DHPMAP_EXCLUDES(mutex_);
 
   const ServiceContext& context_;
   IntegrateStreams& streams_;
+  const Messages messages_;
   CallRecord record_;
   std::shared_ptr<IntegrateStream> self_;  ///< until OnDone
 
-  // Between StartRead and the end of HandleRequest: the one who handles it.
+  // Between StartRead and the end of HandleRequest: of the one who handles it.
   v1::IntegrateFramesRequest request_;
+  bool is_first_ = true;
 
-  std::mutex mutex_;
-  // Guarded by mutex_.
-  std::string map_name_;
-  std::shared_ptr<MapSession> session_;
-  std::deque<Ack> acks_;      // the first is being written if is_writing_
-  int num_in_flight_ = 0;     // read, and their acknowledgement not yet written
-  bool is_reading_ = false;   // a read is under way, or its message is being handled
-  bool is_handling_ = false;  // the latter
-  bool is_writing_ = false;
-  bool has_ended_reading_ = false;
-  bool is_client_gone_ = false;
-  bool is_ending_ = false;
-  Status end_status_;  // why reading ended; OK: the client half-closed
+  Ack conclusion_;  ///< the last answer; made by End, then gRPC's
+
+  mutable Mutex mutex_;
+  StreamTurns turns_ DHPMAP_GUARDED_BY(mutex_);
+  std::string map_name_ DHPMAP_GUARDED_BY(mutex_);
+  std::optional<Place> place_ DHPMAP_GUARDED_BY(mutex_);
+  std::deque<Ack> acks_ DHPMAP_GUARDED_BY(mutex_);  ///< the first is being written if turns_ says so
+  Ack last_ DHPMAP_GUARDED_BY(mutex_);              ///< what the last answer is made of
+  bool is_kept_ DHPMAP_GUARDED_BY(mutex_) = false;  ///< it is the answer to a message, which has had none yet
+  Status end_status_ DHPMAP_GUARDED_BY(mutex_);     ///< why reading ended; OK: the client has no more
 };
 
 }  // namespace dhpmap

@@ -4,66 +4,14 @@
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "server/app/map_stats.h"
-#include "server/app/submap_edits.h"
-#include "server/grpc/map_conversion.h"
-#include "server/grpc/resource_names.h"
 #include "server/grpc/services.h"
+#include "server/wire/bulk_chunks.h"
+#include "server/wire/map_conversion.h"
+#include "server/wire/paging.h"
+#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
-
-void Collect(const Status& status, const std::string& prefix, Status& bad) {
-  for (const FieldViolation& violation : status.violations()) {
-    bad.AddViolation(prefix + violation.field, violation.description);
-  }
-}
-
-/// What a request for a new map says, all of its bad fields named at once.
-Result<MapInfo> InfoFromProto(const v1::CreateMapRequest& request, const MapConfig& default_config) {
-  Status bad = InvalidArgument("the map cannot be made like this").WithReason("BAD_MAP");
-  MapInfo info;
-  info.name = request.map_id();
-  info.display_name = request.display_name();
-  info.config = default_config;
-  const Status name = ValidateMapName(info.name);
-  for (const FieldViolation& violation : name.violations()) bad.AddViolation("map_id", violation.description);
-  if (info.display_name.size() > kMaxDisplayNameBytes) {
-    bad.AddViolation("display_name", "is longer than " + std::to_string(kMaxDisplayNameBytes) + " bytes");
-  }
-  if (!request.preset().empty()) Collect(ApplyPreset(request.preset(), info.config), "", bad);
-  Collect(MergeConfig(request.config(), info.config), "", bad);
-  Collect(info.config.Validate(), "config.", bad);
-  auto label_set = LabelSetFromProto(request.label_classes());
-  Collect(label_set.status(), "", bad);
-  if (!bad.violations().empty()) return bad;
-  if (!label_set.ok()) return label_set.status();
-  info.label_set = std::make_shared<const LabelSet>(std::move(*label_set));
-  return info;
-}
-
-Status FillStats(MapRegistry& registry, const std::string& name, v1::GetMapStatsResponse& response) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto session, registry.OpenSession(name));
-  const auto view = session->View();
-  const MapStats stats = ComputeStats(view->snapshot(), /*with_voxels=*/true);
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t disk_bytes, registry.DiskBytes(name));
-  const std::int64_t num_allocated = stats.num_tsdf_blocks * kBlockVoxels;
-  response.set_revision(view->snapshot().revision());
-  response.set_num_frames(view->snapshot().info().num_frames);
-  response.set_num_things(stats.num_things);
-  response.set_num_stuff(stats.num_stuff);
-  response.set_num_active(stats.num_active);
-  response.set_num_tsdf_blocks(stats.num_tsdf_blocks);
-  response.set_num_label_blocks(stats.num_label_blocks);
-  response.set_num_allocated_voxels(num_allocated);
-  response.set_num_observed_voxels(stats.num_observed_voxels);
-  response.set_memory_bytes(stats.memory_bytes);
-  response.set_disk_bytes(disk_bytes);
-  if (num_allocated > 0) {
-    response.set_memory_bytes_per_allocated_voxel(static_cast<double>(stats.memory_bytes) /
-                                                  static_cast<double>(num_allocated));
-  }
-  return Status::Ok();
-}
 
 class MapService final : public v1::MapService::CallbackService {
  public:
@@ -91,11 +39,43 @@ class MapService final : public v1::MapService::CallbackService {
     });
   }
 
-  grpc::ServerUnaryReactor* ListMaps(grpc::CallbackServerContext* call, const v1::ListMapsRequest*,
+  grpc::ServerUnaryReactor* ListMaps(grpc::CallbackServerContext* call, const v1::ListMapsRequest* request,
                                      v1::ListMapsResponse* response) override {
     return Run(context_, call, "MapService/ListMaps", [=, this]() -> Status {
-      for (const MapSummary& map : context_.registry.List()) *response->add_maps() = ToProto(map);
+      DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, PageMark{}));
+      for (const MapSummary& map : context_.registry.List(pager.after(), pager.num_wanted())) {
+        v1::Map proto = ToProto(map);
+        if (!request->include_label_classes()) proto.clear_label_classes();
+        if (!pager.Takes(proto, map.info.name)) break;
+        *response->add_maps() = std::move(proto);
+      }
+      response->set_next_page_token(pager.NextToken());
       return Status::Ok();
+    });
+  }
+
+  grpc::ServerUnaryReactor* UpdateMap(grpc::CallbackServerContext* call, const v1::UpdateMapRequest* request,
+                                      v1::UpdateMapResponse* response) override {
+    return RunAsync(context_, call, "MapService/UpdateMap", [=, this](const Respond& respond) {
+      const auto name = ParseMapName(request->map().name(), "map.name");
+      if (!name.ok()) return respond(name.status());
+      const auto patch = PatchFromProto(*request);
+      if (!patch.ok()) return respond(patch.status());
+      const auto session = context_.registry.OpenSession(*name);
+      if (!session.ok()) return respond(session.status());
+      (*session)->Edit(
+          [etag = request->map().etag(), patch = *patch](Map& map) -> Result<SubmapId> {
+            DHPMAP_RETURN_IF_ERROR(PatchMap(map, etag, patch));
+            return kUnknownSubmap;
+          },
+          [respond, response](const Result<EditOutcome>& outcome) {
+            respond(RunGuarded([&]() -> Status {
+              if (!outcome.ok()) return outcome.status();
+              *response->mutable_map() = ToProto(SummaryOf(outcome->view->snapshot()));
+              response->set_revision(outcome->view->snapshot().revision());
+              return Status::Ok();
+            }));
+          });
     });
   }
 
@@ -103,17 +83,30 @@ class MapService final : public v1::MapService::CallbackService {
                                       v1::DeleteMapResponse* response) override {
     return Run(context_, call, "MapService/DeleteMap", [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
-      DHPMAP_ASSIGN_OR_RETURN(const std::int64_t revision, context_.registry.Delete(name));
+      DHPMAP_ASSIGN_OR_RETURN(const std::int64_t revision, context_.registry.Delete(name, request->etag()));
       response->set_revision(revision);
       return Status::Ok();
     });
   }
 
+  grpc::ServerWriteReactor<v1::BackupMapResponse>* BackupMap(grpc::CallbackServerContext*,
+                                                             const v1::BackupMapRequest*) override {
+    using Stream = ChunkStream<v1::BackupMapResponse>;
+    return Stream::Start(context_, "MapService/BackupMap", [this](const std::stop_token& stop) -> Result<Stream::Next> {
+      DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<StoreBackup> backup, context_.registry.Backup(stop));
+      return Stream::Next([chunks = BackupChunks(std::move(backup))](v1::BackupMapResponse& message) mutable {
+        return chunks.Next(message);
+      });
+    });
+  }
+
   grpc::ServerUnaryReactor* GetMapStats(grpc::CallbackServerContext* call, const v1::GetMapStatsRequest* request,
                                         v1::GetMapStatsResponse* response) override {
-    return Run(context_, call, "MapService/GetMapStats", [=, this]() -> Status {
+    return RunBulk(context_, call, "MapService/GetMapStats", [=, this](const std::stop_token&) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
-      return FillStats(context_.registry, name, *response);
+      DHPMAP_ASSIGN_OR_RETURN(const MapReport report, ReportOf(context_.registry, name));
+      *response = ToProto(report);
+      return Status::Ok();
     });
   }
 

@@ -2,34 +2,23 @@
 #include <string>
 
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
-#include "server/grpc/resource_names.h"
 #include "server/grpc/services.h"
+#include "server/wire/mapping_conversion.h"
+#include "server/wire/types/metadata_keys.h"
+#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
-
-v1::Refinement ToProto(const RefinementReport& report) {
-  v1::Refinement proto;
-  proto.set_num_shared_voxels(report.management.num_shared_voxels);
-  proto.set_num_moved_voxels(report.management.num_moved_voxels);
-  proto.set_num_removed_submaps(report.management.num_removed_submaps);
-  proto.set_num_skipped_submaps(report.management.num_skipped_submaps);
-  proto.set_num_crf_voxels(report.crf.num_voxels);
-  proto.set_num_changed_classes(report.crf.num_changed_classes);
-  proto.set_num_changed_instances(report.crf.num_changed_instances);
-  proto.set_num_dropped_bytes(report.num_bytes_dropped);
-  proto.set_management_s(report.management_s);
-  proto.set_crf_s(report.crf_s);
-  return proto;
-}
 
 class MappingService final : public v1::MappingService::CallbackService {
  public:
   MappingService(const ServiceContext& context, IntegrateStreams& streams) : context_(context), streams_(streams) {}
 
   grpc::ServerBidiReactor<v1::IntegrateFramesRequest, v1::IntegrateFramesResponse>* IntegrateFrames(
-      grpc::CallbackServerContext*) override {
-    return IntegrateStream::Start(context_, streams_);
+      grpc::CallbackServerContext* call) override {
+    const bool is_one = call->client_metadata().contains(kOneMessageKey);
+    return IntegrateStream::Start(context_, streams_,
+                                  is_one ? IntegrateStream::Messages::kOne : IntegrateStream::Messages::kAny);
   }
 
   grpc::ServerUnaryReactor* FinishMapping(grpc::CallbackServerContext* call, const v1::FinishMappingRequest* request,
@@ -41,11 +30,7 @@ class MappingService final : public v1::MappingService::CallbackService {
       if (!session.ok()) return respond(session.status());
       (*session)->Finish([respond, response](const Result<FinishOutcome>& outcome) {
         if (!outcome.ok()) return respond(outcome.status());
-        const MapSnapshot& snapshot = outcome->view->snapshot();
-        response->set_revision(snapshot.revision());
-        response->set_num_frames(snapshot.info().num_frames);
-        response->set_num_submaps(static_cast<std::int64_t>(snapshot.submaps().size()));
-        *response->mutable_refinement() = ToProto(outcome->refinement);
+        *response = ToProto(*outcome);
         respond(Status::Ok());
       });
     });

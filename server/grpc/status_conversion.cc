@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/status_conversion.h"
 
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
+#include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
 namespace {
@@ -31,25 +30,8 @@ static_assert(SameNumber(StatusCode::kOk, grpc::OK) && SameNumber(StatusCode::kC
 
 grpc::Status ToGrpc(const Status& status) {
   if (status.ok()) return grpc::Status::OK;
-  google::rpc::Status details;
-  details.set_code(static_cast<int>(status.code()));
-  details.set_message(status.message());
-  if (!status.reason().empty()) {
-    google::rpc::ErrorInfo info;
-    info.set_reason(status.reason());
-    info.set_domain("dhpmap");
-    details.add_details()->PackFrom(info);
-  }
-  if (!status.violations().empty()) {
-    google::rpc::BadRequest bad;
-    for (const FieldViolation& violation : status.violations()) {
-      auto* field = bad.add_field_violations();
-      field->set_field(violation.field);
-      field->set_description(violation.description);
-    }
-    details.add_details()->PackFrom(bad);
-  }
-  return {static_cast<grpc::StatusCode>(status.code()), status.message(), details.SerializeAsString()};
+  const google::rpc::Status proto = ToProto(status);
+  return {static_cast<grpc::StatusCode>(proto.code()), proto.message(), proto.SerializeAsString()};
 }
 
 }  // namespace dhpmap

@@ -7,8 +7,7 @@
 
 namespace dhpmap {
 
-/// With a serialised google.rpc.Status as details: ErrorInfo (reason, domain "dhpmap") and BadRequest where there is
-/// one.
+/// With a serialised google.rpc.Status as details: see ToProto(const Status&).
 grpc::Status ToGrpc(const Status& status);
 
 }  // namespace dhpmap

@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "dhpmap/v1/submap_service.grpc.pb.h"
-#include "server/grpc/map_conversion.h"
-#include "server/grpc/resource_names.h"
 #include "server/grpc/services.h"
-#include "server/grpc/submap_chunks.h"
-#include "server/grpc/submap_conversion.h"
-#include "server/ingest/pose_conversion.h"
+#include "server/wire/bulk_chunks.h"
+#include "server/wire/paging.h"
+#include "server/wire/submap_conversion.h"
+#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
-
-/// The last published state of a map, opened if it is not.
-Result<std::shared_ptr<const MapView>> ViewOf(MapRegistry& registry, const std::string& map) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto session, registry.OpenSession(map));
-  return session->View();
-}
-
-Status NoSuchSubmap(SubmapId id) {
-  return NotFound("submap " + std::to_string(id.value) + " does not exist").WithReason("SUBMAP_NOT_FOUND");
-}
 
 /// Fills the answer of an edit: its revision and the submap as it is now.
 template <typename Response>
@@ -38,15 +26,6 @@ Status FillOutcome(const Result<EditOutcome>& outcome, Response& response) {
   return Status::Ok();
 }
 
-Result<SubmapPatch> PatchFromProto(const v1::CloneSubmapRequest& request) {
-  SubmapPatch patch;
-  if (!request.display_name().empty()) patch.display_name = request.display_name();
-  if (request.has_map_from_submap()) {
-    DHPMAP_ASSIGN_OR_RETURN(patch.T_map_submap, TransformFromProto(request.map_from_submap(), "map_from_submap"));
-  }
-  return patch;
-}
-
 class SubmapService final : public v1::SubmapService::CallbackService {
  public:
   explicit SubmapService(const ServiceContext& context) : context_(context) {}
@@ -55,13 +34,19 @@ class SubmapService final : public v1::SubmapService::CallbackService {
                                         v1::ListSubmapsResponse* response) override {
     return Run(context_, call, "SubmapService/ListSubmaps", [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->parent(), "parent"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewOf(context_.registry, map));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
       const MapSnapshot& snapshot = view->snapshot();
       DHPMAP_ASSIGN_OR_RETURN(const SubmapFilter filter, FilterFromProto(*request, *snapshot.info().label_set));
+      DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, {.history_id = snapshot.info().history_id,
+                                                                   .revision = snapshot.revision()}));
+      DHPMAP_ASSIGN_OR_RETURN(const auto after, SubmapIdFromPage(pager));
       response->set_revision(snapshot.revision());
-      for (const auto& submap : SelectSubmaps(snapshot, filter)) {
-        *response->add_submaps() = ToProto(*submap, snapshot.info());
+      for (const auto& submap : SelectSubmaps(snapshot, filter, after, pager.num_wanted())) {
+        v1::Submap proto = ToProto(*submap, snapshot.info());
+        if (!pager.Takes(proto, std::to_string(submap->id().value))) break;
+        *response->add_submaps() = std::move(proto);
       }
+      response->set_next_page_token(pager.NextToken());
       return Status::Ok();
     });
   }
@@ -70,7 +55,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
                                       v1::GetSubmapResponse* response) override {
     return Run(context_, call, "SubmapService/GetSubmap", [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewOf(context_.registry, name.map));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
       const Submap* submap = view->snapshot().Find(name.submap);
       if (submap == nullptr) return NoSuchSubmap(name.submap);
       response->set_revision(view->snapshot().revision());
@@ -83,16 +68,13 @@ class SubmapService final : public v1::SubmapService::CallbackService {
                                          v1::UpdateSubmapResponse* response) override {
     return Edit(call, "SubmapService/UpdateSubmap", response, [=]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->submap().name(), "submap.name"));
-      DHPMAP_RETURN_IF_ERROR(CheckUpdateMask(*request));
-      const SubmapId id = name.submap;
-      return PlannedEdit{name.map, [id, request](Map& map) -> Result<SubmapId> {
-                           const std::string& etag = request->submap().etag();
-                           DHPMAP_ASSIGN_OR_RETURN(const Submap* current, FindEditable(map, id, etag));
-                           DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch patch,
-                                                   PatchFromProto(*request, *current, map.info()));
-                           DHPMAP_RETURN_IF_ERROR(PatchSubmap(map, id, etag, patch));
-                           return id;
-                         }};
+      DHPMAP_ASSIGN_OR_RETURN(SubmapPatch patch, PatchFromProto(*request));
+      return PlannedEdit{
+          name.map,
+          [id = name.submap, etag = request->submap().etag(), patch = std::move(patch)](Map& map) -> Result<SubmapId> {
+            DHPMAP_RETURN_IF_ERROR(PatchSubmap(map, id, etag, patch));
+            return id;
+          }};
     });
   }
 
@@ -101,9 +83,8 @@ class SubmapService final : public v1::SubmapService::CallbackService {
     return Edit(call, "SubmapService/CloneSubmap", response, [=]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(SubmapPatch patch, PatchFromProto(*request));
-      const SubmapId id = name.submap;
-      return PlannedEdit{name.map, [id, patch = std::move(patch)](Map& map) {
-                           return dhpmap::CloneSubmap(map, id, /*etag=*/"", patch);
+      return PlannedEdit{name.map, [id = name.submap, etag = request->etag(), patch = std::move(patch)](Map& map) {
+                           return dhpmap::CloneSubmap(map, id, etag, patch);
                          }};
     });
   }
@@ -112,9 +93,8 @@ class SubmapService final : public v1::SubmapService::CallbackService {
                                          v1::DeleteSubmapResponse* response) override {
     return Edit(call, "SubmapService/DeleteSubmap", response, [=]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
-      const SubmapId id = name.submap;
-      return PlannedEdit{name.map, [id, request](Map& map) -> Result<SubmapId> {
-                           DHPMAP_RETURN_IF_ERROR(dhpmap::DeleteSubmap(map, id, request->etag()));
+      return PlannedEdit{name.map, [id = name.submap, etag = request->etag()](Map& map) -> Result<SubmapId> {
+                           DHPMAP_RETURN_IF_ERROR(dhpmap::DeleteSubmap(map, id, etag));
                            return id;
                          }};
     });
@@ -123,36 +103,30 @@ class SubmapService final : public v1::SubmapService::CallbackService {
   grpc::ServerWriteReactor<v1::StreamSubmapVoxelsResponse>* StreamSubmapVoxels(
       grpc::CallbackServerContext*, const v1::StreamSubmapVoxelsRequest* request) override {
     using Stream = ChunkStream<v1::StreamSubmapVoxelsResponse>;
-    return Stream::Start(context_, "SubmapService/StreamSubmapVoxels", [=, this]() -> Result<Stream::Next> {
-      DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
-      const double limit_m = request->max_abs_distance_m();
-      if (!std::isfinite(limit_m) || limit_m < 0) {
-        return InvalidArgument("max_abs_distance_m is not usable")
-            .WithReason("BAD_DISTANCE")
-            .WithViolation("max_abs_distance_m", "must be finite and 0 or more");
-      }
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewOf(context_.registry, name.map));
-      if (view->snapshot().Find(name.submap) == nullptr) return NoSuchSubmap(name.submap);
-      return Stream::Next(StreamVoxels(view->shared_snapshot(), name.submap, limit_m));
-    });
+    return Stream::Start(
+        context_, "SubmapService/StreamSubmapVoxels", [=, this](const std::stop_token&) -> Result<Stream::Next> {
+          DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
+          DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
+          DHPMAP_ASSIGN_OR_RETURN(
+              VoxelWalk walk, VoxelWalk::Begin(view->shared_snapshot(), name.submap, request->max_abs_distance_m()));
+          return Stream::Next([chunks = VoxelChunks(std::move(walk))](v1::StreamSubmapVoxelsResponse& message) mutable {
+            return chunks.Next(message);
+          });
+        });
   }
 
   grpc::ServerWriteReactor<v1::GetSubmapMeshResponse>* GetSubmapMesh(grpc::CallbackServerContext*,
                                                                      const v1::GetSubmapMeshRequest* request) override {
     using Stream = ChunkStream<v1::GetSubmapMeshResponse>;
-    return Stream::Start(context_, "SubmapService/GetSubmapMesh", [=, this]() -> Result<Stream::Next> {
-      std::optional<SubmapId> submap;
-      std::string map;
-      if (request->name().find("/submaps/") == std::string::npos) {
-        DHPMAP_ASSIGN_OR_RETURN(map, ParseMapName(request->name(), "name"));
-      } else {
-        DHPMAP_ASSIGN_OR_RETURN(SubmapName name, ParseSubmapName(request->name(), "name"));
-        map = std::move(name.map);
-        submap = name.submap;
-      }
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewOf(context_.registry, map));
-      return StreamMesh(view->snapshot(), submap, request->format(), request->coloring());
-    });
+    return Stream::Start(
+        context_, "SubmapService/GetSubmapMesh", [=, this](const std::stop_token& stop) -> Result<Stream::Next> {
+          DHPMAP_ASSIGN_OR_RETURN(const ObjectName name, ParseObjectName(request->name(), "name"));
+          DHPMAP_ASSIGN_OR_RETURN(const MeshRequest wanted, MeshRequestFromProto(*request, name.submap));
+          DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
+          DHPMAP_ASSIGN_OR_RETURN(MeshFile file, ExportMesh(view->shared_snapshot(), wanted, stop));
+          return Stream::Next([chunks = std::make_shared<MeshChunks>(std::move(file))](
+                                  v1::GetSubmapMeshResponse& message) mutable { return chunks->Next(message); });
+        });
   }
 
  private:

@@ -8,6 +8,8 @@
 #include <prometheus/registry.h>
 #include <prometheus/text_serializer.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <utility>
 
 namespace dhpmap {
@@ -23,9 +25,9 @@ Histogram::BucketBoundaries SecondsBuckets() {
 
 std::string Name(StatusCode code) { return std::string(StatusCodeName(code)); }
 
+template <typename Number>
 prometheus::MetricFamily GaugeFamily(const std::string& name, const std::string& help,
-                                     const std::vector<Metrics::MapGauges>& maps,
-                                     std::int64_t Metrics::MapGauges::*field) {
+                                     const std::vector<Metrics::MapGauges>& maps, Number Metrics::MapGauges::*field) {
   prometheus::MetricFamily family;
   family.name = name;
   family.help = help;
@@ -37,6 +39,26 @@ prometheus::MetricFamily GaugeFamily(const std::string& name, const std::string&
     family.metric.push_back(std::move(metric));
   }
   return family;
+}
+
+/// Names and meaning as the client libraries of Prometheus have them.
+prometheus::MetricFamily ProcessGauge(const std::string& name, const std::string& help, double value) {
+  prometheus::MetricFamily family;
+  family.name = name;
+  family.help = help;
+  family.type = prometheus::MetricType::Gauge;
+  family.metric.emplace_back();
+  family.metric.back().gauge.value = value;
+  return family;
+}
+
+/// A value of /proc/self/status, such as "RssAnon" in kB; 0 if there is none.
+double ProcessStatus(const std::string& key) {
+  std::ifstream in("/proc/self/status");
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(key + ":")) return std::strtod(line.c_str() + key.size() + 1, nullptr);
+  }
+  return 0;
 }
 
 }  // namespace
@@ -90,6 +112,14 @@ std::string Metrics::Text(const std::vector<MapGauges>& maps) const {
       GaugeFamily("dhpmap_map_revision", "Published revision of an open map", maps, &MapGauges::revision));
   families.push_back(
       GaugeFamily("dhpmap_map_memory_bytes", "Memory that an open map takes", maps, &MapGauges::memory_bytes));
+  families.push_back(GaugeFamily("dhpmap_store_behind_seconds", "For how long what was fused has not been stored", maps,
+                                 &MapGauges::behind_s));
+  constexpr double kKiB = 1024;
+  families.push_back(ProcessGauge("process_resident_memory_bytes", "Memory of the process that is in RAM",
+                                  kKiB * ProcessStatus("VmRSS")));
+  families.push_back(ProcessGauge("dhpmap_anonymous_memory_bytes", "Of it, what is not of files: maps and all else",
+                                  kKiB * ProcessStatus("RssAnon")));
+  families.push_back(ProcessGauge("process_threads", "Threads of the process", ProcessStatus("Threads")));
   return prometheus::TextSerializer().Serialize(families);
 }
 

@@ -20,6 +20,7 @@ class Metrics {
   struct MapGauges {
     std::string name;
     std::int64_t num_submaps = 0, num_blocks = 0, revision = 0, memory_bytes = 0;
+    double behind_s = 0;
   };
 
   Metrics();
@@ -31,7 +32,8 @@ class Metrics {
   void RecordCommit(StatusCode code, double seconds);                         ///< dhpmap_commit_seconds
   void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
-  /// Everything, and dhpmap_map_{submaps,blocks,revision,memory_bytes} of the maps given.
+  /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes} of the maps given, and what the process takes:
+  /// process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
   [[nodiscard]] std::string Text(const std::vector<MapGauges>& maps) const;
 
  private:

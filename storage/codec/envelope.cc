@@ -97,6 +97,12 @@ Bytes Seal(BlobKind kind, BlockIndex index, const Payload& payload) {
   return blob;
 }
 
+namespace {
+
+int LayerOf(std::uint8_t kind) { return kind >> 4; }
+
+}  // namespace
+
 Status Unseal(BlobKind kind, BlockIndex index, ByteView blob, Payload& payload) {
   payload.packable.clear();
   payload.plain.clear();
@@ -107,6 +113,7 @@ Status Unseal(BlobKind kind, BlockIndex index, ByteView blob, Payload& payload) 
   }
   ByteReader reader(sealed);
   const std::uint8_t stored_kind = reader.GetU8();
+  if (LayerOf(stored_kind) != LayerOf(static_cast<std::uint8_t>(kind))) return DataLoss("is a blob of another layer");
   if (stored_kind != static_cast<std::uint8_t>(kind)) {
     return FailedPrecondition("is of codec " + std::to_string(stored_kind) + ", unknown to this version");
   }

@@ -7,7 +7,8 @@
 
 namespace dhpmap {
 
-/// First byte of a blob: which layer, and the version of its codec. Kept in files: numbers are never reused.
+/// First byte of a blob: which layer (high half), and the version of its codec (low half). Kept in files: numbers are
+/// never reused.
 enum class BlobKind : std::uint8_t { kTsdfV1 = 0x11, kLabelsV1 = 0x21 };
 
 /// What a codec puts into a blob. Noise goes into `plain`: compressing it would only cost time and Huffman tables.
@@ -22,7 +23,8 @@ struct Payload {
 Bytes Seal(BlobKind kind, BlockIndex index, const Payload& payload);
 
 /// Undoes Seal. DATA_LOSS for anything Seal did not make for this index, FAILED_PRECONDITION for an intact blob of a
-/// kind that this version does not know. Messages go on after "it". Takes no more memory than Seal's caller had.
+/// version of its layer's codec that this version does not know. Messages go on after "it". Takes no more memory than
+/// Seal's caller had.
 Status Unseal(BlobKind kind, BlockIndex index, ByteView blob, Payload& payload);
 
 }  // namespace dhpmap

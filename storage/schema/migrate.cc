@@ -19,10 +19,23 @@ struct SchemaObject {
   std::string type, name, sql;
 };
 
-/// What an empty database of the present schema has.
-Result<std::vector<SchemaObject>> ReferenceObjects() {
+/// Brings a database from schema `number` to the next.
+Status Do(const SchemaStep& step, std::int64_t number, sqlite::Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(sqlite::Transaction transaction, sqlite::Transaction::BeginWrite(database));
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
+  if (version != number) return Aborted("another process brings the database up to date");
+  DHPMAP_RETURN_IF_ERROR(database.Execute(step.sql, "bring the database up to date"));
+  if (step.run != nullptr) DHPMAP_RETURN_IF_ERROR(step.run(database));
+  DHPMAP_RETURN_IF_ERROR(database.Execute("PRAGMA application_id = " + std::to_string(kApplicationId) +
+                                              "; PRAGMA user_version = " + std::to_string(number + 1),
+                                          "mark the database as ours"));
+  return transaction.Commit();
+}
+
+/// What an empty database has after all steps.
+Result<std::vector<SchemaObject>> ReferenceObjects(SchemaSteps steps) {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Database reference, sqlite::Database::OpenInMemory());
-  for (const char* step : SchemaSteps()) DHPMAP_RETURN_IF_ERROR(reference.Execute(step, "make a reference schema"));
+  DHPMAP_RETURN_IF_ERROR(MigrateSchema(reference, steps));
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement select,
                           reference.Prepare("SELECT type, name, ifnull(sql, '') FROM sqlite_schema", kTask));
   std::vector<SchemaObject> objects;
@@ -34,8 +47,7 @@ Result<std::vector<SchemaObject>> ReferenceObjects() {
 }
 
 /// DATA_LOSS unless every table, index and trigger of our schema is there. More may be: those of an operator.
-Status CheckObjects(sqlite::Database& database) {
-  static const Result<std::vector<SchemaObject>> reference = ReferenceObjects();
+Status CheckObjects(sqlite::Database& database, const Result<std::vector<SchemaObject>>& reference) {
   if (!reference.ok()) return reference.status();
   DHPMAP_ASSIGN_OR_RETURN(
       sqlite::Statement find,
@@ -53,35 +65,35 @@ Status CheckObjects(sqlite::Database& database) {
 
 }  // namespace
 
-Result<SchemaState> InspectSchema(sqlite::Database& database) {
+Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps) {
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t application_id, database.QueryInt("PRAGMA application_id", kTask));
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_objects,
                           database.QueryInt("SELECT count(*) FROM sqlite_schema", kTask));
   if (application_id == 0 && version == 0 && num_objects == 0) return SchemaState::kEmpty;
   if (application_id != kApplicationId) return NotOurs();
-  if (version > SchemaVersion()) {
+  if (version > VersionOf(steps)) {
     return FailedPrecondition("the database is of schema " + std::to_string(version) + ", this version knows " +
-                              std::to_string(SchemaVersion()))
+                              std::to_string(VersionOf(steps)))
         .WithReason("NEWER_SCHEMA");
   }
   if (version < 1) return DataLoss("the database's schema version " + std::to_string(version) + " cannot be right");
-  if (version < SchemaVersion()) return SchemaState::kOlder;
-  DHPMAP_RETURN_IF_ERROR(CheckObjects(database));
-  return SchemaState::kCurrent;
+  const SchemaSteps done = steps.first(static_cast<std::size_t>(version));
+  if (steps.data() == ReleasedSteps().data() && done.size() == steps.size()) {
+    static const Result<std::vector<SchemaObject>> present = ReferenceObjects(ReleasedSteps());
+    DHPMAP_RETURN_IF_ERROR(CheckObjects(database, present));
+  } else {
+    DHPMAP_RETURN_IF_ERROR(CheckObjects(database, ReferenceObjects(done)));
+  }
+  return version < VersionOf(steps) ? SchemaState::kOlder : SchemaState::kCurrent;
 }
 
-Status MigrateSchema(sqlite::Database& database) {
-  DHPMAP_ASSIGN_OR_RETURN(sqlite::Transaction transaction, sqlite::Transaction::BeginWrite(database));
+Status MigrateSchema(sqlite::Database& database, SchemaSteps steps) {
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
-  for (std::int64_t step = version; step < SchemaVersion(); ++step) {
-    DHPMAP_RETURN_IF_ERROR(
-        database.Execute(SchemaSteps()[static_cast<std::size_t>(step)], "bring the database up to date"));
+  for (std::int64_t number = version; number < VersionOf(steps); ++number) {
+    DHPMAP_RETURN_IF_ERROR(Do(steps[static_cast<std::size_t>(number)], number, database));
   }
-  DHPMAP_RETURN_IF_ERROR(database.Execute("PRAGMA application_id = " + std::to_string(kApplicationId) +
-                                              "; PRAGMA user_version = " + std::to_string(SchemaVersion()),
-                                          "mark the database as ours"));
-  return transaction.Commit();
+  return Status::Ok();
 }
 
 }  // namespace dhpmap

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "mapping/base/result.h"
+#include "storage/schema/steps.h"
 #include "storage/sqlite/database.h"
 
 namespace dhpmap {
@@ -12,16 +12,14 @@ namespace dhpmap {
 /// PRAGMA application_id of our files: "dhpM".
 inline constexpr std::int64_t kApplicationId = 0x6468704D;
 
-/// The numbered .sql files of this folder, in order: entry i brings a database from schema i to i + 1.
-std::span<const char* const> SchemaSteps();
-inline std::int64_t SchemaVersion() { return static_cast<std::int64_t>(SchemaSteps().size()); }
-
 enum class SchemaState { kEmpty, kOlder, kCurrent };
 
-/// Looks, without writing. DATA_LOSS: not a database, or damaged. FAILED_PRECONDITION: another application's, or newer.
-Result<SchemaState> InspectSchema(sqlite::Database& database);
+/// Looks, without writing, for what `steps` make. DATA_LOSS: not a database, or damaged. FAILED_PRECONDITION: another
+/// application's, or newer.
+Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps = ReleasedSteps());
 
-/// Brings an empty or older database to the present schema, all or nothing.
-Status MigrateSchema(sqlite::Database& database);
+/// Does the steps that an empty or older database lacks, each in one transaction: after a failure or a crash it is of
+/// the schema of the last step that was done, and the next call goes on from there.
+Status MigrateSchema(sqlite::Database& database, SchemaSteps steps = ReleasedSteps());
 
 }  // namespace dhpmap

@@ -77,6 +77,8 @@ Result<std::int64_t> Database::QueryInt(const std::string& sql, const char* task
   return statement.Int(0);
 }
 
+void Database::Interrupt() { sqlite3_interrupt(database_.get()); }
+
 bool Database::IsReadOnly() const { return sqlite3_db_readonly(database_.get(), "main") != 0; }
 
 bool Database::InTransaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }

@@ -32,6 +32,9 @@ class Database {
   /// The first column of the first row.
   Result<std::int64_t> QueryInt(const std::string& sql, const char* task);
 
+  /// Ends the statement that runs, if one does, with CANCELLED. From any thread.
+  void Interrupt();
+
   /// Whether the file turned out not to be writable.
   [[nodiscard]] bool IsReadOnly() const;
   [[nodiscard]] bool InTransaction() const;

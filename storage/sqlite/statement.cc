@@ -37,6 +37,12 @@ Statement& Statement::Bind(std::span<const std::uint8_t> bytes) {
   return *this;
 }
 
+Statement& Statement::BindCopy(std::span<const std::uint8_t> bytes) {
+  const void* data = bytes.data() == nullptr ? static_cast<const void*>("") : bytes.data();
+  Note(sqlite3_bind_blob64(statement_.get(), next_parameter_++, data, bytes.size(), SQLITE_TRANSIENT));
+  return *this;
+}
+
 Result<bool> Statement::Step() {
   const int code = bind_error_ != SQLITE_OK ? bind_error_ : sqlite3_step(statement_.get());
   if (code == SQLITE_ROW) return true;

@@ -30,6 +30,8 @@ class Statement {
   Statement& Bind(double value);
   Statement& Bind(std::string_view text);
   Statement& Bind(std::span<const std::uint8_t> bytes);
+  /// Of bytes that need not live longer than the call.
+  Statement& BindCopy(std::span<const std::uint8_t> bytes);
 
   /// True: there is a row to read. False: done.
   Result<bool> Step();
@@ -55,6 +57,22 @@ class Statement {
   const char* task_;
   int next_parameter_ = 1;
   int bind_error_ = 0;
+};
+
+/// Reads the columns of the row that a statement is at, in their order, as Bind binds parameters. Views are valid until
+/// the statement's next Step, Run or Reset.
+class Columns {
+ public:
+  explicit Columns(const Statement& statement) : statement_(statement) {}
+
+  std::int64_t Int() { return statement_.Int(next_++); }
+  double Real() { return statement_.Real(next_++); }
+  std::string Text() { return statement_.Text(next_++); }
+  std::span<const std::uint8_t> Blob() { return statement_.Blob(next_++); }
+
+ private:
+  const Statement& statement_;
+  int next_ = 0;
 };
 
 }  // namespace dhpmap::sqlite

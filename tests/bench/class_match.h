@@ -8,7 +8,7 @@
 
 #include "dhpmap/v1/types.pb.h"
 #include "mapping/base/result.h"
-#include "mapping/map/label_set.h"
+#include "mapping/labels/label_set.h"
 
 namespace dhpmap {
 

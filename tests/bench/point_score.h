@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mapping/map/label_set.h"
+#include "mapping/labels/label_set.h"
 #include "tests/bench/class_match.h"
 #include "tests/bench/point_samples.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws a PLY file that the server wrote, to look at: a plain z-buffer with diffuse light.
+// Draws a PLY file that the server wrote, to look at: a plain z-buffer with diffuse light, at twice the size and then
+// averaged, so that edges are smooth.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <iterator>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
 
@@ -70,7 +72,7 @@ struct View {
 };
 
 void Draw(const Soup& soup, const View& view, cv::Mat& image) {
-  image = cv::Mat(view.height_px, view.width_px, CV_8UC3, cv::Scalar(255, 255, 255));
+  image = cv::Mat(view.height_px, view.width_px, CV_8UC3, cv::Scalar(232, 232, 232));
   std::vector<double> depth(static_cast<std::size_t>(view.width_px * view.height_px),
                             std::numeric_limits<double>::infinity());
   for (const auto& triangle : soup.triangles) {
@@ -111,16 +113,35 @@ void Draw(const Soup& soup, const View& view, cv::Mat& image) {
   }
 }
 
+cv::Mat DrawSmooth(const Soup& soup, View view) {
+  constexpr int kTimes = 2;
+  const cv::Size size(view.width_px, view.height_px);
+  view.width_px *= kTimes, view.height_px *= kTimes, view.focal_px *= kTimes;
+  cv::Mat large, image;
+  Draw(soup, view, large);
+  cv::resize(large, image, size, 0, 0, cv::INTER_AREA);
+  return image;
+}
+
+/// `left`, at the height of `right`, beside it.
+cv::Mat SideBySide(const cv::Mat& left, const cv::Mat& right) {
+  cv::Mat scaled, both;
+  cv::resize(left, scaled, cv::Size(left.cols * right.rows / left.rows, right.rows), 0, 0, cv::INTER_AREA);
+  cv::hconcat(scaled, right, both);
+  return both;
+}
+
 }  // namespace
 }  // namespace dhpmap::bench
 
 int main(int argc, char** argv) {
-  std::string ply, png;
+  std::string ply, out, beside;
   std::vector<double> eye = {0, 0, 10}, target = {0, 0, 0};
   dhpmap::bench::View view{dhpmap::Transform::Identity(), 1200, 800, 900, true};
-  CLI::App app{"Draws a PLY file of the map server as a PNG"};
+  CLI::App app{"Draws a PLY file of the map server as a PNG or JPEG"};
   app.add_option("ply", ply)->required();
-  app.add_option("png", png)->required();
+  app.add_option("out", out)->required();
+  app.add_option("--beside", beside, "A picture to put on the left")->check(CLI::ExistingFile);
   app.add_option("--eye", eye, "Camera position in m")->expected(3);
   app.add_option("--target", target, "Point in the middle of the picture, in m")->expected(3);
   app.add_option("--width", view.width_px);
@@ -148,7 +169,14 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "render-ply: no triangles in %s\n", ply.c_str());
     return 1;
   }
-  cv::Mat image;
-  dhpmap::bench::Draw(soup, view, image);
-  return cv::imwrite(png, image) ? 0 : 1;
+  cv::Mat image = dhpmap::bench::DrawSmooth(soup, view);
+  if (!beside.empty()) {
+    const cv::Mat left = cv::imread(beside);
+    if (left.empty()) {
+      std::fprintf(stderr, "render-ply: %s is no picture\n", beside.c_str());
+      return 1;
+    }
+    image = dhpmap::bench::SideBySide(left, image);
+  }
+  return cv::imwrite(out, image) ? 0 : 1;
 }

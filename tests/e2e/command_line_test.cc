@@ -102,6 +102,26 @@ TEST_F(CommandLine, ExportsMeshesAndVoxels) {
   EXPECT_EQ(Run({"export", "ply", "room", "-o", File("no/where.ply").string()}).exit_code, 7);
 }
 
+TEST_F(CommandLine, ABackupIsADatabaseThatAServerStartsOn) {
+  ASSERT_EQ(Run({"backup", File("copy.db").string()}).exit_code, 0);
+  EXPECT_EQ(Run({"backup", File("copy.db").string()}).exit_code, 1) << "not over a file that is there";
+  EXPECT_EQ(Run({"backup", File("copy.db").string(), "--force"}).exit_code, 0);
+  const std::string url = server_->http_url() + "/v1/maps:backup";
+  const Outcome fetched = RunProgram(temp_->path(), {"curl", "-sf", "-o", File("fetched.db").string(), url});
+  EXPECT_EQ(fetched.exit_code, 0) << fetched.err;
+  EXPECT_EQ(std::filesystem::file_size(File("fetched.db")), std::filesystem::file_size(File("copy.db")));
+  ServerProcess other(File(""), File("copy.db"));
+  ASSERT_TRUE(other.is_serving()) << other.process().Stderr();
+  EXPECT_NE(other.Dhpmap({"submaps", "room"}).out.find("Ball"), std::string::npos);
+  EXPECT_EQ(other.Terminate(), 0);
+}
+
+TEST_F(CommandLine, AMapIsRenamed) {
+  EXPECT_EQ(Run({"maps", "rename", "room", "Grandmother's kitchen"}).exit_code, 0);
+  EXPECT_NE(Run({"maps"}).out.find("Grandmother's kitchen"), std::string::npos);
+  EXPECT_EQ(Run({"maps", "rename", "nowhere", "x"}).exit_code, 3);
+}
+
 TEST_F(CommandLine, ExitCodesTellErrorsApart) {
   EXPECT_EQ(Run({}).exit_code, 1);
   EXPECT_EQ(Run({"fly"}).exit_code, 1);

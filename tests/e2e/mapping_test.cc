@@ -4,7 +4,6 @@
 
 #include <csignal>
 #include <fstream>
-#include <map>
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
@@ -12,6 +11,7 @@
 #include "google/protobuf/util/json_util.h"
 #include "google/protobuf/util/message_differencer.h"
 #include "tests/e2e/rendered_dataset.h"
+#include "tests/e2e/same_maps.h"
 #include "tests/e2e/server_process.h"
 #include "tests/support/scenes.h"
 
@@ -19,16 +19,6 @@ namespace dhpmap::testing {
 namespace {
 
 constexpr int kNumFrames = 12;
-
-v1::Map GetMap(const ServerProcess& server, const std::string& map) {
-  grpc::ClientContext context;
-  v1::GetMapRequest request;
-  request.set_name("maps/" + map);
-  v1::GetMapResponse response;
-  const grpc::Status status = v1::MapService::NewStub(server.Connect())->GetMap(&context, request, &response);
-  EXPECT_TRUE(status.ok()) << status.error_message();
-  return response.map();
-}
 
 class Mapping : public ::testing::Test {
  protected:
@@ -118,51 +108,6 @@ TEST_F(Mapping, PredictedIdsWithoutMeaningGiveTheSameObjects) {
   EXPECT_EQ(answer.results(1).class_name(), "box");
   EXPECT_NE(answer.results(0).instance_id(), answer.results(1).instance_id());
   EXPECT_EQ(GetMap(server, "room").num_submaps(), 5) << "floor, wall, ball, box and the unknown submap";
-}
-
-/// Voxels by position, of every submap.
-using Voxels = std::map<std::array<float, 3>, std::pair<float, std::uint32_t>>;
-std::map<std::int64_t, Voxels> AllVoxels(const ServerProcess& server, const std::string& map) {
-  const auto stub = v1::SubmapService::NewStub(server.Connect());
-  grpc::ClientContext list_context;
-  v1::ListSubmapsRequest list;
-  list.set_parent("maps/" + map);
-  v1::ListSubmapsResponse submaps;
-  EXPECT_TRUE(stub->ListSubmaps(&list_context, list, &submaps).ok());
-  std::map<std::int64_t, Voxels> all;
-  for (const v1::Submap& submap : submaps.submaps()) {
-    grpc::ClientContext context;
-    v1::StreamSubmapVoxelsRequest request;
-    request.set_name(submap.name());
-    const auto stream = stub->StreamSubmapVoxels(&context, request);
-    Voxels& voxels = all[submap.instance_id()];
-    for (v1::StreamSubmapVoxelsResponse part; stream->Read(&part);) {
-      for (int i = 0; i < part.distance_m_size(); ++i) {
-        voxels[{part.xyz_m(3 * i), part.xyz_m(3 * i + 1), part.xyz_m(3 * i + 2)}] = {part.distance_m(i),
-                                                                                     part.class_id(i)};
-      }
-    }
-    EXPECT_TRUE(stream->Finish().ok());
-  }
-  return all;
-}
-
-void ExpectSameMaps(const ServerProcess& server, const std::string& a, const std::string& b) {
-  const auto voxels_a = AllVoxels(server, a), voxels_b = AllVoxels(server, b);
-  ASSERT_EQ(voxels_a.size(), voxels_b.size());
-  const float bound_m = static_cast<float>(GetMap(server, a).config().truncation_m() / 4096) + 1e-6f;  // of the codec
-  for (const auto& [id, submap] : voxels_a) {
-    SCOPED_TRACE("submap " + std::to_string(id));
-    ASSERT_TRUE(voxels_b.contains(id));
-    const Voxels& other = voxels_b.at(id);
-    ASSERT_EQ(submap.size(), other.size());
-    for (const auto& [position, voxel] : submap) {
-      const auto it = other.find(position);
-      ASSERT_NE(it, other.end());
-      ASSERT_NEAR(voxel.first, it->second.first, bound_m);
-      ASSERT_EQ(voxel.second, it->second.second);
-    }
-  }
 }
 
 TEST_F(Mapping, AfterARestartGoesOnAsIfInOneGo) {

@@ -14,6 +14,8 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/support/places.h"
+
 namespace dhpmap::testing {
 namespace {
 
@@ -79,6 +81,6 @@ Outcome RunProgram(const std::filesystem::path& log_dir, std::vector<std::string
   return {exit_code, process.Stdout(), process.Stderr()};
 }
 
-std::string Program(const std::string& name) { return std::string(DHPMAP_BIN_DIR) + "/" + name; }
+std::string Program(const std::string& name) { return (ProgramDir() / name).string(); }
 
 }  // namespace dhpmap::testing

@@ -16,10 +16,11 @@ constexpr double kEndTimeout_s = 10;
 
 }  // namespace
 
-ServerProcess::ServerProcess(const std::filesystem::path& log_dir, const std::filesystem::path& db)
+ServerProcess::ServerProcess(const std::filesystem::path& log_dir, const std::filesystem::path& db,
+                             const std::string& grpc_address)
     : log_dir_(log_dir),
       process_(log_dir,
-               {Program("dhpmap-server"), "--db", db.string(), "--grpc", "127.0.0.1:0", "--http", "127.0.0.1:0"}) {
+               {Program("dhpmap-server"), "--db", db.string(), "--grpc", grpc_address, "--http", "127.0.0.1:0"}) {
   const std::regex line("gRPC on ([0-9.:]+), REST on (http://[0-9.:]+)\n");
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kStartTimeout_s);
   while (std::chrono::steady_clock::now() < end) {

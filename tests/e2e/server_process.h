@@ -15,7 +15,8 @@ namespace dhpmap::testing {
 class ServerProcess {
  public:
   /// Waits until it serves or has ended; see is_serving.
-  ServerProcess(const std::filesystem::path& log_dir, const std::filesystem::path& db);
+  ServerProcess(const std::filesystem::path& log_dir, const std::filesystem::path& db,
+                const std::string& grpc_address = "127.0.0.1:0");
 
   [[nodiscard]] bool is_serving() const { return !grpc_address_.empty(); }
   [[nodiscard]] const std::string& grpc_address() const { return grpc_address_; }

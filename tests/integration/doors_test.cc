@@ -17,8 +17,8 @@ namespace dhpmap::testing {
 namespace {
 
 /// Calls any method with raw bytes and one request, and returns its status.
-grpc::Status CallRaw(const std::shared_ptr<grpc::Channel>& channel, const std::string& method,
-                     const std::string& bytes) {
+grpc::Status CallRaw(const std::shared_ptr<grpc::Channel>& channel, const std::string& method, const std::string& bytes,
+                     std::string* answers = nullptr) {
   grpc::ClientContext context;
   grpc::CompletionQueue queue;
   grpc::GenericStub stub(channel);
@@ -34,9 +34,12 @@ grpc::Status CallRaw(const std::shared_ptr<grpc::Channel>& channel, const std::s
   stream->WriteLast(grpc::ByteBuffer(&slice, 1), grpc::WriteOptions(), nullptr);
   wait();
   grpc::ByteBuffer answer;
-  do {
-    stream->Read(&answer, nullptr);
-  } while (wait());
+  for (stream->Read(&answer, nullptr); wait(); stream->Read(&answer, nullptr)) {
+    grpc::Slice whole;
+    if (answers != nullptr && answer.DumpToSingleSlice(&whole).ok()) {
+      answers->append(reinterpret_cast<const char*>(whole.begin()), whole.size());
+    }
+  }
   grpc::Status status;
   stream->Finish(&status, nullptr);
   wait();
@@ -69,18 +72,35 @@ TEST(Doors, EveryRpcInTheDescriptorsIsImplemented) {
       const grpc::Status status = CallRaw(channel, path, "");
       EXPECT_NE(status.error_code(), grpc::UNIMPLEMENTED) << path;
       // An empty request is a mistake of the client's, except where nothing is required.
-      EXPECT_EQ(status.error_code(), method->name() == "ListMaps" ? grpc::OK : grpc::INVALID_ARGUMENT) << path;
+      const bool needs_nothing = method->name() == "ListMaps", needs_a_file = method->name() == "BackupMap";
+      EXPECT_EQ(status.error_code(), needs_nothing  ? grpc::OK
+                                     : needs_a_file ? grpc::FAILED_PRECONDITION
+                                                    : grpc::INVALID_ARGUMENT)
+          << path;
     }
     EXPECT_EQ(CallRaw(channel, "/dhpmap.v1.MapService/NoSuchMethod", "").error_code(), grpc::UNIMPLEMENTED);
   }
 }
 
-TEST(Doors, ReflectionListsOurServices) {
+TEST(Doors, ReflectionListsAndDescribesEveryService) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
-  // ServerReflectionRequest{list_services: "*"}: field 7.
-  EXPECT_TRUE(
-      CallRaw(server.channel(), "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", "\x3a\x01*").ok());
+  const auto ask = [&server](char tag, const std::string& what) {
+    std::string answer;
+    const std::string request = std::string({tag, static_cast<char>(what.size())}) + what;
+    const char* const method = "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo";
+    EXPECT_TRUE(CallRaw(server.channel(), method, request, &answer).ok());
+    return answer;
+  };
+  constexpr char kListServices = '\x3a', kFileContainingSymbol = '\x22';  // ServerReflectionRequest's fields 7 and 4
+  const std::string services = ask(kListServices, "*");
+  const std::pair<const char*, const char*> described[] = {{"dhpmap.v1.MapService", "CreateMapRequest"},
+                                                           {"dhpmap.v1.QueryService", "QueryPointsRequest"},
+                                                           {"grpc.health.v1.Health", "HealthCheckRequest"}};
+  for (const auto& [service, message] : described) {
+    EXPECT_NE(services.find(service), std::string::npos) << service;
+    EXPECT_NE(ask(kFileContainingSymbol, service).find(message), std::string::npos) << service;
+  }
 }
 
 TEST(Doors, HealthFollowsTheServer) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "storage/store.h"
@@ -14,24 +16,32 @@ namespace dhpmap::testing {
 class FailingStore final : public MapStore {
  public:
   void set_full(bool is_full) { is_full_ = is_full; }
+  /// Runs before each commit that is not refused. Not while one runs.
+  void set_before_commit(std::function<void()> hook) { before_commit_ = std::move(hook); }
   [[nodiscard]] int num_refused() const { return num_refused_; }
 
   Result<std::vector<StoredMap>> ListMaps() override { return store_->ListMaps(); }
   Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return is_full_ ? Full() : store_->CreateMap(snapshot); }
   Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
-    return is_full_ ? Full() : store_->Commit(before, after, durability);
+    if (is_full_) return Full();
+    if (before_commit_) before_commit_();
+    return store_->Commit(before, after, durability);
   }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return store_->LoadMap(name); }
   Status DeleteMap(const std::string& name) override { return is_full_ ? Full() : store_->DeleteMap(name); }
+  Status Reserve(const std::string& name, const NumberMarks& marks) override {
+    return is_full_ ? Full() : store_->Reserve(name, marks);
+  }
 
  private:
   Status Full() {
     ++num_refused_;
-    return ResourceExhausted("the disk is full").WithReason("DISK_FULL");
+    return ResourceExhausted("the disk is full");
   }
 
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
+  std::function<void()> before_commit_;
   std::atomic<bool> is_full_ = false;
   std::atomic<int> num_refused_ = 0;
 };

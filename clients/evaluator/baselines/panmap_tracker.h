@@ -7,7 +7,7 @@
 #include "clients/evaluator/baselines/panmap_submap.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/fusion/bundler.h"
-#include "mapping/map/label_set.h"
+#include "mapping/labels/label_set.h"
 #include "mapping/map/map_config.h"
 
 namespace dhpmap::evaluator {

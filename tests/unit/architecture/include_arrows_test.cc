@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.h"
+
 namespace dhpmap {
 namespace {
 
@@ -21,32 +23,61 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::vector<std::string>>& Arrows() {
   static const std::map<std::string, std::vector<std::string>> arrows = {
       {"mapping/base", {}},
-      {"mapping/map", {"mapping/base"}},
-      {"mapping/sensor", {"mapping/base", "mapping/map"}},
-      {"mapping/fusion", {"mapping/base", "mapping/map", "mapping/sensor"}},
-      {"mapping/tracking", {"mapping/base", "mapping/map", "mapping/sensor", "mapping/fusion"}},
-      {"mapping/refinement", {"mapping/base", "mapping/map"}},
-      {"mapping/query", {"mapping/base", "mapping/map"}},
-      {"mapping/mesh", {"mapping/base", "mapping/map"}},
-      {"mapping/io", {"mapping/base", "mapping/map", "mapping/mesh"}},
+      {"mapping/labels", {"mapping/base"}},
+      {"mapping/map", {"mapping/base", "mapping/labels"}},
+      {"mapping/sensor", {"mapping/base", "mapping/labels"}},
+      {"mapping/fusion", {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor"}},
+      {"mapping/tracking", {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor", "mapping/fusion"}},
+      {"mapping/refinement", {"mapping/base", "mapping/labels", "mapping/map"}},
+      {"mapping/query", {"mapping/base", "mapping/labels", "mapping/map"}},
+      {"mapping/mesh", {"mapping/base", "mapping/labels", "mapping/map"}},
+      {"mapping/io", {"mapping/base", "mapping/labels", "mapping/map", "mapping/mesh"}},
       {"mapping/pipeline",
-       {"mapping/base", "mapping/map", "mapping/sensor", "mapping/fusion", "mapping/tracking", "mapping/refinement"}},
-      {"storage", {"mapping/base", "mapping/map"}},
+       {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor", "mapping/fusion", "mapping/tracking",
+        "mapping/refinement"}},
+      {"storage", {"mapping/base", "mapping/labels", "mapping/map"}},
       {"server/log", {"mapping/base"}},
       {"server/app", {"mapping", "storage/store.h", "server/log"}},
       {"server/metrics", {"mapping/base", "server/app", "server/log"}},
-      {"server/config", {"mapping/base", "mapping/map", "server/app", "server/log"}},
-      {"server/ingest", {"mapping", "server/app", "server/log", "proto"}},
-      {"server/grpc", {"mapping", "server/app", "server/ingest", "server/metrics", "server/log", "proto"}},
-      {"server/rest", {"mapping/base", "server/app", "server/log", "proto"}},
+      {"server/config", {"mapping/base", "mapping/labels", "mapping/map", "server/app", "server/log"}},
+      {"server/wire/types", {"mapping/base", "mapping/labels", "mapping/map", "proto"}},
+      {"server/wire", {"mapping", "server/app", "proto"}},
+      {"server/grpc", {"mapping", "server/app", "server/wire", "server/metrics", "server/log", "proto"}},
+      {"server/http", {"mapping/base"}},
+      {"server/json", {"mapping/base"}},
+      {"server/gateway", {"mapping/base", "server/wire/types", "server/http", "server/json", "proto"}},
       {"server", {"mapping", "storage/store.h", "server", "proto"}},  // main.cc: wiring
       {"clients/datasets", {"mapping"}},
       {"clients/simulator", {"mapping"}},
       {"clients/evaluator", {"mapping", "clients/datasets"}},
       {"clients/evaluator/baselines", {"mapping", "clients/evaluator/mapping_system.h"}},
-      {"clients/cli", {"mapping/base", "mapping/map", "mapping/sensor", "clients/datasets", "proto"}},
+      {"clients/cli",
+       {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor", "server/wire/types", "clients/datasets",
+        "proto"}},
   };
   return arrows;
+}
+
+/// Front headers: all of a room that others may include; its other headers are inner ones and stay inside. Tests of
+/// the room, benches, which measure its parts, and fuzzers, which feed them, see those too. A room that is not here
+/// shows everything.
+const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
+  static const std::map<std::string, std::vector<std::string>> front = {
+      {"mapping/map",
+       {"block_table.h", "bounding_sphere.h", "display_name.h", "history_id.h", "label_block.h", "map.h",
+        "map_config.h", "map_grid.h", "observed_sphere.h", "session_marks.h", "slope.h", "submap.h", "tsdf_block.h",
+        "voxel_answer.h", "voxel_average.h"}},
+      {"mapping/sensor", {"frame.h", "frame_reach.h", "image_codec.h", "lidar_projection.h", "pinhole_camera.h"}},
+      {"mapping/fusion", {"band_size.h", "bundler.h", "grid_ray.h", "integrator.h", "segment_parts.h"}},
+      {"mapping/tracking", {"activity.h", "tracker.h", "visibility.h"}},
+      {"mapping/refinement", {"refine_map.h"}},
+      {"mapping/query", {"point_lookup.h"}},
+      {"mapping/mesh", {"map_mesh.h", "mesh.h", "mesh_stream.h"}},
+      {"mapping/io", {"pcd.h", "ply.h"}},
+      {"mapping/pipeline", {"map_builder.h"}},
+      {"storage", {"store.h"}},
+  };
+  return front;
 }
 
 /// Third-party headers, and the paths below which alone they may be included.
@@ -58,16 +89,22 @@ struct Fence {
 const std::vector<Fence>& Fences() {
   static const std::vector<Fence> fences = {
       {"sqlite3\\.h", {"storage/sqlite"}, false},
-      {"grpcpp/|google/|dhpmap/v1/",
-       {"server/grpc", "server/rest", "server/ingest", "server/main.cc", "clients/cli", "tests"},
+      {"grpcpp/|grpc/|dhpmap/v1/.*grpc\\.pb\\.h",
+       {"server/grpc", "server/gateway", "server/main.cc", "clients/cli", "tests"},
+       true},
+      {"dhpmap/v1/", {"server/wire", "server/grpc", "server/gateway", "server/main.cc", "clients/cli", "tests"}, true},
+      {"google/",
+       {"server/wire", "server/grpc", "server/json", "server/gateway", "server/main.cc", "clients/cli", "tests"},
        true},
       {"opencv2/", {"mapping/sensor", "clients/simulator", "clients/evaluator", "tests"}, false},
       {"nanoflann", {"clients/evaluator"}, false},
       {"pcl/", {"mapping/io", "tests"}, false},
-      {"boost/", {"server/rest", "tests"}, false},
+      {"boost/", {"server/http", "tests"}, false},
       {"yaml-cpp/", {"server/config", "tests"}, false},
       {"spdlog/", {"server/log"}, false},
       {"prometheus/", {"server/metrics"}, false},
+      // Everywhere else a mutex is that of mutex.h, which says what it guards.
+      {"(mutex|shared_mutex|condition_variable)$", {"mapping/base/mutex.h", "tests"}, true},
   };
   return fences;
 }
@@ -81,7 +118,7 @@ struct Include {
 const std::vector<Include>& AllIncludes() {
   static const std::vector<Include> includes = [] {
     std::vector<Include> found;
-    const fs::path root(DHPMAP_SOURCE_DIR);
+    const fs::path root = testing::SourceDir();
     const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
     for (const char* top : {"mapping", "storage", "server", "clients", "tests"}) {
       for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
@@ -131,6 +168,36 @@ TEST(Architecture, RoomsIncludeOnlyWhereTheirArrowsPoint) {
   }
 }
 
+bool MaySeeInside(const std::string& file, const std::string& room) {
+  return IsBelow(file, room) || IsBelow(file, "tests/unit/" + room) || IsBelow(file, "tests/bench") ||
+         IsBelow(file, "tests/fuzz");
+}
+
+TEST(Architecture, InnerHeadersStayInTheirRooms) {
+  for (const Include& include : AllIncludes()) {
+    const std::optional<std::string> room = RoomOf(include.path);
+    if (!room || !FrontHeaders().contains(*room) || MaySeeInside(include.file, *room)) continue;
+    const std::vector<std::string>& front = FrontHeaders().at(*room);
+    const std::string header = include.path.substr(room->size() + 1);
+    EXPECT_NE(std::find(front.begin(), front.end(), header), front.end())
+        << include.file << ":" << include.line << " includes " << include.path << ", which is not a front header";
+  }
+}
+
+TEST(Architecture, FrontHeadersAreUsedOutside) {
+  for (const auto& entry : FrontHeaders()) {
+    const std::string& room = entry.first;
+    EXPECT_TRUE(Arrows().contains(room)) << room << " is no room";
+    for (const std::string& header : entry.second) {
+      const std::string path = (fs::path(room) / header).string();
+      EXPECT_TRUE(std::any_of(
+          AllIncludes().begin(), AllIncludes().end(),
+          [&](const Include& include) { return include.path == path && !MaySeeInside(include.file, room); }))
+          << path << " is used by its own room alone: an inner header";
+    }
+  }
+}
+
 TEST(Architecture, ThirdPartyHeadersStayInTheirRooms) {
   for (const Fence& fence : Fences()) {
     const std::regex pattern("^(" + fence.header + ")");
@@ -150,7 +217,7 @@ TEST(Architecture, ThirdPartyHeadersStayInTheirRooms) {
 
 TEST(Architecture, NoFileIsNamedForNothing) {
   const std::regex empty_name("^(utils?|common|helpers?|misc)$");
-  const fs::path root(DHPMAP_SOURCE_DIR);
+  const fs::path root = testing::SourceDir();
   for (const char* top : {"mapping", "storage", "server", "clients", "tests", "proto", "deploy"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       EXPECT_FALSE(std::regex_match(entry.path().stem().string(), empty_name)) << entry.path();
@@ -159,7 +226,7 @@ TEST(Architecture, NoFileIsNamedForNothing) {
 }
 
 TEST(Architecture, NoSourceIsLongerThan500Lines) {
-  const fs::path root(DHPMAP_SOURCE_DIR);
+  const fs::path root = testing::SourceDir();
   for (const char* top : {"mapping", "storage", "server", "clients", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       if (entry.path().extension() != ".h" && entry.path().extension() != ".cc") continue;

@@ -55,7 +55,8 @@ TEST_F(SqliteStoreTest, KeepsTotalsAndBoxesInStep) {
   }
   ASSERT_TRUE(store_->DeleteMap("house").ok());
   EXPECT_EQ(Query("SELECT (SELECT count(*) FROM submaps) + (SELECT count(*) FROM tsdf_blocks) + (SELECT count(*) FROM "
-                  "label_blocks) + (SELECT count(*) FROM submap_boxes) + (SELECT count(*) FROM map_config)"),
+                  "label_blocks) + (SELECT count(*) FROM submap_boxes) + (SELECT count(*) FROM map_config) + (SELECT "
+                  "count(*) FROM feed_sessions)"),
             0);
 }
 

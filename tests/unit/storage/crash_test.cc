@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Failing disks, killed processes, and two processes on one file.
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -90,7 +91,7 @@ TEST_F(SqliteStoreTest, ASecondStoreOnAFileIsRefusedUntilTheFirstIsClosed) {
   for (const char* name : {"maps.db", "other-name.db"}) {
     const Status second = OpenSqliteStore((folder_.path() / name).string()).status();
     EXPECT_EQ(second.code(), StatusCode::kFailedPrecondition);
-    EXPECT_EQ(second.reason(), "DATABASE_IN_USE");
+    EXPECT_EQ(second.reason(), Reason("DATABASE_IN_USE"));
     EXPECT_NE(second.message().find(std::to_string(getpid())), std::string::npos) << second.ToString();
   }
   CreateSample("house");  // the first is not disturbed
@@ -111,13 +112,62 @@ TEST_F(SqliteStoreTest, TheLockOfAProcessEndsWithItHoweverItEnds) {
   ASSERT_EQ(read(ready[0], &opened, 1), 1);
   ASSERT_EQ(opened, 'y');
   const Status refused = TryOpen();
-  EXPECT_EQ(refused.reason(), "DATABASE_IN_USE");
+  EXPECT_EQ(refused.reason(), Reason("DATABASE_IN_USE"));
   EXPECT_NE(refused.message().find(std::to_string(child)), std::string::npos) << refused.ToString();
   EXPECT_TRUE(TryOpen(true).ok()) << "reading is allowed";
   kill(child, SIGKILL);
   WaitFor(child);
   Open();
   for (const int end : ready) close(end);
+}
+
+/// What another process is answered that opens `path` for writing: 'o' for OK, 'u' for in use, 'e' for all else.
+char OpenElsewhere(const std::string& path) {
+  const int state = WaitFor(Spawn([&] {
+    const auto store = OpenSqliteStore(path);
+    if (store.ok()) _exit('o');
+    _exit(store.status().reason() == Reason("DATABASE_IN_USE") ? 'u' : 'e');
+  }));
+  return WIFEXITED(state) ? static_cast<char>(WEXITSTATUS(state)) : 'k';
+}
+
+/// Whether another process sees SQLite's lock on the database: without it, others take it for closed.
+bool HasSqliteLock(const std::string& path) {
+  const int state = WaitFor(Spawn([&] {
+    struct flock shared {};
+    shared.l_type = F_WRLCK;
+    shared.l_whence = SEEK_SET;
+    shared.l_start = 0x40000002;  // SHARED_FIRST of SQLite's file format
+    shared.l_len = 510;
+    const int file = open(path.c_str(), O_RDWR);
+    _exit(file >= 0 && fcntl(file, F_GETLK, &shared) == 0 && shared.l_type == F_RDLCK ? 'y' : 'n');
+  }));
+  return WIFEXITED(state) && WEXITSTATUS(state) == 'y';
+}
+
+TEST_F(SqliteStoreTest, TheLockFollowsTheFileNotItsName) {
+  Open();
+  const auto map = CreateSample("house");
+  const std::string link = (folder_.path() / "hard-link.db").string();
+  fs::create_hard_link(Path(), link);
+  ASSERT_TRUE(HasSqliteLock(Path()));
+  EXPECT_EQ(OpenElsewhere(link), 'u');
+  EXPECT_EQ(OpenSqliteStore(link).status().reason(), Reason("DATABASE_IN_USE"));
+  ASSERT_TRUE(fs::remove(Path() + "-lock"));
+  EXPECT_EQ(OpenElsewhere(Path()), 'u');
+  EXPECT_EQ(OpenSqliteStore(Path()).status().reason(), Reason("DATABASE_IN_USE"));
+  EXPECT_FALSE(fs::exists(link + "-lock"));
+
+  // Those that were refused have not disturbed the first.
+  EXPECT_TRUE(HasSqliteLock(Path()));
+  const auto before = map->published();
+  generator_.Change(*map);
+  ASSERT_TRUE(store_->Commit(*before, *map->Publish(20), Durability::kFull).ok());
+  ExpectStored(*map->published());
+
+  store_ = nullptr;
+  EXPECT_EQ(OpenElsewhere(link), 'o');
+  Open();
 }
 
 TEST_F(SqliteStoreTest, KilledAtAnyWriteOfACommitItHasTheStateBeforeOrAfter) {
@@ -130,6 +180,7 @@ TEST_F(SqliteStoreTest, KilledAtAnyWriteOfACommitItHasTheStateBeforeOrAfter) {
     generator_.AddBlocks(*map->FindMutable(SubmapId(2)), 2);
     generator_.AddSubmap(*map, 1);
     if (nth % 3 == 0) map->Remove(map->submaps().back()->id());
+    map->mutable_info().sessions.Set({"robot", nth, nth});
     const auto after = map->Publish(nth);
     store_ = nullptr;
     const int state = WaitFor(Spawn([&] {

@@ -26,10 +26,13 @@ class MapGenerator {
     MapInfo info;
     info.name = name;
     info.display_name = "Map \xC3\xA9 " + name;
+    info.history_id = 1 + static_cast<std::uint64_t>(Below(1 << 30));
     info.config.voxel_size_m = 0.05;
     info.config.truncation_m = 0.2;
     info.config.tracking.iou_threshold = 0.1 + 1.0 / 3;
     info.create_time_ns = 1'700'000'000'123'456'789;
+    info.sessions.Set({"robot-1:" + name, -7, 1'700'000'000'000'000'021});
+    info.sessions.Set({"Robot.2", 4'000'000'000'123, 1'700'000'000'000'000'022});
     auto labels = LabelSet::Create({{ClassId(1), "chair", Panoptic::kThing, SizeClass::kSmall, {1, 2, 3}},
                                     {ClassId(9), "wall", Panoptic::kStuff, SizeClass::kLarge, {255, 254, 0}}});
     info.label_set = std::make_shared<const LabelSet>(std::move(labels).value());
@@ -106,7 +109,9 @@ class MapGenerator {
 
   /// One to four random writes to a map, as mapping and edits do them.
   void Change(Map& map) {
-    map.mutable_info().num_frames += 1;
+    MapInfo& info = map.mutable_info();
+    info.num_frames += 1;
+    info.sessions.Set({"run" + std::to_string(info.num_frames % 3), info.num_frames, 5 + info.num_frames});
     for (int n = 1 + Below(4); n > 0; --n) ChangeOnce(map);
   }
 
@@ -175,6 +180,7 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
   const MapInfo &e = expected.info(), &a = actual.info();
   EXPECT_EQ(e.name, a.name);
   EXPECT_EQ(e.display_name, a.display_name);
+  EXPECT_EQ(e.history_id, a.history_id);
   EXPECT_EQ(ConfigToText(e.config), ConfigToText(a.config));
   EXPECT_EQ(*e.label_set, *a.label_set);
   EXPECT_EQ(e.revision, a.revision);
@@ -182,6 +188,7 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
   EXPECT_EQ(e.next_submap_id, a.next_submap_id);
   EXPECT_EQ(e.create_time_ns, a.create_time_ns);
   EXPECT_EQ(e.update_time_ns, a.update_time_ns);
+  EXPECT_EQ(e.sessions, a.sessions);
   ASSERT_EQ(expected.submaps().size(), actual.submaps().size());
   for (std::size_t s = 0; s < expected.submaps().size(); ++s) {
     const Submap &one = *expected.submaps()[s], &other = *actual.submaps()[s];

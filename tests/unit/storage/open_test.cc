@@ -39,12 +39,12 @@ TEST_F(SqliteStoreTest, AnEmptyFileBecomesADatabase) {
 
 TEST_F(SqliteStoreTest, ADatabaseOfAnotherApplicationIsRefusedAndStaysAsItIs) {
   Tamper("CREATE TABLE theirs (x)");
-  EXPECT_EQ(TryOpen().reason(), "FOREIGN_DATABASE");
+  EXPECT_EQ(TryOpen().reason(), Reason("FOREIGN_DATABASE"));
   Tamper("PRAGMA application_id = 77");
   for (const bool read_only : {false, true}) {
     const Status opened = TryOpen(read_only);
     EXPECT_EQ(opened.code(), StatusCode::kFailedPrecondition);
-    EXPECT_EQ(opened.reason(), "FOREIGN_DATABASE");
+    EXPECT_EQ(opened.reason(), Reason("FOREIGN_DATABASE"));
   }
   EXPECT_EQ(Query("SELECT count(*) FROM sqlite_schema"), 1);
   EXPECT_EQ(Query("PRAGMA application_id"), 77);
@@ -58,7 +58,7 @@ TEST_F(SqliteStoreTest, ANewerSchemaIsRefused) {
   for (const bool read_only : {false, true}) {
     const Status opened = TryOpen(read_only);
     EXPECT_EQ(opened.code(), StatusCode::kFailedPrecondition);
-    EXPECT_EQ(opened.reason(), "NEWER_SCHEMA");
+    EXPECT_EQ(opened.reason(), Reason("NEWER_SCHEMA"));
     EXPECT_NE(opened.message().find("99"), std::string::npos);
   }
 }
@@ -122,7 +122,7 @@ TEST_F(SqliteStoreTest, AStoreOpenedReadOnlyReadsAndRefusesToWrite) {
   map->mutable_info().num_frames = 5;
   const Status committed = store_->Commit(*before, *map->Publish(20), Durability::kNormal);
   EXPECT_EQ(committed.code(), StatusCode::kFailedPrecondition);
-  EXPECT_EQ(committed.reason(), "NOT_WRITABLE");
+  EXPECT_EQ(committed.reason(), Reason("NOT_WRITABLE"));
   EXPECT_EQ(store_->DeleteMap("house").code(), StatusCode::kFailedPrecondition);
   Map other(generator_.Info("other"));
   EXPECT_EQ(store_->CreateMap(*other.Publish(1)).code(), StatusCode::kFailedPrecondition);

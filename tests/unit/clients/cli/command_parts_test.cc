@@ -3,10 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "clients/cli/ack_summary.h"
 #include "clients/cli/class_names.h"
 #include "clients/cli/exit_code.h"
 #include "clients/cli/frame_selection.h"
@@ -81,32 +79,6 @@ TEST(ExitCodeOf, TellsClassesOfErrorsApart) {
   EXPECT_EQ(ExitCodeOf(grpc::StatusCode::ABORTED), ExitCode::kConflict);
   EXPECT_EQ(ExitCodeOf(grpc::StatusCode::UNAVAILABLE), ExitCode::kUnreachable);
   EXPECT_EQ(ExitCodeOf(grpc::StatusCode::DATA_LOSS), ExitCode::kServerFailed);
-}
-
-TEST(AckSummary, TellsOfEachKindOnceAndCountsTheRest) {
-  AckSummary summary;
-  EXPECT_TRUE(summary.AddSkipped(NotFound("no 1_color.png").WithReason("MISSING_FILE")));
-  EXPECT_FALSE(summary.AddSkipped(NotFound("no 2_color.png").WithReason("MISSING_FILE")));
-  EXPECT_TRUE(summary.AddSkipped(NotFound("no 2_pose.txt").WithReason("MISSING_FILE"))) << "another kind of file";
-  v1::IntegrateFramesResponse refused;
-  refused.set_error_code(3);
-  refused.set_error_reason("BAD_POSE");
-  refused.set_error_message("not rigid");
-  EXPECT_TRUE(summary.AddAck(refused));
-  EXPECT_FALSE(summary.AddAck(refused));
-  v1::IntegrateFramesResponse fused;
-  fused.set_revision(4);
-  fused.set_num_created(2);
-  EXPECT_FALSE(summary.AddAck(fused));
-  EXPECT_EQ(summary.num_done(), 6u);
-  const auto json = nlohmann::json::parse(summary.Json({}, 1.0));
-  EXPECT_EQ(json["numFused"], 1);
-  EXPECT_EQ(json["revision"], 4);
-  EXPECT_EQ(json["skipped"][0]["count"], 2);
-  EXPECT_EQ(json["refused"][0]["firstMessage"], "not rigid");
-  std::ostringstream out;
-  summary.Print(out, 1.0);
-  EXPECT_NE(out.str().find("2 skipped, MISSING_FILE: no 1_color.png"), std::string::npos) << out.str();
 }
 
 TEST(OutputFile, IsThereOnlyOnceComplete) {

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "clients/cli/ack_summary.h"
 #include "clients/cli/frame_message.h"
 
 namespace dhpmap {
@@ -124,6 +125,111 @@ TEST_F(StreamFramesTest, StopsInGoodOrderWhenTheQueueIsStopped) {
   EXPECT_LT(acks_.size(), 50u);
 }
 
+/// Remembers a session as the server does: takes frames in order, stores every fourth with those before, and breaks the
+/// connection after so many frames, for which what is not stored is lost.
+class FakeSessions : public v1::MappingService::Service {
+ public:
+  int break_after = 7;
+  std::int64_t stored = -1;
+  std::vector<std::int64_t> taken;
+  std::vector<v1::IntegrateFramesRequest> greetings;
+
+  grpc::Status IntegrateFrames(
+      grpc::ServerContext*,
+      grpc::ServerReaderWriter<v1::IntegrateFramesResponse, v1::IntegrateFramesRequest>* stream) override {
+    std::int64_t last = stored;
+    int num_frames = 0;
+    v1::IntegrateFramesRequest request;
+    for (bool is_first = true; stream->Read(&request); is_first = false) {
+      v1::IntegrateFramesResponse answer;
+      if (is_first) {
+        greetings.push_back(request);
+      } else {
+        if (++num_frames == break_after) {
+          std::erase_if(taken, [this](std::int64_t sequence) { return sequence > stored; });
+          return {grpc::StatusCode::UNAVAILABLE, "gone"};
+        }
+        taken.push_back(request.sequence());
+        last = request.sequence();
+        if (num_frames % 4 == 0) stored = last;
+        answer.set_outcome(v1::FUSED);
+        answer.set_sequence(last);
+      }
+      if (stored >= 0) answer.set_committed_sequence(stored);
+      stream->Write(answer);
+    }
+    stored = last;
+    v1::IntegrateFramesResponse answer;
+    answer.set_committed_sequence(stored);
+    stream->Write(answer);
+    return grpc::Status::OK;
+  }
+};
+
+class StreamSessionTest : public ::testing::Test {
+ protected:
+  grpc::Status Stream(const FrameSession& session, std::size_t num_frames) {
+    grpc::ServerBuilder builder;
+    builder.RegisterService(&service_);
+    const auto server = builder.BuildAndStart();
+    const auto stub = v1::MappingService::NewStub(server->InProcessChannel({}));
+    std::vector<std::size_t> indices(num_frames);
+    std::iota(indices.begin(), indices.end(), 0);
+    const grpc::Status status = StreamSession(
+        *stub, session, indices,
+        {.read =
+             [this](const std::vector<std::size_t>& left) {
+               return std::make_unique<FrameQueue>(dataset_, left, false, [](std::size_t, const Status&) {});
+             },
+         .on_stored_before = [this](std::size_t count) { stored_before_.push_back(count); },
+         .on_ack = [this](const v1::IntegrateFramesResponse& ack) { EXPECT_FALSE(summary_.AddAck(ack)); },
+         .on_progress = [this](const v1::IntegrateFramesResponse& a) { summary_.AddProgress(a); },
+         .reconnect = [this](const grpc::Status&) { return ++num_lost_ < max_lost_; }});
+    server->Shutdown();
+    return status;
+  }
+  FakeDataset dataset_;
+  FakeSessions service_;
+  AckSummary summary_;
+  std::vector<std::size_t> stored_before_;
+  int num_lost_ = 0, max_lost_ = 1000;
+};
+
+TEST_F(StreamSessionTest, GoesOnAfterEachLostConnectionWithWhatIsNotStored) {
+  const grpc::Status status = Stream({.map = "maps/m", .name = "robot", .take_over = true}, 30);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  std::vector<std::int64_t> wanted;
+  for (std::int64_t i = 0; i < 30; ++i) {
+    if (i % 10 != 9) wanted.push_back(i);  // the others cannot be read
+  }
+  EXPECT_EQ(service_.taken, wanted) << "each once, in order, none is missing";
+  EXPECT_GE(num_lost_, 3);
+  EXPECT_EQ(summary_.num_fused(), wanted.size());
+  EXPECT_EQ(summary_.num_stored(), wanted.size());
+  EXPECT_EQ(stored_before_, (std::vector<std::size_t>{0})) << "said once";
+  for (std::size_t i = 0; i < service_.greetings.size(); ++i) {
+    const v1::IntegrateFramesRequest& greeting = service_.greetings[i];
+    EXPECT_EQ(greeting.map(), "maps/m");
+    EXPECT_EQ(greeting.session(), "robot");
+    EXPECT_FALSE(greeting.has_frame());
+    EXPECT_EQ(greeting.take_over(), i == 0) << "who took over from us since may keep it";
+  }
+}
+
+TEST_F(StreamSessionTest, SendsOnlyWhatAnEarlierRunHasNotStored) {
+  service_.break_after = -1;
+  service_.stored = 11;
+  ASSERT_TRUE(Stream({.map = "maps/m", .name = "robot"}, 15).ok());
+  EXPECT_EQ(service_.taken, (std::vector<std::int64_t>{12, 13, 14}));
+  EXPECT_EQ(stored_before_, (std::vector<std::size_t>{12}));
+}
+
+TEST_F(StreamSessionTest, EndsIfThereIsNoOtherConnectionAndSaysWhatIsStored) {
+  max_lost_ = 1;
+  EXPECT_EQ(Stream({.map = "maps/m", .name = "robot"}, 30).error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_LE(summary_.num_stored(), 4u);
+}
+
 TEST(ToMessage, CarriesImagesPoseAndSegments) {
   DatasetFrame frame;
   frame.stamp_ns = 5;
@@ -146,7 +252,7 @@ TEST(ToMessage, CarriesImagesPoseAndSegments) {
 
 TEST(ToMessage, CarriesScansWithTheirCamera) {
   DatasetFrame frame;
-  frame.lidar.emplace();
+  frame.lidar = DatasetFrame::Lidar{};  // clang 14 takes emplace() for ill-formed
   frame.lidar->points_m = {{1, 2, 3}, {4, 5, 6}};
   frame.lidar->segments = {7, 8};
   EXPECT_FALSE(ToMessage(frame, true).lidar().has_camera());

@@ -41,7 +41,7 @@ TEST(ReadRows, TrimsCellsAndSkipsCommentsBlanksAndByteOrderMarks) {
 
 TEST(ReadText, OfAFolderIsAnError) {
   const TempDir temp;
-  EXPECT_EQ(ReadText(temp.path()).status().reason(), "MISSING_FILE");
+  EXPECT_EQ(ReadText(temp.path()).status().reason(), Reason("MISSING_FILE"));
   WriteText(temp.path() / "empty", "");
   EXPECT_EQ(*ReadText(temp.path() / "empty"), "");
 }

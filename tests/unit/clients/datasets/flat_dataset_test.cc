@@ -105,7 +105,7 @@ TEST_F(FlatDataset, MissingFilesAreNamedAndTheNextFrameStillReads) {
     std::filesystem::rename(path, path.string() + ".away");
     const Status status = dataset->Read(0).status();
     EXPECT_EQ(status.code(), StatusCode::kNotFound);
-    EXPECT_EQ(status.reason(), "MISSING_FILE");
+    EXPECT_EQ(status.reason(), Reason("MISSING_FILE"));
     EXPECT_NE(status.message().find(path.filename().string()), std::string::npos);
     EXPECT_TRUE(dataset->Read(1).ok());
     std::filesystem::rename(path.string() + ".away", path);
@@ -120,7 +120,7 @@ TEST_F(FlatDataset, BrokenFramesSayWhatIsWrong) {
     WriteText(path, text);
     const Status status = dataset->Read(0).status();
     WriteFlatFrame(root() / "run1", "000000");
-    return status.reason();
+    return std::string(status.reason().name());
   };
   EXPECT_EQ(reason_with("_pose.txt", "1 0 0 0 0 1 0"), "BAD_POSE");
   EXPECT_EQ(reason_with("_pose.txt", "1 0 zero 0\n0 1 0 0\n0 0 1 0\n0 0 0 1"), "BAD_POSE");
@@ -160,7 +160,7 @@ TEST_F(FlatDataset, BrokenListsAndTablesFailAtOpening) {
   WriteText(root() / "groundtruth_labels.csv", "Name\nchair\n");
   EXPECT_EQ(open(LabelSource::kGroundTruth).code(), StatusCode::kInvalidArgument);
   std::filesystem::remove(root() / "groundtruth_labels.csv");
-  EXPECT_EQ(open(LabelSource::kGroundTruth).reason(), "NO_LABELS");
+  EXPECT_EQ(open(LabelSource::kGroundTruth).reason(), Reason("NO_LABELS"));
   WriteText(root() / "run1/camera.txt", "640 480 0 320 320 240");
   EXPECT_EQ(open(LabelSource::kNone).code(), StatusCode::kInvalidArgument);
   std::filesystem::remove(root() / "run1/camera.txt");

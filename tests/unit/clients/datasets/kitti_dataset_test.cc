@@ -77,7 +77,7 @@ TEST_F(KittiDataset, WithoutImagesTheWholeScanIsThereAndPredictionsAreNot) {
   const DatasetFrame frame = (*Open(LabelSource::kGroundTruth))->Read(0).value();
   EXPECT_EQ(frame.lidar->image_width_px, 0);
   EXPECT_EQ(DecodeFrame(frame, true)->lidar->points_m.size(), 4u);
-  EXPECT_EQ(Open(LabelSource::kPredicted).status().reason(), "NO_LABELS");
+  EXPECT_EQ(Open(LabelSource::kPredicted).status().reason(), Reason("NO_LABELS"));
 }
 
 TEST_F(KittiDataset, TheRootOfSeveralSequencesOpensTheFirst) {
@@ -90,14 +90,14 @@ TEST_F(KittiDataset, TheRootOfSeveralSequencesOpensTheFirst) {
 TEST_F(KittiDataset, BrokenScansSayWhatIsWrong) {
   const auto dataset = std::move(*Open(LabelSource::kGroundTruth));
   WriteText(sequence() / "labels/000000.label", "1234");
-  EXPECT_EQ(dataset->Read(0).status().reason(), "BAD_SCAN");
+  EXPECT_EQ(dataset->Read(0).status().reason(), Reason("BAD_SCAN"));
   WriteText(sequence() / "velodyne/000000.bin", "12345");
-  EXPECT_EQ(dataset->Read(0).status().reason(), "BAD_SCAN");
+  EXPECT_EQ(dataset->Read(0).status().reason(), Reason("BAD_SCAN"));
   WriteKittiSequence(sequence());
   WriteText(sequence() / "image_2/000000.png", "no image");
-  EXPECT_EQ(dataset->Read(0).status().reason(), "BAD_IMAGE");
+  EXPECT_EQ(dataset->Read(0).status().reason(), Reason("BAD_IMAGE"));
   std::filesystem::remove(sequence() / "labels/000000.label");
-  EXPECT_EQ(dataset->Read(0).status().reason(), "MISSING_FILE");
+  EXPECT_EQ(dataset->Read(0).status().reason(), Reason("MISSING_FILE"));
 }
 
 TEST_F(KittiDataset, ScansWithoutAPoseAreSkippedByNumber) {
@@ -105,7 +105,7 @@ TEST_F(KittiDataset, ScansWithoutAPoseAreSkippedByNumber) {
   const auto dataset = std::move(*Open(LabelSource::kNone));
   ASSERT_EQ(dataset->num_frames(), 2u);
   EXPECT_TRUE(dataset->Read(0).ok());
-  EXPECT_EQ(dataset->Read(1).status().reason(), "NO_MATCH");
+  EXPECT_EQ(dataset->Read(1).status().reason(), Reason("NO_MATCH"));
 }
 
 TEST_F(KittiDataset, BrokenCalibrationFailsAtOpening) {

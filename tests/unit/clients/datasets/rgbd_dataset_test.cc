@@ -29,6 +29,17 @@ TEST(SevenScenesDataset, OpensTheFirstSequenceAndReadsMillimetres) {
   EXPECT_FALSE(frame->camera->depth_m[0] > 0) << "65535 is no return";
 }
 
+TEST(SevenScenesDataset, ANumberThatNoFrameHasGivesNoTime) {
+  const TempDir temp;
+  WriteSevenScenes(temp.path());
+  const auto folder = temp.path() / "seq-01";
+  for (const char* ending : {".depth.png", ".color.png", ".pose.txt"}) {
+    std::filesystem::rename(folder / (std::string("frame-000003") + ending),
+                            folder / (std::string("frame-9000000000000000000") + ending));
+  }
+  EXPECT_EQ((*Open(folder))->Read(0)->stamp_ns, 0) << "that of its place in the list";
+}
+
 TEST(SevenScenesDataset, IntrinsicsComeFromTheMatrixBesideTheSequences) {
   const TempDir temp;
   WriteSevenScenes(temp.path());
@@ -41,16 +52,16 @@ TEST(SevenScenesDataset, IntrinsicsComeFromTheMatrixBesideTheSequences) {
 TEST(SevenScenesDataset, HasNoLabelsAndSaysSo) {
   const TempDir temp;
   WriteSevenScenes(temp.path());
-  EXPECT_EQ(Open(temp.path(), LabelSource::kPredicted).status().reason(), "NO_LABELS");
+  EXPECT_EQ(Open(temp.path(), LabelSource::kPredicted).status().reason(), Reason("NO_LABELS"));
 }
 
 TEST(SevenScenesDataset, FramesWithoutColourOrPoseAreSkipped) {
   const TempDir temp;
   WriteSevenScenes(temp.path());
   const auto dataset = std::move(*Open(temp.path() / "seq-02"));
-  EXPECT_EQ(dataset->Read(0).status().reason(), "MISSING_FILE");
+  EXPECT_EQ(dataset->Read(0).status().reason(), Reason("MISSING_FILE"));
   WriteText(temp.path() / "seq-02/frame-000000.pose.txt", "1 0 0 0");
-  EXPECT_EQ(dataset->Read(0).status().reason(), "BAD_POSE");
+  EXPECT_EQ(dataset->Read(0).status().reason(), Reason("BAD_POSE"));
 }
 
 TEST(SevenScenesDataset, SharedKitchenReadsUnchanged) {
@@ -83,7 +94,7 @@ TEST(TumDataset, FramesWithNothingNearInTimeAreSkipped) {
   WriteTum(temp.path());
   const auto dataset = std::move(*Open(temp.path()));
   EXPECT_TRUE(dataset->Read(1).ok());
-  EXPECT_EQ(dataset->Read(2).status().reason(), "NO_MATCH");
+  EXPECT_EQ(dataset->Read(2).status().reason(), Reason("NO_MATCH"));
 }
 
 TEST(TumDataset, IntrinsicsFollowTheNameOrTheCameraFile) {

@@ -95,7 +95,7 @@ TEST(FindClassMap, DoesNotGuess) {
   const auto map = FindClassMap(dir.path(), {MakeClass(40, "road"), MakeClass(48, "sidewalk")}, {MakeClass(1, "road")});
   ASSERT_FALSE(map.ok());
   EXPECT_EQ(map.status().code(), StatusCode::kFailedPrecondition);
-  EXPECT_EQ(map.status().reason(), "NO_CLASS_MAP");
+  EXPECT_EQ(map.status().reason(), Reason("NO_CLASS_MAP"));
 }
 
 TEST(FindClassMap, ReadsTheDevelopersSequences) {

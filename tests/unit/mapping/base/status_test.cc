@@ -16,11 +16,11 @@ namespace {
 TEST(Status, IsOkByDefaultAndCarriesWhatItWasGiven) {
   EXPECT_TRUE(Status().ok());
   EXPECT_TRUE(Status::Ok().ok());
-  const Status status = NotFound("no map 'a'").WithReason("NO_SUCH_MAP").WithViolation("map", "does not exist");
+  const Status status = NotFound("no map 'a'").WithReason("MAP_NOT_FOUND").WithViolation("map", "does not exist");
   EXPECT_FALSE(status.ok());
   EXPECT_EQ(status.code(), StatusCode::kNotFound);
   EXPECT_EQ(status.message(), "no map 'a'");
-  EXPECT_EQ(status.reason(), "NO_SUCH_MAP");
+  EXPECT_EQ(status.reason(), Reason("MAP_NOT_FOUND"));
   ASSERT_EQ(status.violations().size(), 1u);
   EXPECT_EQ(status.violations()[0].field, "map");
 }

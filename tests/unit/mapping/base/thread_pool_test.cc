@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <mutex>
+#include <new>
 #include <set>
+#include <stdexcept>
+#include <thread>
 
 namespace dhpmap {
 namespace {
@@ -55,6 +59,74 @@ TEST(ThreadPool, OfTwoUsesBothThreads) {
     threads.insert(std::this_thread::get_id());
   });
   EXPECT_EQ(threads.size(), 2u);
+}
+
+TEST_P(ThreadPools, HandTheFirstExceptionToTheCallerAndGoOn) {
+  ThreadPool pool(GetParam());
+  for (int round = 0; round < 50; ++round) {
+    std::atomic<int> begun = 0, ended = 0;
+    const auto body = [&](std::size_t i) {
+      ++begun;
+      if (i == 7) throw std::runtime_error("item 7");
+      std::this_thread::yield();
+      ++ended;
+    };
+    try {
+      pool.ParallelFor(100'000, body);
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "item 7");
+    }
+    const int begun_then = begun;
+    EXPECT_EQ(ended + 1, begun_then) << "an item was still running";
+    EXPECT_LT(begun_then, 100'000) << "items that had not begun were run";
+    std::atomic<int> sum = 0;
+    pool.ParallelFor(10, [&sum](std::size_t i) { sum += static_cast<int>(i); });
+    EXPECT_EQ(sum, 45) << "the pool works on";
+  }
+}
+
+TEST_P(ThreadPools, RunLoopsOfSeveralCallersAtOnce) {
+  ThreadPool pool(GetParam());
+  constexpr std::size_t kCallers = 6;
+  std::vector<std::int64_t> sums(kCallers, 0);
+  std::vector<std::thread> callers;
+  for (std::size_t c = 0; c < kCallers; ++c) {
+    callers.emplace_back([&pool, &sums, c] {
+      for (int round = 0; round < 100; ++round) {
+        std::vector<std::int64_t> values(c * 30 + 1, 0);
+        pool.ParallelFor(values.size(), [&values, c](std::size_t i) { values[i] = static_cast<std::int64_t>(c * i); });
+        for (const std::int64_t value : values) sums[c] += value;
+      }
+    });
+  }
+  for (std::thread& caller : callers) caller.join();
+  for (std::size_t c = 0; c < kCallers; ++c) {
+    const auto n = static_cast<std::int64_t>(c * 30);
+    EXPECT_EQ(sums[c], 100 * static_cast<std::int64_t>(c) * n * (n + 1) / 2);
+  }
+}
+
+TEST_P(ThreadPools, RunALoopWithinALoop) {
+  ThreadPool pool(GetParam());
+  std::atomic<int> sum = 0;
+  pool.ParallelFor(20, [&](std::size_t) { pool.ParallelFor(30, [&](std::size_t) { ++sum; }); });
+  EXPECT_EQ(sum, 600);
+}
+
+TEST(ThreadPool, AThrowingCallerDoesNotDisturbAnother) {
+  ThreadPool pool(3);
+  std::atomic<bool> ends = false;
+  std::thread other([&] {
+    while (!ends) EXPECT_THROW(pool.ParallelFor(50, [](std::size_t) { throw std::bad_alloc(); }), std::bad_alloc);
+  });
+  for (int round = 0; round < 300; ++round) {
+    std::vector<std::atomic<int>> times(40);
+    pool.ParallelFor(times.size(), [&times](std::size_t i) { ++times[i]; });
+    for (const auto& t : times) ASSERT_EQ(t, 1);
+  }
+  ends = true;
+  other.join();
 }
 
 TEST(ThreadPool, ZeroMeansOneThreadACore) { EXPECT_GE(ThreadPool(0).num_threads(), 1); }

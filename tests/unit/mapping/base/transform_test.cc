@@ -21,7 +21,7 @@ void ExpectRefused(const Eigen::Matrix4d& matrix) {
   const auto result = TransformFromMatrix(matrix, "pose");
   ASSERT_FALSE(result.ok()) << matrix;
   EXPECT_EQ(result.status().code(), StatusCode::kInvalidArgument);
-  EXPECT_EQ(result.status().reason(), "BAD_TRANSFORM");
+  EXPECT_EQ(result.status().reason(), Reason("BAD_TRANSFORM"));
   ASSERT_EQ(result.status().violations().size(), 1u);
   EXPECT_EQ(result.status().violations()[0].field, "pose");
 }
@@ -77,6 +77,14 @@ TEST(TransformFromQuaternion, RefusesZeroAndNonFiniteValues) {
   EXPECT_FALSE(TransformFromQuaternion({0, 0, 0}, {0, 0, 0, 0}, "pose").ok());
   EXPECT_FALSE(TransformFromQuaternion({0, 0, 0}, {0, 0, 0, kNan}, "pose").ok());
   EXPECT_FALSE(TransformFromQuaternion({0, kNan, 0}, {0, 0, 0, 1}, "pose").ok());
+}
+
+TEST(TransformFromQuaternion, RefusesOneTooLargeToBeNormalised) {
+  const auto T = TransformFromQuaternion({0, 0, 0}, {1e200, 0, 0, 1e200}, "pose");
+  ASSERT_FALSE(T.ok()) << "a quarter turn became the identity";
+  EXPECT_EQ(T.status().violations().at(0).field, "pose");
+  EXPECT_FALSE(TransformFromQuaternion({0, 0, 0}, {0, 0, 2e6, 0}, "pose").ok());
+  EXPECT_TRUE(TransformFromQuaternion({0, 0, 0}, {0, 0, 9e5, 0}, "pose").ok());
 }
 
 TEST(Transform, FiniteAndIdentityTests) {

@@ -48,7 +48,7 @@ TEST(MapConfig, NamesEveryKeyThatIsOutOfRangeAtOnce) {
   });
   const Status status = config.Validate();
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
-  EXPECT_EQ(status.reason(), "BAD_CONFIG");
+  EXPECT_EQ(status.reason(), Reason("BAD_CONFIG"));
   const std::vector<std::string> named = Fields(status);
   for (const std::string& key : spoilt) {
     EXPECT_NE(std::find(named.begin(), named.end(), key), named.end()) << key << " is not named";

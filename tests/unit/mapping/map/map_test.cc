@@ -58,6 +58,48 @@ struct DeepCopy {
   }
 };
 
+/// The present state, as a reader would see it.
+DeepCopy StateOf(Map& map) { return DeepCopy(*map.Freeze()); }
+
+TEST(MapFork, GoesItsOwnWayAndIsTheStateToGoBackTo) {
+  Map map(Info());
+  map.Create(Thing("published")).MutableTsdf({0, 0, 0}).distance_m.fill(1);
+  map.Create(Thing("removed later")).MutableLabels({0, 0, 0}).AddObservation(1, ClassId(2));
+  map.Publish(0);
+  map.FindMutable(SubmapId(1))->MutableTsdf({1, 0, 0}).distance_m.fill(2);
+  map.Create(Thing("unpublished")).MutableTsdf({0, 0, 0}).distance_m.fill(3);
+  const DeepCopy state = StateOf(map);
+
+  Map before = map.Fork();
+  EXPECT_EQ(StateOf(before), state);
+  map.FindMutable(SubmapId(1))->MutableTsdf({1, 0, 0}).distance_m.fill(7);
+  map.FindMutable(SubmapId(1))->mutable_info().display_name = "changed";
+  map.FindMutable(SubmapId(3))->MutableTsdf({0, 0, 0}).distance_m.fill(8);
+  map.FindMutable(SubmapId(3))->MutableTsdf({5, 5, 5}).distance_m.fill(9);
+  map.Remove(SubmapId(2));
+  map.Create(Thing("new"));
+  EXPECT_EQ(StateOf(before), state) << "the writer must have copied what it wrote";
+
+  map = std::move(before);
+  EXPECT_EQ(StateOf(map), state);
+  EXPECT_EQ(map.info().next_submap_id, SubmapId(4));
+  map.FindMutable(SubmapId(3))->MutableTsdf({0, 0, 0}).distance_m.fill(4);
+  const auto snapshot = map.Publish(1);
+  EXPECT_EQ(snapshot->revision(), 2);
+  EXPECT_EQ(snapshot->Find(SubmapId(1))->info().revision, 2) << "written before the fork, not yet published then";
+  EXPECT_EQ(snapshot->Find(SubmapId(2))->info().revision, 1);
+  EXPECT_EQ(snapshot->Find(SubmapId(3))->info().revision, 2);
+}
+
+TEST(MapFork, OfAPublishedStatePublishesNothingNew) {
+  Map map(Info());
+  map.Create(Thing());
+  const auto published = map.Publish(0);
+  Map fork = map.Fork();
+  EXPECT_EQ(fork.Publish(1), published);
+  EXPECT_EQ(map.Publish(1), published);
+}
+
 TEST(Map, StartsWithTheUnknownSubmapAlone) {
   const Map map(Info());
   ASSERT_EQ(map.submaps().size(), 1u);
@@ -163,6 +205,28 @@ TEST(Map, WritesInPlaceBetweenTwoPublishes) {
   map.Publish(1);
   const TsdfBlock* block = &map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0});
   EXPECT_EQ(&map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0}), block);
+}
+
+TEST(Map, CloningLeavesTheOriginalAndItsRevisionAsTheyAre) {
+  Map map(MapInfo{});
+  Submap& made = map.Create({.voxel_size_m = 0.1, .truncation_m = 0.2});
+  made.MutableTsdf({0, 0, 0}).weight[0] = 1;
+  const auto before = map.Publish(1);
+  map.Clone(SubmapId(1));
+  const auto after = map.Publish(2);
+  EXPECT_EQ(after->Find(SubmapId(1)), before->Find(SubmapId(1))) << "the very same state";
+  EXPECT_EQ(after->Find(SubmapId(1))->info().revision, before->revision());
+  EXPECT_EQ(after->Find(SubmapId(2))->info().revision, after->revision());
+  ASSERT_EQ(DiffSnapshots(before.get(), *after).size(), 1u);
+
+  // Writing to either leaves the other, and what was published, alone.
+  map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0}).weight[0] = 2;
+  map.FindMutable(SubmapId(2))->MutableTsdf({0, 0, 0}).weight[0] = 3;
+  EXPECT_EQ(map.Find(SubmapId(1))->blocks().Find({0, 0, 0})->tsdf->weight[0], 2);
+  EXPECT_EQ(map.Find(SubmapId(2))->blocks().Find({0, 0, 0})->tsdf->weight[0], 3);
+  for (const auto& entry : {after->Find(SubmapId(1)), after->Find(SubmapId(2)), before->Find(SubmapId(1))}) {
+    EXPECT_EQ(entry->blocks().Find({0, 0, 0})->tsdf->weight[0], 1);
+  }
 }
 
 TEST(Map, CloneSharesBlocksThenDiverges) {
@@ -309,7 +373,7 @@ TEST(ValidateMapName, AcceptsTheNamesTheStoreAndUrlsCanHold) {
        std::vector<std::string>{"", "A", ".a", "-a", "_a", "a b", "a/b", "ä", std::string(64, 'x')}) {
     const Status status = ValidateMapName(bad);
     EXPECT_EQ(status.code(), StatusCode::kInvalidArgument) << bad;
-    EXPECT_EQ(status.reason(), "BAD_NAME");
+    EXPECT_EQ(status.reason(), Reason("BAD_NAME"));
   }
   EXPECT_FALSE(ValidateMapName(std::string("a\0b", 3)).ok());
 }

@@ -25,7 +25,9 @@ Submap Labelled(std::uint32_t id, int count, float distance_m, float weight = 1)
 }
 
 BestLabel ClassOf(const Submap& submap) { return ClassOfVoxel(submap, submap.blocks().entries().front(), kVoxel); }
-VoxelSupport SupportOf(const Submap& submap) { return SupportOfVoxel(submap, submap.blocks().entries().front(), kVoxel); }
+VoxelSupport SupportOf(const Submap& submap) {
+  return SupportOfVoxel(submap, submap.blocks().entries().front(), kVoxel);
+}
 
 TEST(ClassOfVoxel, IsTheSubmapsWithItsShareOfWhatTheVoxelSaw) {
   Submap submap = Labelled(1, 3, 0);  // three times class 9, in a submap of class 4

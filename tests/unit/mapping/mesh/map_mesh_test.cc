@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "mapping/mesh/mesh_stream.h"
 #include "tests/unit/mapping/mesh/mesh_checks.h"
 #include "tests/unit/mapping/mesh/solid_submap.h"
 
@@ -221,6 +222,79 @@ TEST(ExtractMapMesh, MapOfOneSubmapIsThatSubmapsMesh) {
 TEST(ExtractMapMesh, EmptyMapGivesNothing) {
   EXPECT_TRUE(Extract(MapOf({})).vertices_m.empty());
   EXPECT_TRUE(Extract(MapOf({Numbered(Submap(testing::SolidInfo(), 1), 0)})).triangles.empty());
+}
+
+/// A map with overlapping submaps on the grid, one moved off it and one with larger voxels.
+MapSnapshot MixedMap() {
+  std::vector<Submap> submaps;
+  for (std::uint32_t number = 1; number <= 3; ++number) {
+    const Eigen::Vector3d center_m(0.3 * number, 0.2 * number, -0.1 * number);
+    submaps.push_back(Numbered(SolidSubmap(Sphere(center_m, 1.3), {-4, -4, -4}, {5, 4, 3}, number), number));
+  }
+  submaps.push_back(Numbered(SphereSubmap(), 8));
+  submaps.back().mutable_info().T_map_submap.translation() = Eigen::Vector3d(3, 0.01, 0);
+  submaps.push_back(Numbered(SphereSubmap(), 9));
+  submaps.back().mutable_info().voxel_size_m = 2 * kVoxel_m;
+  return MapOf(std::move(submaps));
+}
+
+/// All pieces of a stream put together.
+Mesh Joined(MeshStream stream) {
+  Mesh whole, piece;
+  while (stream.NextVertices(piece)) {
+    EXPECT_TRUE(piece.triangles.empty());
+    EXPECT_LE(piece.vertices_m.size(), 4096u + 3 * kBlockVoxels) << "pieces are small";
+    AppendMesh(piece, whole);
+  }
+  while (stream.NextTriangles(piece)) {
+    EXPECT_TRUE(piece.vertices_m.empty());
+    EXPECT_LE(piece.triangles.size(), 8192u + 5 * kBlockVoxels);
+    whole.triangles.insert(whole.triangles.end(), piece.triangles.begin(), piece.triangles.end());
+  }
+  return whole;
+}
+
+TEST(MeshStream, PiecesOfAMapAreItsMesh) {
+  const auto map = std::make_shared<const MapSnapshot>(MixedMap());
+  const Mesh expected = Extract(*map, 2, MeshColoring::kInstance);
+  ASSERT_GT(expected.triangles.size(), 20'000u) << "several pieces";
+  MeshStream stream(map, nullptr, MeshColoring::kInstance);
+  EXPECT_EQ(stream.num_vertices(), expected.vertices_m.size());
+  EXPECT_EQ(stream.num_triangles(), expected.triangles.size());
+  ExpectSame(Joined(std::move(stream)), expected);
+}
+
+TEST(MeshStream, PiecesOfASubmapAreItsMesh) {
+  const auto map = std::make_shared<const MapSnapshot>(MixedMap());
+  for (const auto& submap : map->submaps()) {
+    ExpectSame(Joined(MeshStream(map, submap.get(), MeshColoring::kClass)),
+               ExtractMesh(*submap, LabelSet(), MeshColoring::kClass));
+  }
+}
+
+TEST(MeshStream, KeepsItsStateAlive) {
+  auto map = std::make_shared<const MapSnapshot>(MixedMap());
+  const Mesh expected = Extract(*map);
+  MeshStream stream(map, nullptr, MeshColoring::kSensor);
+  map.reset();
+  ExpectSame(Joined(std::move(stream)), expected);
+}
+
+TEST(MeshStream, NothingGivesNothing) {
+  MeshStream stream(std::make_shared<const MapSnapshot>(MapOf({})), nullptr, MeshColoring::kSensor);
+  EXPECT_EQ(stream.num_vertices() + stream.num_triangles(), 0u);
+  Mesh piece;
+  EXPECT_FALSE(stream.NextVertices(piece));
+  EXPECT_FALSE(stream.NextTriangles(piece));
+}
+
+TEST(MeshStream, IsEmptyOnceNobodyWantsIt) {
+  std::stop_source stop;
+  stop.request_stop();
+  MeshStream stream(std::make_shared<const MapSnapshot>(MixedMap()), nullptr, MeshColoring::kSensor, stop.get_token());
+  Mesh piece;
+  EXPECT_EQ(stream.num_vertices(), 0u);
+  EXPECT_FALSE(stream.NextVertices(piece));
 }
 
 }  // namespace

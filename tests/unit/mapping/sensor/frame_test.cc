@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 
+#include "mapping/sensor/frame_reach.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -66,26 +67,26 @@ TEST_P(ValidateFrameRefuses, AndNamesTheField) {
   GetParam().spoil(frame);
   const Status status = Validate(frame);
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
-  EXPECT_EQ(status.reason(), "BAD_FRAME");
+  EXPECT_EQ(status.reason(), Reason("BAD_FRAME"));
   EXPECT_EQ(Fields(status), std::vector<std::string>{GetParam().field}) << status.ToString();
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Frames, ValidateFrameRefuses,
     ::testing::Values(
-        BadFrame{"NanPose", [](auto& f) { f.T_map_sensor.translation().y() = kNan; }, "map_from_sensor"},
+        BadFrame{"NanPose", [](auto& f) { f.T_map_sensor.translation().y() = kNan; }, "T_map_sensor"},
         BadFrame{"NoSensor", [](auto& f) { f.camera.reset(); }, "sensor"},
         BadFrame{"BothSensors", [](auto& f) { f.lidar.emplace(); }, "sensor"},
-        BadFrame{"ZeroWidth", [](auto& f) { f.camera->camera.width_px = 0; }, "depth_camera.camera.width_px"},
-        BadFrame{"HugeHeight", [](auto& f) { f.camera->camera.height_px = 16385; }, "depth_camera.camera.height_px"},
-        BadFrame{"NegativeFocal", [](auto& f) { f.camera->camera.fx_px = -1; }, "depth_camera.camera.fx_px"},
-        BadFrame{"NanCentre", [](auto& f) { f.camera->camera.cy_px = kNan; }, "depth_camera.camera.cy_px"},
-        BadFrame{"DepthSize", [](auto& f) { f.camera->depth_m.pop_back(); }, "depth_camera.depth"},
-        BadFrame{"NoDepth", [](auto& f) { f.camera->depth_m.clear(); }, "depth_camera.depth"},
-        BadFrame{"ColorSize", [](auto& f) { f.camera->color.pop_back(); }, "depth_camera.color"},
-        BadFrame{"SegmentsSize", [](auto& f) { f.camera->segments.push_back(0); }, "depth_camera.segments"},
-        BadFrame{"IdWithoutRow", [](auto& f) { f.camera->segments[5] = 9; }, "depth_camera.segments"},
-        BadFrame{"LargeIdWithoutRow", [](auto& f) { f.camera->segments[5] = 70'001; }, "depth_camera.segments"},
+        BadFrame{"ZeroWidth", [](auto& f) { f.camera->camera.width_px = 0; }, "camera.camera.width_px"},
+        BadFrame{"HugeHeight", [](auto& f) { f.camera->camera.height_px = 16385; }, "camera.camera.height_px"},
+        BadFrame{"NegativeFocal", [](auto& f) { f.camera->camera.fx_px = -1; }, "camera.camera.fx_px"},
+        BadFrame{"NanCentre", [](auto& f) { f.camera->camera.cy_px = kNan; }, "camera.camera.cy_px"},
+        BadFrame{"DepthSize", [](auto& f) { f.camera->depth_m.pop_back(); }, "camera.depth_m"},
+        BadFrame{"NoDepth", [](auto& f) { f.camera->depth_m.clear(); }, "camera.depth_m"},
+        BadFrame{"ColorSize", [](auto& f) { f.camera->color.pop_back(); }, "camera.color"},
+        BadFrame{"SegmentsSize", [](auto& f) { f.camera->segments.push_back(0); }, "camera.segments"},
+        BadFrame{"IdWithoutRow", [](auto& f) { f.camera->segments[5] = 9; }, "camera.segments"},
+        BadFrame{"LargeIdWithoutRow", [](auto& f) { f.camera->segments[5] = 70'001; }, "camera.segments"},
         BadFrame{"ZeroId",
                  [](auto& f) {
                    f.segments.push_back({SegmentId(0), ClassId(1), 0.0f});
@@ -100,16 +101,16 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ValidateFrame, RefusesLidarScansThatDoNotFit) {
   PanopticFrame frame = GoodLidarFrame();
   frame.lidar->points_m[1].z() = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.xyz_m"});
+  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.points_m"});
   frame = GoodLidarFrame();
   frame.lidar->color.assign(3, Color{});
-  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.rgb"});
+  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.color"});
   frame = GoodLidarFrame();
   frame.lidar->segments.resize(1);
-  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.segment_ids"});
+  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.segments"});
   frame = GoodLidarFrame();
   frame.lidar->segments[0] = 3;
-  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.segment_ids"});
+  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.segments"});
 }
 
 TEST(ValidateFrame, NamesEveryViolationAtOnce) {
@@ -121,8 +122,8 @@ TEST(ValidateFrame, NamesEveryViolationAtOnce) {
   frame.camera->segments[0] = 5;
   frame.camera->segments[1] = 6;
   EXPECT_EQ(Fields(Validate(frame)),
-            (std::vector<std::string>{"map_from_sensor", "segments[0].class_id", "segments[1].score",
-                                      "depth_camera.depth", "depth_camera.segments", "depth_camera.segments"}));
+            (std::vector<std::string>{"T_map_sensor", "segments[0].class_id", "segments[1].score", "camera.depth_m",
+                                      "camera.segments", "camera.segments"}));
 }
 
 TEST(ValidateFrame, AllowsIdsWithoutARowIfTheFrameSaysSo) {
@@ -162,6 +163,21 @@ TEST(PinholeCamera, NamesEveryBadField) {
   EXPECT_EQ(Fields(camera.Validate()),
             (std::vector<std::string>{"width_px", "height_px", "fx_px", "fy_px", "cx_px", "cy_px"}));
   EXPECT_TRUE((PinholeCamera{640, 480, 320, 320, 320, 240}).Validate().ok());
+}
+
+TEST(CheckFrameIsOnGrid, NamesTheFieldTheLimitAndWhatToDo) {
+  PanopticFrame frame = GoodCameraFrame();
+  EXPECT_TRUE(CheckFrameIsOnGrid(frame, 0.002).ok());
+  frame.T_map_sensor.translation() = Eigen::Vector3d(6.9e5, 5.4e6, 0);
+  EXPECT_TRUE(CheckFrameIsOnGrid(frame, 0.04).ok());
+  const Status status = CheckFrameIsOnGrid(frame, 0.002);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(status.reason(), Reason("BAD_FRAME"));
+  ASSERT_EQ(Fields(status), std::vector<std::string>{"map_from_sensor"});
+  const std::string& description = status.violations()[0].description;
+  EXPECT_NE(description.find("y = 5400000 m"), std::string::npos) << description;
+  EXPECT_NE(description.find("1073741.824 m"), std::string::npos) << description;
+  EXPECT_NE(description.find("local frame"), std::string::npos) << description;
 }
 
 }  // namespace

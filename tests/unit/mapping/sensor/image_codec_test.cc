@@ -10,7 +10,9 @@
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <string>
 
+#include "mapping/sensor/image_header.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -46,7 +48,7 @@ template <typename T>
 void ExpectBadImage(const Result<T>& result, const std::string& what) {
   ASSERT_FALSE(result.ok()) << what;
   EXPECT_EQ(result.status().code(), StatusCode::kInvalidArgument) << what;
-  EXPECT_EQ(result.status().reason(), "BAD_IMAGE") << what;
+  EXPECT_EQ(result.status().reason(), Reason("BAD_IMAGE")) << what;
   EXPECT_FALSE(result.status().message().empty()) << what;
 }
 
@@ -179,6 +181,121 @@ TEST(ImageCodec, RefusesSizesThatOnlyTheHeaderClaims) {
   ExpectBadImage(DecodeColor(png), "width");
   const File wide = Encode(cv::Mat::zeros(1, 16385, CV_8UC1), ".png");
   ExpectBadImage(DecodeColor(wide), "16385 wide");
+}
+
+/// Where the frame header of a JPEG stands: its marker, length, precision, height, width, components.
+std::size_t FrameHeaderOf(const File& jpeg) {
+  for (std::size_t i = 0; i + 1 < jpeg.size(); ++i) {
+    if (jpeg[i] == std::byte{0xFF} && jpeg[i + 1] == std::byte{0xC0}) return i;
+  }
+  ADD_FAILURE() << "no baseline frame";
+  return 0;
+}
+
+/// `jpeg` with a side of 12,000 pixels in its frame header, and a second one with the true size put in before the end.
+File WithSecondFrameHeader(const File& jpeg, std::vector<std::byte> before_it = {}) {
+  const std::size_t sof = FrameHeaderOf(jpeg);
+  const std::size_t length =
+      2 + (std::to_integer<std::size_t>(jpeg[sof + 2]) << 8 | std::to_integer<std::size_t>(jpeg[sof + 3]));
+  File file = jpeg;
+  for (const std::size_t side : {sof + 5, sof + 7}) {
+    file[side] = std::byte{12'000 >> 8};
+    file[side + 1] = std::byte{12'000 & 0xFF};
+  }
+  before_it.insert(before_it.end(), jpeg.begin() + static_cast<std::ptrdiff_t>(sof),
+                   jpeg.begin() + static_cast<std::ptrdiff_t>(sof + length));
+  file.insert(file.end() - 2, before_it.begin(), before_it.end());
+  return file;
+}
+
+/// Most memory this process has had, in bytes.
+std::int64_t PeakBytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmPeak:")) return std::stoll(line.substr(7)) * 1024;
+  }
+  return 0;
+}
+
+TEST(ImageCodec, RefusesAJpegWithASecondFrameHeaderBeforeItTakesMemory) {
+  const File jpeg = Encode(cv::Mat::zeros(8, 8, CV_8UC3), ".jpg");
+  ASSERT_TRUE(DecodeColor(jpeg).ok());
+  const std::int64_t before = PeakBytes();
+  ExpectBadImage(DecodeColor(WithSecondFrameHeader(jpeg)), "two sizes");
+  EXPECT_LT(PeakBytes() - before, 100'000'000) << "432 MB is what the first header asks for";
+}
+
+TEST(ImageCodec, SeesAFrameHeaderBehindAMarkerThatStandsAlone) {
+  // TEM has no length. Read as if it had one, the first header is skipped and the second believed.
+  const File jpeg = Encode(cv::Mat::zeros(8, 8, CV_8UC3), ".jpg");
+  File hidden{std::byte{0xFF}, std::byte{0xD8}, std::byte{0xFF}, std::byte{0x01}};
+  const std::size_t sof = FrameHeaderOf(jpeg);
+  File header(jpeg.begin() + static_cast<std::ptrdiff_t>(sof), jpeg.begin() + static_cast<std::ptrdiff_t>(sof + 19));
+  // What follows TEM, 0xFFC0, would be a length of 65,472.
+  hidden.insert(hidden.end(), header.begin(), header.end());
+  hidden.resize(4 + 0xFFC0, std::byte{0});
+  hidden.insert(hidden.end(), jpeg.begin() + 2, jpeg.end());
+  ExpectBadImage(ReadImageHeader(hidden), "hidden header");
+}
+
+std::int64_t DecodedBytesOf(const File& file) {
+  const auto header = ReadImageHeader(file);
+  EXPECT_TRUE(header.ok());
+  return header.ok() ? header->decoded_bytes : -1;
+}
+
+void ExpectTooManyBytes(const Status& status) {
+  EXPECT_EQ(status.reason(), Reason("BAD_IMAGE"));
+  EXPECT_NE(status.message().find("2^28 bytes"), std::string::npos) << status.ToString();
+}
+
+TEST(ImageCodec, KnowsBeforehandWhatDecodingTakes) {
+  constexpr std::int64_t kPixels = 48 * 64;
+  EXPECT_EQ(DecodedBytesOf(Encode(Noise(CV_8UC1), ".png")), kPixels);
+  EXPECT_EQ(DecodedBytesOf(Encode(Noise(CV_16UC1), ".png")), kPixels * 2);
+  EXPECT_EQ(DecodedBytesOf(Encode(Noise(CV_16UC4), ".png")), kPixels * 8);
+  EXPECT_EQ(DecodedBytesOf(Encode(Noise(CV_8UC3), ".jpg")), kPixels * 3);
+  EXPECT_EQ(DecodedBytesOf(Encode(Noise(CV_8UC3), ".jpg", {cv::IMWRITE_JPEG_PROGRESSIVE, 1})), kPixels * 9);
+  EXPECT_EQ(DecodedBytesOf(Encode(Noise(CV_32FC1), ".tiff")), kPixels * 4);
+  EXPECT_EQ(DecodedBytesOf(Encode(Noise(CV_64FC1), ".tiff")), kPixels * 8);
+}
+
+TEST(ImageCodec, RefusesWhatTakesMoreThan256MiBDecodedThoughItsPixelsAreFewEnough) {
+  File png = Encode(Noise(CV_16UC4), ".png");
+  for (const std::size_t side : {16u, 20u}) {  // 8191 x 8191, the checksum no longer right
+    png[side + 2] = std::byte{0x1F};
+    png[side + 3] = std::byte{0xFF};
+  }
+  ExpectTooManyBytes(DecodeColor(png).status());
+}
+
+TEST(ImageCodec, RefusesTilesLargerThanTheImage) {
+  File tiff = Encode(Noise(CV_32FC1), ".tiff");
+  // Turn two entries of the directory that decoding does without into the size of a tile: 16,000 a side.
+  const auto entry_of = [&tiff](int tag) {
+    const auto at = [&tiff](std::size_t i) { return std::to_integer<std::size_t>(tiff[i]); };
+    const std::size_t directory = at(4) | at(5) << 8 | at(6) << 16 | at(7) << 24;
+    for (std::size_t i = 0; i < (at(directory) | at(directory + 1) << 8); ++i) {
+      const std::size_t entry = directory + 2 + 12 * i;
+      if ((at(entry) | at(entry + 1) << 8) == static_cast<std::size_t>(tag)) return entry;
+    }
+    return std::size_t{0};
+  };
+  const auto set = [&tiff](std::size_t entry, std::uint16_t tag, std::uint16_t value) {
+    const std::uint16_t words[] = {tag, 3, 1, 0, value, 0};
+    for (std::size_t i = 0; i < 6; ++i) {
+      tiff[entry + 2 * i] = static_cast<std::byte>(words[i] & 0xFF);
+      tiff[entry + 2 * i + 1] = static_cast<std::byte>(words[i] >> 8);
+    }
+  };
+  ASSERT_EQ(tiff[0], std::byte{'I'});
+  const std::size_t first = entry_of(284), second = entry_of(278);  // planar configuration, rows a strip
+  ASSERT_NE(first, 0u);
+  ASSERT_NE(second, 0u);
+  ASSERT_TRUE(DecodeDepth(tiff, 0).ok());
+  set(first, 322, 16'000);
+  set(second, 323, 16'000);
+  ExpectTooManyBytes(DecodeDepth(tiff, 0).status());
 }
 
 TEST(ImageCodec, SurvivesEveryFlippedByteOfSmallFiles) {

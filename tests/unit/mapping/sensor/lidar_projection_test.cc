@@ -85,7 +85,7 @@ TEST(ProjectImagesOntoScan, RefusesWhatDoesNotFitAndLeavesTheScan) {
   const Status wrong_size = ProjectImagesOntoScan(ForwardCamera(), small, {}, scan);
   EXPECT_EQ(wrong_size.code(), StatusCode::kInvalidArgument);
   ASSERT_EQ(wrong_size.violations().size(), 1u);
-  EXPECT_EQ(wrong_size.violations()[0].field, "lidar.camera.color");
+  EXPECT_EQ(wrong_size.violations()[0].field, "color");
 
   Image<std::uint32_t> short_ids = PixelNumbers();
   short_ids.pixels.pop_back();

@@ -24,6 +24,7 @@ class ScriptedStore final : public MapStore {
   Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return NotFound("not here"); }
   Status DeleteMap(const std::string&) override { return Status::Ok(); }
+  Status Reserve(const std::string&, const NumberMarks&) override { return Status::Ok(); }
   Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
     const std::lock_guard lock(mutex);  // held by the test: the disk is slow
     calls.push_back({before.revision(), after.revision(), durability});

@@ -1,67 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/map_session.h"
 
-#include <gtest/gtest.h>
-
 #include <atomic>
-#include <future>
+#include <filesystem>
 #include <thread>
 #include <vector>
 
-#include "server/app/map_registry.h"
 #include "server/app/submap_edits.h"
-#include "tests/support/scenes.h"
+#include "tests/integration/failing_store.h"
+#include "tests/unit/server/app/map_session_fixture.h"
 
 namespace dhpmap {
 namespace {
 
-using testing::Scene;
-using testing::Solid;
-
-PanopticFrame FrameOf(int i) {
-  const Scene scene{.solids = {{.shape = Solid::Shape::kSphere, .center_m = {0, 0, 0.4}, .size_m = {0.4, 0, 0}},
-                               {.shape = Solid::Shape::kHalfSpace, .size_m = {0, 0, 1}, .segment = 2}}};
-  PanopticFrame frame =
-      testing::Render(scene, {.width_px = 40, .height_px = 30, .fx_px = 20, .fy_px = 20, .cx_px = 20, .cy_px = 15},
-                      testing::LookAt({2, 0.1 * i, 1}, {0, 0, 0.2}));
-  frame.segments = {{.id = SegmentId(1), .class_id = ClassId(1)}, {.id = SegmentId(2), .class_id = ClassId(2)}};
-  return frame;
-}
-
-MapInfo RoomInfo(const std::string& name) {
-  MapInfo info;
-  info.name = name;
-  info.label_set = testing::MakeLabelSet(1, 1);
-  info.config.voxel_size_m = 0.1;
-  info.config.truncation_m = 0.2;
-  info.config.tracking.min_points_medium = info.config.tracking.min_points_stuff = 5;
-  return info;
-}
-
-/// The answer of a call that gives it to a callback.
-template <typename Answer, typename Call>
-Answer Wait(Call&& call) {
-  auto promise = std::make_shared<std::promise<Answer>>();
-  call([promise](const Answer& answer) { promise->set_value(answer); });
-  return promise->get_future().get();
-}
-
-class MapSessionTest : public ::testing::Test {
- protected:
-  void Open(SessionOptions options) {
-    options.num_threads = 2;
-    registry = std::move(MapRegistry::Open(*store, std::move(options))).value();
-    ASSERT_TRUE(registry->Create(RoomInfo("room")).ok());
-    session = *registry->OpenSession("room");
-  }
-  FrameOutcome Integrate(int i) {
-    return Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(i), done); });
-  }
-
-  std::unique_ptr<MapStore> store = MakeMemoryStore();
-  std::unique_ptr<MapRegistry> registry;
-  std::shared_ptr<MapSession> session;
-};
+using testing::FailingStore;
 
 TEST_F(MapSessionTest, FramesAreSeenWithTheirBatch) {
   Open({.publish_frames = 3, .publish_s = 1000, .commit_s = 1000});
@@ -99,39 +51,153 @@ TEST_F(MapSessionTest, StopStoresWhatIsFusedAndRefusesTheRest) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 1);
   EXPECT_EQ(Integrate(1).report.status().code(), StatusCode::kUnavailable);
   EXPECT_EQ(registry->OpenSession("room").status().code(), StatusCode::kOk);  // still readable
-  EXPECT_EQ(session->BeginFeed().code(), StatusCode::kUnavailable);
+  EXPECT_EQ(session->BeginFeed().status().code(), StatusCode::kUnavailable);
 }
 
-TEST_F(MapSessionTest, TooManyEditsAreRefusedNotQueued) {
-  Open({.max_pending_edits = 2});
-  std::promise<void> go;
-  std::vector<std::future<Status>> answers;
-  const auto edit = [&](std::function<Result<SubmapId>(Map&)> change) {
-    auto promise = std::make_shared<std::promise<Status>>();
-    answers.push_back(promise->get_future());
-    session->Edit(std::move(change),
-                  [promise](const Result<EditOutcome>& outcome) { promise->set_value(outcome.status()); });
+TEST_F(MapSessionTest, AFeedIsToldWhatIsStoredAndNoMore) {
+  auto failing = std::make_unique<FailingStore>();
+  FailingStore& disk = *failing;
+  store = std::move(failing);
+  Open({.publish_frames = 1, .commit_frames = 1, .commit_retry_s = 0.005});
+  const auto feed = *session->BeginFeed();
+  const auto integrate = [&](std::int64_t sequence) {
+    return Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, sequence, FrameOf(0), done); });
   };
-  std::promise<void> begun;
-  edit([&](Map&) -> Result<SubmapId> {
-    begun.set_value();
-    go.get_future().wait();
-    return SubmapId(0);
-  });
-  begun.get_future().wait();  // the writer is busy with the first
-  for (int i = 0; i < 3; ++i) edit([](Map&) -> Result<SubmapId> { return SubmapId(0); });
-  EXPECT_EQ(answers.back().get().code(), StatusCode::kResourceExhausted);
-  answers.pop_back();
-  go.set_value();
-  for (auto& answer : answers) EXPECT_TRUE(answer.get().ok());
+  disk.set_full(true);
+  for (const std::int64_t sequence : {40, 41}) EXPECT_FALSE(integrate(sequence).committed_sequence.has_value());
+  EXPECT_FALSE(session->ProgressOf(feed).committed_sequence.has_value());
+  disk.set_full(false);
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ(session->ProgressOf(feed).committed_sequence, 41);
+  disk.set_full(true);
+  const FrameOutcome behind = integrate(42);
+  EXPECT_EQ(behind.committed_sequence, 41);
+  PanopticFrame bad = FrameOf(0);
+  bad.camera->depth_m.pop_back();
+  const auto refused = Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, 43, bad, done); });
+  EXPECT_FALSE(refused.report.ok());
+  EXPECT_EQ(refused.committed_sequence, 41);
+  disk.set_full(false);
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ(session->ProgressOf(feed).committed_sequence, 42) << "a frame that was refused is not stored";
 }
 
-TEST_F(MapSessionTest, AnEditThatThrowsIsAnswered) {
+TEST_F(MapSessionTest, ASessionIsRememberedWithItsFrames) {
+  Open({.publish_frames = 1000, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000});
+  auto feed = *session->BeginFeed({.session = "robot"});
+  const auto integrate = [&](std::int64_t sequence) {
+    return Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, sequence, FrameOf(0), done); });
+  };
+  for (const std::int64_t sequence : {5, 6, 8}) {
+    const FrameOutcome outcome = integrate(sequence);
+    EXPECT_TRUE(outcome.report.ok() && !outcome.is_duplicate);
+    EXPECT_FALSE(outcome.committed_sequence.has_value()) << "nothing is stored yet";
+  }
+  for (const std::int64_t sequence : {8, 7, 5, -1}) {
+    const FrameOutcome outcome = integrate(sequence);
+    EXPECT_TRUE(outcome.report.ok() && outcome.is_duplicate) << sequence;
+    EXPECT_EQ(outcome.report->num_points, 0);
+  }
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
+  EXPECT_EQ(store->GetMap("room")->info.sessions.LastOf("robot"), 8);
+  session->EndFeed(feed);
+
+  feed = *session->BeginFeed({.session = "robot"});
+  EXPECT_EQ(Wait<FeedProgress>([&](auto done) { session->Greet(feed, done); }).committed_sequence, 8);
+  EXPECT_TRUE(integrate(8).is_duplicate);
+  EXPECT_FALSE(integrate(9).is_duplicate);
+  session->EndFeed(feed);
+  feed = *session->BeginFeed({.session = "other"});
+  EXPECT_FALSE(session->ProgressOf(feed).committed_sequence.has_value());
+  EXPECT_FALSE(integrate(1).is_duplicate);
+  session->EndFeed(feed);
+  feed = *session->BeginFeed();
+  for (int i = 0; i < 2; ++i) EXPECT_FALSE(integrate(1).is_duplicate) << "without a session nothing is";
+
+  // Neither the end of mapping nor an edit forgets it.
+  EXPECT_TRUE(Wait<Result<FinishOutcome>>([&](auto done) { session->Finish(done); }).ok());
+  EXPECT_EQ(store->GetMap("room")->info.sessions.LastOf("robot"), 9);
+  EXPECT_EQ(session->BeginFeed({.session = "no good"}).status().reason(), Reason("BAD_SESSION"));
+}
+
+TEST_F(MapSessionTest, FramesThatWaitWhenAnotherTakesOverAreRefused) {
   Open({});
-  const auto outcome = Wait<Result<EditOutcome>>(
-      [&](auto done) { session->Edit([](Map&) -> Result<SubmapId> { throw std::bad_alloc(); }, done); });
-  EXPECT_EQ(outcome.status().code(), StatusCode::kInternal);
-  EXPECT_TRUE(Integrate(0).report.ok());
+  std::promise<void> begun, go;
+  session->Edit(
+      [&](Map&) -> Result<SubmapId> {
+        begun.set_value();
+        go.get_future().wait();
+        return SubmapId(0);
+      },
+      [](const Result<EditOutcome>&) {});
+  begun.get_future().wait();  // the writer is busy
+  Status told;
+  const auto old_feed = *session->BeginFeed({.on_evicted = [&told](const Status& why) { told = why; }});
+  std::vector<std::future<FrameOutcome>> answers;
+  for (int i = 0; i < 3; ++i) {
+    auto promise = std::make_shared<std::promise<FrameOutcome>>();
+    answers.push_back(promise->get_future());
+    session->Integrate(old_feed, i, FrameOf(i), [promise](FrameOutcome outcome) { promise->set_value(outcome); });
+  }
+  const auto feed = session->BeginFeed({.take_over = true});
+  ASSERT_TRUE(feed.ok());
+  EXPECT_EQ(told.reason(), Reason("FEED_TAKEN_OVER"));
+  go.set_value();
+  for (auto& answer : answers) EXPECT_EQ(answer.get().report.status().reason(), Reason("FEED_TAKEN_OVER"));
+  EXPECT_TRUE(Wait<FrameOutcome>([&](auto done) { session->Integrate(*feed, 0, FrameOf(0), done); }).report.ok());
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 1);
+}
+
+TEST_F(MapSessionTest, AMapWhoseFeederIsIdleCanBeDeleted) {
+  Open({.feed_idle_s = 0});
+  Status told;
+  const auto feed = *session->BeginFeed({.on_evicted = [&told](const Status& why) { told = why; }});
+  ASSERT_TRUE(Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, 0, FrameOf(0), done); }).report.ok());
+  EXPECT_TRUE(registry->Delete("room").ok());
+  EXPECT_EQ(told.reason(), Reason("FEED_IDLE"));
+  EXPECT_FALSE(Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, 1, FrameOf(1), done); }).report.ok());
+}
+
+TEST_F(MapSessionTest, NumbersThatWereSeenBeforeACrashAreNotGivenOutAgain) {
+  const testing::TempDir folder;
+  const std::string path = (folder.path() / "maps.db").string(), crashed = (folder.path() / "crashed.db").string();
+  store = std::move(OpenSqliteStore(path)).value();
+  Open({.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000});
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(Integrate(i).report.ok());
+  const MapInfo seen = session->View()->snapshot().info();
+  ASSERT_GT(seen.revision, 3);
+  ASSERT_GT(seen.next_submap_id, SubmapId(1));
+  ASSERT_EQ(store->GetMap("room")->info.num_frames, 0) << "nothing of it is stored";
+  for (const char* part : {"", "-wal"}) std::filesystem::copy_file(path + part, crashed + part);  // power is lost here
+
+  const auto reopened = std::move(OpenSqliteStore(crashed)).value();
+  const MapInfo after = reopened->GetMap("room")->info;
+  EXPECT_GT(after.revision, seen.revision);
+  EXPECT_GE(after.next_submap_id, seen.next_submap_id);
+
+  // Without a crash there is no gap.
+  ASSERT_TRUE(registry->Shutdown().ok());
+  session = nullptr;
+  registry = nullptr;
+  store = nullptr;
+  store = std::move(OpenSqliteStore(path)).value();
+  EXPECT_EQ(store->GetMap("room")->info.revision, seen.revision);
+  EXPECT_EQ(store->GetMap("room")->info.next_submap_id, seen.next_submap_id);
+}
+
+TEST_F(MapSessionTest, NumbersThatCannotBeReservedAreNotShown) {
+  auto failing = std::make_unique<FailingStore>();
+  FailingStore& disk = *failing;
+  store = std::move(failing);
+  Open({.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000});
+  disk.set_full(true);
+  EXPECT_EQ(Integrate(0).revision, 1);
+  EXPECT_EQ(session->View()->snapshot().info().num_frames, 0);
+  disk.set_full(false);
+  EXPECT_GT(Integrate(1).revision, 1);
+  EXPECT_EQ(session->View()->snapshot().info().num_frames, 2);
 }
 
 TEST_F(MapSessionTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
@@ -144,8 +210,8 @@ TEST_F(MapSessionTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
       const auto view = session->View();
       ASSERT_GE(view->snapshot().revision(), revision);
       revision = view->snapshot().revision();
-      for (double x = -1; x < 1; x += 0.1) {
-        const PointInfo point = view->lookup().At({x, 0, 0.05});
+      for (int i = -10; i < 10; ++i) {
+        const PointInfo point = view->lookup().At({0.1 * i, 0, 0.05});
         ASSERT_TRUE(!point.is_observed || view->snapshot().Find(point.submap) != nullptr);
       }
     }
@@ -165,7 +231,7 @@ TEST_F(MapSessionTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
             },
             done);
       });
-      ASSERT_TRUE(deleted.ok());
+      ASSERT_TRUE(deleted.ok()) << deleted.status().ToString();
     }
   };
   std::vector<std::thread> threads;
@@ -177,6 +243,36 @@ TEST_F(MapSessionTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
   for (std::thread& thread : threads) thread.join();
   EXPECT_TRUE(registry->Shutdown().ok());
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 20);
+}
+
+/// A store that remembers how the last commit was made.
+class SyncStore final : public MapStore {
+ public:
+  Result<std::vector<StoredMap>> ListMaps() override { return inner->ListMaps(); }
+  Result<StoredMap> GetMap(const std::string& name) override { return inner->GetMap(name); }
+  Status CreateMap(const MapSnapshot& snapshot) override { return inner->CreateMap(snapshot); }
+  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
+    last = durability;
+    return inner->Commit(before, after, durability);
+  }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return inner->LoadMap(name); }
+  Status DeleteMap(const std::string& name) override { return inner->DeleteMap(name); }
+  Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner->Reserve(name, marks); }
+
+  std::unique_ptr<MapStore> inner = MakeMemoryStore();
+  std::atomic<Durability> last = Durability::kNormal;
+};
+
+TEST(MapSession, AFlushIsSyncedInFullEvenIfAllWasCommittedBefore) {
+  SyncStore store;
+  const auto registry = std::move(MapRegistry::Open(store, {.num_threads = 1, .commit_frames = 1})).value();
+  ASSERT_TRUE(registry->Create(RoomInfo("room")).ok());
+  const auto session = *registry->OpenSession("room");
+  (void)Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(0), done); });
+  while (store.GetMap("room")->info.num_frames == 0) std::this_thread::yield();
+  EXPECT_EQ(store.last, Durability::kNormal);
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ(store.last, Durability::kFull);
 }
 
 /// A store with one map of which nothing but the name can be read.
@@ -194,6 +290,7 @@ class DamagedStore final : public MapStore {
     is_deleted = true;
     return Status::Ok();
   }
+  Status Reserve(const std::string&, const NumberMarks&) override { return Status::Ok(); }
   bool is_deleted = false;
 };
 
@@ -213,9 +310,10 @@ TEST(MapRegistry, ADamagedMapIsListedRefusedAndCanBeDeletedBesideTheOthers) {
 TEST_F(MapSessionTest, AMapIsDeletedUnderItsUsers) {
   Open({});
   Integrate(0);
-  ASSERT_TRUE(session->BeginFeed().ok());
+  const auto feed = session->BeginFeed();
+  ASSERT_TRUE(feed.ok());
   EXPECT_EQ(registry->Delete("room").status().code(), StatusCode::kFailedPrecondition);
-  session->EndFeed();
+  session->EndFeed(*feed);
   EXPECT_TRUE(registry->Delete("room").ok());
   EXPECT_EQ(Integrate(1).report.status().code(), StatusCode::kNotFound);
   EXPECT_EQ(session->View()->snapshot().info().name, "room");  // who holds a state keeps it

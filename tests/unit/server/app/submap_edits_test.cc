@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "server/app/etag.h"
 #include "server/app/map_stats.h"
 #include "server/app/submap_filter.h"
 #include "tests/support/scenes.h"
@@ -51,12 +52,57 @@ TEST_F(SubmapEditsTest, ARefusedEditIsNoNewRevision) {
   EXPECT_EQ(map.Publish(1), snapshot);
 }
 
+TEST_F(SubmapEditsTest, APoseBeyondTheGridIsRefusedWithTheLimitAndWhatToDo) {
+  for (const double x_m : {1e308, -1e10}) {
+    SubmapPatch patch{.T_map_submap = Transform::Identity()};
+    patch.T_map_submap->translation().x() = x_m;
+    const Status status = PatchSubmap(map, thing, "", patch);
+    EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+    ASSERT_EQ(status.violations().size(), 1u);
+    EXPECT_EQ(status.violations()[0].field, "map_from_submap");
+    EXPECT_NE(status.violations()[0].description.find("53687091.2 m"), std::string::npos) << status.ToString();
+    EXPECT_NE(status.violations()[0].description.find("local frame"), std::string::npos);
+    EXPECT_EQ(CloneSubmap(map, thing, "", patch).status().code(), StatusCode::kInvalidArgument);
+  }
+  EXPECT_EQ(map.Publish(1), snapshot);
+}
+
+TEST_F(SubmapEditsTest, SingleNumbersOfAPoseChangeThePresentOne) {
+  Transform T = Transform::Identity();
+  T.translation() = Eigen::Vector3d(1, 2, 3);
+  T.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  ASSERT_TRUE(PatchSubmap(map, thing, "", {.T_map_submap = T}).ok());
+  PoseChange up;
+  up.translation_m[2] = 9;
+  ASSERT_TRUE(PatchSubmap(map, thing, "", {.pose_change = up}).ok());
+  EXPECT_EQ(ThingInfo().T_map_submap.translation(), Eigen::Vector3d(1, 2, 9));
+  EXPECT_TRUE(ThingInfo().T_map_submap.linear().isApprox(T.linear(), 1e-12));
+  PoseChange upright{.rotation_xyzw = {0, 0, 0, 2}};
+  ASSERT_TRUE(PatchSubmap(map, thing, "", {.pose_change = upright}).ok());
+  EXPECT_TRUE(ThingInfo().T_map_submap.linear().isIdentity(1e-12));
+  const auto before = map.Publish(1);
+  PoseChange nothing_left{.rotation_xyzw = {std::nullopt, std::nullopt, std::nullopt, 0}};
+  EXPECT_EQ(PatchSubmap(map, thing, "", {.pose_change = nothing_left}).violations().at(0).field, "map_from_submap");
+  PoseChange far_off;
+  far_off.translation_m[0] = 1e10;
+  EXPECT_EQ(PatchSubmap(map, thing, "", {.pose_change = far_off}).violations().at(0).field, "map_from_submap");
+  EXPECT_EQ(map.Publish(2), before);
+}
+
+TEST_F(SubmapEditsTest, ACopyIsConfirmedEvenIfTheOriginalIsNot) {
+  map.FindMutable(thing)->mutable_info().is_confirmed = false;
+  const auto copy = CloneSubmap(map, thing, "", {});
+  ASSERT_TRUE(copy.ok());
+  EXPECT_TRUE(map.Find(*copy)->info().is_confirmed);
+  EXPECT_FALSE(ThingInfo().is_confirmed);
+}
+
 TEST_F(SubmapEditsTest, ARelabelledClassIsFixed) {
-  ASSERT_TRUE(PatchSubmap(map, thing, EtagOf(*map.Find(thing)), {.class_id = ClassId(2)}).ok());
+  ASSERT_TRUE(PatchSubmap(map, thing, EtagOf(*map.Find(thing), map.info()), {.class_id = ClassId(2)}).ok());
   EXPECT_EQ(ThingInfo().class_id, ClassId(2));
   EXPECT_TRUE(ThingInfo().class_is_fixed);
   map.Publish(1);
-  EXPECT_NE(EtagOf(*map.Find(thing)), EtagOf(*snapshot->Find(thing)));
+  EXPECT_NE(EtagOf(*map.Find(thing), map.info()), EtagOf(*snapshot->Find(thing), snapshot->info()));
 }
 
 TEST_F(SubmapEditsTest, AMoveLeavesTheVoxelsAlone) {

@@ -7,6 +7,7 @@
 
 #include "server/config/command_line.h"
 #include "server/config/config_loader.h"
+#include "tests/support/places.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -76,7 +77,7 @@ TEST(ConfigLoader, WhatIsPrintedLoadsAsTheSame) {
 }
 
 TEST(ConfigLoader, TheShippedFileListsEveryKeyWithItsDefault) {
-  const auto text = ReadConfigFile(std::string(DHPMAP_SOURCE_DIR) + "/deploy/dhpmap.yaml");
+  const auto text = ReadConfigFile((testing::SourceDir() / "deploy/dhpmap.yaml").string());
   ASSERT_TRUE(text.ok());
   const auto shipped = ParseYaml(*text);
   const auto defaults = ParseYaml(ToYaml(ServerConfig{}));

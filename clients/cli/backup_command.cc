@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap backup: a copy of the server's database.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "clients/cli/connection.h"
+#include "clients/cli/file_download.h"
+#include "clients/cli/text_table.h"
+#include "dhpmap/v1/map_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+ExitCode RunBackup(const Session& session, const std::string& path, bool replaces) {
+  if (!replaces && path != "-" && std::filesystem::exists(path)) {
+    return ReportLocalError(path + " is there already: --force replaces it", ExitCode::kUsage);
+  }
+  auto file = OutputFile::Open(path);
+  if (!file.ok()) return ReportLocalError(file.status().message());
+  grpc::ClientContext context;
+  const auto stub = v1::MapService::NewStub(Connect(session));
+  const auto stream = stub->BackupMap(&context, {});
+  const ExitCode code = Download(session, *stream, "backup", *file, [](const v1::BackupMapResponse&) {});
+  if (code != ExitCode::kOk || path == "-") return code;
+  if (session.json) std::cout << "{\n  \"bytes\": " << file->num_bytes() << "\n}\n";
+  else std::cout << path << ": " << Bytes(static_cast<double>(file->num_bytes())) << ", all maps as committed\n";
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddBackupCommand(CLI::App& app, Session& session) {
+  struct Options {
+    std::string path;
+    bool replaces = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("backup", "Copy the server's database, all maps, while it goes on working");
+  command->add_option("file", options->path, "File to write, - for stdout")->required();
+  command->add_flag("--force", options->replaces, "Replace the file if there is one");
+  command->callback([options, &session] { session.exit_code = RunBackup(session, options->path, options->replaces); });
+}
+
+}  // namespace dhpmap

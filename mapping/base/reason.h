@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <iterator>
+#include <ostream>
+#include <span>
+#include <string_view>
+
+#include "mapping/base/status_code.h"
+
+namespace dhpmap {
+
+/// One reason why something failed.
+struct ReasonRow {
+  std::string_view name;     ///< what clients see: google.rpc.ErrorInfo.reason
+  StatusCode code;           ///< it comes with; kOk: with that of its cause, or as the meaning says
+  std::string_view meaning;  ///< for people
+  int http_status = 0;       ///< over HTTP; 0: that of the code
+};
+
+/// Every reason there is, by room. Names are part of the API: they never change their meaning.
+inline constexpr ReasonRow kReasonTable[] = {
+    // Maps.
+    {"MAP_NOT_FOUND", StatusCode::kNotFound, "there is no map of this name, or no longer"},
+    {"HISTORY_LOST", StatusCode::kOutOfRange, "a revision of before a restore or a crash, whose state is not stored"},
+    {"MAP_EXISTS", StatusCode::kAlreadyExists, "the name of the map is taken"},
+    {"MAP_IS_FED", StatusCode::kOk, "frames are streamed in: ABORTED for another stream, else FAILED_PRECONDITION"},
+    {"FEED_TAKEN_OVER", StatusCode::kAborted, "another stream has taken over: no more frames are taken from this one"},
+    {"FEED_IDLE", StatusCode::kAborted, "nothing came for so long that the map went to another stream, or was deleted"},
+    {"BAD_MAP", StatusCode::kInvalidArgument, "a request for a new map has bad fields"},
+    {"BAD_CONFIG", StatusCode::kInvalidArgument, "a configuration, of a map or the server, has bad keys or values"},
+    {"BAD_LABEL_SET", StatusCode::kInvalidArgument, "a label set has bad classes"},
+    {"BAD_NAME", StatusCode::kInvalidArgument, "a resource name is malformed"},
+    // Frames.
+    {"BAD_FRAME", StatusCode::kInvalidArgument, "a frame has bad fields"},
+    {"BAD_IMAGE", StatusCode::kInvalidArgument, "an image cannot be decoded, or is not of the size or type wanted"},
+    {"BAD_CAMERA", StatusCode::kInvalidArgument, "a camera's parameters are not usable"},
+    {"BAD_TRANSFORM", StatusCode::kInvalidArgument, "a pose is not finite or not rigid"},
+    {"FRAME_TOO_LARGE", StatusCode::kResourceExhausted, "a frame would touch more of the map than one frame may"},
+    {"OUT_OF_MEMORY", StatusCode::kResourceExhausted, "there is not enough memory; nothing was changed"},
+    {"MAP_CHANGED", StatusCode::kInvalidArgument, "a later message of a stream names another map than the first"},
+    {"BAD_SESSION", StatusCode::kInvalidArgument, "the name of a session is malformed, or changes within a stream"},
+    // Objects and edits.
+    {"SUBMAP_NOT_FOUND", StatusCode::kNotFound, "the map has no submap of this id"},
+    {"UNKNOWN_SUBMAP", StatusCode::kFailedPrecondition, "the submap of unknown objects cannot be edited"},
+    {"ETAG_MISMATCH", StatusCode::kAborted, "the etag given is not the present one"},
+    {"BAD_EDIT", StatusCode::kInvalidArgument, "an edit has bad fields"},
+    {"BAD_UPDATE_MASK", StatusCode::kInvalidArgument, "an update mask names fields that do not exist or cannot change"},
+    {"TOO_MANY_EDITS", StatusCode::kResourceExhausted, "the queue of edits of the map is full: try again later"},
+    {"NOT_STORED", StatusCode::kOk, "what was asked for could not be stored; the code is that of the failure"},
+    // Lists.
+    {"BAD_PAGE_TOKEN", StatusCode::kInvalidArgument, "a page token is not one of ours, or of another request"},
+    {"BAD_PAGE_SIZE", StatusCode::kInvalidArgument, "a page size is negative"},
+    // Queries.
+    {"BAD_FILTER", StatusCode::kInvalidArgument, "a filter of submaps has bad fields"},
+    {"BAD_POINTS", StatusCode::kInvalidArgument, "the points of a query are not usable, or too many"},
+    {"BAD_DISTANCE", StatusCode::kInvalidArgument, "a distance is not finite or negative"},
+    {"BAD_MESH_REQUEST", StatusCode::kInvalidArgument, "a mesh is asked for in a form that is not known"},
+    // The store.
+    {"DAMAGED_MAP", StatusCode::kOk, "a stored map cannot be read: DATA_LOSS, or the code of the cause"},
+    {"NEWER_CONFIG", StatusCode::kFailedPrecondition, "a stored map's config is of a newer version"},
+    {"STALE_REVISION", StatusCode::kFailedPrecondition, "a commit starts from another revision than the one stored"},
+    {"STALE_STATE", StatusCode::kFailedPrecondition, "a commit starts from another state than the one stored"},
+    {"BAD_SCHEMA", StatusCode::kDataLoss, "the database lacks a part of its schema"},
+    {"NEWER_SCHEMA", StatusCode::kFailedPrecondition, "the database was written by a newer version"},
+    {"OLDER_SCHEMA", StatusCode::kFailedPrecondition, "the database must be opened for writing once"},
+    {"FOREIGN_DATABASE", StatusCode::kFailedPrecondition, "the file is a database of another application"},
+    {"NO_DATABASE", StatusCode::kNotFound, "there is no database file"},
+    {"NOT_A_FILE", StatusCode::kFailedPrecondition, "the database is not a file"},
+    {"NOT_WRITABLE", StatusCode::kFailedPrecondition, "the database cannot be written"},
+    {"NO_WAL", StatusCode::kFailedPrecondition, "the file system cannot hold a write-ahead log"},
+    {"DATABASE_IN_USE", StatusCode::kFailedPrecondition, "another process writes to the database"},
+    {"STORE_BEHIND", StatusCode::kUnavailable, "what is fused could not be stored for too long: frames are refused"},
+    {"BACKUP_EXISTS", StatusCode::kAlreadyExists, "there is a file where a backup is to be written"},
+    {"BAD_BACKUP_PATH", StatusCode::kInvalidArgument, "a backup cannot be written there"},
+    // The server and its doors.
+    {"SHUTTING_DOWN", StatusCode::kUnavailable, "the server is shutting down"},
+    {"TOO_BUSY", StatusCode::kResourceExhausted, "too many calls of the kind wait, or too many bytes: try again later"},
+    {"CANNOT_BIND", StatusCode::kUnavailable, "the address to listen on is in use or not of this machine"},
+    {"BAD_TIMEOUT", StatusCode::kInvalidArgument, "a timeout header is malformed"},
+    {"BAD_HEADER", StatusCode::kInvalidArgument, "a header's value is not printable ASCII"},
+    {"BAD_QUERY", StatusCode::kInvalidArgument, "a URL's query names no field, or has a bad value"},
+    {"BAD_TARGET", StatusCode::kInvalidArgument, "a request's target is not a path"},
+    {"BAD_FIELD", StatusCode::kInvalidArgument, "a field of a JSON body is unknown or has a bad value"},
+    {"MALFORMED_JSON", StatusCode::kInvalidArgument, "a body is not JSON"},
+    {"MALFORMED_PROTOBUF", StatusCode::kInvalidArgument, "a body is not a message of the type wanted"},
+    {"MALFORMED_HTTP", StatusCode::kInvalidArgument, "a request is not HTTP"},
+    {"UNEXPECTED_BODY", StatusCode::kInvalidArgument, "the request takes no body"},
+    {"UNKNOWN_PATH", StatusCode::kNotFound, "there is nothing at this path"},
+    {"FOREIGN_ORIGIN", StatusCode::kPermissionDenied, "the request comes from a web page of another origin"},
+    {"METHOD_NOT_ALLOWED", StatusCode::kUnimplemented, "the path takes other HTTP methods", 405},
+    {"BODY_TOO_LARGE", StatusCode::kResourceExhausted, "the body is larger than the server takes", 413},
+    {"UNSUPPORTED_MEDIA_TYPE", StatusCode::kInvalidArgument, "the body is of a type that is not taken", 415},
+    {"HEAD_TOO_LARGE", StatusCode::kResourceExhausted, "the request's head is larger than the server takes", 431},
+    {"UNKNOWN_TRANSFER_CODING", StatusCode::kUnimplemented, "the body is in a transfer coding other than chunked"},
+    {"HOST_NOT_ALLOWED", StatusCode::kPermissionDenied, "the request's Host is no name of this server", 421},
+    {"TOO_MANY_CONNECTIONS", StatusCode::kUnavailable, "as many connections as the server takes are busy"},
+    {"TOO_MANY_BYTES", StatusCode::kResourceExhausted, "as many bytes are in flight as the server takes: try again"},
+    // Data sets.
+    {"MISSING_FILE", StatusCode::kNotFound, "a file of a data set is not there or cannot be read"},
+    {"NO_LABELS", StatusCode::kFailedPrecondition, "a data set has no labels of the kind wanted"},
+    {"BAD_LABELS", StatusCode::kInvalidArgument, "a file of labels is malformed"},
+    {"BAD_POSE", StatusCode::kInvalidArgument, "a file of poses is malformed"},
+    {"BAD_SCAN", StatusCode::kInvalidArgument, "a LiDAR scan is malformed"},
+    {"NO_MATCH", StatusCode::kOk, "a frame lacks the pose, time or picture that goes with it"},
+    {"NO_CLASS_MAP", StatusCode::kFailedPrecondition, "classes differ, and no file says which are the same"},
+};
+
+/// A reason of the table above, or none. Made from its name, such as WithReason("MAP_NOT_FOUND"), which does not
+/// compile for a name that the table lacks. Value type.
+class Reason {
+ public:
+  constexpr Reason() = default;
+  /// NOLINTNEXTLINE(google-explicit-constructor): a name is a reason
+  consteval Reason(const char* name) : row_(RowOf(name)) {
+    if (row_ == kNone) IsNotInTheTable();
+  }
+
+  /// The reason of a name that came from outside; none if the table lacks it.
+  static constexpr Reason Find(std::string_view name) {
+    Reason reason;
+    reason.row_ = RowOf(name);
+    return reason;
+  }
+
+  [[nodiscard]] constexpr bool empty() const { return row_ == kNone; }
+  /// Empty for none.
+  [[nodiscard]] constexpr std::string_view name() const { return empty() ? std::string_view() : Row().name; }
+  /// Whether it comes with `code`; none comes with any.
+  [[nodiscard]] constexpr bool Allows(StatusCode code) const {
+    return empty() || Row().code == StatusCode::kOk || Row().code == code;
+  }
+  /// Of the HTTP door; 0: that of the code.
+  [[nodiscard]] constexpr int http_status() const { return empty() ? 0 : Row().http_status; }
+
+  friend constexpr bool operator==(Reason a, Reason b) { return a.row_ == b.row_; }
+  friend std::ostream& operator<<(std::ostream& out, Reason reason) { return out << reason.name(); }
+
+ private:
+  // A number, not a pointer: GCC's sanitizers do not let constant expressions compare pointers with null.
+  static constexpr int kNone = -1;
+
+  static constexpr int RowOf(std::string_view name) {
+    for (int i = 0; i < static_cast<int>(std::size(kReasonTable)); ++i) {
+      if (kReasonTable[i].name == name) return i;
+    }
+    return kNone;
+  }
+  [[nodiscard]] constexpr const ReasonRow& Row() const { return kReasonTable[row_]; }
+  static void IsNotInTheTable() {}  // not constexpr: ends the evaluation with an error
+
+  int row_ = kNone;
+};
+
+}  // namespace dhpmap

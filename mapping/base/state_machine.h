@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cassert>
+#include <initializer_list>
+
+namespace dhpmap {
+
+/// A state that changes only as `IsLegal(State from, State to)`, found beside the enum, allows. Any other change is a
+/// bug in this program, never a client's doing: builds with assertions (dev and the sanitizers) stop there.
+/// Thread-compatible.
+template <typename State>
+class StateMachine {
+ public:
+  constexpr explicit StateMachine(State first) : state_(first) {}
+
+  constexpr void To(State next) {
+    assert(IsLegal(state_, next));
+    state_ = next;
+  }
+  [[nodiscard]] constexpr State state() const { return state_; }
+  [[nodiscard]] constexpr bool Is(State state) const { return state_ == state; }
+  [[nodiscard]] constexpr bool IsAnyOf(std::initializer_list<State> states) const {
+    for (const State state : states) {
+      if (state == state_) return true;
+    }
+    return false;
+  }
+
+ private:
+  State state_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace dhpmap {
+
+/// Offset of the first byte that is not part of well-formed UTF-8, or npos.
+std::size_t FindInvalidUtf8(std::string_view text);
+/// Every such byte replaced by '?': for what an error message quotes.
+std::string ToValidUtf8(std::string_view text);
+
+}  // namespace dhpmap

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+namespace dhpmap {
+
+/// Change of a TSDF over one voxel along an axis, from a voxel's distance and those of its two neighbours, NaN for what
+/// is not observed: central where both are, one-sided where one is, 0 where neither is. In metres a voxel.
+inline float Slope(float below_m, float here_m, float above_m) {
+  if (!std::isnan(below_m) && !std::isnan(above_m)) return 0.5f * (above_m - below_m);
+  if (!std::isnan(above_m)) return above_m - here_m;
+  return std::isnan(below_m) ? 0.0f : here_m - below_m;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/pipeline/frame_fusion.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "mapping/fusion/integrator.h"
+#include "mapping/map/map_grid.h"
+#include "mapping/tracking/visibility.h"
+
+namespace dhpmap {
+namespace {
+
+/// The segments of a frame that go into one submap, in the order of the table.
+struct SubmapWork {
+  Submap* submap;
+  std::vector<std::size_t> segments;
+  std::int64_t num_updates = 0;
+};
+
+std::vector<SubmapWork> GroupBySubmap(std::span<const Assignment> assignments, Map& map) {
+  std::vector<SubmapWork> works;
+  for (std::size_t s = 0; s < assignments.size(); ++s) {
+    Submap* submap = map.FindMutable(assignments[s].submap);
+    auto it = std::find_if(works.begin(), works.end(), [&](const SubmapWork& work) { return work.submap == submap; });
+    if (it == works.end()) it = works.insert(works.end(), {submap, {}});
+    it->segments.push_back(s);
+  }
+  return works;
+}
+
+void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, const MapConfig& map_config,
+                SubmapWork& work) {
+  Submap& submap = *work.submap;
+  const SubmapInfo& info = submap.info();
+  const IntegrationConfig& config = map_config.integration;
+  const bool is_unknown = info.id == kUnknownSubmap;
+  const bool on_map_grid = IsOnMapGrid(info, map_config);
+  const Transform T_submap_sensor = info.T_map_submap.inverse() * frame.T_map_sensor;
+  const RayOrigin origin(T_submap_sensor.translation(), info.voxel_size_m);
+  const std::size_t num_blocks = submap.blocks().size();
+
+  // A moved object has a grid of its own: bundle the frame again on that one, whole segments.
+  ThreadPool here(1);
+  Bundler own_bundler(config, here);
+  const std::vector<SegmentBundles>* bundled = nullptr;
+  if (!on_map_grid) bundled = &own_bundler.BundleFrame(frame, T_submap_sensor, info.voxel_size_m);
+
+  int last_row = -2;
+  for (const std::size_t s : work.segments) {
+    const int row = segments[s].row;
+    const SegmentBundles* bundles = &segments[s];
+    if (!on_map_grid) {
+      if (std::exchange(last_row, row) == row) continue;  // another part of the same segment
+      bundles = &*std::find_if(bundled->begin(), bundled->end(), [row](const auto& b) { return b.row == row; });
+    }
+    std::optional<ClassId> class_id;
+    if (!is_unknown) class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
+    work.num_updates += IntegrateSegment(*bundles, origin, class_id, config, submap);
+  }
+  if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
+  submap.mutable_info().num_frames_observed += 1;
+  submap.mutable_info().last_observed_ns = frame.stamp_ns;
+}
+
+std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, Map& map,
+                   ThreadPool& pool) {
+  const MapConfig& config = map.info().config;
+  const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
+  std::vector<Submap*> in_view;
+  std::vector<SubmapId> ids;
+  for (const auto& submap : map.submaps()) {
+    if (IsOnMapGrid(submap->info(), config) &&
+        MayBeInView(frame, config.integration.max_range_m, submap->bounding_sphere())) {
+      ids.push_back(submap->id());
+    }
+  }
+  for (const SubmapId id : ids) in_view.push_back(map.FindMutable(id));
+  std::vector<std::int64_t> num_updates(in_view.size(), 0);
+  pool.ParallelFor(in_view.size(), [&](std::size_t i) {
+    num_updates[i] = CarveFreeSpace(segments, origin, config.integration, *in_view[i]);
+  });
+  std::int64_t total = 0;
+  for (const std::int64_t n : num_updates) total += n;
+  return total;
+}
+
+}  // namespace
+
+std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                       std::span<const Assignment> assignments, Map& map, ThreadPool& pool) {
+  std::vector<SubmapWork> works = GroupBySubmap(assignments, map);
+  const MapConfig& config = map.info().config;
+  pool.ParallelFor(works.size(), [&](std::size_t i) { FuseSubmap(frame, segments, config, works[i]); });
+  std::int64_t num_updates = 0;
+  for (const SubmapWork& work : works) num_updates += work.num_updates;
+  if (config.integration.carving) num_updates += Carve(frame, segments, map, pool);
+  return num_updates;
+}
+
+}  // namespace dhpmap

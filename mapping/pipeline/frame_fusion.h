@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+#include "mapping/fusion/bundler.h"
+#include "mapping/map/map.h"
+#include "mapping/sensor/frame.h"
+#include "mapping/tracking/tracker.h"
+
+namespace dhpmap {
+
+/// Integrates each segment of a frame into the submap it was assigned to, by ray tracing (paper Fig. 2 B, II-C), and
+/// clears free space if the config says so. Submaps are independent of each other: the result has the same bits for any
+/// number of threads. `segments` are on the map's grid, with one assignment each. Returns the number of voxel updates.
+std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                       std::span<const Assignment> assignments, Map& map, ThreadPool& pool);
+
+}  // namespace dhpmap

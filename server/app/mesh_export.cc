@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/mesh_export.h"
+
+#include <utility>
+
+#include "mapping/io/pcd.h"
+#include "mapping/io/ply.h"
+#include "server/app/submap_edits.h"
+
+namespace dhpmap {
+
+MeshFile::MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head)
+    : revision_(revision),
+      format_(format),
+      mesh_(std::move(mesh)),
+      head_(std::move(head)),
+      num_bytes_(head_.size() + (format == MeshFormat::kPcd
+                                     ? PcdBodyBytes(mesh_.num_vertices())
+                                     : PlyBodyBytes(mesh_.num_vertices(), mesh_.num_triangles()))) {}
+
+bool MeshFile::Next(std::string& piece) {
+  piece = std::exchange(head_, {});
+  if (!piece.empty()) return true;
+  if (mesh_.NextVertices(piece_)) {
+    format_ == MeshFormat::kPcd ? AppendPcdPoints(piece_, piece) : AppendPlyVertices(piece_, piece);
+  } else if (format_ == MeshFormat::kPly && mesh_.NextTriangles(piece_)) {
+    AppendPlyTriangles(piece_, piece);
+  }
+  return !piece.empty();
+}
+
+Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
+                            const std::stop_token& stop) {
+  const Submap* submap = request.submap ? map->Find(*request.submap) : nullptr;
+  if (request.submap && submap == nullptr) return NoSuchSubmap(*request.submap);
+  const std::int64_t revision = map->revision();
+  MeshStream mesh(std::move(map), submap, request.coloring, stop);
+  if (stop.stop_requested()) return Cancelled("nobody waits for the mesh any longer");
+  std::string head;
+  if (request.format == MeshFormat::kPcd) {
+    DHPMAP_ASSIGN_OR_RETURN(head, PcdHead(mesh.num_vertices()));
+  } else {
+    head = PlyHead(mesh.num_vertices(), mesh.num_triangles());
+  }
+  return MeshFile(revision, request.format, std::move(mesh), std::move(head));
+}
+
+}  // namespace dhpmap

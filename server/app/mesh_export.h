@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "mapping/base/result.h"
+#include "mapping/map/map.h"
+#include "mapping/mesh/mesh_stream.h"
+
+namespace dhpmap {
+
+enum class MeshFormat {
+  kPly,  ///< binary; vertices with normal, colour, class, instance
+  kPcd,  ///< binary; the vertices as a point cloud
+};
+
+/// Which surface, and as what.
+struct MeshRequest {
+  std::optional<SubmapId> submap;  ///< empty: all objects in one mesh, without gaps between them (ExtractMapMesh)
+  MeshColoring coloring = MeshColoring::kSensor;
+  MeshFormat format = MeshFormat::kPly;
+};
+
+/// A file that is made while it is read: a reader that waits keeps the state of the map and one piece, no more. Belongs
+/// to one thread at a time.
+class MeshFile {
+ public:
+  [[nodiscard]] std::int64_t revision() const { return revision_; }  ///< that it shows
+  [[nodiscard]] MeshFormat format() const { return format_; }
+  [[nodiscard]] std::size_t num_bytes() const { return num_bytes_; }
+
+  /// The next piece, of 1 to 200,000 bytes. False: there is none.
+  bool Next(std::string& piece);
+
+ private:
+  friend Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
+                                     const std::stop_token& stop);
+  MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head);
+
+  std::int64_t revision_;
+  MeshFormat format_;
+  MeshStream mesh_;
+  std::string head_;  // until it is read
+  std::size_t num_bytes_;
+  Mesh piece_;
+};
+
+/// Counts the surface, which takes one core about half the time of making it. NOT_FOUND; CANCELLED after a `stop`
+/// requested meanwhile.
+Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
+                            const std::stop_token& stop = {});
+
+}  // namespace dhpmap

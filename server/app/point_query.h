@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <span>
+#include <stop_token>
+
+#include "mapping/base/status.h"
+#include "server/app/map_view.h"
+
+namespace dhpmap {
+
+/// What is at `points_m` (map frame, finite)? Hands the answers to `take` in their order. CANCELLED soon after
+/// `stop` is requested.
+Status LookUpPoints(const MapView& view, std::span<const Eigen::Vector3d> points_m, const std::stop_token& stop,
+                    const std::function<void(const PointInfo&)>& take);
+
+}  // namespace dhpmap

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/voxel_walk.h"
+
+#include <cmath>
+#include <utility>
+
+#include "server/app/submap_edits.h"
+
+namespace dhpmap {
+
+Result<VoxelWalk> VoxelWalk::Begin(std::shared_ptr<const MapSnapshot> snapshot, SubmapId submap,
+                                   double max_abs_distance_m) {
+  if (!std::isfinite(max_abs_distance_m) || max_abs_distance_m < 0) {
+    return InvalidArgument("max_abs_distance_m is not usable")
+        .WithReason("BAD_DISTANCE")
+        .WithViolation("max_abs_distance_m", "must be finite and 0 or more");
+  }
+  const Submap* found = snapshot->Find(submap);
+  if (found == nullptr) return NoSuchSubmap(submap);
+  return VoxelWalk(std::move(snapshot), *found, max_abs_distance_m);
+}
+
+VoxelWalk::VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m)
+    : snapshot_(std::move(snapshot)),
+      submap_(&submap),
+      max_abs_distance_m_(max_abs_distance_m),
+      next_(submap.blocks().entries().begin()),
+      end_(submap.blocks().entries().end()) {}
+
+std::span<const ObservedVoxel> VoxelWalk::NextBlock() {
+  voxels_.clear();
+  const BlockEntry& block = *next_++;
+  if (block.tsdf == nullptr) return voxels_;
+  const TsdfBlock& tsdf = *block.tsdf;
+  const SubmapInfo& info = submap_->info();
+  const std::uint32_t own_class = info.panoptic == Panoptic::kUnknown ? 0u : info.class_id.value;
+  for (int i = 0; i < kBlockVoxels; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!tsdf.IsObserved(i)) continue;
+    if (max_abs_distance_m_ > 0 && std::abs(tsdf.distance_m[at]) > max_abs_distance_m_) continue;
+    const BestLabel label = block.labels ? block.labels->BestClass(i) : BestLabel{};
+    voxels_.push_back({.centre_m = info.T_map_submap * VoxelCentre(VoxelIn(block.index, i), info.voxel_size_m),
+                       .distance_m = tsdf.distance_m[at],
+                       .weight = tsdf.weight[at],
+                       .color = tsdf.color[at],
+                       .class_id = label.count > 0 ? label.id : own_class,
+                       .class_confidence = label.share});
+  }
+  return voxels_;
+}
+
+}  // namespace dhpmap

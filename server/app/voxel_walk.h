@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mapping/base/result.h"
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+
+/// An observed voxel of a submap.
+struct ObservedVoxel {
+  Eigen::Vector3d centre_m;  ///< map frame
+  float distance_m = 0;
+  float weight = 0;
+  Color color;
+  std::uint32_t class_id = 0;  ///< most seen class, or that of the submap
+  float class_confidence = 0;
+};
+
+/// Goes through the observed voxels of one submap, block by block. Thread-compatible; keeps its snapshot alive.
+class VoxelWalk {
+ public:
+  /// Only voxels with |distance| up to `max_abs_distance_m`; 0: all. NOT_FOUND; INVALID_ARGUMENT for a distance that is
+  /// negative or not finite.
+  static Result<VoxelWalk> Begin(std::shared_ptr<const MapSnapshot> snapshot, SubmapId submap,
+                                 double max_abs_distance_m);
+
+  [[nodiscard]] std::int64_t revision() const { return snapshot_->revision(); }
+  /// Whether every block has been visited.
+  [[nodiscard]] bool is_done() const { return next_ == end_; }
+  /// The voxels of the next block, kBlockVoxels at most; valid until the next call. Requires !is_done().
+  std::span<const ObservedVoxel> NextBlock();
+
+ private:
+  VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m);
+
+  std::shared_ptr<const MapSnapshot> snapshot_;
+  const Submap* submap_;
+  double max_abs_distance_m_;
+  BlockTable::Range::Iterator next_, end_;
+  std::vector<ObservedVoxel> voxels_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/gateway/dispatcher.h"
+
+#include <string>
+#include <utility>
+
+#include "server/gateway/error_body.h"
+#include "server/gateway/media_type.h"
+#include "server/gateway/rpc_exchange.h"
+#include "server/gateway/rpc_request.h"
+#include "server/http/url.h"
+
+namespace dhpmap::gateway {
+namespace {
+
+AnswerFormat FormatFor(const http::RequestHead& head) {
+  return FormatOfAccept(http::FindHeader(head.headers, "accept"));
+}
+
+http::Response MethodNotAllowed(const http::RequestHead& head, std::string_view path, const std::string& allowed) {
+  http::Response response = ErrorResponse(
+      Status(StatusCode::kUnimplemented, head.method + " is not for " + std::string(path) + ": use " + allowed)
+          .WithReason("METHOD_NOT_ALLOWED"),
+      FormatFor(head));
+  response.headers.emplace_back("Allow", allowed);
+  return response;
+}
+
+}  // namespace
+
+Dispatcher::Dispatcher(HttpRuleRouter router, RpcCaller* caller, GatewayHooks hooks, std::size_t max_body_bytes,
+                       std::size_t max_inflight_bytes)
+    : router_(std::move(router)),
+      pages_(router_, std::move(hooks)),
+      caller_(caller),
+      max_body_bytes_(max_body_bytes),
+      budget_(max_inflight_bytes) {}
+
+std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
+                                                  const std::shared_ptr<http::Responder>& responder) const {
+  const auto answer = [&](http::Response response) {
+    responder->Reply(std::move(response));
+    return nullptr;
+  };
+  const auto target = http::SplitTarget(head.target);
+  if (!target) {
+    return answer(
+        ErrorResponse(InvalidArgument("the request target is not a path").WithReason("BAD_TARGET"), FormatFor(head)));
+  }
+  if (pages_.Has(target->path)) return answer(Page(head, target->path));
+  RouteMatch match = router_.Find(head.method, target->path);
+  if (match.route == nullptr) return answer(NoRoute(head, target->path));
+  auto exchange = BeginRpc(head, std::move(match), target->query, responder);
+  if (!exchange.ok()) return answer(ErrorResponse(exchange.status(), FormatFor(head)));
+  return std::move(*exchange);
+}
+
+http::Response Dispatcher::ErrorAnswer(const Status& error) const { return ErrorResponse(error, AnswerFormat::kAny); }
+
+http::Response Dispatcher::Page(const http::RequestHead& head, std::string_view path) const {
+  if (head.method == "GET" || head.method == "HEAD") return pages_.Make(path);
+  return MethodNotAllowed(head, path, "GET, HEAD");
+}
+
+http::Response Dispatcher::NoRoute(const http::RequestHead& head, std::string_view path) const {
+  const std::string allowed = router_.AllowedMethods(path);
+  if (allowed.empty()) {
+    return ErrorResponse(NotFound("there is nothing at " + std::string(path)).WithReason("UNKNOWN_PATH"),
+                         FormatFor(head));
+  }
+  if (head.method != "OPTIONS") return MethodNotAllowed(head, path, allowed);
+  http::Response response;
+  response.status = 204;
+  response.headers.emplace_back("Allow", allowed);
+  return response;
+}
+
+Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::RequestHead& head, RouteMatch match,
+                                                             std::string_view query,
+                                                             const std::shared_ptr<http::Responder>& responder) const {
+  // A web page of another origin must not reach a server on the user's own machine: browsers say where they come from,
+  // and what they send without asking first may look like curl's.
+  if (head.is_from_foreign_page && head.method != "GET" && head.method != "HEAD") {
+    return Status(StatusCode::kPermissionDenied, "requests from web pages of another origin are not taken")
+        .WithReason("FOREIGN_ORIGIN");
+  }
+  const bool is_stream = match.route->is_stream();
+  DHPMAP_ASSIGN_OR_RETURN(RpcRequest request, RpcRequest::Make(head, std::move(match), query, max_body_bytes_));
+  ByteShare share(&budget_);
+  if (is_stream) return MakeStreamExchange(std::move(request), std::move(share), caller_, responder);
+  if (!share.Resize(request.announced_bytes)) return TooManyBytes();
+  return MakeUnaryExchange(std::move(request), std::move(share), caller_, responder);
+}
+
+}  // namespace dhpmap::gateway

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+
+#include "server/gateway/byte_budget.h"
+#include "server/gateway/hooks.h"
+#include "server/gateway/http_rule_router.h"
+#include "server/gateway/pages.h"
+#include "server/http/exchange.h"
+
+namespace dhpmap::gateway {
+
+class RpcCaller;
+
+/// Decides what a request is: a page of the gateway's own, an RPC, or an error. Thread-safe.
+class Dispatcher final : public http::Handler {
+ public:
+  /// `caller` outlives this. Larger bodies than `max_body_bytes` are refused, and requests while those under way hold
+  /// `max_inflight_bytes` of bodies and answers.
+  Dispatcher(HttpRuleRouter router, RpcCaller* caller, GatewayHooks hooks, std::size_t max_body_bytes,
+             std::size_t max_inflight_bytes);
+
+  std::shared_ptr<http::Exchange> Begin(const http::RequestHead& head,
+                                        const std::shared_ptr<http::Responder>& responder) const override;
+  /// google.rpc.Status in JSON.
+  [[nodiscard]] http::Response ErrorAnswer(const Status& error) const override;
+
+ private:
+  [[nodiscard]] http::Response Page(const http::RequestHead& head, std::string_view path) const;
+  [[nodiscard]] http::Response NoRoute(const http::RequestHead& head, std::string_view path) const;
+  Result<std::shared_ptr<http::Exchange>> BeginRpc(const http::RequestHead& head, RouteMatch match,
+                                                   std::string_view query,
+                                                   const std::shared_ptr<http::Responder>& responder) const;
+
+  HttpRuleRouter router_;
+  Pages pages_;
+  RpcCaller* caller_;
+  std::size_t max_body_bytes_;
+  mutable ByteBudget budget_;
+};
+
+}  // namespace dhpmap::gateway

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/gateway/error_body.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include "google/rpc/status.pb.h"
+#include "mapping/base/utf8.h"
+#include "server/json/base64.h"
+#include "server/json/writer.h"
+#include "server/wire/types/http_status.h"
+
+namespace dhpmap::gateway {
+namespace {
+
+google::rpc::Status Parsed(const RpcStatus& status) {
+  google::rpc::Status proto;
+  // Details that do not parse, or contradict the code, are dropped: the code and the message are what counts.
+  if (!proto.ParseFromString(status.details) || proto.code() != status.code) proto.Clear();
+  proto.set_code(status.code);
+  proto.set_message(ToValidUtf8(status.message));
+  return proto;
+}
+
+void AppendDetail(const google::protobuf::Any& detail, std::string* out) {
+  std::string text;
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  if (google::protobuf::util::MessageToJsonString(detail, &text, options).ok()) {
+    *out += text;
+    return;
+  }
+  *out += R"({"@type":)";  // a type that is not linked in
+  json::AppendString(detail.type_url(), out);
+  *out += R"(,"value":")";
+  json::AppendBase64(detail.value(), out);
+  *out += "\"}";
+}
+
+}  // namespace
+
+std::string ErrorJson(const RpcStatus& status) {
+  const google::rpc::Status proto = Parsed(status);
+  std::string out = R"({"code":)" + std::to_string(proto.code()) + R"(,"message":)";
+  json::AppendString(proto.message(), &out);
+  out += R"(,"details":[)";
+  for (int i = 0; i < proto.details_size(); ++i) {
+    if (i > 0) out += ',';
+    AppendDetail(proto.details(i), &out);
+  }
+  out += "]}";
+  return out;
+}
+
+http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format) {
+  const bool as_protobuf = format == AnswerFormat::kProtobuf;
+  http::Response response;
+  response.status = HttpStatusOf(status.code);
+  response.headers.emplace_back("Content-Type", as_protobuf ? kProtobufType : kJsonType);
+  response.body = as_protobuf ? Parsed(status).SerializeAsString() : ErrorJson(status) + "\n";
+  return response;
+}
+
+http::Response ErrorResponse(const Status& status, AnswerFormat format) {
+  http::Response response = ErrorResponse(ToRpcStatus(status), format);
+  response.status = HttpStatusOf(static_cast<int>(status.code()), status.reason());
+  return response;
+}
+
+Status TooManyBytes() {
+  return ResourceExhausted("too many bytes of requests and answers are in flight: try again later")
+      .WithReason("TOO_MANY_BYTES");
+}
+
+std::string ErrorLine(const RpcStatus& status) { return R"({"error":)" + ErrorJson(status) + "}\n"; }
+
+}  // namespace dhpmap::gateway

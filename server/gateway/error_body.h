@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "mapping/base/status.h"
+#include "server/gateway/media_type.h"
+#include "server/gateway/rpc_status.h"
+#include "server/http/message.h"
+
+namespace dhpmap::gateway {
+
+/// {"code":5,"message":"...","details":[{"@type":...}]}
+std::string ErrorJson(const RpcStatus& status);
+
+/// The whole answer, as google.rpc.Status in JSON or protobuf, with the HTTP status of its code.
+http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format);
+/// For what the gateway itself refuses: some of its reasons have an HTTP status of their own (413 for BODY_TOO_LARGE).
+http::Response ErrorResponse(const Status& status, AnswerFormat format);
+
+/// RESOURCE_EXHAUSTED: requests and answers in flight have taken the whole budget of bytes.
+Status TooManyBytes();
+
+/// {"error":{...}}, the last line of an NDJSON answer.
+std::string ErrorLine(const RpcStatus& status);
+
+}  // namespace dhpmap::gateway

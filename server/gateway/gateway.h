@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mapping/base/result.h"
+#include "server/gateway/hooks.h"
+
+namespace grpc {
+class Channel;
+}
+
+namespace dhpmap {
+
+struct GatewayOptions {
+  std::string address = "127.0.0.1:8080";  ///< host:port; port 0 takes a free one
+  std::size_t max_body_bytes = 64u << 20;  ///< a larger body is answered with 413
+  /// Of bodies and answers that are in memory at once; beyond it requests are answered with 429.
+  std::size_t max_inflight_bytes = 256u << 20;
+  int num_threads = 1;
+  std::vector<std::string> allowed_hosts;  ///< names under which it answers, besides its address and localhost
+  int max_connections = 1000;
+  double idle_timeout_s = 60;  ///< of a connection between requests
+  double head_timeout_s = 10;  ///< from the first byte of a request to the end of its head
+};
+
+/// REST door: every RPC with a google.api.http annotation, transcoded from the descriptors and called over an
+/// in-process channel, so that both doors run the same handlers. Thread-safe.
+class Gateway {
+ public:
+  /// Binds and serves until Shutdown or destruction. UNAVAILABLE if the address cannot be bound.
+  static Result<std::unique_ptr<Gateway>> Start(const GatewayOptions& options, std::shared_ptr<grpc::Channel> channel,
+                                                GatewayHooks hooks);
+  ~Gateway();
+
+  [[nodiscard]] int port() const;
+  /// Refuses new requests, lets running ones end for at most `grace_s`, then closes.
+  void Shutdown(double grace_s = 2.0);
+
+ private:
+  struct Impl;
+  explicit Gateway(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace dhpmap {
+
+/// What the gateway serves besides the RPCs. Called on its threads; must be quick and thread-safe.
+struct GatewayHooks {
+  std::function<bool()> is_ready;             ///< /readyz
+  std::function<std::string()> metrics_text;  ///< /metrics, Prometheus text
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/gateway/media_type.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "server/http/message.h"
+
+namespace dhpmap::gateway {
+namespace {
+
+std::string_view Trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+std::string_view TypeOf(std::string_view text) { return Trimmed(text.substr(0, text.find(';'))); }
+
+template <std::size_t N>
+bool IsAnyOf(std::string_view type, const std::string_view (&names)[N]) {
+  for (const std::string_view name : names) {
+    if (http::EqualsIgnoringCase(type, name)) return true;
+  }
+  return false;
+}
+
+constexpr std::string_view kOneJsonNames[] = {"application/json", "text/json"};
+constexpr std::string_view kJsonNames[] = {"application/json",   "text/json",         "application/x-ndjson",
+                                           "application/ndjson", "application/jsonl", "application/json-seq"};
+constexpr std::string_view kProtobufNames[] = {"application/x-protobuf", "application/protobuf",
+                                               "application/vnd.google.protobuf"};
+constexpr std::string_view kStreamNames[] = {"application/x-protobuf-stream", "application/x-protobuf-delimited"};
+
+/// The `q` of a media range, 0 to 1; 1 if it has none, 0 if it is not a number.
+double QualityOf(std::string_view range) {
+  for (std::size_t at = range.find(';'); at != std::string_view::npos; at = range.find(';', at + 1)) {
+    const std::string_view parameter = Trimmed(range.substr(at + 1));
+    if (parameter.size() < 2 || (parameter[0] != 'q' && parameter[0] != 'Q') || parameter[1] != '=') continue;
+    double quality = 0;
+    std::from_chars(parameter.data() + 2, parameter.data() + parameter.size(), quality);
+    return quality > 0 ? std::min(quality, 1.0) : 0;  // not for a NaN
+  }
+  return 1;
+}
+
+}  // namespace
+
+std::optional<BodyFormat> FormatOfContentType(std::string_view content_type) {
+  const std::string_view type = TypeOf(content_type);
+  if (type.empty() || http::EqualsIgnoringCase(type, "application/x-www-form-urlencoded") ||
+      IsAnyOf(type, kJsonNames)) {
+    return BodyFormat::kJson;
+  }
+  if (IsAnyOf(type, kProtobufNames)) return BodyFormat::kProtobuf;
+  if (IsAnyOf(type, kStreamNames)) return BodyFormat::kDelimitedProtobuf;
+  return std::nullopt;
+}
+
+bool IsOneJsonValue(std::string_view content_type) { return IsAnyOf(TypeOf(content_type), kOneJsonNames); }
+
+AnswerFormat FormatOfAccept(std::string_view accept) {
+  AnswerFormat best = AnswerFormat::kAny;
+  double best_quality = 0;
+  while (!accept.empty()) {
+    const std::size_t comma = accept.find(',');
+    const std::string_view range = accept.substr(0, comma);
+    accept.remove_prefix(comma == std::string_view::npos ? accept.size() : comma + 1);
+    const std::string_view type = TypeOf(range);
+    AnswerFormat format = AnswerFormat::kAny;
+    if (IsAnyOf(type, kJsonNames)) format = AnswerFormat::kJson;
+    if (IsAnyOf(type, kProtobufNames) || IsAnyOf(type, kStreamNames)) format = AnswerFormat::kProtobuf;
+    const double quality = QualityOf(range);
+    if (quality <= best_quality) continue;
+    best = format;
+    best_quality = quality;
+  }
+  return best;
+}
+
+}  // namespace dhpmap::gateway

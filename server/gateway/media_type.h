@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace dhpmap::gateway {
+
+/// What a body is written in.
+enum class BodyFormat {
+  kJson,              ///< one value; for a client stream any number, each after the other (NDJSON)
+  kProtobuf,          ///< one message
+  kDelimitedProtobuf  ///< each message after its length as a varint
+};
+
+/// Nothing for a type that we do not take. A missing type and curl's default (a form) count as JSON.
+std::optional<BodyFormat> FormatOfContentType(std::string_view content_type);
+
+/// Whether the type names one JSON value, rather than any number of them or nothing.
+bool IsOneJsonValue(std::string_view content_type);
+
+/// What the client wants to get.
+enum class AnswerFormat {
+  kJson,      ///< streams as NDJSON
+  kProtobuf,  ///< streams as length-delimited messages
+  kAny        ///< it named neither of them
+};
+AnswerFormat FormatOfAccept(std::string_view accept);
+
+inline constexpr std::string_view kJsonType = "application/json";
+inline constexpr std::string_view kNdjsonType = "application/x-ndjson";
+inline constexpr std::string_view kProtobufType = "application/x-protobuf";
+inline constexpr std::string_view kProtobufStreamType = "application/x-protobuf-stream";
+
+}  // namespace dhpmap::gateway

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "mapping/base/status.h"
+
+namespace dhpmap::gateway {
+
+/// What an RPC ended with: code, message, and google.rpc.Status in wire form (or nothing) as gRPC carries it.
+struct RpcStatus {
+  int code = 0;
+  std::string message;
+  std::string details;
+
+  [[nodiscard]] bool ok() const { return code == 0; }
+};
+
+/// With reason as google.rpc.ErrorInfo and violations as google.rpc.BadRequest.
+RpcStatus ToRpcStatus(const Status& status);
+
+}  // namespace dhpmap::gateway

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/gateway/stream_encoder.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
+#include <algorithm>
+
+namespace dhpmap::gateway {
+namespace {
+
+/// A header value: no control characters, so that nothing can end the header early.
+std::string HeaderValue(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < 0x20 || c == 0x7F; }, ' ');
+  return text;
+}
+
+}  // namespace
+
+StreamEncoder::StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem)
+    : route_(route),
+      format_(format),
+      file_stem_(std::move(file_stem)),
+      is_file_(route.file.has_value() && format == AnswerFormat::kAny) {}
+
+http::Headers StreamEncoder::EmptyHead() const {
+  if (is_file_) return {{"Content-Type", "application/octet-stream"}};
+  return {{"Content-Type", std::string(format_ == AnswerFormat::kProtobuf ? kProtobufStreamType : kNdjsonType)}};
+}
+
+Result<StreamPart> StreamEncoder::Encode(const std::string& message) {
+  if (is_file_) return EncodeFile(message);
+  StreamPart part;
+  if (is_first_) part.head = StreamHead{EmptyHead(), std::nullopt};
+  is_first_ = false;
+  DHPMAP_ASSIGN_OR_RETURN(part.data, ToStreamAnswer(route_, message, format_));
+  return part;
+}
+
+Result<StreamPart> StreamEncoder::EncodeFile(const std::string& bytes) {
+  const auto message = NewMessage(*route_.method->output_type());
+  if (!message->ParseFromString(bytes)) {
+    return Internal("the answer is not a " + route_.method->output_type()->full_name());
+  }
+  const auto& reflection = *message->GetReflection();
+  StreamPart part;
+  if (is_first_) {
+    is_first_ = false;
+    std::string type = HeaderValue(reflection.GetString(*message, route_.file->content_type));
+    if (type.empty()) type = "application/octet-stream";
+    part.head.emplace();
+    part.head->headers.emplace_back("Content-Disposition",
+                                    "attachment; filename=\"" + file_stem_ + "." + ExtensionOf(type) + "\"");
+    part.head->headers.emplace_back("Content-Type", std::move(type));
+    if (route_.file->total_bytes != nullptr) {
+      const std::int64_t total = reflection.GetInt64(*message, route_.file->total_bytes);
+      if (total > 0) part.head->length = static_cast<std::uint64_t>(total);
+    }
+  }
+  part.data = reflection.GetString(*message, route_.file->data);
+  return part;
+}
+
+std::string ExtensionOf(std::string_view content_type) {
+  content_type = content_type.substr(0, content_type.find(';'));
+  std::string_view name = content_type.substr(content_type.find('/') + 1);
+  for (const std::string_view prefix : {"vnd.", "x-"}) {
+    if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+  }
+  const bool plain = !name.empty() && name.size() <= 8 && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+  });
+  return plain ? std::string(name) : "bin";
+}
+
+}  // namespace dhpmap::gateway

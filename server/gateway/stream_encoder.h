@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "server/gateway/transcoder.h"
+#include "server/http/message.h"
+
+namespace dhpmap::gateway {
+
+struct StreamHead {
+  http::Headers headers;
+  std::optional<std::uint64_t> length;
+};
+
+/// What one message of a stream adds to the answer.
+struct StreamPart {
+  std::optional<StreamHead> head;  ///< of the first
+  std::string data;                ///< may be empty
+};
+
+/// Encodes the messages of one streamed answer: as NDJSON, as length-delimited protobuf, or, for an RPC that sends a
+/// file and a client that asks for neither of them, as the file. Thread-compatible.
+class StreamEncoder {
+ public:
+  /// `file_stem`: a file's name, without its extension.
+  StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem);
+
+  /// INTERNAL if it is no message of the RPC's type.
+  Result<StreamPart> Encode(const std::string& message);
+
+  /// An error can be told in the answer itself.
+  [[nodiscard]] bool is_text() const { return !is_file_ && format_ != AnswerFormat::kProtobuf; }
+  /// Of a stream without messages.
+  [[nodiscard]] http::Headers EmptyHead() const;
+
+ private:
+  Result<StreamPart> EncodeFile(const std::string& message);
+
+  const Route& route_;
+  AnswerFormat format_;
+  std::string file_stem_;
+  bool is_file_;
+  bool is_first_ = true;
+};
+
+/// "ply" for "model/x-ply; charset=...", "bin" for what has no name of its own.
+std::string ExtensionOf(std::string_view content_type);
+
+}  // namespace dhpmap::gateway

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/base/state_machine.h"
+#include "server/gateway/byte_budget.h"
+#include "server/gateway/call_options.h"
+#include "server/gateway/error_body.h"
+#include "server/gateway/message_splitter.h"
+#include "server/gateway/rpc_call.h"
+#include "server/gateway/rpc_exchange.h"
+#include "server/gateway/rpc_request.h"
+#include "server/gateway/stream_encoder.h"
+#include "server/gateway/stream_state.h"
+#include "server/wire/types/metadata_keys.h"
+
+namespace dhpmap::gateway {
+namespace {
+
+/// Answers kept while the connection is busy, before the RPC has to wait. More while the body is still coming: a client
+/// that reads only after it has sent everything must not block itself.
+constexpr std::size_t kWindow_bytes = 256u << 10;
+constexpr std::size_t kWindowWhileReceiving_bytes = 16u << 20;
+
+/// The error of one message, saying which it was.
+Status Numbered(std::int64_t message, const Status& error) {
+  Status numbered(error.code(), "message " + std::to_string(message) + ": " + error.message());
+  numbered.WithReason(error.reason());
+  for (const auto& violation : error.violations()) numbered.AddViolation(violation.field, violation.description);
+  return numbered;
+}
+
+/// All members are used on the connection's sequence of execution, but for the encoder: that is gRPC's.
+class StreamExchange final : public http::Exchange,
+                             public StreamListener,
+                             public std::enable_shared_from_this<StreamExchange> {
+ public:
+  StreamExchange(RpcRequest request, ByteShare share, RpcCaller* caller, std::shared_ptr<http::Responder> responder)
+      : request_(std::move(request)),
+        share_(std::move(share)),
+        caller_(caller),
+        responder_(std::move(responder)),
+        splitter_(request_.body_format, request_.route->client_streams(), request_.max_body_bytes),
+        encoder_(*request_.route, request_.answer_format, request_.file_stem) {}
+
+  // From the connection.
+  bool OnBody(std::string_view data) override;
+  void OnBodyEnd() override;
+  void OnWritten() override;
+  void OnClosed() override;
+
+  // From gRPC, on its threads.
+  void OnMessage(std::string message) override {
+    auto part = encoder_.Encode(message);
+    PostToConnection([part = std::move(part)](StreamExchange& self) mutable { self.Answered(std::move(part)); });
+  }
+  void OnReadEnd() override {
+    PostToConnection([](StreamExchange& self) { self.ReadEnded(); });
+  }
+  void OnSent(bool ok) override {
+    PostToConnection([ok](StreamExchange& self) { self.Sent(ok); });
+  }
+  void OnDone(RpcStatus status) override {
+    PostToConnection([status = std::move(status)](StreamExchange& self) mutable { self.Done(std::move(status)); });
+  }
+
+ private:
+  template <typename Task>
+  void PostToConnection(Task task) {
+    responder_->Post([self = shared_from_this(), task = std::move(task)]() mutable { task(*self); });
+  }
+
+  void StartCall(bool is_one_message);
+  void Pump();
+  bool SendNext();
+  std::optional<std::string> NextMessage();
+  void StopSending(Status why);
+  void EndSending();
+  void Sent(bool ok);
+  void Answered(Result<StreamPart> part);
+  void Take(Result<StreamPart> part);
+  void Fail(Status why);
+  void ReadEnded();
+  void Done(RpcStatus status);
+  void ReadMore();
+  bool FitsShare();
+  void Deliver();
+  void EndIfDone();
+
+  const RpcRequest request_;
+  ByteShare share_;  // of what is kept of the body, and of the answer
+  RpcCaller* const caller_;
+  const std::shared_ptr<http::Responder> responder_;
+
+  MessageSplitter splitter_;
+  std::uint64_t num_received_bytes_ = 0;
+  std::optional<std::string> first_;  // complete, but it is not known yet whether others follow
+  StreamEncoder encoder_;
+  std::shared_ptr<StreamCall> call_;
+  StateMachine<Sending> sending_{Sending::kIdle};
+  std::int64_t num_messages_ = 0;
+
+  StateMachine<Receiving> receiving_{Receiving::kNoCall};
+  RpcStatus final_;                  // once receiving is done
+  std::optional<Status> own_error_;  // what is wrong with the body, or with the RPC's answer
+
+  StateMachine<Answering> answering_{Answering::kNone};
+  http::Response head_;
+  std::optional<std::uint64_t> length_;
+  std::string pending_;            // encoded, not handed to the connection yet
+  std::size_t writing_bytes_ = 0;  // handed to the connection, not written yet
+  std::uint64_t num_answered_bytes_ = 0;
+};
+
+bool StreamExchange::OnBody(std::string_view data) {
+  if (answering_.Is(Answering::kEnded) || sending_.Is(Sending::kEnded)) return true;  // the rest is let go
+  splitter_.Add(data);
+  num_received_bytes_ += data.size();
+  if (request_.announced_bytes > 0 && num_received_bytes_ >= request_.announced_bytes) splitter_.AddEnd();
+  Pump();
+  if (!FitsShare() && sending_.Is(Sending::kIdle)) StopSending(TooManyBytes());
+  if (!sending_.Is(Sending::kBusy)) return true;
+  sending_.To(Sending::kBusyHeld);
+  return false;
+}
+
+void StreamExchange::OnBodyEnd() {
+  splitter_.AddEnd();
+  if (!answering_.Is(Answering::kEnded)) Pump();
+}
+
+void StreamExchange::StartCall(bool is_one_message) {
+  CallOptions options = request_.call;
+  if (is_one_message && request_.route->client_streams()) options.metadata.emplace_back(kOneMessageKey, "1");
+  call_ = caller_->StartStream(options, shared_from_this());
+  receiving_.To(Receiving::kIdle);
+  ReadMore();
+}
+
+/// Sends the next message, or the end, if there is one and the last has gone.
+void StreamExchange::Pump() {
+  if (!sending_.Is(Sending::kIdle) || SendNext()) return;
+  if (splitter_.is_too_large()) {
+    StopSending(ResourceExhausted("message " + std::to_string(num_messages_ + 1) + " of the body is larger than " +
+                                  std::to_string(request_.max_body_bytes) + " bytes")
+                    .WithReason("BODY_TOO_LARGE"));
+  } else if (splitter_.is_broken()) {
+    StopSending(InvalidArgument("message " + std::to_string(num_messages_ + 1) + " of the body is cut off")
+                    .WithReason("MALFORMED_PROTOBUF"));
+  } else if (splitter_.ended()) {
+    if (!call_) StartCall(false);
+    sending_.To(Sending::kEnded);
+    call_->SendEnd();
+  }
+}
+
+/// Nothing if there is none yet. Of a body that should be one value, the first waits until it is clear whether it is
+/// the only one: then the answer is one, too.
+std::optional<std::string> StreamExchange::NextMessage() {
+  auto message = first_ ? std::exchange(first_, std::nullopt) : splitter_.Next();
+  const bool is_unclear = request_.is_one_value && request_.route->client_streams() && !call_ && !splitter_.ended() &&
+                          !splitter_.is_too_large() && splitter_.has_nothing_left();
+  if (message && is_unclear) {
+    first_ = std::move(message);
+    return std::nullopt;
+  }
+  return message;
+}
+
+/// False if there is no complete message; true if it went, or was no good.
+bool StreamExchange::SendNext() {
+  auto body = NextMessage();
+  if (!body) return false;
+  ++num_messages_;
+  auto message = request_.transcoder.ToRequest(request_.body_format, *body);
+  if (!message.ok()) {
+    StopSending(request_.route->client_streams() ? Numbered(num_messages_, message.status()) : message.status());
+    return true;
+  }
+  if (!call_) StartCall(splitter_.ended() && splitter_.has_nothing_left());
+  sending_.To(Sending::kBusy);
+  call_->Send(std::move(*message));
+  return true;
+}
+
+/// The body is no good from here on. What the RPC took before stands: it ends in good order, then comes the error.
+void StreamExchange::StopSending(Status why) {
+  own_error_ = std::move(why);
+  sending_.To(Sending::kEnded);
+  if (call_) return call_->SendEnd();
+  receiving_.To(Receiving::kDone);
+  final_ = ToRpcStatus(*own_error_);
+  EndIfDone();
+}
+
+void StreamExchange::Sent(bool ok) {
+  if (sending_.Is(Sending::kEnded)) return;
+  if (!ok) return EndSending();  // the RPC has ended; its status says why
+  const bool was_held = sending_.Is(Sending::kBusyHeld);
+  sending_.To(Sending::kIdle);
+  if (answering_.Is(Answering::kEnded)) return;
+  Pump();
+  if (!was_held) return;
+  if (sending_.Is(Sending::kBusy)) return sending_.To(Sending::kBusyHeld);
+  responder_->ResumeBody();
+}
+
+/// The RPC takes no more: the rest of the body is read and let go.
+void StreamExchange::EndSending() {
+  if (sending_.Is(Sending::kEnded)) return;
+  const bool was_held = sending_.Is(Sending::kBusyHeld);
+  sending_.To(Sending::kEnded);
+  if (was_held && !answering_.Is(Answering::kEnded)) responder_->ResumeBody();
+}
+
+/// Whether what is kept now is within the budget.
+bool StreamExchange::FitsShare() {
+  const std::size_t first_bytes = first_ ? first_->size() : 0;
+  return share_.Resize(first_bytes + splitter_.buffered_bytes() + pending_.size() + writing_bytes_);
+}
+
+void StreamExchange::ReadMore() {
+  if (!receiving_.Is(Receiving::kIdle)) return;
+  const std::size_t window = splitter_.ended() ? kWindow_bytes : kWindowWhileReceiving_bytes;
+  const bool is_full = pending_.size() >= window || (!FitsShare() && !pending_.empty());
+  if (!answering_.Is(Answering::kEnded) && is_full) return;
+  receiving_.To(Receiving::kBusy);
+  call_->Read();
+}
+
+void StreamExchange::Answered(Result<StreamPart> part) {
+  receiving_.To(Receiving::kIdle);
+  if (!answering_.Is(Answering::kEnded)) Take(std::move(part));
+  ReadMore();
+}
+
+void StreamExchange::Take(Result<StreamPart> part) {
+  if (!part.ok()) return Fail(part.status());
+  if (part->head) {
+    head_.headers = std::move(part->head->headers);
+    length_ = part->head->length;
+  }
+  num_answered_bytes_ += part->data.size();
+  if (length_ && num_answered_bytes_ > *length_) {  // the announced size was wrong: cut the answer off
+    return Fail(Internal("the answer is larger than announced"));
+  }
+  if (answering_.Is(Answering::kNone)) {
+    answering_.To(Answering::kIdle);
+    head_.headers.emplace_back("X-Request-Id", RequestIdOf(request_.call));
+    responder_->BeginStream(std::move(head_), length_);
+    if (request_.is_head) {
+      answering_.To(Answering::kEnded);
+      responder_->EndStream(true);
+      return call_->Cancel();
+    }
+  }
+  pending_ += part->data;
+  Deliver();
+}
+
+void StreamExchange::Fail(Status why) {
+  own_error_ = std::move(why);
+  call_->Cancel();
+}
+
+void StreamExchange::Deliver() {
+  if (!answering_.Is(Answering::kIdle) || pending_.empty()) return;
+  answering_.To(Answering::kBusy);
+  std::string data;
+  data.swap(pending_);
+  writing_bytes_ = data.size();
+  responder_->Chunk(std::move(data));
+}
+
+void StreamExchange::OnWritten() {
+  answering_.To(Answering::kIdle);
+  writing_bytes_ = 0;
+  Deliver();
+  ReadMore();
+  EndIfDone();
+}
+
+void StreamExchange::ReadEnded() {
+  receiving_.To(Receiving::kEnded);
+  EndSending();
+  call_->Finish();
+}
+
+void StreamExchange::Done(RpcStatus status) {
+  receiving_.To(Receiving::kDone);
+  call_.reset();
+  if (answering_.Is(Answering::kEnded)) return;
+  // Not ours to overrule what the RPC itself found wrong, unless we made it fail.
+  const bool ours = own_error_ && (status.ok() || status.code == static_cast<int>(StatusCode::kCancelled));
+  final_ = ours ? ToRpcStatus(*own_error_) : std::move(status);
+  if (!ours) own_error_.reset();
+  if (!answering_.Is(Answering::kNone) && !final_.ok() && encoder_.is_text()) pending_ += ErrorLine(final_);
+  Deliver();
+  EndIfDone();
+}
+
+void StreamExchange::EndIfDone() {
+  if (!receiving_.Is(Receiving::kDone) || !pending_.empty()) return;
+  if (!answering_.IsAnyOf({Answering::kNone, Answering::kIdle})) return;
+  const bool has_begun = answering_.Is(Answering::kIdle);
+  answering_.To(Answering::kEnded);
+  if (has_begun) {
+    const bool whole = !length_ || num_answered_bytes_ == *length_;
+    return responder_->EndStream(whole && (final_.ok() || encoder_.is_text()));
+  }
+  http::Response answer;
+  if (final_.ok()) {
+    answer.headers = encoder_.EmptyHead();
+  } else {
+    answer =
+        own_error_ ? ErrorResponse(*own_error_, request_.answer_format) : ErrorResponse(final_, request_.answer_format);
+  }
+  answer.headers.emplace_back("X-Request-Id", RequestIdOf(request_.call));
+  responder_->Reply(std::move(answer));
+}
+
+void StreamExchange::OnClosed() {
+  if (!answering_.Is(Answering::kEnded)) answering_.To(Answering::kEnded);
+  EndSending();
+  std::string().swap(pending_);
+  if (!call_) return;
+  call_->Cancel();
+  ReadMore();  // until the end of reads: the RPC cannot go before
+}
+
+}  // namespace
+
+std::shared_ptr<http::Exchange> MakeStreamExchange(RpcRequest request, ByteShare share, RpcCaller* caller,
+                                                   std::shared_ptr<http::Responder> responder) {
+  return std::make_shared<StreamExchange>(std::move(request), std::move(share), caller, std::move(responder));
+}
+
+}  // namespace dhpmap::gateway

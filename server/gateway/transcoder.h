@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "mapping/base/result.h"
+#include "server/gateway/http_rule_router.h"
+#include "server/gateway/media_type.h"
+#include "server/http/url.h"
+
+namespace google::protobuf {
+class Descriptor;
+class Message;
+}  // namespace google::protobuf
+
+namespace dhpmap::gateway {
+
+std::unique_ptr<google::protobuf::Message> NewMessage(const google::protobuf::Descriptor& type);
+
+/// Makes the messages of one request from its bodies, path and query. Thread-compatible.
+class RequestTranscoder {
+ public:
+  /// INVALID_ARGUMENT for a broken query or path escape. `match.route` must outlive this.
+  static Result<RequestTranscoder> Make(RouteMatch match, std::string_view query);
+
+  /// The header If-Match, as the etag that the RPC's request takes, itself or in its body's field. Empty or "*": none.
+  /// INVALID_ARGUMENT if it is not one strong entity tag, or the RPC takes none.
+  Status SetIfMatch(std::string_view header);
+
+  /// One body, or one message of it, as the wire form of the RPC's request. What the path says wins over the body;
+  /// query parameters fill the rest; a PATCH without update_mask gets the paths that its JSON body sets, less those in
+  /// the path and the etag (a precondition, not a change). INVALID_ARGUMENT names the field or the place in the text.
+  [[nodiscard]] Result<std::string> ToRequest(BodyFormat format, std::string_view body) const;
+
+ private:
+  RequestTranscoder(RouteMatch match, http::QueryPairs query) : match_(std::move(match)), query_(std::move(query)) {}
+
+  Status ReadBody(BodyFormat format, std::string_view body, google::protobuf::Message* request,
+                  std::vector<std::string>* paths) const;
+  Status ApplyQuery(google::protobuf::Message* request) const;
+  Status ApplyPath(google::protobuf::Message* request) const;
+  Status ApplyIfMatch(google::protobuf::Message* request) const;
+  void DeriveMask(const std::vector<std::string>& paths, google::protobuf::Message* request) const;
+  [[nodiscard]] Status CheckParameter(const std::string& name, const json::FieldPath& field) const;
+
+  RouteMatch match_;
+  http::QueryPairs query_;
+  json::FieldPath etag_field_;
+  std::string if_match_;
+};
+
+/// The wire form of a response as a body. INTERNAL if it is not a message of the RPC's type.
+Result<std::string> ToAnswer(const Route& route, std::string response, AnswerFormat format);
+
+/// One message of a stream: a line {"result":...}, or the message after its length.
+Result<std::string> ToStreamAnswer(const Route& route, std::string_view response, AnswerFormat format);
+
+/// The varint that goes before a message of `size` bytes.
+void AppendVarint(std::uint64_t size, std::string* out);
+
+}  // namespace dhpmap::gateway

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/grpc/lane.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+/// Of this thread only: on Linux a niceness is a thread's own. Being less nice than the process needs rights that we
+/// may not have, and is never asked for.
+void BeNicer(int by) {
+  if (by <= 0) return;
+  const int now = getpriority(PRIO_PROCESS, 0);
+  setpriority(PRIO_PROCESS, 0, now + by);
+}
+
+}  // namespace
+
+bool LaneTask::GiveUp() {
+  return Take() != nullptr;  // what it held is freed here, outside of the lock
+}
+
+bool LaneTask::IsGivenUp() const {
+  const MutexLock lock(mutex_);
+  return work_ == nullptr;
+}
+
+std::function<void()> LaneTask::Take() {
+  const MutexLock lock(mutex_);
+  return std::exchange(work_, nullptr);
+}
+
+Lane::Lane(const LaneOptions& options) : options_(options) {
+  for (int i = 0; i < std::max(1, options_.num_threads); ++i) {
+    threads_.emplace_back([this] {
+      BeNicer(options_.niceness);
+      Loop();
+    });
+  }
+}
+
+Lane::~Lane() {
+  {
+    const MutexLock lock(mutex_);
+    stopping_ = true;
+  }
+  wake_.NotifyAll();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+bool Lane::TryPost(std::shared_ptr<LaneTask> task) {
+  {
+    const MutexLock lock(mutex_);
+    if (tasks_.size() >= options_.max_waiting) {
+      std::erase_if(tasks_, [](const std::shared_ptr<LaneTask>& waiting) { return waiting->IsGivenUp(); });
+    }
+    if (tasks_.size() >= options_.max_waiting) return false;
+    tasks_.push_back(std::move(task));
+  }
+  wake_.NotifyOne();
+  return true;
+}
+
+void Lane::Post(std::function<void()> work) {
+  auto task = std::make_shared<LaneTask>(std::move(work));
+  {
+    const MutexLock lock(mutex_);
+    tasks_.push_back(std::move(task));
+  }
+  wake_.NotifyOne();
+}
+
+void Lane::Loop() {
+  MutexLock lock(mutex_);
+  while (true) {
+    wake_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !tasks_.empty(); });
+    if (tasks_.empty()) return;
+    {
+      const std::shared_ptr<LaneTask> task = std::move(tasks_.front());
+      tasks_.pop_front();
+      lock.Unlock();
+      if (const auto work = task->Take()) work();
+    }
+    lock.Lock();
+  }
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "mapping/base/mutex.h"
+
+namespace dhpmap {
+
+/// Work that waits for a thread and can be given up as long as it does. Thread-safe.
+class LaneTask {
+ public:
+  /// `work` must not throw.
+  explicit LaneTask(std::function<void()> work) : work_(std::move(work)) {}
+
+  /// True if the work had not begun: then it is freed, and never will.
+  bool GiveUp() DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  friend class Lane;
+  [[nodiscard]] bool IsGivenUp() const DHPMAP_EXCLUDES(mutex_);
+  /// The work, to be begun now; empty if it is given up.
+  [[nodiscard]] std::function<void()> Take() DHPMAP_EXCLUDES(mutex_);
+
+  mutable Mutex mutex_;
+  std::function<void()> work_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+struct LaneOptions {
+  int num_threads = 1;
+  std::size_t max_waiting = 1024;  ///< tasks that no thread has begun
+  int niceness = 0;                ///< of its threads, above that of the process: 10 leaves the cores to others
+};
+
+/// Threads for calls of one kind, in the order they came, so that no kind of call waits for another, and none holds up
+/// gRPC's own threads, of which there are two. Thread-safe.
+class Lane {
+ public:
+  explicit Lane(const LaneOptions& options);
+  /// Runs what was posted, then ends the threads.
+  ~Lane();
+  Lane(const Lane&) = delete;
+  Lane& operator=(const Lane&) = delete;
+
+  /// False, and nothing is kept, if max_waiting tasks wait that nobody has given up.
+  [[nodiscard]] bool TryPost(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
+  /// For work that its source bounds, such as the frames in flight of a stream: there is always room for it.
+  void Post(std::function<void()> work) DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  void Loop() DHPMAP_EXCLUDES(mutex_);
+
+  const LaneOptions options_;
+  Mutex mutex_;
+  CondVar wake_;
+  std::deque<std::shared_ptr<LaneTask>> tasks_ DHPMAP_GUARDED_BY(mutex_);
+  bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
+  std::vector<std::thread> threads_;
+};
+
+/// One lane for each kind of call.
+struct Lanes {
+  Lane quick;   ///< answers in microseconds, or asynchronously
+  Lane bulk;    ///< meshes, voxels, many points: takes long, and cares less
+  Lane frames;  ///< decoding what robots stream
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/http/listener.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/strand.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "server/http/request_parser.h"
+
+namespace dhpmap::http {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+using asio::ip::tcp;
+using beast::error_code;
+
+constexpr std::chrono::seconds kProgressTimeout{60};   // a body or an answer that does not move
+constexpr std::chrono::milliseconds kFirstProbe{100};  // after the client's end: most answers are there before
+constexpr std::chrono::seconds kNextProbe{1};
+constexpr std::size_t kFirstRead_bytes = 4u << 10;
+constexpr std::size_t kReadSize_bytes = 64u << 10;
+
+/// Of a read from the socket.
+ReadOutcome OutcomeOf(const error_code& error) {
+  return error == beast::error::timeout ? ReadOutcome::kTimedOut : ReadOutcome::kClosed;
+}
+
+class BeastConnection final : public Connection, public std::enable_shared_from_this<BeastConnection> {
+ public:
+  BeastConnection(tcp::socket socket, const ListenerOptions& options)
+      : idle_timeout_(std::chrono::duration_cast<Clock::duration>(options.idle_timeout)),
+        head_timeout_(std::chrono::duration_cast<Clock::duration>(options.head_timeout)),
+        stream_(std::move(socket)),
+        probe_timer_(stream_.get_executor()),
+        buffer_(RequestParser::kMaxHead_bytes + kReadSize_bytes) {
+    error_code ignored;
+    stream_.socket().set_option(tcp::no_delay(true), ignored);
+    stream_.socket().non_blocking(true, ignored);  // or peeking might block
+  }
+
+  void Start(std::shared_ptr<ConnectionEvents> events) override {
+    events_ = std::move(events);
+    ReadHead();
+  }
+
+  void ReadHead() override {
+    parser_ = RequestParser();
+    if (buffer_.size() > 0) return Later([](BeastConnection& self) { self.BeginHead(); });
+    stream_.expires_after(idle_timeout_);
+    ReadSome(
+        kFirstRead_bytes, [](BeastConnection& self) { self.BeginHead(); },
+        [](BeastConnection& self, ReadOutcome outcome) { self.HeadFailed(outcome); });
+  }
+
+  void ReadBody() override {
+    body_.resize(kReadSize_bytes);
+    stream_.expires_after(kProgressTimeout);
+    if (buffer_.size() > 0) return Later([](BeastConnection& self) { self.ParseBody(); });
+    ReadMoreBody();
+  }
+
+  void Write(std::string first, std::string second) override {
+    probe_.clear();
+    probe_timer_.cancel();
+    first_ = std::move(first);
+    second_ = std::move(second);
+    to_write_ = {asio::buffer(first_), asio::buffer(second_)};
+    WriteSome();
+  }
+
+  void WatchPeer(std::string probe) override {
+    if (buffer_.size() > 0) return;  // the next request is here already: its end is not the client's
+    probe_ = std::move(probe);
+    watching_ = true;
+    const int watch = ++watch_;
+    stream_.socket().async_wait(tcp::socket::wait_read, [self = shared_from_this(), watch](error_code error) {
+      if (error || watch != self->watch_ || !self->events_) return;
+      char byte = 0;
+      const std::size_t size = self->stream_.socket().receive(asio::buffer(&byte, 1), tcp::socket::message_peek, error);
+      if (error == asio::error::eof || (!error && size == 0)) return self->PeerEnded(watch);
+      if (error && error != asio::error::would_block) return self->events()->OnPeerClosed();
+    });
+  }
+
+  void StopWatching() override {
+    if (!watching_) return;
+    watching_ = false;
+    ++watch_;
+    probe_timer_.cancel();
+    error_code ignored;
+    stream_.socket().cancel(ignored);
+  }
+
+  void CloseSending() override {
+    error_code ignored;
+    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+  }
+
+  void Close() override {
+    events_.reset();
+    probe_timer_.cancel();
+    error_code ignored;
+    stream_.socket().shutdown(tcp::socket::shutdown_both, ignored);
+    stream_.close();
+  }
+
+  std::string local_address() const override {
+    error_code ignored;
+    return stream_.socket().local_endpoint(ignored).address().to_string();
+  }
+
+  void Post(std::function<void()> task) override { asio::post(stream_.get_executor(), std::move(task)); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// Not from within the call: the answers to many small parts would be stacked up inside of each other.
+  template <typename Work>
+  void Later(Work work) {
+    Post([self = shared_from_this(), work] {
+      if (self->events_) work(*self);
+    });
+  }
+
+  /// `done` or `failed` hears of it, unless the connection has been closed meanwhile.
+  template <typename Done, typename Failed>
+  void ReadSome(std::size_t num_bytes, Done done, Failed failed) {
+    stream_.async_read_some(buffer_.prepare(num_bytes),
+                            [self = shared_from_this(), done, failed](error_code error, std::size_t size) {
+                              if (!self->events_) return;
+                              self->buffer_.commit(size);
+                              if (error) failed(*self, OutcomeOf(error));
+                              else done(*self);
+                            });
+  }
+
+  [[nodiscard]] std::string_view Unread() const {
+    return {static_cast<const char*>(buffer_.data().data()), buffer_.size()};
+  }
+
+  void BeginHead() {
+    stream_.expires_after(head_timeout_);
+    ParseHead();
+  }
+
+  void ParseHead() {
+    RequestParser::HeadStep step = parser_.AddHead(Unread());
+    buffer_.consume(step.num_used);
+    if (step.is_complete) return events()->OnHead(std::move(step.head));
+    ReadSome(
+        kFirstRead_bytes, [](BeastConnection& self) { self.ParseHead(); },
+        [](BeastConnection& self, ReadOutcome outcome) { self.HeadFailed(outcome); });
+  }
+
+  void HeadFailed(ReadOutcome outcome) {
+    HeadResult ended;
+    ended.outcome = outcome;
+    events()->OnHead(std::move(ended));
+  }
+
+  void ParseBody() {
+    const RequestParser::BodyStep step = parser_.AddBody(Unread(), body_);
+    buffer_.consume(step.num_used);
+    if (step.is_complete()) {
+      return events()->OnBodyData(step.outcome, {body_.data(), step.num_written}, step.is_end);
+    }
+    ReadMoreBody();
+  }
+
+  void ReadMoreBody() {
+    ReadSome(
+        kReadSize_bytes, [](BeastConnection& self) { self.ParseBody(); },
+        [](BeastConnection& self, ReadOutcome outcome) { self.events()->OnBodyData(outcome, {}, false); });
+  }
+
+  /// No more comes from the client. If it is gone, the connection is reset as soon as something is sent.
+  void PeerEnded(int watch) {
+    stream_.socket().async_wait(tcp::socket::wait_error, [self = shared_from_this(), watch](error_code error) {
+      if (!error && watch == self->watch_ && self->events_) self->events()->OnPeerClosed();
+    });
+    events()->OnPeerEnded();
+    if (events_ && !probe_.empty()) ProbeAfter(kFirstProbe, watch);
+  }
+
+  void ProbeAfter(Clock::duration time, int watch) {
+    probe_timer_.expires_after(time);
+    probe_timer_.async_wait([self = shared_from_this(), watch](error_code error) {
+      if (error || watch != self->watch_ || !self->events_ || self->probe_.empty()) return;
+      const std::size_t sent = self->stream_.socket().send(asio::buffer(self->probe_), 0, error);
+      if (error == asio::error::would_block) error = {};
+      if (error || (sent > 0 && sent < self->probe_.size())) return self->events()->OnPeerClosed();
+      self->ProbeAfter(kNextProbe, watch);
+    });
+  }
+
+  /// A copy, because the call may close the connection.
+  std::shared_ptr<ConnectionEvents> events() const { return events_; }
+
+  void WriteSome() {
+    stream_.expires_after(kProgressTimeout);
+    stream_.async_write_some(to_write_, [self = shared_from_this()](error_code error, std::size_t size) {
+      if (!self->events_) return;
+      for (auto& part : self->to_write_) {
+        const std::size_t step = std::min(size, part.size());
+        part += step;
+        size -= step;
+      }
+      if (!error && asio::buffer_size(self->to_write_) > 0) return self->WriteSome();
+      self->events()->OnWriteDone(!error);
+    });
+  }
+
+  const Clock::duration idle_timeout_;
+  const Clock::duration head_timeout_;
+  beast::tcp_stream stream_;
+  asio::steady_timer probe_timer_;
+  std::string probe_;
+  beast::flat_buffer buffer_;
+  RequestParser parser_;
+  std::string body_;
+  std::string first_, second_;
+  std::array<asio::const_buffer, 2> to_write_;
+  bool watching_ = false;
+  int watch_ = 0;  // which watch: a cancelled one may still report
+  std::shared_ptr<ConnectionEvents> events_;
+};
+
+Result<std::pair<std::string, std::uint16_t>> SplitAddress(const std::string& address) {
+  const std::size_t colon = address.rfind(':');
+  std::uint16_t port = 0;
+  const char* begin = address.data() + (colon == std::string::npos ? address.size() : colon + 1);
+  const char* end = address.data() + address.size();
+  const auto [stop, error] = std::from_chars(begin, end, port);
+  if (colon == std::string::npos || error != std::errc() || stop != end) {
+    return InvalidArgument("'" + address + "' is no address: expected host:port");
+  }
+  std::string host = address.substr(0, colon);
+  if (host.size() > 1 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
+  return std::pair{std::move(host), port};
+}
+
+/// A file descriptor kept back, to accept one more connection when there are no others.
+class Reserve {
+ public:
+  Reserve() { Fill(); }
+  ~Reserve() { Use(); }
+  Reserve(const Reserve&) = delete;
+  Reserve& operator=(const Reserve&) = delete;
+
+  /// Frees it; false if there was none.
+  bool Use() {
+    if (descriptor_ < 0) return false;
+    ::close(descriptor_);
+    descriptor_ = -1;
+    return true;
+  }
+  /// False if there is none to be had.
+  bool Fill() {
+    if (descriptor_ < 0) descriptor_ = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    return descriptor_ >= 0;
+  }
+
+ private:
+  int descriptor_ = -1;
+};
+
+}  // namespace
+
+struct Listener::Impl {
+  Impl(const ListenerOptions& how, ListenerEvents whom)
+      : options(how),
+        events(std::move(whom)),
+        io(options.num_threads),
+        acceptor(asio::make_strand(io)),
+        retry(acceptor.get_executor()) {}
+
+  Status Bind(const std::string& address);
+  void Accept();
+  void Accepted(const error_code& error, tcp::socket socket);
+  void AcceptAfter(std::chrono::milliseconds time);
+
+  const ListenerOptions options;
+  const ListenerEvents events;
+  asio::io_context io;
+  // Calls that outlast their connections still report through the threads.
+  asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
+  tcp::acceptor acceptor;  // used on its strand only, once the threads run
+  asio::steady_timer retry;
+  Reserve reserve;
+  int port = 0;
+  std::vector<std::thread> threads;
+};
+
+Status Listener::Impl::Bind(const std::string& address) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto parts, SplitAddress(address));
+  error_code error;
+  const auto ip = parts.first == "localhost" ? asio::ip::make_address("127.0.0.1", error)
+                                             : asio::ip::make_address(parts.first, error);
+  if (error) return InvalidArgument("'" + address + "' is no address: the host must be an IP address or localhost");
+  const tcp::endpoint endpoint(ip, parts.second);
+  acceptor.open(endpoint.protocol(), error);
+  if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) acceptor.bind(endpoint, error);
+  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (error) return Unavailable("cannot listen on " + address + ": " + error.message());
+  port = acceptor.local_endpoint(error).port();
+  return Status::Ok();
+}
+
+void Listener::Impl::Accept() {
+  acceptor.async_accept(asio::make_strand(io),
+                        [this](error_code error, tcp::socket socket) { Accepted(error, std::move(socket)); });
+}
+
+void Listener::Impl::AcceptAfter(std::chrono::milliseconds time) {
+  retry.expires_after(time);
+  retry.async_wait([this](error_code stopped) {
+    if (!stopped && acceptor.is_open()) Accept();
+  });
+}
+
+void Listener::Impl::Accepted(const error_code& error, tcp::socket socket) {
+  if (error == asio::error::operation_aborted || !acceptor.is_open()) return;
+  if (error) {  // out of file descriptors, most likely
+    const bool has_closed_one = events.on_no_descriptors();
+    return AcceptAfter(std::chrono::milliseconds(reserve.Use() ? 0 : has_closed_one ? 5 : 50));
+  }
+  auto connection = std::make_shared<BeastConnection>(std::move(socket), options);
+  connection->Post([this, connection] { events.on_connection(connection); });
+  if (!reserve.Fill()) events.on_no_descriptors();
+  Accept();
+}
+
+Result<std::unique_ptr<Listener>> Listener::Start(const ListenerOptions& options, ListenerEvents events) {
+  auto impl = std::make_unique<Impl>(options, std::move(events));
+  DHPMAP_RETURN_IF_ERROR(impl->Bind(options.address));
+  impl->Accept();
+  for (int i = 0; i < options.num_threads; ++i) impl->threads.emplace_back([io = &impl->io] { io->run(); });
+  return std::unique_ptr<Listener>(new Listener(std::move(impl)));
+}
+
+Listener::Listener(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Listener::~Listener() {
+  impl_->io.stop();
+  for (std::thread& thread : impl_->threads) thread.join();
+}
+
+int Listener::port() const { return impl_->port; }
+
+void Listener::StopAccepting() {
+  asio::post(impl_->acceptor.get_executor(), [impl = impl_.get()] {
+    error_code ignored;
+    impl->acceptor.close(ignored);
+    impl->retry.cancel();
+  });
+}
+
+}  // namespace dhpmap::http

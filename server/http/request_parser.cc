@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/http/request_parser.h"
+
+#include <boost/asio/buffer.hpp>
+#include <boost/beast/http/buffer_body.hpp>
+#include <boost/beast/http/error.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <string>
+
+namespace dhpmap::http {
+namespace {
+
+namespace beast = boost::beast;
+using beast::error_code;
+using Parser = beast::http::request_parser<beast::http::buffer_body>;
+
+/// What a method consists of (RFC 9110 5.6.2).
+bool IsTokenChar(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+         std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
+}
+
+ReadOutcome OutcomeOf(const error_code& error) {
+  if (!error) return ReadOutcome::kOk;
+  return error == beast::http::error::header_limit ? ReadOutcome::kTooLarge : ReadOutcome::kMalformed;
+}
+
+HeadResult MakeHead(const Parser& parser, const error_code& error) {
+  HeadResult result;
+  result.outcome = OutcomeOf(error);
+  if (error) {
+    result.problem = error.message();
+    return result;
+  }
+  const auto& message = parser.get();
+  // The parser takes a coding that it does not know for no body at all, and the body for the next request.
+  const auto codings = message.equal_range(beast::http::field::transfer_encoding);
+  for (auto coding = codings.first; coding != codings.second; ++coding) {
+    if (message.version() >= 11 && std::next(codings.first) == codings.second &&
+        EqualsIgnoringCase(std::string_view(coding->value().data(), coding->value().size()), "chunked")) {
+      continue;
+    }
+    result.outcome = ReadOutcome::kUnknownCoding;
+    return result;
+  }
+  result.head.method = std::string(message.method_string());
+  result.head.target = std::string(message.target());
+  for (const auto& field : message) {
+    result.head.headers.emplace_back(std::string(field.name_string()), std::string(field.value()));
+  }
+  if (const auto length = parser.content_length()) result.head.content_length = *length;
+  result.is_http_1_1 = message.version() >= 11;
+  result.keep_alive = parser.keep_alive();
+  result.has_body = !parser.is_done();
+  return result;
+}
+
+}  // namespace
+
+struct RequestParser::Impl {
+  Impl() {
+    parser.header_limit(kMaxHead_bytes);
+    parser.body_limit(std::numeric_limits<std::uint64_t>::max());  // the exchange limits it; none does not work in 1.74
+  }
+
+  /// Where the head ends; 0 if it does not yet, or if `outcome` says that it is none.
+  std::size_t FindHead(std::string_view bytes, ReadOutcome* outcome);
+  HeadResult ParseHead(std::string_view bytes);
+
+  Parser parser;
+  std::size_t num_scanned = 0;  // of the head
+};
+
+// Beast's own search depends on the pieces: it may overlook the end of a head that it has begun to read.
+std::size_t RequestParser::Impl::FindHead(std::string_view bytes, ReadOutcome* outcome) {
+  const std::string_view head = bytes.substr(0, kMaxHead_bytes);
+  if (num_scanned == 0 && !head.empty() && !IsTokenChar(head[0])) *outcome = ReadOutcome::kMalformed;  // TLS, say
+  while (*outcome == ReadOutcome::kOk) {
+    const std::size_t newline = head.find('\n', num_scanned);
+    num_scanned = newline == std::string_view::npos ? head.size() : newline + 1;
+    if (newline == std::string_view::npos) break;
+    if (newline < 1 || head[newline - 1] != '\r') *outcome = ReadOutcome::kMalformed;
+    else if (head.substr(0, newline + 1).ends_with("\r\n\r\n")) return newline + 1;
+  }
+  if (*outcome == ReadOutcome::kOk && head.size() == kMaxHead_bytes) *outcome = ReadOutcome::kTooLarge;
+  return 0;
+}
+
+HeadResult RequestParser::Impl::ParseHead(std::string_view bytes) {
+  error_code error;
+  while (!error && !parser.is_header_done()) {
+    bytes.remove_prefix(parser.put(boost::asio::const_buffer(bytes.data(), bytes.size()), error));
+  }
+  return MakeHead(parser, error);  // it is whole: what needs more is malformed
+}
+
+RequestParser::RequestParser() : impl_(std::make_unique<Impl>()) {}
+RequestParser::~RequestParser() = default;
+RequestParser::RequestParser(RequestParser&&) noexcept = default;
+RequestParser& RequestParser::operator=(RequestParser&&) noexcept = default;
+
+RequestParser::HeadStep RequestParser::AddHead(std::string_view bytes) {
+  HeadStep step;
+  ReadOutcome outcome = ReadOutcome::kOk;
+  const std::size_t size = impl_->FindHead(bytes, &outcome);
+  step.is_complete = size > 0 || outcome != ReadOutcome::kOk;
+  if (!step.is_complete) return step;
+  step.num_used = size;
+  if (outcome == ReadOutcome::kOk) {
+    step.head = impl_->ParseHead(bytes.substr(0, size));
+  } else {
+    step.head.outcome = outcome;
+    step.head.problem = "a request begins with its method, and lines end with CR LF";
+  }
+  return step;
+}
+
+RequestParser::BodyStep RequestParser::AddBody(std::string_view bytes, std::span<char> out) {
+  Parser& parser = impl_->parser;
+  auto& body = parser.get().body();
+  body.data = out.data();
+  body.size = out.size();
+  body.more = true;
+  BodyStep step;
+  while (!step.is_complete() && step.num_used < bytes.size()) {
+    const std::string_view rest = bytes.substr(step.num_used);
+    error_code error;
+    step.num_used += parser.put(boost::asio::const_buffer(rest.data(), rest.size()), error);
+    step.num_written = out.size() - body.size;
+    if (error == beast::http::error::need_more) {
+      if (bytes.size() - step.num_used > kMaxHead_bytes) step.outcome = ReadOutcome::kTooLarge;
+      break;
+    }
+    if (error != beast::http::error::need_buffer) step.outcome = OutcomeOf(error);  // else `out` is full
+    step.is_end = step.outcome == ReadOutcome::kOk && parser.is_done();
+  }
+  return step;
+}
+
+}  // namespace dhpmap::http

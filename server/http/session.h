@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mapping/base/state_machine.h"
+#include "server/http/connection.h"
+#include "server/http/exchange.h"
+#include "server/http/host_names.h"
+#include "server/http/session_state.h"
+
+namespace dhpmap::http {
+
+/// The HTTP/1.1 rules of one connection: one request after the other, keep-alive, framing of answers, what to do with a
+/// body nobody wants. All calls on the connection's sequence of execution, but Post.
+class Session final : public ConnectionEvents, public Responder, public std::enable_shared_from_this<Session> {
+ public:
+  /// `on_closed` runs once, when the connection is closed. The handler and the names outlive the session.
+  Session(std::shared_ptr<Connection> connection, const Handler& handler, const HostNames& names,
+          std::function<void(Session*)> on_closed)
+      : connection_(std::move(connection)), handler_(handler), names_(names), on_closed_(std::move(on_closed)) {}
+
+  /// A surplus session answers its first request with 503: there are too many connections.
+  void Start(bool is_surplus = false);
+  /// The request under way is the last; without one, closes.
+  void Drain();
+  void Abort();
+  /// Closes if no request is under way.
+  void CloseIfIdle();
+  /// Since when no request has been under way; nothing while one is. Thread-safe.
+  [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> idle_since() const;
+
+  // ConnectionEvents
+  void OnHead(HeadResult head) override;
+  void OnBodyData(ReadOutcome outcome, std::string_view data, bool is_end) override;
+  void OnWriteDone(bool ok) override;
+  void OnPeerEnded() override { keep_alive_ = false; }
+  void OnPeerClosed() override { Abort(); }
+
+  // Responder
+  void Reply(Response response) override;
+  void BeginStream(Response head, std::optional<std::uint64_t> length) override;
+  void Chunk(std::string data) override;
+  void EndStream(bool complete) override;
+  void ResumeBody() override;
+  void Post(std::function<void()> task) override { connection_->Post(std::move(task)); }
+
+ private:
+  void RefuseHead(const HeadResult& head);
+  void BeginRequest(const RequestHead& head, bool waits_for_continue);
+  void ReadBody();
+  void Drop(bool is_end);
+  void BodyFailed(ReadOutcome outcome);
+  void BodyEnded();
+  void Finish();
+  void NextRequest();
+  void DropBody();
+  [[nodiscard]] std::string HeadText(const Response& response, const std::string& framing);
+
+  const std::shared_ptr<Connection> connection_;
+  const Handler& handler_;
+  const HostNames& names_;
+  std::function<void(Session*)> on_closed_;
+  StateMachine<Life> life_{Life::kOpen};
+  bool is_surplus_ = false;
+  std::atomic<std::chrono::steady_clock::time_point> idle_since_{};  // the clock's epoch while a request is under way
+
+  // Of the request under way.
+  StateMachine<Intake> intake_{Intake::kHead};
+  StateMachine<Answer> answer_{Answer::kNone};
+  std::shared_ptr<Exchange> exchange_;
+  bool is_head_ = false;
+  bool is_http_1_1_ = true;
+  bool keep_alive_ = true;
+  bool small_body_ = false;  // cheaper to read to its end than to open a new connection
+  std::chrono::steady_clock::time_point drop_deadline_;
+  std::string stream_head_;  // to go with the first chunk
+  bool chunked_ = false;
+};
+
+}  // namespace dhpmap::http

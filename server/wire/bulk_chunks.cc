@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/bulk_chunks.h"
+
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::size_t kMaxChunkBytes = 256 * 1024;
+constexpr std::size_t kBytesPerVoxel = 12 + 4 + 4 + 3 + 3 + 4;  // a class id is up to three bytes
+constexpr int kVoxelsPerMessage =
+    static_cast<int>((kMaxChunkBytes - 1024) / kBytesPerVoxel / kBlockVoxels) * kBlockVoxels;
+static_assert(kVoxelsPerMessage >= kBlockVoxels, "a message holds whole blocks");
+
+void Append(const ObservedVoxel& voxel, v1::StreamSubmapVoxelsResponse& message) {
+  for (int axis = 0; axis < 3; ++axis) message.add_xyz_m(static_cast<float>(voxel.centre_m[axis]));
+  message.add_distance_m(voxel.distance_m);
+  message.add_weight(voxel.weight);
+  for (const std::uint8_t channel : {voxel.color.r, voxel.color.g, voxel.color.b}) {
+    message.mutable_rgb()->push_back(static_cast<char>(channel));
+  }
+  message.add_class_id(voxel.class_id);
+  message.add_class_confidence(voxel.class_confidence);
+}
+
+const char* ContentType(MeshFormat format) {
+  return format == MeshFormat::kPcd ? "application/x-pcd" : "application/x-ply";
+}
+
+MeshColoring ColoringFromProto(v1::MeshColoring coloring) {
+  switch (coloring) {
+    case v1::BY_CLASS: return MeshColoring::kClass;
+    case v1::BY_INSTANCE: return MeshColoring::kInstance;
+    default: return MeshColoring::kSensor;
+  }
+}
+
+}  // namespace
+
+bool VoxelChunks::Next(v1::StreamSubmapVoxelsResponse& message) {
+  const bool is_first = !std::exchange(has_begun_, true);
+  while (!walk_.is_done() && message.distance_m_size() + kBlockVoxels <= kVoxelsPerMessage) {
+    for (const ObservedVoxel& voxel : walk_.NextBlock()) Append(voxel, message);
+  }
+  message.set_revision(walk_.revision());
+  return is_first || message.distance_m_size() > 0;
+}
+
+bool MeshChunks::Next(v1::GetSubmapMeshResponse& message) {
+  const bool is_first = !std::exchange(has_begun_, true);
+  if (!file_.Next(*message.mutable_data())) return false;
+  message.set_revision(file_.revision());
+  if (is_first) {
+    message.set_content_type(ContentType(file_.format()));
+    message.set_total_bytes(static_cast<std::int64_t>(file_.num_bytes()));
+  }
+  return true;
+}
+
+Result<bool> BackupChunks::Next(v1::BackupMapResponse& message) {
+  constexpr std::size_t kBytesPerMessage = 256u << 10;
+  const bool is_first = !std::exchange(has_begun_, true);
+  DHPMAP_ASSIGN_OR_RETURN(*message.mutable_data(), backup_->Read(kBytesPerMessage));
+  if (is_first) {
+    message.set_content_type("application/vnd.sqlite3");
+    message.set_total_bytes(backup_->size_bytes());
+  }
+  return is_first || !message.data().empty();
+}
+
+Result<MeshRequest> MeshRequestFromProto(const v1::GetSubmapMeshRequest& request, std::optional<SubmapId> submap) {
+  const bool is_format_known = v1::MeshFormat_IsValid(request.format());
+  if (!is_format_known || !v1::MeshColoring_IsValid(request.coloring())) {
+    return InvalidArgument("the mesh cannot be made like this")
+        .WithReason("BAD_MESH_REQUEST")
+        .WithViolation(is_format_known ? "coloring" : "format", "is not a known value");
+  }
+  return MeshRequest{.submap = submap,
+                     .coloring = ColoringFromProto(request.coloring()),
+                     .format = request.format() == v1::PCD ? MeshFormat::kPcd : MeshFormat::kPly};
+}
+
+}  // namespace dhpmap

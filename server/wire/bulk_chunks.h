@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "dhpmap/v1/map_service.pb.h"
+#include "dhpmap/v1/submap_service.pb.h"
+#include "server/app/map_registry.h"
+#include "server/app/mesh_export.h"
+#include "server/app/voxel_walk.h"
+
+namespace dhpmap {
+
+// Bulk answers in messages of at most 256 KiB each.
+
+/// The voxels of a walk. At least one message, so that the revision is known for an empty submap, too.
+class VoxelChunks {
+ public:
+  explicit VoxelChunks(VoxelWalk walk) : walk_(std::move(walk)) {}
+  /// Fills the next message, which is empty; false: there is none.
+  bool Next(v1::StreamSubmapVoxelsResponse& message);
+
+ private:
+  VoxelWalk walk_;
+  bool has_begun_ = false;
+};
+
+/// A mesh file in the pieces that it is made in.
+class MeshChunks {
+ public:
+  explicit MeshChunks(MeshFile file) : file_(std::move(file)) {}
+  /// Fills the next message, which is empty; false: there is none.
+  bool Next(v1::GetSubmapMeshResponse& message);
+
+ private:
+  MeshFile file_;
+  bool has_begun_ = false;
+};
+
+/// A backup.
+class BackupChunks {
+ public:
+  explicit BackupChunks(std::shared_ptr<StoreBackup> backup) : backup_(std::move(backup)) {}
+  /// Fills the next message, which is empty; false: there is none. Passes on what reading the backup answers.
+  Result<bool> Next(v1::BackupMapResponse& message);
+
+ private:
+  std::shared_ptr<StoreBackup> backup_;
+  bool has_begun_ = false;
+};
+
+/// INVALID_ARGUMENT for a format or colouring that is not known. The submap comes from the request's name: see
+/// ParseObjectName.
+Result<MeshRequest> MeshRequestFromProto(const v1::GetSubmapMeshRequest& request, std::optional<SubmapId> submap);
+
+}  // namespace dhpmap

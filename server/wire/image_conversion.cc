@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/image_conversion.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+
+namespace dhpmap {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "raw images are little-endian and copied as they are");
+
+Status BadImage(std::string_view field, const std::string& what) {
+  return InvalidArgument(std::string(field) + " " + what)
+      .WithReason("BAD_IMAGE")
+      .WithViolation(std::string(field), what);
+}
+
+Status WrongEncoding(const v1::Image& image, std::string_view field, const char* allowed) {
+  const std::string name = v1::ImageEncoding_Name(image.encoding());
+  return BadImage(field, "cannot be " + (name.empty() ? std::to_string(image.encoding()) : name) + ", only " + allowed);
+}
+
+std::span<const std::byte> Bytes(const v1::Image& image) { return std::as_bytes(std::span(image.data())); }
+
+template <typename Pixel>
+Result<std::vector<Pixel>> RawPixels(const v1::Image& image, int width_px, int height_px, std::string_view field) {
+  static_assert(std::is_trivially_copyable_v<Pixel>);
+  const std::size_t num_pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+  const std::size_t wanted_bytes = num_pixels * sizeof(Pixel);
+  if (image.data().size() != wanted_bytes) {
+    return BadImage(field, "has " + std::to_string(image.data().size()) + " bytes, but " + std::to_string(width_px) +
+                               " x " + std::to_string(height_px) + " pixels of " +
+                               v1::ImageEncoding_Name(image.encoding()) + " are " + std::to_string(wanted_bytes));
+  }
+  std::vector<Pixel> pixels(num_pixels);
+  std::memcpy(static_cast<void*>(pixels.data()), image.data().data(), wanted_bytes);
+  return pixels;
+}
+
+/// Raw pixels of one type as the pixels of another.
+template <typename Raw, typename Pixel>
+Result<Image<Pixel>> RawImage(const v1::Image& image, int width_px, int height_px, std::string_view field) {
+  DHPMAP_ASSIGN_OR_RETURN(std::vector<Raw> raw, RawPixels<Raw>(image, width_px, height_px, field));
+  Image<Pixel> result{.width_px = width_px, .height_px = height_px};
+  if constexpr (std::is_same_v<Raw, Pixel>) result.pixels = std::move(raw);
+  else result.pixels.assign(raw.begin(), raw.end());
+  return result;
+}
+
+/// A decoded file under the name of its field, if it has the size wanted.
+template <typename Pixel>
+Result<Image<Pixel>> Checked(Result<Image<Pixel>> decoded, int width_px, int height_px, std::string_view field) {
+  if (!decoded.ok()) return BadImage(field, "cannot be decoded: " + decoded.status().message());
+  if (decoded->width_px != width_px || decoded->height_px != height_px) {
+    return BadImage(field, "is " + std::to_string(decoded->width_px) + " x " + std::to_string(decoded->height_px) +
+                               " pixels, the camera " + std::to_string(width_px) + " x " + std::to_string(height_px));
+  }
+  return decoded;
+}
+
+Result<std::vector<float>> ScaledDepth(const v1::Image& image, int width_px, int height_px, std::string_view field) {
+  constexpr std::uint16_t kNoReturn = 65535;
+  if (!(image.scale_m() > 0) || !std::isfinite(image.scale_m())) {
+    return BadImage(field, "is of integers, so scale_m must be set to the metres of a unit");
+  }
+  DHPMAP_ASSIGN_OR_RETURN(const auto raw, RawPixels<std::uint16_t>(image, width_px, height_px, field));
+  std::vector<float> depth_m(raw.size());
+  const auto scale_m = static_cast<float>(image.scale_m());
+  for (std::size_t i = 0; i < raw.size(); ++i) depth_m[i] = raw[i] == kNoReturn ? 0.0f : raw[i] * scale_m;
+  return depth_m;
+}
+
+}  // namespace
+
+Result<std::vector<float>> DepthFromProto(const v1::Image& image, int width_px, int height_px, std::string_view field) {
+  switch (image.encoding()) {
+    case v1::RAW_F32: return RawPixels<float>(image, width_px, height_px, field);
+    case v1::RAW_U16: return ScaledDepth(image, width_px, height_px, field);
+    case v1::FILE: break;
+    default: return WrongEncoding(image, field, "FILE, RAW_F32 or RAW_U16");
+  }
+  DHPMAP_ASSIGN_OR_RETURN(auto decoded,
+                          Checked(DecodeDepth(Bytes(image), image.scale_m()), width_px, height_px, field));
+  return std::move(decoded.pixels);
+}
+
+Result<Image<Color>> ColorFromProto(const v1::Image& image, int width_px, int height_px, std::string_view field) {
+  static_assert(sizeof(Color) == 3);
+  switch (image.encoding()) {
+    case v1::RAW_RGB8: return RawImage<Color, Color>(image, width_px, height_px, field);
+    case v1::FILE: return Checked(DecodeColor(Bytes(image)), width_px, height_px, field);
+    default: return WrongEncoding(image, field, "FILE or RAW_RGB8");
+  }
+}
+
+Result<Image<std::uint32_t>> SegmentsFromProto(const v1::Image& image, int width_px, int height_px,
+                                               std::string_view field) {
+  switch (image.encoding()) {
+    case v1::RAW_U8: return RawImage<std::uint8_t, std::uint32_t>(image, width_px, height_px, field);
+    case v1::RAW_U16: return RawImage<std::uint16_t, std::uint32_t>(image, width_px, height_px, field);
+    case v1::RAW_U32: return RawImage<std::uint32_t, std::uint32_t>(image, width_px, height_px, field);
+    case v1::FILE: return Checked(DecodeSegments(Bytes(image)), width_px, height_px, field);
+    default: return WrongEncoding(image, field, "FILE, RAW_U8, RAW_U16 or RAW_U32");
+  }
+}
+
+}  // namespace dhpmap

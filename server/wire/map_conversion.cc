@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/map_conversion.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "server/app/etag.h"
+#include "server/wire/types/label_conversion.h"
+#include "server/wire/types/resource_names.h"
+
+namespace dhpmap {
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+/// The message that holds the field a dotted key names, and the field. Writes make the messages on the way.
+template <typename AnyMessage>
+std::pair<AnyMessage*, const FieldDescriptor*> Locate(AnyMessage& root, std::string_view key) {
+  AnyMessage* message = &root;
+  while (true) {
+    const std::size_t dot = key.find('.');
+    const FieldDescriptor* field = message->GetDescriptor()->FindFieldByName(std::string(key.substr(0, dot)));
+    GOOGLE_CHECK(field != nullptr) << "proto MapConfig lacks " << key;
+    if (dot == std::string_view::npos) return {message, field};
+    if constexpr (std::is_const_v<AnyMessage>) message = &message->GetReflection()->GetMessage(*message, field);
+    else message = message->GetReflection()->MutableMessage(message, field);
+    key.remove_prefix(dot + 1);
+  }
+}
+
+void Read(const Message& message, const FieldDescriptor* field, double& value, Status&) {
+  value = message.GetReflection()->GetDouble(message, field);
+}
+void Read(const Message& message, const FieldDescriptor* field, int& value, Status&) {
+  value = message.GetReflection()->GetInt32(message, field);
+}
+void Read(const Message& message, const FieldDescriptor* field, bool& value, Status&) {
+  value = message.GetReflection()->GetBool(message, field);
+}
+void Read(const Message& message, const FieldDescriptor* field, Weighting& value, Status& bad) {
+  const int number = message.GetReflection()->GetEnumValue(message, field);
+  if (number == v1::WEIGHTING_UNSPECIFIED) return;
+  for (const Weighting known :
+       {Weighting::kConstant, Weighting::kInverseDepthSquared, Weighting::kInverseRangeSquared}) {
+    const auto* name = field->enum_type()->FindValueByName(std::string(WeightingName(known)));
+    if (name != nullptr && name->number() == number) {
+      value = known;
+      return;
+    }
+  }
+  bad.AddViolation("config.integration." + field->name(), std::to_string(number) + " is not a known value");
+}
+
+void Write(Message& message, const FieldDescriptor* field, double value) {
+  message.GetReflection()->SetDouble(&message, field, value);
+}
+void Write(Message& message, const FieldDescriptor* field, int value) {
+  message.GetReflection()->SetInt32(&message, field, value);
+}
+void Write(Message& message, const FieldDescriptor* field, bool value) {
+  message.GetReflection()->SetBool(&message, field, value);
+}
+void Write(Message& message, const FieldDescriptor* field, Weighting value) {
+  const auto* name = field->enum_type()->FindValueByName(std::string(WeightingName(value)));
+  GOOGLE_CHECK(name != nullptr) << "proto Weighting lacks " << WeightingName(value);
+  message.GetReflection()->SetEnum(&message, field, name);
+}
+
+void Collect(const Status& status, const std::string& prefix, Status& bad) {
+  for (const FieldViolation& violation : status.violations()) {
+    bad.AddViolation(prefix + violation.field, violation.description);
+  }
+}
+
+}  // namespace
+
+Status MergeConfig(const v1::MapConfig& proto, MapConfig& config) {
+  Status bad = InvalidArgument("the map config is not usable").WithReason("BAD_CONFIG");
+  const Message& root = proto;
+  VisitFields(config, [&root, &bad](const char* key, auto& value, double, double, const char*) {
+    const auto [message, field] = Locate(root, key);
+    if (message->GetReflection()->HasField(*message, field)) Read(*message, field, value, bad);
+  });
+  return bad.violations().empty() ? Status::Ok() : bad;
+}
+
+v1::MapConfig ToProto(const MapConfig& config) {
+  v1::MapConfig proto;
+  Message& root = proto;
+  VisitFields(config, [&root](const char* key, const auto& value, double, double, const char*) {
+    const auto [message, field] = Locate(root, key);
+    Write(*message, field, value);
+  });
+  return proto;
+}
+
+v1::Map ToProto(const MapSummary& map) {
+  v1::Map proto;
+  proto.set_name(MapResourceName(map.info.name));
+  proto.set_display_name(map.info.display_name);
+  *proto.mutable_config() = ToProto(map.info.config);
+  for (const LabelClass& c : map.info.label_set->classes()) *proto.add_label_classes() = ToProto(c);
+  proto.set_revision(map.info.revision);
+  proto.set_num_frames(map.info.num_frames);
+  proto.set_num_submaps(map.num_submaps);
+  proto.set_create_time_ns(map.info.create_time_ns);
+  proto.set_update_time_ns(map.info.update_time_ns);
+  proto.set_history_id(HistoryText(map.info.history_id));
+  proto.set_etag(EtagOf(map.info));
+  return proto;
+}
+
+Result<MapPatch> PatchFromProto(const v1::UpdateMapRequest& request) {
+  const auto& paths = request.update_mask().paths();
+  Status bad = InvalidArgument("the update mask is not usable").WithReason("BAD_UPDATE_MASK");
+  bool renames = paths.empty() && !request.map().display_name().empty();
+  for (const std::string& path : paths) {
+    if (path == "display_name" || path == "*") renames = true;
+    else if (path != "name" && path != "etag") bad.AddViolation("update_mask", "'" + path + "' cannot be changed");
+  }
+  if (!bad.violations().empty()) return bad;
+  return renames ? MapPatch{.display_name = request.map().display_name()} : MapPatch{};
+}
+
+Result<MapInfo> InfoFromProto(const v1::CreateMapRequest& request, const MapConfig& default_config) {
+  Status bad = InvalidArgument("the map cannot be made like this").WithReason("BAD_MAP");
+  MapInfo info;
+  info.name = request.map_id();
+  info.display_name = request.display_name();
+  info.config = default_config;
+  const Status name = ValidateMapName(info.name);
+  for (const FieldViolation& violation : name.violations()) bad.AddViolation("map_id", violation.description);
+  if (info.display_name.size() > kMaxDisplayNameBytes) {
+    bad.AddViolation("display_name", "is longer than " + std::to_string(kMaxDisplayNameBytes) + " bytes");
+  }
+  if (!request.preset().empty()) Collect(ApplyPreset(request.preset(), info.config), "", bad);
+  Collect(MergeConfig(request.config(), info.config), "", bad);
+  Collect(info.config.Validate(), "config.", bad);
+  auto label_set = LabelSetFromProto(request.label_classes());
+  Collect(label_set.status(), "", bad);
+  if (!bad.violations().empty()) return bad;
+  if (!label_set.ok()) return label_set.status();
+  info.label_set = std::make_shared<const LabelSet>(std::move(*label_set));
+  return info;
+}
+
+v1::GetMapStatsResponse ToProto(const MapReport& report) {
+  v1::GetMapStatsResponse proto;
+  const MapStats& stats = report.stats;
+  const std::int64_t num_allocated = stats.num_tsdf_blocks * kBlockVoxels;
+  proto.set_revision(report.revision);
+  proto.set_num_frames(report.num_frames);
+  proto.set_num_things(stats.num_things);
+  proto.set_num_stuff(stats.num_stuff);
+  proto.set_num_active(stats.num_active);
+  proto.set_num_tsdf_blocks(stats.num_tsdf_blocks);
+  proto.set_num_label_blocks(stats.num_label_blocks);
+  proto.set_num_allocated_voxels(num_allocated);
+  proto.set_num_observed_voxels(stats.num_observed_voxels);
+  proto.set_memory_bytes(stats.memory_bytes);
+  proto.set_disk_bytes(report.disk_bytes);
+  if (num_allocated > 0) {
+    proto.set_memory_bytes_per_allocated_voxel(static_cast<double>(stats.memory_bytes) /
+                                               static_cast<double>(num_allocated));
+  }
+  return proto;
+}
+
+}  // namespace dhpmap

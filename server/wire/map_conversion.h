@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dhpmap/v1/map_service.pb.h"
+#include "mapping/map/map_config.h"
+#include "server/app/map_edits.h"
+#include "server/app/map_registry.h"
+#include "server/app/map_stats.h"
+
+namespace dhpmap {
+
+/// Overwrites the fields of `config` that are set in `proto`. The fields are found through VisitFields by their keys,
+/// so there is no second list of them. INVALID_ARGUMENT, with violations below "config.", for an unknown enum value.
+Status MergeConfig(const v1::MapConfig& proto, MapConfig& config);
+
+/// With every field set.
+v1::MapConfig ToProto(const MapConfig& config);
+
+/// What a request for a new map says; `default_config` is that of a map that names no preset. INVALID_ARGUMENT naming
+/// all bad fields at once.
+Result<MapInfo> InfoFromProto(const v1::CreateMapRequest& request, const MapConfig& default_config);
+
+v1::Map ToProto(const MapSummary& map);
+/// INVALID_ARGUMENT if the mask names another field than display_name, name and etag.
+Result<MapPatch> PatchFromProto(const v1::UpdateMapRequest& request);
+v1::GetMapStatsResponse ToProto(const MapReport& report);
+
+}  // namespace dhpmap

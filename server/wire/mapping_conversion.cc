@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/mapping_conversion.h"
+
+#include <string>
+
+#include "mapping/base/utf8.h"
+#include "server/wire/frame_conversion.h"
+
+namespace dhpmap {
+namespace {
+
+v1::Refinement ToProto(const RefinementReport& report) {
+  v1::Refinement proto;
+  proto.set_num_shared_voxels(report.management.num_shared_voxels);
+  proto.set_num_moved_voxels(report.management.num_moved_voxels);
+  proto.set_num_removed_submaps(report.management.num_removed_submaps);
+  proto.set_num_skipped_submaps(report.management.num_skipped_submaps);
+  proto.set_num_crf_voxels(report.crf.num_voxels);
+  proto.set_num_changed_classes(report.crf.num_changed_classes);
+  proto.set_num_changed_instances(report.crf.num_changed_instances);
+  proto.set_num_dropped_bytes(report.num_bytes_dropped);
+  proto.set_management_s(report.management_s);
+  proto.set_crf_s(report.crf_s);
+  return proto;
+}
+
+}  // namespace
+
+void SetProgress(const FeedProgress& progress, v1::IntegrateFramesResponse& answer) {
+  answer.set_revision(progress.revision);
+  answer.set_commit_error_code(static_cast<int>(progress.commit_status.code()));
+  answer.set_commit_error_message(ToValidUtf8(progress.commit_status.message()));
+  if (progress.committed_sequence) answer.set_committed_sequence(*progress.committed_sequence);
+}
+
+v1::IntegrateFramesResponse AnswerOf(std::int64_t sequence, const FeedProgress& progress) {
+  v1::IntegrateFramesResponse answer;
+  answer.set_sequence(sequence);
+  SetProgress(progress, answer);
+  return answer;
+}
+
+v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& outcome) {
+  v1::IntegrateFramesResponse ack = AnswerOf(sequence, {.revision = outcome.revision,
+                                                        .committed_sequence = outcome.committed_sequence,
+                                                        .commit_status = outcome.commit_status});
+  ack.set_committed(outcome.is_committed);
+  if (!outcome.report.ok()) {
+    ack.set_outcome(v1::REFUSED);
+    const Status status = InWireTerms(outcome.report.status());
+    ack.set_error_code(static_cast<int>(status.code()));
+    std::string message = status.message();
+    for (const FieldViolation& violation : status.violations()) {
+      message += "; " + violation.field + ": " + violation.description;
+    }
+    ack.set_error_message(ToValidUtf8(message));
+    ack.set_error_reason(std::string(status.reason().name()));
+    return ack;
+  }
+  ack.set_outcome(outcome.is_duplicate ? v1::DUPLICATE : v1::FUSED);
+  const FrameReport& report = *outcome.report;
+  ack.set_num_points(report.num_points);
+  ack.set_num_unknown_points(report.num_unknown_points);
+  ack.set_num_segments(report.num_segments);
+  ack.set_num_matched(report.num_matched);
+  ack.set_num_created(report.num_created);
+  ack.set_fuse_s(report.bundle_s + report.track_s + report.fuse_s);
+  return ack;
+}
+
+v1::FinishMappingResponse ToProto(const FinishOutcome& outcome) {
+  const MapSnapshot& snapshot = outcome.view->snapshot();
+  v1::FinishMappingResponse proto;
+  proto.set_revision(snapshot.revision());
+  proto.set_num_frames(snapshot.info().num_frames);
+  proto.set_num_submaps(static_cast<std::int64_t>(snapshot.submaps().size()));
+  *proto.mutable_refinement() = ToProto(outcome.refinement);
+  return proto;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "dhpmap/v1/mapping_service.pb.h"
+#include "server/app/map_session.h"
+
+namespace dhpmap {
+
+/// How far a stream has got, into any answer of it.
+void SetProgress(const FeedProgress& progress, v1::IntegrateFramesResponse& answer);
+
+/// The answer to message `sequence` of the client, which had no frame.
+v1::IntegrateFramesResponse AnswerOf(std::int64_t sequence, const FeedProgress& progress);
+
+/// The acknowledgement of the frame that the client calls `sequence`.
+v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& outcome);
+
+v1::FinishMappingResponse ToProto(const FinishOutcome& outcome);
+
+}  // namespace dhpmap

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/point_conversion.h"
+
+#include <string>
+
+#include "server/wire/types/label_conversion.h"
+#include "server/wire/types/pose_conversion.h"
+#include "server/wire/types/resource_names.h"
+
+namespace dhpmap {
+namespace {
+
+Status BadPoints(const std::string& field, const std::string& what) {
+  return InvalidArgument("the points cannot be looked up").WithReason("BAD_POINTS").WithViolation(field, what);
+}
+
+v1::PointResult ToProto(const PointInfo& point, const MapInfo& map) {
+  v1::PointResult result;
+  if (!point.is_observed) return result;
+  result.set_observed(true);
+  result.set_instance_id(point.submap.value);
+  result.set_submap(SubmapResourceName(map.name, point.submap));
+  result.set_kind(ToProto(point.panoptic));
+  if (point.panoptic != Panoptic::kUnknown) {
+    result.set_class_id(point.class_id.value);
+    if (const LabelClass* c = map.label_set->Find(point.class_id)) result.set_class_name(c->name);
+  }
+  result.set_distance_m(point.distance_m);
+  result.set_weight(point.weight);
+  *result.mutable_color() = ToProto(point.color);
+  result.set_class_confidence(point.class_confidence);
+  result.set_instance_confidence(point.instance_confidence);
+  return result;
+}
+
+void Reserve(int num_points, v1::PackedPointResults& packed) {
+  packed.mutable_observed()->Reserve(num_points);
+  packed.mutable_instance_id()->Reserve(num_points);
+  packed.mutable_class_id()->Reserve(num_points);
+  packed.mutable_distance_m()->Reserve(num_points);
+  packed.mutable_weight()->Reserve(num_points);
+  packed.mutable_class_confidence()->Reserve(num_points);
+  packed.mutable_instance_confidence()->Reserve(num_points);
+  packed.mutable_rgb()->reserve(3 * static_cast<std::size_t>(num_points));
+  packed.mutable_kind()->reserve(static_cast<std::size_t>(num_points));
+}
+
+void Append(const PointInfo& found, v1::PackedPointResults& packed) {
+  const PointInfo point = found.is_observed ? found : PointInfo{};
+  packed.add_observed(point.is_observed);
+  packed.add_instance_id(point.submap.value);
+  packed.add_class_id(point.panoptic == Panoptic::kUnknown ? 0 : point.class_id.value);
+  packed.add_distance_m(point.distance_m);
+  packed.add_weight(point.weight);
+  for (const std::uint8_t channel : {point.color.r, point.color.g, point.color.b}) {
+    packed.mutable_rgb()->push_back(static_cast<char>(channel));
+  }
+  packed.add_class_confidence(point.class_confidence);
+  packed.add_instance_confidence(point.instance_confidence);
+  packed.mutable_kind()->push_back(static_cast<char>(ToProto(point.panoptic)));
+}
+
+}  // namespace
+
+Result<std::vector<Eigen::Vector3d>> PointsFromProto(const v1::QueryPointsRequest& request, std::int64_t max_points) {
+  if (request.xyz_m_size() % 3 != 0) {
+    return BadPoints("xyz_m", "has " + std::to_string(request.xyz_m_size()) + " values, not three a point");
+  }
+  const int num_packed = request.xyz_m_size() / 3;
+  const std::int64_t num_points = std::int64_t{num_packed} + request.points_m_size();
+  if (num_points > max_points) {
+    return BadPoints("xyz_m", std::to_string(num_points) + " points are more than " + std::to_string(max_points));
+  }
+  std::vector<Eigen::Vector3d> points_m;
+  points_m.reserve(static_cast<std::size_t>(num_points));
+  for (int i = 0; i < num_packed; ++i) {
+    const float* xyz = request.xyz_m().data() + 3 * std::ptrdiff_t{i};
+    points_m.emplace_back(xyz[0], xyz[1], xyz[2]);
+    if (!points_m.back().allFinite()) return BadPoints("xyz_m", "point " + std::to_string(i) + " is not finite");
+  }
+  for (int i = 0; i < request.points_m_size(); ++i) {
+    points_m.push_back(VectorFromProto(request.points_m(i)));
+    if (!points_m.back().allFinite()) return BadPoints("points_m[" + std::to_string(i) + "]", "is not finite");
+  }
+  return points_m;
+}
+
+PointAnswers::PointAnswers(const v1::QueryPointsRequest& request, const MapInfo& map, std::size_t num_points,
+                           v1::QueryPointsResponse& response)
+    : map_(map), is_packed_(request.packed()), response_(response) {
+  response_.set_revision(map.revision);
+  if (is_packed_) Reserve(static_cast<int>(num_points), *response_.mutable_packed());
+}
+
+void PointAnswers::Append(const PointInfo& point) {
+  if (is_packed_) dhpmap::Append(point, *response_.mutable_packed());
+  else *response_.add_results() = ToProto(point, map_);
+}
+
+}  // namespace dhpmap

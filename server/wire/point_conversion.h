@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "dhpmap/v1/query_service.pb.h"
+#include "mapping/map/map.h"
+#include "mapping/query/point_lookup.h"
+
+namespace dhpmap {
+
+/// The points of a request, packed ones first. INVALID_ARGUMENT for a list that is cut off, more than `max_points`, or
+/// a point that is not finite.
+Result<std::vector<Eigen::Vector3d>> PointsFromProto(const v1::QueryPointsRequest& request, std::int64_t max_points);
+
+/// Writes answers, point by point, in the form that the request asks for.
+class PointAnswers {
+ public:
+  /// Of the state `map` of a map. The response outlives this.
+  PointAnswers(const v1::QueryPointsRequest& request, const MapInfo& map, std::size_t num_points,
+               v1::QueryPointsResponse& response);
+  void Append(const PointInfo& point);
+
+ private:
+  const MapInfo& map_;
+  const bool is_packed_;
+  v1::QueryPointsResponse& response_;
+};
+
+}  // namespace dhpmap

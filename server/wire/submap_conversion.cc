@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/submap_conversion.h"
+
+#include <google/protobuf/util/field_mask_util.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "mapping/map/display_name.h"
+#include "mapping/map/observed_sphere.h"
+#include "server/app/etag.h"
+#include "server/wire/types/label_conversion.h"
+#include "server/wire/types/pose_conversion.h"
+#include "server/wire/types/resource_names.h"
+
+namespace dhpmap {
+namespace {
+
+using google::protobuf::FieldMask;
+using google::protobuf::util::FieldMaskUtil;
+
+constexpr std::uint32_t kMaxClassId = 65534;
+
+/// Classes named by id and by name; a list that is not given passes all.
+std::optional<std::vector<ClassId>> ClassesFromProto(const v1::ListSubmapsRequest& request, const LabelSet& label_set,
+                                                     Status& bad) {
+  if (request.class_ids().empty() && request.class_names().empty()) return std::nullopt;
+  std::set<ClassId> by_id, by_name;
+  for (const int id : request.class_ids()) {
+    if (id >= 0 && static_cast<std::uint32_t>(id) <= kMaxClassId) by_id.insert(ClassId(static_cast<std::uint16_t>(id)));
+    else bad.AddViolation("class_ids", std::to_string(id) + " is not within 0 and 65534");
+  }
+  for (const std::string& name : request.class_names()) {
+    const auto& classes = label_set.classes();
+    const auto found = std::find_if(classes.begin(), classes.end(), [&](const auto& c) { return c.name == name; });
+    if (found != classes.end()) by_name.insert(found->id);
+    else bad.AddViolation("class_names", "the label set has no class '" + name + "'");
+  }
+  if (request.class_names().empty()) return std::vector<ClassId>(by_id.begin(), by_id.end());
+  if (request.class_ids().empty()) return std::vector<ClassId>(by_name.begin(), by_name.end());
+  std::vector<ClassId> both;
+  std::set_intersection(by_id.begin(), by_id.end(), by_name.begin(), by_name.end(), std::back_inserter(both));
+  return both;
+}
+
+constexpr const char* kChangeable[] = {"map_from_submap", "class_id", "display_name"};
+
+FieldMask MaskOf(const v1::UpdateSubmapRequest& request) {
+  const auto& paths = request.update_mask().paths();
+  FieldMask mask;
+  if (std::find(paths.begin(), paths.end(), "*") != paths.end()) {
+    for (const char* field : kChangeable) mask.add_paths(field);
+    return mask;
+  }
+  if (!paths.empty()) return request.update_mask();
+  if (request.submap().has_map_from_submap()) mask.add_paths("map_from_submap");
+  if (request.submap().class_id() != 0) mask.add_paths("class_id");
+  if (!request.submap().display_name().empty()) mask.add_paths("display_name");
+  return mask;
+}
+
+/// Whether the mask names the field itself.
+bool Names(const FieldMask& mask, std::string_view field) {
+  return std::find(mask.paths().begin(), mask.paths().end(), field) != mask.paths().end();
+}
+
+/// Whether the mask names the field, or one that it is part of.
+bool Covers(const FieldMask& mask, std::string_view field) {
+  return std::any_of(mask.paths().begin(), mask.paths().end(), [field](const std::string& path) {
+    return field == path || (field.size() > path.size() && field.starts_with(path) && field[path.size()] == '.');
+  });
+}
+
+bool TouchesPose(const FieldMask& mask) {
+  return std::any_of(mask.paths().begin(), mask.paths().end(), [](const std::string& path) {
+    return path == "map_from_submap" || path.starts_with("map_from_submap.");
+  });
+}
+
+}  // namespace
+
+v1::Submap ToProto(const Submap& submap, const MapInfo& map) {
+  const SubmapInfo& info = submap.info();
+  v1::Submap proto;
+  proto.set_name(SubmapResourceName(map.name, info.id));
+  proto.set_instance_id(info.id.value);
+  proto.set_kind(ToProto(info.panoptic));
+  if (info.panoptic != Panoptic::kUnknown) {
+    proto.set_class_id(info.class_id.value);
+    if (const LabelClass* c = map.label_set->Find(info.class_id)) proto.set_class_name(c->name);
+    proto.set_class_confidence(info.ClassConfidence());
+    proto.set_instance_confidence(info.instance_confidence);
+  }
+  proto.set_display_name(DisplayNameOf(info, *map.label_set));
+  *proto.mutable_map_from_submap() = ToProto(info.T_map_submap);
+  if (const BoundingSphere sphere = SphereOfObservedInMap(submap); !sphere.IsEmpty()) {
+    *proto.mutable_bounding_sphere()->mutable_center_m() = ToProto(sphere.center_m);
+    proto.mutable_bounding_sphere()->set_radius_m(sphere.radius_m);
+  }
+  proto.set_voxel_size_m(info.voxel_size_m);
+  proto.set_truncation_m(info.truncation_m);
+  proto.set_num_blocks(static_cast<std::int64_t>(submap.blocks().size()));
+  proto.set_activity(info.activity == Activity::kActive ? v1::ACTIVE : v1::INACTIVE);
+  proto.set_confirmed(info.is_confirmed);
+  proto.set_num_frames_observed(info.num_frames_observed);
+  proto.set_first_observed_ns(info.first_observed_ns);
+  proto.set_last_observed_ns(info.last_observed_ns);
+  proto.set_revision(info.revision);
+  proto.set_etag(EtagOf(submap, map));
+  return proto;
+}
+
+Result<SubmapFilter> FilterFromProto(const v1::ListSubmapsRequest& request, const LabelSet& label_set) {
+  Status bad = InvalidArgument("the filter is not usable").WithReason("BAD_FILTER");
+  SubmapFilter filter;
+  filter.classes = ClassesFromProto(request, label_set, bad);
+  if (request.kind() == v1::THING) filter.panoptic = Panoptic::kThing;
+  else if (request.kind() == v1::STUFF) filter.panoptic = Panoptic::kStuff;
+  else if (request.kind() != v1::PANOPTIC_KIND_UNSPECIFIED) bad.AddViolation("kind", "is not a known value");
+  if (request.has_region()) {
+    filter.region = {.min_m = VectorFromProto(request.region().min_m()),
+                     .max_m = VectorFromProto(request.region().max_m())};
+    const bool is_finite = filter.region->min_m.allFinite() && filter.region->max_m.allFinite();
+    if (!is_finite || (filter.region->min_m.array() > filter.region->max_m.array()).any()) {
+      bad.AddViolation("region", "must be finite, with min_m below max_m");
+    }
+  }
+  if (request.has_near()) {
+    filter.near = {.center_m = VectorFromProto(request.near().center_m()), .radius_m = request.near().radius_m()};
+    if (!filter.near->center_m.allFinite() || !std::isfinite(filter.near->radius_m) || filter.near->radius_m < 0) {
+      bad.AddViolation("near", "must be finite, with a radius_m of 0 or more");
+    }
+  }
+  if (!bad.violations().empty()) return bad;
+  return filter;
+}
+
+namespace {
+
+Status CheckUpdateMask(const v1::UpdateSubmapRequest& request) {
+  Status bad = InvalidArgument("the update mask is not usable").WithReason("BAD_UPDATE_MASK");
+  for (const std::string& path : request.update_mask().paths()) {
+    const std::string field = path.substr(0, path.find('.'));
+    if (path == "*") continue;
+    if (!FieldMaskUtil::IsValidPath<v1::Submap>(path)) {
+      bad.AddViolation("update_mask", "a submap has no field '" + path + "'");
+    } else if (field != "name" && field != "etag" &&
+               std::find(std::begin(kChangeable), std::end(kChangeable), field) == std::end(kChangeable)) {
+      bad.AddViolation("update_mask", "'" + path + "' cannot be changed");
+    }
+  }
+  return bad.violations().empty() ? Status::Ok() : bad;
+}
+
+/// The single numbers of the pose that a mask names.
+PoseChange PoseChangeFromProto(const v1::Pose& pose, const FieldMask& mask) {
+  const auto given = [&mask](const char* field, double value) {
+    return Covers(mask, field) ? std::optional(value) : std::nullopt;
+  };
+  v1::Quaternion rotation = pose.rotation();
+  if (!pose.has_rotation() && Names(mask, "map_from_submap.rotation")) rotation.set_w(1);  // missing: the identity
+  const v1::Vector3& t = pose.translation_m();
+  return {.translation_m = {given("map_from_submap.translation_m.x", t.x()),
+                            given("map_from_submap.translation_m.y", t.y()),
+                            given("map_from_submap.translation_m.z", t.z())},
+          .rotation_xyzw = {
+              given("map_from_submap.rotation.x", rotation.x()), given("map_from_submap.rotation.y", rotation.y()),
+              given("map_from_submap.rotation.z", rotation.z()), given("map_from_submap.rotation.w", rotation.w())}};
+}
+
+void AddPose(const v1::Pose& pose, const FieldMask& mask, SubmapPatch& patch, Status& bad) {
+  if (!Names(mask, "map_from_submap")) {
+    patch.pose_change = PoseChangeFromProto(pose, mask);
+    return;
+  }
+  const auto T = TransformFromProto(pose, "map_from_submap");
+  if (T.ok()) patch.T_map_submap = *T;
+  for (const FieldViolation& violation : T.status().violations()) {
+    bad.AddViolation(violation.field, violation.description);
+  }
+}
+
+}  // namespace
+
+Result<SubmapPatch> PatchFromProto(const v1::UpdateSubmapRequest& request) {
+  DHPMAP_RETURN_IF_ERROR(CheckUpdateMask(request));
+  const FieldMask mask = MaskOf(request);
+  const v1::Submap& submap = request.submap();
+  Status bad = InvalidArgument("the submap cannot be changed like this").WithReason("BAD_EDIT");
+  SubmapPatch patch;
+  if (Covers(mask, "display_name")) patch.display_name = submap.display_name();
+  if (Covers(mask, "class_id")) {
+    if (submap.class_id() < 0 || static_cast<std::uint32_t>(submap.class_id()) > kMaxClassId) {
+      bad.AddViolation("class_id", std::to_string(submap.class_id()) + " is not within 0 and 65534");
+    } else {
+      patch.class_id = ClassId(static_cast<std::uint16_t>(submap.class_id()));
+    }
+  }
+  if (TouchesPose(mask)) AddPose(submap.map_from_submap(), mask, patch, bad);
+  if (!bad.violations().empty()) return bad;
+  return patch;
+}
+
+Result<SubmapPatch> PatchFromProto(const v1::CloneSubmapRequest& request) {
+  SubmapPatch patch;
+  if (!request.display_name().empty()) patch.display_name = request.display_name();
+  if (request.has_map_from_submap()) {
+    DHPMAP_ASSIGN_OR_RETURN(patch.T_map_submap, TransformFromProto(request.map_from_submap(), "map_from_submap"));
+  }
+  return patch;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <google/protobuf/repeated_ptr_field.h>
+
+#include "dhpmap/v1/types.pb.h"
+#include "mapping/base/result.h"
+#include "mapping/labels/label_set.h"
+
+namespace dhpmap {
+
+v1::PanopticKind ToProto(Panoptic panoptic);
+v1::Color ToProto(Color color);
+v1::LabelClass ToProto(const LabelClass& label_class);
+
+/// INVALID_ARGUMENT naming every bad class.
+Result<LabelSet> LabelSetFromProto(const google::protobuf::RepeatedPtrField<v1::LabelClass>& classes);
+
+}  // namespace dhpmap

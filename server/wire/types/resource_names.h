@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mapping/base/ids.h"
+#include "mapping/base/result.h"
+
+namespace dhpmap {
+
+struct SubmapName {
+  std::string map;
+  SubmapId submap;
+};
+
+// Names of the API. A malformed one is INVALID_ARGUMENT with reason BAD_NAME and a violation of `field`.
+
+/// "maps/{map}" -> {map}.
+Result<std::string> ParseMapName(std::string_view name, std::string_view field);
+/// "maps/{map}/submaps/{instance id in decimal}".
+Result<SubmapName> ParseSubmapName(std::string_view name, std::string_view field);
+
+/// A map, or one of its submaps.
+struct ObjectName {
+  std::string map;
+  std::optional<SubmapId> submap;
+};
+/// Either form.
+Result<ObjectName> ParseObjectName(std::string_view name, std::string_view field);
+
+std::string MapResourceName(std::string_view map);
+std::string SubmapResourceName(std::string_view map, SubmapId submap);
+
+}  // namespace dhpmap

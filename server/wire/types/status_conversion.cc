@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/types/status_conversion.h"
+
+#include "google/rpc/error_details.pb.h"
+#include "mapping/base/utf8.h"
+
+namespace dhpmap {
+
+google::rpc::Status ToProto(const Status& status) {
+  google::rpc::Status proto;
+  proto.set_code(static_cast<int>(status.code()));
+  proto.set_message(ToValidUtf8(status.message()));
+  if (!status.reason().empty()) {
+    google::rpc::ErrorInfo info;
+    info.set_reason(std::string(status.reason().name()));
+    info.set_domain("dhpmap");
+    proto.add_details()->PackFrom(info);
+  }
+  if (!status.violations().empty()) {
+    google::rpc::BadRequest bad;
+    for (const FieldViolation& violation : status.violations()) {
+      auto* field = bad.add_field_violations();
+      field->set_field(ToValidUtf8(violation.field));
+      field->set_description(ToValidUtf8(violation.description));
+    }
+    proto.add_details()->PackFrom(bad);
+  }
+  return proto;
+}
+
+ErrorDetails ReadErrorDetails(const std::string& bytes) {
+  ErrorDetails result;
+  google::rpc::Status proto;
+  if (bytes.empty() || !proto.ParseFromString(bytes)) return result;
+  for (const auto& detail : proto.details()) {
+    google::rpc::BadRequest bad;
+    google::rpc::ErrorInfo info;
+    if (detail.UnpackTo(&bad)) {
+      for (const auto& field : bad.field_violations())
+        result.violations.push_back({field.field(), field.description()});
+    } else if (detail.UnpackTo(&info)) {
+      result.reason = info.reason();
+    }
+  }
+  return result;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/backup.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "storage/rows/map_rows.h"
+
+namespace dhpmap {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kUnfinishedSuffix = "-backup-";
+
+std::string Quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+  return quoted + "'";
+}
+
+Status CheckPlace(const std::string& path) {
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(path, error))) {
+    return AlreadyExists("there is a file already where the backup is to be written").WithReason("BACKUP_EXISTS");
+  }
+  const fs::path folder = fs::path(path).parent_path();
+  if (folder.empty() || fs::is_directory(folder, error)) return Status::Ok();
+  return InvalidArgument("there is no folder where the backup is to be written").WithReason("BAD_BACKUP_PATH");
+}
+
+Status MarkFile(const std::string& path) {
+  constexpr int kBusyTimeout_ms = 0;  // nobody else knows of it
+  DHPMAP_ASSIGN_OR_RETURN(sqlite::Database copy,
+                          sqlite::Database::Open(path, sqlite::OpenMode::kReadWrite, kBusyTimeout_ms));
+  return MarkAsBackup(copy);
+}
+
+/// A file of which only we know.
+class OpenBackup final : public StoreBackup {
+ public:
+  /// Takes the descriptor over.
+  OpenBackup(int descriptor, std::int64_t size_bytes) : descriptor_(descriptor), size_bytes_(size_bytes) {}
+  ~OpenBackup() override { close(descriptor_); }
+  OpenBackup(const OpenBackup&) = delete;
+  OpenBackup& operator=(const OpenBackup&) = delete;
+
+  [[nodiscard]] std::int64_t size_bytes() const override { return size_bytes_; }
+
+  Result<std::string> Read(std::size_t max_bytes) override {
+    std::string data(max_bytes, '\0');
+    ssize_t num_read = -1;
+    do {
+      num_read = read(descriptor_, data.data(), data.size());
+    } while (num_read < 0 && errno == EINTR);
+    if (num_read < 0) return Unavailable(std::string("cannot read the backup: ") + std::strerror(errno));
+    data.resize(static_cast<std::size_t>(num_read));
+    return data;
+  }
+
+ private:
+  const int descriptor_;
+  const std::int64_t size_bytes_;
+};
+
+}  // namespace
+
+Status WriteBackup(sqlite::Database& database, const std::string& path, const std::stop_token& stop) {
+  DHPMAP_RETURN_IF_ERROR(CheckPlace(path));
+  Status status;
+  {
+    const std::stop_callback interrupt(stop, [&database] { database.Interrupt(); });
+    status = database.Execute("VACUUM INTO " + Quoted(path), "write the backup");
+  }
+  if (status.ok()) status = MarkFile(path);
+  if (status.ok() && stop.stop_requested()) status = Cancelled("the backup is not wanted any more");
+  std::error_code ignored;
+  if (!status.ok()) fs::remove(path, ignored);
+  return status;
+}
+
+Result<std::unique_ptr<StoreBackup>> MakeBackup(sqlite::Database& database, const std::string& path,
+                                                const std::stop_token& stop) {
+  static std::atomic<int> number = 0;
+  const std::string place = path + std::string(kUnfinishedSuffix) + std::to_string(number++);
+  DHPMAP_RETURN_IF_ERROR(WriteBackup(database, place, stop));
+  const int descriptor = open(place.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat attributes {};
+  const bool is_open = descriptor >= 0 && fstat(descriptor, &attributes) == 0;
+  const int error = errno;
+  unlink(place.c_str());
+  if (!is_open) {
+    if (descriptor >= 0) close(descriptor);
+    return Unavailable(std::string("cannot open the backup: ") + std::strerror(error));
+  }
+  return std::unique_ptr<StoreBackup>(std::make_unique<OpenBackup>(descriptor, attributes.st_size));
+}
+
+void RemoveUnfinishedBackups(const std::string& path) {
+  const fs::path file(path);
+  const std::string prefix = file.filename().string() + std::string(kUnfinishedSuffix);
+  std::error_code error;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().filename().string().starts_with(prefix)) {
+      std::error_code ignored;
+      fs::remove(it->path(), ignored);
+    }
+  }
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/rows/config_rows.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+using sqlite::Database;
+using sqlite::Statement;
+
+constexpr char kReadTask[] = "read a map's config";
+constexpr char kWriteTask[] = "write a map's config";
+
+}  // namespace
+
+const Table<ConfigRow>& ConfigTable() {
+  using enum Written;
+  static const Table<ConfigRow> table("map_config",
+                                      {
+                                          MakeColumn<ConfigRow>("map_key", kOnce, 0, DHPMAP_MEMBER(map_key)),
+                                          MakeColumn<ConfigRow>("key", kOnce, 2, DHPMAP_MEMBER(key)),
+                                          MakeColumn<ConfigRow>("value", kAlways, 2, DHPMAP_MEMBER(value)),
+                                      });
+  return table;
+}
+
+Result<std::vector<ConfigRow>> ReadConfigRows(Database& database, std::int64_t map_key) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select,
+                          database.Prepare(ConfigTable().Select("WHERE map_key = ? ORDER BY key"), kReadTask));
+  select.Bind(map_key);
+  std::vector<ConfigRow> rows;
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
+    if (!has_row) return rows;
+    if (!ConfigTable().Read(select, rows.emplace_back())) return DataLoss("its config is damaged");
+  }
+}
+
+Result<std::vector<ConfigRow>> WriteConfigRows(Database& database, std::int64_t map_key, const MapConfig& config) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement clear, database.Prepare("DELETE FROM map_config WHERE map_key = ?", kWriteTask));
+  DHPMAP_RETURN_IF_ERROR(clear.Bind(map_key).Run());
+  std::vector<ConfigRow> rows;
+  for (auto& [key, value] : ConfigToText(config)) rows.push_back({map_key, key, value});
+  std::sort(rows.begin(), rows.end(), [](const ConfigRow& a, const ConfigRow& b) { return a.key < b.key; });
+  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(ConfigTable().Insert(), kWriteTask));
+  for (const ConfigRow& row : rows) {
+    ConfigTable().BindAll(row, insert);
+    DHPMAP_RETURN_IF_ERROR(insert.Run());
+  }
+  return rows;
+}
+
+std::uint32_t ConfigChecksum(const std::vector<ConfigRow>& rows) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  for (const ConfigRow& row : rows) {
+    writer.PutText(row.key);
+    writer.PutText(row.value);
+  }
+  return Crc32c(bytes);
+}
+
+Result<MapConfig> ConfigOf(const std::vector<ConfigRow>& rows) {
+  MapConfig config;
+  for (const ConfigRow& row : rows) {
+    if (const Status set = SetField(config, row.key, row.value); !set.ok()) {
+      return FailedPrecondition("the map's config is not of this version: " + set.message()).WithReason("NEWER_CONFIG");
+    }
+  }
+  return config;
+}
+
+}  // namespace dhpmap

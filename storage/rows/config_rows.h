@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mapping/map/map_config.h"
+#include "storage/rows/table.h"
+#include "storage/sqlite/database.h"
+
+namespace dhpmap {
+
+/// One key of a map's config, as text.
+struct ConfigRow {
+  std::int64_t map_key = 0;
+  std::string key;
+  std::string value;
+};
+const Table<ConfigRow>& ConfigTable();
+
+/// By ascending key.
+Result<std::vector<ConfigRow>> ReadConfigRows(sqlite::Database& database, std::int64_t map_key);
+/// Writes every key of `config` in place of what is stored. Returns the rows, by ascending key.
+Result<std::vector<ConfigRow>> WriteConfigRows(sqlite::Database& database, std::int64_t map_key,
+                                               const MapConfig& config);
+
+/// Over keys and values as they are stored, whatever keys this version knows.
+std::uint32_t ConfigChecksum(const std::vector<ConfigRow>& rows);
+
+/// Keys that are not among the rows have their defaults. FAILED_PRECONDITION, reason NEWER_CONFIG, for a key or value
+/// that this version does not know: it would build the map otherwise than it was begun.
+Result<MapConfig> ConfigOf(const std::vector<ConfigRow>& rows);
+
+}  // namespace dhpmap

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "storage/rows/class_rows.h"
+#include "storage/rows/config_rows.h"
+#include "storage/rows/map_rows.h"
+
+namespace dhpmap {
+
+/// Version 1 of a map row's checksum, which went over config and classes themselves: of those keys that are stored, in
+/// the order that the list of keys had then. FAILED_PRECONDITION, reason NEWER_CONFIG, for a key not known then.
+Result<std::uint32_t> MapChecksumV1(const MapRow& row, const std::vector<ConfigRow>& config,
+                                    const std::vector<ClassRow>& classes);
+
+}  // namespace dhpmap

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/rows/map_rows.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mapping/map/history_id.h"
+#include "storage/rows/class_rows.h"
+#include "storage/rows/config_rows.h"
+#include "storage/rows/map_checksum_v1.h"
+#include "storage/rows/session_rows.h"
+
+namespace dhpmap {
+namespace {
+
+using sqlite::Database;
+using sqlite::Statement;
+
+constexpr char kReadTask[] = "read the map";
+constexpr char kWriteTask[] = "write the map";
+
+Status NoSuchMap(const std::string& name) {
+  return NotFound("there is no map '" + name + "'").WithReason("MAP_NOT_FOUND");
+}
+
+Status Damaged(const std::string& name, const std::string& what) {
+  return DataLoss("map '" + name + "': " + what).WithReason("DAMAGED_MAP");
+}
+
+/// The version that map rows are sealed with now: it stands for the columns of their parts, too.
+int SealVersion() { return std::max({Maps().version(), Classes().version(), Sessions().version()}); }
+
+/// What stands in other tables.
+struct MapParts {
+  std::vector<ConfigRow> config;
+  std::vector<ClassRow> classes;
+  std::vector<SessionRow> sessions;
+};
+
+Result<MapParts> ReadParts(Database& database, std::int64_t map_key) {
+  MapParts parts;
+  DHPMAP_ASSIGN_OR_RETURN(parts.config, ReadConfigRows(database, map_key));
+  DHPMAP_ASSIGN_OR_RETURN(parts.classes, ReadClassRows(database, map_key));
+  DHPMAP_ASSIGN_OR_RETURN(parts.sessions, ReadSessionRows(database, map_key));
+  return parts;
+}
+
+void SealParts(MapRow& row, const MapParts& parts) {
+  row.config_checksum = ConfigChecksum(parts.config);
+  row.classes_checksum = ClassesChecksum(parts.classes, SealVersion());
+  row.sessions_checksum = SessionsChecksum(parts.sessions, SealVersion());
+}
+
+/// With the checksums of its parts as they are in it.
+void SealRow(MapRow& row) { row.seal = {SealVersion(), Maps().Checksum(row, SealVersion())}; }
+
+/// Whether the row and its parts are what was written together.
+Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
+  const int version = row.seal.version;
+  // What came with a later version has nothing to cover it.
+  if (version < 3 && (!parts.sessions.empty() || row.sessions_checksum != 0)) return false;
+  if (version == 1) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::uint32_t checksum, MapChecksumV1(row, parts.config, parts.classes));
+    return checksum == row.seal.checksum;
+  }
+  return version >= 2 && version <= SealVersion() && row.config_checksum == ConfigChecksum(parts.config) &&
+         row.classes_checksum == ClassesChecksum(parts.classes, version) &&
+         (version < 3 || row.sessions_checksum == SessionsChecksum(parts.sessions, version)) &&
+         row.seal.checksum == Maps().Checksum(row, version);
+}
+
+/// Reads config, label set and sessions into `row`, and checks them all.
+Status ReadInfo(Database& database, MapRow& row) {
+  DHPMAP_ASSIGN_OR_RETURN(const MapParts parts, ReadParts(database, row.key));
+  DHPMAP_ASSIGN_OR_RETURN(const bool is_intact, IsIntact(row, parts));
+  if (!is_intact) return DataLoss("its row has a wrong checksum");
+  DHPMAP_ASSIGN_OR_RETURN(row.info.config, ConfigOf(parts.config));
+  DHPMAP_ASSIGN_OR_RETURN(row.info.label_set, LabelSetOf(parts.classes));
+  DHPMAP_ASSIGN_OR_RETURN(row.info.sessions, SessionMarksOf(parts.sessions));
+  return Status::Ok();
+}
+
+/// Raises the marks to the row's own numbers.
+void RaiseMarks(MapRow& row) {
+  row.marks.revision = std::max(row.marks.revision, row.info.revision);
+  row.marks.next_submap_id = std::max(row.marks.next_submap_id, row.info.next_submap_id);
+}
+
+/// Writes a row that was read, with another seal; what stands in other tables stays.
+Status Rewrite(Database& database, MapRow& row) {
+  if (row.seal.version != SealVersion()) {
+    DHPMAP_ASSIGN_OR_RETURN(const MapParts parts, ReadParts(database, row.key));
+    SealParts(row, parts);
+  }
+  SealRow(row);
+  DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteTask));
+  Maps().BindChanges(row, update);
+  return update.Bind(row.key).Run();
+}
+
+/// Numbers beyond the marks, and the revisions between noted as lost.
+Status GoBeyondMarks(Database& database, MapRow& row) {
+  if (row.marks.revision > row.info.revision) {
+    DHPMAP_ASSIGN_OR_RETURN(
+        Statement insert,
+        database.Prepare("INSERT INTO lost_revisions (map_key, first_revision, last_revision) VALUES (?, ?, ?)",
+                         kWriteTask));
+    DHPMAP_RETURN_IF_ERROR(insert.Bind(row.key).Bind(row.info.revision + 1).Bind(row.marks.revision).Run());
+  }
+  RaiseMarks(row);
+  row.info.revision = row.marks.revision + 1;
+  row.info.next_submap_id = row.marks.next_submap_id;
+  RaiseMarks(row);
+  return Rewrite(database, row);
+}
+
+/// Calls change(MapRow&) for every map but the damaged ones.
+template <typename Change>
+Status ForEachIntactMap(Database& database, Change&& change) {
+  DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> names, ReadMapNames(database));
+  for (const std::string& name : names) {
+    Result<MapRow> row = ReadMap(database, name);
+    if (!row.ok() && row.status().code() != StatusCode::kDataLoss &&
+        row.status().code() != StatusCode::kFailedPrecondition) {
+      return row.status();
+    }
+    if (row.ok()) DHPMAP_RETURN_IF_ERROR(change(*row));
+  }
+  return Status::Ok();
+}
+
+MapRow RowOf(const MapSnapshot& snapshot) {
+  return {.info = snapshot.info(), .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size()), .seal = {}};
+}
+
+}  // namespace
+
+const Table<MapRow>& Maps() {
+  static const Table<MapRow> table("maps", MapColumns());
+  return table;
+}
+
+Result<MapRow> ReadMapHead(Database& database, const std::string& name) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Maps().Select("WHERE name = ?"), kReadTask));
+  DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Bind(name).Step());
+  if (!has_row) return NoSuchMap(name);
+  MapRow row;
+  if (!Maps().Read(select, row)) return Damaged(name, "its row has a wrong checksum");
+  return row;
+}
+
+Result<MapRow> ReadMap(Database& database, const std::string& name) {
+  DHPMAP_ASSIGN_OR_RETURN(MapRow row, ReadMapHead(database, name));
+  const Status read = ReadInfo(database, row);
+  if (read.code() == StatusCode::kDataLoss) return Damaged(name, read.message());
+  DHPMAP_RETURN_IF_ERROR(read);
+  return row;
+}
+
+Result<std::vector<std::string>> ReadMapNames(Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare("SELECT name FROM maps ORDER BY name", "list the maps"));
+  std::vector<std::string> names;
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
+    if (!has_row) return names;
+    names.push_back(select.Text(0));
+  }
+}
+
+Result<std::int64_t> InsertMap(Database& database, const MapSnapshot& snapshot) {
+  MapRow row = RowOf(snapshot);
+  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Maps().Insert(), kWriteTask));
+  Maps().BindAll(row, insert);  // its key is needed for the parts, and their checksums for the row: sealed below
+  const Status inserted = insert.Run();
+  if (inserted.code() == StatusCode::kAlreadyExists) {
+    return AlreadyExists("there is already a map '" + row.info.name + "'").WithReason("MAP_EXISTS");
+  }
+  DHPMAP_RETURN_IF_ERROR(inserted);
+  row.key = database.LastInsertRowId();
+  DHPMAP_RETURN_IF_ERROR(UpdateMap(database, row, row.info, snapshot));
+  return row.key;
+}
+
+Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after) {
+  MapRow row = RowOf(after);
+  const MapInfo& info = row.info;
+  row.config_checksum = head.config_checksum;
+  row.classes_checksum = head.classes_checksum;
+  row.sessions_checksum = head.sessions_checksum;
+  row.marks = head.marks;
+  RaiseMarks(row);
+  const bool is_older = head.seal.version < SealVersion();
+  if (is_older || ConfigToText(info.config) != ConfigToText(before.config)) {
+    DHPMAP_ASSIGN_OR_RETURN(const auto config, WriteConfigRows(database, head.key, info.config));
+    row.config_checksum = ConfigChecksum(config);
+  }
+  if (is_older || (info.label_set != before.label_set && *info.label_set != *before.label_set)) {
+    DHPMAP_ASSIGN_OR_RETURN(const auto classes, WriteClassRows(database, head.key, *info.label_set));
+    row.classes_checksum = ClassesChecksum(classes, SealVersion());
+  }
+  if (is_older || info.sessions != before.sessions) {
+    // A row without a seal is new: it has no sessions yet, whatever `before` says.
+    const SessionMarks stored = head.seal.version == 0 ? SessionMarks() : before.sessions;
+    DHPMAP_ASSIGN_OR_RETURN(const auto sessions, WriteSessionRows(database, head.key, stored, info.sessions));
+    row.sessions_checksum = SessionsChecksum(sessions, SealVersion());
+  }
+  SealRow(row);
+  DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteTask));
+  Maps().BindChanges(row, update);
+  return update.Bind(head.key).Run();
+}
+
+Status SetMarks(Database& database, const std::string& name, const NumberMarks& marks) {
+  DHPMAP_ASSIGN_OR_RETURN(MapRow row, ReadMap(database, name));
+  row.marks = marks;
+  RaiseMarks(row);
+  return Rewrite(database, row);
+}
+
+Status LeaveReservedNumbers(Database& database) {
+  return ForEachIntactMap(database, [&database](MapRow& row) {
+    const bool has_left =
+        row.marks.revision <= row.info.revision && row.marks.next_submap_id <= row.info.next_submap_id;
+    return has_left ? Status::Ok() : GoBeyondMarks(database, row);
+  });
+}
+
+Status MarkAsBackup(Database& database) {
+  return database.Execute("INSERT INTO backups (time_ns) SELECT CAST(strftime('%s', 'now') AS INTEGER) * 1000000000",
+                          kWriteTask);
+}
+
+Status BeginHistoriesOfBackup(Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_marks,
+                          database.QueryInt("SELECT count(*) FROM backups", "see whether it is a backup"));
+  if (num_marks == 0) return Status::Ok();
+  DHPMAP_RETURN_IF_ERROR(ForEachIntactMap(database, [&database](MapRow& row) {
+    row.info.history_id = DrawHistoryId();
+    return Rewrite(database, row);
+  }));
+  return database.Execute("DELETE FROM backups", kWriteTask);
+}
+
+Status DeleteMapRows(Database& database, const std::string& name) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement erase,
+                          database.Prepare("DELETE FROM maps WHERE name = ? RETURNING map_key", "delete the map"));
+  DHPMAP_ASSIGN_OR_RETURN(const bool erased, erase.Bind(name).Step());
+  if (!erased) return NoSuchMap(name);
+  return erase.Run();
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mapping/map/map.h"
+#include "storage/rows/table.h"
+#include "storage/sqlite/database.h"
+#include "storage/store.h"
+
+namespace dhpmap {
+
+// Rows of maps, map_config, label_classes and feed_sessions <-> MapInfo. A map's row is sealed by a checksum that
+// covers the others by checksums of their own, of what is stored in them; readers answer DATA_LOSS where one does not
+// match.
+
+struct MapRow {
+  std::int64_t key = 0;
+  MapInfo info;
+  std::int64_t num_submaps = 0;
+  std::uint32_t config_checksum = 0;
+  std::uint32_t classes_checksum = 0;
+  NumberMarks marks;
+  std::uint32_t sessions_checksum = 0;
+  Seal seal;
+};
+
+/// The columns of table maps. `Row` is a MapRow, or derived from it. The order of those that a released version of the
+/// checksum covers is never changed: new ones go to the end.
+template <typename Row = MapRow>
+std::vector<Column<Row>> MapColumns() {
+  using enum Written;
+  return {
+      MakeColumn<Row>("map_key", kElsewhere, 0, DHPMAP_MEMBER(key)),
+      MakeColumn<Row>("checksum_version", kAlways, 0, DHPMAP_MEMBER(seal.version)),
+      MakeColumn<Row>("checksum", kAlways, 0, DHPMAP_MEMBER(seal.checksum)),
+      MakeColumn<Row>("name", kOnce, 1, DHPMAP_MEMBER(info.name)),
+      MakeColumn<Row>("display_name", kAlways, 1, DHPMAP_MEMBER(info.display_name)),
+      MakeColumn<Row>("revision", kAlways, 1, DHPMAP_MEMBER(info.revision)),
+      MakeColumn<Row>("num_frames", kAlways, 1, DHPMAP_MEMBER(info.num_frames)),
+      MakeColumn<Row>("next_submap_id", kAlways, 1, DHPMAP_MEMBER(info.next_submap_id)),
+      MakeColumn<Row>("create_time_ns", kOnce, 1, DHPMAP_MEMBER(info.create_time_ns)),
+      MakeColumn<Row>("update_time_ns", kAlways, 1, DHPMAP_MEMBER(info.update_time_ns)),
+      MakeColumn<Row>("num_submaps", kAlways, 1, DHPMAP_MEMBER(num_submaps)),
+      MakeColumn<Row>("config_checksum", kAlways, 2, DHPMAP_MEMBER(config_checksum)),
+      MakeColumn<Row>("classes_checksum", kAlways, 2, DHPMAP_MEMBER(classes_checksum)),
+      MakeColumn<Row>("revision_mark", kAlways, 2, DHPMAP_MEMBER(marks.revision)),
+      MakeColumn<Row>("submap_id_mark", kAlways, 2, DHPMAP_MEMBER(marks.next_submap_id)),
+      MakeColumn<Row>("sessions_checksum", kAlways, 3, DHPMAP_MEMBER(sessions_checksum)),
+      MakeColumn<Row>("history_id", kAlways, 3, DHPMAP_MEMBER(info.history_id)),
+  };
+}
+const Table<MapRow>& Maps();
+
+/// NOT_FOUND if there is no such map. FAILED_PRECONDITION if its config has keys that this version does not know.
+Result<MapRow> ReadMap(sqlite::Database& database, const std::string& name);
+/// Names in ascending order.
+Result<std::vector<std::string>> ReadMapNames(sqlite::Database& database);
+/// The row alone, not checked, without config, label set and sessions: what a commit compares with the state it starts
+/// from.
+Result<MapRow> ReadMapHead(sqlite::Database& database, const std::string& name);
+
+/// Returns the new map's key. ALREADY_EXISTS if the name is taken.
+Result<std::int64_t> InsertMap(sqlite::Database& database, const MapSnapshot& snapshot);
+/// Writes config, label set and sessions only where they differ from `before`, or were sealed by an older version.
+Status UpdateMap(sqlite::Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after);
+/// See MapStore::Reserve.
+Status SetMarks(sqlite::Database& database, const std::string& name, const NumberMarks& marks);
+/// Takes every map whose marks are above its numbers beyond them, and notes the revisions that are left out. Leaves
+/// damaged maps alone.
+Status LeaveReservedNumbers(sqlite::Database& database);
+/// Says in the database that it is a backup.
+Status MarkAsBackup(sqlite::Database& database);
+/// If it is one: gives every map a history of its own, since others may go on from another copy of the same states, and
+/// takes the mark off. Leaves damaged maps alone.
+Status BeginHistoriesOfBackup(sqlite::Database& database);
+/// With everything it holds. NOT_FOUND if there is no such map.
+Status DeleteMapRows(sqlite::Database& database, const std::string& name);
+
+}  // namespace dhpmap

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/rows/submap_rows.h"
+
+#include <string>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+using sqlite::Database;
+using sqlite::Statement;
+
+constexpr char kReadTask[] = "read the submaps";
+constexpr char kWriteTask[] = "write a submap";
+
+}  // namespace
+
+const Table<SubmapRow>& Submaps() {
+  static const Table<SubmapRow> table("submaps", SubmapColumns());
+  return table;
+}
+
+SubmapCounts CountBlocks(const Submap& submap) {
+  SubmapCounts counts;
+  for (const BlockEntry& entry : submap.blocks().entries()) {
+    counts.num_tsdf_blocks += entry.tsdf != nullptr;
+    counts.num_label_blocks += entry.labels != nullptr;
+  }
+  return counts;
+}
+
+Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_key) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select,
+                          database.Prepare(Submaps().Select("WHERE map_key = ? ORDER BY submap_id"), kReadTask));
+  select.Bind(map_key);
+  std::vector<SubmapRow> rows;
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
+    if (!has_row) return rows;
+    SubmapRow row;
+    if (!Submaps().Read(select, row) || !Submaps().IsIntact(row, row.seal)) {
+      return DataLoss("submap " + std::to_string(row.info.id.value) + ": its row has a wrong checksum");
+    }
+    rows.push_back(std::move(row));
+  }
+}
+
+SubmapRowWriter::SubmapRowWriter(Statement find, Statement upsert, Statement set_bytes, Statement erase,
+                                 Statement write_box, Statement erase_box)
+    : find_(std::move(find)),
+      upsert_(std::move(upsert)),
+      set_bytes_(std::move(set_bytes)),
+      erase_(std::move(erase)),
+      write_box_(std::move(write_box)),
+      erase_box_(std::move(erase_box)) {}
+
+Result<SubmapRowWriter> SubmapRowWriter::Prepare(Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement find, database.Prepare("SELECT submap_key, num_tsdf_blocks, num_label_blocks, blob_bytes FROM submaps "
+                                       "WHERE map_key = ? AND submap_id = ?",
+                                       kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Submaps().Upsert() + " RETURNING submap_key", kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement set_bytes,
+                          database.Prepare("UPDATE submaps SET blob_bytes = ? WHERE submap_key = ?", kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement erase,
+                          database.Prepare("DELETE FROM submaps WHERE submap_key = ?", "delete a submap"));
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement write_box,
+      database.Prepare("INSERT OR REPLACE INTO submap_boxes (submap_key, min_x_m, max_x_m, "
+                       "min_y_m, max_y_m, min_z_m, max_z_m, map_key) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+                       kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement erase_box,
+                          database.Prepare("DELETE FROM submap_boxes WHERE submap_key = ?", kWriteTask));
+  return SubmapRowWriter(std::move(find), std::move(upsert), std::move(set_bytes), std::move(erase),
+                         std::move(write_box), std::move(erase_box));
+}
+
+Result<std::optional<SubmapRowWriter::Stored>> SubmapRowWriter::Find(std::int64_t map_key, SubmapId id) {
+  DHPMAP_ASSIGN_OR_RETURN(const bool has_row, find_.Bind(map_key).Bind(id.value).Step());
+  if (!has_row) return std::optional<Stored>();
+  sqlite::Columns columns(find_);
+  Stored stored;
+  stored.key = columns.Int();
+  stored.counts.num_tsdf_blocks = columns.Int();
+  stored.counts.num_label_blocks = columns.Int();
+  stored.counts.blob_bytes = columns.Int();
+  find_.Reset();
+  return std::optional<Stored>(stored);
+}
+
+Result<std::int64_t> SubmapRowWriter::Write(std::int64_t map_key, const Submap& submap) {
+  SubmapRow row{.map_key = map_key,
+                .info = submap.info(),
+                .sphere = submap.bounding_sphere(),
+                .counts = CountBlocks(submap),
+                .seal = {}};
+  row.seal = Submaps().SealOf(row);
+  Submaps().BindAll(row, upsert_);
+  DHPMAP_ASSIGN_OR_RETURN(const bool has_row, upsert_.Step());
+  if (!has_row) return Internal("writing a submap gave no key");
+  const std::int64_t key = upsert_.Int(0);
+  DHPMAP_RETURN_IF_ERROR(upsert_.Run());
+  DHPMAP_RETURN_IF_ERROR(WriteBox(map_key, key, submap.BoundingSphereInMap()));
+  return key;
+}
+
+Status SubmapRowWriter::WriteBox(std::int64_t map_key, std::int64_t submap_key, const BoundingSphere& in_map) {
+  if (in_map.IsEmpty()) return erase_box_.Bind(submap_key).Run();
+  write_box_.Bind(submap_key);
+  for (int axis = 0; axis < 3; ++axis) {
+    write_box_.Bind(in_map.center_m[axis] - in_map.radius_m).Bind(in_map.center_m[axis] + in_map.radius_m);
+  }
+  return write_box_.Bind(map_key).Run();
+}
+
+Status SubmapRowWriter::SetBlobBytes(std::int64_t submap_key, std::int64_t blob_bytes) {
+  return set_bytes_.Bind(blob_bytes).Bind(submap_key).Run();
+}
+
+Status SubmapRowWriter::Erase(std::int64_t submap_key) { return erase_.Bind(submap_key).Run(); }
+
+}  // namespace dhpmap

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "mapping/base/ids.h"
+#include "mapping/base/transform.h"
+#include "mapping/map/bounding_sphere.h"
+#include "mapping/map/submap.h"
+#include "storage/codec/bytes.h"
+#include "storage/sqlite/statement.h"
+
+namespace dhpmap {
+
+/// The types of columns of a STRICT table.
+enum class SqlType { kInteger, kReal, kText, kBlob };
+const char* SqlTypeName(SqlType type);
+
+/// How a value of a C++ type stands in a column and under a checksum:
+///   kType   the column's type
+///   Bind    binds it as the statement's next parameter; text must live until the statement has run
+///   Read    takes it from the row's next column; false if what is there is no value of this type
+///   Cover   appends the bytes of it that a checksum covers
+template <typename T>
+struct ColumnValue;
+
+// Integers, and types that stand for one.
+
+template <typename T>
+requires(std::integral<T> || std::is_enum_v<T>) std::int64_t ToInteger(T value) {
+  return static_cast<std::int64_t>(value);
+}
+template <typename T>
+requires(std::integral<T> || std::is_enum_v<T>) T FromInteger(std::int64_t stored, std::type_identity<T>) {
+  return static_cast<T>(stored);
+}
+
+template <typename Tag, typename Int>
+std::int64_t ToInteger(StrongId<Tag, Int> id) {
+  return ToInteger(id.value);
+}
+template <typename Tag, typename Int>
+StrongId<Tag, Int> FromInteger(std::int64_t stored, std::type_identity<StrongId<Tag, Int>>) {
+  return StrongId<Tag, Int>(static_cast<Int>(stored));
+}
+
+/// 0xRRGGBB.
+std::int64_t ToInteger(Color color);
+Color FromInteger(std::int64_t stored, std::type_identity<Color>);
+
+template <typename T>
+requires requires(T value) { ToInteger(value); }
+struct ColumnValue<T> {
+  static constexpr SqlType kType = SqlType::kInteger;
+  static void Bind(T value, sqlite::Statement& statement) { statement.Bind(ToInteger(value)); }
+  static bool Read(sqlite::Columns& columns, T& value) {
+    const std::int64_t stored = columns.Int();
+    value = FromInteger(stored, std::type_identity<T>());
+    return ToInteger(value) == stored;
+  }
+  static void Cover(T value, ByteWriter& writer) { writer.PutU64(static_cast<std::uint64_t>(ToInteger(value))); }
+};
+
+template <>
+struct ColumnValue<double> {
+  static constexpr SqlType kType = SqlType::kReal;
+  static void Bind(double value, sqlite::Statement& statement) { statement.Bind(value); }
+  static bool Read(sqlite::Columns& columns, double& value) {
+    value = columns.Real();
+    return true;
+  }
+  static void Cover(double value, ByteWriter& writer) { writer.PutF64(value); }
+};
+
+template <>
+struct ColumnValue<float> {
+  static constexpr SqlType kType = SqlType::kReal;
+  static void Bind(float value, sqlite::Statement& statement) { statement.Bind(static_cast<double>(value)); }
+  static bool Read(sqlite::Columns& columns, float& value) {
+    const double stored = columns.Real();
+    value = static_cast<float>(stored);
+    return static_cast<double>(value) == stored;
+  }
+  static void Cover(float value, ByteWriter& writer) { writer.PutF32(value); }
+};
+
+template <>
+struct ColumnValue<std::string> {
+  static constexpr SqlType kType = SqlType::kText;
+  static void Bind(const std::string& value, sqlite::Statement& statement) { statement.Bind(value); }
+  static bool Read(sqlite::Columns& columns, std::string& value) {
+    value = columns.Text();
+    return true;
+  }
+  static void Cover(const std::string& value, ByteWriter& writer) { writer.PutText(value); }
+};
+
+// As bytes, little-endian, to the bit as in memory: SQLite's REAL turns -0.0 into 0 and NaN into NULL.
+
+/// 12 doubles: the upper three rows of the matrix, by rows.
+Bytes ToBytes(const Transform& T);
+bool FromBytes(ByteView bytes, Transform& T);
+/// 4 doubles: centre, radius.
+Bytes ToBytes(const BoundingSphere& sphere);
+bool FromBytes(ByteView bytes, BoundingSphere& sphere);
+/// Each class as u32, its count as u64.
+Bytes ToBytes(const std::vector<ClassTotal>& counts);
+bool FromBytes(ByteView bytes, std::vector<ClassTotal>& counts);
+
+template <typename T>
+requires requires(const T& value) {
+  { ToBytes(value) } -> std::same_as<Bytes>;
+}
+struct ColumnValue<T> {
+  static constexpr SqlType kType = SqlType::kBlob;
+  static void Bind(const T& value, sqlite::Statement& statement) { statement.BindCopy(ToBytes(value)); }
+  static bool Read(sqlite::Columns& columns, T& value) { return FromBytes(columns.Blob(), value); }
+  static void Cover(const T& value, ByteWriter& writer) { writer.PutBytes(ToBytes(value)); }
+};
+
+}  // namespace dhpmap

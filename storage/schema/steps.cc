@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/schema/steps.h"
+
+namespace dhpmap {
+
+SchemaSteps ReleasedSteps() {
+  static const SchemaStep steps[] = {
+      {.sql = SchemaSql()[0]},  // 0001_init.sql
+      {.sql = SchemaSql()[1]},  // 0002_checksum_versions.sql
+      {.sql = SchemaSql()[2]},  // 0003_sessions_and_history.sql
+  };
+  return steps;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "mapping/base/status.h"
+#include "storage/sqlite/database.h"
+
+namespace dhpmap {
+
+/// What brings a database from one schema to the next: SQL, then code for what SQL cannot say. Runs in a transaction of
+/// its own. Never changed once released, so code names tables and columns as they are at that step, not by the lists in
+/// rows/. It also runs on an empty database, and must not end or begin a transaction.
+struct SchemaStep {
+  const char* sql = "";
+  Status (*run)(sqlite::Database& database) = nullptr;  ///< null: nothing more
+};
+using SchemaSteps = std::span<const SchemaStep>;
+
+/// Entry i brings a database from schema i to i + 1.
+SchemaSteps ReleasedSteps();
+inline std::int64_t VersionOf(SchemaSteps steps) { return static_cast<std::int64_t>(steps.size()); }
+/// What this version reads and writes.
+inline std::int64_t SchemaVersion() { return VersionOf(ReleasedSteps()); }
+
+/// The .sql files of this folder, by number from 1.
+std::span<const char* const> SchemaSql();
+
+}  // namespace dhpmap

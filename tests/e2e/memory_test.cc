@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a server takes of the machine, and gives back.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "tests/e2e/rendered_dataset.h"
+#include "tests/e2e/server_process.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap::testing {
+namespace {
+
+constexpr double kMiB = 1 << 20;
+
+/// A gauge without labels as /metrics has it.
+double Gauge(const std::filesystem::path& directory, const ServerProcess& server, const std::string& name) {
+  const Outcome page = RunProgram(directory, {"curl", "--silent", "--fail", server.http_url() + "/metrics"});
+  EXPECT_EQ(page.exit_code, 0) << page.err;
+  const std::size_t at = page.out.find("\n" + name + " ");
+  EXPECT_NE(at, std::string::npos) << name << " is not in\n" << page.out;
+  return at == std::string::npos ? 0 : std::stod(page.out.substr(at + name.size() + 2));
+}
+
+TEST(Memory, ComesBackWhenMapsAreDeleted) {
+  const TempDir temp;
+  const std::filesystem::path root = temp.path();
+  WriteRenderedDataset(root / "dataset", 12);
+  ServerProcess server(root, root / "maps.db");
+  ASSERT_TRUE(server.is_serving());
+  const double before = Gauge(root, server, "dhpmap_anonymous_memory_bytes");
+  double most = 0;
+  for (int i = 0; i < 4; ++i) {
+    const std::string map = "m" + std::to_string(i);
+    const Outcome mapped = server.Dhpmap({"map", (root / "dataset").string(), "--map", map});
+    ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
+    most = std::max(most, Gauge(root, server, "dhpmap_anonymous_memory_bytes"));
+    ASSERT_EQ(server.Dhpmap({"maps", "delete", map}).exit_code, 0);
+  }
+  EXPECT_GT(most, before + 24 * kMiB) << "too small a map to tell anything";
+  // The allocator gives pages back a second after they were last used.
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  double after = 0;
+  do {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    after = Gauge(root, server, "dhpmap_anonymous_memory_bytes");
+  } while (after > before + 20 * kMiB && std::chrono::steady_clock::now() < end);
+  EXPECT_LE(after, before + 20 * kMiB) << "at most " << most / kMiB << " MiB while mapped, " << before / kMiB
+                                       << " before";
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

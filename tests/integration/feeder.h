@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+
+/// The reason in a status of gRPC; empty if there is none.
+inline std::string ReasonOf(const grpc::Status& status) {
+  google::rpc::Status proto;
+  google::rpc::ErrorInfo info;
+  if (!proto.ParseFromString(status.error_details())) return {};
+  for (const auto& detail : proto.details()) {
+    if (detail.UnpackTo(&info)) return info.reason();
+  }
+  return {};
+}
+
+/// What the first message of a stream may say.
+struct Opening {
+  std::string session = {};
+  bool take_over = false;
+};
+
+/// One stream of frames of TestScene, message by message. Cancelled at the end of life, if it goes on.
+class Feeder {
+ public:
+  using Ack = v1::IntegrateFramesResponse;
+
+  Feeder(v1::MappingService::Stub& mapping, const std::string& map_id, const Opening& opening = {})
+      : stream_(mapping.IntegrateFrames(&context_)) {
+    first_.set_map("maps/" + map_id);
+    first_.set_session(opening.session);
+    first_.set_take_over(opening.take_over);
+  }
+  Feeder(TestServer& server, const std::string& map_id, const Opening& opening = {})
+      : Feeder(*server.mapping, map_id, opening) {}
+  ~Feeder() {
+    if (is_open_) context_.TryCancel(), (void)Finish();
+  }
+
+  /// The first message, without a frame; its answer.
+  std::optional<Ack> Greet() {
+    stream_->Write(std::exchange(first_, {}));
+    return Read();
+  }
+  /// False if the stream has ended.
+  bool Send(std::int64_t sequence, int frame, bool is_last = false) {
+    v1::IntegrateFramesRequest request = std::exchange(first_, {});
+    request.set_sequence(sequence);
+    *request.mutable_frame() = TestFrame(frame);
+    return stream_->Write(request, is_last ? grpc::WriteOptions().set_last_message() : grpc::WriteOptions());
+  }
+  /// Nothing if the stream has ended.
+  std::optional<Ack> Read() {
+    Ack ack;
+    if (!stream_->Read(&ack)) return std::nullopt;
+    return ack;
+  }
+  /// Sends frame `sequence` as `sequence` and waits for its answer.
+  std::optional<Ack> Feed(int sequence) {
+    if (!Send(sequence, sequence)) return std::nullopt;
+    return Read();
+  }
+  void HalfClose() { stream_->WritesDone(); }
+  void Cancel() { context_.TryCancel(); }
+  /// Reads the answers that are left, the last of which is kept, and waits for the end.
+  grpc::Status Finish() {
+    while (auto ack = Read()) last_ = *ack;
+    is_open_ = false;
+    return stream_->Finish();
+  }
+  [[nodiscard]] const std::optional<Ack>& last() const { return last_; }
+
+ private:
+  grpc::ClientContext context_;
+  std::unique_ptr<grpc::ClientReaderWriter<v1::IntegrateFramesRequest, v1::IntegrateFramesResponse>> stream_;
+  v1::IntegrateFramesRequest first_;
+  std::optional<Ack> last_;
+  bool is_open_ = true;
+};
+
+}  // namespace dhpmap::testing

@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a client that streams frames is told: up to where they are stored, and by sessions after whatever has happened.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <future>
+#include <thread>
+#include <vector>
+
+#include "tests/integration/failing_store.h"
+#include "tests/integration/feeder.h"
+#include "tests/integration/tcp_proxy.h"
+
+namespace dhpmap::testing {
+namespace {
+
+void Create(TestServer& server, const std::string& map_id) {
+  v1::CreateMapResponse response;
+  grpc::ClientContext context;
+  const grpc::Status status = server.maps->CreateMap(&context, CreateRequest(map_id), &response);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+}
+
+grpc::Status Delete(TestServer& server, const std::string& map_id) {
+  v1::DeleteMapRequest request;
+  request.set_name("maps/" + map_id);
+  v1::DeleteMapResponse response;
+  grpc::ClientContext context;
+  return server.maps->DeleteMap(&context, request, &response);
+}
+
+/// Nothing is stored but by a full sync at a stream's end.
+const SessionOptions kLazy{.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000};
+
+/// Keeps the writer of a map busy from here to the end of life.
+class BusyWriter {
+ public:
+  explicit BusyWriter(MapSession& session) {
+    auto begun = std::make_shared<std::promise<void>>();
+    const auto has_begun = begun->get_future();
+    session.Edit(
+        [begun, go = go_.get_future().share()](Map&) -> Result<SubmapId> {
+          begun->set_value();
+          go.wait();
+          return SubmapId(0);
+        },
+        [](const Result<EditOutcome>&) {});
+    has_begun.wait();
+  }
+  ~BusyWriter() { go_.set_value(); }
+
+ private:
+  std::promise<void> go_;
+};
+
+TEST(Feeds, NoAcknowledgementSaysMoreThanTheStoreHolds) {
+  FailingStore store;
+  TestServer server(store, {.publish_frames = 1, .commit_frames = 2, .commit_retry_s = 0.01});
+  Create(server, "room");
+  Feeder feeder(server, "room");
+  std::int64_t told = -1;
+  const auto check = [&](const Feeder::Ack& ack) {
+    const std::int64_t committed = ack.has_committed_sequence() ? ack.committed_sequence() : -1;
+    EXPECT_GE(committed, told) << "it never falls";
+    EXPECT_LT(committed, store.GetMap("room")->info.num_frames);
+    told = committed;
+  };
+  for (int i = 0; i < 12; ++i) {
+    store.set_full(i >= 6);
+    const auto ack = feeder.Feed(i);
+    ASSERT_TRUE(ack);
+    EXPECT_EQ(ack->outcome(), v1::FUSED);
+    check(*ack);
+  }
+  EXPECT_LE(told, 6);
+  store.set_full(false);
+  for (int i = 12; told < 11; ++i) {
+    const auto ack = feeder.Feed(i);
+    ASSERT_TRUE(ack);
+    check(*ack);
+  }
+  feeder.HalfClose();
+  EXPECT_TRUE(feeder.Finish().ok());
+}
+
+TEST(Feeds, TheLastFramesAcknowledgementComesWhenAllIsStored) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, kLazy, {.max_frames_in_flight = 8});
+  Create(server, "room");
+  Feeder feeder(server, "room");
+  ASSERT_FALSE(feeder.Feed(0)->has_committed_sequence());
+  {
+    const BusyWriter busy(**server.registry().OpenSession("room"));
+    for (int i = 1; i < 4; ++i) ASSERT_TRUE(feeder.Send(i, i, /*is_last=*/i == 3));
+    // Other calls come and go meanwhile: the server has seen the end of the stream long before.
+    for (int i = 0; i < 100; ++i) {
+      v1::ListMapsResponse list;
+      grpc::ClientContext context;
+      ASSERT_TRUE(server.maps->ListMaps(&context, {}, &list).ok());
+    }
+  }
+  int num_answers = 0;
+  Feeder::Ack last;
+  while (const auto ack = feeder.Read()) last = *ack, ++num_answers;
+  EXPECT_TRUE(feeder.Finish().ok());
+  EXPECT_EQ(num_answers, 3) << "one for each frame";
+  EXPECT_EQ(last.sequence(), 3);
+  EXPECT_EQ(last.outcome(), v1::FUSED);
+  EXPECT_GT(last.num_points(), 1000);
+  EXPECT_TRUE(last.committed());
+  EXPECT_EQ(last.committed_sequence(), 3);
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 4);
+}
+
+TEST(Feeds, IfTheEndCannotBeStoredTheLastFrameIsAcknowledgedAndTheStreamFails) {
+  FailingStore store;
+  TestServer server(store, kLazy);
+  Create(server, "room");
+  for (int round = 0; round < 5; ++round) {
+    store.set_full(true);
+    Feeder feeder(server, "room");
+    ASSERT_TRUE(feeder.Send(7, round, /*is_last=*/true));
+    const auto ack = feeder.Read();
+    ASSERT_TRUE(ack);
+    EXPECT_EQ(ack->sequence(), 7);
+    EXPECT_FALSE(ack->has_committed_sequence());
+    EXPECT_FALSE(ack->committed());
+    EXPECT_EQ(feeder.Finish().error_code(), grpc::RESOURCE_EXHAUSTED);
+    EXPECT_FALSE(feeder.last()) << "no second answer";
+    store.set_full(false);
+  }
+}
+
+TEST(Feeds, ASessionEndsWithAnAnswerForNoFrame) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, kLazy);
+  Create(server, "room");
+  Feeder feeder(server, "room", {.session = "robot-7"});
+  for (int i = 3; i < 6; ++i) {
+    const auto ack = feeder.Feed(i);
+    ASSERT_TRUE(ack);
+    EXPECT_EQ(ack->outcome(), v1::FUSED);
+    EXPECT_FALSE(ack->has_committed_sequence());
+  }
+  feeder.HalfClose();
+  ASSERT_TRUE(feeder.Finish().ok());
+  ASSERT_TRUE(feeder.last());
+  EXPECT_EQ(feeder.last()->outcome(), v1::FRAME_OUTCOME_UNSPECIFIED);
+  EXPECT_EQ(feeder.last()->committed_sequence(), 5);
+  EXPECT_TRUE(feeder.last()->committed());
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
+}
+
+TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, kLazy);
+  Create(server, "room");
+  {
+    Feeder first(server, "room", {.session = "robot"});
+    const auto greeting = first.Greet();
+    ASSERT_TRUE(greeting);
+    EXPECT_FALSE(greeting->has_committed_sequence()) << "a new session";
+    EXPECT_EQ(greeting->outcome(), v1::FRAME_OUTCOME_UNSPECIFIED);
+    EXPECT_EQ(greeting->error_code(), 0);
+    for (int i = 0; i < 4; ++i) ASSERT_TRUE(first.Feed(i));
+    first.HalfClose();
+    ASSERT_TRUE(first.Finish().ok());
+  }
+  Feeder second(server, "room", {.session = "robot"});
+  EXPECT_EQ(second.Greet()->committed_sequence(), 3);
+  for (const int sequence : {3, 0, 2}) {
+    const auto ack = second.Feed(sequence);
+    ASSERT_TRUE(ack);
+    EXPECT_EQ(ack->outcome(), v1::DUPLICATE) << sequence;
+    EXPECT_EQ(ack->error_code(), 0);
+    EXPECT_EQ(ack->sequence(), sequence);
+    EXPECT_EQ(ack->num_points(), 0);
+  }
+  EXPECT_EQ(second.Feed(4)->outcome(), v1::FUSED);
+  second.HalfClose();
+  ASSERT_TRUE(second.Finish().ok());
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 5);
+
+  // Another session has numbers of its own; streams without one are never deduplicated.
+  Feeder other(server, "room", {.session = "other"});
+  EXPECT_EQ(other.Feed(0)->outcome(), v1::FUSED);
+  other.HalfClose();
+  ASSERT_TRUE(other.Finish().ok());
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(Feed(server, "room", 0, 2).status.ok());
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 10);
+}
+
+TEST(Feeds, WhatIsTakenButNotStoredIsADuplicateAndToldAsStoredOnlyLater) {
+  FailingStore store;
+  TestServer server(store, {.publish_frames = 1, .commit_frames = 1, .commit_retry_s = 0.01});
+  Create(server, "room");
+  store.set_full(true);
+  {
+    Feeder first(server, "room", {.session = "robot"});
+    for (int i = 0; i < 3; ++i) ASSERT_FALSE(first.Feed(i)->has_committed_sequence());
+  }  // the connection is lost
+  Feeder second(server, "room", {.session = "robot"});
+  const auto greeting = second.Greet();
+  ASSERT_TRUE(greeting) << "its own old stream is not in its way";
+  EXPECT_FALSE(greeting->has_committed_sequence());
+  EXPECT_EQ(second.Feed(1)->outcome(), v1::DUPLICATE);
+  EXPECT_FALSE(second.Feed(2)->has_committed_sequence());
+  store.set_full(false);
+  second.HalfClose();
+  ASSERT_TRUE(second.Finish().ok());
+  EXPECT_EQ(second.last()->committed_sequence(), 2);
+  EXPECT_EQ(store.GetMap("room")->info.num_frames, 3);
+}
+
+TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  Create(server, "room");
+  for (const std::string& bad : {std::string("a b"), std::string(65, 'x'), std::string("a/b")}) {
+    Feeder feeder(server, "room", {.session = bad});
+    EXPECT_FALSE(feeder.Feed(0));
+    const grpc::Status status = feeder.Finish();
+    EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+    EXPECT_EQ(ReasonOf(status), "BAD_SESSION");
+  }
+  for (const char* first : {"robot", ""}) {
+    grpc::ClientContext context;
+    const auto stream = server.mapping->IntegrateFrames(&context);
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/room");
+    *request.mutable_frame() = TestFrame(0);
+    for (const char* session : {first, "", "another"}) {
+      request.set_session(session);
+      request.set_sequence(request.sequence() + 1);
+      stream->Write(request);
+    }
+    int num_answers = 0;
+    for (v1::IntegrateFramesResponse ack; stream->Read(&ack);) ++num_answers;
+    EXPECT_EQ(num_answers, 2);
+    EXPECT_EQ(ReasonOf(stream->Finish()), "BAD_SESSION");
+  }
+  // Only the first message may come without a frame, and only one of a session.
+  Feeder unnamed(server, "room");
+  const auto ack = unnamed.Greet();
+  ASSERT_TRUE(ack);
+  EXPECT_EQ(ack->outcome(), v1::REFUSED);
+  EXPECT_EQ(ack->error_reason(), "BAD_FRAME");
+}
+
+TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {.feed_idle_s = 1000}, {.max_frames_in_flight = 8});
+  Create(server, "room");
+  Feeder first(server, "room", {.session = "first"});
+  ASSERT_EQ(first.Feed(0)->outcome(), v1::FUSED);
+  {
+    Feeder polite(server, "room", {.session = "polite"});
+    EXPECT_FALSE(polite.Feed(0));
+    const grpc::Status refused = polite.Finish();
+    EXPECT_EQ(refused.error_code(), grpc::ABORTED);
+    EXPECT_EQ(ReasonOf(refused), "MAP_IS_FED");
+  }
+  const auto session = *server.registry().OpenSession("room");
+  {
+    const BusyWriter busy(*session);
+    for (int i = 1; i < 4; ++i) ASSERT_TRUE(first.Send(i, i));
+    const auto feed = session->BeginFeed({.session = "second", .take_over = true});
+    ASSERT_TRUE(feed.ok());
+    session->EndFeed(*feed);
+  }
+  Feeder second(server, "room", {.session = "second", .take_over = true});
+  EXPECT_EQ(second.Feed(10)->outcome(), v1::FUSED);
+
+  while (const auto ack = first.Read()) {
+    EXPECT_EQ(ack->outcome(), v1::REFUSED) << "what waited is not fused";
+    EXPECT_EQ(ack->error_code(), grpc::ABORTED);
+    EXPECT_EQ(ack->error_reason(), "FEED_TAKEN_OVER");
+  }
+  const grpc::Status status = first.Finish();
+  EXPECT_EQ(status.error_code(), grpc::ABORTED) << status.error_message();
+  EXPECT_EQ(ReasonOf(status), "FEED_TAKEN_OVER");
+  EXPECT_EQ(second.Feed(11)->outcome(), v1::FUSED);
+  second.HalfClose();
+  EXPECT_TRUE(second.Finish().ok());
+  const MapInfo stored = store->GetMap("room")->info;
+  EXPECT_EQ(stored.num_frames, 3);
+  EXPECT_EQ(stored.sessions.LastOf("first"), 0);
+  EXPECT_EQ(stored.sessions.LastOf("second"), 11);
+}
+
+TEST(Feeds, AnIdleFeederMakesPlaceForAnother) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {.feed_idle_s = 0});
+  Create(server, "room");
+  Feeder first(server, "room");
+  ASSERT_TRUE(first.Feed(0));
+  Feeder second(server, "room");
+  EXPECT_EQ(second.Feed(1)->outcome(), v1::FUSED);
+  const grpc::Status status = first.Finish();
+  EXPECT_EQ(status.error_code(), grpc::ABORTED);
+  EXPECT_EQ(ReasonOf(status), "FEED_IDLE");
+  second.HalfClose();
+  EXPECT_TRUE(second.Finish().ok());
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 2);
+}
+
+TEST(Feeds, AMapWhoseFeederIsIdleCanBeDeleted) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {.feed_idle_s = 0});
+  Create(server, "room");
+  Feeder feeder(server, "room");
+  ASSERT_TRUE(feeder.Feed(0));
+  const grpc::Status deleted = Delete(server, "room");
+  EXPECT_TRUE(deleted.ok()) << deleted.error_message();
+  const grpc::Status status = feeder.Finish();
+  EXPECT_EQ(status.error_code(), grpc::ABORTED);
+  EXPECT_EQ(ReasonOf(status), "FEED_IDLE");
+  EXPECT_TRUE(store->ListMaps()->empty());
+}
+
+TEST(Feeds, APeerThatIsDeadEndsAlthoughItsConnectionIsOpen) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {.feed_idle_s = 86'400}, {.keepalive_s = 1});
+  Create(server, "room");
+  TcpProxy proxy(server.grpc().port());
+  const auto channel = grpc::CreateChannel(proxy.address(), grpc::InsecureChannelCredentials());
+  const auto mapping = v1::MappingService::NewStub(channel);
+  Feeder frozen(*mapping, "room", {.session = "frozen"});
+  ASSERT_TRUE(frozen.Feed(0));
+  // One that is silent, but there, keeps its place: it answers when it is asked.
+  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  EXPECT_EQ(Feed(server, "room", 0, 1).status.error_code(), grpc::ABORTED);
+  EXPECT_TRUE(frozen.Feed(1));
+
+  proxy.Freeze();
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  grpc::StatusCode code = grpc::ABORTED;
+  while (code == grpc::ABORTED && std::chrono::steady_clock::now() < end) {
+    code = Feed(server, "room", 2, 3).status.error_code();
+    if (code == grpc::ABORTED) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_EQ(code, grpc::OK);
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
+  EXPECT_EQ(store->GetMap("room")->info.sessions.LastOf("frozen"), 1);
+  frozen.Cancel();
+}
+
+TEST(Feeds, OneMessageIsAnsweredOnceWhenItIsStoredOrByItsError) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, kLazy, {.max_frames_in_flight = 1});
+  Create(server, "room");
+  const auto send = [&](const v1::Frame& frame, std::vector<v1::IntegrateFramesResponse>& answers) {
+    grpc::ClientContext context;
+    context.AddMetadata("dhpmap-one-message", "1");
+    const auto stream = server.mapping->IntegrateFrames(&context);
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/room");
+    request.set_sequence(5);
+    *request.mutable_frame() = frame;
+    stream->Write(request);
+    stream->WritesDone();
+    for (v1::IntegrateFramesResponse answer; stream->Read(&answer);) answers.push_back(answer);
+    return stream->Finish();
+  };
+  std::vector<v1::IntegrateFramesResponse> answers;
+  ASSERT_TRUE(send(TestFrame(0), answers).ok());
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_EQ(answers[0].outcome(), v1::FUSED);
+  EXPECT_EQ(answers[0].sequence(), 5);
+  EXPECT_GT(answers[0].num_points(), 1000);
+  EXPECT_TRUE(answers[0].committed());
+  EXPECT_EQ(answers[0].committed_sequence(), 5);
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 1);
+
+  v1::Frame bad = TestFrame(1);
+  bad.set_map_from_sensor_matrix(3, std::nan(""));
+  answers.clear();
+  const grpc::Status status = send(bad, answers);
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(ReasonOf(status), "BAD_FRAME");
+  EXPECT_NE(status.error_details().find("map_from_sensor"), std::string::npos) << "it names the field";
+  EXPECT_TRUE(answers.empty());
+  EXPECT_EQ(send({}, answers).error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 1);
+}
+
+TEST(Feeds, SessionsLastOverRestartsOfTheServer) {
+  const TempDir dir;
+  const std::string path = (dir.path() / "maps.db").string();
+  for (int run = 0; run < 3; ++run) {
+    const auto store = OpenSqliteStore(path);
+    ASSERT_TRUE(store.ok()) << store.status().ToString();
+    TestServer server(**store);
+    if (run == 0) Create(server, "room");
+    Feeder feeder(server, "room", {.session = "robot"});
+    const auto greeting = feeder.Greet();
+    ASSERT_TRUE(greeting);
+    if (run > 0) {
+      EXPECT_EQ(greeting->committed_sequence(), 2 * run - 1);
+    }
+    if (run > 0) {
+      EXPECT_EQ(feeder.Feed(2 * run - 1)->outcome(), v1::DUPLICATE);
+    }
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(feeder.Feed(2 * run + i)->outcome(), v1::FUSED);
+    feeder.HalfClose();
+    ASSERT_TRUE(feeder.Finish().ok());
+    EXPECT_EQ((*store)->GetMap("room")->info.num_frames, 2 * run + 2);
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

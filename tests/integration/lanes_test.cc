@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calls of one kind do not wait for those of another, and what nobody waits for ends.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+constexpr int kManyPoints = 300'000;
+
+v1::QueryPointsRequest ManyPoints(const std::string& map_id) {
+  v1::QueryPointsRequest request;
+  request.set_map("maps/" + map_id);
+  request.set_packed(true);
+  for (int i = 0; i < 3 * kManyPoints; ++i) request.add_xyz_m(0.001f * static_cast<float>(i % 997));
+  return request;
+}
+
+class Lanes : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    grpc::ClientContext create;
+    v1::CreateMapResponse created;
+    ASSERT_TRUE(server_.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+    ASSERT_TRUE(Feed(server_, "room", 0, 3).status.ok());
+  }
+
+  grpc::Status GetMap() {
+    grpc::ClientContext context;
+    v1::GetMapRequest request;
+    request.set_name("maps/room");
+    v1::GetMapResponse response;
+    return server_.maps->GetMap(&context, request, &response);
+  }
+
+  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
+  TestServer server_{*store_, {}, {.num_threads = 2, .num_bulk_threads = 1}};
+};
+
+TEST_F(Lanes, AQuickCallIsAnsweredWhileBulkCallsWait) {
+  constexpr int kNumBulk = 8;
+  const v1::QueryPointsRequest request = ManyPoints("room");
+  std::atomic<int> num_begun = 0, num_ended = 0;
+  std::vector<std::thread> clients;
+  for (int i = 0; i < kNumBulk; ++i) {
+    clients.emplace_back([&] {
+      grpc::ClientContext context;
+      v1::QueryPointsResponse response;
+      ++num_begun;
+      EXPECT_TRUE(server_.queries->QueryPoints(&context, request, &response).ok());
+      EXPECT_EQ(response.packed().observed_size(), kManyPoints);
+      ++num_ended;
+    });
+  }
+  while (num_begun < kNumBulk) std::this_thread::yield();
+  EXPECT_TRUE(GetMap().ok());
+  EXPECT_LT(num_ended, kNumBulk) << "it waited for all of them";
+  for (std::thread& client : clients) client.join();
+}
+
+TEST_F(Lanes, CallsWhoseClientIsGoneLeaveTheQueueUnserved) {
+  constexpr int kNumAbandoned = 40;
+  const v1::QueryPointsRequest request = ManyPoints("room");
+  const auto start = std::chrono::steady_clock::now();
+  {
+    grpc::ClientContext context;
+    v1::QueryPointsResponse response;
+    ASSERT_TRUE(server_.queries->QueryPoints(&context, request, &response).ok());
+  }
+  const auto one_call = std::chrono::steady_clock::now() - start;
+  std::vector<std::thread> clients;
+  for (int i = 0; i < kNumAbandoned; ++i) {
+    clients.emplace_back([&] {
+      grpc::ClientContext context;
+      context.set_deadline(std::chrono::system_clock::now() + std::chrono::milliseconds(1));
+      v1::QueryPointsResponse response;
+      EXPECT_FALSE(server_.queries->QueryPoints(&context, request, &response).ok());
+    });
+  }
+  for (std::thread& client : clients) client.join();
+  const auto then = std::chrono::steady_clock::now();
+  grpc::ClientContext context;
+  v1::QueryPointsResponse response;
+  ASSERT_TRUE(server_.queries->QueryPoints(&context, request, &response).ok());
+  // Served in turn, the abandoned ones would have taken forty times one call.
+  EXPECT_LT(std::chrono::steady_clock::now() - then, 20 * one_call);
+}
+
+TEST_F(Lanes, AMeshThatNobodyTakesAnyMoreEnds) {
+  grpc::ClientContext context;
+  v1::GetSubmapMeshRequest request;
+  request.set_name("maps/room");
+  auto mesh = server_.submaps->GetSubmapMesh(&context, request);
+  v1::GetSubmapMeshResponse part;
+  ASSERT_TRUE(mesh->Read(&part));
+  EXPECT_GT(part.total_bytes(), 0);
+  context.TryCancel();
+  while (mesh->Read(&part)) {
+  }
+  EXPECT_EQ(mesh->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  EXPECT_TRUE(server_.Stop().ok()) << "nothing is left that would hold up the end";
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

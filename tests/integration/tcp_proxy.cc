@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/integration/tcp_proxy.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+
+namespace dhpmap::testing {
+namespace {
+
+constexpr int kTick_ms = 5;  // how soon it sees that it has to freeze or end
+
+sockaddr_in Local(int port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  return address;
+}
+
+void Check(bool good) {
+  if (!good) std::abort();
+}
+
+/// False if the connection is over.
+bool Forward(int from, int to) {
+  std::array<char, 65536> bytes{};
+  const ssize_t size = recv(from, bytes.data(), bytes.size(), 0);
+  if (size <= 0) return false;
+  for (ssize_t sent = 0; sent < size;) {
+    const ssize_t more = send(to, bytes.data() + sent, static_cast<std::size_t>(size - sent), MSG_NOSIGNAL);
+    if (more <= 0) return false;
+    sent += more;
+  }
+  return true;
+}
+
+}  // namespace
+
+TcpProxy::TcpProxy(int to_port) : to_port_(to_port), listener_(socket(AF_INET, SOCK_STREAM, 0)) {
+  sockaddr_in address = Local(0);
+  socklen_t size = sizeof address;
+  Check(bind(listener_, reinterpret_cast<sockaddr*>(&address), size) == 0 && listen(listener_, 4) == 0);
+  Check(getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) == 0);
+  port_ = ntohs(address.sin_port);
+  thread_ = std::thread([this] { Run(); });
+}
+
+TcpProxy::~TcpProxy() {
+  is_over_ = true;
+  thread_.join();
+  close(listener_);
+}
+
+void TcpProxy::Run() {
+  pollfd coming{.fd = listener_, .events = POLLIN, .revents = 0};
+  while (!is_over_ && poll(&coming, 1, kTick_ms) == 0) {
+  }
+  if (is_over_) return;
+  const int client = accept(listener_, nullptr, nullptr), server = socket(AF_INET, SOCK_STREAM, 0);
+  const sockaddr_in address = Local(to_port_);
+  Check(client >= 0 && connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+  std::array<pollfd, 2> ends{
+      {{.fd = client, .events = POLLIN, .revents = 0}, {.fd = server, .events = POLLIN, .revents = 0}}};
+  for (bool is_open = true; is_open && !is_over_ && !is_frozen_;) {
+    if (poll(ends.data(), ends.size(), kTick_ms) <= 0) continue;
+    if (is_frozen_) break;
+    if (ends[0].revents != 0) is_open = Forward(client, server);
+    if (is_open && ends[1].revents != 0) is_open = Forward(server, client);
+  }
+  while (is_frozen_ && !is_over_) std::this_thread::sleep_for(std::chrono::milliseconds(kTick_ms));
+  close(client);
+  close(server);
+}
+
+}  // namespace dhpmap::testing

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+namespace dhpmap::testing {
+
+/// Forwards one connection to a port of this machine, until it freezes: then it takes and passes on nothing more, but
+/// the connection stays open, as with a process that is stopped.
+class TcpProxy {
+ public:
+  explicit TcpProxy(int to_port);
+  ~TcpProxy();
+  TcpProxy(const TcpProxy&) = delete;
+  TcpProxy& operator=(const TcpProxy&) = delete;
+
+  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+  void Freeze() { is_frozen_ = true; }
+
+ private:
+  void Run();
+
+  const int to_port_;
+  int port_ = 0;
+  int listener_ = -1;
+  std::atomic<bool> is_frozen_ = false, is_over_ = false;
+  std::thread thread_;
+};
+
+}  // namespace dhpmap::testing

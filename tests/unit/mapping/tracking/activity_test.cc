@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/tracking/activity.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/scenes.h"
+
+namespace dhpmap {
+namespace {
+
+/// A map whose submaps are single blocks, before a scanner that sees 5 m far.
+class ActivityTest : public ::testing::Test {
+ protected:
+  ActivityTest() : map_(Info()) {
+    here_.lidar.emplace();
+    away_ = here_;
+    away_.T_map_sensor.translation().x() = 100;
+  }
+
+  static MapInfo Info() {
+    MapInfo info;
+    info.name = "m";
+    info.label_set = testing::MakeLabelSet(1, 1);
+    info.config.voxel_size_m = 0.1;
+    info.config.truncation_m = 0.2;
+    info.config.integration.max_weight = 100;
+    info.config.activity = {.required_reobservations = 3, .deactivate_after_missed = 3};
+    return info;
+  }
+
+  SubmapInfo Thing(bool is_confirmed) const {
+    return {.panoptic = Panoptic::kThing,
+            .class_id = ClassId(1),
+            .voxel_size_m = map_.info().config.voxel_size_m,
+            .truncation_m = map_.info().config.truncation_m,
+            .is_confirmed = is_confirmed};
+  }
+
+  /// A submap with one observed voxel, the first of `block`.
+  SubmapId Add(const SubmapInfo& info, BlockIndex block = {2, 0, 0}) {
+    Submap& submap = map_.Create(info);
+    submap.MutableTsdf(block).weight[0] = 1;
+    submap.UpdateBoundingSphere();
+    return submap.id();
+  }
+
+  int Miss(SubmapId id, int times, const PanopticFrame& frame) {
+    int num_dissolved = 0;
+    for (int i = 0; i < times && map_.Find(id) != nullptr; ++i) num_dissolved += UpdateActivity(frame, {}, map_);
+    return num_dissolved;
+  }
+  Activity ActivityOf(SubmapId id) const { return map_.Find(id)->info().activity; }
+
+  Map map_;
+  PanopticFrame here_, away_;
+};
+
+TEST_F(ActivityTest, AThingSettlesInTheFrameThatMakesItsMissesEnough) {
+  const SubmapId id = Add(Thing(true));
+  EXPECT_EQ(Miss(id, 2, here_), 0);
+  EXPECT_EQ(ActivityOf(id), Activity::kActive);
+  EXPECT_EQ(Miss(id, 1, here_), 0);
+  EXPECT_EQ(ActivityOf(id), Activity::kInactive);
+}
+
+TEST_F(ActivityTest, AnObservationBeginsTheCountAnewAndWakesWhatHasSettled) {
+  const SubmapId id = Add(Thing(true));
+  Miss(id, 2, away_);
+  UpdateActivity(here_, {id}, map_);
+  EXPECT_EQ(map_.Find(id)->info().num_frames_missed, 0);
+  Miss(id, 2, away_);
+  EXPECT_EQ(ActivityOf(id), Activity::kActive);
+  Miss(id, 1, away_);
+  ASSERT_EQ(ActivityOf(id), Activity::kInactive);
+  UpdateActivity(here_, {id}, map_);
+  EXPECT_EQ(ActivityOf(id), Activity::kActive);
+}
+
+TEST_F(ActivityTest, AConfirmedThingIsNeverDissolvedAndNotTouchedOnceSettled) {
+  const SubmapId id = Add(Thing(true));
+  EXPECT_EQ(Miss(id, 3, here_), 0);
+  const auto settled = map_.Publish(1);
+  EXPECT_EQ(Miss(id, 20, here_), 0);
+  EXPECT_EQ(map_.Publish(2), settled) << "nothing was written";
+}
+
+TEST_F(ActivityTest, AThingIsConfirmedOnceItWasObservedOftenEnoughAfterTheFirstTime) {
+  const SubmapId id = Add(Thing(false));
+  map_.FindMutable(id)->mutable_info().num_frames_observed = 3;  // the first time, and again twice
+  UpdateActivity(here_, {id}, map_);
+  EXPECT_FALSE(map_.Find(id)->info().is_confirmed);
+  map_.FindMutable(id)->mutable_info().num_frames_observed = 4;
+  UpdateActivity(here_, {id}, map_);
+  EXPECT_TRUE(map_.Find(id)->info().is_confirmed);
+}
+
+TEST_F(ActivityTest, AnUnconfirmedThingIsDissolvedWhenOverlookedOftenEnoughWithFramesElsewhereBetween) {
+  const SubmapId id = Add(Thing(false));
+  EXPECT_EQ(Miss(id, 2, here_), 0);
+  EXPECT_EQ(Miss(id, 10, away_), 0);
+  EXPECT_EQ(ActivityOf(id), Activity::kInactive);
+  EXPECT_EQ(map_.Find(id)->info().num_frames_overlooked, 2);
+  EXPECT_EQ(Miss(id, 1, here_), 1);
+  EXPECT_EQ(map_.Find(id), nullptr);
+  EXPECT_TRUE(map_.Find(kUnknownSubmap)->blocks().Find({2, 0, 0})->tsdf->IsObserved(0));
+}
+
+TEST_F(ActivityTest, AnUnconfirmedThingThatWasMovedStays) {
+  const SubmapId id = Add(Thing(false));
+  map_.FindMutable(id)->mutable_info().T_map_submap.translation().y() = 0.5;
+  EXPECT_EQ(Miss(id, 20, here_), 0);
+  EXPECT_NE(map_.Find(id), nullptr);
+}
+
+TEST_F(ActivityTest, BackgroundAndTheUnknownSubmapHaveNoLifeCycle) {
+  SubmapInfo wall = Thing(false);
+  wall.panoptic = Panoptic::kStuff;
+  const SubmapId id = Add(wall);
+  const auto before = map_.Publish(1);
+  EXPECT_EQ(Miss(id, 20, here_), 0);
+  EXPECT_EQ(UpdateActivity(here_, {id, kUnknownSubmap}, map_), 0);
+  DeactivateAll(map_);
+  EXPECT_EQ(map_.Publish(2), before);
+}
+
+TEST_F(ActivityTest, DeactivateAllSettlesWhatIsActiveAndLeavesTheRestAlone) {
+  const SubmapId active = Add(Thing(true)), settled = Add(Thing(true));
+  map_.FindMutable(settled)->mutable_info().activity = Activity::kInactive;
+  map_.Publish(1);
+  DeactivateAll(map_);
+  EXPECT_EQ(ActivityOf(active), Activity::kInactive);
+  const auto after = map_.Publish(2);
+  EXPECT_EQ(after->Find(active)->info().revision, after->revision());
+  EXPECT_LT(after->Find(settled)->info().revision, after->revision());
+  DeactivateAll(map_);
+  EXPECT_EQ(map_.Publish(3), after);
+}
+
+TEST_F(ActivityTest, DissolvingAveragesByWeightVoxelByVoxel) {
+  const SubmapId id = Add(Thing(false));
+  TsdfBlock& from = map_.FindMutable(id)->MutableTsdf({2, 0, 0});
+  TsdfBlock& into = map_.FindMutable(kUnknownSubmap)->MutableTsdf({2, 0, 0});
+  const auto set = [](TsdfBlock& block, std::size_t i, float distance_m, float weight, Color color) {
+    block.distance_m[i] = distance_m, block.weight[i] = weight, block.color[i] = color;
+  };
+  set(from, 0, 0.08f, 1, {100, 0, 10}), set(into, 0, -0.04f, 3, {0, 200, 13});  // both
+  set(from, 1, 0.05f, 2, {7, 8, 9});                                            // only the thing
+  set(into, 2, -0.01f, 5, {1, 2, 3});                                           // only the unknown submap
+  set(from, 3, 0.1f, 60, {}), set(into, 3, 0.0f, 60, {});                       // more than the cap
+  map_.FindMutable(id)->MutableTsdf({-4, 0, 0}).weight[9] = 1;                  // a block of its own
+  map_.FindMutable(id)->MutableLabels({2, 0, 0});
+
+  ASSERT_TRUE(DissolveIntoUnknown(id, map_));
+  EXPECT_EQ(map_.Find(id), nullptr);
+  const Submap& unknown = *map_.Find(kUnknownSubmap);
+  const TsdfBlock& merged = *unknown.blocks().Find({2, 0, 0})->tsdf;
+  EXPECT_FLOAT_EQ(merged.distance_m[0], -0.01f);
+  EXPECT_EQ(merged.weight[0], 4.0f);
+  EXPECT_EQ(merged.color[0], (Color{25, 150, 12}));
+  EXPECT_FLOAT_EQ(merged.distance_m[1], 0.05f);
+  EXPECT_EQ(merged.weight[1], 2.0f);
+  EXPECT_EQ(merged.color[1], (Color{7, 8, 9}));
+  EXPECT_EQ(merged.distance_m[2], -0.01f);
+  EXPECT_EQ(merged.weight[2], 5.0f);
+  EXPECT_FLOAT_EQ(merged.distance_m[3], 0.05f);
+  EXPECT_EQ(merged.weight[3], 100.0f);
+  EXPECT_FALSE(merged.IsObserved(4));
+  EXPECT_TRUE(unknown.blocks().Find({-4, 0, 0})->tsdf->IsObserved(9));
+  EXPECT_EQ(unknown.blocks().Find({2, 0, 0})->labels, nullptr) << "labels go";
+  // The sphere holds both blocks: x from -3.2 to 2.4 m.
+  EXPECT_NEAR(unknown.bounding_sphere().center_m.x(), -0.4, 1e-9);
+}
+
+TEST_F(ActivityTest, OnlySubmapsOnTheMapsGridDissolve) {
+  SubmapInfo moved = Thing(false), finer = Thing(false);
+  moved.T_map_submap.translation().x() = 1e-3;
+  finer.voxel_size_m = 0.05;
+  const SubmapId moved_id = Add(moved), finer_id = Add(finer), gone = Add(Thing(false));
+  map_.Remove(gone);
+  const auto before = map_.Publish(1);
+  for (const SubmapId id : {moved_id, finer_id, gone, kUnknownSubmap, SubmapId(999)}) {
+    EXPECT_FALSE(DissolveIntoUnknown(id, map_));
+  }
+  EXPECT_EQ(map_.Publish(2), before) << "nothing was written";
+}
+
+}  // namespace
+}  // namespace dhpmap

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/map_registry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <future>
+#include <string>
+
+#include "tests/support/scenes.h"
+
+namespace dhpmap {
+namespace {
+
+MapInfo InfoOf(const std::string& name) {
+  MapInfo info;
+  info.name = name;
+  info.label_set = testing::MakeLabelSet(1, 1);
+  return info;
+}
+
+/// A store in memory that counts loads, refuses what it is told to, and can be made to take its time over one map.
+class MoodyStore final : public MapStore {
+ public:
+  Result<std::vector<StoredMap>> ListMaps() override { return inner_->ListMaps(); }
+  Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
+  Status CreateMap(const MapSnapshot& snapshot) override {
+    return refusal.ok() ? inner_->CreateMap(snapshot) : refusal;
+  }
+  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
+    return inner_->Commit(before, after, durability);
+  }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
+    ++num_loads;
+    if (!refusal.ok()) return refusal;
+    if (name == "slow") {
+      is_loading_slow.set_value();
+      may_go_on.get_future().wait();
+    }
+    return inner_->LoadMap(name);
+  }
+  Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner_->Reserve(name, marks); }
+  Status DeleteMap(const std::string& name) override { return refusal.ok() ? inner_->DeleteMap(name) : refusal; }
+
+  Status refusal;
+  std::atomic<int> num_loads = 0;
+  std::promise<void> is_loading_slow, may_go_on;
+
+ private:
+  const std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
+};
+
+class MapRegistryTest : public ::testing::Test {
+ protected:
+  std::unique_ptr<MapRegistry> Open() {
+    SessionOptions options{.num_threads = 1, .now_ns = [] { return std::int64_t{1'600'000'000'000'000'000}; }};
+    return std::move(MapRegistry::Open(store_, std::move(options))).value();
+  }
+
+  MoodyStore store_;
+  std::unique_ptr<MapRegistry> registry_ = Open();
+};
+
+TEST_F(MapRegistryTest, AMapIsStoredWhenItsCreationIsAnswered) {
+  const auto made = registry_->Create(InfoOf("room"));
+  ASSERT_TRUE(made.ok()) << made.status().message();
+  EXPECT_EQ(made->info.create_time_ns, 1'600'000'000'000'000'000);
+  EXPECT_EQ(made->num_submaps, 1) << "the unknown submap";
+  const auto stored = store_.GetMap("room");
+  ASSERT_TRUE(stored.ok());
+  EXPECT_EQ(stored->info.create_time_ns, made->info.create_time_ns);
+  EXPECT_EQ(stored->info.revision, made->info.revision);
+}
+
+TEST_F(MapRegistryTest, ANameMustBeValidAndFree) {
+  EXPECT_EQ(registry_->Create(InfoOf("")).status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(registry_->Create(InfoOf("../etc")).status().code(), StatusCode::kInvalidArgument);
+  EXPECT_TRUE(registry_->Create(InfoOf("room")).ok());
+  EXPECT_EQ(registry_->Create(InfoOf("room")).status().code(), StatusCode::kAlreadyExists);
+  EXPECT_TRUE(registry_->Delete("room").ok());
+  EXPECT_TRUE(registry_->Create(InfoOf("room")).ok());
+}
+
+TEST_F(MapRegistryTest, AMapThatCannotBeStoredIsNotThere) {
+  store_.refusal = ResourceExhausted("the disk is full");
+  EXPECT_EQ(registry_->Create(InfoOf("room")).status().code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(registry_->Get("room").status().code(), StatusCode::kNotFound);
+  EXPECT_TRUE(registry_->List().empty());
+  store_.refusal = Status::Ok();
+  EXPECT_TRUE(registry_->Create(InfoOf("room")).ok());
+}
+
+TEST_F(MapRegistryTest, MapsThatAreNotThereAreNotFound) {
+  EXPECT_EQ(registry_->Get("room").status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(registry_->OpenSession("room").status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(registry_->DiskBytes("room").status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(registry_->Delete("room").status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(store_.num_loads, 0);
+}
+
+int NumThreads() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("Threads:")) return std::stoi(line.substr(8));
+  }
+  return -1;
+}
+
+/// An edit that makes a thing: takes a writer, and a commit.
+void EditOnce(MapSession& session) {
+  std::promise<Status> done;
+  session.Edit([](Map& map) -> Result<SubmapId> { return map.Create({.panoptic = Panoptic::kThing}).id(); },
+               [&done](const Result<EditOutcome>& outcome) { done.set_value(outcome.status()); });
+  ASSERT_TRUE(done.get_future().get().ok());
+}
+
+TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileTheyAreOnlyRead) {
+  SessionOptions options{.num_threads = 5, .now_ns = [] { return std::int64_t{1}; }};
+  const auto registry = std::move(MapRegistry::Open(store_, std::move(options))).value();
+  constexpr int kMaps = 12, kThreadsAMap = 2;  // its writer, and what commits
+  std::thread([] {}).join();                   // with the first of all, a sanitizer starts a thread of its own
+  int before = NumThreads();
+  for (int i = 0; i < 20; ++i) {  // one that was joined is counted for a moment longer
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    before = std::min(before, NumThreads());
+  }
+  for (int m = 0; m < kMaps; ++m) {
+    const std::string name = "m" + std::to_string(m);
+    ASSERT_TRUE(registry->Create(InfoOf(name)).ok());
+    ASSERT_TRUE(registry->ViewOf(name).ok());
+  }
+  EXPECT_EQ(registry->OpenSessions().size(), static_cast<std::size_t>(kMaps));
+  EXPECT_EQ(NumThreads(), before);
+  for (const auto& session : registry->OpenSessions()) EditOnce(*session);
+  EXPECT_EQ(NumThreads() - before, kMaps * kThreadsAMap);
+}
+
+TEST_F(MapRegistryTest, ListsByNameWithoutLoading) {
+  for (const char* name : {"hall", "attic", "cellar"}) ASSERT_TRUE(registry_->Create(InfoOf(name)).ok());
+  for (const auto& registry : {std::move(registry_), Open()}) {  // the one that made them, and a later one
+    const auto maps = registry->List();
+    ASSERT_EQ(maps.size(), 3u);
+    EXPECT_EQ(maps[0].info.name, "attic");
+    EXPECT_EQ(maps[1].info.name, "cellar");
+    EXPECT_EQ(maps[2].info.name, "hall");
+    EXPECT_EQ(maps[2].num_submaps, 1);
+    EXPECT_TRUE(registry->OpenSessions().empty());
+  }
+  EXPECT_EQ(store_.num_loads, 0);
+}
+
+TEST_F(MapRegistryTest, SummariesFollowTheOpenMap) {
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  const auto session = registry_->OpenSession("room");
+  ASSERT_TRUE(session.ok());
+  EditOnce(**session);
+  EXPECT_EQ(registry_->Get("room")->num_submaps, 2);
+  EXPECT_EQ(registry_->List()[0].num_submaps, 2);
+}
+
+TEST_F(MapRegistryTest, AMapThatNobodyUsesIsClosedAndOpenedAgainWithoutNotice) {
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  EditOnce(**registry_->OpenSession("room"));
+  const auto view = *registry_->ViewOf("room");
+  const auto now = MapRegistry::Clock::now();
+  registry_->CloseIdleMaps(now + std::chrono::seconds(1));
+  EXPECT_EQ(registry_->OpenSessions().size(), 1u) << "used a moment ago";
+  const auto deadline = now + std::chrono::seconds(60);  // the edit was answered before its job had ended
+  while (!registry_->OpenSessions().empty() && MapRegistry::Clock::now() < deadline) {
+    registry_->CloseIdleMaps(now + std::chrono::hours(1));
+  }
+  EXPECT_TRUE(registry_->OpenSessions().empty());
+  EXPECT_EQ(registry_->Get("room")->num_submaps, 2) << "its summary is of the state that was closed";
+  EXPECT_EQ(view->snapshot().submaps().size(), 2u) << "who looks at it keeps what they see";
+  const int num_loads = store_.num_loads;
+  EXPECT_EQ((*registry_->ViewOf("room"))->snapshot().submaps().size(), 2u);
+  EXPECT_EQ(store_.num_loads, num_loads + 1);
+}
+
+TEST_F(MapRegistryTest, AMapThatIsHeldOrFedStaysOpen) {
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  auto session = *registry_->OpenSession("room");
+  registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1));
+  EXPECT_EQ(registry_->OpenSessions().size(), 1u);
+  session = nullptr;
+  registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1));
+  EXPECT_TRUE(registry_->OpenSessions().empty());
+}
+
+TEST_F(MapRegistryTest, ClosesIdleMapsByItself) {
+  SessionOptions options{.num_threads = 1, .idle_close_s = 0.02};
+  const auto registry = std::move(MapRegistry::Open(store_, std::move(options))).value();
+  ASSERT_TRUE(registry->Create(InfoOf("room")).ok());
+  ASSERT_TRUE(registry->ViewOf("room").ok());
+  const auto deadline = MapRegistry::Clock::now() + std::chrono::seconds(60);
+  while (!registry->OpenSessions().empty() && MapRegistry::Clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_TRUE(registry->OpenSessions().empty());
+}
+
+TEST_F(MapRegistryTest, AMapIsLoadedOnceForAllWhoAskAtOnce) {
+  ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
+  std::vector<std::future<std::shared_ptr<MapSession>>> sessions;
+  const auto open = [this] { return registry_->OpenSession("slow").value(); };
+  for (int i = 0; i < 4; ++i) sessions.push_back(std::async(std::launch::async, open));
+  store_.is_loading_slow.get_future().wait();
+  store_.may_go_on.set_value();
+  const auto first = sessions[0].get();
+  for (std::size_t i = 1; i < sessions.size(); ++i) EXPECT_EQ(sessions[i].get(), first);
+  EXPECT_EQ(store_.num_loads, 1);
+  EXPECT_EQ(registry_->OpenSessions().size(), 1u);
+}
+
+TEST_F(MapRegistryTest, LoadingOneMapKeepsNobodyWaitingForAnother) {
+  ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  auto slow = std::async(std::launch::async, [this] { return registry_->OpenSession("slow").status(); });
+  store_.is_loading_slow.get_future().wait();
+  EXPECT_TRUE(registry_->OpenSession("room").ok());
+  EXPECT_TRUE(registry_->Get("slow").ok()) << "its summary needs no loading";
+  EXPECT_EQ(registry_->List().size(), 2u);
+  EXPECT_TRUE(registry_->Create(InfoOf("hall")).ok());
+  EXPECT_TRUE(registry_->Delete("hall").ok());
+  store_.may_go_on.set_value();
+  EXPECT_TRUE(slow.get().ok());
+}
+
+TEST_F(MapRegistryTest, AMapDeletedWhileItIsLoadedIsGoneAfterwards) {
+  ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
+  auto open = std::async(std::launch::async, [this] { return registry_->OpenSession("slow").status(); });
+  store_.is_loading_slow.get_future().wait();
+  auto deleted = std::async(std::launch::async, [this] { return registry_->Delete("slow").status(); });
+  store_.may_go_on.set_value();
+  EXPECT_TRUE(open.get().ok()) << "it was there when it was asked for";
+  EXPECT_TRUE(deleted.get().ok());
+  EXPECT_EQ(registry_->OpenSession("slow").status().code(), StatusCode::kNotFound);
+  EXPECT_TRUE(registry_->OpenSessions().empty());
+}
+
+TEST_F(MapRegistryTest, ALoadThatFailedIsTriedAgain) {
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  store_.refusal = Unavailable("the disk is away");
+  EXPECT_EQ(registry_->OpenSession("room").status().code(), StatusCode::kUnavailable);
+  EXPECT_TRUE(registry_->Get("room").ok());
+  store_.refusal = Status::Ok();
+  EXPECT_TRUE(registry_->OpenSession("room").ok());
+}
+
+TEST_F(MapRegistryTest, DeletingAnswersTheLastRevisionAndAFailureLeavesTheMap) {
+  for (const bool is_open : {false, true}) {
+    const auto made = registry_->Create(InfoOf("room"));
+    ASSERT_TRUE(made.ok());
+    if (is_open) {
+      ASSERT_TRUE(registry_->OpenSession("room").ok());
+    }
+    store_.refusal = Unavailable("the disk is away");
+    EXPECT_EQ(registry_->Delete("room").status().code(), StatusCode::kUnavailable);
+    store_.refusal = Status::Ok();
+    EXPECT_TRUE(registry_->Get("room").ok());
+    const auto deleted = registry_->Delete("room");
+    ASSERT_TRUE(deleted.ok()) << deleted.status().message();
+    EXPECT_EQ(*deleted, made->info.revision);
+    EXPECT_EQ(store_.GetMap("room").status().code(), StatusCode::kNotFound);
+    EXPECT_EQ(registry_->Get("room").status().code(), StatusCode::kNotFound);
+  }
+}
+
+TEST_F(MapRegistryTest, ShutDownItOpensNothingMore) {
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  ASSERT_TRUE(registry_->Create(InfoOf("hall")).ok());
+  ASSERT_TRUE(registry_->OpenSession("room").ok());
+  EXPECT_TRUE(registry_->Shutdown().ok());
+  EXPECT_TRUE(registry_->OpenSession("room").ok()) << "what is open can still be read";
+  EXPECT_EQ(registry_->OpenSession("hall").status().code(), StatusCode::kUnavailable);
+  EXPECT_TRUE(registry_->Shutdown().ok()) << "twice does no harm";
+}
+
+}  // namespace
+}  // namespace dhpmap

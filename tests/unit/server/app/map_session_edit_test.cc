@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edits, and a store that refuses or falls behind.
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "server/app/submap_edits.h"
+#include "tests/integration/failing_store.h"
+#include "tests/unit/server/app/map_session_fixture.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::FailingStore;
+
+TEST_F(MapSessionTest, TooManyEditsAreRefusedNotQueued) {
+  Open({.max_pending_edits = 2});
+  std::promise<void> go;
+  std::vector<std::future<Status>> answers;
+  const auto edit = [&](std::function<Result<SubmapId>(Map&)> change) {
+    auto promise = std::make_shared<std::promise<Status>>();
+    answers.push_back(promise->get_future());
+    session->Edit(std::move(change),
+                  [promise](const Result<EditOutcome>& outcome) { promise->set_value(outcome.status()); });
+  };
+  std::promise<void> begun;
+  edit([&](Map&) -> Result<SubmapId> {
+    begun.set_value();
+    go.get_future().wait();
+    return SubmapId(0);
+  });
+  begun.get_future().wait();  // the writer is busy with the first
+  for (int i = 0; i < 3; ++i) edit([](Map&) -> Result<SubmapId> { return SubmapId(0); });
+  EXPECT_EQ(answers.back().get().code(), StatusCode::kResourceExhausted);
+  answers.pop_back();
+  go.set_value();
+  for (auto& answer : answers) EXPECT_TRUE(answer.get().ok());
+}
+
+TEST_F(MapSessionTest, AnEditThatThrowsIsAnswered) {
+  Open({});
+  const auto outcome = Wait<Result<EditOutcome>>(
+      [&](auto done) { session->Edit([](Map&) -> Result<SubmapId> { throw std::bad_alloc(); }, done); });
+  EXPECT_EQ(outcome.status().code(), StatusCode::kInternal);
+  EXPECT_TRUE(Integrate(0).report.ok());
+}
+
+TEST_F(MapSessionTest, AnEditThatFailsHalfWayChangesNothing) {
+  Open({});
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(Integrate(i).report.ok());
+  const auto outcome = Wait<Result<EditOutcome>>([&](auto done) {
+    session->Edit(
+        [](Map& map) -> Result<SubmapId> {
+          map.Clone(SubmapId(1));
+          throw std::bad_alloc();
+        },
+        done);
+  });
+  EXPECT_EQ(outcome.status().code(), StatusCode::kInternal);
+  const std::size_t num_submaps = session->View()->snapshot().submaps().size();
+  EXPECT_TRUE(Integrate(2).report.ok());
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ(session->View()->snapshot().submaps().size(), num_submaps);
+}
+
+TEST_F(MapSessionTest, AnEditThatCannotBeStoredDidNotHappen) {
+  auto failing = std::make_unique<FailingStore>();
+  FailingStore& disk = *failing;
+  store = std::move(failing);
+  Open({.publish_frames = 1000, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000, .commit_retry_s = 0.005});
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(Integrate(i).report.ok());
+  const auto clone = [&] {
+    return Wait<Result<EditOutcome>>(
+        [&](auto done) { session->Edit([](Map& map) { return CloneSubmap(map, SubmapId(1), "", {}); }, done); });
+  };
+  const auto first = clone();
+  ASSERT_TRUE(first.ok()) << first.status().ToString();
+  const auto seen = session->View()->snapshot().revision();
+  const auto num_submaps = session->View()->snapshot().submaps().size();
+
+  disk.set_full(true);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(clone().status().code(), StatusCode::kResourceExhausted);
+    EXPECT_EQ(session->View()->snapshot().revision(), seen);
+  }
+  while (disk.num_refused() < 8) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // retries of its own
+  disk.set_full(false);
+  const auto last = clone();
+  ASSERT_TRUE(last.ok()) << last.status().ToString();
+  EXPECT_EQ(last->submap.value, first->submap.value + 1) << "no id was spent";
+  EXPECT_EQ(last->view->snapshot().submaps().size(), num_submaps + 1);
+  EXPECT_EQ((*store->LoadMap("room"))->submaps().size(), num_submaps + 1);
+
+  // Frames that are fused but not stored are not lost with an edit, and mapping goes on.
+  ASSERT_TRUE(Integrate(3).report.ok());
+  disk.set_full(true);
+  EXPECT_FALSE(clone().ok());
+  EXPECT_EQ(session->View()->snapshot().info().num_frames, 4);
+  EXPECT_EQ(session->View()->snapshot().submaps().size(), num_submaps + 1);
+  disk.set_full(false);
+  ASSERT_TRUE(Integrate(4).report.ok());
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ((*store->LoadMap("room"))->submaps().size(), num_submaps + 1);
+  EXPECT_EQ((*store->LoadMap("room"))->info().num_frames, 5);
+}
+
+TEST_F(MapSessionTest, AnEditIsSeenOnlyOnceItIsStored) {
+  auto failing = std::make_unique<FailingStore>();
+  FailingStore& disk = *failing;
+  store = std::move(failing);
+  Open({});
+  std::atomic<std::int64_t> seen_in_commit = -1;
+  const auto before = session->View()->snapshot().revision();
+  disk.set_before_commit([&] { seen_in_commit = session->View()->snapshot().revision(); });
+  const auto edited = Wait<Result<EditOutcome>>([&](auto done) {
+    session->Edit(
+        [](Map& map) -> Result<SubmapId> {
+          map.FindMutable(SubmapId(0))->mutable_info().display_name = "rest";
+          return SubmapId(0);
+        },
+        done);
+  });
+  ASSERT_TRUE(edited.ok());
+  EXPECT_EQ(seen_in_commit, before);
+  EXPECT_EQ(session->View()->snapshot().revision(), before + 1);
+  disk.set_before_commit({});
+}
+
+TEST_F(MapSessionTest, RefusesFramesWhileTheStoreIsTooFarBehind) {
+  auto failing = std::make_unique<FailingStore>();
+  FailingStore& disk = *failing;
+  store = std::move(failing);
+  Open({.commit_frames = 1, .commit_s = 0.01, .commit_retry_s = 0.01, .max_behind_s = 0.05});
+  ASSERT_TRUE(Integrate(0).report.ok());
+  disk.set_full(true);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto integrate_until = [&](bool wanted_ok) {
+    while (std::chrono::steady_clock::now() < deadline) {
+      const FrameOutcome outcome = Integrate(1);
+      if (outcome.report.ok() == wanted_ok) return outcome;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return FrameOutcome{.report = Internal("it never came")};
+  };
+  const FrameOutcome refused = integrate_until(false);
+  EXPECT_EQ(refused.report.status().reason(), Reason("STORE_BEHIND")) << refused.report.status().ToString();
+  EXPECT_EQ(refused.report.status().code(), StatusCode::kUnavailable);
+  EXPECT_GT(session->BehindSeconds(), 0.05);
+  EXPECT_EQ(Integrate(2).report.status().reason(), Reason("STORE_BEHIND"));
+  disk.set_full(false);
+  EXPECT_TRUE(integrate_until(true).report.ok()) << "the store has caught up";
+}
+
+}  // namespace
+}  // namespace dhpmap

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/mesh_export.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mapping/io/pcd.h"
+#include "mapping/io/ply.h"
+#include "mapping/mesh/map_mesh.h"
+#include "tests/unit/mapping/mesh/solid_submap.h"
+
+namespace dhpmap {
+namespace {
+
+/// One level of a plane in one block, of which submap `id` owns the columns x in [begin, end).
+std::shared_ptr<const Submap> Strip(std::uint32_t id, int begin, int end) {
+  Submap submap = testing::SolidSubmap([](const Eigen::Vector3d& p) { return p.z() - 0.2; }, {0, 0, 0}, {0, 0, 0});
+  submap.mutable_info().id = SubmapId(id);
+  TsdfBlock& tsdf = submap.MutableTsdf({0, 0, 0});
+  for (int i = 0; i < kBlockVoxels; ++i) {
+    const int x = VoxelIn({0, 0, 0}, i).x;
+    if (x < begin || x >= end) tsdf.weight[static_cast<std::size_t>(i)] = 0;
+  }
+  return std::make_shared<const Submap>(std::move(submap));
+}
+
+std::shared_ptr<const MapSnapshot> MapOfTwoStrips() {
+  MapInfo info;
+  info.config.voxel_size_m = testing::kVoxel_m;
+  return std::make_shared<const MapSnapshot>(
+      info, std::vector<std::shared_ptr<const Submap>>{Strip(1, 0, 4), Strip(2, 4, 8)});
+}
+
+/// All of a file, which is as long as it said.
+std::string ReadAll(Result<MeshFile> file) {
+  EXPECT_TRUE(file.ok());
+  std::string bytes, piece;
+  while (file->Next(piece)) bytes += piece;
+  EXPECT_EQ(bytes.size(), file->num_bytes());
+  return bytes;
+}
+
+/// Of the PLY file; -1 if it cannot be had.
+int NumFaces(std::optional<SubmapId> submap) {
+  auto file = ExportMesh(MapOfTwoStrips(), {.submap = submap, .coloring = MeshColoring::kClass});
+  if (!file.ok()) return -1;
+  const std::string bytes = ReadAll(std::move(file));
+  const std::string key = "element face ";
+  const std::size_t at = bytes.find(key);
+  return at == std::string::npos ? -1 : std::stoi(bytes.substr(at + key.size()));
+}
+
+TEST(ExportMesh, WholeMapHasNoGapBetweenSubmaps) { EXPECT_EQ(NumFaces(std::nullopt), 2 * 7 * 7); }
+
+TEST(ExportMesh, OneSubmapIsMeshedByItself) {
+  EXPECT_EQ(NumFaces(SubmapId(1)), 2 * 3 * 7);
+  EXPECT_EQ(NumFaces(SubmapId(2)), 2 * 3 * 7);
+  EXPECT_EQ(NumFaces(SubmapId(3)), -1);
+}
+
+TEST(ExportMesh, WritesTheFormatThatIsAskedFor) {
+  EXPECT_EQ(ReadAll(ExportMesh(MapOfTwoStrips(), {.format = MeshFormat::kPly})).substr(0, 4), "ply\n");
+  auto pcd = ExportMesh(MapOfTwoStrips(), {.format = MeshFormat::kPcd});
+  ASSERT_TRUE(pcd.ok());
+  EXPECT_EQ(pcd->format(), MeshFormat::kPcd);
+  EXPECT_NE(ReadAll(std::move(pcd)).find("VERSION"), std::string::npos);
+  EXPECT_EQ(ExportMesh(MapOfTwoStrips(), {.submap = SubmapId(3)}).status().reason(), Reason("SUBMAP_NOT_FOUND"));
+}
+
+TEST(ExportMesh, EqualsTheFileOfTheWholeMesh) {
+  const auto map = MapOfTwoStrips();
+  ThreadPool here(1);
+  const Mesh mesh = ExtractMapMesh(*map, MeshColoring::kInstance, here);
+  const MeshRequest as_ply{.coloring = MeshColoring::kInstance};
+  const MeshRequest as_pcd{.coloring = MeshColoring::kInstance, .format = MeshFormat::kPcd};
+  EXPECT_TRUE(ReadAll(ExportMesh(map, as_ply)) == WritePly(mesh));
+  EXPECT_TRUE(ReadAll(ExportMesh(map, as_pcd)) == *WritePcd(mesh));
+}
+
+TEST(ExportMesh, EndsWhenNobodyWaits) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(ExportMesh(MapOfTwoStrips(), {}, stop.get_token()).status().code(), StatusCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace dhpmap

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/gateway/byte_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+namespace dhpmap::gateway {
+namespace {
+
+TEST(ByteBudget, GivesOutNoMoreThanThereIs) {
+  ByteBudget budget(100);
+  ByteShare first(&budget), second(&budget);
+  EXPECT_TRUE(first.Resize(60));
+  EXPECT_FALSE(second.Resize(41));
+  EXPECT_EQ(second.bytes(), 0u) << "all or nothing";
+  EXPECT_TRUE(second.Resize(40));
+  EXPECT_FALSE(first.Resize(61));
+  EXPECT_TRUE(first.Resize(10)) << "giving back always works";
+  EXPECT_TRUE(second.Resize(90));
+  EXPECT_FALSE(second.Resize(~std::size_t{0})) << "no overflow";
+}
+
+TEST(ByteBudget, ASharesEndGivesItBack) {
+  ByteBudget budget(100);
+  {
+    ByteShare share(&budget);
+    ASSERT_TRUE(share.Resize(100));
+    const ByteShare moved(std::move(share));
+    EXPECT_EQ(budget.used_bytes(), 100u);
+  }
+  EXPECT_EQ(budget.used_bytes(), 0u);
+}
+
+TEST(ByteBudget, IsExactWithManyThreads) {
+  ByteBudget budget(1000);
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&budget] {
+      for (int i = 0; i < 5000; ++i) {
+        ByteShare share(&budget);
+        if (share.Resize(static_cast<std::size_t>(i % 700))) {
+          EXPECT_LE(budget.used_bytes(), 1000u);
+        }
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(budget.used_bytes(), 0u);
+}
+
+}  // namespace
+}  // namespace dhpmap::gateway

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/gateway/rpc_request.h"
+
+#include "tests/unit/server/gateway/test_request.h"
+
+namespace dhpmap::gateway {
+namespace {
+
+constexpr std::size_t kMaxBody_bytes = 1000;
+
+Result<RpcRequest> Made(const http::RequestHead& head) {
+  return RpcRequest::Make(head, Matched(head.method, head.target), "", kMaxBody_bytes);
+}
+
+TEST(RpcRequest, UnderstandsAllButTheBody) {
+  const auto request = Made(RequestHeadOf(
+      "POST", "/v1/maps", {{"Content-Type", "application/x-protobuf"}, {"Accept", "application/json"}}, 12));
+  ASSERT_TRUE(request.ok()) << request.status().message();
+  EXPECT_EQ(request->call.rpc_path, "/dhpmap.v1.MapService/CreateMap");
+  EXPECT_EQ(request->body_format, BodyFormat::kProtobuf);
+  EXPECT_EQ(request->answer_format, AnswerFormat::kJson);
+  EXPECT_EQ(request->announced_bytes, 12u);
+  EXPECT_FALSE(request->is_head);
+  EXPECT_TRUE(Made(RequestHeadOf("HEAD", "/v1/maps"))->is_head);
+}
+
+TEST(RpcRequest, RefusesABodyBeforeItComes) {
+  const auto at_limit = Made(RequestHeadOf("POST", "/v1/maps", {}, kMaxBody_bytes));
+  EXPECT_TRUE(at_limit.ok()) << at_limit.status().message();
+  const auto beyond = Made(RequestHeadOf("POST", "/v1/maps", {}, kMaxBody_bytes + 1));
+  EXPECT_EQ(beyond.status().reason(), Reason("BODY_TOO_LARGE"));
+  EXPECT_TRUE(Made(RequestHeadOf("POST", "/v1/maps/a:integrateFrames", {}, 1u << 30)).ok())
+      << "a stream may be long: its messages are limited";
+}
+
+TEST(RpcRequest, RefusesTypesAndCodingsThatItCannotRead) {
+  const std::pair<const char*, http::Headers> cases[] = {
+      {"/v1/maps", {{"Content-Type", "text/xml"}}},
+      {"/v1/maps", {{"Content-Encoding", "gzip"}}},
+      {"/v1/maps", {{"Content-Type", "application/x-protobuf-stream"}}},
+      {"/v1/maps/a:integrateFrames", {{"Content-Type", "multipart/form-data; boundary=x"}}},
+  };
+  for (const auto& [path, headers] : cases) {
+    EXPECT_EQ(Made(RequestHeadOf("POST", path, headers, 1)).status().reason(), Reason("UNSUPPORTED_MEDIA_TYPE"))
+        << headers[0].second;
+  }
+  EXPECT_TRUE(Made(RequestHeadOf("POST", "/v1/maps", {{"Content-Encoding", "Identity"}}, 1)).ok());
+  EXPECT_TRUE(Made(RequestHeadOf("POST", "/v1/maps", {{"Content-Type", "text/xml"}}, 0)).ok()) << "there is no body";
+  EXPECT_FALSE(
+      Made(RequestHeadOf("POST", "/v1/maps", {{"Content-Type", "text/xml"}, {"Transfer-Encoding", "chunked"}})).ok());
+}
+
+TEST(RpcRequest, AFileIsNamedAfterThePathWithHarmlessCharactersOnly) {
+  EXPECT_EQ(Made(RequestHeadOf("GET", "/v1/maps/home/submaps/7:mesh"))->file_stem, "maps_home_submaps_7");
+  EXPECT_EQ(Made(RequestHeadOf("GET", "/test/files/a%22%0D%0A..%5Cb"))->file_stem, "a___.._b");
+  EXPECT_EQ(Made(RequestHeadOf("GET", "/test/files/" + std::string(500, 'x')))->file_stem.size(), 128u);
+  EXPECT_EQ(Made(RequestHeadOf("GET", "/v1/maps"))->file_stem, "download") << "no variable in the path";
+}
+
+TEST(RpcRequest, ErrorsOfHeadersAndQueryArePassedOn) {
+  EXPECT_FALSE(Made(RequestHeadOf("GET", "/v1/maps", {{"X-Timeout-S", "soon"}})).ok());
+  EXPECT_EQ(RpcRequest::Make(RequestHeadOf("GET", "/v1/maps"), Matched("GET", "/v1/maps"), "a=%2", kMaxBody_bytes)
+                .status()
+                .reason(),
+            Reason("BAD_QUERY"));
+}
+
+}  // namespace
+}  // namespace dhpmap::gateway

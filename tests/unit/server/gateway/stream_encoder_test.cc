@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/gateway/stream_encoder.h"
+
+#include "dhpmap/v1/submap_service.pb.h"
+#include "json_test.pb.h"
+#include "tests/unit/server/gateway/test_request.h"
+
+namespace dhpmap::gateway {
+namespace {
+
+std::string Part(const std::string& data, const std::string& type = "", std::int64_t total_bytes = 0) {
+  json::test::Part part;
+  part.set_data(data);
+  part.set_content_type(type);
+  part.set_total_bytes(total_bytes);
+  return part.SerializeAsString();
+}
+
+const Route& Download() { return *Matched("GET", "/test/files/x").route; }
+const Route& Voxels() { return *Matched("GET", "/v1/maps/a/submaps/1:voxels").route; }
+
+TEST(StreamEncoder, OnlyTheFirstPartHasAHead) {
+  for (const AnswerFormat format : {AnswerFormat::kAny, AnswerFormat::kJson, AnswerFormat::kProtobuf}) {
+    StreamEncoder encoder(Download(), format, "x");
+    EXPECT_TRUE(encoder.Encode(Part("a"))->head);
+    EXPECT_FALSE(encoder.Encode(Part("b"))->head);
+  }
+}
+
+TEST(StreamEncoder, PutsTheDataOfAFileTogether) {
+  StreamEncoder encoder(Download(), AnswerFormat::kAny, "x");
+  const auto first = encoder.Encode(Part("ab", "application/x-ply", 5));
+  ASSERT_TRUE(first.ok());
+  EXPECT_EQ(first->data, "ab");
+  EXPECT_EQ(first->head->length, 5u);
+  EXPECT_EQ(http::FindHeader(first->head->headers, "content-type"), "application/x-ply");
+  EXPECT_EQ(http::FindHeader(first->head->headers, "content-disposition"), "attachment; filename=\"x.ply\"");
+  EXPECT_EQ(encoder.Encode(Part(""))->data, "") << "an empty part is none";
+  EXPECT_EQ(encoder.Encode(Part("cde"))->data, "cde");
+  EXPECT_FALSE(encoder.is_text()) << "an error in the middle of a file would be part of it";
+}
+
+TEST(StreamEncoder, NothingThatAnRpcSaysCanAddAHeader) {
+  StreamEncoder encoder(Download(), AnswerFormat::kAny, "x");
+  const auto first = encoder.Encode(Part("", "text/plain\r\nSet-Cookie: a=b", -7));
+  ASSERT_TRUE(first.ok());
+  for (const auto& [name, value] : first->head->headers) {
+    EXPECT_EQ(value.find_first_of("\r\n"), std::string::npos) << name << ": " << value;
+  }
+  EXPECT_FALSE(first->head->length) << "a size that is none";
+}
+
+TEST(StreamEncoder, ALineOfTextAMessage) {
+  StreamEncoder encoder(Voxels(), AnswerFormat::kAny, "");
+  v1::StreamSubmapVoxelsResponse message;
+  message.set_revision(7);
+  const auto part = encoder.Encode(message.SerializeAsString());
+  ASSERT_TRUE(part.ok());
+  EXPECT_TRUE(part->data.starts_with(R"({"result":{)")) << part->data;
+  EXPECT_EQ(part->data.find('\n'), part->data.size() - 1);
+  EXPECT_EQ(part->head->headers, encoder.EmptyHead());
+  EXPECT_TRUE(encoder.is_text());
+}
+
+TEST(StreamEncoder, AMessageOfProtobufComesAfterItsLength) {
+  StreamEncoder encoder(Voxels(), AnswerFormat::kProtobuf, "");
+  EXPECT_EQ(encoder.Encode("")->data, std::string(1, '\0'));
+  EXPECT_EQ(encoder.Encode(std::string(300, 'x'))->data, "\xAC\x02" + std::string(300, 'x'));
+  EXPECT_FALSE(encoder.is_text());
+}
+
+TEST(StreamEncoder, WhatIsNoMessageOfTheRpcIsInternal) {
+  for (const AnswerFormat format : {AnswerFormat::kAny, AnswerFormat::kJson}) {
+    StreamEncoder encoder(Download(), format, "x");
+    EXPECT_EQ(encoder.Encode("\xFF").status().code(), StatusCode::kInternal);
+  }
+}
+
+TEST(StreamEncoder, GivesFilesTheirExtension) {
+  EXPECT_EQ(ExtensionOf("application/x-ply"), "ply");
+  EXPECT_EQ(ExtensionOf("model/gltf-binary"), "bin");
+  EXPECT_EQ(ExtensionOf("text/csv; charset=utf-8"), "csv");
+  EXPECT_EQ(ExtensionOf("application/../x"), "bin");
+  EXPECT_EQ(ExtensionOf(""), "bin");
+}
+
+}  // namespace
+}  // namespace dhpmap::gateway

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "dhpmap/v1/map_service.pb.h"
+#include "dhpmap/v1/query_service.pb.h"
+#include "server/gateway/byte_budget.h"
+#include "server/gateway/rpc_call.h"
+#include "server/gateway/rpc_exchange.h"
+#include "tests/unit/server/gateway/gateway_fixture.h"
+#include "tests/unit/server/gateway/recording_responder.h"
+#include "tests/unit/server/gateway/test_request.h"
+
+namespace dhpmap::gateway {
+namespace {
+
+TEST_F(GatewayTest, GetPutsThePathIntoTheRequestAndAnswersJson) {
+  v1::GetMapResponse response;
+  response.mutable_map()->set_name("maps/home");
+  response.set_revision(42);
+  server.Set("GetMap", {.messages = {response.SerializeAsString()}});
+  const http::HttpAnswer answer = client->Ask("GET", "/v1/maps/home");
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(answer.Header("Content-Type"), "application/json");
+  const auto json = AsJson(answer.body);
+  EXPECT_EQ(At(json, "revision").string_value(), "42");
+  EXPECT_EQ(At(At(json, "map").struct_value(), "num_frames").string_value(), "0") << "zeros are shown";
+  EXPECT_EQ(Heard<v1::GetMapRequest>().name(), "maps/home");
+  EXPECT_EQ(server.WaitForCall().method, "/dhpmap.v1.MapService/GetMap");
+}
+
+TEST_F(GatewayTest, PostTakesJsonUnderCurlsDefaultContentType) {
+  const std::string body = R"({"map_id":"home","config":{"voxelSizeM":0.05,"integration":{"carving":true}}})";
+  for (const char* type :
+       {"application/json", "application/x-www-form-urlencoded", "Application/JSON; charset=utf-8"}) {
+    const http::HttpAnswer answer = client->Ask("POST", "/v1/maps", body, {{"Content-Type", type}});
+    EXPECT_EQ(answer.status, 200) << answer.body;
+  }
+  EXPECT_EQ(client->Ask("POST", "/v1/maps", body).status, 200) << "no content type";
+  const auto heard = Heard<v1::CreateMapRequest>(4);
+  EXPECT_EQ(heard.map_id(), "home");
+  EXPECT_DOUBLE_EQ(heard.config().voxel_size_m(), 0.05);
+  EXPECT_TRUE(heard.config().integration().carving());
+}
+
+TEST_F(GatewayTest, LargeBodiesUnderCurlsDefaultTypeAreNoForms) {
+  DHPMAP_SKIP_MEGABYTES();
+  std::string body = R"({"xyz_m":[0)";
+  while (body.size() < 300'000) body += ",0.25,-1.5,2";
+  body += ",1,2]}";
+  const http::HttpAnswer answer =
+      client->Ask("POST", "/v1/maps/a:queryPoints", body, {{"Content-Type", "application/x-www-form-urlencoded"}});
+  EXPECT_EQ(answer.status, 200) << answer.body;
+  EXPECT_GT(Heard<v1::QueryPointsRequest>().xyz_m_size(), 70'000);
+}
+
+TEST_F(GatewayTest, ProtobufGoesBothWays) {
+  v1::QueryPointsRequest request;
+  request.add_xyz_m(1.5f);
+  request.set_map("maps/wrong");  // the path wins
+  v1::QueryPointsResponse response;
+  response.set_revision(7);
+  server.Set("QueryPoints", {.messages = {response.SerializeAsString()}});
+  const http::HttpAnswer answer =
+      client->Ask("POST", "/v1/maps/right:queryPoints", request.SerializeAsString(),
+                  {{"Content-Type", "application/x-protobuf"}, {"Accept", "application/x-protobuf"}});
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(answer.Header("Content-Type"), "application/x-protobuf");
+  EXPECT_EQ(answer.body, response.SerializeAsString());
+  const auto heard = Heard<v1::QueryPointsRequest>();
+  EXPECT_EQ(heard.map(), "maps/right");
+  EXPECT_EQ(heard.xyz_m(0), 1.5f);
+}
+
+TEST_F(GatewayTest, ForwardsMetadataAndGivesEveryRequestAnId) {
+  const http::HttpAnswer answer = client->Ask(
+      "GET", "/v1/maps", "",
+      {{"Authorization", "Bearer t"}, {"X-Request-ID", "r-1"}, {"TraceParent", "00-1-2-01"}, {"Cookie", "c=1"}});
+  EXPECT_EQ(answer.Header("X-Request-Id"), "r-1");
+  const HeardCall call = server.WaitForCall();
+  EXPECT_EQ(call.metadata.find("authorization")->second, "Bearer t");
+  EXPECT_EQ(call.metadata.find("x-request-id")->second, "r-1");
+  EXPECT_EQ(call.metadata.find("traceparent")->second, "00-1-2-01");
+  EXPECT_EQ(call.metadata.count("cookie"), 0u);
+  const std::string first = client->Ask("GET", "/v1/maps").Header("X-Request-Id");
+  const std::string second = client->Ask("GET", "/v1/maps").Header("X-Request-Id");
+  EXPECT_FALSE(first.empty());
+  EXPECT_NE(first, second);
+}
+
+TEST_F(GatewayTest, MetadataThatGrpcCannotCarryIsRefused) {
+  EXPECT_EQ(client->Ask("GET", "/v1/maps", "", {{"Authorization", "Bearer \xC3\xA4"}}).status, 400);
+  EXPECT_EQ(client->Ask("GET", "/v1/maps", "", {{"X-Request-Id", "a\tb"}}).status, 400);
+  EXPECT_EQ(client->Ask("GET", "/v1/maps").status, 200) << "the server is still up";
+}
+
+TEST_F(GatewayTest, TimeoutsBecomeDeadlines) {
+  server.Set("GetMap", {.hang = true});
+  const http::HttpAnswer late = client->Ask("GET", "/v1/maps/a", "", {{"X-Timeout-S", "0.05"}});
+  EXPECT_EQ(late.status, 504);
+  EXPECT_EQ(At(AsJson(late.body), "code").number_value(), 4);
+  EXPECT_EQ(client->Ask("GET", "/v1/maps/a", "", {{"grpc-timeout", "50m"}}).status, 504);
+  for (const char* bad : {"soon", "-1", "nan", "1S"}) {
+    EXPECT_EQ(client->Ask("GET", "/v1/maps/a", "", {{"X-Timeout-S", bad}}).status, 400) << bad;
+  }
+  EXPECT_EQ(client->Ask("GET", "/v1/maps/a", "", {{"grpc-timeout", "5"}}).status, 400);
+  EXPECT_EQ(client->Ask("GET", "/v1/maps", "", {{"X-Timeout-S", "1e300"}}).status, 200) << "as good as none";
+}
+
+TEST_F(GatewayTest, AClientThatGoesAwayCancelsTheRpc) {
+  server.Set("GetMap", {.hang = true});
+  client->SendRaw("GET /v1/maps/a HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  server.WaitForCall();
+  client.reset();
+  EXPECT_TRUE(server.WaitForCancel());
+}
+
+TEST_F(GatewayTest, AnAnswerOfTheWrongTypeIsAnInternalError) {
+  server.Set("GetMap", {.messages = {"\xFF\xFF"}});
+  const http::HttpAnswer answer = client->Ask("GET", "/v1/maps/a");
+  EXPECT_EQ(answer.status, 500);
+  EXPECT_EQ(At(AsJson(answer.body), "code").number_value(), 13);
+}
+
+/// One exchange without any connection.
+class UnaryExchangeTest : public ::testing::Test {
+ protected:
+  /// Calls, and exchanges that they keep, are gone before what they use.
+  ~UnaryExchangeTest() override {
+    EXPECT_TRUE(responder->RunUntil([&] { return caller.WaitUntilIdle(std::chrono::milliseconds(0)); }));
+  }
+
+  std::shared_ptr<http::Exchange> Begin(const http::RequestHead& head, std::size_t max_body_bytes = 1000) {
+    auto request = RpcRequest::Make(head, Matched(head.method, head.target), "", max_body_bytes);
+    EXPECT_TRUE(request.ok());
+    return MakeUnaryExchange(std::move(*request), ByteShare(&budget), &caller, responder);
+  }
+  bool HasReply() const { return !responder->replies.empty(); }
+
+  CannedServer server;
+  ByteBudget budget{2000};
+  std::shared_ptr<RecordingResponder> responder = std::make_shared<RecordingResponder>();
+  RpcCaller caller{server.channel()};
+};
+
+TEST_F(UnaryExchangeTest, PutsTheBodyTogetherAndAnswersOnce) {
+  const auto exchange = Begin(RequestHeadOf("POST", "/v1/maps"));
+  for (const char c : std::string(R"({"map_id":"home"})")) EXPECT_TRUE(exchange->OnBody({&c, 1}));
+  EXPECT_EQ(server.num_calls(), 0u) << "not before the body is whole";
+  exchange->OnBodyEnd();
+  ASSERT_TRUE(responder->RunUntil([&] { return HasReply(); }));
+  EXPECT_EQ(responder->replies.size(), 1u);
+  EXPECT_EQ(responder->replies[0].status, 200);
+  EXPECT_FALSE(http::FindHeader(responder->replies[0].headers, "x-request-id").empty());
+}
+
+TEST_F(UnaryExchangeTest, ABodyThatGrowsTooLargeIsAnsweredAndTheRestLetGo) {
+  const auto exchange = Begin(RequestHeadOf("POST", "/v1/maps", {{"Transfer-Encoding", "chunked"}}), 100);
+  EXPECT_TRUE(exchange->OnBody(std::string(100, ' ')));
+  EXPECT_FALSE(HasReply());
+  EXPECT_TRUE(exchange->OnBody("x"));
+  ASSERT_TRUE(HasReply());
+  EXPECT_EQ(responder->replies[0].status, 413);
+  EXPECT_TRUE(exchange->OnBody(std::string(1000, 'x'))) << "the connection decides what to do with the rest";
+  exchange->OnBodyEnd();
+  EXPECT_EQ(responder->replies.size(), 1u);
+  EXPECT_EQ(server.num_calls(), 0u);
+}
+
+TEST_F(UnaryExchangeTest, ABodyBeyondTheBudgetIsAnswered) {
+  ByteShare others(&budget);
+  ASSERT_TRUE(others.Resize(1950));
+  auto exchange = Begin(RequestHeadOf("POST", "/v1/maps", {{"Transfer-Encoding", "chunked"}}));
+  EXPECT_TRUE(exchange->OnBody(std::string(60, ' ')));
+  ASSERT_TRUE(HasReply());
+  EXPECT_EQ(responder->replies[0].status, 429);
+  exchange.reset();
+  EXPECT_EQ(budget.used_bytes(), 1950u);
+}
+
+TEST_F(UnaryExchangeTest, AnAnswerBeyondTheBudgetIsNotKept) {
+  v1::GetMapResponse response;
+  response.mutable_map()->set_display_name(std::string(2000, 'x'));
+  server.Set("GetMap", {.messages = {response.SerializeAsString()}});
+  auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a"));
+  exchange->OnBodyEnd();
+  ASSERT_TRUE(responder->RunUntil([&] { return HasReply(); }));
+  EXPECT_EQ(responder->replies[0].status, 429);
+  exchange.reset();
+  ASSERT_TRUE(caller.WaitUntilIdle(std::chrono::minutes(1)));
+  EXPECT_EQ(budget.used_bytes(), 0u);
+}
+
+TEST_F(UnaryExchangeTest, AClosedConnectionHearsNothingMore) {
+  server.Set("GetMap", {.hang = true});
+  const auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a"));
+  exchange->OnBodyEnd();
+  server.WaitForCall();
+  exchange->OnClosed();
+  EXPECT_TRUE(server.WaitForCancel());
+  bool is_idle = false;
+  EXPECT_TRUE(responder->RunUntil([&] { return std::exchange(is_idle, true); })) << "what the call still says";
+  EXPECT_FALSE(HasReply());
+}
+
+}  // namespace
+}  // namespace dhpmap::gateway

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/grpc/lane.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <future>
+#include <vector>
+
+namespace dhpmap {
+namespace {
+
+/// Keeps a lane's only thread busy until it is let go.
+class Plug {
+ public:
+  explicit Plug(Lane& lane) {
+    lane.Post([ends = ends_] {
+      ends->begun.set_value();
+      ends->release.get_future().wait();
+    });
+    ends_->begun.get_future().wait();
+  }
+  void Release() { ends_->release.set_value(); }
+
+ private:
+  struct Ends {
+    std::promise<void> begun, release;
+  };
+  std::shared_ptr<Ends> ends_ = std::make_shared<Ends>();  // the lane's, too, whose thread may go on after we are gone
+};
+
+std::shared_ptr<LaneTask> Task(std::function<void()> work) { return std::make_shared<LaneTask>(std::move(work)); }
+
+TEST(Lane, RunsTasksInTheOrderTheyCame) {
+  std::vector<int> order;
+  {
+    Lane lane({.num_threads = 1});
+    Plug plug(lane);
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(lane.TryPost(Task([&order, i] { order.push_back(i); })));
+    plug.Release();
+  }
+  EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST(Lane, TakesNoMoreThanMayWait) {
+  Lane lane({.num_threads = 1, .max_waiting = 2});
+  Plug plug(lane);
+  EXPECT_TRUE(lane.TryPost(Task([] {})));
+  EXPECT_TRUE(lane.TryPost(Task([] {})));
+  EXPECT_FALSE(lane.TryPost(Task([] {})));
+  plug.Release();
+}
+
+TEST(Lane, WorkThatWasGivenUpNeverRunsAndLeavesItsPlace) {
+  std::atomic<int> runs = 0;
+  {
+    Lane lane({.num_threads = 1, .max_waiting = 2});
+    Plug plug(lane);
+    const auto dead = Task([&runs] { runs += 100; });
+    ASSERT_TRUE(lane.TryPost(dead));
+    ASSERT_TRUE(lane.TryPost(Task([&runs] { ++runs; })));
+    EXPECT_TRUE(dead->GiveUp());
+    EXPECT_FALSE(dead->GiveUp()) << "only once";
+    EXPECT_TRUE(lane.TryPost(Task([&runs] { ++runs; }))) << "the place of what was given up is free";
+    EXPECT_FALSE(lane.TryPost(Task([&runs] { ++runs; })));
+    plug.Release();
+  }
+  EXPECT_EQ(runs, 2);
+}
+
+TEST(Lane, GivingUpFreesWhatTheWorkHeldWhileItStillWaits) {
+  Lane lane({.num_threads = 1});
+  Plug plug(lane);
+  auto held = std::make_shared<int>(7);
+  const auto task = Task([held] { ADD_FAILURE() << *held; });
+  ASSERT_TRUE(lane.TryPost(task));
+  EXPECT_EQ(held.use_count(), 2);
+  EXPECT_TRUE(task->GiveUp());
+  EXPECT_EQ(held.use_count(), 1);
+  plug.Release();
+}
+
+TEST(Lane, WorkThatHasBegunCannotBeGivenUp) {
+  std::promise<void> begun, release;
+  Lane lane({.num_threads = 1});
+  const auto task = Task([&] {
+    begun.set_value();
+    release.get_future().wait();
+  });
+  ASSERT_TRUE(lane.TryPost(task));
+  begun.get_future().wait();
+  EXPECT_FALSE(task->GiveUp());
+  release.set_value();
+}
+
+TEST(Lane, ItsThreadsAreAsNiceAsAsked) {
+  const int here = getpriority(PRIO_PROCESS, 0);
+  std::promise<int> there;
+  Lane lane({.num_threads = 1, .niceness = 3});
+  lane.Post([&there] { there.set_value(getpriority(PRIO_PROCESS, 0)); });
+  EXPECT_EQ(there.get_future().get(), std::min(here + 3, 19));
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), here) << "of that thread only";
+}
+
+TEST(Lane, EndsAfterWhatWasPosted) {
+  std::atomic<int> runs = 0;
+  {
+    Lane lane({.num_threads = 3});
+    for (int i = 0; i < 100; ++i) lane.Post([&runs] { ++runs; });
+  }
+  EXPECT_EQ(runs, 100);
+}
+
+}  // namespace
+}  // namespace dhpmap

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/mapping_conversion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "server/wire/frame_conversion.h"
+
+namespace dhpmap {
+namespace {
+
+TEST(AckOf, CarriesTheReportOfAFusedFrame) {
+  FrameReport report;
+  report.num_points = 100;
+  report.num_unknown_points = 7;
+  report.num_segments = 5;
+  report.num_matched = 3;
+  report.num_created = 2;
+  const auto ack = AckOf(42, {.report = report, .revision = 9, .is_committed = true});
+  EXPECT_EQ(ack.sequence(), 42);
+  EXPECT_EQ(ack.revision(), 9);
+  EXPECT_TRUE(ack.committed());
+  EXPECT_EQ(ack.outcome(), v1::FUSED);
+  EXPECT_FALSE(ack.has_committed_sequence());
+  EXPECT_EQ(ack.error_code(), 0);
+  EXPECT_EQ(ack.num_points(), 100);
+  EXPECT_EQ(ack.num_unknown_points(), 7);
+  EXPECT_EQ(ack.num_segments(), 5);
+  EXPECT_EQ(ack.num_matched(), 3);
+  EXPECT_EQ(ack.num_created(), 2);
+}
+
+TEST(AckOf, TellsWhatIsStoredAndOfDuplicates) {
+  const auto ack = AckOf(42, {.report = FrameReport{}, .revision = 9, .is_duplicate = true, .committed_sequence = 0});
+  EXPECT_EQ(ack.outcome(), v1::DUPLICATE);
+  ASSERT_TRUE(ack.has_committed_sequence());
+  EXPECT_EQ(ack.committed_sequence(), 0);
+
+  const auto answer = AnswerOf(7, {.revision = 3, .committed_sequence = -2, .commit_status = Unavailable("gone")});
+  EXPECT_EQ(answer.outcome(), v1::FRAME_OUTCOME_UNSPECIFIED) << "it is for no frame";
+  EXPECT_EQ(answer.sequence(), 7);
+  EXPECT_EQ(answer.revision(), 3);
+  EXPECT_EQ(answer.committed_sequence(), -2);
+  EXPECT_EQ(answer.commit_error_code(), static_cast<int>(StatusCode::kUnavailable));
+}
+
+TEST(AckOf, TellsWhyAFrameWasRefusedInTheWordsOfTheWire) {
+  PanopticFrame frame;
+  frame.T_map_sensor.translation().x() = std::nan("");
+  frame.lidar.emplace();
+  frame.lidar->points_m = {{1, 2, 3}};
+  frame.lidar->color = {Color{}, Color{}};
+  const auto ack =
+      AckOf(1, {.report = ValidateFrame(frame, LabelSet()), .commit_status = ResourceExhausted("disk \xFF full")});
+  EXPECT_EQ(ack.error_code(), static_cast<int>(StatusCode::kInvalidArgument));
+  EXPECT_EQ(ack.error_reason(), "BAD_FRAME");
+  EXPECT_EQ(ack.outcome(), v1::REFUSED);
+  EXPECT_EQ(ack.error_message(),
+            "the frame is not usable; map_from_sensor: has a NaN or infinite entry; lidar.rgb: has 2 values, not 1");
+  EXPECT_EQ(ack.commit_error_code(), static_cast<int>(StatusCode::kResourceExhausted));
+  EXPECT_EQ(ack.commit_error_message(), "disk ? full");
+}
+
+TEST(InWireTerms, RenamesEveryFieldOfAFrame) {
+  Status status = InvalidArgument("the frame is not usable").WithReason("BAD_FRAME");
+  for (const char* field :
+       {"T_map_sensor", "camera.camera.fx_px", "camera.depth_m", "camera.color", "camera.segments", "lidar.points_m",
+        "lidar.color", "lidar.segments", "segments[3].score", "sensor", "lidar.segment_ids", "depth_camera.depth"}) {
+    status.AddViolation(field, "is bad");
+  }
+  std::vector<std::string> fields;
+  const Status renamed = InWireTerms(status);
+  for (const FieldViolation& violation : renamed.violations()) fields.push_back(violation.field);
+  EXPECT_EQ(fields, (std::vector<std::string>{"map_from_sensor", "depth_camera.camera.fx_px", "depth_camera.depth",
+                                              "depth_camera.color", "depth_camera.segments", "lidar.xyz_m", "lidar.rgb",
+                                              "lidar.segment_ids", "segments[3].score", "sensor", "lidar.segment_ids",
+                                              "depth_camera.depth"}));
+}
+
+}  // namespace
+}  // namespace dhpmap

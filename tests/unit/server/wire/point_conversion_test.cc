@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/point_conversion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+MapInfo MapOfChairs() {
+  MapInfo map;
+  map.name = "home";
+  map.revision = 5;
+  map.label_set = std::make_shared<const LabelSet>(*LabelSet::Create({{.id = ClassId(2), .name = "chair"}}));
+  return map;
+}
+
+PointInfo Chair() {
+  return {.is_observed = true,
+          .submap = SubmapId(3),
+          .panoptic = Panoptic::kThing,
+          .class_id = ClassId(2),
+          .distance_m = 0.25f,
+          .weight = 4,
+          .color = {1, 2, 3},
+          .class_confidence = 0.5f,
+          .instance_confidence = 0.75f};
+}
+
+TEST(PointsFromProto, TakesPackedPointsFirst) {
+  v1::QueryPointsRequest request;
+  for (const float value : {1.f, 2.f, 3.f}) request.add_xyz_m(value);
+  request.add_points_m()->set_y(7);
+  const auto points_m = PointsFromProto(request, 2);
+  ASSERT_TRUE(points_m.ok());
+  EXPECT_EQ(*points_m, (std::vector<Eigen::Vector3d>{{1, 2, 3}, {0, 7, 0}}));
+}
+
+TEST(PointsFromProto, NamesTheFirstThingThatIsWrong) {
+  const auto violation = [](const v1::QueryPointsRequest& request, std::int64_t max_points) {
+    const Status status = PointsFromProto(request, max_points).status();
+    EXPECT_EQ(status.reason(), Reason("BAD_POINTS"));
+    return std::pair(status.violations().at(0).field, status.violations().at(0).description);
+  };
+  v1::QueryPointsRequest request;
+  for (int i = 0; i < 7; ++i) request.add_xyz_m(0);
+  EXPECT_EQ(violation(request, 9), std::pair(std::string("xyz_m"), std::string("has 7 values, not three a point")));
+  request.add_xyz_m(0), request.add_xyz_m(std::nanf(""));
+  EXPECT_EQ(violation(request, 2), std::pair(std::string("xyz_m"), std::string("3 points are more than 2")));
+  EXPECT_EQ(violation(request, 3), std::pair(std::string("xyz_m"), std::string("point 2 is not finite")));
+  request.clear_xyz_m();
+  request.add_points_m();
+  request.add_points_m()->set_z(INFINITY);
+  EXPECT_EQ(violation(request, 3), std::pair(std::string("points_m[1]"), std::string("is not finite")));
+}
+
+TEST(PointAnswers, AreMessagesOrArraysAsAsked) {
+  const MapInfo map = MapOfChairs();
+  v1::QueryPointsRequest request;
+  v1::QueryPointsResponse response;
+  PointAnswers messages(request, map, 2, response);
+  messages.Append(Chair());
+  messages.Append({});
+  EXPECT_EQ(response.revision(), 5);
+  ASSERT_EQ(response.results_size(), 2);
+  EXPECT_FALSE(response.has_packed());
+  EXPECT_EQ(response.results(0).submap(), "maps/home/submaps/3");
+  EXPECT_EQ(response.results(0).class_name(), "chair");
+  EXPECT_EQ(response.results(0).kind(), v1::THING);
+  EXPECT_EQ(response.results(0).color().b(), 3u);
+  EXPECT_EQ(response.results(1).ByteSizeLong(), 0u) << "nothing is known of it";
+
+  request.set_packed(true);
+  response.Clear();
+  PointAnswers arrays(request, map, 3, response);
+  arrays.Append(Chair());
+  arrays.Append({});
+  PointInfo stale = Chair();
+  stale.is_observed = false;
+  arrays.Append(stale);
+  const v1::PackedPointResults& packed = response.packed();
+  EXPECT_EQ(response.results_size(), 0);
+  ASSERT_EQ(packed.observed_size(), 3);
+  EXPECT_EQ(packed.instance_id(0), 3);
+  EXPECT_EQ(packed.distance_m(0), 0.25f);
+  EXPECT_EQ(packed.rgb(), std::string("\1\2\3\0\0\0\0\0\0", 9));
+  EXPECT_EQ(packed.kind(), std::string("\1\0\0", 3));
+  EXPECT_EQ(packed.instance_id(2), 0) << "of what is not observed nothing else is told";
+}
+
+}  // namespace
+}  // namespace dhpmap

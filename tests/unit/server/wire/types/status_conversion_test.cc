@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/types/status_conversion.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "google/rpc/error_details.pb.h"
+#include "server/wire/types/http_status.h"
+
+namespace dhpmap {
+namespace {
+
+TEST(StatusToProto, CarriesReasonAndViolations) {
+  const google::rpc::Status proto =
+      ToProto(NotFound("no map 'a'").WithReason("MAP_NOT_FOUND").WithViolation("name", "is 'a'"));
+  EXPECT_EQ(proto.code(), 5);
+  EXPECT_EQ(proto.message(), "no map 'a'");
+  ASSERT_EQ(proto.details_size(), 2);
+  google::rpc::ErrorInfo info;
+  google::rpc::BadRequest bad;
+  ASSERT_TRUE(proto.details(0).UnpackTo(&info) && proto.details(1).UnpackTo(&bad));
+  EXPECT_EQ(info.reason(), "MAP_NOT_FOUND");
+  EXPECT_EQ(info.domain(), "dhpmap");
+  EXPECT_EQ(bad.field_violations(0).field(), "name");
+  EXPECT_EQ(bad.field_violations(0).description(), "is 'a'");
+  EXPECT_EQ(ToProto(Internal("x")).details_size(), 0);
+}
+
+TEST(StatusToProto, WhatIsNotUtf8IsCleaned) {
+  const google::rpc::Status proto = ToProto(InvalidArgument("a\xFF").WithViolation("b\xFF", "c\xFF"));
+  EXPECT_EQ(proto.message(), "a?");
+  const ErrorDetails details = ReadErrorDetails(proto.SerializeAsString());
+  ASSERT_EQ(details.violations.size(), 1u);
+  EXPECT_EQ(details.violations[0].field, "b?");
+  EXPECT_EQ(details.violations[0].description, "c?");
+}
+
+TEST(ReadErrorDetails, ReadsWhatWasWrittenAndIsEmptyForAnythingElse) {
+  const Status status =
+      InvalidArgument("m").WithReason("BAD_MAP").WithViolation("a", "is b").WithViolation("c", "is d");
+  const ErrorDetails details = ReadErrorDetails(ToProto(status).SerializeAsString());
+  EXPECT_EQ(details.reason, "BAD_MAP");
+  ASSERT_EQ(details.violations.size(), 2u);
+  EXPECT_EQ(details.violations[1].field, "c");
+  EXPECT_TRUE(ReadErrorDetails("").reason.empty());
+  EXPECT_TRUE(ReadErrorDetails("no protobuf at all").violations.empty());
+}
+
+TEST(HttpStatusOf, IsThatOfTheReasonWhereItHasOneElseOfTheCode) {
+  for (const StatusRow& row : StatusTable()) EXPECT_EQ(HttpStatusOf(row.grpc_code), row.http_status);
+  EXPECT_EQ(HttpStatusOf(99), 500);
+  EXPECT_EQ(HttpStatusOf(-1), 500);
+  EXPECT_EQ(HttpStatusOf(8, Reason("BODY_TOO_LARGE")), 413);
+  EXPECT_EQ(HttpStatusOf(8, Reason("TOO_MANY_EDITS")), 429);
+  EXPECT_EQ(HttpStatusOf(12, Reason("METHOD_NOT_ALLOWED")), 405);
+}
+
+}  // namespace
+}  // namespace dhpmap

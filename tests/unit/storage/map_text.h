@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "mapping/map/map.h"
+
+namespace dhpmap::testing {
+
+/// All that a map of schema 1 held, as lines of text without loss, but for its config: rows, for each block the number
+/// of voxels and a checksum over all their values, and the values of a few voxels in full. What later versions add to a
+/// map is not in it, so the text of a released database stays what it is.
+std::string TextOf(const MapSnapshot& map);
+
+}  // namespace dhpmap::testing

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Databases of every released schema, opened by this version: nothing that was ever stored is lost.
+#include <map>
+#include <sstream>
+
+#include "storage/schema/migrate.h"
+#include "tests/support/places.h"
+#include "tests/unit/storage/map_text.h"
+#include "tests/unit/storage/sqlite_fixture.h"
+
+namespace dhpmap {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::SqliteStoreTest;
+using testing::TextOf;
+
+fs::path Released(std::int64_t schema, const char* extension) {
+  return testing::SourceDir() / "tests/unit/storage/released" / ("schema-" + std::to_string(schema) + extension);
+}
+
+/// What a schema-N.txt says of one map.
+struct Expected {
+  std::string text;
+  MapConfig config;  ///< the stored keys in place of the defaults
+};
+
+std::map<std::string, Expected> ReadExpected(const fs::path& path) {
+  std::map<std::string, Expected> maps;
+  Expected* map = nullptr;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("map '")) map = &maps[line.substr(5, line.find('\'', 5) - 5)];
+    if (map == nullptr) return {};
+    const std::size_t equals = line.find(" = ");
+    if (line.starts_with("config ") && equals != std::string::npos) {
+      EXPECT_TRUE(SetField(map->config, line.substr(7, equals - 7), line.substr(equals + 3)).ok()) << line;
+    } else {
+      map->text += line + "\n";
+    }
+  }
+  return maps;
+}
+
+/// EXPECT_EQ of long texts, told by the first line that differs.
+void ExpectSameText(const std::string& expected, const std::string& actual) {
+  std::istringstream expected_lines(expected), actual_lines(actual);
+  std::string a, b;
+  for (int line = 1; std::getline(expected_lines, a); ++line) {
+    ASSERT_TRUE(std::getline(actual_lines, b)) << "ends before line " << line << ": " << a;
+    ASSERT_EQ(a, b) << "line " << line;
+  }
+  EXPECT_FALSE(std::getline(actual_lines, b)) << "more than expected: " << b;
+}
+
+class ReleasedDatabaseTest : public SqliteStoreTest, public ::testing::WithParamInterface<std::int64_t> {
+ protected:
+  void SetUp() override {
+    fs::copy_file(Released(GetParam(), ".sqlite"), Path());
+    fs::permissions(Path(), fs::perms::owner_write, fs::perm_options::add);
+    expected_ = ReadExpected(Released(GetParam(), ".txt"));
+    ASSERT_FALSE(expected_.empty());
+  }
+
+  void ExpectAllOfIt() {
+    const auto stored = store_->ListMaps();
+    ASSERT_TRUE(stored.ok()) << stored.status().ToString();
+    EXPECT_EQ(stored->size(), expected_.size());
+    for (const auto& [name, expected] : expected_) {
+      SCOPED_TRACE("map " + name);
+      const auto map = store_->LoadMap(name);
+      ASSERT_TRUE(map.ok()) << map.status().ToString();
+      ExpectSameText(expected.text, TextOf(**map));
+      EXPECT_EQ(ConfigToText((*map)->info().config), ConfigToText(expected.config));
+    }
+  }
+
+  std::map<std::string, Expected> expected_;
+};
+
+TEST_P(ReleasedDatabaseTest, HoldsWhatWasWrittenAndTakesMore) {
+  EXPECT_EQ(Query("PRAGMA user_version"), GetParam());
+  Open();
+  ExpectAllOfIt();
+  Open(true);  // brought up to date: a reader takes it now
+  ExpectAllOfIt();
+
+  Open();
+  for (auto& [name, expected] : expected_) {
+    const auto before = store_->LoadMap(name);
+    ASSERT_TRUE(before.ok());
+    Map map(*before);
+    map.mutable_info().num_frames += 1;
+    map.Clone(SubmapId(1));
+    ASSERT_TRUE(store_->Commit(**before, *map.Publish(77), Durability::kFull).ok());
+    expected.text = TextOf(*map.published());
+  }
+  Open();
+  ExpectAllOfIt();
+}
+
+TEST_P(ReleasedDatabaseTest, DamageInItIsStillSeen) {
+  Open();
+  store_ = nullptr;
+  for (const char* change :
+       {"UPDATE maps SET num_frames = num_frames + 1", "UPDATE submaps SET activity = 1 - activity",
+        "UPDATE map_config SET value = '0.5' WHERE key = 'voxel_size_m'",
+        "DELETE FROM map_config WHERE key = 'truncation_m'", "UPDATE label_classes SET size = 1 - (size > 0)",
+        "UPDATE maps SET checksum_version = checksum_version + 1", "UPDATE submaps SET checksum_version = 3",
+        "INSERT INTO feed_sessions SELECT map_key, 'robot', 5, 6 FROM maps", "UPDATE maps SET sessions_checksum = 1"}) {
+    const std::string intact = Path() + ".intact";
+    if (!fs::exists(intact)) fs::copy_file(Path(), intact);
+    fs::copy_file(intact, Path(), fs::copy_options::overwrite_existing);
+    Tamper(change);
+    Open();
+    for (const auto& [name, expected] : expected_) {
+      EXPECT_EQ(store_->LoadMap(name).status().code(), StatusCode::kDataLoss) << change << ", map " << name;
+    }
+    store_ = nullptr;
+  }
+}
+
+/// One of each schema before the present one, and of the present one once it is there.
+std::vector<std::int64_t> ReleasedSchemas() {
+  std::vector<std::int64_t> schemas;
+  for (std::int64_t schema = 1; schema <= SchemaVersion(); ++schema) {
+    if (schema < SchemaVersion() || fs::exists(Released(schema, ".sqlite"))) schemas.push_back(schema);
+  }
+  return schemas;
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemas, ReleasedDatabaseTest, ::testing::ValuesIn(ReleasedSchemas()),
+                         [](const auto& schema) { return "Schema" + std::to_string(schema.param); });
+
+}  // namespace
+}  // namespace dhpmap
