@@ -5,6 +5,8 @@ file(MAKE_DIRECTORY ${json_out})
 add_custom_command(OUTPUT ${json_out}/json_test.pb.cc ${json_out}/json_test.pb.h
   COMMAND protobuf::protoc --cpp_out=${json_out} -I${json_tests} -I${DHPMAP_GOOGLEAPIS_DIR} ${json_tests}/json_test.proto
   DEPENDS ${json_tests}/json_test.proto)
+add_custom_target(dhpmap_json_test_generated DEPENDS ${json_out}/json_test.pb.cc ${json_out}/json_test.pb.h)
+add_dependencies(dhpmap_generated dhpmap_json_test_generated)
 find_package(Protobuf REQUIRED)
 find_package(gRPC CONFIG REQUIRED)
 # An object library: the linker must not drop the descriptors.
