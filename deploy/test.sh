@@ -9,16 +9,19 @@ deploy/setup.sh --quiet
 
 passed=0
 failed=0
-# build_and_test PRESET TARGET [ctest arguments]: adds to passed and failed.
-build_and_test() {
+# build PRESET TARGET
+build() {
   local preset=$1 target=$2
-  shift 2
   echo "== $preset: configure and build"
   cmake --preset "$preset" -DDHPMAP_BUILD_TESTS=ON >"build/$preset-configure.log" 2>&1 || { cat "build/$preset-configure.log"; exit 1; }
   cmake --build --preset "$preset" --target "$target" >"build/$preset-build.log" 2>&1 || { tail -n 60 "build/$preset-build.log"; exit 1; }
-  echo "== $preset: test"
-  local log="build/$preset-test.log"
-  ctest --preset "$preset" -j "$(nproc)" "$@" >"$log" 2>&1 || true
+}
+
+# Every case in a process of its own; adds to passed and failed.
+test_release() {
+  echo "== release: test"
+  local log=build/release-test.log
+  ctest --preset release -j "$(nproc)" >"$log" 2>&1 || true
   local total bad
   total=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests failed out of ([0-9]+)$/\2/p' "$log")
   bad=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests failed out of ([0-9]+)$/\1/p' "$log")
@@ -31,6 +34,28 @@ build_and_test() {
   sed -nE 's/^Total Test time.*/&/p' "$log"
   passed=$((passed + total - bad))
   failed=$((failed + bad))
+}
+
+# test_binaries PRESET PATTERN: those of matching rooms, each in one process; adds to passed and failed.
+test_binaries() {
+  local preset=$1 pattern=$2
+  echo "== $preset: test"
+  local log="build/$preset-test.log" rooms counts
+  rm -rf "build/$preset/tests/reports"
+  ctest --preset "$preset" -j "$(nproc)" -R "$pattern" >"$log" 2>&1 || true
+  rooms=$(ctest --preset "$preset" -N -R "$pattern" | sed -nE 's/^ *Test +#[0-9]+: //p')
+  # shellcheck disable=SC2086  # one word a room
+  counts=$(deploy/count_cases.sh "build/$preset/tests" "$log" $rooms)
+  if ! tail -n 1 <<<"$counts" | grep -q ' 0 failed$'; then
+    # What the binaries that failed wrote, but for cases that passed without a word.
+    awk '/^\[ RUN      \]/ { run = $0; next }
+         /^\[       OK \]/ { if (run != "") { run = ""; next } }
+         { if (run != "") print run; run = ""; print }' "$log" | tail -n 400
+  fi
+  sed -nE 's/^Total Test time.*/&/p' "$log"
+  sed '$d' <<<"$counts"
+  passed=$((passed + $(tail -n 1 <<<"$counts" | cut -d' ' -f1)))
+  failed=$((failed + $(tail -n 1 <<<"$counts" | cut -d' ' -f3)))
 }
 
 # Feeds each target of tests/fuzz for so many seconds. A finding fails it and stays in build/fuzz/findings.
@@ -62,11 +87,16 @@ fuzz() {
 
 mkdir -p build
 case "${1:-}" in
-  "") build_and_test release all ;;
+  "")
+    build release all
+    test_release
+    ;;
   --sanitizers)
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/deploy/tsan.supp"
-    build_and_test asan dhpmap_unit_tests -R '^unit/'
-    build_and_test tsan dhpmap_threaded_tests -R '^(integration|unit/server/(app|wire|grpc|http|json|gateway|config|log|metrics)|unit/storage|unit/mapping/(base|refinement|pipeline))/'
+    build asan dhpmap_unit_tests
+    test_binaries asan '^unit/'
+    build tsan dhpmap_threaded_tests
+    test_binaries tsan '^(integration|unit/(server/(app|wire|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|refinement|pipeline)))$'
     ;;
   --fuzz) fuzz "${2:?seconds a target}" ;;
   *)

@@ -25,5 +25,5 @@ target_link_libraries(dhpmap_canned_server PUBLIC dhpmap_gateway dhpmap_proto PR
 
 dhpmap_tests(ROOM unit/server/http LIBS dhpmap_http_client dhpmap_http)
 dhpmap_tests(ROOM unit/server/json LIBS dhpmap_json_test_proto dhpmap_json dhpmap_proto)
-dhpmap_tests(ROOM unit/server/gateway
+dhpmap_tests(ROOM unit/server/gateway COST 6
   LIBS dhpmap_canned_server dhpmap_http_client dhpmap_json_test_proto dhpmap_gateway dhpmap_proto)
