@@ -2,6 +2,9 @@
 #include "server/http/listener.h"
 
 #include <fcntl.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -34,8 +37,20 @@ using beast::error_code;
 constexpr std::chrono::seconds kProgressTimeout{60};   // a body or an answer that does not move
 constexpr std::chrono::milliseconds kFirstProbe{100};  // after the client's end: most answers are there before
 constexpr std::chrono::seconds kNextProbe{1};
+// A peer whose machine or network is gone is found out after some 25 s of silence, also while it is not written to.
+constexpr int kFirstKeepalive_s = 10, kNextKeepalive_s = 5, kNumKeepalives = 3;
 constexpr std::size_t kFirstRead_bytes = 4u << 10;
 constexpr std::size_t kReadSize_bytes = 64u << 10;
+
+void KeepAlive(int socket) {
+  const auto set = [socket](int level, int option, int value) {
+    (void)setsockopt(socket, level, option, &value, sizeof value);
+  };
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, kFirstKeepalive_s);
+  set(IPPROTO_TCP, TCP_KEEPINTVL, kNextKeepalive_s);
+  set(IPPROTO_TCP, TCP_KEEPCNT, kNumKeepalives);
+}
 
 /// Of a read from the socket.
 ReadOutcome OutcomeOf(const error_code& error) {
@@ -53,6 +68,7 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
     error_code ignored;
     stream_.socket().set_option(tcp::no_delay(true), ignored);
     stream_.socket().non_blocking(true, ignored);  // or peeking might block
+    KeepAlive(stream_.socket().native_handle());
   }
 
   void Start(std::shared_ptr<ConnectionEvents> events) override {

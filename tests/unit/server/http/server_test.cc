@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdio>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
@@ -189,6 +191,27 @@ TEST_F(ServerTest, AnIdleConnectionIsClosed) {
   HttpClient idle(server->port());
   EXPECT_EQ(idle.Ask("GET", "/a").status, 200);
   EXPECT_TRUE(idle.IsClosedByServer());
+}
+
+/// How many of the established connections of a local port the kernel asks from time to time whether they are there.
+int NumKeptAlive(int local_port) {
+  int count = 0;
+  std::ifstream table("/proc/net/tcp");
+  for (std::string line; std::getline(table, line);) {
+    unsigned local = 0, state = 0, timer = 0;
+    if (std::sscanf(line.c_str(), " %*d: %*x:%x %*x:%*x %x %*x:%*x %x:", &local, &state, &timer) != 3) continue;
+    constexpr unsigned kEstablished = 1, kKeepalive = 2;
+    count += local == static_cast<unsigned>(local_port) && state == kEstablished && timer == kKeepalive;
+  }
+  return count;
+}
+
+TEST_F(ServerTest, APeerThatIsSilentIsAskedWhetherItIsThere) {
+  Start();
+  HttpClient waits(server->port());
+  waits.SendRaw("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  ASSERT_TRUE(Eventually([&] { return handler.num_requests == 1; }));
+  EXPECT_TRUE(Eventually([&] { return NumKeptAlive(server->port()) == 1; }));
 }
 
 TEST_F(ServerTest, BeyondTheCapTheIdlestConnectionGivesWay) {
