@@ -10,11 +10,14 @@ namespace dhpmap {
 BackgroundRefinement::~BackgroundRefinement() { Cancel(); }
 
 void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before,
-                                 std::shared_ptr<const MapSnapshot> refined_before) {
+                                 std::shared_ptr<const MapSnapshot> refined_before,
+                                 std::optional<RefinementSlots::Slot> slot) {
   is_cancelled_ = false;
-  outcome_ =
-      std::async(std::launch::async, [this, before = std::move(before), refined_before = std::move(refined_before)] {
-        ThreadPool pool(1);  // the other cores go on fusing
+  outcome_ = std::async(
+      std::launch::async,
+      [this, before = std::move(before), refined_before = std::move(refined_before), slot = std::move(slot)]() mutable {
+        const auto held = std::move(slot);  // until the end of the work, not of the outcome
+        ThreadPool pool(1);                 // the other cores go on fusing
         Map map(before);
         Outcome outcome{.before = before};
         outcome.report = RefineMap(map, pool, refined_before.get(), [this] { return is_cancelled_.load(); });

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mapping/map/map.h"
+#include "mapping/pipeline/refinement_slots.h"
 #include "mapping/refinement/refine_map.h"
 
 namespace dhpmap {
@@ -26,8 +27,10 @@ class BackgroundRefinement {
   BackgroundRefinement(const BackgroundRefinement&) = delete;
   BackgroundRefinement& operator=(const BackgroundRefinement&) = delete;
 
-  /// Requires that none is under way. `refined_before` may be null, see RefineLabels.
-  void Start(std::shared_ptr<const MapSnapshot> before, std::shared_ptr<const MapSnapshot> refined_before);
+  /// Requires that none is under way. `refined_before` may be null, see RefineLabels. The slot, if there is one, is
+  /// given back when the refinement has ended.
+  void Start(std::shared_ptr<const MapSnapshot> before, std::shared_ptr<const MapSnapshot> refined_before,
+             std::optional<RefinementSlots::Slot> slot = std::nullopt);
   [[nodiscard]] bool IsUnderWay() const { return outcome_.valid(); }
   [[nodiscard]] bool IsReady() const;
   /// Waits for the outcome; empty if it failed, such as for want of memory. Requires that one is under way.

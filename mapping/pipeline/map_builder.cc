@@ -33,10 +33,11 @@ std::vector<bool> ThingRows(const PanopticFrame& frame, const LabelSet& label_se
 }  // namespace
 
 struct MapBuilder::Impl {
-  Impl(Map m, std::shared_ptr<ThreadPool> p, RefinementTiming t)
+  Impl(Map m, std::shared_ptr<ThreadPool> p, RefinementTiming t, std::shared_ptr<RefinementSlots> s = nullptr)
       : map(std::move(m)),
         pool(std::move(p)),
         timing(t),
+        slots(std::move(s)),
         bundler(std::in_place, map.info().config.integration, *pool),
         tracker(map.info().config, *pool) {}
 
@@ -57,15 +58,17 @@ struct MapBuilder::Impl {
   std::optional<RefinementReport> RefineOnTheSide();
   RefinementReport TakeOver(const BackgroundRefinement::Outcome& outcome);
   void PruneEmptyBlocks();
-  RefinementReport Finish();
+  std::optional<RefinementReport> Finish(const std::function<bool()>& is_cancelled);
 
   Map map;
   std::shared_ptr<ThreadPool> pool;
   RefinementTiming timing;
-  std::optional<Bundler> bundler;  // always there
+  std::shared_ptr<RefinementSlots> slots;  // may be null
+  std::optional<Bundler> bundler;          // always there
   Tracker tracker;
   BackgroundRefinement refinement;
   bool is_overdue = false;                          // the refinement under way should be taken over
+  bool is_waiting = false;                          // for a slot
   std::shared_ptr<const MapSnapshot> last_refined;  // in this session
   RefinementReport refinement_total;
 };
@@ -157,7 +160,11 @@ std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide() {
     if (const auto outcome = refinement.Take()) report = TakeOver(*outcome);
     is_overdue = false;
   }
-  if (is_turn && !refinement.IsUnderWay()) refinement.Start(map.Freeze(), last_refined);
+  if ((is_turn || is_waiting) && !refinement.IsUnderWay()) {
+    auto slot = slots ? RefinementSlots::TryTake(slots) : std::nullopt;
+    is_waiting = slots && !slot;
+    if (!is_waiting) refinement.Start(map.Freeze(), last_refined, std::move(slot));
+  }
   return report;
 }
 
@@ -185,8 +192,8 @@ void MapBuilder::Impl::GoBackTo(Map&& before) {
 MapBuilder::MapBuilder(MapInfo info, std::shared_ptr<ThreadPool> pool, RefinementTiming timing)
     : impl_(std::make_unique<Impl>(Map(std::move(info)), std::move(pool), timing)) {}
 MapBuilder::MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<ThreadPool> pool,
-                       RefinementTiming timing)
-    : impl_(std::make_unique<Impl>(Map(std::move(snapshot)), std::move(pool), timing)) {}
+                       RefinementTiming timing, std::shared_ptr<RefinementSlots> slots)
+    : impl_(std::make_unique<Impl>(Map(std::move(snapshot)), std::move(pool), timing, std::move(slots))) {}
 MapBuilder::MapBuilder(MapInfo info, int num_threads, RefinementTiming timing)
     : MapBuilder(std::move(info), std::make_shared<ThreadPool>(num_threads), timing) {}
 MapBuilder::MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads, RefinementTiming timing)
@@ -224,11 +231,13 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
   }
 }
 
-RefinementReport MapBuilder::Impl::Finish() {
+std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<bool()>& is_cancelled) {
   refinement.Cancel();
-  is_overdue = false;
+  is_overdue = is_waiting = false;
+  const auto slot = slots ? RefinementSlots::Take(slots, is_cancelled) : std::nullopt;
   DeactivateAll(map);
-  RefinementReport report = RefineMap(map, *pool, last_refined.get());
+  RefinementReport report = RefineMap(map, *pool, last_refined.get(), is_cancelled);
+  if (is_cancelled && is_cancelled()) return std::nullopt;
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
     report.num_bytes_dropped = DropVoxelLabels(map);
   }
@@ -238,14 +247,18 @@ RefinementReport MapBuilder::Impl::Finish() {
   return report;
 }
 
-RefinementReport MapBuilder::Finish() {
+std::optional<RefinementReport> MapBuilder::Finish(const std::function<bool()>& is_cancelled) {
   Map before = impl_->map.Fork();
   try {
-    return impl_->Finish();
+    if (auto report = impl_->Finish(is_cancelled)) return report;
   } catch (...) {
     impl_->GoBackTo(std::move(before));
     throw;
   }
+  impl_->GoBackTo(std::move(before));
+  return std::nullopt;
 }
+
+RefinementReport MapBuilder::Finish() { return *Finish({}); }
 
 }  // namespace dhpmap

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "mapping/base/result.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
+#include "mapping/pipeline/refinement_slots.h"
 #include "mapping/refinement/refine_map.h"
 #include "mapping/sensor/frame.h"
 
@@ -42,9 +44,11 @@ class MapBuilder {
  public:
   /// Frames are worked on by the threads of `pool`, which several maps may share.
   MapBuilder(MapInfo info, std::shared_ptr<ThreadPool> pool, RefinementTiming timing = RefinementTiming::kReproducible);
-  /// Goes on mapping where the snapshot (published or loaded) stopped.
+  /// Goes on mapping where the snapshot (published or loaded) stopped. With `slots`, which several maps may share, a
+  /// refinement begins when one is free.
   MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<ThreadPool> pool,
-             RefinementTiming timing = RefinementTiming::kReproducible);
+             RefinementTiming timing = RefinementTiming::kReproducible,
+             std::shared_ptr<RefinementSlots> slots = nullptr);
   /// The same with a pool of its own; `num_threads` 0 means one a core.
   MapBuilder(MapInfo info, int num_threads, RefinementTiming timing = RefinementTiming::kReproducible);
   MapBuilder(std::shared_ptr<const MapSnapshot> snapshot, int num_threads,
@@ -60,6 +64,9 @@ class MapBuilder {
   /// and the labels of voxels are dropped if the config says so. If it throws, for want of memory, the map is as
   /// before.
   RefinementReport Finish();
+  /// The same, but if `is_cancelled`, which is asked now and then, says true, the map stays as it is, and there is no
+  /// report.
+  std::optional<RefinementReport> Finish(const std::function<bool()>& is_cancelled);
 
   /// All refinements of this builder so far, summed; times are those of their own threads.
   [[nodiscard]] const RefinementReport& refinement_total() const;

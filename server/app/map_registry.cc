@@ -20,9 +20,12 @@ std::int64_t Now(const SessionOptions& options) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
-/// One pool for all maps.
+/// One pool, and one set of slots, for all maps.
 SessionOptions WithPool(SessionOptions options) {
   if (options.pool == nullptr) options.pool = std::make_shared<ThreadPool>(options.num_threads);
+  if (options.refinement_slots == nullptr) {
+    options.refinement_slots = std::make_shared<RefinementSlots>(options.pool->num_threads());
+  }
   return options;
 }
 

@@ -67,7 +67,7 @@ MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& st
       store_(store),
       commits_(store, snapshot, options_.commit_retry_s, options_.on_commit),
       seat_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s))),
-      builder_(snapshot, PoolOf(options_), RefinementTiming::kNeverWait),
+      builder_(snapshot, PoolOf(options_), RefinementTiming::kNeverWait, options_.refinement_slots),
       marks_{snapshot->revision(), snapshot->info().next_submap_id},
       view_(std::make_shared<const MapView>(snapshot)) {}
 
@@ -153,10 +153,17 @@ void MapSession::Flush(std::function<void(const Status&)> done) {
   Post({.run = std::move(run), .refuse = done});
 }
 
-void MapSession::Finish(std::function<void(Result<FinishOutcome>)> done) {
-  auto run = [this, done] {
-    const auto refinement =
-        Guarded<Result<RefinementReport>>([this]() -> Result<RefinementReport> { return builder_.Finish(); });
+Result<RefinementReport> MapSession::FinishNow(const std::stop_token& stop) {
+  const auto is_cancelled = [this, &stop] { return stop.stop_requested() || end_.stop_requested(); };
+  const auto report = builder_.Finish(is_cancelled);
+  if (report) return *report;
+  if (end_.stop_requested()) return ShuttingDown();
+  return Cancelled("nobody waits for the end of mapping any longer: the map is as it was");
+}
+
+void MapSession::Finish(std::function<void(Result<FinishOutcome>)> done, std::stop_token stop) {
+  auto run = [this, done, stop = std::move(stop)] {
+    const auto refinement = Guarded<Result<RefinementReport>>([&] { return FinishNow(stop); });
     if (!refinement.ok()) return done(refinement.status());
     if (options_.on_refinement) options_.on_refinement(*refinement);
     FinishOutcome outcome{.view = Publish(), .refinement = *refinement};
@@ -200,6 +207,7 @@ Status MapSession::Stop() {
   {
     const MutexLock lock(mutex_);
     stopping_ = true;
+    end_.request_stop();
     is_deleted = refusal_.code() == StatusCode::kNotFound;  // its name may be another map's by now
     if (refusal_.ok()) refusal_ = ShuttingDown();
   }

@@ -8,9 +8,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "mapping/base/mutex.h"
 #include "mapping/pipeline/map_builder.h"
+#include "mapping/pipeline/refinement_slots.h"
 #include "server/app/commit_worker.h"
 #include "server/app/feed_seat.h"
 #include "server/app/lazy_thread.h"
@@ -22,6 +24,8 @@ namespace dhpmap {
 struct SessionOptions {
   int num_threads = 0;                         ///< of fusion; 0 = one a core
   std::shared_ptr<ThreadPool> pool = nullptr;  ///< for fusion, shared with other maps; null: num_threads of its own
+  std::shared_ptr<RefinementSlots> refinement_slots =
+      nullptr;  ///< shared with other maps; null: it refines when it will
   // Fused frames become visible to queries after so many of them, or so long after the first of them.
   int publish_frames = 10;
   double publish_s = 0.2;
@@ -116,8 +120,9 @@ class MapSession {
   /// true after a power cut, too.
   void Flush(std::function<void(const Status&)> done);
 
-  /// MapBuilder::Finish, then a commit with a full sync.
-  void Finish(std::function<void(Result<FinishOutcome>)> done);
+  /// MapBuilder::Finish, then a commit with a full sync. CANCELLED, and nothing has happened, once `stop` is requested
+  /// while it waits or refines; UNAVAILABLE if the session ends meanwhile.
+  void Finish(std::function<void(Result<FinishOutcome>)> done, std::stop_token stop = {});
 
   /// Removes the map from the store and refuses all further work with NOT_FOUND. FAILED_PRECONDITION while somebody
   /// feeds frames, unless that feed is idle: then it ends. Blocks for the time of the deletion.
@@ -127,8 +132,8 @@ class MapSession {
   /// the session who may still ask for something.
   [[nodiscard]] bool IsAtRest() const;
 
-  /// Ends the job in hand, refuses those that wait and all later ones with UNAVAILABLE, commits with a full sync, and
-  /// joins the threads. Returns the outcome of that commit.
+  /// Ends the job in hand (a refinement is given up), refuses those that wait and all later ones with UNAVAILABLE,
+  /// commits with a full sync, and joins the threads. Returns the outcome of that commit.
   Status Stop();
 
  private:
@@ -147,6 +152,7 @@ class MapSession {
   [[nodiscard]] Status WhyBehind() const;
   FrameOutcome IntegrateNow(const std::shared_ptr<Feed>& feed, std::int64_t sequence, Result<PanopticFrame> frame);
   Result<FrameReport> Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame);
+  Result<RefinementReport> FinishNow(const std::stop_token& stop);
   Result<EditOutcome> EditNow(const std::function<Result<SubmapId>(Map&)>& change);
   std::shared_ptr<const MapView> Publish();
   std::shared_ptr<const MapView> Show(std::shared_ptr<const MapSnapshot> snapshot);
@@ -180,6 +186,7 @@ class MapSession {
   Status refusal_ DHPMAP_GUARDED_BY(mutex_);           // not OK: no more work is taken
   bool is_running_ DHPMAP_GUARDED_BY(mutex_) = false;  // a job
   bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
+  std::stop_source end_;  ///< requested with stopping_, for work that asks now and then
 
   LazyThread writer_;  // started under mutex_, joined under stop_mutex_
 };

@@ -74,7 +74,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
       {"mapping/query", {"point_lookup.h"}},
       {"mapping/mesh", {"map_mesh.h", "mesh.h", "mesh_stream.h"}},
       {"mapping/io", {"pcd.h", "ply.h"}},
-      {"mapping/pipeline", {"map_builder.h"}},
+      {"mapping/pipeline", {"map_builder.h", "refinement_slots.h"}},
       {"storage", {"store.h"}},
   };
   return front;

@@ -133,6 +133,43 @@ TEST(Refinement, AServerThatNeverWaitsEndsWithAnExclusiveMapToo) {
   EXPECT_EQ(NumPositionsHeldTwice(*builder.map().Freeze()), 0);
 }
 
+TEST(Refinement, AFinishThatIsCancelledLeavesTheMapAsItWas) {
+  MapBuilder builder(Info(0), 2), untouched(Info(0), 2);
+  for (MapBuilder* each : {&builder, &untouched}) MapFrames(0, 8, *each);
+  int num_questions = 0;
+  for (int patience = 0;; ++patience) {  // it is cancelled at the first question, the second, ... and then not at all
+    num_questions = 0;
+    const auto is_cancelled = [&] { return num_questions++ >= patience; };
+    MapBuilder copy(builder.map().Freeze(), 2);
+    if (copy.Finish(is_cancelled)) {
+      EXPECT_EQ(NumPositionsHeldTwice(*copy.map().Freeze()), 0);
+      break;
+    }
+    EXPECT_TRUE(MapsAreEqual(*copy.map().Freeze(), *untouched.map().Freeze())) << "after question " << patience;
+  }
+  EXPECT_GT(num_questions, 1);
+  EXPECT_FALSE(builder.Finish([] { return true; }));
+  builder.Finish();
+  untouched.Finish();
+  EXPECT_TRUE(MapsAreEqual(*builder.map().Freeze(), *untouched.map().Freeze())) << "and it can be finished later";
+}
+
+TEST(Refinement, WaitsForASlotThatOtherMapsHold) {
+  const auto slots = std::make_shared<RefinementSlots>(1);
+  MapBuilder empty(Info(4), 1);
+  MapBuilder builder(empty.map().Freeze(), std::make_shared<ThreadPool>(1), RefinementTiming::kReproducible, slots);
+  auto held = RefinementSlots::TryTake(slots);
+  MapFrames(0, 4, builder);
+  LookAway(8, builder);
+  EXPECT_EQ(builder.refinement_total().crf.num_voxels, 0) << "others refine";
+  held.reset();
+  LookAway(1, builder);  // begins now, out of turn
+  LookAway(7, builder);
+  EXPECT_GT(builder.refinement_total().crf.num_voxels, 0);
+  builder.Finish();
+  EXPECT_TRUE(RefinementSlots::TryTake(slots)) << "and it is given back";
+}
+
 TEST(Refinement, SnapshotsDoNotChangeWhileRefinementIsUnderWay) {
   MapBuilder builder(Info(2), 2);
   MapFrames(0, 4, builder);

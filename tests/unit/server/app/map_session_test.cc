@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <filesystem>
+#include <future>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -119,6 +121,29 @@ TEST_F(MapSessionTest, ASessionIsRememberedWithItsFrames) {
   EXPECT_TRUE(Wait<Result<FinishOutcome>>([&](auto done) { session->Finish(done); }).ok());
   EXPECT_EQ(store->GetMap("room")->info.sessions.LastOf("robot"), 9);
   EXPECT_EQ(session->BeginFeed({.session = "no good"}).status().reason(), Reason("BAD_SESSION"));
+}
+
+TEST_F(MapSessionTest, FinishingEndsWhenNobodyWaitsForIt) {
+  Open({.publish_s = 1000, .commit_s = 1000});
+  Integrate(0);
+  std::stop_source gone;
+  gone.request_stop();
+  const auto cancelled = Wait<Result<FinishOutcome>>([&](auto done) { session->Finish(done, gone.get_token()); });
+  EXPECT_EQ(cancelled.status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(Integrate(1).report.status().code(), StatusCode::kOk) << "the map goes on";
+  EXPECT_TRUE(Wait<Result<FinishOutcome>>([&](auto done) { session->Finish(done); }).ok());
+}
+
+TEST_F(MapSessionTest, TheEndDoesNotWaitForARefinement) {
+  const auto slots = std::make_shared<RefinementSlots>(1);
+  Open({.refinement_slots = slots});
+  Integrate(0);
+  auto held = RefinementSlots::TryTake(slots);  // finishing waits for it
+  std::promise<Status> finished;
+  session->Finish([&](const Result<FinishOutcome>& outcome) { finished.set_value(outcome.status()); });
+  EXPECT_TRUE(registry->Shutdown().ok());
+  EXPECT_EQ(finished.get_future().get().code(), StatusCode::kUnavailable);
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 1) << "what was fused is stored";
 }
 
 TEST_F(MapSessionTest, FramesThatWaitWhenAnotherTakesOverAreRefused) {
