@@ -45,11 +45,13 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   for (const MapSummary& map : registry->List()) {
     if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
   }
-  DHPMAP_ASSIGN_OR_RETURN(const auto grpc, GrpcServer::Start(GrpcOptionsOf(config), *registry, ObserverOf(metrics)));
+  const auto inflight = InflightBudgetOf(config);
+  DHPMAP_ASSIGN_OR_RETURN(const auto grpc,
+                          GrpcServer::Start(GrpcOptionsOf(config, inflight), *registry, ObserverOf(metrics)));
   DHPMAP_ASSIGN_OR_RETURN(
       const auto gateway,
       Gateway::Start(
-          GatewayOptionsOf(config), grpc->InProcessChannel(),
+          GatewayOptionsOf(config, inflight), grpc->InProcessChannel(),
           {.is_ready = [&] { return grpc->is_serving() && !IsStoreBehind(*registry, config.store.max_behind_s); },
            .metrics_text = [&] { return metrics.Text(GaugesOf(*registry)); }}));
   grpc->SetServing(true);

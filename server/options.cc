@@ -56,12 +56,18 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
           [&metrics](const RefinementReport& report) { metrics.RecordRefinement(report.management_s, report.crf_s); }};
 }
 
-GrpcOptions GrpcOptionsOf(const ServerConfig& config) {
+std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config) {
+  // What a planner asks for at 100 Hz is smaller, and is answered whatever others hold.
+  constexpr std::size_t kSmallBytes = 16u << 10;
+  return std::make_shared<ByteBudget>(static_cast<std::size_t>(config.limits.inflight_mib) << 20, kSmallBytes);
+}
+
+GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight) {
   return {.address = config.grpc.address,
           .max_message_bytes = static_cast<std::size_t>(config.grpc.max_message_mib) << 20,
           .num_threads = config.grpc.num_threads,
           .num_bulk_threads = config.grpc.bulk_threads,
-          .max_inflight_bytes = static_cast<std::size_t>(config.limits.inflight_mib) << 20,
+          .inflight = std::move(inflight),
           .keepalive_s = config.grpc.keepalive_s,
           .max_query_points = config.limits.query_points,
           .max_frames_in_flight = config.mapping.max_frames_in_flight,
@@ -75,10 +81,10 @@ GrpcObserver ObserverOf(Metrics& metrics) {
           .on_frame = [&metrics](StatusCode code) { metrics.RecordFrame(code); }};
 }
 
-GatewayOptions GatewayOptionsOf(const ServerConfig& config) {
+GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight) {
   return {.address = config.http.address,
           .max_body_bytes = static_cast<std::size_t>(config.http.max_body_mib) << 20,
-          .max_inflight_bytes = static_cast<std::size_t>(config.limits.inflight_mib) << 20,
+          .inflight = std::move(inflight),
           .num_threads = config.http.num_threads,
           .allowed_hosts = SplitByComma(config.http.allowed_hosts),
           .max_connections = config.http.max_connections,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,11 @@ namespace dhpmap {
 LogOptions LogOptionsOf(const ServerConfig& config);
 SqliteStoreOptions StoreOptionsOf(const ServerConfig& config);
 SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics);
-GrpcOptions GrpcOptionsOf(const ServerConfig& config);
+/// For both doors together.
+std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config);
+GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
 GrpcObserver ObserverOf(Metrics& metrics);
-GatewayOptions GatewayOptionsOf(const ServerConfig& config);
+GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
 
 /// Of the maps that are open now.
 std::vector<Metrics::MapGauges> GaugesOf(const MapRegistry& registry);

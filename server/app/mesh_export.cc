@@ -29,6 +29,18 @@ bool MeshFile::Next(std::string& piece) {
   return !piece.empty();
 }
 
+std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request) {
+  // Masks and numbers of a block. Blocks that several submaps have are merged into a copy: at worst all, two into one.
+  constexpr std::size_t kBlock = 800, kMerged = sizeof(TsdfBlock) + kBlockVoxels * sizeof(std::uint16_t);
+  if (request.submap) {
+    const Submap* submap = map.Find(*request.submap);
+    return submap == nullptr ? 0 : submap->blocks().size() * kBlock;
+  }
+  std::size_t num_blocks = 0;
+  for (const auto& submap : map.submaps()) num_blocks += submap->blocks().size();
+  return num_blocks * (kBlock + kMerged / 2);
+}
+
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                             const std::stop_token& stop) {
   const Submap* submap = request.submap ? map->Find(*request.submap) : nullptr;

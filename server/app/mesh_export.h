@@ -50,6 +50,9 @@ class MeshFile {
   Mesh piece_;
 };
 
+/// What a MeshFile keeps beside the state of the map, more or less; 0 if there is no such submap.
+std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request);
+
 /// Counts the surface, which takes one core about half the time of making it. NOT_FOUND; CANCELLED after a `stop`
 /// requested meanwhile.
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,

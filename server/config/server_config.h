@@ -107,7 +107,7 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
   visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,
-        "MiB of requests and answers in memory at once, at each door; more are refused");
+        "MiB of requests and answers in memory at once, at both doors together; more are refused");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at the end");
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "mapping/base/byte_budget.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/media_type.h"
 #include "server/gateway/rpc_exchange.h"
@@ -29,12 +30,12 @@ http::Response MethodNotAllowed(const http::RequestHead& head, std::string_view 
 }  // namespace
 
 Dispatcher::Dispatcher(HttpRuleRouter router, RpcCaller* caller, GatewayHooks hooks, std::size_t max_body_bytes,
-                       std::size_t max_inflight_bytes)
+                       std::shared_ptr<ByteBudget> inflight)
     : router_(std::move(router)),
       pages_(router_, std::move(hooks)),
       caller_(caller),
       max_body_bytes_(max_body_bytes),
-      budget_(max_inflight_bytes) {}
+      inflight_(std::move(inflight)) {}
 
 std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
                                                   const std::shared_ptr<http::Responder>& responder) const {
@@ -86,7 +87,7 @@ Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::Request
   }
   const bool is_stream = match.route->is_stream();
   DHPMAP_ASSIGN_OR_RETURN(RpcRequest request, RpcRequest::Make(head, std::move(match), query, max_body_bytes_));
-  ByteShare share(&budget_);
+  ByteShare share(inflight_.get());
   if (is_stream) return MakeStreamExchange(std::move(request), std::move(share), caller_, responder);
   if (!share.Resize(request.announced_bytes)) return TooManyBytes();
   return MakeUnaryExchange(std::move(request), std::move(share), caller_, responder);

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-#include "server/gateway/byte_budget.h"
+#include "mapping/base/byte_budget.h"
 #include "server/gateway/hooks.h"
 #include "server/gateway/http_rule_router.h"
 #include "server/gateway/pages.h"
@@ -18,10 +18,10 @@ class RpcCaller;
 /// Decides what a request is: a page of the gateway's own, an RPC, or an error. Thread-safe.
 class Dispatcher final : public http::Handler {
  public:
-  /// `caller` outlives this. Larger bodies than `max_body_bytes` are refused, and requests while those under way hold
-  /// `max_inflight_bytes` of bodies and answers.
+  /// `caller` outlives this. Larger bodies than `max_body_bytes` are refused, and requests for whose bodies and
+  /// answers `inflight` has no room.
   Dispatcher(HttpRuleRouter router, RpcCaller* caller, GatewayHooks hooks, std::size_t max_body_bytes,
-             std::size_t max_inflight_bytes);
+             std::shared_ptr<ByteBudget> inflight);
 
   std::shared_ptr<http::Exchange> Begin(const http::RequestHead& head,
                                         const std::shared_ptr<http::Responder>& responder) const override;
@@ -39,7 +39,7 @@ class Dispatcher final : public http::Handler {
   Pages pages_;
   RpcCaller* caller_;
   std::size_t max_body_bytes_;
-  mutable ByteBudget budget_;
+  std::shared_ptr<ByteBudget> inflight_;
 };
 
 }  // namespace dhpmap::gateway

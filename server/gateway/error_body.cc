@@ -66,11 +66,6 @@ http::Response ErrorResponse(const Status& status, AnswerFormat format) {
   return response;
 }
 
-Status TooManyBytes() {
-  return ResourceExhausted("too many bytes of requests and answers are in flight: try again later")
-      .WithReason("TOO_MANY_BYTES");
-}
-
 std::string ErrorLine(const RpcStatus& status) { return R"({"error":)" + ErrorJson(status) + "}\n"; }
 
 }  // namespace dhpmap::gateway

@@ -18,9 +18,6 @@ http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format);
 /// For what the gateway itself refuses: some of its reasons have an HTTP status of their own (413 for BODY_TOO_LARGE).
 http::Response ErrorResponse(const Status& status, AnswerFormat format);
 
-/// RESOURCE_EXHAUSTED: requests and answers in flight have taken the whole budget of bytes.
-Status TooManyBytes();
-
 /// {"error":{...}}, the last line of an NDJSON answer.
 std::string ErrorLine(const RpcStatus& status);
 

@@ -19,7 +19,7 @@ struct Gateway::Impl {
   Impl(const GatewayOptions& options, std::shared_ptr<grpc::Channel> channel, gateway::HttpRuleRouter router,
        GatewayHooks hooks)
       : caller(std::move(channel)),
-        dispatcher(std::move(router), &caller, std::move(hooks), options.max_body_bytes, options.max_inflight_bytes) {}
+        dispatcher(std::move(router), &caller, std::move(hooks), options.max_body_bytes, options.inflight) {}
 
   enum class State { kServing, kShutDown, kStuck };  // kStuck: shut down, but something still refers to us
 

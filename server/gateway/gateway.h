@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mapping/base/byte_budget.h"
 #include "mapping/base/result.h"
 #include "server/gateway/hooks.h"
 
@@ -18,8 +19,8 @@ namespace dhpmap {
 struct GatewayOptions {
   std::string address = "127.0.0.1:8080";  ///< host:port; port 0 takes a free one
   std::size_t max_body_bytes = 64u << 20;  ///< a larger body is answered with 413
-  /// Of bodies and answers that are in memory at once; beyond it requests are answered with 429.
-  std::size_t max_inflight_bytes = 256u << 20;
+  /// For bodies and answers in memory; beyond it requests are answered with 429. Never null.
+  std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
   int num_threads = 1;
   std::vector<std::string> allowed_hosts;  ///< names under which it answers, besides its address and localhost
   int max_connections = 1000;

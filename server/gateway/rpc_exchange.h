@@ -5,9 +5,12 @@
 
 #include "server/http/exchange.h"
 
+namespace dhpmap {
+class ByteShare;
+}
+
 namespace dhpmap::gateway {
 
-class ByteShare;
 class RpcCaller;
 struct RpcRequest;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/base/byte_budget.h"
 #include "mapping/base/state_machine.h"
-#include "server/gateway/byte_budget.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/message_splitter.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/gateway/byte_budget.h"
+#include "mapping/base/byte_budget.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/rpc_call.h"
@@ -37,6 +37,7 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
     auto message = request_.transcoder.ToRequest(request_.body_format, body_);
     std::string().swap(body_);
     if (!message.ok()) return Reply(ErrorResponse(message.status(), request_.answer_format));
+    if (!share_.Resize(message->size())) return Reply(ErrorResponse(TooManyBytes(), request_.answer_format));
     call_ = caller_->StartUnary(request_.call, std::move(*message),
                                 [self = shared_from_this()](const RpcStatus& status, std::string response) {
                                   // On gRPC's thread: the JSON is made here, the connections' thread stays free.
@@ -79,7 +80,7 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
   }
 
   const RpcRequest request_;
-  ByteShare share_;  // of the body, then of the answer until it is written
+  ByteShare share_;  // of the body, the message, then the answer until it is written
   RpcCaller* const caller_;
   const std::shared_ptr<http::Responder> responder_;
   std::string body_;

@@ -43,10 +43,14 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
  public:
   using Handler = std::function<void(Respond, std::stop_token)>;
 
-  static grpc::ServerUnaryReactor* Start(const ServiceContext& context, std::string_view method, Lane& lane,
-                                         Handler handler) {
-    const auto self = std::make_shared<UnaryReactor>(context, method);
+  static grpc::ServerUnaryReactor* Start(const ServiceContext& context, const CallMessages& call, Lane& lane,
+                                         std::size_t answer_bytes, Handler handler) {
+    const auto self = std::make_shared<UnaryReactor>(context, call);
     self->self_ = self;
+    if (!self->share_.Resize(call.request->ByteSizeLong() + answer_bytes)) {
+      self->Respond(TooManyBytes());
+      return self.get();
+    }
     self->task_ = std::make_shared<LaneTask>([self, handler = std::move(handler)] {
       const Status status = RunGuarded([&] {
         handler([self](const Status& answer) { self->Respond(answer); }, self->stop_.get_token());
@@ -61,22 +65,32 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
     return self.get();
   }
 
-  UnaryReactor(const ServiceContext& context, std::string_view method) : record_(context, method) {}
+  UnaryReactor(const ServiceContext& context, const CallMessages& call)
+      : call_(call), record_(context, call.method), share_(context.options.inflight.get()) {}
 
   void OnCancel() override {
     stop_.request_stop();
-    if (task_->GiveUp()) Respond(Cancelled("the client went away, or its deadline has passed"));
+    if (task_ && task_->GiveUp()) Respond(Cancelled("the client went away, or its deadline has passed"));
   }
   void OnDone() override { const auto last = std::move(self_); }
 
  private:
   void Respond(const Status& status) {
     if (has_responded_.exchange(true)) return;
-    record_.End(status);
-    Finish(ToGrpc(status));
+    const Status& answer = status.ok() && !HasRoomForAnswer() ? TooManyBytes() : status;
+    record_.End(answer);
+    Finish(ToGrpc(answer));
   }
 
+  /// The answer stays as a message and as bytes until the client has taken it.
+  bool HasRoomForAnswer() {
+    if (call_.response == nullptr) return true;
+    return share_.Resize(call_.request->ByteSizeLong() + 2 * call_.response->ByteSizeLong());
+  }
+
+  const CallMessages call_;
   CallRecord record_;
+  ByteShare share_;                     // of the request and the answer
   std::shared_ptr<UnaryReactor> self_;  // until OnDone
   std::shared_ptr<LaneTask> task_;
   std::stop_source stop_;
@@ -85,22 +99,21 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
 
 }  // namespace
 
-grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, grpc::CallbackServerContext*, std::string_view method,
-                                   std::function<void(Respond)> handler) {
-  return UnaryReactor::Start(
-      context, method, context.lanes.quick,
-      [handler = std::move(handler)](const Respond& respond, const std::stop_token&) { handler(respond); });
+grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMessages& call,
+                                   std::function<void(Respond, std::stop_token)> handler) {
+  return UnaryReactor::Start(context, call, context.lanes.quick, 0, std::move(handler));
 }
 
-grpc::ServerUnaryReactor* Run(const ServiceContext& context, grpc::CallbackServerContext* call, std::string_view method,
+grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages& call,
                               std::function<Status()> handler) {
-  return RunAsync(context, call, method,
-                  [handler = std::move(handler)](const Respond& respond) { respond(handler()); });
+  return RunAsync(context, call, [handler = std::move(handler)](const Respond& respond, const std::stop_token&) {
+    respond(handler());
+  });
 }
 
-grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, grpc::CallbackServerContext*, std::string_view method,
+grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, const CallMessages& call, std::size_t answer_bytes,
                                   std::function<Status(std::stop_token)> handler) {
-  return UnaryReactor::Start(context, method, context.lanes.bulk,
+  return UnaryReactor::Start(context, call, context.lanes.bulk, answer_bytes,
                              [handler = std::move(handler)](const Respond& respond, std::stop_token stop) {
                                respond(handler(std::move(stop)));
                              });

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <google/protobuf/message.h>
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/server_callback.h>
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -12,6 +14,7 @@
 #include <string_view>
 #include <utility>
 
+#include "mapping/base/byte_budget.h"
 #include "mapping/base/result.h"
 #include "server/app/map_registry.h"
 #include "server/grpc/grpc_server.h"
@@ -42,6 +45,15 @@ class CallRecord {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// A call with one request, as gRPC keeps it until it is over.
+struct CallMessages {
+  std::string_view method;  ///< "MapService/GetMap", a literal
+  const google::protobuf::Message* request;
+  /// To be filled, if there is one and the call changes nothing; a call that changed something is answered, whatever
+  /// room there is.
+  const google::protobuf::Message* response = nullptr;
+};
+
 /// Calls work() and turns whatever it throws into INTERNAL: the one outer catch of every handler.
 Status RunGuarded(const std::function<Status()>& work);
 
@@ -53,34 +65,40 @@ using Respond = std::function<void(const Status&)>;
 
 /// Runs a unary handler on the quick lane; it responds itself, at once or later from another thread. What it throws
 /// before that is answered as INTERNAL. A call whose client is gone, or past its deadline, before its turn has come is
-/// let go at once; if too many wait, it is answered RESOURCE_EXHAUSTED.
-grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, grpc::CallbackServerContext* call,
-                                   std::string_view method, std::function<void(Respond)> handler);
+/// let go at once; if too many wait, or too many bytes of requests and answers are in memory, it is answered
+/// RESOURCE_EXHAUSTED. The token tells when nobody waits for the answer any longer; a handler may go on all the same.
+grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMessages& call,
+                                   std::function<void(Respond, std::stop_token)> handler);
 
 /// Runs a unary handler on the quick lane and responds with what it returns.
-grpc::ServerUnaryReactor* Run(const ServiceContext& context, grpc::CallbackServerContext* call, std::string_view method,
-                              std::function<Status()> handler);
+grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages& call, std::function<Status()> handler);
 
-/// The same on the bulk lane, for what takes milliseconds or more. The token tells when nobody waits for the answer any
-/// longer: then the handler ends soon, with whatever status.
-grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, grpc::CallbackServerContext* call,
-                                  std::string_view method, std::function<Status(std::stop_token)> handler);
+/// The same on the bulk lane, for what takes milliseconds or more, and refused at once if there is no room for an
+/// answer of `answer_bytes`. The token tells when nobody waits for the answer any longer: then the handler ends soon,
+/// with whatever status.
+grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, const CallMessages& call, std::size_t answer_bytes,
+                                  std::function<Status(std::stop_token)> handler);
 
-/// Streams messages to a client, made on the bulk lane one at a time while the client takes them. Deletes itself when
-/// the call is over.
+/// Streams messages to a client, made on the bulk lane one at a time while the client takes them; refused if there is
+/// no room for what a stream keeps. Deletes itself when the call is over.
 template <typename Response>
 class ChunkStream final : public grpc::ServerWriteReactor<Response> {
  public:
   /// Fills the next message; false: there is none.
   using Next = std::function<Result<bool>(Response&)>;
-  /// What comes before the first message, which may take long; the token tells when nobody waits for it any longer.
-  using Prepare = std::function<Result<Next>(std::stop_token)>;
+  /// What comes before the first message, which may take long; the token tells when nobody waits for it any longer. The
+  /// share is to grow by what is kept from message to message, if that is more than a snapshot.
+  using Prepare = std::function<Result<Next>(std::stop_token, ByteShare&)>;
 
-  static ChunkStream* Start(const ServiceContext& context, std::string_view method, Prepare prepare) {
-    auto* stream = new ChunkStream(context, method);
+  static ChunkStream* Start(const ServiceContext& context, const CallMessages& call, Prepare prepare) {
+    auto* stream = new ChunkStream(context, call.method);
+    if (!stream->share_.Resize(call.request->ByteSizeLong() + kKept_bytes)) {
+      stream->End(TooManyBytes());
+      return stream;
+    }
     const auto begin = std::make_shared<LaneTask>([stream, prepare = std::move(prepare)] {
       const Status status = RunGuarded([&] {
-        DHPMAP_ASSIGN_OR_RETURN(stream->next_, prepare(stream->stop_.get_token()));
+        DHPMAP_ASSIGN_OR_RETURN(stream->next_, prepare(stream->stop_.get_token(), stream->share_));
         return Status::Ok();
       });
       if (status.ok()) stream->WriteNext();
@@ -100,12 +118,16 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   }
   void OnCancel() override {
     stop_.request_stop();
-    if (begin_->GiveUp()) End(Cancelled("the client went away"));
+    if (begin_ && begin_->GiveUp()) End(Cancelled("the client went away"));
   }
   void OnDone() override { delete this; }
 
  private:
-  ChunkStream(const ServiceContext& context, std::string_view method) : context_(context), record_(context, method) {}
+  /// A message, its bytes on the way out, and where in the map it has got to.
+  static constexpr std::size_t kKept_bytes = 1u << 20;
+
+  ChunkStream(const ServiceContext& context, std::string_view method)
+      : context_(context), record_(context, method), share_(context.options.inflight.get()) {}
 
   void WriteNext() {
     bool has_next = false;
@@ -126,6 +148,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
 
   const ServiceContext& context_;
   CallRecord record_;
+  ByteShare share_;
   std::shared_ptr<LaneTask> begin_;
   std::stop_source stop_;
   Next next_;

@@ -43,7 +43,7 @@ int Milliseconds(double seconds) { return static_cast<int>(seconds * 1e3); }
 /// has frozen or is cut off keeps what it holds.
 void LimitConnections(const GrpcOptions& options, grpc::ServerBuilder& builder) {
   grpc::ResourceQuota quota("dhpmap");
-  builder.SetResourceQuota(quota.Resize(options.max_inflight_bytes));
+  builder.SetResourceQuota(quota.Resize(options.inflight->limit_bytes()));
   builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kMaxStreamsPerConnection);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, Milliseconds(options.keepalive_s));
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, Milliseconds(options.keepalive_s));

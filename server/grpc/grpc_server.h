@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "mapping/base/byte_budget.h"
 #include "mapping/base/result.h"
 #include "server/app/map_registry.h"
 
@@ -18,11 +19,13 @@ class Channel;
 namespace dhpmap {
 
 struct GrpcOptions {
-  std::string address = "127.0.0.1:50051";      ///< host:port; port 0 takes a free one
-  std::size_t max_message_bytes = 64u << 20;    ///< of a request
-  int num_threads = 4;                          ///< for calls that are answered quickly
-  int num_bulk_threads = 0;                     ///< for meshes, voxels, many points; 0 = one a core
-  std::size_t max_inflight_bytes = 256u << 20;  ///< of requests that have arrived, on all connections
+  std::string address = "127.0.0.1:50051";    ///< host:port; port 0 takes a free one
+  std::size_t max_message_bytes = 64u << 20;  ///< of a request
+  int num_threads = 4;                        ///< for calls that are answered quickly
+  int num_bulk_threads = 0;                   ///< for meshes, voxels, many points; 0 = one a core
+  /// For requests, frames and answers in memory; what goes beyond it is refused. As much again may be in gRPC's own
+  /// buffers. Never null.
+  std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
   double keepalive_s = 10;  ///< a peer is asked after so long a silence, and given up after twice that
   std::int64_t max_query_points = 1'000'000;  ///< in one QueryPoints
   int max_frames_in_flight = 4;               ///< of a stream: read, but not yet acknowledged to the client

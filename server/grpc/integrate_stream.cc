@@ -67,6 +67,7 @@ void IntegrateStream::OnReadDone(bool ok) {
     Do(todo);
     if (!is_to_be_handled) return;
   }
+  TakeRoomForRequest();
   context_.lanes.frames.Post([self = self_] {
     const Status status = RunGuarded([&self] {
       self->HandleRequest();
@@ -93,10 +94,28 @@ void IntegrateStream::HandleRequest() {
       self->Answer(AnswerOf(sequence, progress));
     });
   }
-  Result<PanopticFrame> frame = request_.has_frame() ? FrameFromProto(request_.frame()) : NoFrame();
-  place->map->Integrate(place->feed, sequence, std::move(frame), [self = self_, sequence](const FrameOutcome& outcome) {
-    self->OnFrameDone(sequence, outcome);
-  });
+  Decoded decoded = Decode();
+  place->map->Integrate(place->feed, sequence, std::move(decoded.frame),
+                        [self = self_, sequence, share = std::move(decoded.share)](const FrameOutcome& outcome) {
+                          share->Release();
+                          self->OnFrameDone(sequence, outcome);
+                        });
+}
+
+void IntegrateStream::TakeRoomForRequest() {
+  has_no_room_ = !arrived_.Resize(request_.ByteSizeLong());
+  if (has_no_room_) request_.clear_frame();
+}
+
+IntegrateStream::Decoded IntegrateStream::Decode() {
+  auto share = std::make_shared<ByteShare>(context_.options.inflight.get());
+  const bool has_room = !has_no_room_ && share->Resize(DecodedBytes(request_.frame()));
+  Result<PanopticFrame> frame = !has_room              ? TooManyBytes()
+                                : request_.has_frame() ? FrameFromProto(request_.frame())
+                                                       : NoFrame();
+  request_.clear_frame();  // it is not kept while the stream waits
+  arrived_.Release();
+  return {std::move(frame), std::move(share)};
 }
 
 Result<IntegrateStream::Place> IntegrateStream::PlaceForRequest() {

@@ -40,8 +40,9 @@ class IntegrateStreams {
 /// yet acknowledged to the client, so that neither frames nor acknowledgements pile up: gRPC's flow control then holds
 /// the client back. Frames are decoded on the lane for frames while the map's writer fuses those before them. Whose
 /// turn it is says StreamTurns. When the client has no more, everything is stored before the last answer: that is one
-/// for no frame in a session; else the last frame's, if the client had half-closed by the time it was fused. Owns
-/// itself: lives until gRPC is done with the call and no callback is left.
+/// for no frame in a session; else the last frame's, if the client had half-closed by the time it was fused. A frame
+/// for which there is no room in memory (GrpcOptions::inflight) is refused like any that cannot be fused. Owns itself:
+/// lives until gRPC is done with the call and no callback is left.
 class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFramesRequest, v1::IntegrateFramesResponse> {
  public:
   /// How many messages the client will send.
@@ -73,8 +74,17 @@ class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFrames
         streams_(streams),
         messages_(messages),
         record_(context, "MappingService/IntegrateFrames"),
+        arrived_(context.options.inflight.get()),
         turns_(context.options.max_frames_in_flight) {}
 
+  /// Accounts for the message just read; one that there is no room for loses its frame at once.
+  void TakeRoomForRequest();
+  /// The frame of the message just read, with its room until it is fused.
+  struct Decoded {
+    Result<PanopticFrame> frame;
+    std::shared_ptr<ByteShare> share;
+  };
+  Decoded Decode();
   /// The message just read: takes a place at the map if it is the first, and hands its frame to the writer.
   void HandleRequest() DHPMAP_EXCLUDES(mutex_);
   /// The place that the message just read is for: taken by the first message.
@@ -104,6 +114,8 @@ class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFrames
 
   // Between StartRead and the end of HandleRequest: of the one who handles it.
   v1::IntegrateFramesRequest request_;
+  ByteShare arrived_;         ///< what request_ holds
+  bool has_no_room_ = false;  ///< request_ had a frame, which was too much
   bool is_first_ = true;
 
   Ack conclusion_;  ///< the last answer; made by End, then gRPC's

@@ -17,9 +17,9 @@ class MapService final : public v1::MapService::CallbackService {
  public:
   explicit MapService(const ServiceContext& context) : context_(context) {}
 
-  grpc::ServerUnaryReactor* CreateMap(grpc::CallbackServerContext* call, const v1::CreateMapRequest* request,
+  grpc::ServerUnaryReactor* CreateMap(grpc::CallbackServerContext*, const v1::CreateMapRequest* request,
                                       v1::CreateMapResponse* response) override {
-    return Run(context_, call, "MapService/CreateMap", [=, this]() -> Status {
+    return Run(context_, {"MapService/CreateMap", request}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(MapInfo info, InfoFromProto(*request, context_.options.default_config));
       DHPMAP_ASSIGN_OR_RETURN(const MapSummary map, context_.registry.Create(std::move(info)));
       *response->mutable_map() = ToProto(map);
@@ -28,9 +28,9 @@ class MapService final : public v1::MapService::CallbackService {
     });
   }
 
-  grpc::ServerUnaryReactor* GetMap(grpc::CallbackServerContext* call, const v1::GetMapRequest* request,
+  grpc::ServerUnaryReactor* GetMap(grpc::CallbackServerContext*, const v1::GetMapRequest* request,
                                    v1::GetMapResponse* response) override {
-    return Run(context_, call, "MapService/GetMap", [=, this]() -> Status {
+    return Run(context_, {"MapService/GetMap", request, response}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(const MapSummary map, context_.registry.Get(name));
       *response->mutable_map() = ToProto(map);
@@ -39,9 +39,9 @@ class MapService final : public v1::MapService::CallbackService {
     });
   }
 
-  grpc::ServerUnaryReactor* ListMaps(grpc::CallbackServerContext* call, const v1::ListMapsRequest* request,
+  grpc::ServerUnaryReactor* ListMaps(grpc::CallbackServerContext*, const v1::ListMapsRequest* request,
                                      v1::ListMapsResponse* response) override {
-    return Run(context_, call, "MapService/ListMaps", [=, this]() -> Status {
+    return Run(context_, {"MapService/ListMaps", request, response}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, PageMark{}));
       for (const MapSummary& map : context_.registry.List(pager.after(), pager.num_wanted())) {
         v1::Map proto = ToProto(map);
@@ -54,34 +54,35 @@ class MapService final : public v1::MapService::CallbackService {
     });
   }
 
-  grpc::ServerUnaryReactor* UpdateMap(grpc::CallbackServerContext* call, const v1::UpdateMapRequest* request,
+  grpc::ServerUnaryReactor* UpdateMap(grpc::CallbackServerContext*, const v1::UpdateMapRequest* request,
                                       v1::UpdateMapResponse* response) override {
-    return RunAsync(context_, call, "MapService/UpdateMap", [=, this](const Respond& respond) {
-      const auto name = ParseMapName(request->map().name(), "map.name");
-      if (!name.ok()) return respond(name.status());
-      const auto patch = PatchFromProto(*request);
-      if (!patch.ok()) return respond(patch.status());
-      const auto session = context_.registry.OpenSession(*name);
-      if (!session.ok()) return respond(session.status());
-      (*session)->Edit(
-          [etag = request->map().etag(), patch = *patch](Map& map) -> Result<SubmapId> {
-            DHPMAP_RETURN_IF_ERROR(PatchMap(map, etag, patch));
-            return kUnknownSubmap;
-          },
-          [respond, response](const Result<EditOutcome>& outcome) {
-            respond(RunGuarded([&]() -> Status {
-              if (!outcome.ok()) return outcome.status();
-              *response->mutable_map() = ToProto(SummaryOf(outcome->view->snapshot()));
-              response->set_revision(outcome->view->snapshot().revision());
-              return Status::Ok();
-            }));
-          });
-    });
+    return RunAsync(context_, {"MapService/UpdateMap", request},
+                    [=, this](const Respond& respond, const std::stop_token&) {
+                      const auto name = ParseMapName(request->map().name(), "map.name");
+                      if (!name.ok()) return respond(name.status());
+                      const auto patch = PatchFromProto(*request);
+                      if (!patch.ok()) return respond(patch.status());
+                      const auto session = context_.registry.OpenSession(*name);
+                      if (!session.ok()) return respond(session.status());
+                      (*session)->Edit(
+                          [etag = request->map().etag(), patch = *patch](Map& map) -> Result<SubmapId> {
+                            DHPMAP_RETURN_IF_ERROR(PatchMap(map, etag, patch));
+                            return kUnknownSubmap;
+                          },
+                          [respond, response](const Result<EditOutcome>& outcome) {
+                            respond(RunGuarded([&]() -> Status {
+                              if (!outcome.ok()) return outcome.status();
+                              *response->mutable_map() = ToProto(SummaryOf(outcome->view->snapshot()));
+                              response->set_revision(outcome->view->snapshot().revision());
+                              return Status::Ok();
+                            }));
+                          });
+                    });
   }
 
-  grpc::ServerUnaryReactor* DeleteMap(grpc::CallbackServerContext* call, const v1::DeleteMapRequest* request,
+  grpc::ServerUnaryReactor* DeleteMap(grpc::CallbackServerContext*, const v1::DeleteMapRequest* request,
                                       v1::DeleteMapResponse* response) override {
-    return Run(context_, call, "MapService/DeleteMap", [=, this]() -> Status {
+    return Run(context_, {"MapService/DeleteMap", request}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(const std::int64_t revision, context_.registry.Delete(name, request->etag()));
       response->set_revision(revision);
@@ -90,24 +91,27 @@ class MapService final : public v1::MapService::CallbackService {
   }
 
   grpc::ServerWriteReactor<v1::BackupMapResponse>* BackupMap(grpc::CallbackServerContext*,
-                                                             const v1::BackupMapRequest*) override {
+                                                             const v1::BackupMapRequest* request) override {
     using Stream = ChunkStream<v1::BackupMapResponse>;
-    return Stream::Start(context_, "MapService/BackupMap", [this](const std::stop_token& stop) -> Result<Stream::Next> {
-      DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<StoreBackup> backup, context_.registry.Backup(stop));
-      return Stream::Next([chunks = BackupChunks(std::move(backup))](v1::BackupMapResponse& message) mutable {
-        return chunks.Next(message);
-      });
-    });
+    return Stream::Start(
+        context_, {"MapService/BackupMap", request},
+        [this](const std::stop_token& stop, ByteShare&) -> Result<Stream::Next> {
+          DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<StoreBackup> backup, context_.registry.Backup(stop));
+          return Stream::Next([chunks = BackupChunks(std::move(backup))](v1::BackupMapResponse& message) mutable {
+            return chunks.Next(message);
+          });
+        });
   }
 
-  grpc::ServerUnaryReactor* GetMapStats(grpc::CallbackServerContext* call, const v1::GetMapStatsRequest* request,
+  grpc::ServerUnaryReactor* GetMapStats(grpc::CallbackServerContext*, const v1::GetMapStatsRequest* request,
                                         v1::GetMapStatsResponse* response) override {
-    return RunBulk(context_, call, "MapService/GetMapStats", [=, this](const std::stop_token&) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
-      DHPMAP_ASSIGN_OR_RETURN(const MapReport report, ReportOf(context_.registry, name));
-      *response = ToProto(report);
-      return Status::Ok();
-    });
+    return RunBulk(context_, {"MapService/GetMapStats", request, response}, 0,
+                   [=, this](const std::stop_token&) -> Status {
+                     DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
+                     DHPMAP_ASSIGN_OR_RETURN(const MapReport report, ReportOf(context_.registry, name));
+                     *response = ToProto(report);
+                     return Status::Ok();
+                   });
   }
 
  private:

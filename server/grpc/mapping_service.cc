@@ -21,19 +21,22 @@ class MappingService final : public v1::MappingService::CallbackService {
                                   is_one ? IntegrateStream::Messages::kOne : IntegrateStream::Messages::kAny);
   }
 
-  grpc::ServerUnaryReactor* FinishMapping(grpc::CallbackServerContext* call, const v1::FinishMappingRequest* request,
+  grpc::ServerUnaryReactor* FinishMapping(grpc::CallbackServerContext*, const v1::FinishMappingRequest* request,
                                           v1::FinishMappingResponse* response) override {
-    return RunAsync(context_, call, "MappingService/FinishMapping", [=, this](const Respond& respond) {
-      const auto name = ParseMapName(request->map(), "map");
-      if (!name.ok()) return respond(name.status());
-      const auto session = context_.registry.OpenSession(*name);
-      if (!session.ok()) return respond(session.status());
-      (*session)->Finish([respond, response](const Result<FinishOutcome>& outcome) {
-        if (!outcome.ok()) return respond(outcome.status());
-        *response = ToProto(*outcome);
-        respond(Status::Ok());
-      });
-    });
+    return RunAsync(context_, {"MappingService/FinishMapping", request},
+                    [=, this](const Respond& respond, const std::stop_token& stop) {
+                      const auto name = ParseMapName(request->map(), "map");
+                      if (!name.ok()) return respond(name.status());
+                      const auto session = context_.registry.OpenSession(*name);
+                      if (!session.ok()) return respond(session.status());
+                      (*session)->Finish(
+                          [respond, response](const Result<FinishOutcome>& outcome) {
+                            if (!outcome.ok()) return respond(outcome.status());
+                            *response = ToProto(*outcome);
+                            respond(Status::Ok());
+                          },
+                          stop);
+                    });
   }
 
  private:

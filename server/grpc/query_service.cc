@@ -13,26 +13,37 @@ namespace {
 /// More take milliseconds, which are in the way of those who ask for little.
 constexpr int kMostQuickPoints = 2048;
 
+Status AnswersTooLarge(std::size_t bytes) {
+  return InvalidArgument("the points cannot be looked up")
+      .WithReason("BAD_POINTS")
+      .WithViolation("packed", "the answers would take " + std::to_string(bytes >> 20) +
+                                   " MiB, more than there is for all calls: ask for packed ones, or for fewer points");
+}
+
 class QueryService final : public v1::QueryService::CallbackService {
  public:
   explicit QueryService(const ServiceContext& context) : context_(context) {}
 
-  grpc::ServerUnaryReactor* QueryPoints(grpc::CallbackServerContext* call, const v1::QueryPointsRequest* request,
+  /// In one of the lanes, by how long it takes; refused if there is no room for the answer.
+  grpc::ServerUnaryReactor* QueryPoints(grpc::CallbackServerContext*, const v1::QueryPointsRequest* request,
                                         v1::QueryPointsResponse* response) override {
+    const std::size_t answer_bytes = BytesOfAnswers(*request);
+    const bool can_fit = answer_bytes <= context_.options.inflight->limit_bytes();
     const auto answer = [=, this](const std::stop_token& stop) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
       DHPMAP_ASSIGN_OR_RETURN(const auto points_m, PointsFromProto(*request, context_.options.max_query_points));
+      if (!can_fit) return AnswersTooLarge(answer_bytes);
       PointAnswers answers(*request, view->snapshot().info(), points_m.size(), *response);
       DHPMAP_RETURN_IF_ERROR(
           LookUpPoints(*view, points_m, stop, [&answers](const PointInfo& point) { answers.Append(point); }));
       if (context_.observer.on_query) context_.observer.on_query(points_m.size());
       return Status::Ok();
     };
-    constexpr char kMethod[] = "QueryService/QueryPoints";
+    const CallMessages call{"QueryService/QueryPoints", request, response};
     const int num_points = request->xyz_m_size() / 3 + request->points_m_size();
-    if (num_points > kMostQuickPoints) return RunBulk(context_, call, kMethod, answer);
-    return Run(context_, call, kMethod, [answer] { return answer({}); });
+    if (num_points <= kMostQuickPoints) return Run(context_, call, [answer] { return answer({}); });
+    return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
   }
 
  private:

@@ -30,9 +30,9 @@ class SubmapService final : public v1::SubmapService::CallbackService {
  public:
   explicit SubmapService(const ServiceContext& context) : context_(context) {}
 
-  grpc::ServerUnaryReactor* ListSubmaps(grpc::CallbackServerContext* call, const v1::ListSubmapsRequest* request,
+  grpc::ServerUnaryReactor* ListSubmaps(grpc::CallbackServerContext*, const v1::ListSubmapsRequest* request,
                                         v1::ListSubmapsResponse* response) override {
-    return Run(context_, call, "SubmapService/ListSubmaps", [=, this]() -> Status {
+    return Run(context_, {"SubmapService/ListSubmaps", request, response}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->parent(), "parent"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
       const MapSnapshot& snapshot = view->snapshot();
@@ -51,9 +51,9 @@ class SubmapService final : public v1::SubmapService::CallbackService {
     });
   }
 
-  grpc::ServerUnaryReactor* GetSubmap(grpc::CallbackServerContext* call, const v1::GetSubmapRequest* request,
+  grpc::ServerUnaryReactor* GetSubmap(grpc::CallbackServerContext*, const v1::GetSubmapRequest* request,
                                       v1::GetSubmapResponse* response) override {
-    return Run(context_, call, "SubmapService/GetSubmap", [=, this]() -> Status {
+    return Run(context_, {"SubmapService/GetSubmap", request, response}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
       const Submap* submap = view->snapshot().Find(name.submap);
@@ -64,9 +64,9 @@ class SubmapService final : public v1::SubmapService::CallbackService {
     });
   }
 
-  grpc::ServerUnaryReactor* UpdateSubmap(grpc::CallbackServerContext* call, const v1::UpdateSubmapRequest* request,
+  grpc::ServerUnaryReactor* UpdateSubmap(grpc::CallbackServerContext*, const v1::UpdateSubmapRequest* request,
                                          v1::UpdateSubmapResponse* response) override {
-    return Edit(call, "SubmapService/UpdateSubmap", response, [=]() -> Result<PlannedEdit> {
+    return Edit({"SubmapService/UpdateSubmap", request}, response, [=]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->submap().name(), "submap.name"));
       DHPMAP_ASSIGN_OR_RETURN(SubmapPatch patch, PatchFromProto(*request));
       return PlannedEdit{
@@ -78,9 +78,9 @@ class SubmapService final : public v1::SubmapService::CallbackService {
     });
   }
 
-  grpc::ServerUnaryReactor* CloneSubmap(grpc::CallbackServerContext* call, const v1::CloneSubmapRequest* request,
+  grpc::ServerUnaryReactor* CloneSubmap(grpc::CallbackServerContext*, const v1::CloneSubmapRequest* request,
                                         v1::CloneSubmapResponse* response) override {
-    return Edit(call, "SubmapService/CloneSubmap", response, [=]() -> Result<PlannedEdit> {
+    return Edit({"SubmapService/CloneSubmap", request}, response, [=]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(SubmapPatch patch, PatchFromProto(*request));
       return PlannedEdit{name.map, [id = name.submap, etag = request->etag(), patch = std::move(patch)](Map& map) {
@@ -89,9 +89,9 @@ class SubmapService final : public v1::SubmapService::CallbackService {
     });
   }
 
-  grpc::ServerUnaryReactor* DeleteSubmap(grpc::CallbackServerContext* call, const v1::DeleteSubmapRequest* request,
+  grpc::ServerUnaryReactor* DeleteSubmap(grpc::CallbackServerContext*, const v1::DeleteSubmapRequest* request,
                                          v1::DeleteSubmapResponse* response) override {
-    return Edit(call, "SubmapService/DeleteSubmap", response, [=]() -> Result<PlannedEdit> {
+    return Edit({"SubmapService/DeleteSubmap", request}, response, [=]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
       return PlannedEdit{name.map, [id = name.submap, etag = request->etag()](Map& map) -> Result<SubmapId> {
                            DHPMAP_RETURN_IF_ERROR(dhpmap::DeleteSubmap(map, id, etag));
@@ -104,7 +104,8 @@ class SubmapService final : public v1::SubmapService::CallbackService {
       grpc::CallbackServerContext*, const v1::StreamSubmapVoxelsRequest* request) override {
     using Stream = ChunkStream<v1::StreamSubmapVoxelsResponse>;
     return Stream::Start(
-        context_, "SubmapService/StreamSubmapVoxels", [=, this](const std::stop_token&) -> Result<Stream::Next> {
+        context_, {"SubmapService/StreamSubmapVoxels", request},
+        [=, this](const std::stop_token&, ByteShare&) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
           DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
           DHPMAP_ASSIGN_OR_RETURN(
@@ -119,10 +120,12 @@ class SubmapService final : public v1::SubmapService::CallbackService {
                                                                      const v1::GetSubmapMeshRequest* request) override {
     using Stream = ChunkStream<v1::GetSubmapMeshResponse>;
     return Stream::Start(
-        context_, "SubmapService/GetSubmapMesh", [=, this](const std::stop_token& stop) -> Result<Stream::Next> {
+        context_, {"SubmapService/GetSubmapMesh", request},
+        [=, this](const std::stop_token& stop, ByteShare& room) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const ObjectName name, ParseObjectName(request->name(), "name"));
           DHPMAP_ASSIGN_OR_RETURN(const MeshRequest wanted, MeshRequestFromProto(*request, name.submap));
           DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
+          if (!room.Grow(BytesOfExport(view->snapshot(), wanted))) return TooManyBytes();
           DHPMAP_ASSIGN_OR_RETURN(MeshFile file, ExportMesh(view->shared_snapshot(), wanted, stop));
           return Stream::Next([chunks = std::make_shared<MeshChunks>(std::move(file))](
                                   v1::GetSubmapMeshResponse& message) mutable { return chunks->Next(message); });
@@ -138,9 +141,8 @@ class SubmapService final : public v1::SubmapService::CallbackService {
 
   /// Runs an edit without holding a thread while it waits for the writer and the disk.
   template <typename Response, typename Plan>
-  grpc::ServerUnaryReactor* Edit(grpc::CallbackServerContext* call, std::string_view method, Response* response,
-                                 Plan plan) {
-    return RunAsync(context_, call, method, [this, response, plan](const Respond& respond) {
+  grpc::ServerUnaryReactor* Edit(const CallMessages& call, Response* response, Plan plan) {
+    return RunAsync(context_, call, [this, response, plan](const Respond& respond, const std::stop_token&) {
       auto planned = plan();
       if (!planned.ok()) return respond(planned.status());
       const auto session = context_.registry.OpenSession(planned->map);

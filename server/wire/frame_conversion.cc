@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::uint32_t kMaxClassId = 65534;
 constexpr int kMaxSide_px = 16384;
+/// Depth, colour and segment, and an image on its way from one form to another.
+constexpr std::size_t kBytesAPixel = 16, kBytesAPoint = 24;
 
 /// What the wire calls a field of mapping's, and all below it.
 struct Term {
@@ -199,6 +201,17 @@ LidarData LidarDataOf(const v1::LidarFrame& frame, Status& bad) {
 }  // namespace
 
 Status InWireTerms(const Status& status) { return Renamed(status, kFrameTerms); }
+
+std::size_t DecodedBytes(const v1::Frame& frame) {
+  const v1::LidarFrame& lidar = frame.lidar();
+  const std::size_t points = kBytesAPoint * static_cast<std::size_t>(lidar.xyz_m_size()) / 3;
+  const auto pixels = [](const auto& camera) -> std::size_t {
+    const std::int64_t width_px = camera.width_px(), height_px = camera.height_px();
+    if (width_px < 1 || width_px > kMaxSide_px || height_px < 1 || height_px > kMaxSide_px) return 0;
+    return kBytesAPixel * static_cast<std::size_t>(width_px * height_px);
+  };
+  return points + pixels(frame.depth_camera().camera()) + pixels(lidar.camera());
+}
 
 Result<PanopticFrame> FrameFromProto(const v1::Frame& frame) {
   Status bad = InvalidArgument("the frame is not usable").WithReason("BAD_FRAME");

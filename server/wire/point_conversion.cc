@@ -85,6 +85,13 @@ Result<std::vector<Eigen::Vector3d>> PointsFromProto(const v1::QueryPointsReques
   return points_m;
 }
 
+std::size_t BytesOfAnswers(const v1::QueryPointsRequest& request) {
+  // Of a point: 24 for where it is; 33 packed and up to 40 as bytes; or a message with a name and a colour of its own.
+  constexpr std::size_t kPacked = 24 + 33 + 40, kMessage = 24 + 260 + 100;
+  const auto num_points = static_cast<std::size_t>(request.xyz_m_size() / 3 + request.points_m_size());
+  return num_points * (request.packed() ? kPacked : kMessage);
+}
+
 PointAnswers::PointAnswers(const v1::QueryPointsRequest& request, const MapInfo& map, std::size_t num_points,
                            v1::QueryPointsResponse& response)
     : map_(map), is_packed_(request.packed()), response_(response) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace dhpmap {
 /// The points of a request, packed ones first. INVALID_ARGUMENT for a list that is cut off, more than `max_points`, or
 /// a point that is not finite.
 Result<std::vector<Eigen::Vector3d>> PointsFromProto(const v1::QueryPointsRequest& request, std::int64_t max_points);
+
+/// What answering takes of memory at most: the points, the answer, and the answer as bytes.
+std::size_t BytesOfAnswers(const v1::QueryPointsRequest& request);
 
 /// Writes answers, point by point, in the form that the request asks for.
 class PointAnswers {

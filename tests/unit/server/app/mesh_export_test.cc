@@ -84,5 +84,14 @@ TEST(ExportMesh, EndsWhenNobodyWaits) {
   EXPECT_EQ(ExportMesh(MapOfTwoStrips(), {}, stop.get_token()).status().code(), StatusCode::kCancelled);
 }
 
+TEST(BytesOfExport, GrowsWithTheBlocksThatAreMeshed) {
+  const auto map = MapOfTwoStrips();
+  const std::size_t one = BytesOfExport(*map, {.submap = SubmapId(1)});
+  EXPECT_GT(one, sizeof(TsdfBlock) / 10);
+  EXPECT_EQ(one, BytesOfExport(*map, {.submap = SubmapId(2)}));
+  EXPECT_GE(BytesOfExport(*map, {}), 2 * one + sizeof(TsdfBlock)) << "with a merged copy of the block that both have";
+  EXPECT_EQ(BytesOfExport(*map, {.submap = SubmapId(3)}), 0u);
+}
+
 }  // namespace
 }  // namespace dhpmap

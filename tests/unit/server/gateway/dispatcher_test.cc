@@ -54,7 +54,8 @@ class DispatcherTest : public ::testing::Test {
   static constexpr std::size_t kMaxBody_bytes = 1000, kBudget_bytes = 1500;
 
   DispatcherTest()
-      : dispatcher(HttpRuleRouter::FromLinkedServices().value(), &caller, {}, kMaxBody_bytes, kBudget_bytes) {}
+      : dispatcher(HttpRuleRouter::FromLinkedServices().value(), &caller, {}, kMaxBody_bytes,
+                   std::make_shared<ByteBudget>(kBudget_bytes)) {}
 
   /// The reply, which comes at once: there is no exchange.
   http::Response Refused(const http::RequestHead& head) {

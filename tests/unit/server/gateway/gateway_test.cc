@@ -152,7 +152,7 @@ TEST(GatewayBudget, BeyondTheBytesInFlightTheAnswerIs429AtOnce) {
   GatewayOptions options;
   options.address = "127.0.0.1:0";
   options.max_body_bytes = 1u << 20;
-  options.max_inflight_bytes = 1u << 20;
+  options.inflight = std::make_shared<ByteBudget>(1u << 20);
   auto gateway = Gateway::Start(options, server.channel(), {});
   ASSERT_TRUE(gateway.ok());
   const auto refused = [&] {
@@ -184,7 +184,7 @@ TEST(GatewayBudget, AStreamedBodyCountsAsItComes) {
   CannedServer server;
   GatewayOptions options;
   options.address = "127.0.0.1:0";
-  options.max_inflight_bytes = 1u << 20;
+  options.inflight = std::make_shared<ByteBudget>(1u << 20);
   auto gateway = Gateway::Start(options, server.channel(), {});
   ASSERT_TRUE(gateway.ok());
   http::HttpClient client((*gateway)->port());

@@ -9,7 +9,7 @@
 #include "dhpmap/v1/submap_service.pb.h"
 #include "google/rpc/status.pb.h"
 #include "json_test.pb.h"
-#include "server/gateway/byte_budget.h"
+#include "mapping/base/byte_budget.h"
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/rpc_exchange.h"
 #include "server/gateway/stream_state.h"

@@ -3,7 +3,7 @@
 
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
-#include "server/gateway/byte_budget.h"
+#include "mapping/base/byte_budget.h"
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/rpc_exchange.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"

@@ -234,5 +234,19 @@ TEST(PoseConversion, IsItsOwnInverse) {
   EXPECT_TRUE(IsIdentity(*TransformFromProto({}, "pose")));
 }
 
+TEST(DecodedBytes, FollowTheSizesThatAFrameTells) {
+  EXPECT_GE(DecodedBytes(CameraFrame()), kWidth * kHeight * (sizeof(float) + sizeof(Color) + sizeof(std::uint32_t)));
+  EXPECT_GE(DecodedBytes(LidarFrame()), 2 * (sizeof(Eigen::Vector3f) + sizeof(std::uint32_t)));
+  v1::Frame large = CameraFrame();
+  large.mutable_depth_camera()->mutable_camera()->set_width_px(4000);
+  large.mutable_depth_camera()->mutable_camera()->set_height_px(3000);
+  EXPECT_GE(DecodedBytes(large), 11u * 4000 * 3000);
+  large.mutable_depth_camera()->mutable_camera()->set_width_px(-1);
+  EXPECT_EQ(DecodedBytes(large), 0u) << "refused for its size, not for want of room";
+  large.mutable_depth_camera()->mutable_camera()->set_width_px(std::numeric_limits<int>::max());
+  EXPECT_EQ(DecodedBytes(large), 0u);
+  EXPECT_EQ(DecodedBytes({}), 0u);
+}
+
 }  // namespace
 }  // namespace dhpmap

@@ -91,5 +91,21 @@ TEST(PointAnswers, AreMessagesOrArraysAsAsked) {
   EXPECT_EQ(packed.instance_id(2), 0) << "of what is not observed nothing else is told";
 }
 
+TEST(BytesOfAnswers, IsNoLessThanWhatAnswersTake) {
+  constexpr int kPoints = 1000;
+  const MapInfo map = MapOfChairs();
+  for (const bool is_packed : {false, true}) {
+    v1::QueryPointsRequest request;
+    request.set_packed(is_packed);
+    for (int i = 0; i < 3 * kPoints; ++i) request.add_xyz_m(0);
+    v1::QueryPointsResponse response;
+    PointAnswers answers(request, map, kPoints, response);
+    for (int i = 0; i < kPoints; ++i) answers.Append(Chair());
+    const std::size_t taken = kPoints * sizeof(Eigen::Vector3d) + response.SpaceUsedLong() + response.ByteSizeLong();
+    EXPECT_GE(BytesOfAnswers(request), taken) << (is_packed ? "packed" : "one message a point");
+    EXPECT_LE(BytesOfAnswers(request), 2 * taken) << "nor much more";
+  }
+}
+
 }  // namespace
 }  // namespace dhpmap

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/gateway/byte_budget.h"
+#include "mapping/base/byte_budget.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 #include <vector>
 
-namespace dhpmap::gateway {
+namespace dhpmap {
 namespace {
 
 TEST(ByteBudget, GivesOutNoMoreThanThereIs) {
@@ -33,6 +33,34 @@ TEST(ByteBudget, ASharesEndGivesItBack) {
   EXPECT_EQ(budget.used_bytes(), 0u);
 }
 
+TEST(ByteBudget, WhatIsSmallCostsNothing) {
+  ByteBudget budget(100, /*free_bytes=*/10);
+  ByteShare large(&budget), small(&budget);
+  EXPECT_TRUE(large.Resize(100));
+  EXPECT_TRUE(small.Resize(10)) << "although the budget is spent";
+  EXPECT_FALSE(small.Resize(11)) << "then all of it counts";
+  EXPECT_EQ(small.bytes(), 10u);
+  large.Release();
+  EXPECT_EQ(budget.used_bytes(), 0u);
+  EXPECT_TRUE(small.Resize(11));
+  EXPECT_EQ(budget.used_bytes(), 11u);
+  EXPECT_TRUE(small.Resize(10));
+  EXPECT_EQ(budget.used_bytes(), 0u);
+}
+
+TEST(ByteBudget, WhatIsHugeTakesAllThereIs) {
+  ByteBudget budget(100);
+  ByteShare huge(&budget), other(&budget);
+  ASSERT_TRUE(huge.Resize(1));
+  EXPECT_TRUE(huge.Grow(1000));
+  EXPECT_EQ(budget.used_bytes(), 100u);
+  EXPECT_FALSE(other.Grow(1));
+  huge.Release();
+  ASSERT_TRUE(other.Grow(1));
+  EXPECT_FALSE(huge.Grow(1000)) << "not beside others";
+  EXPECT_TRUE(huge.Grow(99));
+}
+
 TEST(ByteBudget, IsExactWithManyThreads) {
   ByteBudget budget(1000);
   std::vector<std::thread> threads;
@@ -51,4 +79,4 @@ TEST(ByteBudget, IsExactWithManyThreads) {
 }
 
 }  // namespace
-}  // namespace dhpmap::gateway
+}  // namespace dhpmap

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is in memory for clients has one bound, whichever way it came.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "tests/integration/feeder.h"
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+constexpr std::size_t kLimit_bytes = 32u << 20, kSmall_bytes = 16u << 10;
+
+class InflightBytes : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    grpc::ClientContext create;
+    v1::CreateMapResponse created;
+    ASSERT_TRUE(server_.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+    ASSERT_TRUE(Feed(server_, "room", 0, 3).status.ok());
+    ExpectNothingKept();
+  }
+
+  /// A call is freed a moment after its client has the answer.
+  void ExpectNothingKept() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (budget_->used_bytes() > 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    EXPECT_EQ(budget_->used_bytes(), 0u);
+  }
+
+  grpc::Status Ask(int num_points, bool is_packed = true) {
+    v1::QueryPointsRequest request;
+    request.set_map("maps/room");
+    request.set_packed(is_packed);
+    for (int i = 0; i < 3 * num_points; ++i) request.add_xyz_m(0.001f * static_cast<float>(i % 997));
+    grpc::ClientContext context;
+    v1::QueryPointsResponse response;
+    return server_.queries->QueryPoints(&context, request, &response);
+  }
+
+  grpc::Status Mesh() {
+    grpc::ClientContext context;
+    v1::GetSubmapMeshRequest request;
+    request.set_name("maps/room");
+    const auto mesh = server_.submaps->GetSubmapMesh(&context, request);
+    v1::GetSubmapMeshResponse part;
+    while (mesh->Read(&part)) {
+    }
+    return mesh->Finish();
+  }
+
+  const std::shared_ptr<ByteBudget> budget_ = std::make_shared<ByteBudget>(kLimit_bytes, kSmall_bytes);
+  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
+  TestServer server_{*store_, {}, {.inflight = budget_}};
+};
+
+TEST_F(InflightBytes, WhatIsLargeIsRefusedWhileThereIsNoRoomAndWhatIsSmallAnswered) {
+  ByteShare others(budget_.get());
+  ASSERT_TRUE(others.Resize(kLimit_bytes));
+  EXPECT_TRUE(Ask(100).ok());
+  for (const grpc::Status& refused : {Ask(100'000), Mesh()}) {
+    EXPECT_EQ(refused.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << refused.error_message();
+    EXPECT_EQ(ReasonOf(refused), "TOO_MANY_BYTES");
+  }
+  others.Release();
+  EXPECT_TRUE(Ask(100'000).ok());
+  EXPECT_TRUE(Mesh().ok());
+  ExpectNothingKept();
+}
+
+TEST_F(InflightBytes, AnswersThatNeverFitSayWhatToDo) {
+  const grpc::Status refused = Ask(100'000, /*is_packed=*/false);
+  EXPECT_EQ(refused.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(ReasonOf(refused), "BAD_POINTS");
+  EXPECT_TRUE(Ask(100'000).ok()) << "packed they do";
+}
+
+TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
+  grpc::ClientContext context;
+  v1::GetSubmapMeshRequest request;
+  request.set_name("maps/room");
+  const auto mesh = server_.submaps->GetSubmapMesh(&context, request);
+  v1::GetSubmapMeshResponse part;
+  ASSERT_TRUE(mesh->Read(&part));
+  EXPECT_GT(budget_->used_bytes(), 0u);
+  while (mesh->Read(&part)) {
+  }
+  EXPECT_TRUE(mesh->Finish().ok());
+  ExpectNothingKept();
+}
+
+TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {
+  ByteShare others(budget_.get());
+  Feeder feeder(server_, "room");
+  const auto first = feeder.Feed(3);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->outcome(), v1::FUSED);
+  ASSERT_TRUE(others.Resize(kLimit_bytes));
+  const auto second = feeder.Feed(4);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->outcome(), v1::REFUSED);
+  EXPECT_EQ(second->error_code(), static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED));
+  EXPECT_EQ(second->error_reason(), "TOO_MANY_BYTES");
+  others.Release();
+  const auto third = feeder.Feed(5);
+  ASSERT_TRUE(third);
+  EXPECT_EQ(third->outcome(), v1::FUSED);
+  feeder.HalfClose();
+  EXPECT_TRUE(feeder.Finish().ok());
+  ExpectNothingKept();
+}
+
+}  // namespace
+}  // namespace dhpmap::testing
