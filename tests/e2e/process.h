@@ -20,6 +20,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void Signal(int signal) const;
+  [[nodiscard]] pid_t pid() const { return pid_; }
   /// Exit code, or 128 + signal; empty if it still runs after `timeout_s`.
   std::optional<int> Wait(double timeout_s);
   [[nodiscard]] std::string Stdout() const;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/rig/frame_feed.h"
+
+#include <chrono>
+#include <thread>
+
+#include "clients/cli/frame_message.h"
+#include "clients/datasets/dataset.h"
+
+namespace dhpmap::rig {
+
+Result<std::vector<v1::Frame>> ReadFrames(const std::string& directory) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto dataset, OpenDataset(directory, DatasetFormat::kAuto, LabelSource::kPredicted));
+  std::vector<v1::Frame> frames;
+  for (std::size_t i = 0; i < dataset->num_frames(); ++i) {
+    DHPMAP_ASSIGN_OR_RETURN(const DatasetFrame frame, dataset->Read(i));
+    frames.push_back(ToMessage(frame, dataset->has_persistent_ids()));
+  }
+  return frames;
+}
+
+grpc::Status FeedUntil(v1::MappingService::Stub& stub, const std::string& map_id, const std::vector<v1::Frame>& frames,
+                       const std::stop_token& stop, Latencies& gaps) {
+  grpc::ClientContext context;
+  const auto stream = stub.IntegrateFrames(&context);
+  std::thread sender([&] {
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/" + map_id);
+    for (std::size_t i = 0; !stop.stop_requested(); ++i) {
+      request.set_sequence(static_cast<std::int64_t>(i));
+      *request.mutable_frame() = frames[i % frames.size()];
+      if (!stream->Write(request)) break;
+    }
+    stream->WritesDone();
+  });
+  v1::IntegrateFramesResponse answer;
+  auto last = std::chrono::steady_clock::now();
+  bool is_first = true;
+  while (stream->Read(&answer)) {
+    if (answer.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) continue;
+    if (answer.outcome() == v1::REFUSED) gaps.AddFailure();
+    const auto now = std::chrono::steady_clock::now();
+    if (!std::exchange(is_first, false)) gaps.Add(std::chrono::duration<double>(now - last).count());
+    last = now;
+  }
+  sender.join();
+  return stream->Finish();
+}
+
+}  // namespace dhpmap::rig

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "mapping/base/result.h"
+#include "tests/rig/latencies.h"
+
+namespace dhpmap::rig {
+
+/// All frames of a data set as messages, so that reading files is not measured.
+Result<std::vector<v1::Frame>> ReadFrames(const std::string& directory);
+
+/// Sends the frames to maps/{map_id} again and again, as fast as the server takes them, until stopped. `gaps` gets the
+/// time between one acknowledgement and the next; a frame that is refused counts as a failure.
+grpc::Status FeedUntil(v1::MappingService::Stub& stub, const std::string& map_id, const std::vector<v1::Frame>& frames,
+                       const std::stop_token& stop, Latencies& gaps);
+
+}  // namespace dhpmap::rig

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+
+#include "tests/rig/rig.h"
+
+namespace {
+
+using dhpmap::rig::Stall;
+using dhpmap::rig::Target;
+
+void AddTarget(CLI::App& command, Target& target) {
+  command.add_option("grpc", target.grpc_address)->required();
+  command.add_option("http-port", target.http_port)->required();
+  command.add_option("map", target.map_id)->required();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Attacks a map server of its own and says whether it held"};
+  app.require_subcommand(1);
+  bool held = true;
+
+  dhpmap::rig::LoadOptions load;
+  CLI::App* command = app.add_subcommand("load", "Quick calls and mapping beside clients that ask for much");
+  command->add_option("dataset", load.dataset, "What dhpmap-simulate wrote")->required();
+  command->add_option("--seconds", load.seconds)->capture_default_str();
+  command->add_option("--clients", load.num_bulk_clients, "That ask for much")->capture_default_str();
+  command->callback([&] { held = RunLoad(load); });
+
+  dhpmap::rig::HostileOptions hostile;
+  command = app.add_subcommand("hostile", "Memory, with clients that do not read, do not finish, or hang up");
+  command->add_option("dataset", hostile.dataset, "What dhpmap-simulate wrote")->required();
+  command->callback([&] { held = RunHostile(hostile); });
+
+  dhpmap::rig::ManyMapsOptions maps;
+  command = app.add_subcommand("maps", "Threads and memory, with many maps");
+  command->add_option("--maps", maps.num_maps)->capture_default_str();
+  command->add_option("--idle-close", maps.idle_close_s, "s")->capture_default_str();
+  command->callback([&] { held = RunManyMaps(maps); });
+
+  dhpmap::rig::ApartmentsOptions apartments;
+  command = app.add_subcommand("apartments", "Memory after mapping and deleting in turn");
+  command->add_option("dataset", apartments.dataset, "What dhpmap-simulate wrote")->required();
+  command->add_option("--repetitions", apartments.repetitions)->capture_default_str();
+  command->callback([&] { held = RunApartments(apartments); });
+
+  Target target;
+  int num_clients = 1, num_calls = 1;
+  Stall stall = Stall::kMeshes;
+  command = app.add_subcommand("bulk-clients", "For load")->group("");
+  AddTarget(*command, target);
+  command->add_option("clients", num_clients)->required();
+  command->callback([&] { RunBulkClients(target, num_clients); });
+
+  command = app.add_subcommand("stalled-client", "For hostile")->group("");
+  AddTarget(*command, target);
+  command->add_option("stall", stall)
+      ->required()
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Stall>{{"meshes", Stall::kMeshes}, {"points", Stall::kPoints}}));
+  command->add_option("calls", num_calls)->required();
+  command->callback([&] { RunStalledClient(target, stall, num_calls); });
+
+  CLI11_PARSE(app, argc, argv);
+  return held ? 0 : 1;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/rig/server_watch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+
+#include "tests/e2e/process.h"
+
+namespace dhpmap::rig {
+namespace {
+
+constexpr std::chrono::milliseconds kLook{50};
+
+}  // namespace
+
+ProcessUse UseOf(pid_t pid) {
+  const std::filesystem::path proc = "/proc/" + std::to_string(pid);
+  ProcessUse use;
+  std::ifstream status(proc / "status");
+  for (std::string line; std::getline(status, line);) {
+    std::istringstream words(line);
+    std::string key;
+    double value = 0;
+    words >> key >> value;
+    if (key == "VmRSS:") use.resident_mib = value / 1024;
+    if (key == "RssAnon:") use.anonymous_mib = value / 1024;
+    if (key == "Threads:") use.num_threads = static_cast<int>(value);
+  }
+  std::error_code error;
+  for (auto file = std::filesystem::directory_iterator(proc / "fd", error);
+       !error && file != std::filesystem::directory_iterator(); file.increment(error)) {
+    ++use.num_files;
+  }
+  return use;
+}
+
+double Metric(const std::filesystem::path& log_dir, const std::string& http_url, const std::string& name) {
+  const auto page = testing::RunProgram(log_dir, {"curl", "--silent", "--fail", http_url + "/metrics"});
+  std::istringstream lines(page.out);
+  double sum = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(name)) continue;
+    const char next = line.size() > name.size() ? line[name.size()] : '\0';
+    if (next == ' ' || next == '{') sum += std::stod(line.substr(line.rfind(' ') + 1));
+  }
+  return sum;
+}
+
+PeakWatch::PeakWatch(pid_t pid)
+    : thread_([this, pid](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+          const ProcessUse now = UseOf(pid);
+          {
+            const MutexLock lock(mutex_);
+            peak_.resident_mib = std::max(peak_.resident_mib, now.resident_mib);
+            peak_.anonymous_mib = std::max(peak_.anonymous_mib, now.anonymous_mib);
+            peak_.num_threads = std::max(peak_.num_threads, now.num_threads);
+            peak_.num_files = std::max(peak_.num_files, now.num_files);
+          }
+          std::this_thread::sleep_for(kLook);
+        }
+      }) {}
+
+ProcessUse PeakWatch::peak() const {
+  const MutexLock lock(mutex_);
+  return peak_;
+}
+
+void PeakWatch::Reset() {
+  const MutexLock lock(mutex_);
+  peak_ = {};
+}
+
+}  // namespace dhpmap::rig
