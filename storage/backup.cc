@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "storage/rows/map_rows.h"
+#include "storage/sqlite/free_pages.h"
 
 namespace dhpmap {
 namespace {
@@ -42,6 +43,12 @@ Status MarkFile(const std::string& path) {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Database copy,
                           sqlite::Database::Open(path, sqlite::OpenMode::kReadWrite, kBusyTimeout_ms));
   return MarkAsBackup(copy);
+}
+
+/// A copy may give space back even if the original cannot.
+Status AllowCopyGivingBack(sqlite::Database& original) {
+  DHPMAP_ASSIGN_OR_RETURN(const bool is_allowed, sqlite::AllowsGivingBack(original));
+  return is_allowed ? Status::Ok() : sqlite::AllowGivingBack(original);  // which changes only what VACUUM makes
 }
 
 /// A file of which only we know.
@@ -75,6 +82,7 @@ class OpenBackup final : public StoreBackup {
 
 Status WriteBackup(sqlite::Database& database, const std::string& path, const std::stop_token& stop) {
   DHPMAP_RETURN_IF_ERROR(CheckPlace(path));
+  DHPMAP_RETURN_IF_ERROR(AllowCopyGivingBack(database));
   Status status;
   {
     const std::stop_callback interrupt(stop, [&database] { database.Interrupt(); });

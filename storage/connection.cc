@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "storage/schema/migrate.h"
+#include "storage/sqlite/free_pages.h"
 
 namespace dhpmap {
 namespace {
@@ -61,11 +62,23 @@ Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms) {
   DHPMAP_ASSIGN_OR_RETURN(const SchemaState schema, InspectSchema(database));
   if (database.IsReadOnly()) return NotWritable();
   database.SetCheckpointOnClose(true);
-  if (schema == SchemaState::kEmpty) DHPMAP_RETURN_IF_ERROR(database.Execute("PRAGMA page_size = 4096", kSetUpTask));
+  if (schema == SchemaState::kEmpty) {
+    DHPMAP_RETURN_IF_ERROR(database.Execute("PRAGMA page_size = 4096", kSetUpTask));
+    DHPMAP_RETURN_IF_ERROR(sqlite::AllowGivingBack(database));
+  }
   DHPMAP_RETURN_IF_ERROR(SwitchToLog(database));
   DHPMAP_RETURN_IF_ERROR(database.Execute(kEveryConnection, kSetUpTask));
   DHPMAP_RETURN_IF_ERROR(database.Execute(kWriterConnection, kSetUpTask));
   if (schema != SchemaState::kCurrent) DHPMAP_RETURN_IF_ERROR(MigrateSchema(database));
+  return database;
+}
+
+Result<Database> OpenForLog(const std::string& path) {
+  constexpr int kBusyTimeout_ms = 0;
+  DHPMAP_ASSIGN_OR_RETURN(Database database, Database::Open(path, OpenMode::kReadWrite, kBusyTimeout_ms));
+  database.SetCheckpointOnClose(false);
+  DHPMAP_RETURN_IF_ERROR(database.Execute(kEveryConnection, kSetUpTask));
+  DHPMAP_RETURN_IF_ERROR(database.Execute("PRAGMA synchronous = NORMAL", kSetUpTask));
   return database;
 }
 

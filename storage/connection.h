@@ -14,6 +14,9 @@ namespace dhpmap {
 /// Opens the connection that writes, creating or migrating the database. Errors as OpenSqliteStore.
 Result<sqlite::Database> OpenWriter(const std::string& path, int busy_timeout_ms);
 
+/// A connection to the database of a writer, to copy its log into the file. It never waits for others.
+Result<sqlite::Database> OpenForLog(const std::string& path);
+
 /// Connections that only read, each in use by one thread at a time, opened as they are needed. Thread-safe.
 class ReaderPool {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
@@ -15,6 +16,8 @@
 #include "storage/rows/submap_rows.h"
 #include "storage/snapshot_reader.h"
 #include "storage/snapshot_writer.h"
+#include "storage/space_reclaimer.h"
+#include "storage/sqlite/free_pages.h"
 #include "storage/sqlite/transaction.h"
 #include "storage/store.h"
 
@@ -26,6 +29,9 @@ using sqlite::Transaction;
 
 /// Encoding and decoding gain little beyond that: SQLite itself takes as long on one.
 constexpr int kMaxThreads = 2;
+
+/// Free pages that stay in the file for what is stored next: 4 MB.
+constexpr std::int64_t kNumSparePages = 1024;
 
 int NumThreads() { return std::min(kMaxThreads, std::max(1, static_cast<int>(std::thread::hardware_concurrency()))); }
 
@@ -127,6 +133,23 @@ class SqliteStore final : public MapStore {
     return MakeBackup(*lease, path_, stop);
   }
 
+  /// For a store that has just been opened, before all else: what is deleted from now on gives its space back.
+  Status GiveSpaceBack() {
+    const MutexLock lock(writer_mutex_);
+    DHPMAP_ASSIGN_OR_RETURN(const bool is_allowed, sqlite::AllowsGivingBack(writer_->database));
+    if (!is_allowed) return Status::Ok();
+    DHPMAP_ASSIGN_OR_RETURN(Database log, OpenForLog(path_));
+    const auto write = [this](const std::function<Status(Database&)>& body) {
+      return Write(Durability::kNormal, [&](Writer& writer) { return body(writer.database); });
+    };
+    const auto hold = [this](const std::function<Status()>& body) {
+      const MutexLock held(writer_mutex_);
+      return body();
+    };
+    reclaimer_ = std::make_unique<SpaceReclaimer>(SpaceReclaimer::Writer{write, hold}, std::move(log), kNumSparePages);
+    return Status::Ok();
+  }
+
   /// For a store that has just been opened: see Reserve and Backup.
   Status GoOn() {
     return Write(Durability::kFull, [](Writer& writer) -> Status {
@@ -154,7 +177,11 @@ class SqliteStore final : public MapStore {
     DHPMAP_RETURN_IF_ERROR(SetDurability(*writer_, durability));
     DHPMAP_ASSIGN_OR_RETURN(Transaction transaction, Transaction::BeginWrite(writer_->database));
     DHPMAP_RETURN_IF_ERROR(body(*writer_));
-    return transaction.Commit();
+    DHPMAP_RETURN_IF_ERROR(transaction.Commit());
+    if (reclaimer_ == nullptr) return Status::Ok();
+    const Result<std::int64_t> num_free_pages = sqlite::NumFreePages(writer_->database);
+    if (num_free_pages.ok()) reclaimer_->Notice(*num_free_pages);
+    return Status::Ok();
   }
 
   /// In WAL mode, synchronous = FULL syncs the log at each commit, and with it all commits before.
@@ -170,6 +197,7 @@ class SqliteStore final : public MapStore {
   Mutex writer_mutex_;
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
+  std::unique_ptr<SpaceReclaimer> reclaimer_;  // last, as it uses all others; null: the file keeps its free space
 };
 
 }  // namespace
@@ -185,6 +213,7 @@ Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const
   RemoveUnfinishedBackups(path);
   auto writer = std::make_unique<Writer>(std::move(lock), std::move(database));
   auto store = std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, timeout_ms);
+  DHPMAP_RETURN_IF_ERROR(store->GiveSpaceBack());
   DHPMAP_RETURN_IF_ERROR(store->GoOn());
   return std::unique_ptr<MapStore>(std::move(store));
 }

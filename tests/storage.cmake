@@ -13,3 +13,7 @@ set_target_properties(dhpmap_storage_bench PROPERTIES EXCLUDE_FROM_ALL ON RUNTIM
 # What a database holds, as text: for tests/unit/storage/released.
 dhpmap_program(NAME dhpmap_map_text SOURCES unit/storage/map_text_main.cc LIBS dhpmap_test_map_text)
 set_target_properties(dhpmap_map_text PROPERTIES EXCLUDE_FROM_ALL ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+
+# Sizes of the file around a deletion, and how long commits wait meanwhile; not a test.
+dhpmap_program(NAME dhpmap_space_bench SOURCES unit/storage/space_bench.cc LIBS dhpmap_storage dhpmap_test_scenes)
+set_target_properties(dhpmap_space_bench PROPERTIES EXCLUDE_FROM_ALL ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)

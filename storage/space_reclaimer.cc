@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/space_reclaimer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include "storage/sqlite/free_pages.h"
+
+namespace dhpmap {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+// SQLite looks for each page of the file's end in the list of free ones, so a page takes longer the more are free:
+// from 10 us with a hundred MB to 100 us with a GB.
+constexpr std::int64_t kMinPagesAStep = 8, kMaxPagesAStep = 512;
+constexpr milliseconds kShortStep{5}, kLongStep{15};
+constexpr milliseconds kRetry{1000};
+
+/// A page takes some three in the log: its new place, who refers to it, and who says so. Well below what would make a
+/// commit copy the log itself (see connection.cc).
+constexpr std::int64_t kMaxPagesInLog = 512;
+
+}  // namespace
+
+SpaceReclaimer::SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t num_spare_pages)
+    : writer_(std::move(writer)),
+      num_spare_pages_(num_spare_pages),
+      log_(std::move(log)),
+      num_pages_a_step_(kMinPagesAStep) {}
+
+SpaceReclaimer::~SpaceReclaimer() {
+  std::thread thread;
+  {
+    const MutexLock lock(mutex_);
+    is_stopping_ = true;
+    wake_.NotifyAll();
+    thread = std::move(thread_);
+  }
+  if (thread.joinable()) thread.join();
+}
+
+void SpaceReclaimer::Notice(std::int64_t num_free_pages) {
+  if (num_free_pages <= num_spare_pages_) return;
+  const MutexLock lock(mutex_);
+  has_work_ = true;
+  wake_.NotifyAll();
+  if (thread_.joinable() || is_stopping_) return;
+  try {
+    thread_ = std::thread([this] { Loop(); });
+  } catch (const std::system_error&) {
+    return;  // the next commit tries again
+  }
+}
+
+void SpaceReclaimer::Loop() {
+  MutexLock lock(mutex_);
+  for (;;) {
+    wake_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return has_work_ || is_stopping_; });
+    has_work_ = false;
+    for (Progress progress = Progress::kMore; progress != Progress::kDone;) {
+      if (is_stopping_) return;
+      lock.Unlock();
+      const Clock::time_point begin = Clock::now();
+      progress = Step();
+      // As long as it took, so that those who waited for the writer get it, and the disk is theirs half of the time.
+      const Clock::duration pause = progress == Progress::kBlocked ? kRetry : Clock::now() - begin;
+      lock.Lock();
+      wake_.WaitFor(mutex_, pause, [this]() DHPMAP_REQUIRES(mutex_) { return is_stopping_; });
+    }
+  }
+}
+
+SpaceReclaimer::Progress SpaceReclaimer::Step() {
+  if (num_pages_in_log_ >= kMaxPagesInLog) return EmptyLog(Progress::kMore);
+  std::int64_t num_pages = 0;
+  Clock::time_point begin;
+  const Status given_back = writer_.write([&](sqlite::Database& database) -> Status {
+    begin = Clock::now();
+    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_free, sqlite::NumFreePages(database));
+    num_pages = std::clamp<std::int64_t>(num_free - num_spare_pages_, 0, num_pages_a_step_);
+    return num_pages == 0 ? Status::Ok() : sqlite::GiveBackPages(database, num_pages);
+  });
+  if (!given_back.ok()) return EmptyLog(Progress::kBlocked);  // on a full disk, what the log takes is missing
+  if (num_pages == 0) return num_pages_in_log_ == 0 ? Progress::kDone : EmptyLog(Progress::kDone);
+  num_pages_in_log_ += num_pages;
+  const Clock::duration took = Clock::now() - begin;
+  if (took > kLongStep) num_pages_a_step_ = std::max(kMinPagesAStep, num_pages_a_step_ / 2);
+  if (took < kShortStep) num_pages_a_step_ = std::min(kMaxPagesAStep, num_pages_a_step_ * 2);
+  return Progress::kMore;
+}
+
+SpaceReclaimer::Progress SpaceReclaimer::EmptyLog(Progress then) {
+  Result<sqlite::LogState> state = sqlite::CopyLog(log_);
+  if (!state.ok() || *state == sqlite::LogState::kInUse) return Progress::kBlocked;
+  const Status cut = writer_.hold([&]() -> Status {
+    state = sqlite::CutLog(log_);
+    return state.status();
+  });
+  if (!cut.ok() || *state == sqlite::LogState::kInUse) return Progress::kBlocked;
+  num_pages_in_log_ = 0;
+  return then;
+}
+
+}  // namespace dhpmap

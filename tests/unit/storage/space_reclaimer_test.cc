@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/space_reclaimer.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "storage/backup.h"
+#include "storage/connection.h"
+#include "storage/sqlite/free_pages.h"
+#include "storage/sqlite/transaction.h"
+#include "tests/support/places.h"
+#include "tests/unit/storage/disk_fault.h"
+#include "tests/unit/storage/sqlite_fixture.h"
+
+namespace dhpmap {
+namespace {
+
+namespace fs = std::filesystem;
+using sqlite::Database;
+using sqlite::Transaction;
+using testing::DiskFault;
+using testing::SqliteStoreTest;
+using Progress = SpaceReclaimer::Progress;
+
+constexpr std::int64_t kPageBytes = 4096;
+
+/// A reclaimer that keeps nothing spare, stepped by hand on a connection of its own.
+class SteppedReclaimer {
+ public:
+  explicit SteppedReclaimer(const std::string& path)
+      : writer_(OpenWriter(path, 50).value()),
+        reclaimer_({.write = [this](const auto& body) { return Write(body); },
+                    .hold = [](const auto& body) { return body(); }},
+                   OpenForLog(path).value(), 0) {}
+
+  Progress Step() { return reclaimer_.Step(); }
+  /// Steps until there is nothing more to do, or no way to do it.
+  Progress Run() {
+    Progress progress = Progress::kMore;
+    while (progress == Progress::kMore) progress = Step();
+    return progress;
+  }
+
+ private:
+  Status Write(const std::function<Status(Database&)>& body) {
+    DHPMAP_ASSIGN_OR_RETURN(Transaction transaction, Transaction::BeginWrite(writer_));
+    DHPMAP_RETURN_IF_ERROR(body(writer_));
+    return transaction.Commit();
+  }
+
+  Database writer_;
+  SpaceReclaimer reclaimer_;
+};
+
+class SpaceReclaimerTest : public SqliteStoreTest {
+ protected:
+  /// Copies of one object, some 30 KB each.
+  std::unique_ptr<Map> CreateMap(const std::string& name, int num_objects) {
+    auto map = std::make_unique<Map>(generator_.Info(name));
+    const SubmapId id = generator_.AddSubmap(*map, 30).id();
+    for (int n = 1; n < num_objects; ++n) map->Clone(id);
+    const Status created = store_->CreateMap(*map->Publish(11));
+    EXPECT_TRUE(created.ok()) << created.ToString();
+    return map;
+  }
+  void Delete(const std::string& name) {
+    const Status deleted = store_->DeleteMap(name);
+    ASSERT_TRUE(deleted.ok()) << deleted.ToString();
+  }
+  [[nodiscard]] std::int64_t FileBytes() const { return static_cast<std::int64_t>(fs::file_size(Path())); }
+  [[nodiscard]] std::int64_t LogBytes() const {
+    std::error_code none;
+    const auto bytes = fs::file_size(Path() + "-wal", none);
+    return none ? 0 : static_cast<std::int64_t>(bytes);
+  }
+  void ExpectSound() {
+    EXPECT_EQ(Query("SELECT count(*) FROM pragma_integrity_check WHERE integrity_check = 'ok'"), 1);
+    EXPECT_EQ(Query("SELECT count(*) FROM pragma_foreign_key_check"), 0);
+  }
+  /// Without the store, which is opened again by who needs it.
+  Progress Reclaim() {
+    store_ = nullptr;
+    return SteppedReclaimer(Path()).Run();
+  }
+};
+
+TEST_F(SpaceReclaimerTest, AfterADeletionTheFileIsAsIfTheMapHadNeverBeen) {
+  Open();
+  const auto kept = CreateMap("kept", 3);
+  store_ = nullptr;
+  const std::int64_t bytes_before = FileBytes();
+  Open();
+  CreateMap("house", 20);
+  Delete("house");
+  store_ = nullptr;
+  ASSERT_GT(FileBytes(), bytes_before + 400'000) << "what was deleted is still in the file";
+  EXPECT_EQ(Reclaim(), Progress::kDone);
+  EXPECT_LE(FileBytes(), bytes_before + 2 * kPageBytes);
+  ExpectSound();
+  Open();
+  ExpectStored(*kept->published());
+}
+
+TEST_F(SpaceReclaimerTest, TheOrderOfDeletionsDoesNotMatter) {
+  std::vector<std::string> names{"attic", "barn", "cellar"};
+  std::vector<std::int64_t> sizes;
+  do {
+    fs::remove(Path());
+    generator_ = testing::MapGenerator(9);
+    Open();
+    std::vector<std::unique_ptr<Map>> kept;
+    for (const char* name : {"attic", "first", "barn", "second", "cellar", "third"}) {
+      const bool is_kept = std::find(names.begin(), names.end(), name) == names.end();
+      auto map = CreateMap(name, is_kept ? 1 : 3);
+      if (is_kept) kept.push_back(std::move(map));
+    }
+    for (const std::string& name : names) {
+      Delete(name);
+      EXPECT_EQ(Reclaim(), Progress::kDone);
+      Open();
+    }
+    for (const auto& map : kept) ExpectStored(*map->published());
+    store_ = nullptr;
+    ExpectSound();
+    EXPECT_EQ(Query("PRAGMA freelist_count"), 0);
+    sizes.push_back(FileBytes());
+  } while (std::next_permutation(names.begin(), names.end()) && !HasFailure());
+  ASSERT_EQ(sizes.size(), 6u);
+  const auto [smallest, largest] = std::minmax_element(sizes.begin(), sizes.end());
+  EXPECT_LE(*largest - *smallest, 4 * kPageBytes);
+}
+
+TEST_F(SpaceReclaimerTest, RemovedSubmapsGiveTheirSpaceBackToo) {
+  Open();
+  const auto map = CreateMap("house", 20);
+  const auto before = map->published();
+  while (map->submaps().size() > 3) map->Remove(map->submaps().back()->id());
+  ASSERT_TRUE(store_->Commit(*before, *map->Publish(12), Durability::kNormal).ok());
+  store_ = nullptr;
+  const std::int64_t bytes_before = FileBytes();
+  EXPECT_EQ(Reclaim(), Progress::kDone);
+  EXPECT_LT(FileBytes(), bytes_before / 4);
+  ExpectSound();
+  Open();
+  ExpectStored(*map->published());
+}
+
+TEST_F(SpaceReclaimerTest, AReaderKeepsItsStateAndTheFileIsCutWhenItHasGone) {
+  Open();
+  CreateMap("house", 20);
+  store_ = nullptr;
+  const std::int64_t bytes_before = FileBytes();
+  auto reader = Database::Open(Path(), sqlite::OpenMode::kReadOnly, 0);
+  ASSERT_TRUE(reader.ok());
+  SteppedReclaimer reclaimer(Path());  // keeps the log, so that the reader can be the last to leave
+  {
+    auto reading = Transaction::BeginRead(*reader);
+    ASSERT_TRUE(reading.ok());
+    const std::int64_t num_blocks = reader->QueryInt("SELECT count(*) FROM tsdf_blocks", "look").value();
+    ASSERT_GT(num_blocks, 300);
+    Tamper("PRAGMA foreign_keys = ON; DELETE FROM maps");
+    EXPECT_EQ(reclaimer.Run(), Progress::kBlocked);
+    EXPECT_EQ(FileBytes(), bytes_before);
+    EXPECT_EQ(reader->QueryInt("SELECT count(*) FROM tsdf_blocks", "look").value(), num_blocks);
+    EXPECT_EQ(
+        reader->QueryInt("SELECT count(*) FROM pragma_integrity_check WHERE integrity_check = 'ok'", "look").value(),
+        1);
+  }
+  EXPECT_EQ(reclaimer.Run(), Progress::kDone);
+  EXPECT_LT(FileBytes(), bytes_before / 4);
+  EXPECT_EQ(LogBytes(), 0);
+  EXPECT_EQ(reader->QueryInt("SELECT count(*) FROM tsdf_blocks", "look").value(), 0);
+}
+
+/// A file with much to give back and a map that stays, to be copied for each fault.
+class BrokenReclaimTest : public SpaceReclaimerTest {
+ protected:
+  void SetUp() override {
+    Open();
+    CreateMap("house", 6);
+    kept_ = CreateMap("kept", 1);
+    Delete("house");
+    store_ = nullptr;
+    fs::copy_file(Path(), Template());
+    ASSERT_EQ(Reclaim(), Progress::kDone);
+    bytes_at_end_ = FileBytes();
+    ASSERT_LT(bytes_at_end_ + 150'000, static_cast<std::int64_t>(fs::file_size(Template())));
+  }
+  [[nodiscard]] fs::path Template() const { return folder_.path() / "template.db"; }
+  void Restart() { fs::copy_file(Template(), Path(), fs::copy_options::overwrite_existing); }
+
+  void ExpectIntactAndReclaimable() {
+    EXPECT_EQ(Reclaim(), Progress::kDone);
+    EXPECT_EQ(FileBytes(), bytes_at_end_);
+    ExpectSound();
+    Open();
+    ExpectStored(*kept_->published());
+    store_ = nullptr;
+  }
+
+  std::unique_ptr<Map> kept_;
+  std::int64_t bytes_at_end_ = 0;
+};
+
+/// The first calls one by one, later ones in growing strides.
+int Next(int nth) { return nth + 1 + nth / 2; }
+
+TEST_F(BrokenReclaimTest, KilledAtAnyWriteNothingIsLostAndTheNextStartGoesOn) {
+  int num_killed = 0;
+  for (int nth = 1; nth < 5000; nth = Next(nth)) {
+    SCOPED_TRACE("call " + std::to_string(nth));
+    Restart();
+    const pid_t child = fork();
+    if (child == 0) {
+      SteppedReclaimer reclaimer(Path());
+      const DiskFault fault(DiskFault::Kind::kKill, nth);
+      _exit(reclaimer.Run() == Progress::kDone ? 0 : 1);
+    }
+    int state = 0;
+    waitpid(child, &state, 0);
+    ExpectIntactAndReclaimable();
+    ASSERT_FALSE(HasFailure());
+    if (WIFEXITED(state)) {
+      ASSERT_EQ(WEXITSTATUS(state), 0);
+      break;  // it needs no more than nth calls
+    }
+    ++num_killed;
+  }
+  EXPECT_GT(num_killed, 6);
+}
+
+TEST_F(BrokenReclaimTest, AFailingDiskStopsItUntilItWorksAgain) {
+  for (const auto kind : {DiskFault::Kind::kFull, DiskFault::Kind::kBroken, DiskFault::Kind::kNoSync}) {
+    int num_blocked = 0;
+    for (int nth = 1; nth < 5000; nth = Next(nth)) {
+      SCOPED_TRACE("fault " + std::to_string(static_cast<int>(kind)) + ", call " + std::to_string(nth));
+      Restart();
+      {
+        SteppedReclaimer reclaimer(Path());
+        bool has_struck = false;
+        {
+          const DiskFault fault(kind, nth);
+          num_blocked += reclaimer.Run() == Progress::kBlocked;
+          has_struck = fault.has_struck();
+        }
+        if (!has_struck) break;
+        EXPECT_EQ(reclaimer.Run(), Progress::kDone) << "the disk mended";
+      }
+      ExpectIntactAndReclaimable();
+      ASSERT_FALSE(HasFailure());
+    }
+    EXPECT_GT(num_blocked, 0);
+  }
+}
+
+TEST_F(SpaceReclaimerTest, AFileOfBeforeKeepsItsSpaceAndItsBackupDoesNot) {
+  const fs::path released = testing::SourceDir() / "tests/unit/storage/released/schema-2.sqlite";
+  fs::copy_file(released, Path());
+  Open();
+  EXPECT_EQ(Query("PRAGMA auto_vacuum"), 0);
+  CreateMap("house", 20);
+  const std::string copy = (folder_.path() / "copy.db").string();
+  {
+    auto database = Database::Open(Path(), sqlite::OpenMode::kReadOnly, 1000);
+    ASSERT_TRUE(database.ok());
+    const Status written = WriteBackup(*database, copy, {});
+    ASSERT_TRUE(written.ok()) << written.ToString();
+  }
+  Delete("house");
+  store_ = nullptr;
+  const std::int64_t bytes_before = FileBytes();
+  ASSERT_GT(bytes_before, 400'000);
+  Open();
+  CreateMap("house", 20);
+  store_ = nullptr;
+  EXPECT_LE(FileBytes(), bytes_before + 10 * kPageBytes) << "free pages are used again";
+
+  fs::rename(copy, Path());
+  Open();
+  EXPECT_EQ(Query("PRAGMA auto_vacuum"), 2);
+  Delete("house");
+  EXPECT_EQ(Reclaim(), Progress::kDone);
+  EXPECT_LT(FileBytes(), bytes_before / 4);
+  ExpectSound();
+}
+
+/// The store's own thread.
+class ReclaimingStoreTest : public SpaceReclaimerTest {
+ protected:
+  /// Whether it becomes true before the test is taken for hung.
+  static bool Eventually(const std::function<bool()>& holds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!holds()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  /// 10 MB of a table that is none of ours.
+  void Fill() {
+    Tamper(
+        "CREATE TABLE filler (bytes BLOB); INSERT INTO filler WITH RECURSIVE count(n) AS "
+        "(VALUES (1) UNION ALL SELECT n + 1 FROM count WHERE n < 2500) SELECT zeroblob(4000) FROM count");
+  }
+  /// What is committed after the log was cut is in it again.
+  [[nodiscard]] bool IsCut() const { return FileBytes() < 6'000'000 && LogBytes() < 2'000'000; }
+};
+
+TEST_F(ReclaimingStoreTest, ADeletionCutsTheFileAndItsLogWhileOthersAreWritten) {
+  Open();
+  const auto kept = CreateMap("kept", 2);
+  CreateMap("house", 2);
+  Fill();
+  Tamper("DROP TABLE filler");  // seen with the next commit
+  ASSERT_GT(FileBytes(), 10'000'000);
+  ASSERT_GT(LogBytes(), 5'000'000);
+  Delete("house");
+  for (int n = 1; n <= 20; ++n) {
+    const auto before = kept->published();
+    generator_.AddBlocks(*kept->FindMutable(SubmapId(1)), 2);
+    ASSERT_TRUE(store_->Commit(*before, *kept->Publish(20 + n), Durability::kNormal).ok());
+    ASSERT_TRUE(store_->LoadMap("kept").ok());
+  }
+  EXPECT_TRUE(Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  EXPECT_GT(FileBytes(), 4'000'000) << "some stays for what is stored next";
+  ExpectStored(*kept->published());
+  ExpectSound();
+}
+
+TEST_F(ReclaimingStoreTest, GoesOnAfterARestart) {
+  Open();
+  Fill();
+  store_ = nullptr;
+  Tamper("DROP TABLE filler");
+  ASSERT_GT(FileBytes(), 10'000'000);
+  Open();
+  EXPECT_TRUE(Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+}
+
+}  // namespace
+}  // namespace dhpmap
