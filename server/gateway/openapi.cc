@@ -182,9 +182,11 @@ std::string OpenApiDocument(const HttpRuleRouter& router) {
   OpenApiSchemas schemas;
   json::Builder out;
   out.BeginObject().Member("openapi", "3.0.3");
-  out.RawMember("info",
-                R"({"title":"DHP Map Server","version":"v1","description":"Hierarchical panoptic maps: frames in, )"
-                R"(queries out. The same RPCs are served over gRPC; 64-bit numbers are strings in JSON."})");
+  out.RawMember(
+      "info",
+      R"({"title":"DHP Map Server","version":"v1","description":"Hierarchical panoptic maps: frames in, )"
+      R"(queries out. The same RPCs are served over gRPC; 64-bit numbers are strings in JSON.","license":{"name":"BSD-3-Clause"}})");
+  out.RawMember("servers", R"([{"url":"/"}])").RawMember("security", "[]");  // where it is; there is no authentication
   out.Key("paths").BeginObject();
   std::map<std::string, int> bindings;  // of each RPC, so that operation ids differ
   for (const auto& [path, operations] : paths) {

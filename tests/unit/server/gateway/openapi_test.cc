@@ -26,6 +26,8 @@ TEST_F(GatewayTest, OpenApiHasEveryOperationAndResolvesItsReferences) {
   ASSERT_EQ(answer.status, 200);
   const Struct document = AsJson(answer.body);
   EXPECT_EQ(At(document, "openapi").string_value(), "3.0.3");
+  EXPECT_EQ(At(document, "servers").list_value().values_size(), 1);
+  EXPECT_TRUE(At(document, "security").has_list_value()) << "no authentication, and not by omission";
   const Struct& paths = At(document, "paths").struct_value();
   const Struct& schemas = At(At(document, "components").struct_value(), "schemas").struct_value();
 

@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# Checks with programs of others what a server of the release build serves: the OpenAPI document by two validators, the
+# gRPC services by `buf curl`, which knows of them by reflection only. The last line reads `N passed, N failed`.
+# Node fetches these programs, into build/api: without it, or without a registry to fetch them from, nothing is checked.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+readonly packages=(@seriousme/openapi-schema-validator@2.11.0 @apidevtools/swagger-parser@12.1.0 @bufbuild/buf@1.75.0)
+readonly tools=$PWD/build/api/tools work=$PWD/build/api/run
+readonly bin=$tools/node_modules/.bin
+export BUF_CACHE_DIR=$PWD/build/api/cache NO_COLOR=1
+
+skip() {
+  echo "SKIPPED: $*: neither the OpenAPI document nor reflection was checked"
+  echo "0 passed, 0 failed"
+  exit 0
+}
+
+# A package that cannot be installed although the registry answers is a failure.
+fetch_tools() {
+  [ "$(cat "$tools/installed" 2>/dev/null)" != "${packages[*]}" ] || return 0
+  command -v npm >/dev/null || skip "there is no npm"
+  mkdir -p "$tools"
+  npm ping --fetch-timeout=10000 --fetch-retries=1 >"$tools/npm.log" 2>&1 || skip "the package registry does not answer"
+  npm install --ignore-scripts --no-audit --no-fund --prefix "$tools" "${packages[@]}" >>"$tools/npm.log" 2>&1 || {
+    cat "$tools/npm.log"
+    return 1
+  }
+  cat >"$tools/resolve.mjs" <<'CODE'
+import parser from '@apidevtools/swagger-parser';
+await parser.validate(process.argv[2]);
+CODE
+  echo "${packages[*]}" >"$tools/installed"
+}
+
+start_server() {
+  rm -rf "$work"
+  mkdir -p "$work"
+  build/release/bin/dhpmap-server --db "$work/maps.db" --grpc 127.0.0.1:0 --http 127.0.0.1:0 >"$work/server.log" 2>&1 &
+  server=$!
+  trap 'kill -TERM "$server" 2>/dev/null; wait "$server" 2>/dev/null || true' EXIT
+  for _ in $(seq 100); do
+    if grep -q 'REST on' "$work/server.log"; then
+      grpc=http://$(sed -nE 's/.*gRPC on ([^ ,]+), REST on .*/\1/p' "$work/server.log" | head -n 1)
+      rest=$(sed -nE 's/.*REST on ([^ ]+).*/\1/p' "$work/server.log" | head -n 1)
+      return
+    fi
+    kill -0 "$server" 2>/dev/null || break
+    sleep 0.1
+  done
+  cat "$work/server.log"
+  return 1
+}
+
+# call SERVICE/METHOD [JSON]: the answer, or the error as buf prints it.
+call() { "$bin/buf" curl --http2-prior-knowledge --protocol grpc --data "${2:-{\}}" "$grpc/$1" 2>&1; }
+list() { "$bin/buf" curl --http2-prior-knowledge --protocol grpc "--list-$1" "$grpc"; }
+
+is_schema_valid() { "$bin/validate-api" "$1" >"$work/validator.log" 2>&1; }
+is_resolvable() { node "$tools/resolve.mjs" "$1" >"$work/validator.log" 2>&1; }
+
+check_openapi() {
+  curl -sS --fail "$rest/openapi.json" -o "$work/openapi.json" || return 1
+  local validator
+  for validator in is_schema_valid is_resolvable; do
+    "$validator" "$work/openapi.json" || { cat "$work/validator.log"; return 1; }
+    sed 's/"responses":/"answers":/' "$work/openapi.json" >"$work/broken.json"
+    if "$validator" "$work/broken.json"; then
+      echo "$validator finds nothing wrong with a document without responses"
+      return 1
+    fi
+  done
+}
+
+# What is listed is what the .proto files say, and nothing is listed that they do not.
+check_reflection() {
+  local expected listed
+  expected=$(awk '$1 == "service" { service = $2 }
+    $1 == "rpc" { sub(/\(.*/, "", $2); print "dhpmap.v1." service "/" $2 }' proto/dhpmap/v1/*.proto | sort)
+  listed=$(list methods | grep '^dhpmap' | sort) || return 1
+  diff <(echo "$expected") <(echo "$listed") || return 1
+  list services | grep -qx grpc.health.v1.Health
+}
+
+check_calls() {
+  local answer
+  answer=$(call grpc.health.v1.Health/Check)
+  grep -q '"status": "SERVING"' <<<"$answer" || { echo "$answer"; return 1; }
+  answer=$(call dhpmap.v1.MapService/CreateMap '{"map_id": "flat", "display_name": "My flat"}')
+  grep -q '"displayName": "My flat"' <<<"$answer" || { echo "$answer"; return 1; }
+  answer=$(call dhpmap.v1.MapService/GetMap '{"name": "maps/flat"}')
+  grep -q '"displayName": "My flat"' <<<"$answer" || { echo "$answer"; return 1; }
+  answer=$(call dhpmap.v1.MapService/GetMap '{"name": "maps/nowhere"}') && return 1
+  grep -q '"code": "not_found"' <<<"$answer" || { echo "$answer"; return 1; }
+}
+
+passed=0
+failed=0
+check() {
+  echo "== api: $1"
+  if "check_$1"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "-- $1 failed"; fi
+}
+
+mkdir -p build
+if [ ! -x build/release/bin/dhpmap-server ]; then
+  echo "there is no release build: run deploy/test.sh first" >&2
+  exit 1
+fi
+if fetch_tools && start_server; then
+  check openapi
+  check reflection
+  check calls
+else
+  failed=1
+fi
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
