@@ -99,7 +99,7 @@ void CommitWorker::Loop() {
   while (true) {
     const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || HasWork(); };
     if (last_outcome_.ok() || deleted_) {
-      wake_.Wait(mutex_, is_ready);
+      if (!wake_.WaitFor(mutex_, LazyThread::kIdle, is_ready)) return thread_.Retire();
     } else if (!wake_.WaitFor(mutex_, retry, is_ready)) {
       CommitNewest();  // behind, and nobody asks: try again
       continue;

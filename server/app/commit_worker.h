@@ -83,7 +83,7 @@ class CommitWorker {
   bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool deleted_ DHPMAP_GUARDED_BY(mutex_) = false;
 
-  LazyThread thread_;  // started under the mutex, joined by Stop, after which nobody starts it
+  LazyThread thread_;  // started and retired under the mutex, joined by Stop, after which nobody starts it
 };
 
 }  // namespace dhpmap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <system_error>
 #include <thread>
@@ -9,27 +10,38 @@
 
 namespace dhpmap {
 
-/// A thread that begins when it is first needed: of a thousand maps that are only read, none has one.
-/// Thread-compatible.
+/// A thread that begins when it is needed, and may end when it has had nothing to do for a while: of a thousand maps
+/// that nobody writes to, none has one. Thread-compatible: its users hold a mutex.
 class LazyThread {
  public:
+  /// How long a loop waits for more work before it retires.
+  static constexpr std::chrono::milliseconds kIdle{500};
+
   /// RESOURCE_EXHAUSTED if the system gives no thread; the next call tries again.
   Status Start(std::function<void()> loop) {
-    if (thread_.joinable()) return Status::Ok();
+    if (is_running_) return Status::Ok();
+    Join();  // one that has retired: it does not wait for anything any more
     try {
       thread_ = std::thread(std::move(loop));
+      is_running_ = has_run_ = true;
     } catch (const std::system_error&) {
       return ResourceExhausted("the system has no thread for this map: try again later").WithReason("TOO_BUSY");
     }
     return Status::Ok();
   }
+  /// For the loop, as the last thing it does before it lets go of the mutex: the next Start begins another thread.
+  void Retire() { is_running_ = false; }
   /// Waits for its end, if it has begun.
   void Join() {
     if (thread_.joinable()) thread_.join();
+    is_running_ = false;
   }
+  /// Whether there has ever been one.
+  [[nodiscard]] bool has_run() const { return has_run_; }
 
  private:
   std::thread thread_;
+  bool is_running_ = false, has_run_ = false;
 };
 
 }  // namespace dhpmap

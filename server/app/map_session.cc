@@ -210,6 +210,8 @@ Status MapSession::Stop() {
     end_.request_stop();
     is_deleted = refusal_.code() == StatusCode::kNotFound;  // its name may be another map's by now
     if (refusal_.ok()) refusal_ = ShuttingDown();
+    // One that has retired comes back for what it does at the end; without a thread there is nothing new to store.
+    if (writer_.has_run()) (void)writer_.Start([this] { WriterLoop(); });
   }
   wake_.NotifyOne();
   writer_.Join();
@@ -244,8 +246,8 @@ void MapSession::WriterLoop() {
       wake_.WaitUntil(mutex_, std::min(publish_due_, commit_due_), is_ready);
     } else if (num_uncommitted_ > 0) {
       wake_.WaitUntil(mutex_, commit_due_, is_ready);
-    } else {
-      wake_.Wait(mutex_, is_ready);
+    } else if (!wake_.WaitFor(mutex_, LazyThread::kIdle, is_ready)) {
+      return writer_.Retire();
     }
     if (!stopping_ && !jobs_.empty()) RunOne();
     lock.Unlock();

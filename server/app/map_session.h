@@ -188,7 +188,7 @@ class MapSession {
   bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::stop_source end_;  ///< requested with stopping_, for work that asks now and then
 
-  LazyThread writer_;  // started under mutex_, joined under stop_mutex_
+  LazyThread writer_;  // started and retired under mutex_, joined under stop_mutex_
 };
 
 }  // namespace dhpmap

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <thread>
+
+#include "mapping/base/mutex.h"
 
 namespace dhpmap {
 namespace {
@@ -17,6 +20,32 @@ TEST(LazyThread, BeginsOnceAndNotBeforeItIsStarted) {
   EXPECT_TRUE(thread.Start([&] { ++num_runs; }).ok());
   thread.Join();
   EXPECT_EQ(num_runs, 1);
+}
+
+TEST(LazyThread, BeginsAnewAfterItHasRetired) {
+  Mutex mutex;
+  int num_runs = 0;
+  LazyThread thread;
+  EXPECT_FALSE(thread.has_run());
+  const auto start = [&] {
+    const MutexLock lock(mutex);
+    return thread.Start([&] {
+      const MutexLock inner(mutex);
+      ++num_runs;
+      thread.Retire();
+    });
+  };
+  for (int run = 1; run <= 100; ++run) {
+    EXPECT_TRUE(start().ok());
+    const auto has_run = [&] {
+      const MutexLock lock(mutex);
+      return num_runs == run;
+    };
+    while (!has_run()) std::this_thread::yield();
+  }
+  thread.Join();
+  EXPECT_TRUE(thread.has_run());
+  EXPECT_EQ(num_runs, 100);
 }
 
 }  // namespace
