@@ -84,6 +84,19 @@ TEST(RequestParser, TheSameRequestComesOutOfAnyPieces) {
   }
 }
 
+TEST(RequestParser, AChunkedBodyMayBeEmptyAndComeInAnyPieces) {
+  const std::string head = "PUT /a HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n";
+  for (const char* body : {"0\r\n\r\n", "0\r\nT: t\r\n\r\n", "00\r\n\r\n", "0;a=b\r\n\r\n"}) {
+    for (std::size_t piece = 1; piece <= head.size() + 9; ++piece) {
+      const Parsed parsed = ParsedIn(head + body + "next", piece);
+      EXPECT_EQ(parsed.body_outcome, ReadOutcome::kOk) << piece;
+      EXPECT_TRUE(parsed.has_ended) << piece;
+      EXPECT_EQ(parsed.body, "");
+      EXPECT_EQ(parsed.rest, "next") << piece;
+    }
+  }
+}
+
 TEST(RequestParser, WhatIsCutOffIsNeverAnError) {
   for (const std::string& whole : {kChunked, kSized}) {
     for (std::size_t length = 0; length < whole.size(); ++length) {
