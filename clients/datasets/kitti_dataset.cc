@@ -70,7 +70,7 @@ class KittiDataset : public Dataset {
     DHPMAP_ASSIGN_OR_RETURN(const std::size_t row, RowOf(index));
     frame.stamp_ns = sequence_.stamps_ns[row];
     frame.T_map_sensor = sequence_.calibration.WorldFromLidar(sequence_.poses[row]);
-    frame.lidar.emplace();
+    frame.lidar = DatasetFrame::Lidar{};
     DHPMAP_RETURN_IF_ERROR(ReadScan(frame));
     if (sequence_.has_images) DHPMAP_RETURN_IF_ERROR(ReadCamera(frame));
     return frame;

@@ -31,19 +31,19 @@ DHPMAP_ALWAYS_INLINE const UnalignedFloat8& Vector8(const float* row, int v) {
 
 /// The greatest element in all elements.
 DHPMAP_ALWAYS_INLINE void SpreadMax(Float8& x) {
-  Float8 other = __builtin_shuffle(x, Int8{4, 5, 6, 7, 0, 1, 2, 3});
+  Float8 other = __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
   x = x > other ? x : other;
-  other = __builtin_shuffle(x, Int8{2, 3, 0, 1, 6, 7, 4, 5});
+  other = __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
   x = x > other ? x : other;
-  other = __builtin_shuffle(x, Int8{1, 0, 3, 2, 5, 4, 7, 6});
+  other = __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6);
   x = x > other ? x : other;
 }
 
 /// The sum of the elements in all elements.
 DHPMAP_ALWAYS_INLINE void SpreadSum(Float8& x) {
-  x += __builtin_shuffle(x, Int8{4, 5, 6, 7, 0, 1, 2, 3});
-  x += __builtin_shuffle(x, Int8{2, 3, 0, 1, 6, 7, 4, 5});
-  x += __builtin_shuffle(x, Int8{1, 0, 3, 2, 5, 4, 7, 6});
+  x += __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
+  x += __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
+  x += __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6);
 }
 
 /// x = exp(x) for x <= 0, -infinity included, to 2 units in the last place; 0 below -87.
