@@ -58,6 +58,7 @@ Result<StoredMap> Describe(Database& database, const std::string& name) {
   map.num_tsdf_blocks = columns.Int();
   map.num_label_blocks = columns.Int();
   map.blob_bytes = columns.Int();
+  DHPMAP_ASSIGN_OR_RETURN(map.lost_revisions, ReadLostRevisions(database, row.key));
   return map;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/base/result.h"
+#include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
 
 namespace dhpmap {
@@ -28,7 +29,8 @@ struct StoredMap {
   std::int64_t num_submaps = 0;
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
-  std::int64_t blob_bytes = 0;  ///< size of the encoded blocks
+  std::int64_t blob_bytes = 0;   ///< size of the encoded blocks
+  LostRevisions lost_revisions;  ///< see MapStore::Reserve
   /// From ListMaps: why the map cannot be read; then of all else only info.name is valid.
   Status damage;
 };
@@ -68,8 +70,8 @@ class MapStore {
 
   /// Keeps numbers that are shown before they are stored from ever meaning something else: stores, with a full sync,
   /// that those up to `marks` may be in use. Whoever opens the store after an end that did not lower them again goes on
-  /// above: the map then has a later revision and next id than were last committed. Commits raise the marks to what
-  /// they store.
+  /// above: the map then has a later revision and next id than were last committed, and the revisions between are among
+  /// its lost ones. Commits raise the marks to what they store.
   virtual Status Reserve(const std::string& name, const NumberMarks& marks) = 0;
 
   /// One state of all maps, as committed, while commits go on. Whoever opens it for writing gives its maps new

@@ -45,6 +45,7 @@ Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionO
   for (StoredMap& map : maps) {
     auto entry = std::make_shared<Entry>();
     entry->exists = true;
+    entry->lost_revisions = std::make_shared<const LostRevisions>(std::move(map.lost_revisions));
     entry->stored = {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = std::move(map.damage)};
     const std::string name = entry->stored.info.name;
     registry->entries_.emplace(name, std::move(entry));
@@ -101,6 +102,11 @@ std::vector<MapSummary> MapRegistry::List(const std::string& after, std::size_t 
     if (it->second->exists) summaries.push_back(Summarise(*it->second));
   }
   return summaries;
+}
+
+std::shared_ptr<const LostRevisions> MapRegistry::LostRevisionsOf(const std::string& name) const {
+  const auto entry = FindEntry(name);
+  return entry ? entry->lost_revisions : std::make_shared<const LostRevisions>();
 }
 
 Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::string& etag) {

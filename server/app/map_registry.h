@@ -44,6 +44,8 @@ class MapRegistry {
   /// Up to `max` of them, by name, from the first behind `after` on; damaged ones included.
   [[nodiscard]] std::vector<MapSummary> List(const std::string& after = "",
                                              std::size_t max = std::numeric_limits<std::size_t>::max()) const;
+  /// Revisions of before a crash whose states were never stored; none of a map that is not there. Not null.
+  [[nodiscard]] std::shared_ptr<const LostRevisions> LostRevisionsOf(const std::string& name) const;
   /// Returns the last revision. ABORTED for an etag that is not the present one, FAILED_PRECONDITION while frames are
   /// being streamed into the map. Blocks.
   Result<std::int64_t> Delete(const std::string& name, const std::string& etag = "");
@@ -72,6 +74,7 @@ class MapRegistry {
   /// A map that is there, or is just being made.
   struct Entry {
     Mutex busy;  ///< held while the map is made, loaded or deleted; taken before the registry's
+    std::shared_ptr<const LostRevisions> lost_revisions = std::make_shared<LostRevisions>();  ///< never changes
     bool exists DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;
     MapSummary stored DHPMAP_GUARDED_BY(&MapRegistry::mutex_);  ///< while there is no session
     std::shared_ptr<MapSession> session DHPMAP_GUARDED_BY(&MapRegistry::mutex_);

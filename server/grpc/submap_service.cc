@@ -37,8 +37,8 @@ class SubmapService final : public v1::SubmapService::CallbackService {
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
       const MapSnapshot& snapshot = view->snapshot();
       DHPMAP_ASSIGN_OR_RETURN(const SubmapFilter filter, FilterFromProto(*request, *snapshot.info().label_set));
-      DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, {.history_id = snapshot.info().history_id,
-                                                                   .revision = snapshot.revision()}));
+      const PageMark now{.history_id = snapshot.info().history_id, .revision = snapshot.revision()};
+      DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, now, *context_.registry.LostRevisionsOf(map)));
       DHPMAP_ASSIGN_OR_RETURN(const auto after, SubmapIdFromPage(pager));
       response->set_revision(snapshot.revision());
       for (const auto& submap : SelectSubmaps(snapshot, filter, after, pager.num_wanted())) {

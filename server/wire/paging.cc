@@ -48,7 +48,7 @@ Status HistoryLost() {
 }  // namespace
 
 Result<Pager> Pager::Begin(int page_size, const std::string& token, const google::protobuf::Message& bound,
-                           const PageMark& now) {
+                           const PageMark& now, const LostRevisions& lost) {
   if (page_size < 0) {
     Status bad = InvalidArgument("the page size is negative").WithReason("BAD_PAGE_SIZE");
     bad.AddViolation("page_size", "must be 0 (as many as fit) or more");
@@ -66,7 +66,9 @@ Result<Pager> Pager::Begin(int page_size, const std::string& token, const google
       fingerprint != pager.request_fingerprint_) {
     return BadToken();
   }
-  if (mark.history_id != now.history_id || mark.revision > now.revision) return HistoryLost();
+  if (mark.history_id != now.history_id || mark.revision > now.revision || IsLost(lost, mark.revision)) {
+    return HistoryLost();
+  }
   mark.after = text;
   return pager;
 }

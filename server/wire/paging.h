@@ -10,6 +10,7 @@
 
 #include "mapping/base/ids.h"
 #include "mapping/base/result.h"
+#include "mapping/map/lost_revisions.h"
 
 namespace dhpmap {
 
@@ -30,14 +31,14 @@ class Pager {
   static constexpr std::size_t kMaxBytes = 1 << 20;
 
   /// `request` has page_size and page_token; its token must come from a page of the same request. `now` is the present
-  /// state. INVALID_ARGUMENT for a negative size or another token; OUT_OF_RANGE, reason HISTORY_LOST, if the token is
-  /// of a state that the map no longer has in its past.
+  /// state, `lost` what it has not in its past. INVALID_ARGUMENT for a negative size or another token; OUT_OF_RANGE,
+  /// reason HISTORY_LOST, if the token is of a state that was lost, or of another history.
   template <typename Request>
-  static Result<Pager> Begin(const Request& request, const PageMark& now) {
+  static Result<Pager> Begin(const Request& request, const PageMark& now, const LostRevisions& lost = {}) {
     Request bound = request;
     bound.clear_page_size();
     bound.clear_page_token();
-    return Begin(request.page_size(), request.page_token(), bound, now);
+    return Begin(request.page_size(), request.page_token(), bound, now, lost);
   }
 
   /// Empty: from the beginning.
@@ -52,7 +53,7 @@ class Pager {
 
  private:
   static Result<Pager> Begin(int page_size, const std::string& token, const google::protobuf::Message& bound,
-                             const PageMark& now);
+                             const PageMark& now, const LostRevisions& lost);
 
   PageMark mark_;
   std::uint64_t request_fingerprint_ = 0;

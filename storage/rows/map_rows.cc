@@ -225,6 +225,22 @@ Status LeaveReservedNumbers(Database& database) {
   });
 }
 
+Result<LostRevisions> ReadLostRevisions(Database& database, std::int64_t map_key) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select,
+                          database.Prepare("SELECT first_revision, last_revision FROM lost_revisions WHERE map_key = ? "
+                                           "ORDER BY first_revision",
+                                           kReadTask));
+  select.Bind(map_key);
+  LostRevisions lost;
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
+    if (!has_row) return lost;
+    sqlite::Columns columns(select);
+    const std::int64_t first = columns.Int();
+    lost.push_back({.first = first, .last = columns.Int()});
+  }
+}
+
 Status MarkAsBackup(Database& database) {
   return database.Execute("INSERT INTO backups (time_ns) SELECT CAST(strftime('%s', 'now') AS INTEGER) * 1000000000",
                           kWriteTask);

@@ -71,6 +71,8 @@ Status SetMarks(sqlite::Database& database, const std::string& name, const Numbe
 /// Takes every map whose marks are above its numbers beyond them, and notes the revisions that are left out. Leaves
 /// damaged maps alone.
 Status LeaveReservedNumbers(sqlite::Database& database);
+/// What LeaveReservedNumbers has noted of a map.
+Result<LostRevisions> ReadLostRevisions(sqlite::Database& database, std::int64_t map_key);
 /// Says in the database that it is a backup.
 Status MarkAsBackup(sqlite::Database& database);
 /// If it is one: gives every map a history of its own, since others may go on from another copy of the same states, and

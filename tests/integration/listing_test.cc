@@ -2,9 +2,11 @@
 // Lists in pages, and edits of a map itself.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
 
 namespace dhpmap::testing {
@@ -103,6 +105,44 @@ TEST_F(ListingTest, ATokenOfAMapThatWasMadeAnewIsRefused) {
   Create("room");
   grpc::ClientContext context;
   EXPECT_EQ(server.submaps->ListSubmaps(&context, request, &response).error_code(), grpc::OUT_OF_RANGE);
+}
+
+TEST(ListingAfterACrash, ATokenOfAStateThatWasNotStoredIsRefused) {
+  const TempDir folder;
+  const std::string path = (folder.path() / "maps.db").string(), crashed = (folder.path() / "crashed.db").string();
+  const auto store = std::move(OpenSqliteStore(path)).value();
+  TestServer server(*store, {.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000});
+  v1::ListSubmapsRequest request;
+  request.set_parent("maps/room");
+  request.set_page_size(1);
+  // The token of the next page, as `from` answers it.
+  const auto list = [&request](TestServer& from, std::string& token) {
+    grpc::ClientContext context;
+    v1::ListSubmapsResponse page;
+    const grpc::Status status = from.submaps->ListSubmaps(&context, request, &page);
+    token = page.next_page_token();
+    return status;
+  };
+  grpc::ClientContext create;
+  v1::CreateMapResponse made;
+  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &made).ok());
+  ASSERT_TRUE(Feed(server, "room", 0, 2).status.ok());  // stored with the end of the stream
+  std::string stored, seen, next;
+  ASSERT_TRUE(list(server, stored).ok());
+  Feeder feeder(server, "room");
+  ASSERT_TRUE(feeder.Feed(2));
+  ASSERT_TRUE(list(server, seen).ok());
+  ASSERT_NE(seen, stored);
+  for (const char* part : {"", "-wal"}) std::filesystem::copy_file(path + part, crashed + part);  // it is killed here
+
+  const auto reopened = std::move(OpenSqliteStore(crashed)).value();
+  TestServer after(*reopened);
+  request.set_page_token(stored);
+  EXPECT_TRUE(list(after, next).ok());
+  request.set_page_token(seen);
+  const grpc::Status refused = list(after, next);
+  EXPECT_EQ(refused.error_code(), grpc::OUT_OF_RANGE);
+  EXPECT_EQ(ReasonOf(refused), "HISTORY_LOST");
 }
 
 TEST_F(ListingTest, AMapIsRenamedWhereItsEtagIsThePresentOne) {

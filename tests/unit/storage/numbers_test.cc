@@ -24,6 +24,8 @@ TEST_F(NumbersTest, AfterAnUncleanEndAMapGoesOnAboveItsMarksAndTheGapIsNoted) {
   EXPECT_EQ(stored->info.next_submap_id, SubmapId(70));
   EXPECT_EQ(Query("SELECT first_revision FROM lost_revisions"), 2);
   EXPECT_EQ(Query("SELECT last_revision FROM lost_revisions"), 500);
+  EXPECT_EQ(stored->lost_revisions, (LostRevisions{{2, 500}}));
+  EXPECT_EQ(store_->GetMap("other")->lost_revisions, LostRevisions());
   ExpectStored(*other->published());
 
   // It goes on from there, and opening it once more leaves it as it is.

@@ -25,7 +25,13 @@ MapInfo InfoOf(const std::string& name) {
 /// A store in memory that counts loads, refuses what it is told to, and can be made to take its time over one map.
 class MoodyStore final : public MapStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps() override { return inner_->ListMaps(); }
+  Result<std::vector<StoredMap>> ListMaps() override {
+    auto maps = inner_->ListMaps();
+    if (maps.ok()) {
+      for (StoredMap& map : *maps) map.lost_revisions = lost_revisions;
+    }
+    return maps;
+  }
   Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override {
     return refusal.ok() ? inner_->CreateMap(snapshot) : refusal;
@@ -46,6 +52,7 @@ class MoodyStore final : public MapStore {
   Status DeleteMap(const std::string& name) override { return refusal.ok() ? inner_->DeleteMap(name) : refusal; }
 
   Status refusal;
+  LostRevisions lost_revisions;
   std::atomic<int> num_loads = 0;
   std::promise<void> is_loading_slow, may_go_on;
 
@@ -91,6 +98,17 @@ TEST_F(MapRegistryTest, AMapThatCannotBeStoredIsNotThere) {
   EXPECT_TRUE(registry_->List().empty());
   store_.refusal = Status::Ok();
   EXPECT_TRUE(registry_->Create(InfoOf("room")).ok());
+}
+
+TEST_F(MapRegistryTest, RevisionsThatACrashHasLostAreThoseOfTheMapAndNotOfTheNextOfItsName) {
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  store_.lost_revisions = {{2, 500}, {701, 800}};
+  registry_ = Open();
+  EXPECT_EQ(*registry_->LostRevisionsOf("room"), store_.lost_revisions);
+  EXPECT_EQ(*registry_->LostRevisionsOf("hall"), LostRevisions());
+  ASSERT_TRUE(registry_->Delete("room").ok());
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  EXPECT_EQ(*registry_->LostRevisionsOf("room"), LostRevisions());
 }
 
 TEST_F(MapRegistryTest, MapsThatAreNotThereAreNotFound) {

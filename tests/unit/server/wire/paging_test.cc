@@ -91,6 +91,15 @@ TEST(Paging, ATokenOfALostStateSaysSo) {
   EXPECT_EQ(begin({.history_id = 1, .revision = 20}).code(), StatusCode::kOutOfRange);
 }
 
+TEST(Paging, ATokenOfAStateThatACrashHasLostIsRefusedHoweverFarTheMapHasGoneOn) {
+  const std::string token = Page(Request(2), 10).second;
+  const PageMark later{.history_id = kNow.history_id, .revision = 5000};
+  const auto begin = [&](const LostRevisions& lost) { return Pager::Begin(Request(2, token), later, lost).status(); };
+  EXPECT_TRUE(begin({{10, 19}, {21, 4000}}).ok());
+  EXPECT_EQ(begin({{10, 15}, {20, 20}, {4000, 4001}}).reason(), Reason("HISTORY_LOST"));
+  EXPECT_EQ(begin({{18, 1000}}).code(), StatusCode::kOutOfRange);
+}
+
 TEST(Paging, ANegativeSizeIsRefused) {
   const Status status = Pager::Begin(Request(-1), kNow).status();
   ASSERT_EQ(status.violations().size(), 1u);
