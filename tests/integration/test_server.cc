@@ -6,6 +6,8 @@
 #include <iostream>
 #include <thread>
 
+#include "tests/support/wire_frame.h"
+
 namespace dhpmap::testing {
 namespace {
 
@@ -26,12 +28,6 @@ GrpcOptions OnFreePort(GrpcOptions options) {
 SessionOptions WithOneThread(SessionOptions options) {
   options.num_threads = 1;
   return options;
-}
-
-template <typename Values>
-void SetRaw(const Values& values, v1::ImageEncoding encoding, v1::Image* image) {
-  image->set_encoding(encoding);
-  image->set_data(values.data(), values.size() * sizeof(values[0]));
 }
 
 }  // namespace
@@ -79,23 +75,8 @@ Scene TestScene() {
 v1::Frame TestFrame(int i) {
   const double angle = 0.25 * i;
   const Transform T_map_camera = LookAt({0.6 + 2.2 * std::cos(angle), 2.2 * std::sin(angle), 1.4}, {0.6, 0.1, 0.2});
-  const PanopticFrame rendered = Render(TestScene(), SmallCamera(), T_map_camera);
-  const DepthCameraData& data = *rendered.camera;
-  v1::Frame frame;
+  v1::Frame frame = ToWire(Render(TestScene(), SmallCamera(), T_map_camera));
   frame.set_stamp_ns(1'000'000'000LL + 100'000'000LL * i);
-  for (int row = 0; row < 4; ++row) {
-    for (int col = 0; col < 4; ++col) frame.add_map_from_sensor_matrix(T_map_camera.matrix()(row, col));
-  }
-  v1::PinholeCamera* camera = frame.mutable_depth_camera()->mutable_camera();
-  camera->set_width_px(data.camera.width_px);
-  camera->set_height_px(data.camera.height_px);
-  camera->set_fx_px(data.camera.fx_px);
-  camera->set_fy_px(data.camera.fy_px);
-  camera->set_cx_px(data.camera.cx_px);
-  camera->set_cy_px(data.camera.cy_px);
-  SetRaw(data.depth_m, v1::RAW_F32, frame.mutable_depth_camera()->mutable_depth());
-  SetRaw(data.color, v1::RAW_RGB8, frame.mutable_depth_camera()->mutable_color());
-  SetRaw(data.segments, v1::RAW_U32, frame.mutable_depth_camera()->mutable_segments());
   for (std::uint32_t id = 1; id <= 3; ++id) {
     v1::Segment* segment = frame.add_segments();
     segment->set_id(id);

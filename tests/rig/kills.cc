@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/rig/kills.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <iomanip>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "tests/e2e/server_process.h"
+#include "tests/rig/clients.h"
+
+namespace dhpmap::rig {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using testing::ServerProcess;
+
+constexpr std::size_t kManyComplaints = 20;
+constexpr double kEnd_s = 30;
+
+double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// A channel of its own: others to a server before on the same port are not shared.
+std::shared_ptr<grpc::Channel> Connect(const ServerProcess& server) {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  return grpc::CreateCustomChannel(server.grpc_address(), grpc::InsecureChannelCredentials(), arguments);
+}
+
+class KillingLoop {
+ public:
+  explicit KillingLoop(const KillOptions& options)
+      : options_(options), corridor_(options.num_places), random_(options.seed), fed_(options.num_fed_maps) {
+    for (int i = 0; i < options.num_fed_maps; ++i) {
+      clients_.push_back(std::make_unique<FeedingClient>(i, corridor_, random_(), ledger_));
+    }
+    for (int i = 0; i < options.num_editors; ++i) {
+      auto editor = std::make_unique<EditingClient>(i, random_(), ledger_);
+      small_maps_.push_back(editor->small_map());
+      clients_.push_back(std::move(editor));
+    }
+    for (int i = 0; i < options.num_readers; ++i) {
+      clients_.push_back(std::make_unique<ReadingClient>(random_(), ledger_));
+    }
+  }
+
+  KillReport Run(std::ostream& progress) {
+    while (report_.num_kills < options_.num_kills && LiveOnce()) {
+      Tell(progress);
+    }
+    if (ledger_.complaints().size() < kManyComplaints) EndWell();
+    report_.tally = ledger_.tally();
+    report_.complaints = ledger_.complaints();
+    return report_;
+  }
+
+ private:
+  void Tell(std::ostream& progress);
+  double Between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  bool Happens(double share) { return Between(0, 1) < share; }
+
+  std::unique_ptr<ServerProcess> Start();
+  bool LiveOnce();
+  void EndWell();
+  /// What is there after a start, before anybody changes it.
+  bool TakeStock(Connection& server);
+  bool TakeStockOf(FedMap& map, Connection& server);
+  bool TakeStockOfSmallMaps(Connection& server);
+  bool MakeMapsWhoseTimeHasCome(Life& life, Connection& server);
+  bool Make(FedMap& map, std::string name, Connection& server);
+  void WorkUntilKilled(Life& life, ServerProcess& server);
+
+  const KillOptions options_;
+  const Corridor corridor_;
+  std::mt19937_64 random_;
+  Ledger ledger_;
+  std::vector<std::unique_ptr<Client>> clients_;
+  std::vector<FedMap> fed_;
+  std::vector<std::string> small_maps_;
+  KillReport report_;
+  std::size_t num_told_ = 0;  // complaints
+};
+
+void KillingLoop::Tell(std::ostream& progress) {
+  const Complaints complaints = ledger_.complaints();
+  for (; num_told_ < complaints.size(); ++num_told_) {
+    progress << "after " << report_.num_kills << " kills: " << complaints[num_told_] << std::endl;
+  }
+  if (report_.num_kills % 20 == 0) {
+    progress << report_.num_kills << " kills, " << ledger_.tally().num_answers << " answers" << std::endl;
+  }
+}
+
+std::unique_ptr<ServerProcess> KillingLoop::Start() {
+  // How much is fused and not stored when the server dies differs from life to life.
+  const int commit_frames = std::array{3, 10, 50}[random_() % 3];
+  setenv("DHPMAP_STORE_COMMIT_FRAMES", std::to_string(commit_frames).c_str(), 1);
+  setenv("DHPMAP_STORE_COMMIT_S", Happens(0.5) ? "0.3" : "2", 1);
+  setenv("DHPMAP_MAPPING_PUBLISH_FRAMES", Happens(0.7) ? "1" : "5", 1);
+  const auto start = Clock::now();
+  auto server = std::make_unique<ServerProcess>(options_.directory, options_.directory / "maps.db");
+  if (report_.num_starts++ > 0) report_.start_s.push_back(SecondsSince(start));
+  if (server->is_serving()) return server;
+  ledger_.Complain("the server does not start: " + server->process().Stderr());
+  return nullptr;
+}
+
+bool KillingLoop::LiveOnce() {
+  const auto server = Start();
+  if (!server) return false;
+  Life life;
+  life.number = report_.num_kills;
+  life.channel = Connect(*server);
+  {
+    Connection connection(life, ledger_);
+    if (!TakeStock(connection) || !MakeMapsWhoseTimeHasCome(life, connection)) return false;
+  }
+  for (FedMap& map : fed_) map.is_edited = Happens(0.6);
+  life.maps = fed_;
+  WorkUntilKilled(life, *server);
+  return ledger_.complaints().size() < kManyComplaints;
+}
+
+void KillingLoop::WorkUntilKilled(Life& life, ServerProcess& server) {
+  std::vector<std::thread> threads;
+  for (const auto& client : clients_) threads.emplace_back([&client, &life] { client->Run(life); });
+  std::this_thread::sleep_for(std::chrono::duration<double>(Between(options_.min_life_s, options_.max_life_s)));
+  if (const auto exit_code = server.process().Wait(0)) {
+    ledger_.Complain("the server ended by itself with " + std::to_string(*exit_code) + ": " +
+                     server.process().Stderr());
+  }
+  life.is_ending = true;
+  server.process().Signal(SIGKILL);
+  server.process().Wait(kEnd_s);
+  for (std::thread& thread : threads) thread.join();
+  ++report_.num_kills;
+}
+
+bool KillingLoop::TakeStock(Connection& server) {
+  for (FedMap& map : fed_) {
+    if (!map.name.empty() && !TakeStockOf(map, server)) return false;
+  }
+  return TakeStockOfSmallMaps(server);
+}
+
+bool KillingLoop::TakeStockOf(FedMap& map, Connection& server) {
+  const Moment asked = ledger_.Now();
+  v1::Map summary;
+  v1::ListSubmapsResponse all;
+  if (server.GetMap(map.name, summary).fate != Fate::kAnswered || server.List(map.name, all).fate != Fate::kAnswered) {
+    ledger_.Complain("after a restart " + map.name + " cannot be read");
+    return false;
+  }
+  if (summary.history_id() != map.history) {
+    ledger_.Complain("a restart began another history of " + map.name);
+    return false;
+  }
+  ledger_.OnRestarted(summary, all, asked);
+  return true;
+}
+
+bool KillingLoop::TakeStockOfSmallMaps(Connection& server) {
+  const Moment asked = ledger_.Now();
+  std::map<std::int64_t, v1::Map> there;
+  for (std::size_t i = 0; i < small_maps_.size(); ++i) {
+    v1::Map map;
+    const Outcome outcome = server.GetMap(small_maps_[i], map);
+    if (outcome.fate == Fate::kCut) return false;
+    if (outcome.fate == Fate::kAnswered) there[static_cast<std::int64_t>(i)] = std::move(map);
+  }
+  ledger_.OnMapsRestarted(there, asked);
+  return true;
+}
+
+bool KillingLoop::MakeMapsWhoseTimeHasCome(Life& life, Connection& server) {
+  for (std::size_t i = 0; i < fed_.size(); ++i) {
+    const int age = life.number + static_cast<int>(i) * options_.lives_of_map / 2;  // not all in one life
+    if (!fed_[i].name.empty() && age % options_.lives_of_map != 0) continue;
+    const int generation = age / options_.lives_of_map;
+    if (!fed_[i].name.empty()) life.to_be_deleted.push_back(fed_[i].name);
+    if (!Make(fed_[i], "corridor-" + std::to_string(i) + "-" + std::to_string(generation % 2), server)) return false;
+  }
+  return true;
+}
+
+/// One of before that has the name, and was not deleted in its last life, goes first.
+bool KillingLoop::Make(FedMap& map, std::string name, Connection& server) {
+  v1::DeleteMapRequest old;
+  old.set_name("maps/" + name);
+  v1::DeleteMapResponse deleted;
+  const Outcome outcome = server.Ask("DeleteMap", {"MAP_NOT_FOUND"}, [&](grpc::ClientContext* context) {
+    return server.maps->DeleteMap(context, old, &deleted);
+  });
+  if (outcome.fate == Fate::kCut) return false;
+  const v1::CreateMapRequest request = CorridorMap(name, "a corridor");
+  v1::CreateMapResponse response;
+  const Moment asked = ledger_.Now();
+  const Outcome made = server.Ask("CreateMap", {}, [&](grpc::ClientContext* context) {
+    return server.maps->CreateMap(context, request, &response);
+  });
+  if (made.fate != Fate::kAnswered) return false;
+  ledger_.OnMap(response.map(), asked);
+  map = {.name = response.map().name(), .history = response.map().history_id()};
+  return true;
+}
+
+/// After the last kill: a clean end loses nothing either.
+void KillingLoop::EndWell() {
+  for (int i = 0; i < 2; ++i) {
+    const auto server = Start();
+    if (!server) return;
+    Life life;
+    life.number = report_.num_kills + i;
+    life.channel = Connect(*server);
+    Connection connection(life, ledger_);
+    if (!TakeStock(connection)) return;
+    const auto exit_code = server->Terminate();
+    if (exit_code != 0) ledger_.Complain("SIGTERM did not end the server well: " + server->process().Stderr());
+  }
+}
+
+double Median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+KillReport RunKills(const KillOptions& options, std::ostream& progress) { return KillingLoop(options).Run(progress); }
+
+std::string ToText(const KillReport& report) {
+  const Tally& tally = report.tally;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3);
+  text << "kills                    " << report.num_kills << "\n"
+       << "starts on a database     " << report.start_s.size() << ", median " << Median(report.start_s) << " s, max "
+       << (report.start_s.empty() ? 0 : *std::max_element(report.start_s.begin(), report.start_s.end())) << " s\n"
+       << "answers held against     " << tally.num_answers << ", " << tally.num_listings << " of them whole maps\n"
+       << "names of states kept     " << tally.num_names << "\n"
+       << "edits made               " << tally.num_edits_made << "\n"
+       << "edits refused            " << tally.num_edits_refused << "\n"
+       << "edits cut off            " << tally.num_edits_cut << ", of which were made " << tally.num_cut_edits_made
+       << "\n"
+       << "edits with a stale etag  " << tally.num_stale_edits << "\n"
+       << "sequences told           " << tally.num_sequences_told << ", sessions resumed " << tally.num_resumed << "\n"
+       << "old page tokens asked    " << tally.num_lost_tokens_asked << " of lost states, "
+       << tally.num_good_tokens_asked << " of stored ones\n"
+       << "violations               " << report.complaints.size() << "\n";
+  for (const std::string& complaint : report.complaints) text << "  " << complaint << "\n";
+  return text.str();
+}
+
+}  // namespace dhpmap::rig
