@@ -22,7 +22,7 @@ fetch_tools() {
   command -v npm >/dev/null || skip "there is no npm"
   mkdir -p "$tools"
   npm ping --fetch-timeout=10000 --fetch-retries=1 >"$tools/npm.log" 2>&1 || skip "the package registry does not answer"
-  npm install --ignore-scripts --no-audit --no-fund --prefix "$tools" "${packages[@]}" >>"$tools/npm.log" 2>&1 || {
+  npm install --fetch-retries=5 --ignore-scripts --no-audit --no-fund --prefix "$tools" "${packages[@]}" >>"$tools/npm.log" 2>&1 || {
     cat "$tools/npm.log"
     return 1
   }
