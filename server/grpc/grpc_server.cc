@@ -68,6 +68,7 @@ struct GrpcServer::Impl {
       : options(grpc_options),
         observer(std::move(grpc_observer)),
         context{registry, lanes, options, observer},
+        streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams)),
         lanes{
             .quick = Lane({.num_threads = options.num_threads, .max_waiting = kMaxWaiting}),

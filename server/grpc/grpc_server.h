@@ -23,8 +23,8 @@ struct GrpcOptions {
   std::size_t max_message_bytes = 64u << 20;  ///< of a request
   int num_threads = 4;                        ///< for calls that are answered quickly
   int num_bulk_threads = 0;                   ///< for meshes, voxels, many points; 0 = one a core
-  /// For requests, frames and answers in memory; what goes beyond it is refused. As much again may be in gRPC's own
-  /// buffers. Never null.
+  /// For requests and answers in memory; what goes beyond it is refused. As much again is for frames, and for gRPC's
+  /// own buffers. Never null.
   std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
   double keepalive_s = 10;  ///< a peer is asked after so long a silence, and given up after twice that
   std::int64_t max_query_points = 1'000'000;  ///< in one QueryPoints

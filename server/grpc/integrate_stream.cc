@@ -108,7 +108,7 @@ void IntegrateStream::TakeRoomForRequest() {
 }
 
 IntegrateStream::Decoded IntegrateStream::Decode() {
-  auto share = std::make_shared<ByteShare>(context_.options.inflight.get());
+  auto share = std::make_shared<ByteShare>(&streams_.frame_bytes_);
   const bool has_room = !has_no_room_ && share->Resize(DecodedBytes(request_.frame()));
   Result<PanopticFrame> frame = !has_room              ? TooManyBytes()
                                 : request_.has_frame() ? FrameFromProto(request_.frame())

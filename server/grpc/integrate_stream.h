@@ -10,6 +10,7 @@
 #include <string>
 
 #include "dhpmap/v1/mapping_service.pb.h"
+#include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
 #include "server/app/map_session.h"
 #include "server/grpc/call_runner.h"
@@ -19,9 +20,13 @@ namespace dhpmap {
 
 class IntegrateStream;
 
-/// The streams of frames that are open, so that a shutdown can end them. Thread-safe.
+/// The streams of frames that are open, so that a shutdown can end them, and what their frames hold in memory.
+/// Thread-safe.
 class IntegrateStreams {
  public:
+  /// Frames have room of their own, so that no other call can take it from a robot: `max_frame_bytes` for all streams.
+  explicit IntegrateStreams(std::size_t max_frame_bytes) : frame_bytes_(max_frame_bytes) {}
+
   /// Ends every stream, and those that come later, with UNAVAILABLE: see IntegrateStream::Stop.
   void StopAll() DHPMAP_EXCLUDES(mutex_);
 
@@ -31,6 +36,7 @@ class IntegrateStreams {
   bool Add(IntegrateStream* stream) DHPMAP_EXCLUDES(mutex_);
   void Remove(IntegrateStream* stream) DHPMAP_EXCLUDES(mutex_);
 
+  ByteBudget frame_bytes_;
   Mutex mutex_;
   std::set<IntegrateStream*> streams_ DHPMAP_GUARDED_BY(mutex_);
   bool is_stopped_ DHPMAP_GUARDED_BY(mutex_) = false;
@@ -41,7 +47,7 @@ class IntegrateStreams {
 /// the client back. Frames are decoded on the lane for frames while the map's writer fuses those before them. Whose
 /// turn it is says StreamTurns. When the client has no more, everything is stored before the last answer: that is one
 /// for no frame in a session; else the last frame's, if the client had half-closed by the time it was fused. A frame
-/// for which there is no room in memory (GrpcOptions::inflight) is refused like any that cannot be fused. Owns itself:
+/// for which there is no room in memory is refused like any that cannot be fused. Owns itself:
 /// lives until gRPC is done with the call and no callback is left.
 class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFramesRequest, v1::IntegrateFramesResponse> {
  public:
@@ -74,7 +80,7 @@ class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFrames
         streams_(streams),
         messages_(messages),
         record_(context, "MappingService/IntegrateFrames"),
-        arrived_(context.options.inflight.get()),
+        arrived_(&streams.frame_bytes_),
         turns_(context.options.max_frames_in_flight) {}
 
   /// Accounts for the message just read; one that there is no room for loses its frame at once.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "server/wire/frame_conversion.h"
 #include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
 
@@ -93,24 +94,31 @@ TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
 }
 
 TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {
-  ByteShare others(budget_.get());
-  Feeder feeder(server_, "room");
-  const auto first = feeder.Feed(3);
-  ASSERT_TRUE(first);
-  EXPECT_EQ(first->outcome(), v1::FUSED);
-  ASSERT_TRUE(others.Resize(kLimit_bytes));
-  const auto second = feeder.Feed(4);
-  ASSERT_TRUE(second);
-  EXPECT_EQ(second->outcome(), v1::REFUSED);
-  EXPECT_EQ(second->error_code(), static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED));
-  EXPECT_EQ(second->error_reason(), "TOO_MANY_BYTES");
-  others.Release();
-  const auto third = feeder.Feed(5);
-  ASSERT_TRUE(third);
-  EXPECT_EQ(third->outcome(), v1::FUSED);
+  const std::unique_ptr<MapStore> store = MakeMemoryStore();
+  const std::size_t too_few_bytes = DecodedBytes(TestFrame(0));  // the message is there as well
+  TestServer server(*store, {}, {.inflight = std::make_shared<ByteBudget>(too_few_bytes)});
+  grpc::ClientContext create;
+  v1::CreateMapResponse created;
+  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+  Feeder feeder(server, "room");
+  for (int i = 0; i < 3; ++i) {
+    const auto answer = feeder.Feed(i);
+    ASSERT_TRUE(answer) << "the stream goes on";
+    EXPECT_EQ(answer->outcome(), v1::REFUSED);
+    EXPECT_EQ(answer->error_code(), static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED));
+    EXPECT_EQ(answer->error_reason(), "TOO_MANY_BYTES");
+  }
   feeder.HalfClose();
   EXPECT_TRUE(feeder.Finish().ok());
-  ExpectNothingKept();
+}
+
+TEST_F(InflightBytes, FramesHaveRoomWhateverOthersHold) {
+  ByteShare others(budget_.get());
+  ASSERT_TRUE(others.Resize(kLimit_bytes));
+  const FeedResult fed = Feed(server_, "room", 3, 20);
+  EXPECT_TRUE(fed.status.ok());
+  ASSERT_EQ(fed.acks.size(), 17u);
+  for (const auto& ack : fed.acks) EXPECT_EQ(ack.outcome(), v1::FUSED) << ack.error_message();
 }
 
 }  // namespace
