@@ -64,8 +64,8 @@ class MapBuilder {
   /// and the labels of voxels are dropped if the config says so. If it throws, for want of memory, the map is as
   /// before.
   RefinementReport Finish();
-  /// The same, but if `is_cancelled`, which is asked now and then, says true, the map stays as it is, and there is no
-  /// report.
+  /// The same, but if `is_cancelled`, which several threads ask now and then, says true, the map stays as it is, and
+  /// there is no report.
   std::optional<RefinementReport> Finish(const std::function<bool()>& is_cancelled);
 
   /// All refinements of this builder so far, summed; times are those of their own threads.

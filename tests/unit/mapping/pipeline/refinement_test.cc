@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <set>
 
 #include "mapping/pipeline/map_builder.h"
@@ -136,8 +137,8 @@ TEST(Refinement, AServerThatNeverWaitsEndsWithAnExclusiveMapToo) {
 TEST(Refinement, AFinishThatIsCancelledLeavesTheMapAsItWas) {
   MapBuilder builder(Info(0), 2), untouched(Info(0), 2);
   for (MapBuilder* each : {&builder, &untouched}) MapFrames(0, 8, *each);
-  int num_questions = 0;
-  for (int patience = 0;; ++patience) {  // it is cancelled at the first question, the second, ... and then not at all
+  std::atomic<int> num_questions = 0;                     // several threads ask
+  for (int patience = 0;; patience = 2 * patience + 1) {  // cancelled at the first question, later ones, not at all
     num_questions = 0;
     const auto is_cancelled = [&] { return num_questions++ >= patience; };
     MapBuilder copy(builder.map().Freeze(), 2);
