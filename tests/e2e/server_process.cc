@@ -3,6 +3,7 @@
 
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
+#include <grpcpp/support/channel_arguments.h>
 
 #include <chrono>
 #include <csignal>
@@ -37,7 +38,9 @@ ServerProcess::ServerProcess(const std::filesystem::path& log_dir, const std::fi
 }
 
 std::shared_ptr<grpc::Channel> ServerProcess::Connect() const {
-  return grpc::CreateChannel(grpc_address_, grpc::InsecureChannelCredentials());
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  return grpc::CreateCustomChannel(grpc_address_, grpc::InsecureChannelCredentials(), arguments);
 }
 
 std::optional<int> ServerProcess::Terminate() {

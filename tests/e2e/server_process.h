@@ -22,6 +22,7 @@ class ServerProcess {
   [[nodiscard]] const std::string& grpc_address() const { return grpc_address_; }
   /// "http://127.0.0.1:12345".
   [[nodiscard]] const std::string& http_url() const { return http_url_; }
+  /// A connection that no other channel shares, such as one to a server before on the same port.
   [[nodiscard]] std::shared_ptr<grpc::Channel> Connect() const;
   Process& process() { return process_; }
   /// SIGTERM; the exit code, or empty if it takes longer than the 10 s that it may.

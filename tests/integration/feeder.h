@@ -7,22 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
-
-/// The reason in a status of gRPC; empty if there is none.
-inline std::string ReasonOf(const grpc::Status& status) {
-  google::rpc::Status proto;
-  google::rpc::ErrorInfo info;
-  if (!proto.ParseFromString(status.error_details())) return {};
-  for (const auto& detail : proto.details()) {
-    if (detail.UnpackTo(&info)) return info.reason();
-  }
-  return {};
-}
 
 /// What the first message of a stream may say.
 struct Opening {

@@ -3,25 +3,9 @@
 
 #include <algorithm>
 
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::rig {
-namespace {
-
-/// What the server says why it refuses; empty if the error is not the server's, but the connection's.
-std::string ReasonOf(const grpc::Status& status) {
-  google::rpc::Status proto;
-  google::rpc::ErrorInfo info;
-  if (!proto.ParseFromString(status.error_details())) return {};
-  for (const auto& detail : proto.details()) {
-    if (detail.UnpackTo(&info)) return info.reason();
-  }
-  return {};
-}
-
-}  // namespace
-
 Connection::Connection(const Life& life, Ledger& ledger)
     : maps(v1::MapService::NewStub(life.channel)),
       mapping(v1::MappingService::NewStub(life.channel)),
@@ -32,7 +16,7 @@ Connection::Connection(const Life& life, Ledger& ledger)
 Outcome Connection::Judge(const char* what, std::initializer_list<std::string_view> expected,
                           const grpc::Status& status) {
   if (status.ok()) return {.fate = Fate::kAnswered};
-  const std::string reason = ReasonOf(status);
+  const std::string reason = testing::ReasonOf(status);
   const std::string in_words = std::string(what) + " in life " + std::to_string(life_.number) + ": " +
                                std::to_string(status.error_code()) + " " + reason + " " + status.error_message();
   if (reason.empty()) {

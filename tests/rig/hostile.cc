@@ -91,8 +91,7 @@ bool RunHostile(const HostileOptions& options) {
     std::printf("%s: %d threads, %d descriptors\n", load.name, peak.num_threads, peak.num_files);
     held &= Expect("resident memory, with " + std::to_string(static_cast<int>(maps_mib)) + " MiB of maps",
                    peak.resident_mib, maps_mib + kBudget_mib + kBeside_mib, "MiB");
-    const auto end = std::chrono::steady_clock::now() + kStay;
-    while (std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::this_thread::sleep_for(kStay);
     std::printf("        afterwards: %.0f MiB\n", UseOf(server.pid()).resident_mib);
   }
   held &= Expect("the server's exit code", server.process().Terminate().value_or(255), 0, "");

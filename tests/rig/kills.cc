@@ -25,13 +25,6 @@ constexpr double kEnd_s = 30;
 
 double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// A channel of its own: others to a server before on the same port are not shared.
-std::shared_ptr<grpc::Channel> Connect(const ServerProcess& server) {
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  return grpc::CreateCustomChannel(server.grpc_address(), grpc::InsecureChannelCredentials(), arguments);
-}
-
 class KillingLoop {
  public:
   explicit KillingLoop(const KillOptions& options)
@@ -115,7 +108,7 @@ bool KillingLoop::LiveOnce() {
   if (!server) return false;
   Life life;
   life.number = report_.num_kills;
-  life.channel = Connect(*server);
+  life.channel = server->Connect();
   {
     Connection connection(life, ledger_);
     if (!TakeStock(connection) || !MakeMapsWhoseTimeHasCome(life, connection)) return false;
@@ -216,7 +209,7 @@ void KillingLoop::EndWell() {
     if (!server) return;
     Life life;
     life.number = report_.num_kills + i;
-    life.channel = Connect(*server);
+    life.channel = server->Connect();
     Connection connection(life, ledger_);
     if (!TakeStock(connection)) return;
     const auto exit_code = server->Terminate();
