@@ -79,7 +79,9 @@ check_reflection() {
     $1 == "rpc" { sub(/\(.*/, "", $2); print "dhpmap.v1." service "/" $2 }' proto/dhpmap/v1/*.proto | sort)
   listed=$(list methods | grep '^dhpmap' | sort) || return 1
   diff <(echo "$expected") <(echo "$listed") || return 1
-  list services | grep -qx grpc.health.v1.Health
+  # Not piped into `grep -q`, which stops reading at its first match: buf may then die of it.
+  listed=$(list services) || return 1
+  grep -qx grpc.health.v1.Health <<<"$listed" || { echo "$listed"; return 1; }
 }
 
 check_calls() {
