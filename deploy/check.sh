@@ -61,6 +61,9 @@ check_thread_safety() {
     xargs -r -P "$jobs" -I{} bash -c 'analyse {}'
 }
 
+# is_compiled FILE: by itself, or as a part of a unity source, whose command clang-tidy then guesses from its neighbours'.
+is_compiled() { grep -q "/$1\"" build/release/compile_commands.json || grep -rq "/$1\"" --include='unity_*.cxx' build/release/clients; }
+
 # The sources that changed: since a revision, or in the newest commits, newest first. A header stands for its source.
 changed_sources() {
   if [ -n "${1:-}" ]; then
@@ -69,7 +72,7 @@ changed_sources() {
     git diff --name-only --diff-filter=d HEAD -- '*.cc' '*.h'
     git log --first-parent -n 40 --format= --name-only --diff-filter=d -- '*.cc' '*.h'
   fi | sed 's|\.h$|.cc|' | awk '!seen[$0]++' | while read -r file; do
-    if [ -f "$file" ] && grep -q "/$file\"" build/release/compile_commands.json; then echo "$file"; fi
+    if [ -f "$file" ] && is_compiled "$file"; then echo "$file"; fi
   done
 }
 

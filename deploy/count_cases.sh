@@ -2,29 +2,39 @@
 # Counts the test cases of binaries that ctest ran whole, for deploy/test.sh. The last line reads `N passed, N failed`.
 #   deploy/count_cases.sh FOLDER LOG ROOM...   binaries in FOLDER, their reports in FOLDER/reports, what ctest said in LOG
 # What a binary lists is what counts: a case passes if the report says so, and fails if there is no word of it.
+# ROOM.1of2 and ROOM.2of2 are shards of one binary, each with a report of its own.
 set -euo pipefail
 readonly folder=$1 log=$2
 shift 2
 
-# of_report REPORT ATTRIBUTE: a number that GoogleTest gives for all cases together; without a report, 0.
-of_report() {
-  local value
-  value=$(sed -nE "s/^<testsuites .*\b$2=\"([0-9]+)\".*/\1/p" "$1" 2>/dev/null) || true
-  echo "${value:-0}"
+# of_reports ROOM ATTRIBUTE: a number that GoogleTest gives for all cases together, of all shards; without a report, 0.
+of_reports() {
+  local stem=$folder/reports/${1//\//_}_test sum=0 report value
+  for report in "$stem".xml "$stem".*of*.xml; do
+    value=$(sed -nE "s/^<testsuites .*\b$2=\"([0-9]+)\".*/\1/p" "$report" 2>/dev/null) || true
+    sum=$((sum + ${value:-0}))
+  done
+  echo "$sum"
 }
+
+# has_passed NAME: whether ctest says so.
+has_passed() { grep -qE "^ *[0-9]+/[0-9]+ Test +#[0-9]+: $1 \.+ +Passed " "$log"; }
 
 passed=0
 failed=0
-for room in "$@"; do
+for room in $(printf '%s\n' "$@" | sed -E 's/\.[0-9]+of[0-9]+$//' | awk '!seen[$0]++'); do
   binary=$folder/${room//\//_}_test
-  report=$folder/reports/${room//\//_}_test.xml
   if [ -x "$binary" ]; then
     listed=$("$binary" --gtest_list_tests 2>/dev/null | grep -c '^  ') || true
-    good=$(($(of_report "$report" tests) - $(of_report "$report" failures) - $(of_report "$report" errors) - $(of_report "$report" disabled)))
+    good=$(($(of_reports "$room" tests) - $(of_reports "$room" failures) - $(of_reports "$room" errors) - $(of_reports "$room" disabled)))
   else  # no GoogleTest: what ctest says counts
     listed=1 good=1
   fi
-  if ! grep -qE "^ *[0-9]+/[0-9]+ Test +#[0-9]+: $room \.+ +Passed " "$log" && [ "$good" -ge "$listed" ]; then
+  ended=passed
+  for name in "$@"; do
+    if [[ $name == "$room" || $name == "$room".*of* ]]; then has_passed "$name" || ended=failed; fi
+  done
+  if [ "$ended" = failed ] && [ "$good" -ge "$listed" ]; then
     good=$((listed - 1))  # all cases passed in a binary that failed: by a leak seen at its end, for example
   fi
   if [ "$listed" -lt 1 ] || [ "$good" -gt "$listed" ]; then

@@ -20,7 +20,7 @@ Result<Number> ParseWhole(std::string_view cell, const char* what) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    return InvalidArgument("'" + std::string(cell) + "' is not " + what);
+    return InvalidArgument(std::string("'").append(cell).append("' is not ").append(what));
   }
   return value;
 }
@@ -143,7 +143,8 @@ Result<std::int64_t> ParseSeconds(std::string_view cell) {
     return *ParseInteger(whole) * kNsPerSecond + *ParseInteger(decimals);
   }
   DHPMAP_ASSIGN_OR_RETURN(const double seconds, ParseNumber(text));  // signs and exponents
-  if (!(std::abs(seconds) < 9e9)) return InvalidArgument("'" + std::string(cell) + "' is not a time in seconds");
+  if (!(std::abs(seconds) < 9e9))
+    return InvalidArgument(std::string("'").append(cell).append("' is not a time in seconds"));
   return std::llround(seconds * kNsPerSecond);
 }
 

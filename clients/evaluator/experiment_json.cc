@@ -85,7 +85,7 @@ json ToJson(const Scores& s, const ClassMap& classes) {
              {"finish_s", s.times.finish_s}}},
            {"classes", ClassesOf(s, classes)}};
   json instance = json::object();
-  for (const PrecisionAt& at : s.precisions) instance["m" + IouKey(at.iou)] = at.mean;
+  for (const PrecisionAt& at : s.precisions) instance[std::string("m").append(IouKey(at.iou))] = at.mean;
   if (!s.precisions.empty()) out["instance"] = std::move(instance);
   return out;
 }

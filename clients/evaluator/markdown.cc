@@ -11,7 +11,7 @@ namespace {
 
 std::string Ids(const std::vector<std::uint32_t>& ids) {
   std::string text;
-  for (const std::uint32_t id : ids) text += (text.empty() ? "" : " ") + std::to_string(id);
+  for (const std::uint32_t id : ids) text.append(text.empty() ? "" : " ").append(std::to_string(id));
   return text.empty() ? "-" : text;
 }
 

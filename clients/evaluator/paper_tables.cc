@@ -150,7 +150,7 @@ std::string PaperText(const std::vector<Experiment>& experiments, const std::vec
         "Times\n"
         "are wall time; refinement while mapping runs on a thread of its own.\n";
     text += "\n### How it was measured\n";
-    for (const Experiment& experiment : experiments) text += "\n" + ProtocolText(experiment);
+    for (const Experiment& experiment : experiments) text.append("\n").append(ProtocolText(experiment));
   }
   return text;
 }

@@ -1,13 +1,17 @@
-# dhpmap_library(NAME room_name SOURCES ... PUBLIC ... PRIVATE ...): one static library a room, with our warnings.
-# dhpmap_program(NAME ... SOURCES ... LIBS ...): a program in bin/.
-# dhpmap_tests(ROOM path LIBS ... [ENVIRONMENT name=value] [COST seconds]): all tests/<path>/*_test.cc as one test binary.
+# dhpmap_library(NAME room_name SOURCES ... PUBLIC ... PRIVATE ... [STUBS]): one static library a room, with our warnings.
+# dhpmap_program(NAME ... SOURCES ... LIBS ... [STUBS]): a program in bin/.
+# dhpmap_tests(ROOM path LIBS ... [ENVIRONMENT name=value] [COST seconds [SHARDS n]] [STUBS]): all tests/<path>/*_test.cc as one test binary.
+# STUBS: most of its sources include messages or gRPC; they share those headers too.
 # ctest runs each case on its own, but under sanitizers, where each start takes a third of a second, a binary as a whole:
-# the costliest first. COST is what the whole takes in the release build, where that is seconds.
+# the costliest first. COST is what the whole takes in the release build, where that is seconds; SHARDS, in how many
+# processes it then runs, so that no core waits long for the last of them.
 
 find_program(DHPMAP_CCACHE ccache)
 if(DHPMAP_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${DHPMAP_CCACHE})
 endif()
+
+add_compile_options(-pthread)  # gRPC's users have it; with it everywhere, one precompiled header serves all
 
 # The same sums on every machine: fused multiply-add would round differently where it exists.
 add_compile_options(-ffp-contract=off)
@@ -28,31 +32,45 @@ elseif(DHPMAP_SANITIZE)
   message(FATAL_ERROR "DHPMAP_SANITIZE is '${DHPMAP_SANITIZE}', not address, thread or fuzzer")
 endif()
 
-# Under AddressSanitizer, which only CI builds whole, what most sources include is compiled once. The release build goes
-# without, so that each source is seen to include what it uses; so does ThreadSanitizer's, half of whose sources see
-# another __SANITIZE_THREAD__ (proto/) and could not share it.
-if(DHPMAP_SANITIZE STREQUAL "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+# What most sources include is compiled once and shared: half of a build from scratch went into reading Eigen, gRPC and gtest
+# again. That each source includes what it uses is seen by ThreadSanitizer's build and by check.sh, which go without.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT DHPMAP_SANITIZE STREQUAL "thread")
   set(DHPMAP_PRECOMPILE ON)
   if(DHPMAP_CCACHE)  # which asks for this beside precompiled headers
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${DHPMAP_CCACHE})
   endif()
 endif()
 
-# dhpmap_prelude(NAME LIBS ... HEADERS ...): headers for targets to share by target_precompile_headers(... REUSE_FROM NAME).
+# dhpmap_prelude(NAME LIBS ... [OPTIONS ...] HEADERS ...): headers for targets to share by dhpmap_use_prelude.
 function(dhpmap_prelude name)
-  cmake_parse_arguments(ARG "" "" "LIBS;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LIBS;OPTIONS;HEADERS" ${ARGN})
   if(NOT DHPMAP_PRECOMPILE)
     return()
   endif()
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${name}.cc CONTENT "")
   add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/${name}.cc)
   target_link_libraries(${name} PRIVATE ${ARG_LIBS})
+  target_compile_options(${name} PRIVATE ${ARG_OPTIONS})
   target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+endfunction()
+
+# dhpmap_use_prelude(TARGET KIND STUBS): dhpmap_KIND_prelude (KIND is sources or tests), or with STUBS the one that has those too.
+function(dhpmap_use_prelude target kind stubs)
+  if(NOT DHPMAP_PRECOMPILE)
+    return()
+  endif()
+  if(stubs)
+    set(kind ${kind}_stubs)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM dhpmap_${kind}_prelude)
 endfunction()
 
 set(dhpmap_prelude_headers <algorithm> <array> <atomic> <chrono> <cmath> <condition_variable> <cstdint> <cstring> <deque> <filesystem>
   <fstream> <functional> <map> <memory> <mutex> <numeric> <optional> <random> <set> <span> <sstream> <stop_token> <string>
   <string_view> <thread> <tuple> <unordered_map> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry>)
+
+# Of the tests' own sources; what they test stays as it is released.
+set(dhpmap_test_options $<$<CONFIG:Release>:-O1>)
 
 add_library(dhpmap_warnings INTERFACE)
 target_compile_options(dhpmap_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
@@ -63,23 +81,19 @@ if(DHPMAP_WERROR)  # off under sanitizers, whose instrumentation makes GCC see u
 endif()
 
 function(dhpmap_library)
-  cmake_parse_arguments(ARG "" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${ARG_NAME} STATIC ${ARG_SOURCES})
   target_include_directories(${ARG_NAME} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(${ARG_NAME} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:dhpmap_warnings>)
-  if(DHPMAP_PRECOMPILE)
-    target_precompile_headers(${ARG_NAME} REUSE_FROM dhpmap_sources_prelude)
-  endif()
+  dhpmap_use_prelude(${ARG_NAME} sources ${ARG_STUBS})
 endfunction()
 
 function(dhpmap_program)
-  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;LIBS" ${ARGN})
   add_executable(${ARG_NAME} ${ARG_SOURCES})
   target_include_directories(${ARG_NAME} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${ARG_NAME} PRIVATE ${ARG_LIBS} dhpmap_warnings)
-  if(DHPMAP_PRECOMPILE)
-    target_precompile_headers(${ARG_NAME} REUSE_FROM dhpmap_sources_prelude)
-  endif()
+  dhpmap_use_prelude(${ARG_NAME} sources ${ARG_STUBS})
 endfunction()
 
 # What the sanitizer runs build: every unit test, and the tests of rooms that start threads.
@@ -87,7 +101,7 @@ add_custom_target(dhpmap_unit_tests)
 add_custom_target(dhpmap_threaded_tests)
 
 function(dhpmap_tests)
-  cmake_parse_arguments(ARG "" "ROOM;COST" "LIBS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "ROOM;COST;SHARDS" "LIBS;ENVIRONMENT" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${ARG_ROOM}/*_test.cc)
   if(NOT sources)
     return()
@@ -97,9 +111,8 @@ function(dhpmap_tests)
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_LIBS} dhpmap_test_places GTest::gtest GTest::gtest_main dhpmap_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  if(DHPMAP_PRECOMPILE)
-    target_precompile_headers(${name} REUSE_FROM dhpmap_tests_prelude)
-  endif()
+  target_compile_options(${name} PRIVATE ${dhpmap_test_options})
+  dhpmap_use_prelude(${name} tests ${ARG_STUBS})
   string(REGEX MATCH "^[a-z0-9]+" label ${ARG_ROOM})
   if(label STREQUAL unit)
     add_dependencies(dhpmap_unit_tests ${name})
@@ -116,8 +129,19 @@ function(dhpmap_tests)
     if(ARG_COST)
       list(APPEND properties COST ${ARG_COST})
     endif()
-    add_test(NAME ${ARG_ROOM} COMMAND ${name} --gtest_output=xml:${CMAKE_BINARY_DIR}/tests/reports/${name}.xml)
-    set_tests_properties(${ARG_ROOM} PROPERTIES TIMEOUT 1200 ${properties})
+    if(NOT ARG_SHARDS)
+      set(ARG_SHARDS 1)
+    endif()
+    foreach(shard RANGE 1 ${ARG_SHARDS})
+      set(suffix)
+      if(ARG_SHARDS GREATER 1)
+        set(suffix .${shard}of${ARG_SHARDS})
+      endif()
+      math(EXPR index "${shard} - 1")
+      add_test(NAME ${ARG_ROOM}${suffix} COMMAND ${name} --gtest_output=xml:${CMAKE_BINARY_DIR}/tests/reports/${name}${suffix}.xml)
+      set_tests_properties(${ARG_ROOM}${suffix} PROPERTIES TIMEOUT 1200 ${properties})
+      set_property(TEST ${ARG_ROOM}${suffix} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=${ARG_SHARDS} GTEST_SHARD_INDEX=${index})
+    endforeach()
   else()
     gtest_discover_tests(${name} TEST_PREFIX "${ARG_ROOM}/" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 240 ${properties})
   endif()

@@ -64,7 +64,7 @@ Status ValidateMapName(const std::string& name) {
       !name.empty() && name.size() <= 63 && is_word(name[0]) &&
       std::all_of(name.begin(), name.end(), [&](char c) { return is_word(c) || c == '.' || c == '_' || c == '-'; });
   if (good) return Status::Ok();
-  return InvalidArgument("'" + name.substr(0, 80) + "' is not a map name")
+  return InvalidArgument(std::string("'").append(name, 0, 80).append("' is not a map name"))
       .WithReason("BAD_NAME")
       .WithViolation("map", "1 to 63 of a-z 0-9 . _ -, the first a letter or digit");
 }

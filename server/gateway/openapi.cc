@@ -30,8 +30,9 @@ class OperationWriter {
   void Write() {
     const auto& method = *route_.method;
     out_.BeginObject();
-    out_.Member("operationId",
-                method.service()->name() + "_" + method.name() + (binding_ > 1 ? "_" + std::to_string(binding_) : ""));
+    std::string operation = method.service()->name() + "_" + method.name();
+    if (binding_ > 1) operation.append("_").append(std::to_string(binding_));
+    out_.Member("operationId", operation);
     out_.Member("summary", method.full_name());
     out_.Key("tags").BeginArray().String(method.service()->name()).EndArray();
     WriteParameters();

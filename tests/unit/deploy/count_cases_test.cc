@@ -26,8 +26,8 @@ class CountCasesTest : public ::testing::Test {
     std::ofstream(binary) << "#!/bin/sh\n" << script << "\n";
     fs::permissions(binary, fs::perms::owner_all);
   }
-  void MakeReport(int tests, int failures, int disabled = 0) {
-    std::ofstream(folder_.path() / "reports" / "unit_a_test.xml")
+  void MakeReport(int tests, int failures, int disabled = 0, const std::string& shard = "") {
+    std::ofstream(folder_.path() / "reports" / ("unit_a_test" + shard + ".xml"))
         << R"(<?xml version="1.0" encoding="UTF-8"?>)"
         << "\n<testsuites tests=\"" << tests << "\" failures=\"" << failures << "\" disabled=\"" << disabled
         << "\" errors=\"0\" time=\"0.5\" name=\"AllTests\">\n"
@@ -105,6 +105,22 @@ TEST_F(CountCasesTest, AProgramThatIsNoTestBinaryIsOneCase) {
   EXPECT_EQ(Count(), "1 passed, 0 failed\n");
   MakeLog("***Not Run");
   EXPECT_EQ(Count(), "0 passed, 1 failed\n");
+}
+
+TEST_F(CountCasesTest, ShardsOfABinaryAreCountedTogether) {
+  MakeBinary();
+  MakeReport(2, 0, 0, ".1of2");
+  MakeReport(1, 0, 0, ".2of2");
+  const auto log = [this](const std::string& second) {
+    std::ofstream(Log()) << "1/2 Test  #1: unit/a.1of2 ..............   Passed    0.52 sec\n"
+                         << "2/2 Test  #2: unit/a.2of2 ..............   " << second << "    0.52 sec\n";
+  };
+  log("Passed");
+  EXPECT_EQ(Count("unit/a.1of2 unit/a.2of2"), "3 passed, 0 failed\n");
+  log("***Failed");
+  EXPECT_EQ(Count("unit/a.1of2 unit/a.2of2"), "2 passed, 1 failed\n");
+  std::filesystem::remove(folder_.path() / "reports" / "unit_a_test.2of2.xml");
+  EXPECT_EQ(Count("unit/a.1of2 unit/a.2of2"), "2 passed, 1 failed\n") << "a shard that said nothing";
 }
 
 TEST_F(CountCasesTest, AddsUpRooms) {
