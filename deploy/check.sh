@@ -13,11 +13,11 @@ readonly rooms=(mapping storage server clients tests)
 readonly max_tidy_files=24  # some 20 s of CPU time each
 jobs=$(nproc)
 
-# The compilation database, and the headers that the sources include but a build generates.
+# The compilation database, each source for itself, and the headers that the sources include but a build generates.
 prepare() {
   mkdir -p build
-  { cmake --preset release -DDHPMAP_BUILD_TESTS=ON && cmake --build --preset release --target dhpmap_generated; } \
-    >build/check-prepare.log 2>&1 || { cat build/check-prepare.log; return 1; }
+  { cmake --preset release -B build/check -DDHPMAP_BUILD_TESTS=ON -DDHPMAP_PRECOMPILE=OFF &&
+    cmake --build build/check --target dhpmap_generated; } >build/check-prepare.log 2>&1 || { cat build/check-prepare.log; return 1; }
 }
 
 check_format() {
@@ -28,13 +28,13 @@ check_format() {
 # analyse FILE: as its compile command has it, but with clang and for warnings only.
 analyse() {
   local command
-  command=$(sed -nE "s|^ *\"command\": \"(.* -c [^ ]*/$1)\",?$|\\1|p" build/release/compile_commands.json | head -n 1)
+  command=$(sed -nE "s|^ *\"command\": \"(.* -c [^ ]*/$1)\",?$|\\1|p" build/check/compile_commands.json | head -n 1)
   if [ -z "$command" ]; then
     echo "$1: no target compiles it"
     return 1
   fi
   command=${command//\\\"/\"}
-  (cd build/release && eval "clang++-14 -fsyntax-only -Wno-unknown-warning-option -Werror=thread-safety ${command#*++ }")
+  (cd build/check && eval "clang++-14 -fsyntax-only -Wno-unknown-warning-option -Werror=thread-safety ${command#*++ }")
 }
 export -f analyse
 
@@ -61,9 +61,6 @@ check_thread_safety() {
     xargs -r -P "$jobs" -I{} bash -c 'analyse {}'
 }
 
-# is_compiled FILE: by itself, or as a part of a unity source, whose command clang-tidy then guesses from its neighbours'.
-is_compiled() { grep -q "/$1\"" build/release/compile_commands.json || grep -rq "/$1\"" --include='unity_*.cxx' build/release/clients; }
-
 # The sources that changed: since a revision, or in the newest commits, newest first. A header stands for its source.
 changed_sources() {
   if [ -n "${1:-}" ]; then
@@ -72,7 +69,7 @@ changed_sources() {
     git diff --name-only --diff-filter=d HEAD -- '*.cc' '*.h'
     git log --first-parent -n 40 --format= --name-only --diff-filter=d -- '*.cc' '*.h'
   fi | sed 's|\.h$|.cc|' | awk '!seen[$0]++' | while read -r file; do
-    if [ -f "$file" ] && is_compiled "$file"; then echo "$file"; fi
+    if [ -f "$file" ] && grep -q "/$file\"" build/check/compile_commands.json; then echo "$file"; fi
   done
 }
 
@@ -82,7 +79,7 @@ check_tidy() {
   files=$(changed_sources "${1:-}")
   [ -n "${1:-}" ] || files=$(head -n "$max_tidy_files" <<<"$files")
   [ -n "$files" ] || return 0
-  xargs -P "$jobs" -n 1 clang-tidy-14 -p build/release --quiet --warnings-as-errors='*' <<<"$files" 2>/dev/null
+  xargs -P "$jobs" -n 1 clang-tidy-14 -p build/check --quiet --warnings-as-errors='*' <<<"$files" 2>/dev/null
 }
 
 passed=0

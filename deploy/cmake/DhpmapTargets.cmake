@@ -33,12 +33,14 @@ elseif(DHPMAP_SANITIZE)
 endif()
 
 # What most sources include is compiled once and shared: half of a build from scratch went into reading Eigen, gRPC and gtest
-# again. That each source includes what it uses is seen by ThreadSanitizer's build and by check.sh, which go without.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT DHPMAP_SANITIZE STREQUAL "thread")
-  set(DHPMAP_PRECOMPILE ON)
-  if(DHPMAP_CCACHE)  # which asks for this beside precompiled headers
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${DHPMAP_CCACHE})
-  endif()
+# again. That each source includes what it uses is seen by ThreadSanitizer's build and by check.sh, which go without; so
+# does clang.
+option(DHPMAP_PRECOMPILE "Share precompiled headers, and compile some sources together" ON)
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR DHPMAP_SANITIZE STREQUAL "thread")
+  set(DHPMAP_PRECOMPILE OFF)
+endif()
+if(DHPMAP_PRECOMPILE AND DHPMAP_CCACHE)  # which asks for this beside precompiled headers
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${DHPMAP_CCACHE})
 endif()
 
 # dhpmap_prelude(NAME LIBS ... [OPTIONS ...] HEADERS ...): headers for targets to share by dhpmap_use_prelude.

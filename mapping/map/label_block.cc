@@ -150,7 +150,7 @@ std::uint64_t LabelBlock::NumObservations(int linear) const {
 std::size_t LabelBlock::NumOverflowVoxels() const { return overflow_.size() - free_overflow_.size(); }
 
 std::size_t LabelBlock::MemoryBytes() const {
-  std::size_t bytes = sizeof(*this) + overflow_.capacity() * sizeof(LabelHistograms) +
+  std::size_t bytes = sizeof(*this) + decltype(cells_)::kBytes + overflow_.capacity() * sizeof(LabelHistograms) +
                       free_overflow_.capacity() * sizeof(std::uint32_t);
   for (const LabelHistograms& entry : overflow_) {
     bytes += (entry.classes.capacity() + entry.instances.capacity()) * sizeof(LabelCount);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "mapping/base/grid.h"
 #include "mapping/base/ids.h"
+#include "mapping/map/voxel_plane.h"
 
 namespace dhpmap {
 
@@ -95,7 +95,8 @@ class LabelBlock {
   [[nodiscard]] const LabelHistograms& Overflow(const Cell& cell) const;
   LabelHistograms& MoveToOverflow(int linear);
 
-  std::array<Cell, kBlockVoxels> cells_{};
+  VoxelPlane<Cell> cells_;
+  static_assert(decltype(cells_)::kBytes == 4096, "a page");
   std::vector<LabelHistograms> overflow_;
   std::vector<std::uint32_t> free_overflow_;
 };

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdio>
 #include <functional>
+#include <sstream>
 #include <thread>
 #include <vector>
 
@@ -38,8 +39,10 @@ void LeaveBodiesUnfinished(const Target& target) {
   const std::string part(kBytes, ' ');
   for (int i = 0; i < kBodies; ++i) {
     auto& client = clients.emplace_back(std::make_unique<http::HttpClient>(target.http_port));
-    client->SendRaw("POST /v1/maps/hostile:queryPoints HTTP/1.1\r\nHost: localhost\r\nContent-Length: " +
-                    std::to_string(kBytes + 1) + "\r\n\r\n");
+    std::ostringstream head;
+    head << "POST /v1/maps/hostile:queryPoints HTTP/1.1\r\nHost: localhost\r\nContent-Length: " << kBytes + 1
+         << "\r\n\r\n";
+    client->SendRaw(head.str());
     client->SendRaw(part);
   }
   std::this_thread::sleep_for(kStay);

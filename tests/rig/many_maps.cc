@@ -60,7 +60,7 @@ bool RunManyMaps(const ManyMapsOptions& options) {
   const double made_s = SecondsFor(
       [&] {
         for (int i = 1; i < options.num_maps; ++i) {
-          if (!Make(channel, "m" + std::to_string(i))) return false;
+          if (!Make(channel, std::string("m").append(std::to_string(i)))) return false;
         }
         return true;
       },

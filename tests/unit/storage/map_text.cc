@@ -26,6 +26,10 @@ constexpr int kVoxelsInFull = 3;
   return std::string(text) + "\n";
 }
 
+void Append(std::string& text, std::uint32_t id, std::uint64_t count) {
+  text.append(" ").append(std::to_string(id)).append(":").append(std::to_string(count));
+}
+
 std::vector<LabelCount> Sorted(std::vector<LabelCount> counts) {
   std::sort(counts.begin(), counts.end(), [](LabelCount a, LabelCount b) { return a.id < b.id; });
   return counts;
@@ -33,8 +37,7 @@ std::vector<LabelCount> Sorted(std::vector<LabelCount> counts) {
 
 std::string TextOf(const std::vector<LabelCount>& counts) {
   std::string text;
-  for (const LabelCount entry : Sorted(counts))
-    text += " " + std::to_string(entry.id) + ":" + std::to_string(entry.count);
+  for (const LabelCount entry : Sorted(counts)) Append(text, entry.id, entry.count);
   return text;
 }
 
@@ -94,7 +97,7 @@ std::string RowText(const Submap& submap) {
   text += Line("  observed_ns %" PRId64 " %" PRId64, info.first_observed_ns, info.last_observed_ns);
   text += "  class_counts";
   for (const ClassTotal& entry : info.class_counts) {
-    text += " " + std::to_string(entry.id.value) + ":" + std::to_string(entry.count);
+    Append(text, entry.id.value, entry.count);
   }
   return text + "\n";
 }

@@ -130,6 +130,7 @@ TEST(LabelBlock, SecondClassCountsOnBeyond65535Too) {
 TEST(LabelBlock, KeepsOneOrTwoClassesInlineAndAThirdInOverflow) {
   LabelBlock block;
   const std::size_t empty_bytes = block.MemoryBytes();
+  EXPECT_GE(empty_bytes, 8u * kBlockVoxels) << "with the counts, which have an allocation of their own";
   EXPECT_LE(empty_bytes, 8u * kBlockVoxels + 64);
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
     block.AddObservation(linear, ClassId(9));
