@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs all tests; the last line reads `N passed, N failed`.
 #   deploy/test.sh               the release build and every test
-#   deploy/test.sh --sanitizers  all unit tests under ASan+UBSan; base, refinement, pipeline, storage, server and integration tests under TSan
+#   deploy/test.sh --sanitizers  unit tests of mapping, storage, server and the clients that talk to one under ASan+UBSan;
+#                                base, refinement, pipeline, storage, server and integration tests under TSan
+#   deploy/test.sh --sanitizers-of-tools  those of the evaluator and the simulator under ASan+UBSan
 #   deploy/test.sh --fuzz SECONDS  each fuzz target for so long, from its seeds on; what it finds stays in build/fuzz/findings
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -91,16 +93,21 @@ case "${1:-}" in
     build release all
     test_release
     ;;
+  --sanitizers-of-tools)
+    export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
+    build asan dhpmap_tool_tests
+    test_binaries asan '^unit/clients/(evaluator|simulator)'
+    ;;
   --sanitizers)
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/deploy/tsan.supp"
     build asan dhpmap_unit_tests
-    test_binaries asan '^unit/'
+    test_binaries asan '^unit/(mapping|storage|server|fuzz|rig|clients/(cli|datasets)$)'
     build tsan dhpmap_threaded_tests
     test_binaries tsan '^(integration|unit/(server/(app|wire|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|refinement|pipeline)))(\.[0-9]+of[0-9]+)?$'
     ;;
   --fuzz) fuzz "${2:?seconds a target}" ;;
   *)
-    echo "usage: deploy/test.sh [--sanitizers | --fuzz SECONDS]" >&2
+    echo "usage: deploy/test.sh [--sanitizers | --sanitizers-of-tools | --fuzz SECONDS]" >&2
     exit 2
     ;;
 esac
