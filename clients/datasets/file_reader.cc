@@ -143,8 +143,9 @@ Result<std::int64_t> ParseSeconds(std::string_view cell) {
     return *ParseInteger(whole) * kNsPerSecond + *ParseInteger(decimals);
   }
   DHPMAP_ASSIGN_OR_RETURN(const double seconds, ParseNumber(text));  // signs and exponents
-  if (!(std::abs(seconds) < 9e9))
+  if (!(std::abs(seconds) < 9e9)) {
     return InvalidArgument(std::string("'").append(cell).append("' is not a time in seconds"));
+  }
   return std::llround(seconds * kNsPerSecond);
 }
 

@@ -33,8 +33,7 @@ elseif(DHPMAP_SANITIZE)
 endif()
 
 # What most sources include is compiled once and shared: half of a build from scratch went into reading Eigen, gRPC and gtest
-# again. That each source includes what it uses is seen by ThreadSanitizer's build and by check.sh, which go without; so
-# does clang.
+# again. ThreadSanitizer's build and check.sh go without, and so does clang: they see what lacks an include.
 option(DHPMAP_PRECOMPILE "Share precompiled headers, and compile some sources together" ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR DHPMAP_SANITIZE STREQUAL "thread")
   set(DHPMAP_PRECOMPILE OFF)
@@ -71,8 +70,8 @@ set(dhpmap_prelude_headers <algorithm> <array> <atomic> <chrono> <cmath> <condit
   <fstream> <functional> <map> <memory> <mutex> <numeric> <optional> <random> <set> <span> <sstream> <stop_token> <string>
   <string_view> <thread> <tuple> <unordered_map> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry>)
 
-# Of the tests' own sources; what they test stays as it is released. What expectations expand to takes twice as long with
-# UndefinedBehaviorSanitizer's checks, which are for what is tested; AddressSanitizer's stay.
+# Of the tests' own sources; what they test stays as it is released. Expectations expand to much; UndefinedBehaviorSanitizer's
+# checks, a third of the time of a source, are for what is tested. AddressSanitizer's stay.
 set(dhpmap_test_options $<$<CONFIG:Release>:-O1>)
 if(DHPMAP_SANITIZE STREQUAL "address")
   list(APPEND dhpmap_test_options -fno-sanitize=undefined)
