@@ -46,6 +46,7 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
       .max_behind_s = config.store.max_behind_s,
       .idle_close_s = config.maps.idle_close_s,
       .feed_idle_s = config.mapping.feed_idle_s,
+      .surface_bytes = static_cast<std::size_t>(config.limits.surface_mib) << 20,
       .max_pending_edits = static_cast<std::size_t>(config.limits.pending_edits),
       .on_commit =
           [&metrics](double seconds, const Status& status) {

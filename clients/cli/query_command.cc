@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap query point: what is at these points?
+// dhpmap query point, distances: what is at these points, how far are they from surfaces?
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <optional>
 
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
@@ -21,7 +22,14 @@ struct PointOptions {
   std::vector<float> xyz_m;
 };
 
-Result<std::vector<float>> Points(const PointOptions& options) {
+struct DistancesOptions {
+  PointOptions points;
+  double max_distance_m = 3;
+  std::vector<std::int64_t> excluded_submaps;
+  std::vector<std::string> excluded_class_names, class_names;
+};
+
+Result<std::vector<float>> ReadAll(const PointOptions& options) {
   if (!options.file.empty() && options.file != "-") {
     std::ifstream in(options.file);
     if (!in) return NotFound("cannot read " + options.file);
@@ -30,6 +38,22 @@ Result<std::vector<float>> Points(const PointOptions& options) {
   if (options.file == "-") return ReadPoints(std::cin);
   if (options.xyz_m.empty() || options.xyz_m.size() % 3 != 0) return InvalidArgument("points are X Y Z [X Y Z ...]");
   return options.xyz_m;
+}
+
+/// The points of the command line, a file or stdin. If there is something wrong with them, says so in `exit_code`.
+std::optional<std::vector<float>> Points(const PointOptions& options, ExitCode& exit_code) {
+  auto xyz_m = ReadAll(options);
+  if (!xyz_m.ok()) {
+    exit_code =
+        ReportLocalError(xyz_m.status().message(),
+                         xyz_m.status().code() == StatusCode::kNotFound ? ExitCode::kLocalFile : ExitCode::kUsage);
+    return std::nullopt;
+  }
+  if (xyz_m->size() > 3 * static_cast<std::size_t>(kMaxPointsACall)) {
+    exit_code = ReportLocalError("at most 1,000,000 points at once", ExitCode::kUsage);
+    return std::nullopt;
+  }
+  return std::move(*xyz_m);
 }
 
 void PrintTable(const v1::QueryPointsRequest& request, const v1::QueryPointsResponse& response) {
@@ -54,14 +78,9 @@ void PrintTable(const v1::QueryPointsRequest& request, const v1::QueryPointsResp
 }
 
 ExitCode RunPoint(const Session& session, const PointOptions& options) {
-  const auto xyz_m = Points(options);
-  if (!xyz_m.ok()) {
-    return ReportLocalError(xyz_m.status().message(),
-                            xyz_m.status().code() == StatusCode::kNotFound ? ExitCode::kLocalFile : ExitCode::kUsage);
-  }
-  if (xyz_m->size() > 3 * static_cast<std::size_t>(kMaxPointsACall)) {
-    return ReportLocalError("at most 1,000,000 points at once", ExitCode::kUsage);
-  }
+  ExitCode exit_code = ExitCode::kOk;
+  const auto xyz_m = Points(options, exit_code);
+  if (!xyz_m) return exit_code;
   v1::QueryPointsRequest request;
   request.set_map(MapName(options.map));
   request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
@@ -74,6 +93,70 @@ ExitCode RunPoint(const Session& session, const PointOptions& options) {
   return ExitCode::kOk;
 }
 
+void PrintTable(const v1::QueryDistancesRequest& request, const v1::QueryDistancesResponse& response) {
+  TextTable table({"X_M", "Y_M", "Z_M", "STATUS", "DISTANCE_M", "GRADIENT", "NEAREST_M", "INSTANCE", "CLASS"});
+  const auto vector = [](const v1::Vector3& v, int decimals) {
+    return Fixed(v.x(), decimals) + " " + Fixed(v.y(), decimals) + " " + Fixed(v.z(), decimals);
+  };
+  for (int i = 0; i < response.results_size(); ++i) {
+    const v1::DistanceResult& result = response.results(i);
+    std::vector<std::string> row;
+    for (int axis = 0; axis < 3; ++axis) row.push_back(Fixed(request.xyz_m(3 * i + axis), 3));
+    row.push_back(v1::QueryStatus_Name(result.status()));
+    row.push_back(Fixed(result.distance_m(), 4));
+    if (result.has_nearest_m()) {
+      row.insert(row.end(),
+                 {vector(result.gradient(), 3), vector(result.nearest_m(), 3), std::to_string(result.instance_id()),
+                  result.class_name().empty() ? "-" : result.class_name()});
+    } else {
+      row.insert(row.end(), {"-", "-", "-", "-"});
+    }
+    table.Add(std::move(row));
+  }
+  table.Print(std::cout);
+}
+
+ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
+  ExitCode exit_code = ExitCode::kOk;
+  const auto xyz_m = Points(options.points, exit_code);
+  if (!xyz_m) return exit_code;
+  v1::QueryDistancesRequest request;
+  request.set_map(MapName(options.points.map));
+  request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
+  v1::QueryOptions& asked = *request.mutable_options();
+  asked.set_max_distance_m(options.max_distance_m);
+  for (const std::int64_t id : options.excluded_submaps) {
+    asked.add_excluded_submaps(SubmapName(options.points.map, id));
+  }
+  asked.mutable_excluded_class_names()->Assign(options.excluded_class_names.begin(),
+                                               options.excluded_class_names.end());
+  asked.mutable_class_names()->Assign(options.class_names.begin(), options.class_names.end());
+  grpc::ClientContext context;
+  v1::QueryDistancesResponse response;
+  const grpc::Status status = v1::QueryService::NewStub(Connect(session))->QueryDistances(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else PrintTable(request, response);
+  return ExitCode::kOk;
+}
+
+void AddPointOptions(CLI::App& command, PointOptions& options) {
+  command.add_option("map", options.map, "Name of the map")->required();
+  CLI::Option* xyz = command.add_option("xyz", options.xyz_m, "X Y Z [X Y Z ...]");
+  command.add_option("--file", options.file, "Read the points from a file, - for stdin")->excludes(xyz);
+}
+
+void AddDistances(CLI::App& query, Session& session) {
+  auto options = std::make_shared<DistancesOptions>();
+  CLI::App* distances = query.add_subcommand("distances", "How far are these points from the nearest surface?");
+  AddPointOptions(*distances, options->points);
+  distances->add_option("--max-distance", options->max_distance_m, "How far to look, in m")->capture_default_str();
+  distances->add_option("--exclude-submap", options->excluded_submaps, "Ids of objects to leave out");
+  distances->add_option("--exclude-class", options->excluded_class_names, "Names of classes to leave out");
+  distances->add_option("--class", options->class_names, "Names of the only classes to look at");
+  distances->callback([options, &session] { session.exit_code = RunDistances(session, *options); });
+}
+
 }  // namespace
 
 void AddQueryCommands(CLI::App& app, Session& session) {
@@ -81,10 +164,9 @@ void AddQueryCommands(CLI::App& app, Session& session) {
   query->require_subcommand(1);
   auto options = std::make_shared<PointOptions>();
   CLI::App* point = query->add_subcommand("point", "What is at these points (metres, in the map's frame)?");
-  point->add_option("map", options->map, "Name of the map")->required();
-  CLI::Option* xyz = point->add_option("xyz", options->xyz_m, "X Y Z [X Y Z ...]");
-  point->add_option("--file", options->file, "Read the points from a file, - for stdin")->excludes(xyz);
+  AddPointOptions(*point, *options);
   point->callback([options, &session] { session.exit_code = RunPoint(session, *options); });
+  AddDistances(*query, session);
 }
 
 }  // namespace dhpmap

@@ -2,57 +2,106 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "mapping/map/submap.h"
+#include "mapping/query/box_tree.h"
 
 namespace dhpmap {
 
-/// Which submaps may hold a point: their bounding spheres side by side, so that a point is tested against all of them
-/// in a few vector instructions each. Refers to the submaps, which must outlive it. Immutable, thread-safe.
+/// Which submaps are at or near a place. Refers to the submaps, which must outlive it. Immutable, thread-safe.
 class SubmapIndex {
  public:
   /// A submap that holds something, and the way into its frame.
   class Entry {
    public:
-    explicit Entry(const Submap& submap);
+    Entry(const Submap& submap, const Eigen::AlignedBox3d& box_m);
     [[nodiscard]] const Submap& submap() const { return *submap_; }
+    /// Around what it holds, in its own frame.
+    [[nodiscard]] const Eigen::AlignedBox3d& box_m() const { return box_m_; }
     /// A point of the map frame in the submap's own.
     [[nodiscard]] Eigen::Vector3d ToSubmap(const Eigen::Vector3d& p_map) const {
       return is_on_map_axes_ ? p_map : Eigen::Vector3d(T_submap_map_ * p_map);
+    }
+
+    /// Whether its box and its bounding sphere hold a point of its own frame.
+    [[nodiscard]] bool MayHold(const Eigen::Vector3d& p_submap) const {
+      const BoundingSphere& sphere = submap_->bounding_sphere();
+      constexpr double kRounding = 1 + 1e-9;
+      return box_m_.contains(p_submap) &&
+             (p_submap - sphere.center_m).squaredNorm() <= kRounding * sphere.radius_m * sphere.radius_m;
     }
 
    private:
     const Submap* submap_;
     Transform T_submap_map_;
     bool is_on_map_axes_;  ///< identity pose: no need to transform
+    Eigen::AlignedBox3d box_m_;
   };
 
+  /// By the submaps' bounding spheres.
   explicit SubmapIndex(std::span<const std::shared_ptr<const Submap>> submaps);
+  /// By boxes around what they hold, each in its submap's own frame; none is empty.
+  explicit SubmapIndex(std::vector<Entry> entries);
 
-  /// Those with a bounding sphere, in the order given.
+  /// Those that hold something, in the order given.
   [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
 
-  /// Calls visit(const Entry&), in the order given, for each submap whose bounding sphere holds the point. None that
-  /// has a voxel there is left out; one that has none may be visited.
+  /// Calls visit(const Entry&), in the order given, for each submap whose box and bounding sphere hold the point
+  /// (finite). None that has a voxel there is left out; one that has none may be visited.
   template <typename Visitor>
   void VisitAround(const Eigen::Vector3d& p_map, Visitor&& visit) const;
 
+  /// Calls limit2 = visit(number, p_submap) for the entries whose box is no farther from the point than the root of
+  /// limit2 (m2, finite), near ones mostly first. The visitor may lower the limit.
+  template <typename Visitor>
+  void VisitNearest(const Eigen::Vector3d& p_map, float limit2, Visitor&& visit) const;
+
  private:
-  std::vector<float> x_m_, y_m_, z_m_, radius2_m2_;
+  void Build();
+
   std::vector<Entry> entries_;
+  Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();  ///< of the tree, whose floats would not do far from here
+  BoxTree tree_;                                        ///< of the entries' boxes, along the axes of the map frame
 };
 
 template <typename Visitor>
 void SubmapIndex::VisitAround(const Eigen::Vector3d& p_map, Visitor&& visit) const {
-  const Eigen::Vector3f p = p_map.cast<float>();
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const float dx = p.x() - x_m_[i], dy = p.y() - y_m_[i], dz = p.z() - z_m_[i];
-    if (dx * dx + dy * dy + dz * dz <= radius2_m2_[i]) visit(entries_[i]);
+  const Eigen::Vector3f p = (p_map - origin_m_).cast<float>();
+  constexpr std::size_t kMostSorted = 64;  // of those that hold one point; more are rare
+  std::size_t found[kMostSorted];
+  std::size_t num_found = 0;
+  tree_.VisitOverlapping({p, p}, [&](std::size_t position) {
+    const std::size_t number = tree_.items()[position];
+    if (num_found < kMostSorted) found[num_found] = number;
+    ++num_found;
+  });
+  const auto try_one = [&](const Entry& entry) {
+    if (entry.MayHold(entry.ToSubmap(p_map))) visit(entry);
+  };
+  if (num_found > kMostSorted) {
+    for (const Entry& entry : entries_) try_one(entry);
+    return;
   }
+  std::sort(found, found + num_found);
+  for (std::size_t i = 0; i < num_found; ++i) try_one(entries_[found[i]]);
+}
+
+template <typename Visitor>
+void SubmapIndex::VisitNearest(const Eigen::Vector3d& p_map, float limit2, Visitor&& visit) const {
+  tree_.VisitNearest((p_map - origin_m_).cast<float>(), limit2, [&](std::size_t position) {
+    const std::size_t number = tree_.items()[position];
+    const Eigen::Vector3d p_submap = entries_[number].ToSubmap(p_map);
+    if (entries_[number].box_m().squaredExteriorDistance(p_submap) <= static_cast<double>(limit2)) {
+      limit2 = visit(number, p_submap);
+    }
+    return limit2;
+  });
 }
 
 }  // namespace dhpmap

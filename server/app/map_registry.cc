@@ -36,7 +36,7 @@ MapSummary SummaryOf(const MapSnapshot& snapshot) {
 }
 
 MapRegistry::MapRegistry(MapStore& store, SessionOptions options)
-    : store_(store), options_(WithPool(std::move(options))) {}
+    : store_(store), options_(WithPool(std::move(options))), surfaces_(options_.surface_bytes) {}
 
 Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionOptions options) {
   DHPMAP_ASSIGN_OR_RETURN(std::vector<StoredMap> maps, store.ListMaps());

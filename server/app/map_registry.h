@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
+#include "mapping/query/surface_cache.h"
 #include "server/app/map_session.h"
 #include "storage/store.h"
 
@@ -55,6 +56,8 @@ class MapRegistry {
   Result<std::shared_ptr<MapSession>> OpenSession(const std::string& name);
   /// The last published state of the map, which is opened if it is not open yet.
   Result<std::shared_ptr<const MapView>> ViewOf(const std::string& name);
+  /// For distances, of all maps.
+  [[nodiscard]] SurfaceCache& surfaces() { return surfaces_; }
   /// See MapStore::Backup.
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) { return store_.Backup(stop); }
   /// Bytes of encoded blocks in the store.
@@ -91,6 +94,7 @@ class MapRegistry {
 
   MapStore& store_;
   const SessionOptions options_;
+  SurfaceCache surfaces_;
   std::map<std::string, std::shared_ptr<Entry>> entries_ DHPMAP_GUARDED_BY(mutex_);
   bool is_shut_down_ DHPMAP_GUARDED_BY(mutex_) = false;
   CondVar shut_down_;

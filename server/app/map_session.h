@@ -32,12 +32,13 @@ struct SessionOptions {
   // They go to the store after so many, or so long after the first.
   int commit_frames = 50;
   double commit_s = 2.0;
-  double commit_retry_s = 5.0;           ///< between attempts while the store refuses
-  double max_behind_s = 30;              ///< what is fused may be so long not stored; then frames are refused
-  double idle_close_s = 600;             ///< a map that nobody uses for so long is closed; 0: never
-  double feed_idle_s = 30;               ///< a feeder that is silent for so long makes place for others
-  std::size_t max_pending_edits = 256;   ///< waiting for the writer; more are answered RESOURCE_EXHAUSTED
-  std::function<std::int64_t()> now_ns;  ///< UTC; empty = the system's clock
+  double commit_retry_s = 5.0;             ///< between attempts while the store refuses
+  double max_behind_s = 30;                ///< what is fused may be so long not stored; then frames are refused
+  double idle_close_s = 600;               ///< a map that nobody uses for so long is closed; 0: never
+  double feed_idle_s = 30;                 ///< a feeder that is silent for so long makes place for others
+  std::size_t surface_bytes = 512u << 20;  ///< of surfaces that are kept for distances, of all maps
+  std::size_t max_pending_edits = 256;     ///< waiting for the writer; more are answered RESOURCE_EXHAUSTED
+  std::function<std::int64_t()> now_ns;    ///< UTC; empty = the system's clock
   std::function<void(double seconds, const Status& status)> on_commit;  ///< on the commit thread; may be empty
   std::function<void(const RefinementReport&)> on_refinement;           ///< on the writer thread; may be empty
 };

@@ -54,6 +54,7 @@ struct ServerConfig {
     int query_points = 1'000'000;
     int pending_edits = 256;
     int inflight_mib = 256;
+    int surface_mib = 512;
   } limits;
   double shutdown_grace_s = 2.0;
 
@@ -108,6 +109,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
   visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,
         "MiB of requests and answers in memory at once, at both doors together; more are refused");
+  visit("limits.surface_mib", c.limits.surface_mib, 16, 1e6,
+        "MiB of surfaces kept for distances, of all maps together; those not asked about for longest go first");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at the end");
 }
 

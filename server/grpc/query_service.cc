@@ -2,16 +2,19 @@
 #include <string>
 
 #include "dhpmap/v1/query_service.grpc.pb.h"
+#include "server/app/distance_lookup.h"
 #include "server/app/point_query.h"
 #include "server/grpc/services.h"
+#include "server/wire/distance_conversion.h"
 #include "server/wire/point_conversion.h"
+#include "server/wire/query_options.h"
 #include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
 
 /// More take milliseconds, which are in the way of those who ask for little.
-constexpr int kMostQuickPoints = 2048;
+constexpr int kMostQuickPoints = 2048, kMostQuickDistances = 256;
 
 Status AnswersTooLarge(std::size_t bytes) {
   return InvalidArgument("the points cannot be looked up")
@@ -43,6 +46,30 @@ class QueryService final : public v1::QueryService::CallbackService {
     const CallMessages call{"QueryService/QueryPoints", request, response};
     const int num_points = request->xyz_m_size() / 3 + request->points_m_size();
     if (num_points <= kMostQuickPoints) return Run(context_, call, [answer] { return answer({}); });
+    return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
+  }
+
+  /// The same.
+  grpc::ServerUnaryReactor* QueryDistances(grpc::CallbackServerContext*, const v1::QueryDistancesRequest* request,
+                                           v1::QueryDistancesResponse* response) override {
+    const std::size_t answer_bytes = BytesOfAnswers(*request);
+    const bool can_fit = answer_bytes <= context_.options.inflight->limit_bytes();
+    const auto answer = [=, this](const std::stop_token& stop) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+      DHPMAP_ASSIGN_OR_RETURN(const auto points_m, PointsFromProto(*request, context_.options.max_query_points));
+      DHPMAP_ASSIGN_OR_RETURN(const auto question, QueryOptionsFromProto(request->options(), view->snapshot()));
+      if (!can_fit) return AnswersTooLarge(answer_bytes);
+      DistanceAnswers answers(*request, view->snapshot().info(), points_m.size(), *response);
+      DHPMAP_RETURN_IF_ERROR(
+          LookUpDistances(*view, context_.registry.surfaces(), question, points_m, stop,
+                          [&answers](const SurfaceDistance& distance) { answers.Append(distance); }));
+      if (context_.observer.on_query) context_.observer.on_query(points_m.size());
+      return Status::Ok();
+    };
+    const CallMessages call{"QueryService/QueryDistances", request, response};
+    const int num_points = request->xyz_m_size() / 3 + request->points_m_size();
+    if (num_points <= kMostQuickDistances) return Run(context_, call, [answer] { return answer({}); });
     return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
   }
 

@@ -62,27 +62,29 @@ void Append(const PointInfo& found, v1::PackedPointResults& packed) {
 
 }  // namespace
 
-Result<std::vector<Eigen::Vector3d>> PointsFromProto(const v1::QueryPointsRequest& request, std::int64_t max_points) {
-  if (request.xyz_m_size() % 3 != 0) {
-    return BadPoints("xyz_m", "has " + std::to_string(request.xyz_m_size()) + " values, not three a point");
+Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::RepeatedField<float>& xyz_m,
+                                                     const google::protobuf::RepeatedPtrField<v1::Vector3>& points_m,
+                                                     std::int64_t max_points) {
+  if (xyz_m.size() % 3 != 0) {
+    return BadPoints("xyz_m", "has " + std::to_string(xyz_m.size()) + " values, not three a point");
   }
-  const int num_packed = request.xyz_m_size() / 3;
-  const std::int64_t num_points = std::int64_t{num_packed} + request.points_m_size();
+  const int num_packed = xyz_m.size() / 3;
+  const std::int64_t num_points = std::int64_t{num_packed} + points_m.size();
   if (num_points > max_points) {
     return BadPoints("xyz_m", std::to_string(num_points) + " points are more than " + std::to_string(max_points));
   }
-  std::vector<Eigen::Vector3d> points_m;
-  points_m.reserve(static_cast<std::size_t>(num_points));
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(static_cast<std::size_t>(num_points));
   for (int i = 0; i < num_packed; ++i) {
-    const float* xyz = request.xyz_m().data() + 3 * std::ptrdiff_t{i};
-    points_m.emplace_back(xyz[0], xyz[1], xyz[2]);
-    if (!points_m.back().allFinite()) return BadPoints("xyz_m", "point " + std::to_string(i) + " is not finite");
+    const float* xyz = xyz_m.data() + 3 * std::ptrdiff_t{i};
+    points.emplace_back(xyz[0], xyz[1], xyz[2]);
+    if (!points.back().allFinite()) return BadPoints("xyz_m", "point " + std::to_string(i) + " is not finite");
   }
-  for (int i = 0; i < request.points_m_size(); ++i) {
-    points_m.push_back(VectorFromProto(request.points_m(i)));
-    if (!points_m.back().allFinite()) return BadPoints("points_m[" + std::to_string(i) + "]", "is not finite");
+  for (int i = 0; i < points_m.size(); ++i) {
+    points.push_back(VectorFromProto(points_m[i]));
+    if (!points.back().allFinite()) return BadPoints("points_m[" + std::to_string(i) + "]", "is not finite");
   }
-  return points_m;
+  return points;
 }
 
 std::size_t BytesOfAnswers(const v1::QueryPointsRequest& request) {

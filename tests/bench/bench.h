@@ -45,4 +45,14 @@ struct CrfBenchOptions {
 /// Time and memory of the dense CRF on the surface voxels of a map, tiled side by side, with noisy labels.
 Status RunCrfBench(const CrfBenchOptions& options);
 
+struct QueryBenchOptions {
+  std::string directory;
+  std::size_t num_frames = 0;
+  std::size_t num_points = 100000;  ///< of each kind
+  std::size_t num_checked = 300;    ///< of these, compared with every triangle
+};
+/// Points a second that one core answers on the data set's map, as it is and with a third of the things moved, and the
+/// errors against brute force over all triangles.
+Status RunQueryBench(const QueryBenchOptions& options);
+
 }  // namespace dhpmap::bench

@@ -45,9 +45,17 @@ int main(int argc, char** argv) {
   crf_command->add_option("--threads", crf.num_threads, "Threads, 0 = one a core")->capture_default_str();
   crf_command->add_option("--repetitions", crf.repetitions, "Runs")->capture_default_str();
 
+  dhpmap::bench::QueryBenchOptions query;
+  CLI::App* query_command = app.add_subcommand("query", "Queries a second of one core, and their errors");
+  query_command->add_option("directory", query.directory, "Data set")->required();
+  query_command->add_option("--frames", query.num_frames, "Frames, 0 = all");
+  query_command->add_option("--points", query.num_points, "Points of each kind")->capture_default_str();
+  query_command->add_option("--check", query.num_checked, "Of these, compared with brute force")->capture_default_str();
+
   CLI11_PARSE(app, argc, argv);
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
+                                : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
                                                              : dhpmap::bench::RunCrfBench(crf);
   if (!status.ok()) std::fprintf(stderr, "dhpmap-bench: %s\n", status.ToString().c_str());
   return status.ok() ? 0 : 1;

@@ -66,6 +66,23 @@ TEST_F(CommandLine, QueriesPointsFromArgumentsAndFiles) {
   EXPECT_EQ(Run({"query", "point", "room", "--file", File("points.txt").string()}).out, typed.out);
 }
 
+TEST_F(CommandLine, QueriesDistancesWithAndWithoutObjects) {
+  const std::vector<std::string> query = {"query", "distances", "room", "1.16", "-.5", ".45", "99", "9", "9"};
+  const Outcome all = Run(query);
+  EXPECT_NE(all.out.find("Ball"), std::string::npos) << all.out << all.err;
+  EXPECT_NE(all.out.find("CLAMPED"), std::string::npos) << all.out;
+  const auto with = [&query](std::vector<std::string> more) {
+    more.insert(more.begin(), query.begin(), query.end());
+    return Run(more);
+  };
+  EXPECT_EQ(with({"--exclude-class", "Ball"}).out.find("Ball"), std::string::npos);
+  EXPECT_NE(with({"--class", "Floor"}).out.find("Floor"), std::string::npos);
+  EXPECT_NE(with({"--json"}).out.find("\"status\": \"CLAMPED\""), std::string::npos);
+  EXPECT_EQ(with({"--exclude-submap", "99999"}).exit_code, 3);
+  EXPECT_EQ(with({"--exclude-class", "spoon"}).exit_code, 2);
+  EXPECT_EQ(with({"--max-distance", "-1"}).exit_code, 2);
+}
+
 TEST_F(CommandLine, EditsObjects) {
   std::istringstream table(Run({"submaps", "room", "--class", "box"}).out);
   std::string line, id;

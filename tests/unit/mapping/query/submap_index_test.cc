@@ -93,6 +93,36 @@ TEST(SubmapIndex, BringsPointsIntoTheSubmapsFrame) {
   }
 }
 
+TEST(SubmapIndex, VisitsWhatIsNearAPointWithinALimitThatMayFall) {
+  std::mt19937 random(10);
+  const SubmapList submaps = RandomSubmaps(300, 20.0, random);
+  const SubmapIndex index(submaps);
+  std::uniform_real_distribution<double> unit(-22, 22);
+  for (int n = 0; n < 200; ++n) {
+    const Eigen::Vector3d p(unit(random), unit(random), unit(random));
+    std::set<SubmapId> surely, perhaps, visited;
+    double truth2 = 1e9, best2 = 1e9;
+    for (const SubmapIndex::Entry& entry : index.entries()) {
+      const double distance_m = std::sqrt(entry.box_m().squaredExteriorDistance(entry.ToSubmap(p)));
+      truth2 = std::min(truth2, distance_m * distance_m);
+      if (distance_m < 4.999) surely.insert(entry.submap().id());
+      if (distance_m < 5.001) perhaps.insert(entry.submap().id());
+    }
+    index.VisitNearest(p, 25, [&](std::size_t number, const Eigen::Vector3d& p_submap) {
+      EXPECT_EQ(p_submap, index.entries()[number].ToSubmap(p));
+      EXPECT_TRUE(visited.insert(index.entries()[number].submap().id()).second);
+      return 25.0f;
+    });
+    EXPECT_TRUE(std::includes(visited.begin(), visited.end(), surely.begin(), surely.end()));
+    EXPECT_TRUE(std::includes(perhaps.begin(), perhaps.end(), visited.begin(), visited.end()));
+    index.VisitNearest(p, 1e9f, [&](std::size_t number, const Eigen::Vector3d& p_submap) {
+      best2 = std::min(best2, index.entries()[number].box_m().squaredExteriorDistance(p_submap));
+      return static_cast<float>(best2);
+    });
+    EXPECT_NEAR(best2, truth2, 1e-6 + 1e-6 * truth2);
+  }
+}
+
 TEST(SubmapIndex, LeavesOutEmptySubmaps) {
   SubmapInfo info;
   info.voxel_size_m = 0.1;

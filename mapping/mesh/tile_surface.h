@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "mapping/map/submap.h"
+
+namespace dhpmap {
+
+/// Corners in metres, counter-clockwise seen from the front, where distances are positive.
+using SurfaceTriangle = std::array<Eigen::Vector3f, 3>;
+
+/// The tiles whose voxels a tile's surface is made of: itself and those around it, at offsets -1 to 1, x fastest. Null
+/// where there is none. While these are the same objects, the surface is the same.
+using TileNeighbourhood = std::array<const TileEntry*, 27>;
+TileNeighbourhood FindNeighbourhood(const BlockTable& blocks, TileIndex tile);
+
+/// The part of a submap's zero surface that belongs to one of its tiles, relative to the tile's corner of least
+/// coordinates (TileCorner), along the axes of the submap's frame. Marching cubes as in a mesh of the submap alone, but
+/// the surface reaches one voxel over the border of what is observed, where values are extrapolated from the observed
+/// voxels around: so the surfaces of neighbours that label management has made exclusive close, whatever becomes of
+/// either. It depends on the submap's own voxels only. A cell with an observed corner belongs to the tile of the first
+/// of these, so each is in exactly one tile.
+std::vector<SurfaceTriangle> ExtractTileSurface(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m);
+
+/// In metres of the submap frame.
+Eigen::Vector3d TileCorner(TileIndex tile, double voxel_size_m);
+
+}  // namespace dhpmap

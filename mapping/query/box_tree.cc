@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/box_tree.h"
+
+#include <limits>
+#include <numeric>
+
+namespace dhpmap {
+
+BoxTree::Node::Node() {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::fill_n(low[axis], kLanes, std::numeric_limits<float>::infinity());
+    std::fill_n(high[axis], kLanes, -std::numeric_limits<float>::infinity());
+  }
+}
+
+void BoxTree::Node::Set(std::size_t lane, const Eigen::AlignedBox3f& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis][lane] = box.min()[axis];
+    high[axis][lane] = box.max()[axis];
+  }
+}
+
+BoxTree::BoxTree(std::span<const Eigen::AlignedBox3f> boxes) : items_(boxes.size()) {
+  if (boxes.empty()) return;
+  for (const Eigen::AlignedBox3f& box : boxes) bounds_.extend(box);
+  std::iota(items_.begin(), items_.end(), 0u);
+  std::size_t capacity = 1;  // of a child of the root
+  while (capacity * kLanes < boxes.size()) capacity *= kLanes;
+  Arrange(boxes, items_, capacity);
+  BuildLevels(boxes);
+}
+
+/// Cuts the items into eight parts, halving along the longest side three times, so that all but the last part are full
+/// trees of `child_capacity` items; then each part likewise.
+void BoxTree::Arrange(std::span<const Eigen::AlignedBox3f> boxes, std::span<std::uint32_t> items,
+                      std::size_t child_capacity) {
+  if (child_capacity <= 1 && items.size() <= kLanes) return;
+  const auto halve = [&](const auto& self, std::span<std::uint32_t> part, std::size_t num_children) -> void {
+    if (part.size() <= child_capacity) {
+      if (child_capacity > 1) Arrange(boxes, part, child_capacity / kLanes);
+      return;
+    }
+    Eigen::AlignedBox3f centres;
+    for (const std::uint32_t item : part) centres.extend(boxes[item].center());
+    int axis = 0;
+    centres.sizes().maxCoeff(&axis);
+    const std::size_t half = num_children / 2 * child_capacity;
+    if (half < part.size()) {
+      std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
+                       [&](std::uint32_t a, std::uint32_t b) {
+                         const float of_a = boxes[a].center()[axis], of_b = boxes[b].center()[axis];
+                         return of_a != of_b ? of_a < of_b : a < b;
+                       });
+    }
+    const std::size_t cut = std::min(half, part.size());
+    self(self, part.first(cut), num_children / 2);
+    if (cut < part.size()) self(self, part.subspan(cut), num_children / 2);
+  };
+  halve(halve, items, kLanes);
+}
+
+void BoxTree::BuildLevels(std::span<const Eigen::AlignedBox3f> boxes) {
+  std::vector<Eigen::AlignedBox3f> below;
+  for (const std::uint32_t item : items_) below.push_back(boxes[item]);
+  do {
+    first_node_.push_back(nodes_.size());
+    std::vector<Eigen::AlignedBox3f> level((below.size() + kLanes - 1) / kLanes);
+    nodes_.resize(nodes_.size() + level.size());
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      nodes_[first_node_.back() + i / kLanes].Set(i % kLanes, below[i]);
+      level[i / kLanes].extend(below[i]);
+    }
+    below = std::move(level);
+  } while (below.size() > 1);
+}
+
+std::size_t BoxTree::MemoryBytes() const {
+  return items_.capacity() * sizeof(items_[0]) + nodes_.capacity() * sizeof(nodes_[0]) +
+         first_node_.capacity() * sizeof(first_node_[0]);
+}
+
+}  // namespace dhpmap

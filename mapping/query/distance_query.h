@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mapping/query/query_scope.h"
+#include "mapping/query/surface_cache.h"
+
+namespace dhpmap {
+
+enum class DistanceStatus : std::uint8_t {
+  kOk,
+  kClamped,  ///< no surface within the limit
+  kUnknown,  ///< the distance is right, but nobody has seen what is at the point
+};
+
+/// How far a point is from the nearest surface of the map.
+struct SurfaceDistance {
+  DistanceStatus status = DistanceStatus::kClamped;
+  /// Euclidean. Negative behind a surface: in the submap's band, and farther behind where the point was not seen in
+  /// front of any. Clamped: the limit.
+  double distance_m = 0;
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< of the distance, map frame, unit; clamped: zero
+  Eigen::Vector3d nearest_m;                           ///< on the surface, map frame; clamped: NaN
+  const SubmapInfo* submap = nullptr;                  ///< whose surface; null: clamped. Valid as long as the surfaces
+};
+
+struct DistanceOptions {
+  double max_distance_m = 3;     ///< finite, positive
+  bool unknown_is_free = false;  ///< unseen points are OK, not UNKNOWN
+  QueryScope scope;
+};
+
+/// Distances to the zero surface of a state of a map: the nearest point of all submaps' surfaces (ExtractTileSurface),
+/// each at its pose. Exact to 1e-5 of the distance, by
+/// rounding. Immutable, thread-safe.
+class DistanceQuery {
+ public:
+  DistanceQuery(std::shared_ptr<const MapSurfaces> surfaces, DistanceOptions options);
+
+  /// `p_map`: finite, metres of the map frame.
+  [[nodiscard]] SurfaceDistance At(const Eigen::Vector3d& p_map) const;
+
+  /// The same for many points, in their order; faster, as it goes from each to one close by. As many answers as points.
+  void At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const;
+
+ private:
+  struct Found {
+    SubmapSurface::Nearest nearest;
+    std::size_t number = 0;  ///< of the submap
+    Eigen::Vector3d p_submap = Eigen::Vector3d::Zero();
+    bool is_any = false;
+  };
+  struct Sight {
+    bool is_seen = false;   ///< somebody has observed what is there
+    bool is_front = false;  ///< and it was in front of a surface
+  };
+  [[nodiscard]] bool Holds(std::size_t number) const { return is_held_.empty() || is_held_[number]; }
+  [[nodiscard]] Found FindNearest(const Eigen::Vector3d& p_map, double limit_m) const;
+  [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, const Found& found) const;
+  [[nodiscard]] Sight SightOf(const Eigen::Vector3d& p_map) const;
+
+  std::shared_ptr<const MapSurfaces> surfaces_;
+  DistanceOptions options_;
+  std::vector<bool> is_held_;  ///< by the scope; empty: all are
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/submap_surface.h"
+
+namespace dhpmap {
+namespace {
+
+/// Around the tile's blocks and one voxel more, as far as its cells reach; rounded outwards in the tree's floats.
+Eigen::AlignedBox3d BoxOf(const TileEntry& tile, double voxel_size_m) {
+  Eigen::AlignedBox3d box;
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(voxel_size_m);
+  for (const BlockEntry& block : tile.tile->entries()) {
+    if (block.tsdf == nullptr) continue;
+    const Eigen::Vector3d corner = BlockCorner(block.index, voxel_size_m);
+    box.extend(corner - reach);
+    box.extend(corner + kBlockSide * reach + reach);
+  }
+  return box;
+}
+
+}  // namespace
+
+SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slot_of) {
+  const double voxel_size_m = submap.info().voxel_size_m;
+  std::vector<Tile> tiles;
+  std::vector<Eigen::AlignedBox3d> boxes_m;
+  for (const TileEntry& entry : submap.blocks().tiles()) {
+    const Eigen::AlignedBox3d box = BoxOf(entry, voxel_size_m);
+    if (box.isEmpty()) continue;
+    boxes_m.push_back(box);
+    box_m_.extend(box);
+    tiles.push_back({entry.index, TileCorner(entry.index, voxel_size_m),
+                     slot_of(FindNeighbourhood(submap.blocks(), entry.index), entry.index)});
+  }
+  if (tiles.empty()) return;
+  origin_m_ = box_m_.center();
+  const float rounding_m = static_cast<float>(1e-6 * box_m_.sizes().norm());
+  std::vector<Eigen::AlignedBox3f> boxes;
+  for (const Eigen::AlignedBox3d& box : boxes_m) {
+    boxes.emplace_back((box.min() - origin_m_).cast<float>() - Eigen::Vector3f::Constant(rounding_m),
+                       (box.max() - origin_m_).cast<float>() + Eigen::Vector3f::Constant(rounding_m));
+  }
+  tree_ = BoxTree(boxes);
+  for (const std::uint32_t number : tree_.items()) tiles_.push_back(std::move(tiles[number]));
+}
+
+bool SubmapSurface::ImproveNearest(const Submap& submap, const Eigen::Vector3d& p_submap, Nearest& best) const {
+  bool has_changed = false;
+  tree_.VisitNearest((p_submap - origin_m_).cast<float>(), best.found.Limit2(), [&](std::size_t position) {
+    const Tile& tile = tiles_[position];
+    const TriangleTree& surface = tile.slot->Surface(submap.blocks(), tile.index);
+    if (surface.ImproveNearest((p_submap - tile.corner_m).cast<float>(), best.found)) {
+      best.corner_m = tile.corner_m;
+      has_changed = true;
+    }
+    return best.found.Limit2();
+  });
+  return has_changed;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/surface_cache.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::size_t kCentre = 13;  // of a TileNeighbourhood
+
+std::vector<SubmapIndex::Entry> EntriesOf(const std::vector<MapSurfaces::Part>& parts) {
+  std::vector<SubmapIndex::Entry> entries;
+  entries.reserve(parts.size());
+  for (const MapSurfaces::Part& part : parts) entries.emplace_back(*part.submap, part.surface->box_m());
+  return entries;
+}
+
+/// Surfaces that keep the state alive they refer to.
+std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> state,
+                                            std::shared_ptr<const MapSurfaces> surfaces) {
+  const MapSurfaces* both = surfaces.get();
+  using Both = std::pair<std::shared_ptr<const MapSnapshot>, std::shared_ptr<const MapSurfaces>>;
+  return {std::make_shared<const Both>(std::move(state), std::move(surfaces)), both};
+}
+
+}  // namespace
+
+MapSurfaces::MapSurfaces(std::vector<Part> parts) : parts_(std::move(parts)), index_(EntriesOf(parts_)) {}
+
+SurfaceCache::SurfaceCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
+
+std::size_t SurfaceCache::num_tiles() const {
+  const MutexLock lock(mutex_);
+  return slots_.size();
+}
+
+std::shared_ptr<const MapSurfaces> SurfaceCache::Of(const std::shared_ptr<const MapSnapshot>& state) {
+  ledger_->time.fetch_add(1, std::memory_order_relaxed);
+  {
+    const MutexLock lock(mutex_);
+    if (ledger_->bytes > limit_bytes_) Evict();
+    std::erase_if(states_, [](const auto& known) { return known.second.key.expired(); });
+    if (const auto known = states_.find(state.get()); known != states_.end()) {
+      return HoldBoth(state, known->second.value);
+    }
+  }
+  std::shared_ptr<const MapSurfaces> made = Make(*state);
+  const MutexLock lock(mutex_);
+  if (slots_.size() + submaps_.size() > sweep_at_) Sweep();
+  states_.insert_or_assign(state.get(), Known<MapSnapshot, MapSurfaces>{state, made});
+  return HoldBoth(state, std::move(made));
+}
+
+std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state) {
+  std::vector<MapSurfaces::Part> parts;
+  for (const auto& submap : state.submaps()) {
+    std::shared_ptr<const SubmapSurface> surface = SurfaceOf(submap);
+    if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), std::move(surface)});
+  }
+  return std::make_shared<const MapSurfaces>(std::move(parts));
+}
+
+std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap) {
+  {
+    const MutexLock lock(mutex_);
+    const auto known = submaps_.find(submap.get());
+    if (known != submaps_.end() && !known->second.key.expired()) return known->second.value;
+  }
+  auto made = std::make_shared<const SubmapSurface>(
+      *submap, [&](const TileNeighbourhood& around, TileIndex) { return SlotOf(around, submap->info().voxel_size_m); });
+  const MutexLock lock(mutex_);
+  submaps_.insert_or_assign(submap.get(), Known<Submap, SubmapSurface>{submap, made});
+  return made;
+}
+
+SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, double voxel_size_m) {
+  const MutexLock lock(mutex_);
+  Slot& slot = slots_[around[kCentre]->tile.get()];
+  if (slot == nullptr || !slot->IsOf(around, voxel_size_m)) {
+    slot = std::make_shared<const TileSurfaceSlot>(around, voxel_size_m, ledger_);
+  }
+  return slot;
+}
+
+/// Forgets what nobody has any longer. Costs as much as there is, so it comes when that has doubled.
+void SurfaceCache::Sweep() {
+  std::erase_if(slots_, [](const auto& slot) { return slot.second->IsOrphan(); });
+  std::erase_if(submaps_, [](const auto& known) { return known.second.key.expired(); });
+  sweep_at_ = 2 * (slots_.size() + submaps_.size()) + 64;
+}
+
+/// Forgets surfaces, until what is left takes three quarters of the limit, and all that refers to them.
+void SurfaceCache::Evict() {
+  Sweep();
+  std::vector<Slot> made;
+  std::size_t bytes = 0;
+  for (const auto& [tile, slot] : slots_) {
+    if (slot->bytes() == 0) continue;
+    made.push_back(slot);
+    bytes += slot->bytes();
+  }
+  std::sort(made.begin(), made.end(), [](const Slot& a, const Slot& b) { return a->last_used() < b->last_used(); });
+  std::unordered_set<const TileSurfaceSlot*> dropped;
+  for (const Slot& slot : made) {
+    if (bytes <= limit_bytes_ / 4 * 3) break;
+    bytes -= slot->bytes();
+    dropped.insert(slot.get());
+  }
+  if (dropped.empty()) return;
+  std::erase_if(slots_, [&](const auto& slot) { return dropped.contains(slot.second.get()); });
+  std::erase_if(submaps_, [&](const auto& known) {
+    bool is_hit = false;
+    known.second.value->ForEachSlot([&](const TileSurfaceSlot& slot) { is_hit |= dropped.contains(&slot); });
+    return is_hit;
+  });
+  states_.clear();
+}
+
+}  // namespace dhpmap

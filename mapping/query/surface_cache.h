@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "mapping/base/mutex.h"
+#include "mapping/map/map.h"
+#include "mapping/query/submap_index.h"
+#include "mapping/query/submap_surface.h"
+
+namespace dhpmap {
+
+/// The surfaces of all submaps of one state of a map, and an index over them. Keeps the state alive. Thread-safe.
+class MapSurfaces {
+ public:
+  struct Part {
+    const Submap* submap;
+    std::shared_ptr<const SubmapSurface> surface;  ///< of something
+  };
+  explicit MapSurfaces(std::vector<Part> parts);
+
+  /// Entry i is of surface(i). By ascending id.
+  [[nodiscard]] const SubmapIndex& index() const { return index_; }
+  [[nodiscard]] const SubmapSurface& surface(std::size_t number) const { return *parts_[number].surface; }
+
+ private:
+  std::vector<Part> parts_;
+  SubmapIndex index_;
+};
+
+/// Surfaces of the maps that are asked about, made when they are first wanted and kept for later states, moved objects
+/// and clones: only tiles that were written since are made again. Holds no voxels. Thread-safe; nobody waits while
+/// others make surfaces, but for the same tile.
+class SurfaceCache {
+ public:
+  /// What surfaces may take in all; those that were not wanted for longest go first. What a caller still holds counts,
+  /// too, so who asks for much lets go in between.
+  explicit SurfaceCache(std::size_t limit_bytes);
+
+  /// The surfaces of a state. The first to ask for it takes a look at what is new in it.
+  std::shared_ptr<const MapSurfaces> Of(const std::shared_ptr<const MapSnapshot>& state) DHPMAP_EXCLUDES(mutex_);
+
+  /// What surfaces take now.
+  [[nodiscard]] std::size_t bytes() const { return ledger_->bytes; }
+  /// Tiles whose surface is there or was asked for, of any state.
+  [[nodiscard]] std::size_t num_tiles() const DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  using Slot = std::shared_ptr<const TileSurfaceSlot>;
+  template <typename Key, typename Value>
+  struct Known {
+    std::weak_ptr<const Key> key;  // its address is the key as long as it is there
+    std::shared_ptr<const Value> value;
+  };
+
+  std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state) DHPMAP_EXCLUDES(mutex_);
+  std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap) DHPMAP_EXCLUDES(mutex_);
+  Slot SlotOf(const TileNeighbourhood& around, double voxel_size_m) DHPMAP_EXCLUDES(mutex_);
+  void Sweep() DHPMAP_REQUIRES(mutex_);
+  void Evict() DHPMAP_REQUIRES(mutex_);
+
+  const std::size_t limit_bytes_;
+  const std::shared_ptr<SurfaceLedger> ledger_ = std::make_shared<SurfaceLedger>();
+  mutable Mutex mutex_;
+  std::unordered_map<const BlockTile*, Slot> slots_ DHPMAP_GUARDED_BY(mutex_);  // by the tile in the middle
+  std::unordered_map<const Submap*, Known<Submap, SubmapSurface>> submaps_ DHPMAP_GUARDED_BY(mutex_);
+  std::unordered_map<const MapSnapshot*, Known<MapSnapshot, MapSurfaces>> states_ DHPMAP_GUARDED_BY(mutex_);
+  std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;  // so many slots and submaps
+};
+
+}  // namespace dhpmap

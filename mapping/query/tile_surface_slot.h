@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "mapping/base/mutex.h"
+#include "mapping/mesh/tile_surface.h"
+#include "mapping/query/triangle_tree.h"
+
+namespace dhpmap {
+
+/// What the surfaces of a cache take, and its clock.
+struct SurfaceLedger {
+  std::atomic<std::size_t> bytes{0};
+  std::atomic<std::uint64_t> time{1};
+};
+
+/// The surface of one tile of a submap, made when it is first asked for, from whichever map, clone or state has the
+/// same voxels there. Knows them by identity and does not keep them alive. Thread-safe: threads that want the same
+/// surface wait for one of them to make it (a millisecond), and for nothing else.
+class TileSurfaceSlot {
+ public:
+  TileSurfaceSlot(const TileNeighbourhood& around, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger);
+  ~TileSurfaceSlot();
+  TileSurfaceSlot(const TileSurfaceSlot&) = delete;
+  TileSurfaceSlot& operator=(const TileSurfaceSlot&) = delete;
+
+  /// Whether the surface is made of these very voxels.
+  [[nodiscard]] bool IsOf(const TileNeighbourhood& around, double voxel_size_m) const;
+  /// Whether nobody has the tile any longer.
+  [[nodiscard]] bool IsOrphan() const { return tiles_[kCentre].expired(); }
+
+  /// `blocks` has the tile, as it was when the slot was made. Valid as long as the slot.
+  [[nodiscard]] const TriangleTree& Surface(const BlockTable& blocks, TileIndex tile) const {
+    if (const std::uint64_t now = ledger_->time.load(std::memory_order_relaxed);
+        last_used_.load(std::memory_order_relaxed) != now) {
+      last_used_.store(now, std::memory_order_relaxed);
+    }
+    const TriangleTree* ready = ready_.load(std::memory_order_acquire);
+    return ready != nullptr ? *ready : Make(blocks, tile);
+  }
+  /// 0: not made.
+  [[nodiscard]] std::size_t bytes() const;
+
+  /// By the ledger's clock; 0: never.
+  [[nodiscard]] std::uint64_t last_used() const { return last_used_.load(std::memory_order_relaxed); }
+
+ private:
+  static constexpr std::size_t kCentre = 13;
+  const TriangleTree& Make(const BlockTable& blocks, TileIndex tile) const;
+
+  const std::array<std::weak_ptr<const BlockTile>, 27> tiles_;  // empty where there is none
+  const double voxel_size_m_;
+  const std::shared_ptr<SurfaceLedger> ledger_;
+  mutable std::atomic<std::uint64_t> last_used_{0};
+  mutable Mutex mutex_;
+  mutable std::unique_ptr<const TriangleTree> made_ DHPMAP_GUARDED_BY(mutex_);
+  mutable std::atomic<const TriangleTree*> ready_{nullptr};  // made_, once it is there
+};
+
+}  // namespace dhpmap

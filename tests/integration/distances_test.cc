@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// A mapped TestScene, and distances in it through either channel.
+class DistancesTest : public ::testing::Test {
+ protected:
+  DistancesTest() {
+    v1::CreateMapResponse created;
+    grpc::ClientContext context;
+    EXPECT_TRUE(server.maps->CreateMap(&context, CreateRequest("room"), &created).ok());
+    EXPECT_TRUE(Feed(server, "room", 0, 40).status.ok());
+    v1::FinishMappingRequest finish;
+    finish.set_map("maps/room");
+    v1::FinishMappingResponse finished;
+    grpc::ClientContext finishing;
+    EXPECT_TRUE(server.mapping->FinishMapping(&finishing, finish, &finished).ok());
+    request.set_map("maps/room");
+  }
+  void AddPoint(double x, double y, double z) {
+    for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+  }
+  v1::QueryDistancesResponse Ask() { return Ask(server.channel()); }
+  v1::QueryDistancesResponse Ask(const std::shared_ptr<grpc::Channel>& channel) {
+    v1::QueryDistancesResponse response;
+    grpc::ClientContext context;
+    status = v1::QueryService::NewStub(channel)->QueryDistances(&context, request, &response);
+    return response;
+  }
+  std::string FirstBadField() const {
+    google::rpc::Status details;
+    google::rpc::BadRequest bad;
+    if (!details.ParseFromString(status.error_details())) return "";
+    for (const auto& detail : details.details()) {
+      if (detail.UnpackTo(&bad) && bad.field_violations_size() > 0) return bad.field_violations(0).field();
+    }
+    return "";
+  }
+
+  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  TestServer server{*store};
+  v1::QueryDistancesRequest request;
+  grpc::Status status;
+};
+
+TEST_F(DistancesTest, AreThoseOfTheSceneAndNameTheObject) {
+  AddPoint(0, 0, 1.3);
+  AddPoint(0, 0, 0.79);
+  AddPoint(50, 0, 0);
+  const v1::QueryDistancesResponse response = Ask();
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_EQ(response.results_size(), 3);
+  const Scene scene = TestScene();
+  EXPECT_NEAR(response.results(0).distance_m(), scene.Distance({0, 0, 1.3}), 0.03);
+  EXPECT_GT(response.results(0).gradient().z(), 0.95);
+  EXPECT_NEAR(response.results(1).distance_m(), scene.Distance({0, 0, 0.79}), 0.03);
+  EXPECT_GT(response.results(0).instance_id(), 0);
+  EXPECT_EQ(response.results(0).instance_id(), response.results(1).instance_id());
+  EXPECT_EQ(response.results(1).status(), v1::OK);
+  EXPECT_EQ(response.results(2).status(), v1::CLAMPED);
+  EXPECT_GT(response.revision(), 0);
+  EXPECT_EQ(Ask(server.grpc().InProcessChannel()).SerializeAsString(), response.SerializeAsString())
+      << "the door that REST goes through";
+}
+
+TEST_F(DistancesTest, PackedAnswersAreTheSameInArraysAlsoInTheBulkLane) {
+  for (int i = 0; i < 3000; ++i) AddPoint(0.001 * i - 1.5, 0.3, 0.4);
+  const v1::QueryDistancesResponse messages = Ask();
+  request.set_packed(true);
+  const v1::QueryDistancesResponse arrays = Ask();
+  ASSERT_TRUE(status.ok());
+  ASSERT_EQ(messages.results_size(), 3000);
+  ASSERT_EQ(arrays.packed().distance_m_size(), 3000);
+  for (int i = 0; i < 3000; ++i) {
+    EXPECT_EQ(arrays.packed().distance_m(i), messages.results(i).distance_m());
+    EXPECT_EQ(arrays.packed().instance_id(i), messages.results(i).instance_id());
+    EXPECT_EQ(arrays.packed().status(i), messages.results(i).status());
+  }
+}
+
+TEST_F(DistancesTest, FollowAnObjectThatIsMovedOrExcluded) {
+  AddPoint(0, 0, 0.9);
+  const v1::DistanceResult before = Ask().results(0);
+  v1::UpdateSubmapRequest move;
+  move.mutable_submap()->set_name(before.submap());
+  move.mutable_submap()->mutable_map_from_submap()->mutable_translation_m()->set_z(0.1);
+  move.mutable_update_mask()->add_paths("map_from_submap");
+  v1::UpdateSubmapResponse moved;
+  grpc::ClientContext context;
+  ASSERT_TRUE(server.submaps->UpdateSubmap(&context, move, &moved).ok());
+  const v1::QueryDistancesResponse after = Ask();
+  EXPECT_EQ(after.revision(), moved.revision());
+  EXPECT_EQ(after.results(0).instance_id(), before.instance_id());
+  EXPECT_NEAR(after.results(0).distance_m(), before.distance_m() - 0.1, 0.01);
+  request.mutable_options()->add_excluded_submaps(before.submap());
+  EXPECT_NE(Ask().results(0).instance_id(), before.instance_id());
+}
+
+TEST_F(DistancesTest, BadRequestsNameTheItem) {
+  AddPoint(0, 0, 1);
+  AddPoint(0, std::nan(""), 1);
+  Ask();
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(FirstBadField(), "xyz_m");
+  EXPECT_NE(status.error_message().size(), 0u);
+  request.mutable_xyz_m()->Truncate(3);
+  request.mutable_options()->add_excluded_class_names("no such class");
+  Ask();
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(FirstBadField(), "options.excluded_class_names[0]");
+  request.mutable_options()->Clear();
+  request.mutable_options()->add_excluded_submaps("maps/room/submaps/4000000");
+  Ask();
+  EXPECT_EQ(status.error_code(), grpc::NOT_FOUND);
+  EXPECT_EQ(FirstBadField(), "options.excluded_submaps[0]");
+  request.clear_options();
+  request.mutable_xyz_m()->Resize(3 * 1'000'001, 0);
+  Ask();
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(FirstBadField(), "xyz_m");
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

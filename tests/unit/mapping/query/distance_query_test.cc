@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/distance_query.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/mapping/query/surface_scene.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::AllTriangles;
+using testing::BruteNearest;
+using testing::kSceneTruncation_m;
+using testing::kSceneVoxel_m;
+
+/// A map's distances as it is now.
+DistanceQuery QueryOf(Map& map, DistanceOptions options = {}) {
+  SurfaceCache cache(std::size_t{1} << 30);
+  return {cache.Of(map.Publish(0)), std::move(options)};
+}
+
+void ExpectEqualsBruteForce(Map& map, const DistanceOptions& options, int num_points, double half_m) {
+  const DistanceQuery query = QueryOf(map, options);
+  const AllTriangles all(*map.published(), [&](const SubmapInfo& info) { return options.scope.Holds(info); });
+  const auto points = testing::RandomPoints(num_points, half_m, 17);
+  std::vector<SurfaceDistance> batch(points.size());
+  query.At(points, batch);
+  int num_clamped = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const BruteNearest truth = all.Nearest(points[i]);
+    const SurfaceDistance single = query.At(points[i]);
+    for (const SurfaceDistance& answer : {single, batch[i]}) {
+      if (truth.distance_m > options.max_distance_m + 1e-6) {
+        EXPECT_EQ(answer.status, DistanceStatus::kClamped);
+        EXPECT_EQ(answer.submap, nullptr);
+        EXPECT_EQ(answer.distance_m, options.max_distance_m);
+        EXPECT_TRUE(answer.gradient.isZero());
+        EXPECT_TRUE(answer.nearest_m.hasNaN());
+        ++num_clamped;
+        continue;
+      }
+      ASSERT_NE(answer.submap, nullptr) << points[i].transpose();
+      EXPECT_NEAR(std::abs(answer.distance_m), truth.distance_m, 0.001 * kSceneVoxel_m);
+      EXPECT_NEAR((points[i] - answer.nearest_m).norm(), truth.distance_m, 0.001 * kSceneVoxel_m);
+      EXPECT_NEAR(answer.gradient.norm(), 1, 1e-5);
+      EXPECT_NEAR((points[i] - answer.distance_m * answer.gradient - answer.nearest_m).norm(), 0, 1e-3 * kSceneVoxel_m);
+    }
+    EXPECT_EQ(single.status, batch[i].status);
+    EXPECT_NEAR(single.distance_m, batch[i].distance_m, 0.001 * kSceneVoxel_m);
+  }
+  EXPECT_LT(num_clamped, num_points) << "most are to be near";
+}
+
+TEST(DistanceQuery, EqualsBruteForceOverAllTriangles) {
+  Map map = testing::FurnishedRoom();
+  ExpectEqualsBruteForce(map, {}, 120, 1.9);
+  ExpectEqualsBruteForce(map, {.max_distance_m = 0.25}, 80, 1.9);
+}
+
+TEST(DistanceQuery, EqualsBruteForceWhereObjectsAreMovedTurnedAndCloned) {
+  Map map = testing::FurnishedRoom();
+  std::mt19937 random(11);
+  for (const std::uint32_t id : {1u, 2u, 3u}) {
+    map.FindMutable(SubmapId(id))->mutable_info().T_map_submap = testing::RandomPose(random, 0.5);
+  }
+  for (const std::uint32_t id : {1u, 2u, 0u}) {
+    map.Clone(SubmapId(id))->mutable_info().T_map_submap = testing::RandomPose(random, 0.8);
+  }
+  ExpectEqualsBruteForce(map, {}, 80, 1.9);
+}
+
+TEST(DistanceQuery, EqualsBruteForceFarFromTheOrigin) {
+  Map map(testing::SceneInfo());
+  Transform T = Transform::Identity();
+  T.translate(Eigen::Vector3d(-900, 700, 50));
+  T.rotate(Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 2).normalized()));
+  testing::ObserveBand(testing::AddThing(map, ClassId(1), T), testing::Ball({0, 0, 0}, 0.4),
+                       testing::CubeAt({0, 0, 0}, 0.6));
+  testing::ObserveBand(testing::AddThing(map), testing::Ball({3, 0, 0}, 0.3), testing::CubeAt({3, 0, 0}, 0.5));
+  const DistanceQuery query = QueryOf(map);
+  for (const Eigen::Vector3d& p : testing::RandomPoints(200, 1.0, 3)) {
+    const SurfaceDistance answer = query.At(T * p);
+    ASSERT_NE(answer.submap, nullptr);
+    EXPECT_NEAR(std::abs(answer.distance_m), std::abs(p.norm() - 0.4), 0.1 * kSceneVoxel_m);
+  }
+}
+
+TEST(DistanceQuery, EqualsTheScene) {
+  // Distance, sign and gradient against the solids themselves, the surface being within a tenth of a voxel of them.
+  Map map(testing::SceneInfo());
+  const Eigen::Vector3d center(0.13, -0.21, 0.07);
+  const auto ball = testing::Ball(center, 0.6);
+  testing::ObserveBand(testing::AddThing(map), ball, testing::CubeAt(center, 0.8));
+  const DistanceQuery query = QueryOf(map);
+  for (const Eigen::Vector3d& p : testing::RandomPoints(800, 2, 5)) {
+    const SurfaceDistance answer = query.At(p);
+    ASSERT_NE(answer.submap, nullptr);
+    const double truth = ball(p);
+    EXPECT_NEAR(answer.distance_m, truth, 0.1 * kSceneVoxel_m) << "outside, in the band and deep inside";
+    if (std::abs(truth) < 0.5 * kSceneVoxel_m || (p - center).norm() < 0.1) continue;
+    EXPECT_GT(answer.gradient.dot((p - center).normalized()), std::cos(10 * M_PI / 180)) << truth;
+  }
+}
+
+TEST(DistanceQuery, IsNegativeDeepBehindOnlyWhereNothingWasSeenInFront) {
+  // A ball inside a ball: behind the outer surface, and near the inner one, which is seen from between.
+  Map map(testing::SceneInfo());
+  const auto wall = [](const Eigen::Vector3d& p) { return p.x(); };  // faces +x
+  testing::ObserveBand(testing::AddThing(map), wall, testing::CubeAt({0, 0, 0}, 0.5));
+  const Eigen::Vector3d behind(-0.3, 0.02, 0.03);
+  EXPECT_NEAR(QueryOf(map).At(behind).distance_m, -0.3, 1e-3);
+  EXPECT_EQ(QueryOf(map).At(behind).status, DistanceStatus::kUnknown);
+  // Somebody else's surface faces the place, and it was observed before it.
+  const auto other = [](const Eigen::Vector3d& p) { return p.x() + 0.44; };
+  testing::ObserveBand(testing::AddThing(map), other, testing::CubeAt({-0.44, 0, 0}, 0.16));
+  const SurfaceDistance between = QueryOf(map).At({-0.2, 0.02, 0.03});
+  EXPECT_NEAR(between.distance_m, -0.2, 1e-3) << "nobody has seen this";
+  const SurfaceDistance before_other = QueryOf(map).At({-0.295, 0.02, 0.03});
+  EXPECT_NEAR(before_other.distance_m, 0.145, 1e-3) << "before the other wall";
+}
+
+TEST(DistanceQuery, TellsSeenFromUnseen) {
+  Map map(testing::SceneInfo());
+  testing::ObserveBand(testing::AddThing(map), testing::Ball({0, 0, 0}, 0.5), testing::CubeAt({0, 0, 0}, 0.7));
+  EXPECT_EQ(QueryOf(map).At({0.55, 0, 0}).status, DistanceStatus::kOk);
+  EXPECT_EQ(QueryOf(map).At({1.0, 0, 0}).status, DistanceStatus::kUnknown);
+  EXPECT_EQ(QueryOf(map, {.unknown_is_free = true}).At({1.0, 0, 0}).status, DistanceStatus::kOk);
+  EXPECT_EQ(QueryOf(map).At({9.0, 0, 0}).status, DistanceStatus::kClamped);
+}
+
+TEST(DistanceQuery, LeavesOutWhatIsExcluded) {
+  Map map = testing::FurnishedRoom();
+  DistanceOptions options;
+  options.scope.excluded_submaps = {SubmapId(4), SubmapId(1)};
+  ExpectEqualsBruteForce(map, options, 50, 1.9);
+  options.scope = {.excluded_classes = {ClassId(1), ClassId(3)}};
+  ExpectEqualsBruteForce(map, options, 50, 1.9);
+}
+
+TEST(DistanceQuery, KeepsTheUnknownSubmapAsAnObstacleUnderFiltersOfClasses) {
+  Map map = testing::FurnishedRoom();
+  DistanceOptions options;
+  options.scope.classes = {ClassId(2)};
+  const DistanceQuery query = QueryOf(map, options);
+  EXPECT_EQ(query.At({0.9, -0.9, -0.5}).submap->id, kUnknownSubmap);
+  EXPECT_EQ(query.At({-0.7, -0.6, 0.3}).submap->id, SubmapId(2));
+  ExpectEqualsBruteForce(map, options, 50, 1.9);
+  options.scope.excluded_submaps = {kUnknownSubmap};
+  EXPECT_EQ(QueryOf(map, options).At({0.9, -0.9, -0.5}).submap->id, SubmapId(2)) << "by its id it can be left out";
+}
+
+TEST(DistanceQuery, MovingAnObjectGivesTheAnswersOfAMapBuiltSo) {
+  // The same voxels, once moved by a pose and once written where they are.
+  Map moved(testing::SceneInfo()), built(testing::SceneInfo());
+  const Eigen::Vector3d shift(8 * kSceneVoxel_m, -16 * kSceneVoxel_m, 3 * kSceneVoxel_m), center(0.2, 0.1, 0.4);
+  testing::ObserveBand(testing::AddThing(moved), testing::Ball(center, 0.3), testing::CubeAt(center, 0.5));
+  (void)moved.Publish(0);
+  moved.FindMutable(SubmapId(1))->mutable_info().T_map_submap.translation() = shift;
+  testing::ObserveBand(testing::AddThing(built), testing::Ball(center + shift, 0.3),
+                       testing::CubeAt(center + shift, 0.5));
+  const DistanceQuery a = QueryOf(moved), b = QueryOf(built);
+  for (const Eigen::Vector3d& p : testing::RandomPoints(300, 1.5, 8)) {
+    const SurfaceDistance of_moved = a.At(p), of_built = b.At(p);
+    EXPECT_EQ(of_moved.status, of_built.status);
+    EXPECT_NEAR(of_moved.distance_m, of_built.distance_m, 0.001 * kSceneVoxel_m);
+  }
+}
+
+TEST(DistanceQuery, NeighboursThatShareASurfaceLeaveNoGap) {
+  // A ball whose voxels belong to eight submaps in a chequered pattern of patches.
+  Map map(testing::SceneInfo());
+  const auto ball = testing::Ball({0, 0, 0}, 0.6);
+  const auto patch = [](const Eigen::Vector3d& p) {
+    return (p.x() > 0.02 ? 1 : 0) + (p.y() > -0.03 ? 2 : 0) + (p.z() > 0.1 ? 4 : 0);
+  };
+  for (int k = 0; k < 8; ++k) {
+    testing::ObserveBand(testing::AddThing(map), ball, testing::CubeAt({0, 0, 0}, 0.8),
+                         [&](const Eigen::Vector3d& p) { return patch(p) == k; });
+  }
+  const DistanceQuery query = QueryOf(map);
+  for (const Eigen::Vector3d& p : testing::RandomPoints(1000, 1, 12)) {
+    EXPECT_NEAR(query.At(p).distance_m, ball(p), 0.2 * kSceneVoxel_m) << p.transpose();
+  }
+}
+
+TEST(DistanceQuery, OfAnEmptyMapIsClamped) {
+  Map map(testing::SceneInfo());
+  EXPECT_EQ(QueryOf(map).At({0, 0, 0}).status, DistanceStatus::kClamped);
+  QueryOf(map).At({}, {});
+}
+
+TEST(DistanceQuery, PointsBeyondAllNumbersAreClamped) {
+  Map map = testing::FurnishedRoom();
+  const DistanceQuery query = QueryOf(map);
+  for (const double far : {1e12, 1e30, 1e300}) {
+    EXPECT_EQ(query.At({far, -far, 0.5}).status, DistanceStatus::kClamped);
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap

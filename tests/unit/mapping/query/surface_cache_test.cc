@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/surface_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "mapping/query/distance_query.h"
+#include "tests/unit/mapping/query/surface_scene.h"
+
+namespace dhpmap {
+namespace {
+
+constexpr std::size_t kPlenty = std::size_t{1} << 30;
+
+/// Asks all over the room, so that all surfaces are made.
+double AskEverywhere(SurfaceCache& cache, const std::shared_ptr<const MapSnapshot>& state) {
+  const DistanceQuery query(cache.Of(state), {.max_distance_m = 9});
+  double sum_m = 0;
+  for (const Eigen::Vector3d& p : testing::RandomPoints(500, 1.9, 2)) sum_m += query.At(p).distance_m;
+  return sum_m;
+}
+
+TEST(SurfaceCache, MakesNothingBeforeItIsAsked) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(kPlenty);
+  const auto surfaces = cache.Of(map.Publish(0));
+  EXPECT_EQ(surfaces->index().entries().size(), 5u);
+  EXPECT_EQ(cache.bytes(), 0u);
+  (void)DistanceQuery(surfaces, {.max_distance_m = 0.1}).At({-0.55, 0.8, 1.1});
+  const std::size_t of_few = cache.bytes();
+  EXPECT_GT(of_few, 0u);
+  AskEverywhere(cache, map.published());
+  EXPECT_GT(cache.bytes(), 2 * of_few);
+}
+
+TEST(SurfaceCache, NewPosesAndClonesMakeNothingAgain) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(kPlenty);
+  AskEverywhere(cache, map.Publish(0));
+  const std::size_t bytes = cache.bytes(), tiles = cache.num_tiles();
+  std::mt19937 random(3);
+  map.FindMutable(SubmapId(2))->mutable_info().T_map_submap = testing::RandomPose(random, 0.5);
+  map.Clone(SubmapId(1))->mutable_info().T_map_submap = testing::RandomPose(random, 0.5);
+  AskEverywhere(cache, map.Publish(1));
+  EXPECT_EQ(cache.bytes(), bytes);
+  EXPECT_EQ(cache.num_tiles(), tiles);
+}
+
+TEST(SurfaceCache, WrittenVoxelsChangeTheSurfaceInTheNewStateOnly) {
+  Map map(testing::SceneInfo());
+  const auto wall = [](const Eigen::Vector3d& p) { return p.x() - 0.01; };
+  testing::ObserveBand(testing::AddThing(map), wall, testing::CubeAt({0, 0, 0}, 0.5));
+  SurfaceCache cache(kPlenty);
+  const auto before = map.Publish(0);
+  const Eigen::Vector3d p(0.3, 0.02, 0.03);
+  EXPECT_NEAR(DistanceQuery(cache.Of(before), {}).At(p).distance_m, 0.29, 1e-3);
+  const auto nearer = [](const Eigen::Vector3d& q) { return q.x() - 0.06; };
+  testing::ObserveBand(*map.FindMutable(SubmapId(1)), nearer, testing::CubeAt({0, 0, 0}, 0.5));
+  const auto after = map.Publish(1);
+  EXPECT_NEAR(DistanceQuery(cache.Of(after), {}).At(p).distance_m, 0.24, 1e-3);
+  EXPECT_NEAR(DistanceQuery(cache.Of(before), {}).At(p).distance_m, 0.29, 1e-3);
+}
+
+TEST(SurfaceCache, OnlyTilesThatTouchAChangeAreMadeAgain) {
+  Map map(testing::SceneInfo());
+  const auto wall = [](const Eigen::Vector3d& p) { return p.x() - 0.01; };
+  // Nine tiles long.
+  testing::ObserveBand(testing::AddThing(map), wall,
+                       Eigen::AlignedBox3d(Eigen::Vector3d(-0.3, 0, 0), Eigen::Vector3d(0.3, 14.2, 0.5)));
+  SurfaceCache cache(kPlenty);
+  const auto ask_along = [&](const std::shared_ptr<const MapSnapshot>& state) {
+    const DistanceQuery query(cache.Of(state), {});
+    for (double y = 0; y < 14.2; y += 0.1) (void)query.At({0.2, y, 0.2});
+  };
+  ask_along(map.Publish(0));
+  const auto all = map.published();
+  const std::size_t bytes = cache.bytes();
+  map.FindMutable(SubmapId(1))->MutableTsdf(BlockOf(VoxelAt({0, 0.1, 0.1}, testing::kSceneVoxel_m))).weight[0] += 1;
+  ask_along(map.Publish(1));
+  EXPECT_GT(cache.bytes(), bytes);
+  EXPECT_LT(cache.bytes(), bytes + bytes / 2) << "the old state is still held, and the new one shares the rest with it";
+}
+
+TEST(SurfaceCache, IncrementalAnswersEqualThoseOfANewCacheOverRandomEdits) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(kPlenty);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int step = 0; step < 15; ++step) {
+    const auto& submaps = map.submaps();
+    const SubmapId id = submaps[random() % submaps.size()]->id();
+    switch (random() % 5) {
+      case 0: map.FindMutable(id)->mutable_info().T_map_submap = testing::RandomPose(random, 0.6); break;
+      case 1: map.Clone(id)->mutable_info().T_map_submap = testing::RandomPose(random, 0.9); break;
+      case 2:
+        if (submaps.size() > 4) (void)map.Remove(id);
+        break;
+      case 3: {  // a bump
+        const Eigen::Vector3d center(unit(random), unit(random), unit(random));
+        testing::ObserveBand(*map.FindMutable(id), testing::Ball(center, 0.15), testing::CubeAt(center, 0.3));
+        break;
+      }
+      default: {
+        Submap& submap = *map.FindMutable(id);
+        if (!submap.blocks().empty()) (void)submap.EraseBlock(submap.blocks().entries().front().index);
+        submap.UpdateBoundingSphere();
+      }
+    }
+    const auto state = map.Publish(step);
+    SurfaceCache fresh(kPlenty);
+    const DistanceQuery incremental(cache.Of(state), {}), batch(fresh.Of(state), {});
+    for (const Eigen::Vector3d& p : testing::RandomPoints(40, 1.8, static_cast<unsigned>(step))) {
+      const SurfaceDistance a = incremental.At(p), b = batch.At(p);
+      EXPECT_EQ(a.distance_m, b.distance_m) << step;
+      EXPECT_EQ(a.status, b.status) << step;
+      EXPECT_EQ(a.submap, b.submap) << step;
+    }
+  }
+}
+
+TEST(SurfaceCache, KeepsToItsLimitAndAnswersTheSame) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache plenty(kPlenty);
+  const double truth = AskEverywhere(plenty, map.Publish(0));
+  SurfaceCache cache(plenty.bytes() / 3);
+  for (int n = 0; n < 3; ++n) EXPECT_EQ(AskEverywhere(cache, map.published()), truth);
+  (void)cache.Of(map.published());
+  EXPECT_LE(cache.bytes(), plenty.bytes() / 3);
+}
+
+TEST(SurfaceCache, ForgetsMapsThatAreGone) {
+  SurfaceCache cache(kPlenty);
+  for (int n = 0; n < 20; ++n) {
+    Map map = testing::FurnishedRoom();
+    AskEverywhere(cache, map.Publish(0));
+  }
+  Map map = testing::FurnishedRoom();
+  SurfaceCache one(kPlenty);
+  AskEverywhere(one, map.Publish(0));
+  EXPECT_LT(cache.bytes(), 8 * one.bytes()) << "it sweeps when what it has has doubled";
+}
+
+TEST(SurfaceCache, ThreadsMayAskWhileOthersMakeAndEvict) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache plenty(kPlenty);
+  const double truth = AskEverywhere(plenty, map.Publish(0));
+  SurfaceCache cache(plenty.bytes() / 2);
+  std::vector<std::jthread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      for (int n = 0; n < 3; ++n) EXPECT_EQ(AskEverywhere(cache, map.published()), truth);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap

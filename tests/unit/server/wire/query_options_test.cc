@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/query_options.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace dhpmap {
+namespace {
+
+/// Map "home" with the classes chair (1) and table (2) and a submap 1.
+std::shared_ptr<const MapSnapshot> Home() {
+  MapInfo info;
+  info.name = "home";
+  info.label_set = std::make_shared<const LabelSet>(
+      *LabelSet::Create({{.id = ClassId(1), .name = "chair"}, {.id = ClassId(2), .name = "table"}}));
+  Map map(info);
+  (void)map.Create({.panoptic = Panoptic::kThing, .class_id = ClassId(1), .voxel_size_m = 0.05, .truncation_m = 0.1});
+  return map.Publish(0);
+}
+
+TEST(QueryOptionsFromProto, HasDefaults) {
+  const auto question = QueryOptionsFromProto({}, *Home());
+  ASSERT_TRUE(question.ok());
+  EXPECT_EQ(question->options.max_distance_m, 3);
+  EXPECT_FALSE(question->options.unknown_is_free);
+  EXPECT_TRUE(question->options.scope.IsAll());
+  EXPECT_TRUE(IsIdentity(question->T_map_query));
+}
+
+TEST(QueryOptionsFromProto, TakesEveryField) {
+  v1::QueryOptions options;
+  options.set_unknown_policy(v1::QueryOptions::FREE);
+  options.set_max_distance_m(7);
+  options.add_excluded_submaps("maps/home/submaps/1");
+  options.add_excluded_submaps("maps/home/submaps/0");
+  options.add_excluded_class_names("table");
+  options.add_class_names("chair");
+  options.mutable_frame()->mutable_translation_m()->set_z(4);
+  const auto question = QueryOptionsFromProto(options, *Home());
+  ASSERT_TRUE(question.ok());
+  EXPECT_TRUE(question->options.unknown_is_free);
+  EXPECT_EQ(question->options.max_distance_m, 7);
+  EXPECT_EQ(question->options.scope.excluded_submaps, (std::vector<SubmapId>{SubmapId(1), SubmapId(0)}));
+  EXPECT_EQ(question->options.scope.excluded_classes, std::vector<ClassId>{ClassId(2)});
+  EXPECT_EQ(question->options.scope.classes, std::vector<ClassId>{ClassId(1)});
+  EXPECT_EQ(question->T_map_query.translation().z(), 4);
+}
+
+TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
+  struct Case {
+    std::function<void(v1::QueryOptions&)> spoil;
+    const char* field;
+    Reason reason;
+  };
+  const Case cases[] = {
+      {[](auto& o) { o.set_max_distance_m(0); }, "options.max_distance_m", "BAD_DISTANCE"},
+      {[](auto& o) { o.set_max_distance_m(-1); }, "options.max_distance_m", "BAD_DISTANCE"},
+      {[](auto& o) { o.set_max_distance_m(NAN); }, "options.max_distance_m", "BAD_DISTANCE"},
+      {[](auto& o) { o.set_max_distance_m(INFINITY); }, "options.max_distance_m", "BAD_DISTANCE"},
+      {[](auto& o) { o.set_unknown_policy(static_cast<v1::QueryOptions::UnknownPolicy>(77)); },
+       "options.unknown_policy", "BAD_FILTER"},
+      {[](auto& o) { o.mutable_frame()->mutable_rotation(); }, "options.frame", "BAD_TRANSFORM"},
+      {[](auto& o) { o.mutable_frame()->mutable_translation_m()->set_x(NAN); }, "options.frame", "BAD_TRANSFORM"},
+      {[](auto& o) { o.add_excluded_submaps("maps/home/submaps/1"), o.add_excluded_submaps("7"); },
+       "options.excluded_submaps[1]", "BAD_NAME"},
+      {[](auto& o) { o.add_excluded_submaps("maps/other/submaps/1"); }, "options.excluded_submaps[0]", "BAD_FILTER"},
+      {[](auto& o) { o.add_excluded_submaps("maps/home/submaps/9"); }, "options.excluded_submaps[0]",
+       "SUBMAP_NOT_FOUND"},
+      {[](auto& o) { o.add_excluded_class_names("spoon"); }, "options.excluded_class_names[0]", "BAD_FILTER"},
+      {[](auto& o) { o.add_class_names("chair"), o.add_class_names(""); }, "options.class_names[1]", "BAD_FILTER"},
+      {[](auto& o) {
+         for (int i = 0; i < 1001; ++i) o.add_class_names("chair");
+       },
+       "options.class_names", "BAD_FILTER"},
+      {[](auto& o) {
+         for (int i = 0; i < 1001; ++i) o.add_excluded_submaps("maps/home/submaps/1");
+       },
+       "options.excluded_submaps", "BAD_FILTER"},
+  };
+  const auto home = Home();
+  for (const Case& c : cases) {
+    v1::QueryOptions options;
+    c.spoil(options);
+    const Status status = QueryOptionsFromProto(options, *home).status();
+    EXPECT_EQ(status.reason(), c.reason) << c.field << ": " << status.ToString();
+    ASSERT_EQ(status.violations().size(), 1u) << c.field;
+    EXPECT_EQ(status.violations()[0].field, c.field);
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap
