@@ -8,6 +8,7 @@
 
 #include "mapping/base/result.h"
 #include "mapping/labels/label_set.h"
+#include "mapping/map/free_space.h"
 #include "mapping/map/map_config.h"
 #include "mapping/map/session_marks.h"
 #include "mapping/map/submap.h"
@@ -36,7 +37,9 @@ Status ValidateMapName(const std::string& name);
 /// A map at one revision: immutable, shared by readers, the store and the change feed. Thread-safe.
 class MapSnapshot {
  public:
-  MapSnapshot(MapInfo info, std::vector<std::shared_ptr<const Submap>> submaps);
+  /// Without `free_space` nothing is known to be free.
+  MapSnapshot(MapInfo info, std::vector<std::shared_ptr<const Submap>> submaps,
+              std::shared_ptr<const FreeSpace> free_space = nullptr);
 
   [[nodiscard]] const MapInfo& info() const { return info_; }
   [[nodiscard]] std::int64_t revision() const { return info_.revision; }
@@ -44,10 +47,13 @@ class MapSnapshot {
   [[nodiscard]] const std::vector<std::shared_ptr<const Submap>>& submaps() const { return submaps_; }
   /// Null if there is none.
   [[nodiscard]] const Submap* Find(SubmapId id) const;
+  /// What sensors have looked through. Never null; snapshots of the same state share it.
+  [[nodiscard]] const std::shared_ptr<const FreeSpace>& free_space() const { return free_space_; }
 
  private:
   MapInfo info_;
   std::vector<std::shared_ptr<const Submap>> submaps_;
+  std::shared_ptr<const FreeSpace> free_space_;
 };
 
 /// The writer's map. Publishes immutable snapshots; what it then changes, it copies first, one submap row, one tile and
@@ -76,6 +82,10 @@ class Map {
   /// The unknown submap cannot be removed. Returns whether it was there.
   bool Remove(SubmapId id);
 
+  [[nodiscard]] const FreeSpace& free_space() const { return *free_space_; }
+  /// The layer for writing. Valid until the next Publish.
+  [[nodiscard]] FreeSpace& mutable_free_space();
+
   /// The present state as a snapshot. A new revision if anything was written since the last one, else the same
   /// snapshot.
   std::shared_ptr<const MapSnapshot> Publish(std::int64_t time_ns);
@@ -91,15 +101,19 @@ class Map {
 
  private:
   [[nodiscard]] std::size_t Position(SubmapId id) const;
+  /// The layer as it is now, which nobody writes to any more.
+  [[nodiscard]] std::shared_ptr<const FreeSpace> FreezeFreeSpace();
 
   MapInfo info_;
   std::vector<std::shared_ptr<const Submap>> submaps_;
+  std::shared_ptr<const FreeSpace> free_space_;  ///< never null
   std::shared_ptr<const MapSnapshot> published_;
   std::uint64_t generation_ = 1;
   bool changed_ = true;
 };
 
-/// What a reader of `before` must be told to hold `after`: the store and the change feed work from this.
+/// What a reader of `before` must be told to hold `after`: the store and the change feed work from this. The free-space
+/// layer has a difference of its own, see DiffFreeSpace.
 struct SubmapChange {
   SubmapId id;
   const Submap* after = nullptr;  ///< null: the submap was removed

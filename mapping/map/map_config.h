@@ -58,6 +58,11 @@ struct RefinementConfig {
   CrfKernelConfig appearance{.position_m = 0.12, .color = 8.0, .weight = 5.0};
 };
 
+/// What the map keeps of the space between the sensor and the surfaces.
+struct SpaceConfig {
+  bool free = true;  ///< which voxels were looked through: tells free from unknown. Up to integration.max_range_m
+};
+
 /// Everything that decides how a map is built. Fixed when the map is created and stored with it.
 struct MapConfig {
   double voxel_size_m = 0.04;
@@ -66,6 +71,7 @@ struct MapConfig {
   TrackingConfig tracking;
   ActivityConfig activity;
   RefinementConfig refinement;
+  SpaceConfig space;
 
   /// INVALID_ARGUMENT naming every key that is out of range, at once.
   [[nodiscard]] Status Validate() const;
@@ -125,6 +131,7 @@ void VisitFields(Config& c, Visitor&& visit) {
         "standard deviation of the appearance kernel in red, green and blue of 0 to 255");
   visit("refinement.appearance.weight", c.refinement.appearance.weight, 0.0, 1e3,
         "how strongly voxels of like colour should agree");
+  visit("space.free", c.space.free, 0.0, 1.0, "keep which voxels were looked through, to tell free from unknown");
 }
 
 /// Every key with its value as text, in the order of VisitFields. SetField undoes it exactly.

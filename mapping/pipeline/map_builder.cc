@@ -15,6 +15,7 @@
 #include "mapping/pipeline/frame_fusion.h"
 #include "mapping/pipeline/stage_clock.h"
 #include "mapping/sensor/frame_reach.h"
+#include "mapping/space/free_space_finder.h"
 #include "mapping/tracking/activity.h"
 #include "mapping/tracking/tracker.h"
 
@@ -52,6 +53,7 @@ struct MapBuilder::Impl {
                                     FrameReport& report);
   void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
             const std::vector<Assignment>& assignments, FrameReport& report);
+  void LookThrough(const PanopticFrame& frame, FrameReport& report);
   void Settle(const PanopticFrame& frame, const std::vector<Assignment>& assignments, FrameReport& report);
   void Refine(FrameReport& report);
 
@@ -66,6 +68,7 @@ struct MapBuilder::Impl {
   std::shared_ptr<RefinementSlots> slots;  // may be null
   std::optional<Bundler> bundler;          // always there
   Tracker tracker;
+  FreeSpaceFinder space;
   BackgroundRefinement refinement;
   bool is_overdue = false;                          // the refinement under way should be taken over
   bool is_waiting = false;                          // for a slot
@@ -122,6 +125,12 @@ void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<Segmen
                             const std::vector<Assignment>& assignments, FrameReport& report) {
   const StageClock clock(report.fuse_s);
   report.num_voxels_updated = FuseFrame(frame, segments, assignments, map, *pool);
+}
+
+void MapBuilder::Impl::LookThrough(const PanopticFrame& frame, FrameReport& report) {
+  if (!map.info().config.space.free) return;
+  const StageClock clock(report.free_s);
+  space.Look(frame, map, *pool);
 }
 
 /// Things that were not seen for a while become inactive, and so may be refined.
@@ -187,6 +196,7 @@ void MapBuilder::Impl::PruneEmptyBlocks() {
 void MapBuilder::Impl::GoBackTo(Map&& before) {
   map = std::move(before);
   bundler.emplace(map.info().config.integration, *pool);  // what is in it may be half made, and is memory
+  space = FreeSpaceFinder();
 }
 
 MapBuilder::MapBuilder(MapInfo info, std::shared_ptr<ThreadPool> pool, RefinementTiming timing)
@@ -211,6 +221,7 @@ Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& fram
   DHPMAP_RETURN_IF_ERROR(CheckSize(frame, segments));
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
   Fuse(frame, segments, assignments, report);                   // (B) ray tracing into it, II-C
+  LookThrough(frame, report);                                   // what the rays passed is free
   Settle(frame, assignments, report);                           // what (C) and (D) may work on, II-D
   Refine(report);                                               // (C) and (D), II-D and II-E
   return report;

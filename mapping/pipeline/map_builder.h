@@ -25,9 +25,9 @@ struct FrameReport {
   int num_dissolved = 0;                ///< unconfirmed submaps that went into the unknown submap
   std::int64_t num_voxels_updated = 0;
   // Wall time by stage; of refinement only what the frame had to wait for: freezing, taking over.
-  double bundle_s = 0, track_s = 0, fuse_s = 0, activity_s = 0, refine_s = 0;
+  double bundle_s = 0, track_s = 0, fuse_s = 0, free_s = 0, activity_s = 0, refine_s = 0;
   std::optional<RefinementReport> refinement;  ///< on the side, taken over at this frame
-  [[nodiscard]] double total_s() const { return bundle_s + track_s + fuse_s + activity_s + refine_s; }
+  [[nodiscard]] double total_s() const { return bundle_s + track_s + fuse_s + free_s + activity_s + refine_s; }
 };
 
 /// When the outcome of a refinement on the side is taken over, which is the refinement's next turn at the earliest.

@@ -18,6 +18,7 @@ struct FusionBenchOptions {
   std::size_t num_frames = 0;
   int repetitions = 3;
   bool carving = false;
+  bool free_space = true;
 };
 /// Time of fusing a frame by stage, and the size of the map.
 Status RunFusionBench(const FusionBenchOptions& options);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 #include "mapping/pipeline/map_builder.h"
@@ -27,6 +28,7 @@ Result<MapInfo> MakeInfo(const FusionBenchOptions& options, const Dataset& datas
   info.config.truncation_m = options.truncation_m;
   info.config.integration.max_range_m = options.max_range_m;
   info.config.integration.carving = options.carving;
+  info.config.space.free = options.free_space;
   DHPMAP_RETURN_IF_ERROR(info.config.Validate());
   std::vector<LabelClass> classes = dataset.label_classes();
   if (options.labels == "one") classes = {{.id = kOneClass, .name = "everything", .panoptic = Panoptic::kStuff}};
@@ -45,6 +47,12 @@ void PrintSize(const Map& map) {
     }
   }
   const double num_voxels = static_cast<double>(num_blocks) * kBlockVoxels;
+  const FreeSpace& space = map.free_space();
+  const auto num_free = static_cast<double>(space.NumFreeVoxels());
+  std::printf("free space: %zu tiles, %.0f voxels, %.0f m3, %.1f KB, %.2f bits a voxel\n", space.tiles().size(),
+              num_free, num_free * std::pow(map.info().config.voxel_size_m, 3),
+              static_cast<double>(space.MemoryBytes()) / 1e3,
+              8.0 * static_cast<double>(space.MemoryBytes()) / num_free);
   std::printf("map: %zu submaps, %zu blocks, %.0f voxels, %zu observed (%.1f %%), %.1f MB, %.2f bytes a voxel\n",
               map.submaps().size(), num_blocks, num_voxels, num_observed,
               100.0 * static_cast<double>(num_observed) / num_voxels, static_cast<double>(bytes) / 1e6,
@@ -66,10 +74,12 @@ Status RunFusionBench(const FusionBenchOptions& options) {
   std::printf("%zu frames (%zu skipped), voxel %g m, truncation %g m, labels %s, %d thread(s), carving %s\n",
               loaded.frames.size(), loaded.num_skipped, options.voxel_size_m, options.truncation_m,
               options.labels.c_str(), options.num_threads, options.carving ? "on" : "off");
-  std::printf("ms a frame:    mean  median     p95 | bundle   track    fuse activity | points  voxel updates\n");
+  std::printf(
+      "ms a frame:    mean  median     p95 | bundle   track    fuse activity | free: mean  median     p95 | points  "
+      "voxel updates\n");
   for (int repetition = 0; repetition < options.repetitions; ++repetition) {
     MapBuilder builder(info, options.num_threads);
-    std::vector<double> times_ms;
+    std::vector<double> times_ms, free_ms;
     FrameReport sum;
     for (const PanopticFrame& frame : loaded.frames) {
       const auto start = std::chrono::steady_clock::now();
@@ -79,15 +89,16 @@ Status RunFusionBench(const FusionBenchOptions& options) {
       sum.track_s += report.track_s;
       sum.fuse_s += report.fuse_s;
       sum.activity_s += report.activity_s;
+      free_ms.push_back(1e3 * report.free_s);
       sum.num_points += report.num_points;
       sum.num_voxels_updated += report.num_voxels_updated;
     }
-    const Summary total = Summarize(times_ms);
+    const Summary total = Summarize(times_ms), free = Summarize(free_ms);
     const auto n = static_cast<double>(times_ms.size());
-    std::printf("run %d       %7.2f %7.2f %7.2f | %6.2f  %6.2f  %6.2f   %6.2f | %.0f  %.0f\n", repetition + 1,
-                total.mean, total.median, total.p95, 1e3 * sum.bundle_s / n, 1e3 * sum.track_s / n,
-                1e3 * sum.fuse_s / n, 1e3 * sum.activity_s / n, static_cast<double>(sum.num_points) / n,
-                static_cast<double>(sum.num_voxels_updated) / n);
+    std::printf("run %d       %7.2f %7.2f %7.2f | %6.2f  %6.2f  %6.2f   %6.2f |     %7.2f %7.2f %7.2f | %.0f  %.0f\n",
+                repetition + 1, total.mean, total.median, total.p95, 1e3 * sum.bundle_s / n, 1e3 * sum.track_s / n,
+                1e3 * sum.fuse_s / n, 1e3 * sum.activity_s / n, free.mean, free.median, free.p95,
+                static_cast<double>(sum.num_points) / n, static_cast<double>(sum.num_voxels_updated) / n);
     if (repetition + 1 == options.repetitions) PrintSize(builder.map());
   }
   return Status::Ok();

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"one", "predicted", "groundtruth"}))
       ->capture_default_str();
   fusion_command->add_flag("--carving", fusion.carving, "Clear free space too");
+  fusion_command->add_flag("!--no-free", fusion.free_space, "Do not keep which voxels were looked through");
 
   dhpmap::bench::GeometryCheckOptions geometry;
   CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against depth images that were held out");

@@ -46,6 +46,20 @@ AssertionResult InfosAreEqual(const SubmapInfo& a, const SubmapInfo& b) {
   return same ? AssertionSuccess() : AssertionFailure() << "rows differ";
 }
 
+AssertionResult FreeSpacesAreEqual(const FreeSpace& a, const FreeSpace& b) {
+  if (a.tiles().size() != b.tiles().size()) {
+    return AssertionFailure() << a.tiles().size() << " and " << b.tiles().size() << " tiles of free space";
+  }
+  for (const FreeTileEntry& entry : a.tiles()) {
+    const FreeTile* other = b.Find(entry.index);
+    if (other == nullptr || !(*entry.tile == *other)) {
+      return AssertionFailure() << "free space differs in tile " << entry.index.x << ' ' << entry.index.y << ' '
+                                << entry.index.z;
+    }
+  }
+  return AssertionSuccess();
+}
+
 }  // namespace
 
 AssertionResult MapsAreEqual(const MapSnapshot& a, const MapSnapshot& b, double distance_tolerance_m,
@@ -54,6 +68,7 @@ AssertionResult MapsAreEqual(const MapSnapshot& a, const MapSnapshot& b, double 
     return AssertionFailure() << a.submaps().size() << " and " << b.submaps().size() << " submaps";
   }
   if (a.info().num_frames != b.info().num_frames) return AssertionFailure() << "frame counts differ";
+  if (AssertionResult same = FreeSpacesAreEqual(*a.free_space(), *b.free_space()); !same) return same;
   for (std::size_t s = 0; s < a.submaps().size(); ++s) {
     const Submap& left = *a.submaps()[s];
     const Submap& right = *b.submaps()[s];

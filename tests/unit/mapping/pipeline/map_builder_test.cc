@@ -96,6 +96,19 @@ TEST(MapBuilder, AnyNumberOfThreadsGivesTheSameBits) {
   EXPECT_TRUE(MapsAreEqual(*one, *MapRoom(6, 5)));
 }
 
+TEST(MapBuilder, KeepsWhatWasLookedThroughUnlessTheConfigSaysNo) {
+  const auto map = MapRoom(3, 2);
+  EXPECT_TRUE(map->free_space()->IsFree(VoxelAt({1.0, 0.0, 1.0}, map->info().config.voxel_size_m)));
+  EXPECT_FALSE(map->free_space()->IsFree(VoxelAt({1.0, 0.0, -0.2}, map->info().config.voxel_size_m)));
+  MapInfo info = Info();
+  info.config.space.free = false;
+  MapBuilder builder(info, 1);
+  const auto report = builder.Integrate(Frame(Room(), 0));
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(report->free_s, 0);
+  EXPECT_TRUE(builder.map().free_space().empty());
+}
+
 TEST(MapBuilder, PublishingInBetweenChangesNothing) { EXPECT_TRUE(MapsAreEqual(*MapRoom(6, 1), *MapRoom(6, 1, 1))); }
 
 TEST(MapBuilder, GoingOnFromASnapshotEqualsMappingInOneGo) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+#include "mapping/sensor/frame.h"
+#include "mapping/space/cell.h"
+#include "mapping/space/lidar_kernel.h"
+#include "mapping/space/look_options.h"
+#include "mapping/space/sight_pyramid.h"
+
+namespace dhpmap {
+
+/// What a LiDAR looks through. Its scan is points without an order, so directions are cut into bins, of
+/// which each has the least range of its points. Bins between two beams take the nearer one's, where the beams lie no
+/// farther apart than beams of this scan do. A voxel is free if its centre lies before that of its own and all eight
+/// bins around: all beams beside it go farther, and none of them is missing. Minus the truncation, and not beyond the
+/// range. Keeps its buffers from frame to frame. Thread-compatible.
+class LidarView {
+ public:
+  /// `R_sensor_grid`: from the axes of the map's grid to the scanner's.
+  void Build(const LidarData& data, const Eigen::Matrix3d& R_sensor_grid, const LookOptions& options, ThreadPool& pool);
+
+  /// A box, in voxels from the sensor along the axes of the grid, outside of which no voxel centre is free.
+  [[nodiscard]] Box Reach() const;
+
+  void Classify(const CellBatch& cells, CellSights& sights) const;
+  /// See TestOctant.
+  void Test(float x, float y, float z, std::array<std::uint8_t, kOctantVoxels>& is_free) const {
+    TestOctant(x, y, z, geometry_, image_.limit_vox.data(), is_free);
+  }
+
+  [[nodiscard]] const SightImage& image() const { return image_; }
+  [[nodiscard]] int first_row() const { return geometry_.first_row; }
+
+ private:
+  void BinPoints(const LidarData& data, const LookOptions& options);
+  void BuildGeometry(const Eigen::Matrix3d& R_sensor_grid);
+
+  LidarGeometry geometry_{};
+  SightImage image_;
+  SightPyramid pyramid_;
+  std::vector<float> bins_;  ///< limits before they are spread to the bins around
+};
+
+}  // namespace dhpmap

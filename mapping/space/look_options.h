@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace dhpmap {
+
+/// How a frame is looked through.
+struct LookOptions {
+  double voxel_size_m = 0;
+  double margin_m = 0;     ///< before a return that is not called free
+  double max_range_m = 0;  ///< no farther
+};
+
+/// In voxels from the sensor, along the axes of the map's grid. Empty if `least` is above `most` somewhere.
+struct Box {
+  Eigen::Vector3d least_vox = Eigen::Vector3d::Ones(), most_vox = -Eigen::Vector3d::Ones();
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/space/sight_pyramid.h"
+
+#include <algorithm>
+
+#include "mapping/space/vector_clones.h"
+
+namespace dhpmap {
+namespace {
+
+/// Two rows of 2 n values become n of the least and the greatest of four each.
+DHPMAP_VECTOR_CLONES
+void HalveRow(const float* __restrict least0, const float* __restrict least1, const float* __restrict most0,
+              const float* __restrict most1, int n, float* __restrict least, float* __restrict most) {
+  for (int i = 0; i < n; ++i) {
+    const float a = least0[2 * i], b = least0[2 * i + 1], c = least1[2 * i], d = least1[2 * i + 1];
+    const float ab = a < b ? a : b, cd = c < d ? c : d;
+    least[i] = ab < cd ? ab : cd;
+    const float e = most0[2 * i], f = most0[2 * i + 1], g = most1[2 * i], h = most1[2 * i + 1];
+    const float ef = e > f ? e : f, gh = g > h ? g : h;
+    most[i] = ef > gh ? ef : gh;
+  }
+}
+
+/// The least and the greatest of each 2 x 2, of n + 1 values a row.
+DHPMAP_VECTOR_CLONES
+void SlideRow(const float* __restrict least0, const float* __restrict least1, const float* __restrict most0,
+              const float* __restrict most1, int n, float* __restrict least, float* __restrict most) {
+  for (int i = 0; i < n; ++i) {
+    const float ab = least0[i] < least0[i + 1] ? least0[i] : least0[i + 1];
+    const float cd = least1[i] < least1[i + 1] ? least1[i] : least1[i + 1];
+    least[i] = ab < cd ? ab : cd;
+    const float ef = most0[i] > most0[i + 1] ? most0[i] : most0[i + 1];
+    const float gh = most1[i] > most1[i + 1] ? most1[i] : most1[i + 1];
+    most[i] = ef > gh ? ef : gh;
+  }
+}
+
+/// A grid of values that goes on beyond its last row; each row of `width` values.
+struct Plane {
+  const float* data;
+  int width, height;
+  [[nodiscard]] const float* Row(int v) const {
+    return data + static_cast<std::size_t>(std::min(v, height - 1)) * static_cast<std::size_t>(width);
+  }
+};
+
+}  // namespace
+
+void SightPyramid::Build(const SightImage& image) {
+  num_levels_ = 0;
+  most_ = 0;
+  if (image.width <= 0 || image.height <= 0) return;
+  Plane least{image.limit_vox.data(), image.width, image.height};
+  Plane most = least;
+  // Up to where any rectangle has at most four cells a side.
+  for (;;) {
+    if (levels_.size() <= num_levels_) levels_.emplace_back();
+    Level& level = levels_[num_levels_++];
+    level.width = (least.width + 1) / 2;
+    level.height = (least.height + 1) / 2;
+    const std::size_t size = static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
+    for (auto* plane : {&level.least, &level.most, &level.least_slid, &level.most_slid}) plane->resize(size);
+    const auto row = [&level](std::vector<float>& plane, int v) {
+      return plane.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(level.width);
+    };
+    for (int v = 0; v < level.height; ++v) {
+      HalveRow(least.Row(2 * v), least.Row(2 * v + 1), most.Row(2 * v), most.Row(2 * v + 1), least.width / 2,
+               row(level.least, v), row(level.most, v));
+      if (least.width % 2 != 0) {  // a column without a neighbour
+        const auto last = static_cast<std::size_t>(least.width - 1);
+        row(level.least, v)[last / 2] = std::min(least.Row(2 * v)[last], least.Row(2 * v + 1)[last]);
+        row(level.most, v)[last / 2] = std::max(most.Row(2 * v)[last], most.Row(2 * v + 1)[last]);
+      }
+    }
+    least = {level.least.data(), level.width, level.height};
+    most = {level.most.data(), level.width, level.height};
+    for (int v = 0; v < level.height; ++v) {
+      SlideRow(least.Row(v), least.Row(v + 1), most.Row(v), most.Row(v + 1), level.width - 1, row(level.least_slid, v),
+               row(level.most_slid, v));
+      const auto last = static_cast<std::size_t>(level.width - 1);
+      row(level.least_slid, v)[last] = std::min(least.Row(v)[last], least.Row(v + 1)[last]);
+      row(level.most_slid, v)[last] = std::max(most.Row(v)[last], most.Row(v + 1)[last]);
+    }
+    if (level.width <= 4 && level.height <= 4) break;
+  }
+  const Level& top = levels_[num_levels_ - 1];
+  most_ = *std::max_element(top.most.begin(), top.most.end());
+}
+
+SightPyramid::Span SightPyramid::Over(int u0, int v0, int u1, int v1) const {
+  int shift = 1;
+  while ((u1 >> shift) - (u0 >> shift) > 3 || (v1 >> shift) - (v0 >> shift) > 3) ++shift;
+  const Level& level = levels_[static_cast<std::size_t>(shift - 1)];
+  const auto width = static_cast<std::size_t>(level.width);
+  const auto left = static_cast<std::size_t>(u0 >> shift), upper = static_cast<std::size_t>(v0 >> shift) * width;
+  const auto right = static_cast<std::size_t>(std::max(u0 >> shift, (u1 >> shift) - 1));
+  const auto lower = static_cast<std::size_t>(std::max(v0 >> shift, (v1 >> shift) - 1)) * width;
+  const float* least = level.least_slid.data();
+  const float* most = level.most_slid.data();
+  return {
+      std::min(std::min(least[upper + left], least[upper + right]),
+               std::min(least[lower + left], least[lower + right])),
+      std::max(std::max(most[upper + left], most[upper + right]), std::max(most[lower + left], most[lower + right]))};
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/free_space.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+/// All free voxels, one by one.
+using Naive = std::set<VoxelIndex>;
+
+Naive ContentOf(const FreeSpace& space) {
+  Naive content;
+  for (const FreeTileEntry& entry : space.tiles()) {
+    for (int cell = 0; cell < kTileBlocks; ++cell) {
+      for (int linear = 0; linear < kBlockVoxels; ++linear) {
+        if (entry.tile->IsFree(cell, linear)) content.insert(VoxelIn(BlockIn(entry.index, cell), linear));
+      }
+    }
+  }
+  return content;
+}
+
+/// Some whole blocks and some voxels of two others of a tile; every fourth has all voxels of one of them.
+FreeBlocks RandomBlocks(std::mt19937& random) {
+  FreeBlocks seen;
+  seen.full = std::uint64_t{1} << random() % 64;
+  for (int i = 0; i < 2; ++i) {
+    const std::size_t cell = random() % 64;
+    if ((seen.full >> cell & 1u) != 0) continue;
+    seen.mixed |= std::uint64_t{1} << cell;
+    seen.masks[cell].fill(random() % 4 == 0 ? ~std::uint64_t{0} : std::uint64_t{random()} << random() % 32);
+  }
+  return seen;
+}
+
+void AddTo(Naive& naive, TileIndex index, const FreeBlocks& seen) {
+  for (int cell = 0; cell < kTileBlocks; ++cell) {
+    for (int linear = 0; linear < kBlockVoxels; ++linear) {
+      const auto c = static_cast<std::size_t>(cell), word = static_cast<std::size_t>(linear / 64);
+      const bool is_free = (seen.full >> c & 1u) != 0 ||
+                           ((seen.mixed >> c & 1u) != 0 && (seen.masks[c][word] >> (linear % 64) & 1u) != 0);
+      if (is_free) naive.insert(VoxelIn(BlockIn(index, cell), linear));
+    }
+  }
+}
+
+TEST(FreeSpace, AgreesWithASetOfVoxelsAndSoDoItsCopies) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    std::mt19937 random(seed);
+    std::uint64_t generation = 1;
+    FreeSpace space(generation);
+    Naive naive;
+    std::vector<std::pair<FreeSpace, Naive>> copies;
+    for (int step = 0; step < 120; ++step) {
+      const TileIndex index{static_cast<std::int32_t>(random() % 3) - 1, static_cast<std::int32_t>(random() % 2) - 1,
+                            0};
+      if (random() % 20 == 0) {
+        EXPECT_EQ(space.Erase(index),
+                  std::erase_if(naive, [&](VoxelIndex v) { return TileOf(BlockOf(v)) == index; }) > 0);
+      } else {
+        const FreeBlocks seen = RandomBlocks(random);
+        space.Add(index, seen, 0);
+        AddTo(naive, index, seen);
+      }
+      if (step % 15 == 0) {
+        copies.emplace_back(space, naive);
+        space.set_generation(++generation);
+      }
+    }
+    EXPECT_EQ(ContentOf(space), naive);
+    EXPECT_EQ(space.NumFreeVoxels(), static_cast<std::int64_t>(naive.size()));
+    for (int i = 0; i < 5000; ++i) {
+      const VoxelIndex v{static_cast<std::int32_t>(random() % 120) - 60, static_cast<std::int32_t>(random() % 120) - 60,
+                         static_cast<std::int32_t>(random() % 40)};
+      EXPECT_EQ(space.IsFree(v), naive.contains(v));
+    }
+    for (const auto& [copy, content] : copies) EXPECT_EQ(ContentOf(copy), content) << "a copy must not change";
+  }
+}
+
+TEST(FreeSpace, TheSameVoxelsHaveTheSameFormWhateverTheWayThere) {
+  FreeTile at_once, step_by_step;
+  FreeBlocks block, upper, lower;
+  block.full = 1u << 5;
+  at_once.Add(block);
+  upper.mixed = lower.mixed = 1u << 5 | 1u << 9;
+  for (std::size_t z = 0; z < 8; ++z) {
+    upper.masks[5][z] = z < 3 ? ~std::uint64_t{0} : 0x1234;
+    lower.masks[5][z] = z < 3 ? 0 : ~std::uint64_t{0};
+    upper.masks[9][z] = lower.masks[9][z] = 0;  // nothing of this block
+  }
+  step_by_step.Add(upper);
+  EXPECT_FALSE(step_by_step.Holds(lower));
+  step_by_step.Add(lower);
+  EXPECT_EQ(step_by_step, at_once);
+  EXPECT_TRUE(step_by_step.Holds(upper));
+  EXPECT_TRUE(step_by_step.masks().empty());
+  EXPECT_EQ(step_by_step.NumFreeVoxels(), kBlockVoxels);
+}
+
+TEST(FreeSpace, HoldsNoTileInWhichNothingIsFree) {
+  FreeSpace space(1);
+  EXPECT_FALSE(space.Add({0, 0, 0}, {}, 5));
+  FreeBlocks nothing;
+  nothing.mixed = 1;  // with a mask of zeros
+  EXPECT_FALSE(space.Add({0, 0, 0}, nothing, 5));
+  EXPECT_TRUE(space.empty());
+}
+
+TEST(FreeSpace, RenewsAStampAtMostOnceASecondAndNeverTurnsItBack) {
+  FreeSpace space(1);
+  FreeBlocks seen;
+  seen.full = 1;
+  EXPECT_TRUE(space.Add({0, 0, 0}, seen, 10 * kSecond_ns));
+  EXPECT_FALSE(space.Add({0, 0, 0}, seen, 11 * kSecond_ns - 1));
+  EXPECT_FALSE(space.Add({0, 0, 0}, seen, 3 * kSecond_ns)) << "an older frame";
+  EXPECT_EQ(space.Find({0, 0, 0})->last_seen_ns(), 10 * kSecond_ns);
+  EXPECT_TRUE(space.Add({0, 0, 0}, seen, 11 * kSecond_ns));
+  EXPECT_EQ(space.Find({0, 0, 0})->last_seen_ns(), 11 * kSecond_ns);
+  seen.full = 2;
+  EXPECT_TRUE(space.Add({0, 0, 0}, seen, 3 * kSecond_ns)) << "it sees something new all the same";
+  EXPECT_EQ(space.Find({0, 0, 0})->last_seen_ns(), 11 * kSecond_ns);
+  constexpr std::int64_t kFirst = std::numeric_limits<std::int64_t>::min(), kLast = -(kFirst + 1);
+  EXPECT_TRUE(space.Add({1, 0, 0}, seen, kFirst));
+  EXPECT_TRUE(space.Add({1, 0, 0}, seen, kLast)) << "a difference that does not fit";
+  EXPECT_FALSE(space.Add({1, 0, 0}, seen, kFirst));
+}
+
+TEST(FreeSpace, TakesABitForAWholeBlockAndCopiesOnlyTheTilesItWrites) {
+  FreeSpace space(1);
+  FreeBlocks all;
+  all.full = ~std::uint64_t{0};
+  for (std::int32_t x = 0; x < 100; ++x) space.Add({x, 0, 0}, all, 0);
+  EXPECT_LT(space.MemoryBytes(), 100u * 256u);  // 25 KB for 3.3 million voxels
+  const FreeSpace before = space;
+  space.set_generation(2);
+  all.full = 1;
+  space.Add({3, 0, 0}, all, 2 * kSecond_ns);
+  EXPECT_NE(before.Find({3, 0, 0}), space.Find({3, 0, 0}));
+  EXPECT_EQ(before.Find({4, 0, 0}), space.Find({4, 0, 0}));
+}
+
+TEST(DiffFreeSpace, NamesTheTilesThatAreNotTheSame) {
+  FreeSpace space(1);
+  FreeBlocks seen;
+  seen.full = 1;
+  for (std::int32_t x = 0; x < 4; ++x) space.Add({x, 0, 0}, seen, 0);
+  EXPECT_EQ(DiffFreeSpace(nullptr, space).written.size(), 4u);
+  const FreeSpace before = space;
+  EXPECT_TRUE(DiffFreeSpace(&before, space).empty());
+  space.set_generation(2);
+  space.Erase({0, 0, 0});
+  seen.full = 6;
+  space.Add({2, 0, 0}, seen, 0);
+  space.Add({9, 0, 0}, seen, 0);
+  const FreeSpaceChange change = DiffFreeSpace(&before, space);
+  std::set<TileIndex> written;
+  for (const FreeTileEntry* entry : change.written) written.insert(entry->index);
+  EXPECT_EQ(written, (std::set<TileIndex>{{2, 0, 0}, {9, 0, 0}}));
+  EXPECT_EQ(change.erased, (std::vector<TileIndex>{{0, 0, 0}}));
+}
+
+/// A map's free space is copied on write, goes back with a fork, and makes a revision when it changes.
+TEST(MapFreeSpace, GoesWithSnapshotsForksAndFrozenStatesAndNoneOfThemChanges) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    std::mt19937 random(seed);
+    MapInfo info;
+    info.name = "m";
+    Map map(info);
+    std::vector<std::pair<std::shared_ptr<const MapSnapshot>, Naive>> history;
+    for (int step = 0; step < 100; ++step) {
+      const Naive now = ContentOf(map.free_space());
+      switch (random() % 5) {
+        case 0: history.emplace_back(map.Publish(step), now); break;
+        case 1: history.emplace_back(map.Freeze(), now); break;
+        case 2: {
+          Map before = map.Fork();
+          map.mutable_free_space().Add({0, 0, 0}, RandomBlocks(random), step);
+          EXPECT_EQ(ContentOf(before.free_space()), now);
+          if (random() % 2 == 0) {
+            before.mutable_free_space().Add({1, 0, 0}, RandomBlocks(random), step);
+            history.emplace_back(map.Freeze(), ContentOf(map.free_space()));
+            map = std::move(before);
+          }
+          break;
+        }
+        case 3: {
+          const auto snapshot = map.Publish(step);
+          history.emplace_back(snapshot, now);
+          map = Map(snapshot);  // as after a restart
+          break;
+        }
+        default:
+          map.mutable_free_space().Add({static_cast<std::int32_t>(random() % 2), 0, 0}, RandomBlocks(random), step);
+      }
+    }
+    for (const auto& [snapshot, content] : history) EXPECT_EQ(ContentOf(*snapshot->free_space()), content);
+  }
+}
+
+TEST(MapFreeSpace, ARevisionIsMadeOfWhatIsWritten) {
+  Map map(MapInfo{});
+  const auto first = map.Publish(1);
+  EXPECT_TRUE(first->free_space()->empty());
+  FreeBlocks seen;
+  seen.full = 1;
+  map.mutable_free_space().Add({0, 0, 0}, seen, 0);
+  const auto second = map.Publish(2);
+  EXPECT_EQ(second->revision(), first->revision() + 1);
+  EXPECT_TRUE(second->free_space()->IsFree({0, 0, 0}));
+  EXPECT_FALSE(first->free_space()->IsFree({0, 0, 0}));
+  map.mutable_info().display_name = "x";
+  EXPECT_EQ(map.Publish(3)->free_space(), second->free_space()) << "what nobody wrote is shared";
+}
+
+}  // namespace
+}  // namespace dhpmap
