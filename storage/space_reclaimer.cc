@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "mapping/base/this_thread.h"
 #include "storage/sqlite/free_pages.h"
 
 namespace dhpmap {
@@ -57,6 +58,7 @@ void SpaceReclaimer::Notice(std::int64_t num_free_pages) {
 }
 
 void SpaceReclaimer::Loop() {
+  NameThisThread("reclaim-space");
   MutexLock lock(mutex_);
   for (;;) {
     wake_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return has_work_ || is_stopping_; });

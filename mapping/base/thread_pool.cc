@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <exception>
 
+#include "mapping/base/this_thread.h"
+
 namespace dhpmap {
 
 /// What a caller of ParallelFor waits for. Belongs to the pool's mutex.
@@ -75,6 +77,7 @@ void ThreadPool::Close(Loop& loop) {
 }
 
 void ThreadPool::WorkerLoop() {
+  NameThisThread("pool");
   const MutexLock lock(mutex_);
   while (true) {
     while (!stopping_ && open_.empty()) work_ready_.Wait(mutex_);

@@ -6,6 +6,8 @@
 #include <future>
 #include <utility>
 
+#include "mapping/base/this_thread.h"
+
 namespace dhpmap {
 namespace {
 
@@ -94,6 +96,7 @@ void CommitWorker::Stop() {
 }
 
 void CommitWorker::Loop() {
+  NameThisThread("map-commit");
   const auto retry = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(retry_s_));
   const MutexLock lock(mutex_);
   while (true) {

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/base/this_thread.h"
 #include "server/http/request_parser.h"
 
 namespace dhpmap::http {
@@ -368,7 +369,12 @@ Result<std::unique_ptr<Listener>> Listener::Start(const ListenerOptions& options
   auto impl = std::make_unique<Impl>(options, std::move(events));
   DHPMAP_RETURN_IF_ERROR(impl->Bind(options.address));
   impl->Accept();
-  for (int i = 0; i < options.num_threads; ++i) impl->threads.emplace_back([io = &impl->io] { io->run(); });
+  for (int i = 0; i < options.num_threads; ++i) {
+    impl->threads.emplace_back([io = &impl->io] {
+      NameThisThread("http");
+      io->run();
+    });
+  }
   return std::unique_ptr<Listener>(new Listener(std::move(impl)));
 }
 

@@ -32,13 +32,14 @@ class LaneTask {
 };
 
 struct LaneOptions {
+  const char* name = "lane";  ///< of its threads
   int num_threads = 1;
   std::size_t max_waiting = 1024;  ///< tasks that no thread has begun
   int niceness = 0;                ///< of its threads, above that of the process: 10 leaves the cores to others
 };
 
-/// Threads for calls of one kind, in the order they came, so that no kind of call waits for another, and none holds up
-/// gRPC's own threads, of which there are two. Thread-safe.
+/// Threads for work of one kind, in the order it came, so that no kind waits for another, and none holds up the few
+/// threads that hear of what arrives. Thread-safe.
 class Lane {
  public:
   explicit Lane(const LaneOptions& options);
@@ -51,6 +52,7 @@ class Lane {
   [[nodiscard]] bool TryPost(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
   /// For work that its source bounds, such as the frames in flight of a stream: there is always room for it.
   void Post(std::function<void()> work) DHPMAP_EXCLUDES(mutex_);
+  void Post(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
 
  private:
   void Loop() DHPMAP_EXCLUDES(mutex_);
@@ -61,13 +63,6 @@ class Lane {
   std::deque<std::shared_ptr<LaneTask>> tasks_ DHPMAP_GUARDED_BY(mutex_);
   bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::vector<std::thread> threads_;
-};
-
-/// One lane for each kind of call.
-struct Lanes {
-  Lane quick;   ///< answers in microseconds, or asynchronously
-  Lane bulk;    ///< meshes, voxels, many points: takes long, and cares less
-  Lane frames;  ///< decoding what robots stream
 };
 
 }  // namespace dhpmap

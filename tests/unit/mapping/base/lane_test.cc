@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/grpc/lane.h"
+#include "mapping/base/lane.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -8,27 +8,12 @@
 #include <future>
 #include <vector>
 
+#include "tests/support/lane_plug.h"
+
 namespace dhpmap {
 namespace {
 
-/// Keeps a lane's only thread busy until it is let go.
-class Plug {
- public:
-  explicit Plug(Lane& lane) {
-    lane.Post([ends = ends_] {
-      ends->begun.set_value();
-      ends->release.get_future().wait();
-    });
-    ends_->begun.get_future().wait();
-  }
-  void Release() { ends_->release.set_value(); }
-
- private:
-  struct Ends {
-    std::promise<void> begun, release;
-  };
-  std::shared_ptr<Ends> ends_ = std::make_shared<Ends>();  // the lane's, too, whose thread may go on after we are gone
-};
+using Plug = testing::LanePlug;
 
 std::shared_ptr<LaneTask> Task(std::function<void()> work) { return std::make_shared<LaneTask>(std::move(work)); }
 

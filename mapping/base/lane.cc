@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/grpc/lane.h"
-
-#include <sys/resource.h>
+#include "mapping/base/lane.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "mapping/base/this_thread.h"
+
 namespace dhpmap {
-namespace {
-
-/// Of this thread only: on Linux a niceness is a thread's own. Being less nice than the process needs rights that we
-/// may not have, and is never asked for.
-void BeNicer(int by) {
-  if (by <= 0) return;
-  const int now = getpriority(PRIO_PROCESS, 0);
-  setpriority(PRIO_PROCESS, 0, now + by);
-}
-
-}  // namespace
-
 bool LaneTask::GiveUp() {
   return Take() != nullptr;  // what it held is freed here, outside of the lock
 }
@@ -36,7 +24,8 @@ std::function<void()> LaneTask::Take() {
 Lane::Lane(const LaneOptions& options) : options_(options) {
   for (int i = 0; i < std::max(1, options_.num_threads); ++i) {
     threads_.emplace_back([this] {
-      BeNicer(options_.niceness);
+      NameThisThread(options_.name);
+      MakeThisThreadNicer(options_.niceness);
       Loop();
     });
   }
@@ -64,8 +53,9 @@ bool Lane::TryPost(std::shared_ptr<LaneTask> task) {
   return true;
 }
 
-void Lane::Post(std::function<void()> work) {
-  auto task = std::make_shared<LaneTask>(std::move(work));
+void Lane::Post(std::function<void()> work) { Post(std::make_shared<LaneTask>(std::move(work))); }
+
+void Lane::Post(std::shared_ptr<LaneTask> task) {
   {
     const MutexLock lock(mutex_);
     tasks_.push_back(std::move(task));
