@@ -2,6 +2,7 @@
 #include "mapping/map/observed_sphere.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,28 +35,54 @@ Box Cube(const Index& index, int side) {
 Box CubeOf(const BlockEntry& entry) { return Cube(entry.index, kBlockSide); }
 Box CubeOf(const TileEntry& tile) { return Cube(tile.index, kBlockSide * kTileSide); }
 
-template <typename Visitor>
-void ForEachObserved(const BlockEntry& entry, Visitor&& visit) {
-  if (entry.tsdf == nullptr) return;
-  for (int linear = 0; linear < kBlockVoxels; ++linear) {
-    if (entry.tsdf->IsObserved(linear)) visit(Cube(VoxelIn(entry.index, linear), 1));
+/// Around the observed voxels of a block. By the greatest weight of each plane across the axes, a row of voxels at a
+/// time: ten times as fast as to look at each voxel, of which a wall has a hundred thousand at its rim.
+Box BoxOfObserved(const BlockEntry& entry) {
+  constexpr int kRows = kBlockSide * kBlockSide;
+  Box box;
+  if (entry.tsdf == nullptr) return box;
+  const Eigen::Map<const Eigen::Array<float, kBlockSide, kRows>> rows(entry.tsdf->weight.data());
+  const Eigen::Array<float, 1, kRows> of_row = rows.colwise().maxCoeff();
+  const Eigen::Map<const Eigen::Array<float, kBlockSide, kBlockSide>> rows_yz(of_row.data());
+  using Planes = Eigen::Array<float, kBlockSide, 1>;
+  const std::array<Planes, 3> planes = {rows.rowwise().maxCoeff(), rows_yz.rowwise().maxCoeff(),
+                                        rows_yz.colwise().maxCoeff().transpose()};
+  const Box cube = CubeOf(entry);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < kBlockSide; ++i) {
+      if (!(planes[axis][i] >= kMinObservedWeight)) continue;
+      box.low[axis] = std::min(box.low[axis], cube.low[axis] + i);
+      box.high[axis] = std::max(box.high[axis], cube.low[axis] + i + 1);
+    }
+  }
+  return box;
+}
+
+/// Visits the blocks of all tiles that are not `left_out`, of which a large submap has a few hundred.
+template <typename IsLeftOut, typename Visitor>
+void ForEachBlock(const BlockTable& blocks, IsLeftOut&& left_out, Visitor&& visit) {
+  for (const TileEntry& tile : blocks.tiles()) {
+    if (left_out(CubeOf(tile))) continue;
+    for (const BlockEntry& entry : tile.tile->entries()) visit(entry);
   }
 }
 
 /// Of the blocks, first those at the rim of their box: few of the others reach out of what these hold.
 Box BoxOfObserved(const BlockTable& blocks) {
   Box allocated, observed;
-  for (const BlockEntry& entry : blocks.entries()) allocated.Add(CubeOf(entry));
-  const auto add = [&observed](const Box& voxel) { observed.Add(voxel); };
-  for (const BlockEntry& entry : blocks.entries()) {
-    if (CubeOf(entry).IsAtRimOf(allocated)) ForEachObserved(entry, add);
-  }
-  for (const TileEntry& tile : blocks.tiles()) {
-    if (observed.Contains(CubeOf(tile))) continue;
-    for (const BlockEntry& entry : tile.tile->entries()) {
-      if (!observed.Contains(CubeOf(entry))) ForEachObserved(entry, add);
-    }
-  }
+  ForEachBlock(
+      blocks, [&](const Box& tile) { return allocated.Contains(tile); },
+      [&](const BlockEntry& entry) { allocated.Add(CubeOf(entry)); });
+  ForEachBlock(
+      blocks, [&](const Box& tile) { return !tile.IsAtRimOf(allocated); },
+      [&](const BlockEntry& entry) {
+        if (CubeOf(entry).IsAtRimOf(allocated)) observed.Add(BoxOfObserved(entry));
+      });
+  ForEachBlock(
+      blocks, [&](const Box& tile) { return observed.Contains(tile); },
+      [&](const BlockEntry& entry) {
+        if (!observed.Contains(CubeOf(entry))) observed.Add(BoxOfObserved(entry));
+      });
   return observed;
 }
 
@@ -70,18 +97,26 @@ double FarthestSquared(const Box& box, const Array3d& from) {
 double FarthestObservedSquared(const BlockTable& blocks, const Array3d& from) {
   double farthest = 0;
   const auto look_into = [&](const BlockEntry& entry) {
-    ForEachObserved(entry, [&](const Box& voxel) { farthest = std::max(farthest, FarthestSquared(voxel, from)); });
-  };
-  const auto entries = blocks.entries();
-  look_into(*std::max_element(entries.begin(), entries.end(), [&](const BlockEntry& a, const BlockEntry& b) {
-    return FarthestSquared(CubeOf(a), from) < FarthestSquared(CubeOf(b), from);
-  }));
-  for (const TileEntry& tile : blocks.tiles()) {
-    if (FarthestSquared(CubeOf(tile), from) <= farthest) continue;
-    for (const BlockEntry& entry : tile.tile->entries()) {
-      if (FarthestSquared(CubeOf(entry), from) > farthest) look_into(entry);
+    if (entry.tsdf == nullptr) return;
+    for (int linear = 0; linear < kBlockVoxels; ++linear) {
+      if (!entry.tsdf->IsObserved(linear)) continue;
+      farthest = std::max(farthest, FarthestSquared(Cube(VoxelIn(entry.index, linear), 1), from));
     }
-  }
+  };
+  double reach = 0;
+  const BlockEntry* outermost = nullptr;
+  ForEachBlock(
+      blocks, [&](const Box& tile) { return FarthestSquared(tile, from) <= reach; },
+      [&](const BlockEntry& entry) {
+        const double its = FarthestSquared(CubeOf(entry), from);
+        if (its > reach) reach = its, outermost = &entry;
+      });
+  if (outermost != nullptr) look_into(*outermost);
+  ForEachBlock(
+      blocks, [&](const Box& tile) { return FarthestSquared(tile, from) <= farthest; },
+      [&](const BlockEntry& entry) {
+        if (FarthestSquared(CubeOf(entry), from) > farthest) look_into(entry);
+      });
   return farthest;
 }
 
