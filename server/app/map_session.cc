@@ -7,16 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "mapping/base/this_thread.h"
 #include "mapping/map/session_marks.h"
 
 namespace dhpmap {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Each step costs one full sync; after an unclean end up to so many numbers are left out.
-constexpr std::int64_t kRevisionsAStep = 1000;
-constexpr std::uint32_t kIdsAStep = 100;
 
 Clock::time_point In(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -64,11 +61,10 @@ std::shared_ptr<ThreadPool> PoolOf(const SessionOptions& options) {
 
 MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& store, SessionOptions options)
     : options_(WithClock(std::move(options))),
-      store_(store),
+      numbers_(store, {snapshot->revision(), snapshot->info().next_submap_id}),
       commits_(store, snapshot, options_.commit_retry_s, options_.on_commit),
       seat_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s))),
       builder_(snapshot, PoolOf(options_), RefinementTiming::kNeverWait, options_.refinement_slots),
-      marks_{snapshot->revision(), snapshot->info().next_submap_id},
       view_(std::make_shared<const MapView>(snapshot)) {}
 
 MapSession::~MapSession() { (void)Stop(); }
@@ -239,6 +235,7 @@ void MapSession::Post(Job job) {
 }
 
 void MapSession::WriterLoop() {
+  NameThisThread("map-writer");
   MutexLock lock(mutex_);
   while (!stopping_) {
     const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !jobs_.empty(); };
@@ -279,7 +276,10 @@ void MapSession::DoBatchesThatAreDue() {
   const auto now = Clock::now();
   if (num_uncommitted_ > 0 && (num_uncommitted_ >= options_.commit_frames || now >= commit_due_)) {
     Publish();
-    RequestCommit(Durability::kNormal);
+    // On the commit thread: here fusion would wait for the store, which may be in the middle of a commit.
+    RequestCommit(Durability::kNormal, [this, name = builder_.map().info().name](const Status& status) {
+      if (status.ok()) numbers_.GoAhead(name);
+    });
   } else if (num_unpublished_ > 0 && (num_unpublished_ >= options_.publish_frames || now >= publish_due_)) {
     Publish();
   }
@@ -341,24 +341,14 @@ std::shared_ptr<const MapView> MapSession::Publish() {
   num_unpublished_ = 0;
   auto snapshot = builder_.map().Publish(options_.now_ns());
   // Nobody sees numbers that might be given out again after a crash; the next turn tries again.
-  if (!ReserveNumbersOf(snapshot->info()).ok() && commits_.committed_revision() != snapshot->revision()) return View();
+  if (!numbers_.Cover(snapshot->info()).ok() && commits_.committed_revision() != snapshot->revision()) return View();
   return Show(std::move(snapshot));
 }
 
-Status MapSession::ReserveNumbersOf(const MapInfo& info) {
-  if (info.revision <= marks_.revision && info.next_submap_id <= marks_.next_submap_id) return Status::Ok();
-  const NumberMarks wanted{info.revision + kRevisionsAStep, SubmapId(info.next_submap_id.value + kIdsAStep)};
-  DHPMAP_RETURN_IF_ERROR(store_.Reserve(info.name, wanted));
-  marks_ = wanted;
-  return Status::Ok();
-}
-
-/// After a clean end, numbering goes on without a gap.
 void MapSession::ReleaseNumbers() {
   const MapInfo& info = builder_.map().info();
   if (!commits_.last_outcome().ok() || commits_.committed_revision() != info.revision) return;
-  if (marks_.revision == info.revision && marks_.next_submap_id == info.next_submap_id) return;
-  (void)store_.Reserve(info.name, {info.revision, info.next_submap_id});  // a gap is no harm
+  numbers_.Release(info);
 }
 
 std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapSnapshot> snapshot) {

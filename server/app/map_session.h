@@ -17,6 +17,7 @@
 #include "server/app/feed_seat.h"
 #include "server/app/lazy_thread.h"
 #include "server/app/map_view.h"
+#include "server/app/number_reserve.h"
 #include "server/app/store_lag.h"
 
 namespace dhpmap {
@@ -158,19 +159,17 @@ class MapSession {
   std::shared_ptr<const MapView> Publish();
   std::shared_ptr<const MapView> Show(std::shared_ptr<const MapSnapshot> snapshot);
   Status CommitPublished();
-  Status ReserveNumbersOf(const MapInfo& info);
   void ReleaseNumbers();
   void RequestCommit(Durability durability, CommitWorker::Done done = {});
 
   const SessionOptions options_;
-  MapStore& store_;
+  NumberReserve numbers_;
   CommitWorker commits_;
   mutable StoreLag lag_;  // hears of commits when it is asked
   FeedSeat seat_;
 
   // Writer thread only.
   MapBuilder builder_;
-  NumberMarks marks_;        // what others may see; see MapStore::Reserve
   int num_unpublished_ = 0;  // frames
   int num_uncommitted_ = 0;
   TimePoint publish_due_;
