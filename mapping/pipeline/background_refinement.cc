@@ -5,7 +5,15 @@
 #include <exception>
 #include <utility>
 
+#include "mapping/base/this_thread.h"
+
 namespace dhpmap {
+namespace {
+
+/// Nobody waits for a refinement on the side: where cores are scarce, frames and answers come first.
+constexpr int kNiceness = 10;
+
+}  // namespace
 
 BackgroundRefinement::~BackgroundRefinement() { Cancel(); }
 
@@ -16,6 +24,8 @@ void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before,
   outcome_ = std::async(
       std::launch::async,
       [this, before = std::move(before), refined_before = std::move(refined_before), slot = std::move(slot)]() mutable {
+        NameThisThread("refinement");
+        MakeThisThreadNicer(kNiceness);
         const auto held = std::move(slot);  // until the end of the work, not of the outcome
         ThreadPool pool(1);                 // the other cores go on fusing
         Map map(before);
