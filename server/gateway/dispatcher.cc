@@ -7,7 +7,6 @@
 #include "mapping/base/byte_budget.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/media_type.h"
-#include "server/gateway/rpc_exchange.h"
 #include "server/gateway/rpc_request.h"
 #include "server/http/url.h"
 
@@ -29,11 +28,11 @@ http::Response MethodNotAllowed(const http::RequestHead& head, std::string_view 
 
 }  // namespace
 
-Dispatcher::Dispatcher(HttpRuleRouter router, RpcCaller* caller, GatewayHooks hooks, std::size_t max_body_bytes,
+Dispatcher::Dispatcher(HttpRuleRouter router, RpcBackend backend, GatewayHooks hooks, std::size_t max_body_bytes,
                        std::shared_ptr<ByteBudget> inflight)
     : router_(std::move(router)),
       pages_(router_, std::move(hooks)),
-      caller_(caller),
+      backend_(backend),
       max_body_bytes_(max_body_bytes),
       inflight_(std::move(inflight)) {}
 
@@ -88,9 +87,9 @@ Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::Request
   const bool is_stream = match.route->is_stream();
   DHPMAP_ASSIGN_OR_RETURN(RpcRequest request, RpcRequest::Make(head, std::move(match), query, max_body_bytes_));
   ByteShare share(inflight_.get());
-  if (is_stream) return MakeStreamExchange(std::move(request), std::move(share), caller_, responder);
+  if (is_stream) return MakeStreamExchange(std::move(request), std::move(share), backend_, responder);
   if (!share.Resize(request.announced_bytes)) return TooManyBytes();
-  return MakeUnaryExchange(std::move(request), std::move(share), caller_, responder);
+  return MakeUnaryExchange(std::move(request), std::move(share), backend_, responder);
 }
 
 }  // namespace dhpmap::gateway

@@ -9,18 +9,17 @@
 #include "server/gateway/hooks.h"
 #include "server/gateway/http_rule_router.h"
 #include "server/gateway/pages.h"
+#include "server/gateway/rpc_exchange.h"
 #include "server/http/exchange.h"
 
 namespace dhpmap::gateway {
 
-class RpcCaller;
-
 /// Decides what a request is: a page of the gateway's own, an RPC, or an error. Thread-safe.
 class Dispatcher final : public http::Handler {
  public:
-  /// `caller` outlives this. Larger bodies than `max_body_bytes` are refused, and requests for whose bodies and
-  /// answers `inflight` has no room.
-  Dispatcher(HttpRuleRouter router, RpcCaller* caller, GatewayHooks hooks, std::size_t max_body_bytes,
+  /// What `backend` names outlives this. Larger bodies than `max_body_bytes` are refused, and requests for whose bodies
+  /// and answers `inflight` has no room.
+  Dispatcher(HttpRuleRouter router, RpcBackend backend, GatewayHooks hooks, std::size_t max_body_bytes,
              std::shared_ptr<ByteBudget> inflight);
 
   std::shared_ptr<http::Exchange> Begin(const http::RequestHead& head,
@@ -37,7 +36,7 @@ class Dispatcher final : public http::Handler {
 
   HttpRuleRouter router_;
   Pages pages_;
-  RpcCaller* caller_;
+  RpcBackend backend_;
   std::size_t max_body_bytes_;
   std::shared_ptr<ByteBudget> inflight_;
 };

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "mapping/base/lane.h"
 #include "mapping/base/mutex.h"
 #include "server/gateway/dispatcher.h"
 #include "server/gateway/rpc_call.h"
@@ -12,6 +13,8 @@ namespace dhpmap {
 namespace {
 
 constexpr std::chrono::seconds kCancelTimeout{5};
+/// As nice as what bulk calls do behind the other door.
+constexpr int kBulkNiceness = 10;
 
 }  // namespace
 
@@ -19,7 +22,7 @@ struct Gateway::Impl {
   Impl(const GatewayOptions& options, std::shared_ptr<grpc::Channel> channel, gateway::HttpRuleRouter router,
        GatewayHooks hooks)
       : caller(std::move(channel)),
-        dispatcher(std::move(router), &caller, std::move(hooks), options.max_body_bytes, options.inflight) {}
+        dispatcher(std::move(router), {&caller, &bulk}, std::move(hooks), options.max_body_bytes, options.inflight) {}
 
   enum class State { kServing, kShutDown, kStuck };  // kStuck: shut down, but something still refers to us
 
@@ -28,6 +31,7 @@ struct Gateway::Impl {
   std::unique_ptr<http::Server> server;
   Mutex mutex;
   State state DHPMAP_GUARDED_BY(mutex) = State::kServing;
+  Lane bulk{{.name = "json", .num_threads = 1, .niceness = kBulkNiceness}};  // last: its thread ends before all it uses
 };
 
 Result<std::unique_ptr<Gateway>> Gateway::Start(const GatewayOptions& options, std::shared_ptr<grpc::Channel> channel,

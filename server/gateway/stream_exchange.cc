@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/base/byte_budget.h"
+#include "mapping/base/lane.h"
 #include "mapping/base/state_machine.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/error_body.h"
@@ -27,15 +28,16 @@ Status Numbered(std::int64_t message, const Status& error) {
   return numbered;
 }
 
-/// All members are used on the connection's sequence of execution, but for the encoder: that is gRPC's.
+/// All members are used on the connection's sequence of execution, but for the encoder: that is whose the message is,
+/// gRPC's or the lane's, one at a time.
 class StreamExchange final : public http::Exchange,
                              public StreamListener,
                              public std::enable_shared_from_this<StreamExchange> {
  public:
-  StreamExchange(RpcRequest request, ByteShare share, RpcCaller* caller, std::shared_ptr<http::Responder> responder)
+  StreamExchange(RpcRequest request, ByteShare share, RpcBackend backend, std::shared_ptr<http::Responder> responder)
       : request_(std::move(request)),
         share_(std::move(share)),
-        caller_(caller),
+        backend_(backend),
         responder_(std::move(responder)),
         splitter_(request_.body_format, request_.route->client_streams(), request_.max_body_bytes),
         encoder_(*request_.route, request_.answer_format, request_.file_stem) {}
@@ -48,8 +50,8 @@ class StreamExchange final : public http::Exchange,
 
   // From gRPC, on its threads.
   void OnMessage(std::string message) override {
-    auto part = encoder_.Encode(message);
-    PostToConnection([part = std::move(part)](StreamExchange& self) mutable { self.Answered(std::move(part)); });
+    if (message.size() <= kMostQuickBytes) return Encode(message);
+    backend_.bulk->Post([self = shared_from_this(), message = std::move(message)] { self->Encode(message); });
   }
   void OnReadEnd() override {
     PostToConnection([](StreamExchange& self) { self.ReadEnded(); });
@@ -62,6 +64,11 @@ class StreamExchange final : public http::Exchange,
   }
 
  private:
+  void Encode(const std::string& message) {
+    auto part = encoder_.Encode(message);
+    PostToConnection([part = std::move(part)](StreamExchange& self) mutable { self.Answered(std::move(part)); });
+  }
+
   template <typename Task>
   void PostToConnection(Task task) {
     responder_->Post([self = shared_from_this(), task = std::move(task)]() mutable { task(*self); });
@@ -86,7 +93,7 @@ class StreamExchange final : public http::Exchange,
 
   const RpcRequest request_;
   ByteShare share_;  // of what is kept of the body, and of the answer
-  RpcCaller* const caller_;
+  const RpcBackend backend_;
   const std::shared_ptr<http::Responder> responder_;
 
   MessageSplitter splitter_;
@@ -129,7 +136,7 @@ void StreamExchange::OnBodyEnd() {
 void StreamExchange::StartCall(bool is_one_message) {
   CallOptions options = request_.call;
   if (is_one_message && request_.route->client_streams()) options.metadata.emplace_back(kOneMessageKey, "1");
-  call_ = caller_->StartStream(options, shared_from_this());
+  call_ = backend_.caller->StartStream(options, shared_from_this());
   receiving_.To(Receiving::kIdle);
   ReadMore();
 }
@@ -327,9 +334,9 @@ void StreamExchange::OnClosed() {
 
 }  // namespace
 
-std::shared_ptr<http::Exchange> MakeStreamExchange(RpcRequest request, ByteShare share, RpcCaller* caller,
+std::shared_ptr<http::Exchange> MakeStreamExchange(RpcRequest request, ByteShare share, RpcBackend backend,
                                                    std::shared_ptr<http::Responder> responder) {
-  return std::make_shared<StreamExchange>(std::move(request), std::move(share), caller, std::move(responder));
+  return std::make_shared<StreamExchange>(std::move(request), std::move(share), backend, std::move(responder));
 }
 
 }  // namespace dhpmap::gateway

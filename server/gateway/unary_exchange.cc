@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/base/byte_budget.h"
+#include "mapping/base/lane.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/rpc_call.h"
@@ -12,8 +13,10 @@ namespace {
 
 class UnaryExchange final : public http::Exchange, public std::enable_shared_from_this<UnaryExchange> {
  public:
-  UnaryExchange(RpcRequest request, ByteShare share, RpcCaller* caller, std::shared_ptr<http::Responder> responder)
-      : request_(std::move(request)), share_(std::move(share)), caller_(caller), responder_(std::move(responder)) {}
+  UnaryExchange(RpcRequest request, ByteShare share, RpcBackend backend, std::shared_ptr<http::Responder> responder)
+      : request_(std::move(request)), share_(std::move(share)), backend_(backend), responder_(std::move(responder)) {
+    body_.reserve(share_.bytes());  // what its head announced: as it grew, it would be there twice
+  }
 
   bool OnBody(std::string_view data) override {
     if (finished_) return true;
@@ -34,32 +37,54 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
 
   void OnBodyEnd() override {
     if (finished_) return;
-    auto message = request_.transcoder.ToRequest(request_.body_format, body_);
-    std::string().swap(body_);
-    if (!message.ok()) return Reply(ErrorResponse(message.status(), request_.answer_format));
-    if (!share_.Resize(message->size())) return Reply(ErrorResponse(TooManyBytes(), request_.answer_format));
-    call_ = caller_->StartUnary(request_.call, std::move(*message),
-                                [self = shared_from_this()](const RpcStatus& status, std::string response) {
-                                  // On gRPC's thread: the JSON is made here, the connections' thread stays free.
-                                  auto answer = self->MakeAnswer(status, std::move(response));
-                                  self->responder_->Post([self, answer = std::move(answer)]() mutable {
-                                    if (self->finished_) return;
-                                    if (!self->share_.Resize(answer.body.size())) {
-                                      answer = ErrorResponse(TooManyBytes(), self->request_.answer_format);
-                                    }
-                                    self->Reply(std::move(answer));
-                                  });
-                                });
+    if (body_.size() <= kMostQuickBytes) return Start(MakeMessage(std::move(body_)));
+    parsing_ = std::make_shared<LaneTask>([self = shared_from_this(), body = std::move(body_)]() mutable {
+      auto message = self->MakeMessage(std::move(body));
+      self->responder_->Post([self, message = std::move(message)]() mutable { self->Start(std::move(message)); });
+    });
+    backend_.bulk->Post(parsing_);  // one a connection
   }
 
   void OnWritten() override {}
   void OnClosed() override {
     finished_ = true;
+    if (parsing_) parsing_->GiveUp();
     if (call_) call_->Cancel();
     call_.reset();
   }
 
  private:
+  /// On any thread. The body is gone when it returns.
+  [[nodiscard]] Result<std::string> MakeMessage(std::string body) const {
+    return request_.transcoder.ToRequest(request_.body_format, body);
+  }
+
+  void Start(Result<std::string> message) {
+    if (finished_) return;
+    if (!message.ok()) return Reply(ErrorResponse(message.status(), request_.answer_format));
+    if (!share_.Resize(message->size())) return Reply(ErrorResponse(TooManyBytes(), request_.answer_format));
+    call_ = backend_.caller->StartUnary(
+        request_.call, std::move(*message),
+        [self = shared_from_this()](RpcStatus status, std::string response) {  // on gRPC's thread
+          if (response.size() <= kMostQuickBytes) return self->Ended(status, std::move(response));
+          if (!self->share_.Resize(response.size())) return self->Ended(ToRpcStatus(TooManyBytes()), "");
+          self->backend_.bulk->Post([self, status = std::move(status), response = std::move(response)]() mutable {
+            self->Ended(status, std::move(response));
+          });
+        });
+  }
+
+  /// On any thread but the connection's, which stays free while JSON is made.
+  void Ended(const RpcStatus& status, std::string response) {
+    responder_->Post([self = shared_from_this(), answer = MakeAnswer(status, std::move(response))]() mutable {
+      if (self->finished_) return;
+      if (!self->share_.Resize(answer.body.size())) {
+        answer = ErrorResponse(TooManyBytes(), self->request_.answer_format);
+      }
+      self->Reply(std::move(answer));
+    });
+  }
+
   http::Response MakeAnswer(const RpcStatus& status, std::string message) const {
     if (!status.ok()) return ErrorResponse(status, request_.answer_format);
     auto body = ToAnswer(*request_.route, std::move(message), request_.answer_format);
@@ -80,19 +105,20 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
   }
 
   const RpcRequest request_;
-  ByteShare share_;  // of the body, the message, then the answer until it is written
-  RpcCaller* const caller_;
+  ByteShare share_;  // of the body, the message, then the answer until it is written; not the connection's in between
+  const RpcBackend backend_;
   const std::shared_ptr<http::Responder> responder_;
   std::string body_;
+  std::shared_ptr<LaneTask> parsing_;  // of a large body; null: there is none
   std::shared_ptr<UnaryCall> call_;
   bool finished_ = false;
 };
 
 }  // namespace
 
-std::shared_ptr<http::Exchange> MakeUnaryExchange(RpcRequest request, ByteShare share, RpcCaller* caller,
+std::shared_ptr<http::Exchange> MakeUnaryExchange(RpcRequest request, ByteShare share, RpcBackend backend,
                                                   std::shared_ptr<http::Responder> responder) {
-  return std::make_shared<UnaryExchange>(std::move(request), std::move(share), caller, std::move(responder));
+  return std::make_shared<UnaryExchange>(std::move(request), std::move(share), backend, std::move(responder));
 }
 
 }  // namespace dhpmap::gateway

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/gateway/dispatcher.h"
 
+#include "mapping/base/lane.h"
 #include "server/gateway/rpc_call.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"
 #include "tests/unit/server/gateway/recording_responder.h"
@@ -54,7 +55,7 @@ class DispatcherTest : public ::testing::Test {
   static constexpr std::size_t kMaxBody_bytes = 1000, kBudget_bytes = 1500;
 
   DispatcherTest()
-      : dispatcher(HttpRuleRouter::FromLinkedServices().value(), &caller, {}, kMaxBody_bytes,
+      : dispatcher(HttpRuleRouter::FromLinkedServices().value(), {&caller, &bulk}, {}, kMaxBody_bytes,
                    std::make_shared<ByteBudget>(kBudget_bytes)) {}
 
   /// The reply, which comes at once: there is no exchange.
@@ -67,6 +68,7 @@ class DispatcherTest : public ::testing::Test {
 
   CannedServer server;
   RpcCaller caller{server.channel()};
+  Lane bulk{{}};
   Dispatcher dispatcher;
 };
 

@@ -10,10 +10,12 @@
 #include "google/rpc/status.pb.h"
 #include "json_test.pb.h"
 #include "mapping/base/byte_budget.h"
+#include "mapping/base/lane.h"
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/rpc_exchange.h"
 #include "server/gateway/stream_state.h"
 #include "server/gateway/transcoder.h"
+#include "tests/support/lane_plug.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"
 #include "tests/unit/server/gateway/recording_responder.h"
 #include "tests/unit/server/gateway/test_request.h"
@@ -380,13 +382,14 @@ class StreamExchangeTest : public ::testing::Test {
   std::shared_ptr<http::Exchange> Begin(const http::RequestHead& head) {
     auto request = RpcRequest::Make(head, Matched(head.method, head.target), "", 1000);
     EXPECT_TRUE(request.ok());
-    return MakeStreamExchange(std::move(*request), ByteShare(&budget), &caller, responder);
+    return MakeStreamExchange(std::move(*request), ByteShare(&budget), {&caller, &bulk}, responder);
   }
 
   CannedServer server;
   ByteBudget budget{1u << 20};
   std::shared_ptr<RecordingResponder> responder = std::make_shared<RecordingResponder>();
   RpcCaller caller{server.channel()};
+  Lane bulk{{}};
 };
 
 TEST_F(StreamExchangeTest, HoldsTheConnectionBackWhileAMessageIsOnItsWay) {
@@ -407,6 +410,34 @@ TEST_F(StreamExchangeTest, HoldsTheConnectionBackWhileAMessageIsOnItsWay) {
   }
   EXPECT_EQ(Lines(answer).size(), 2u);
   EXPECT_EQ(responder->ends, std::vector<bool>{true});
+}
+
+TEST_F(StreamExchangeTest, LargeMessagesAreEncodedOnTheLaneAndSmallOnesDoNotWait) {
+  v1::StreamSubmapVoxelsResponse large;
+  large.set_revision(2);
+  large.mutable_rgb()->assign(2 * kMostQuickBytes, 'x');
+  server.Set("StreamSubmapVoxels", {.messages = {Voxels(1), large.SerializeAsString(), Voxels(3)}});
+  testing::LanePlug plug(bulk);
+  const auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1:voxels"));
+  exchange->OnBodyEnd();
+  ASSERT_TRUE(responder->RunUntil([&] { return !responder->chunks.empty(); }));
+  std::string answer = std::move(responder->chunks.back());
+  responder->chunks.clear();
+  EXPECT_EQ(Lines(answer).size(), 1u) << "what is small";
+  exchange->OnWritten();
+  plug.Release();
+  while (responder->ends.empty()) {
+    ASSERT_TRUE(responder->RunUntil([&] { return !responder->chunks.empty() || !responder->ends.empty(); }));
+    if (responder->chunks.empty()) break;
+    answer += responder->chunks.back();
+    responder->chunks.clear();
+    exchange->OnWritten();
+  }
+  const auto lines = Lines(answer);
+  ASSERT_EQ(lines.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(At(At(AsJson(lines[i]), "result").struct_value(), "revision").string_value(), std::to_string(i + 1));
+  }
 }
 
 TEST_F(StreamExchangeTest, OnePartOfTheAnswerIsUnderWayAtATime) {

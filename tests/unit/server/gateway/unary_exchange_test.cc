@@ -4,8 +4,10 @@
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
 #include "mapping/base/byte_budget.h"
+#include "mapping/base/lane.h"
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/rpc_exchange.h"
+#include "tests/support/lane_plug.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"
 #include "tests/unit/server/gateway/recording_responder.h"
 #include "tests/unit/server/gateway/test_request.h"
@@ -132,7 +134,7 @@ class UnaryExchangeTest : public ::testing::Test {
   std::shared_ptr<http::Exchange> Begin(const http::RequestHead& head, std::size_t max_body_bytes = 1000) {
     auto request = RpcRequest::Make(head, Matched(head.method, head.target), "", max_body_bytes);
     EXPECT_TRUE(request.ok());
-    return MakeUnaryExchange(std::move(*request), ByteShare(&budget), &caller, responder);
+    return MakeUnaryExchange(std::move(*request), ByteShare(&budget), {&caller, &bulk}, responder);
   }
   bool HasReply() const { return !responder->replies.empty(); }
 
@@ -140,6 +142,7 @@ class UnaryExchangeTest : public ::testing::Test {
   ByteBudget budget{2000};
   std::shared_ptr<RecordingResponder> responder = std::make_shared<RecordingResponder>();
   RpcCaller caller{server.channel()};
+  Lane bulk{{}};
 };
 
 TEST_F(UnaryExchangeTest, PutsTheBodyTogetherAndAnswersOnce) {
@@ -188,6 +191,70 @@ TEST_F(UnaryExchangeTest, AnAnswerBeyondTheBudgetIsNotKept) {
   exchange.reset();
   ASSERT_TRUE(caller.WaitUntilIdle(std::chrono::minutes(1)));
   EXPECT_EQ(budget.used_bytes(), 0u);
+}
+
+/// Exchanges with room for what is large, and a lane that is busy with something else until it is let go.
+class LargeUnaryExchangeTest : public UnaryExchangeTest {
+ protected:
+  static constexpr std::size_t kLarge = 10 * kMostQuickBytes;
+
+  std::shared_ptr<http::Exchange> BeginLarge(const std::string& body, std::shared_ptr<RecordingResponder> to) {
+    auto request = RpcRequest::Make(RequestHeadOf("POST", "/v1/maps", {}, body.size()), Matched("POST", "/v1/maps"), "",
+                                    2 * kLarge);
+    EXPECT_TRUE(request.ok());
+    ByteShare share(&room);
+    EXPECT_TRUE(share.Resize(body.size()));
+    auto exchange = MakeUnaryExchange(std::move(*request), std::move(share), {&caller, &bulk}, std::move(to));
+    EXPECT_TRUE(exchange->OnBody(body));
+    exchange->OnBodyEnd();
+    return exchange;
+  }
+  static std::string LargeBody() { return R"({"map_id":"large")" + std::string(kLarge, ' ') + "}"; }
+
+  ByteBudget room{100 * kLarge};
+  testing::LanePlug plug{bulk};
+};
+
+TEST_F(LargeUnaryExchangeTest, ALargeBodyIsReadOnTheLaneAndASmallOneDoesNotWait) {
+  const auto large = BeginLarge(LargeBody(), responder);
+  const auto others = std::make_shared<RecordingResponder>();
+  const auto small = BeginLarge(R"({"map_id":"small"})", others);
+  ASSERT_TRUE(others->RunUntil([&] { return !others->replies.empty(); }));
+  EXPECT_EQ(others->replies[0].status, 200);
+  EXPECT_EQ(server.num_calls(), 1u) << "the large one is still to be read";
+  EXPECT_FALSE(HasReply());
+  plug.Release();
+  ASSERT_TRUE(responder->RunUntil([&] { return HasReply(); }));
+  EXPECT_EQ(responder->replies[0].status, 200);
+}
+
+TEST_F(LargeUnaryExchangeTest, ALargeAnswerIsMadeOnTheLaneAndASmallOneDoesNotWait) {
+  v1::CreateMapResponse response;
+  response.mutable_map()->set_display_name(std::string(kLarge, 'x'));
+  server.Set("CreateMap", {.messages = {response.SerializeAsString()}});
+  server.Set("GetMap", {.messages = {""}});
+  const auto large = BeginLarge("{}", responder);
+  server.WaitForCall();
+  const auto others = std::make_shared<RecordingResponder>();
+  auto request = RpcRequest::Make(RequestHeadOf("GET", "/v1/maps/a"), Matched("GET", "/v1/maps/a"), "", kLarge);
+  ASSERT_TRUE(request.ok());
+  const auto small = MakeUnaryExchange(std::move(*request), ByteShare(&room), {&caller, &bulk}, others);
+  small->OnBodyEnd();
+  ASSERT_TRUE(others->RunUntil([&] { return !others->replies.empty(); }));
+  EXPECT_FALSE(HasReply());
+  plug.Release();
+  ASSERT_TRUE(responder->RunUntil([&] { return HasReply(); }));
+  EXPECT_GT(responder->replies[0].body.size(), kLarge);
+}
+
+TEST_F(LargeUnaryExchangeTest, ABodyWhoseClientIsGoneIsNeverRead) {
+  auto exchange = BeginLarge(LargeBody(), responder);
+  EXPECT_GE(room.used_bytes(), kLarge);
+  exchange->OnClosed();
+  exchange.reset();
+  EXPECT_EQ(room.used_bytes(), 0u) << "given back before the lane has come to it";
+  plug.Release();
+  EXPECT_EQ(server.num_calls(), 0u);
 }
 
 TEST_F(UnaryExchangeTest, AClosedConnectionHearsNothingMore) {
