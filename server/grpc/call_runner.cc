@@ -113,10 +113,12 @@ grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages&
 
 grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, const CallMessages& call, std::size_t answer_bytes,
                                   std::function<Status(std::stop_token)> handler) {
-  return UnaryReactor::Start(context, call, context.lanes.bulk, answer_bytes,
-                             [handler = std::move(handler)](const Respond& respond, std::stop_token stop) {
-                               respond(handler(std::move(stop)));
-                             });
+  return UnaryReactor::Start(
+      context, call, context.lanes.bulk, answer_bytes,
+      [&answers = context.lanes.answers, handler = std::move(handler)](Respond respond, std::stop_token stop) {
+        Status status = RunGuarded([&] { return handler(std::move(stop)); });
+        answers.Post([respond = std::move(respond), status = std::move(status)] { respond(status); });
+      });
 }
 
 }  // namespace dhpmap

@@ -18,7 +18,7 @@
 #include "mapping/base/result.h"
 #include "server/app/map_registry.h"
 #include "server/grpc/grpc_server.h"
-#include "server/grpc/lane.h"
+#include "server/grpc/lanes.h"
 #include "server/grpc/status_conversion.h"
 
 namespace dhpmap {
@@ -102,7 +102,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
         return Status::Ok();
       });
       if (status.ok()) stream->WriteNext();
-      else stream->End(status);
+      else stream->context_.lanes.answers.Post([stream, status] { stream->End(status); });
     });
     stream->begin_ = begin;
     if (!context.lanes.bulk.TryPost(begin)) {
@@ -137,8 +137,10 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
       DHPMAP_ASSIGN_OR_RETURN(has_next, next_(response_));
       return Status::Ok();
     });
-    if (status.ok() && has_next) this->StartWrite(&response_);
-    else End(status);
+    context_.lanes.answers.Post([this, status, has_next] {
+      if (status.ok() && has_next) this->StartWrite(&response_);
+      else End(status);
+    });
   }
 
   void End(const Status& status) {

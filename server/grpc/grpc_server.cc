@@ -70,10 +70,13 @@ struct GrpcServer::Impl {
         context{registry, lanes, options, observer},
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams)),
-        lanes{
-            .quick = Lane({.num_threads = options.num_threads, .max_waiting = kMaxWaiting}),
-            .bulk = Lane({.num_threads = BulkThreads(options), .max_waiting = kMaxWaiting, .niceness = kBulkNiceness}),
-            .frames = Lane({.num_threads = kFrameThreads})} {}
+        lanes{.quick = Lane({.name = "quick", .num_threads = options.num_threads, .max_waiting = kMaxWaiting}),
+              .answers = Lane({.name = "answers"}),
+              .bulk = Lane({.name = "bulk",
+                            .num_threads = BulkThreads(options),
+                            .max_waiting = kMaxWaiting,
+                            .niceness = kBulkNiceness}),
+              .frames = Lane({.name = "frames", .num_threads = kFrameThreads})} {}
 
   GrpcOptions options;
   GrpcObserver observer;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mapping/base/lane.h"
+
+namespace dhpmap {
+
+/// One lane for each kind of call, so that none holds up gRPC's own threads, of which there are two.
+struct Lanes {
+  Lane quick;  ///< answers in microseconds, or asynchronously
+  /// Hands to gRPC what the bulk lane has made. A thread that is nice must not call it: it would hold gRPC's locks
+  /// while it waits for a core, and the threads that gRPC starts as it needs them would be as nice for ever.
+  Lane answers;
+  Lane bulk;    ///< meshes, voxels, many points: takes long, and cares less
+  Lane frames;  ///< decoding what robots stream
+};
+
+}  // namespace dhpmap
