@@ -179,6 +179,7 @@ class SqliteStore final : public MapStore {
     DHPMAP_ASSIGN_OR_RETURN(Transaction transaction, Transaction::BeginWrite(writer_->database));
     DHPMAP_RETURN_IF_ERROR(body(*writer_));
     DHPMAP_RETURN_IF_ERROR(transaction.Commit());
+    writer_->database.ReleaseMemory();
     if (reclaimer_ == nullptr) return Status::Ok();
     const Result<std::int64_t> num_free_pages = sqlite::NumFreePages(writer_->database);
     if (num_free_pages.ok()) reclaimer_->Notice(*num_free_pages);

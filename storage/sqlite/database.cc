@@ -77,6 +77,10 @@ Result<std::int64_t> Database::QueryInt(const std::string& sql, const char* task
   return statement.Int(0);
 }
 
+void Database::ReleaseMemory() { (void)sqlite3_db_release_memory(database_.get()); }
+
+std::int64_t Database::BytesInUse() { return sqlite3_memory_used(); }
+
 void Database::Interrupt() { sqlite3_interrupt(database_.get()); }
 
 bool Database::IsReadOnly() const { return sqlite3_db_readonly(database_.get(), "main") != 0; }

@@ -35,6 +35,11 @@ class Database {
   /// Ends the statement that runs, if one does, with CANCELLED. From any thread.
   void Interrupt();
 
+  /// Gives back the memory of pages that are kept for later, which may be megabytes; they are read again when needed.
+  void ReleaseMemory();
+  /// Memory of SQLite in this process, all connections together.
+  static std::int64_t BytesInUse();
+
   /// Whether the file turned out not to be writable.
   [[nodiscard]] bool IsReadOnly() const;
   [[nodiscard]] bool InTransaction() const;

@@ -98,5 +98,16 @@ TEST_F(SqliteStoreTest, AFailedWriteLeavesTheOldStateAndAWorkingStore) {
   ExpectStored(*after);
 }
 
+TEST_F(SqliteStoreTest, TheWriterDoesNotKeepThePagesOfALargeMap) {
+  Open();
+  auto map = std::make_unique<Map>(generator_.Info("house"));
+  const std::int64_t before = Database::BytesInUse();
+  for (int n = 0; n < 5; ++n) generator_.AddSubmap(*map, 3000);
+  ASSERT_TRUE(store_->CreateMap(*map->Publish(1)).ok());
+  const std::int64_t stored = store_->GetMap("house")->blob_bytes;
+  ASSERT_GT(stored, 4'000'000);
+  EXPECT_LT(Database::BytesInUse() - before, stored / 4);
+}
+
 }  // namespace
 }  // namespace dhpmap
