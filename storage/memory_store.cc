@@ -18,6 +18,9 @@ Status NoSuchMap(const std::string& name) {
 
 StoredMap Describe(const MapSnapshot& snapshot) {
   StoredMap map{.info = snapshot.info(), .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size())};
+  for (const FreeTileEntry& entry : snapshot.free_space()->tiles()) {
+    map.blob_bytes += static_cast<std::int64_t>(entry.tile->MemoryBytes());
+  }
   for (const auto& submap : snapshot.submaps()) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
       if (entry.tsdf) ++map.num_tsdf_blocks, map.blob_bytes += sizeof(TsdfBlock);

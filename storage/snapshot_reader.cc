@@ -6,6 +6,7 @@
 
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
+#include "storage/map_layers.h"
 #include "storage/rows/block_rows.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
@@ -104,17 +105,21 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithBlocks(sqlite:
   return submaps;
 }
 
+Status Damaged(const std::string& name, const Status& status) {
+  return Status(status.code(), "map '" + name + "': " + status.message()).WithReason("DAMAGED_MAP");
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const MapSnapshot>> ReadSnapshot(sqlite::Database& database, const std::string& name,
                                                         ThreadPool& pool) {
   DHPMAP_ASSIGN_OR_RETURN(MapRow map, ReadMap(database, name));
   Result<std::vector<std::shared_ptr<const Submap>>> submaps = ReadSubmapsWithBlocks(database, map, pool);
-  if (!submaps.ok()) {
-    return Status(submaps.status().code(), "map '" + name + "': " + submaps.status().message())
-        .WithReason("DAMAGED_MAP");
-  }
-  return std::make_shared<const MapSnapshot>(std::move(map.info), std::move(submaps).value());
+  if (!submaps.ok()) return Damaged(name, submaps.status());
+  Result<std::shared_ptr<const FreeSpace>> free_space = ReadMapLayers(database, map.key, map.num_tiles);
+  if (!free_space.ok()) return Damaged(name, free_space.status());
+  return std::make_shared<const MapSnapshot>(std::move(map.info), std::move(submaps).value(),
+                                             std::move(free_space).value());
 }
 
 }  // namespace dhpmap

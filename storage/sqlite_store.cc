@@ -12,6 +12,7 @@
 #include "storage/commit_rules.h"
 #include "storage/connection.h"
 #include "storage/file_lock.h"
+#include "storage/map_layers.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/snapshot_reader.h"
@@ -57,7 +58,7 @@ Result<StoredMap> Describe(Database& database, const std::string& name) {
   sqlite::Columns columns(sums);
   map.num_tsdf_blocks = columns.Int();
   map.num_label_blocks = columns.Int();
-  map.blob_bytes = columns.Int();
+  map.blob_bytes = columns.Int() + row.tile_bytes;
   DHPMAP_ASSIGN_OR_RETURN(map.lost_revisions, ReadLostRevisions(database, row.key));
   return map;
 }
@@ -107,6 +108,7 @@ class SqliteStore final : public MapStore {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(snapshot.info().name));
     return Write(Durability::kFull, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::int64_t map_key, InsertMap(writer.database, snapshot));
+      DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, map_key, 0, nullptr, snapshot));
       return WriteChanges(writer.database, map_key, DiffSnapshots(nullptr, snapshot), writer.pool);
     });
   }
@@ -117,6 +119,7 @@ class SqliteStore final : public MapStore {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
       DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
       DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, before.info(), after));
+      DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, head.key, head.num_tiles, &before, after));
       return WriteChanges(writer.database, head.key, DiffSnapshots(&before, after), writer.pool);
     });
   }

@@ -29,7 +29,7 @@ struct StoredMap {
   std::int64_t num_submaps = 0;
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
-  std::int64_t blob_bytes = 0;   ///< size of the encoded blocks
+  std::int64_t blob_bytes = 0;   ///< size of the encoded blocks and tiles
   LostRevisions lost_revisions;  ///< see MapStore::Reserve
   /// From ListMaps: why the map cannot be read; then of all else only info.name is valid.
   Status damage;

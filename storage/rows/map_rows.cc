@@ -58,6 +58,7 @@ void SealRow(MapRow& row) { row.seal = {SealVersion(), Maps().Checksum(row, Seal
 Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
   const int version = row.seal.version;
   // What came with a later version has nothing to cover it.
+  if (version < 4 && row.num_tiles != 0) return false;
   if (version < 3 && (!parts.sessions.empty() || row.sessions_checksum != 0)) return false;
   if (version == 1) {
     DHPMAP_ASSIGN_OR_RETURN(const std::uint32_t checksum, MapChecksumV1(row, parts.config, parts.classes));
@@ -130,7 +131,10 @@ Status ForEachIntactMap(Database& database, Change&& change) {
 }
 
 MapRow RowOf(const MapSnapshot& snapshot) {
-  return {.info = snapshot.info(), .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size()), .seal = {}};
+  return {.info = snapshot.info(),
+          .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size()),
+          .num_tiles = static_cast<std::int64_t>(snapshot.free_space()->tiles().size()),
+          .seal = {}};
 }
 
 }  // namespace

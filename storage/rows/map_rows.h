@@ -24,6 +24,8 @@ struct MapRow {
   std::uint32_t classes_checksum = 0;
   NumberMarks marks;
   std::uint32_t sessions_checksum = 0;
+  std::int64_t num_tiles = 0;   ///< rows of map_tiles
+  std::int64_t tile_bytes = 0;  ///< size of their blobs, for statistics
   Seal seal;
 };
 
@@ -50,6 +52,8 @@ std::vector<Column<Row>> MapColumns() {
       MakeColumn<Row>("submap_id_mark", kAlways, 2, DHPMAP_MEMBER(marks.next_submap_id)),
       MakeColumn<Row>("sessions_checksum", kAlways, 3, DHPMAP_MEMBER(sessions_checksum)),
       MakeColumn<Row>("history_id", kAlways, 3, DHPMAP_MEMBER(info.history_id)),
+      MakeColumn<Row>("num_tiles", kAlways, 4, DHPMAP_MEMBER(num_tiles)),
+      MakeColumn<Row>("tile_bytes", kElsewhere, 0, DHPMAP_MEMBER(tile_bytes)),
   };
 }
 const Table<MapRow>& Maps();

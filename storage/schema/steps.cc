@@ -8,6 +8,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[0]},  // 0001_init.sql
       {.sql = SchemaSql()[1]},  // 0002_checksum_versions.sql
       {.sql = SchemaSql()[2]},  // 0003_sessions_and_history.sql
+      {.sql = SchemaSql()[3]},  // 0004_map_tiles.sql
   };
   return steps;
 }

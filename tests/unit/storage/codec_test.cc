@@ -7,6 +7,7 @@
 
 #include "storage/codec/crc32c.h"
 #include "storage/codec/envelope.h"
+#include "storage/codec/free_codec.h"
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
 #include "tests/unit/storage/map_fixtures.h"
@@ -208,6 +209,43 @@ TEST(TsdfCodec, EveryFlippedOrMissingByteIsDataLoss) {
   ExpectDamageIsSeen<TsdfBlock>(EncodeTsdfBlock(SomeTsdf(1), kIndex, kTruncation_m), DecodeTsdfBlock);
 }
 
+/// A tile with whole blocks, parts of blocks, and blocks of which nothing is free.
+FreeTile SomeFreeTile(std::uint32_t seed) {
+  std::mt19937_64 random(seed);
+  FreeBlocks blocks;
+  blocks.full = random() & random();
+  blocks.mixed = ~blocks.full & random() & random();
+  for (FreeMask& mask : blocks.masks) {
+    for (std::uint64_t& layer : mask) layer = random();
+  }
+  FreeTile tile;
+  tile.Add(blocks);
+  tile.set_last_seen_ns(-1'700'000'000'123'456'789);
+  return tile;
+}
+
+Status DecodeFree(ByteView blob, BlockIndex index, FreeTile& tile) {
+  return DecodeFreeTile(blob, {index.x, index.y, index.z}, tile);
+}
+constexpr TileIndex kTile{kIndex.x, kIndex.y, kIndex.z};
+
+TEST(FreeCodec, RoundTripIsExactAndWholeBlocksCostABit) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    FreeTile back;
+    ASSERT_TRUE(DecodeFreeTile(EncodeFreeTile(SomeFreeTile(seed), kTile), kTile, back).ok());
+    EXPECT_EQ(back, SomeFreeTile(seed));
+  }
+  FreeBlocks all;
+  all.full = ~std::uint64_t{0};
+  FreeTile tile;
+  tile.Add(all);
+  EXPECT_LT(EncodeFreeTile(tile, kTile).size(), 40u);
+}
+
+TEST(FreeCodec, EveryFlippedOrMissingByteIsDataLoss) {
+  ExpectDamageIsSeen<FreeTile>(EncodeFreeTile(SomeFreeTile(1), kTile), DecodeFree);
+}
+
 TEST(LabelCodec, EveryFlippedOrMissingByteIsDataLoss) {
   ExpectDamageIsSeen<LabelBlock>(EncodeLabelBlock(SomeLabels(1), kIndex), DecodeLabelBlock);
 }
@@ -239,6 +277,24 @@ TEST(TsdfCodec, ForgedPayloadsAreHarmless) {
   Payload payload;
   ASSERT_TRUE(Unseal(BlobKind::kTsdfV1, kIndex, EncodeTsdfBlock(SomeTsdf(2), kIndex, kTruncation_m), payload).ok());
   ExpectForgeriesAreHarmless<TsdfBlock>(BlobKind::kTsdfV1, payload, DecodeTsdfBlock);
+}
+
+TEST(FreeCodec, ForgedPayloadsAreHarmless) {
+  Payload payload;
+  ASSERT_TRUE(Unseal(BlobKind::kFreeV1, kIndex, EncodeFreeTile(SomeFreeTile(2), kTile), payload).ok());
+  ExpectForgeriesAreHarmless<FreeTile>(BlobKind::kFreeV1, payload, DecodeFree);
+  const auto refused = [&](std::initializer_list<std::uint64_t> words) {
+    Payload forged{.packable = {}, .plain = Bytes(8)};
+    for (const std::uint64_t word : words) ByteWriter(forged.packable).PutU64(word);
+    FreeTile tile;
+    return DecodeFree(Seal(BlobKind::kFreeV1, kIndex, forged), kIndex, tile).code() == StatusCode::kDataLoss;
+  };
+  constexpr std::uint64_t kAll = ~std::uint64_t{0};
+  EXPECT_FALSE(refused({1, 2, 1, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_TRUE(refused({0, 0})) << "nothing";
+  EXPECT_TRUE(refused({0, 2, 0, 0, 0, 0, 0, 0, 0, 0})) << "a mask of nothing";
+  EXPECT_TRUE(refused({1, 2, kAll, kAll, kAll, kAll, kAll, kAll, kAll, kAll})) << "a mask of all";
+  EXPECT_TRUE(refused({3, 2, 1, 0, 0, 0, 0, 0, 0, 0})) << "a mask of a block that is free";
 }
 
 TEST(LabelCodec, ForgedPayloadsAreHarmless) {

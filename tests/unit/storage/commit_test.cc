@@ -23,6 +23,8 @@ TEST_F(SqliteStoreTest, OnlyChangedBlocksAreWritten) {
       "CREATE TRIGGER b AFTER UPDATE ON tsdf_blocks BEGIN INSERT INTO written VALUES ('tsdf'); END;"
       "CREATE TRIGGER c AFTER INSERT ON label_blocks BEGIN INSERT INTO written VALUES ('label'); END;"
       "CREATE TRIGGER d AFTER UPDATE ON label_blocks BEGIN INSERT INTO written VALUES ('label'); END;"
+      "CREATE TRIGGER f AFTER INSERT ON map_tiles BEGIN INSERT INTO written VALUES ('tile'); END;"
+      "CREATE TRIGGER g AFTER UPDATE ON map_tiles BEGIN INSERT INTO written VALUES ('tile'); END;"
       "CREATE TRIGGER e AFTER UPDATE OF pose ON submaps BEGIN INSERT INTO written VALUES ('submap'); END;");
   const auto before = map->published();
   Submap& submap = *map->FindMutable(SubmapId(2));
@@ -37,6 +39,18 @@ TEST_F(SqliteStoreTest, OnlyChangedBlocksAreWritten) {
   EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tsdf'"), 2);
   EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'label'"), 1);
   EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'submap'"), 2);
+  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tile'"), 0);
+  ExpectStored(*map->published());
+
+  for (const std::uint64_t blocks : {5u, 2u}) {
+    const auto last = map->published();
+    FreeBlocks seen;
+    seen.full = blocks;
+    map->mutable_free_space().Add({50, 0, 0}, seen, 7);
+    ASSERT_TRUE(store_->Commit(*last, *map->Publish(21), Durability::kNormal).ok());
+  }
+  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tile'"), 2) << "one added, then that one changed";
+  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tsdf'"), 2);
   ExpectStored(*map->published());
 }
 
@@ -48,7 +62,8 @@ TEST_F(SqliteStoreTest, KeepsTotalsAndBoxesInStep) {
     generator_.Change(*map);
     ASSERT_TRUE(store_->Commit(*before, *map->Publish(step), Durability::kNormal).ok());
     EXPECT_EQ(store_->GetMap("house")->blob_bytes, Query("SELECT (SELECT total(length(blob)) FROM tsdf_blocks) + "
-                                                         "(SELECT total(length(blob)) FROM label_blocks)"));
+                                                         "(SELECT total(length(blob)) FROM label_blocks) + "
+                                                         "(SELECT total(length(blob)) FROM map_tiles)"));
     std::int64_t num_spheres = 0;
     for (const auto& submap : map->submaps()) num_spheres += !submap->bounding_sphere().IsEmpty();
     EXPECT_EQ(Query("SELECT count(*) FROM submap_boxes"), num_spheres);
@@ -56,7 +71,7 @@ TEST_F(SqliteStoreTest, KeepsTotalsAndBoxesInStep) {
   ASSERT_TRUE(store_->DeleteMap("house").ok());
   EXPECT_EQ(Query("SELECT (SELECT count(*) FROM submaps) + (SELECT count(*) FROM tsdf_blocks) + (SELECT count(*) FROM "
                   "label_blocks) + (SELECT count(*) FROM submap_boxes) + (SELECT count(*) FROM map_config) + (SELECT "
-                  "count(*) FROM feed_sessions)"),
+                  "count(*) FROM feed_sessions) + (SELECT count(*) FROM map_tiles)"),
             0);
 }
 

@@ -38,6 +38,25 @@ TEST_F(SqliteStoreTest, AFlippedByteInABlobNamesTheBlockAndLeavesOtherMapsAlone)
   EXPECT_TRUE(store_->DeleteMap("house").ok());
 }
 
+TEST_F(SqliteStoreTest, AFlippedByteInATileNamesTheLayerAndATileOfALaterVersionIsNoDamage) {
+  Open();
+  CreateSample("house");
+  CreateSample("other");
+  store_ = nullptr;
+  Tamper("UPDATE map_tiles SET blob = CAST(substr(blob, 1, 9) || x'5A' || substr(blob, 11) AS BLOB) WHERE map_key = 1");
+  Tamper("UPDATE map_tiles SET layer = 9 WHERE map_key = 2");
+  Open();
+  const Status loaded = store_->LoadMap("house").status();
+  EXPECT_EQ(loaded.code(), StatusCode::kDataLoss) << loaded.ToString();
+  for (const char* part : {"map 'house'", "free-space tile ("}) {
+    EXPECT_NE(loaded.message().find(part), std::string::npos) << loaded.ToString();
+  }
+  ExpectDiscreet(loaded, Path());
+  const Status later = store_->LoadMap("other").status();
+  EXPECT_EQ(later.code(), StatusCode::kFailedPrecondition) << later.ToString();
+  EXPECT_NE(later.message().find("layer 9 tile ("), std::string::npos) << later.ToString();
+}
+
 TEST_F(SqliteStoreTest, AnyOtherChangeOfWhatAMapConsistsOfIsDataLoss) {
   const std::string house = "(SELECT map_key FROM maps WHERE name = 'house')";
   const std::string submap = "(SELECT max(submap_key) FROM submaps WHERE map_key = " + house + ")";
@@ -60,6 +79,11 @@ TEST_F(SqliteStoreTest, AnyOtherChangeOfWhatAMapConsistsOfIsDataLoss) {
       "UPDATE tsdf_blocks SET blob = x''",
       "UPDATE label_blocks SET submap_key = " + submap + " WHERE block_key = (SELECT min(block_key) FROM label_blocks)",
       "UPDATE label_blocks SET blob = (SELECT blob FROM tsdf_blocks LIMIT 1)",
+      "DELETE FROM map_tiles WHERE tile_key = (SELECT max(tile_key) FROM map_tiles)",
+      "UPDATE map_tiles SET z = z + 1000",
+      "UPDATE map_tiles SET blob = x''",
+      "UPDATE map_tiles SET blob = (SELECT blob FROM tsdf_blocks LIMIT 1)",
+      "UPDATE maps SET num_tiles = num_tiles - 1",
   };
   for (const std::string& change : changes) {
     fs::remove(Path());

@@ -100,6 +100,19 @@ class MapGenerator {
     return submap;
   }
 
+  /// Whole blocks and parts of blocks of a tile that were looked through.
+  void AddFreeSpace(Map& map) {
+    FreeBlocks seen;
+    for (int n = 1 + Below(3); n > 0; --n) seen.full |= std::uint64_t{1} << Below(64);
+    for (int n = Below(4); n > 0; --n) {
+      const auto cell = static_cast<std::size_t>(Below(64));
+      seen.mixed |= ~seen.full & std::uint64_t{1} << cell;
+      for (std::uint64_t& layer : seen.masks[cell]) layer = std::uint64_t{random_()} << Below(33);
+    }
+    const TileIndex index{Below(4) - 2, Below(3) - 2, Below(2)};
+    map.mutable_free_space().Add(index, seen, 1'600'000'000'000'000'000 + Below(1 << 30));
+  }
+
   Transform Pose() {
     Transform T = Transform::Identity();
     T.rotate(Eigen::AngleAxisd(Uniform(-3, 3), Eigen::Vector3d(Uniform(-1, 1), 1, Uniform(-1, 1)).normalized()));
@@ -113,6 +126,10 @@ class MapGenerator {
     info.num_frames += 1;
     info.sessions.Set({"run" + std::to_string(info.num_frames % 3), info.num_frames, 5 + info.num_frames});
     for (int n = 1 + Below(4); n > 0; --n) ChangeOnce(map);
+    for (int n = Below(3); n > 0; --n) AddFreeSpace(map);
+    if (Below(8) == 0 && !map.free_space().empty()) {
+      map.mutable_free_space().Erase(map.free_space().tiles().front().index);
+    }
   }
 
  private:
@@ -189,6 +206,12 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
   EXPECT_EQ(e.create_time_ns, a.create_time_ns);
   EXPECT_EQ(e.update_time_ns, a.update_time_ns);
   EXPECT_EQ(e.sessions, a.sessions);
+  ASSERT_EQ(expected.free_space()->tiles().size(), actual.free_space()->tiles().size());
+  for (const FreeTileEntry& entry : expected.free_space()->tiles()) {
+    const FreeTile* found = actual.free_space()->Find(entry.index);
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(*entry.tile, *found);
+  }
   ASSERT_EQ(expected.submaps().size(), actual.submaps().size());
   for (std::size_t s = 0; s < expected.submaps().size(); ++s) {
     const Submap &one = *expected.submaps()[s], &other = *actual.submaps()[s];

@@ -72,10 +72,12 @@ class ReleasedDatabaseTest : public SqliteStoreTest, public ::testing::WithParam
       ASSERT_TRUE(map.ok()) << map.status().ToString();
       ExpectSameText(expected.text, TextOf(**map));
       EXPECT_EQ(ConfigToText((*map)->info().config), ConfigToText(expected.config));
+      EXPECT_EQ((*map)->free_space()->NumFreeVoxels(), num_free_) << "none was stored before schema 4";
     }
   }
 
   std::map<std::string, Expected> expected_;
+  std::int64_t num_free_ = 0;  ///< voxels of each map
 };
 
 TEST_P(ReleasedDatabaseTest, HoldsWhatWasWrittenAndTakesMore) {
@@ -92,9 +94,13 @@ TEST_P(ReleasedDatabaseTest, HoldsWhatWasWrittenAndTakesMore) {
     Map map(*before);
     map.mutable_info().num_frames += 1;
     map.Clone(SubmapId(1));
+    FreeBlocks seen;
+    seen.full = 1;
+    map.mutable_free_space().Add({0, 0, 0}, seen, 7);
     ASSERT_TRUE(store_->Commit(**before, *map.Publish(77), Durability::kFull).ok());
     expected.text = TextOf(*map.published());
   }
+  num_free_ = kBlockVoxels;
   Open();
   ExpectAllOfIt();
 }
@@ -107,7 +113,8 @@ TEST_P(ReleasedDatabaseTest, DamageInItIsStillSeen) {
         "UPDATE map_config SET value = '0.5' WHERE key = 'voxel_size_m'",
         "DELETE FROM map_config WHERE key = 'truncation_m'", "UPDATE label_classes SET size = 1 - (size > 0)",
         "UPDATE maps SET checksum_version = checksum_version + 1", "UPDATE submaps SET checksum_version = 3",
-        "INSERT INTO feed_sessions SELECT map_key, 'robot', 5, 6 FROM maps", "UPDATE maps SET sessions_checksum = 1"}) {
+        "INSERT INTO feed_sessions SELECT map_key, 'robot', 5, 6 FROM maps", "UPDATE maps SET sessions_checksum = 1",
+        "UPDATE maps SET num_tiles = num_tiles + 1"}) {
     const std::string intact = Path() + ".intact";
     if (!fs::exists(intact)) fs::copy_file(Path(), intact);
     fs::copy_file(intact, Path(), fs::copy_options::overwrite_existing);

@@ -156,7 +156,7 @@ int Run(int argc, char** argv) {
   copy_info.name = "copy";
   begin = Clock::now();
   const double save_cpu_begin_s = ProcessSeconds();
-  Must(store->CreateMap(MapSnapshot(copy_info, committed->submaps())));
+  Must(store->CreateMap(MapSnapshot(copy_info, committed->submaps(), committed->free_space())));
   const double save_s = SecondsSince(begin), save_cpu_s = ProcessSeconds() - save_cpu_begin_s;
   begin = Clock::now();
   Must(store->DeleteMap("copy"));

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mapping/map/free_tile.h"
+#include "storage/codec/bytes.h"
+#include "storage/codec/envelope.h"
+
+namespace dhpmap {
+
+/// A tile of free space as a blob, see FORMAT.md. Equal tiles give equal bytes. `tile` is not empty.
+Bytes EncodeFreeTile(const FreeTile& tile, TileIndex index);
+
+/// The tile exactly as it was encoded. DATA_LOSS for anything that EncodeFreeTile did not make for this index,
+/// FAILED_PRECONDITION for a later version of it. Messages go on after "it".
+Status DecodeFreeTile(ByteView blob, TileIndex index, FreeTile& tile);
+
+}  // namespace dhpmap

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "mapping/map/free_space.h"
+#include "mapping/map/map.h"
+#include "storage/sqlite/database.h"
+
+namespace dhpmap {
+
+// The layers of a map that belong to none of its objects: free space.
+
+/// Writes the tiles that differ, within the caller's transaction. FAILED_PRECONDITION if the stored ones, of which
+/// there are `num_stored`, are not those of `before`, which may be null.
+Status WriteMapLayers(sqlite::Database& database, std::int64_t map_key, std::int64_t num_stored,
+                      const MapSnapshot* before, const MapSnapshot& after);
+
+/// Reads the tiles of a map, whose row says that it has `num_tiles`. DATA_LOSS naming the tile if one is damaged or
+/// missing, FAILED_PRECONDITION for those of a later version's layer.
+Result<std::shared_ptr<const FreeSpace>> ReadMapLayers(sqlite::Database& database, std::int64_t map_key,
+                                                       std::int64_t num_tiles);
+
+}  // namespace dhpmap
