@@ -3,14 +3,16 @@
 #   deploy/check.sh                  all of these, in this order
 #   deploy/check.sh format           every source is laid out as .clang-format says
 #   deploy/check.sh thread-safety    clang's analysis of what mapping/base/mutex.h guards, where it is used
+#   deploy/check.sh sources          the same of every source, each by itself, without the precompiled headers of a build: so it
+#                                    includes what it uses; takes some 10 minutes and is not part of the others
 #   deploy/check.sh tidy [REVISION]  clang-tidy on the sources changed since REVISION and not committed yet; without it
-#                                    on those that the newest commits touched, as many as a few minutes allow
+#                                    on those that the newest commits touched, as many as two minutes allow
 set -euo pipefail
 cd "$(dirname "$0")/.."
 deploy/setup.sh --quiet --checks
 
 readonly rooms=(mapping storage server clients tests)
-readonly max_tidy_files=24  # some 20 s of CPU time each
+readonly max_tidy_files=8  # some 20 s of CPU time each
 jobs=$(nproc)
 
 # The compilation database, each source for itself, and the headers that the sources include but a build generates.
@@ -33,7 +35,7 @@ analyse() {
     echo "$1: no target compiles it"
     return 1
   fi
-  command=${command//\\\"/\"}
+  command=${command//\\\"/\"} command=${command//\\\\/\\}  # as JSON has them
   (cd build/check && eval "clang++-14 -fsyntax-only -Wno-unknown-warning-option -Werror=thread-safety ${command#*++ }")
 }
 export -f analyse
@@ -58,6 +60,12 @@ check_thread_safety() {
   local header='"mapping/base/mutex\.h"' holders
   holders=$(grep -rlE --include='*.h' "^#include $header" "${rooms[@]}" | sed 's|.*|"&"|' | paste -sd '|')
   grep -rlE --include='*.cc' "^#include ($header|${holders//./\\.})" "${rooms[@]}" | sort |
+    xargs -r -P "$jobs" -I{} bash -c 'analyse {}'
+}
+
+check_sources() {
+  prepare && check_analysis_itself || return 1
+  sed -nE "s|^ *\"file\": \"$PWD/([^\"]*)\",?$|\\1|p" build/check/compile_commands.json | grep -v '^build/' | sort -u |
     xargs -r -P "$jobs" -I{} bash -c 'analyse {}'
 }
 
@@ -98,10 +106,10 @@ run() {
 
 case "${1:-}" in
   "") for name in format thread-safety tidy; do run "$name"; done ;;
-  format | thread-safety) run "$1" ;;
+  format | thread-safety | sources) run "$1" ;;
   tidy) run "$@" ;;
   *)
-    echo "usage: deploy/check.sh [format | thread-safety | tidy [REVISION]]" >&2
+    echo "usage: deploy/check.sh [format | thread-safety | sources | tidy [REVISION]]" >&2
     exit 2
     ;;
 esac

@@ -9,7 +9,7 @@
 namespace dhpmap::simulator {
 namespace {
 
-constexpr std::size_t kMaxInstances = 255;  // ids are 8-bit pixels
+[[maybe_unused]] constexpr std::size_t kMaxInstances = 255;  // ids are 8-bit pixels
 
 Eigen::Matrix3d About(const Eigen::Vector3d& axis, double angle_deg) {
   Eigen::Matrix3d R = Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();
