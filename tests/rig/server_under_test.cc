@@ -27,8 +27,11 @@ double ServerUnderTest::Metric(const std::string& name) const {
   return rig::Metric(folder_, server_->http_url(), name);
 }
 
-bool ServerUnderTest::MapDataset(const std::string& dataset, const std::string& map_id) {
-  const testing::Outcome mapped = server_->Dhpmap({"map", dataset, "--map", map_id});
+bool ServerUnderTest::MapDataset(const std::string& dataset, const std::string& map_id,
+                                 const std::vector<std::string>& options) {
+  std::vector<std::string> arguments = {"map", dataset, "--map", map_id};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const testing::Outcome mapped = server_->Dhpmap(arguments);
   if (mapped.exit_code != 0) std::printf("FAILED: mapping %s: %s\n", dataset.c_str(), mapped.err.c_str());
   return mapped.exit_code == 0;
 }

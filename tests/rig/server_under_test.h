@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tests/e2e/server_process.h"
 #include "tests/rig/bulk_calls.h"
@@ -26,7 +27,7 @@ class ServerUnderTest {
   [[nodiscard]] Target TargetOf(const std::string& map_id) const;
   [[nodiscard]] double Metric(const std::string& name) const;
   /// `dhpmap map`: false, and said, if that failed.
-  bool MapDataset(const std::string& dataset, const std::string& map_id);
+  bool MapDataset(const std::string& dataset, const std::string& map_id, const std::vector<std::string>& options = {});
 
  private:
   testing::TempDir temp_;
