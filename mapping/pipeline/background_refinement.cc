@@ -5,6 +5,7 @@
 #include <exception>
 #include <utility>
 
+#include "mapping/base/free_memory.h"
 #include "mapping/base/this_thread.h"
 
 namespace dhpmap {
@@ -32,6 +33,7 @@ void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before,
         Outcome outcome{.before = before};
         outcome.report = RefineMap(map, pool, refined_before.get(), [this] { return is_cancelled_.load(); });
         outcome.refined = map.Freeze();
+        GiveBackFreeMemory();
         return outcome;
       });
 }

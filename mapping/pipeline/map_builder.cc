@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/base/free_memory.h"
 #include "mapping/fusion/band_size.h"
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/segment_parts.h"
@@ -246,6 +247,7 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   refinement.Cancel();
   is_overdue = is_waiting = false;
   const auto slot = slots ? RefinementSlots::Take(slots, is_cancelled) : std::nullopt;
+  GiveBackFreeMemory();  // what was under way had a state of the map of its own
   DeactivateAll(map);
   RefinementReport report = RefineMap(map, *pool, last_refined.get(), is_cancelled);
   if (is_cancelled && is_cancelled()) return std::nullopt;
@@ -253,6 +255,7 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
     report.num_bytes_dropped = DropVoxelLabels(map);
   }
   PruneEmptyBlocks();
+  GiveBackFreeMemory();
   last_refined = map.Freeze();
   refinement_total += report;
   return report;

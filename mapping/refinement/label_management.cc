@@ -13,12 +13,16 @@
 namespace dhpmap {
 namespace {
 
+/// So that what was written twice in one refinement is never all in memory twice.
+constexpr std::size_t kPositionsAtOnce = 512;
+
 /// One submap's block at a position that has to be looked at.
 struct Holder {
   SubmapId id;
-  const BlockEntry* before;         ///< null: the submap had no block here
-  std::shared_ptr<TsdfBlock> tsdf;  ///< what it has afterwards; null while nothing changed
+  BlockEntry before;                ///< without geometry: the submap had no block here
+  std::shared_ptr<TsdfBlock> tsdf;  ///< what it has afterwards; null while nothing changed, and where nothing is left
   std::shared_ptr<LabelBlock> labels;
+  bool is_emptied = false;
 };
 
 /// All submaps that hold a block at one index, by ascending id.
@@ -33,13 +37,13 @@ std::vector<Position> FindPositions(const std::vector<const Submap*>& submaps) {
   std::unordered_map<BlockIndex, std::vector<Holder>, BlockIndexHash> holders_at;
   for (const Submap* submap : submaps) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
-      if (entry.tsdf) holders_at[entry.index].push_back({submap->id(), &entry, nullptr, nullptr});
+      if (entry.tsdf) holders_at[entry.index].push_back({submap->id(), entry, nullptr, nullptr});
     }
   }
   std::vector<Position> positions;
   for (auto& [index, holders] : holders_at) {
     const bool has_foreign_voxel =
-        holders.size() == 1 && holders[0].before->labels && HasForeignVoxel(*holders[0].before->labels);
+        holders.size() == 1 && holders[0].before.labels && HasForeignVoxel(*holders[0].before.labels);
     if (holders.size() > 1 || has_foreign_voxel) positions.push_back({index, std::move(holders)});
   }
   std::sort(positions.begin(), positions.end(), [](const Position& a, const Position& b) { return a.index < b.index; });
@@ -60,31 +64,30 @@ Holder& WinnerOf(const MergedVoxel& voxel, const std::vector<SubmapId>& ids, Pos
   auto it = std::lower_bound(position.holders.begin(), position.holders.end(), winner,
                              [](const Holder& holder, SubmapId id) { return holder.id < id; });
   if (it == position.holders.end() || it->id != winner) {
-    it = position.holders.insert(it, {winner, nullptr, nullptr, nullptr});
+    it = position.holders.insert(it, {winner, {}, nullptr, nullptr});
   }
   return *it;
 }
 
 void MakeWritable(Holder& holder) {
   if (holder.tsdf) return;
-  const bool had_tsdf = holder.before != nullptr && holder.before->tsdf != nullptr;
-  const bool had_labels = holder.before != nullptr && holder.before->labels != nullptr;
-  holder.tsdf = had_tsdf ? std::make_shared<TsdfBlock>(*holder.before->tsdf) : std::make_shared<TsdfBlock>();
-  holder.labels = had_labels ? std::make_shared<LabelBlock>(*holder.before->labels) : std::make_shared<LabelBlock>();
+  const auto& [index, owns_tsdf, owns_labels, tsdf, labels] = holder.before;
+  holder.tsdf = tsdf ? std::make_shared<TsdfBlock>(*tsdf) : std::make_shared<TsdfBlock>();
+  holder.labels = labels ? std::make_shared<LabelBlock>(*labels) : std::make_shared<LabelBlock>();
 }
 
 enum class Scope { kAll, kForeign };
 
 bool IsHeld(const Holder& holder, int linear) {
-  return holder.before != nullptr && holder.before->tsdf->IsObserved(linear);
+  return holder.before.tsdf != nullptr && holder.before.tsdf->IsObserved(linear);
 }
 
 /// Whether the holder is the instance that its voxel has seen most; ties go to the smaller id.
 bool IsAtHome(const Holder& holder, int linear) {
-  if (holder.before->labels == nullptr) return true;
+  if (holder.before.labels == nullptr) return true;
   std::uint32_t own = 0, most = 0;
   bool is_tied_to_smaller = false;
-  holder.before->labels->VisitInstances(linear, [&](LabelCount seen) {
+  holder.before.labels->VisitInstances(linear, [&](LabelCount seen) {
     if (seen.id == 0) own = seen.count;
     else if (seen.count > most) most = seen.count, is_tied_to_smaller = seen.id < holder.id.value;
     else if (seen.count == most) is_tied_to_smaller = is_tied_to_smaller || seen.id < holder.id.value;
@@ -104,13 +107,24 @@ bool IsSettledVoxel(const Position& position, int linear, Scope scope) {
   return all_at_home && (num_holders <= 1 || scope == Scope::kForeign);
 }
 
+/// Most of those who lose a voxel to others have none left in the block.
+void DropIfEmpty(Holder& holder) {
+  if (holder.tsdf == nullptr || holder.tsdf->HasObservedVoxel()) return;
+  for (int linear = 0; linear < kBlockVoxels; ++linear) {
+    if (!holder.labels->IsEmpty(linear)) return;
+  }
+  holder.tsdf = nullptr;
+  holder.labels = nullptr;
+  holder.is_emptied = true;
+}
+
 /// Settles every voxel of one block position. Touches nothing but `position`.
 void SettlePosition(const std::vector<SubmapId>& ids, Scope scope, Position& position) {
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
     if (IsSettledVoxel(position, linear, scope)) continue;
     MergedVoxel merged;
     for (const Holder& holder : position.holders) {
-      if (IsHeld(holder, linear)) Accumulate(*holder.before, holder.id, linear, merged);
+      if (IsHeld(holder, linear)) Accumulate(holder.before, holder.id, linear, merged);
     }
     const SubmapId winner = WinnerOf(merged, ids, position).id;
     if (merged.num_holders == 1 && merged.first_holder == winner) continue;
@@ -126,6 +140,20 @@ void SettlePosition(const std::vector<SubmapId>& ids, Scope scope, Position& pos
       }
     }
   }
+  for (Holder& holder : position.holders) DropIfEmpty(holder);
+}
+
+/// Puts a settled position into the map, and lets go of what was there.
+void PutPosition(Position& position, Map& map, std::vector<SubmapId>& changed) {
+  for (Holder& holder : position.holders) {
+    if (holder.tsdf == nullptr && !holder.is_emptied) continue;
+    Submap& submap = *map.FindMutable(holder.id);
+    const bool has_labels = holder.id != kUnknownSubmap;
+    if (holder.is_emptied) submap.EraseBlock(position.index);
+    else submap.PutBlock(position.index, std::move(holder.tsdf), has_labels ? std::move(holder.labels) : nullptr);
+    changed.push_back(holder.id);
+  }
+  position.holders = {};
 }
 
 ManagementReport Settle(std::span<const SubmapId> ids, Scope scope, Map& map, ThreadPool& pool) {
@@ -147,18 +175,14 @@ ManagementReport Settle(std::span<const SubmapId> ids, Scope scope, Map& map, Th
   }
 
   std::vector<Position> positions = FindPositions(submaps);
-  pool.ParallelFor(positions.size(), [&](std::size_t i) { SettlePosition(merging, scope, positions[i]); });
-
   std::vector<SubmapId> changed;
-  for (Position& position : positions) {
-    report.num_shared_voxels += position.num_shared;
-    report.num_moved_voxels += position.num_moved;
-    for (Holder& holder : position.holders) {
-      if (holder.tsdf == nullptr) continue;
-      Submap& submap = *map.FindMutable(holder.id);
-      const bool has_labels = holder.id != kUnknownSubmap;
-      submap.PutBlock(position.index, std::move(holder.tsdf), has_labels ? std::move(holder.labels) : nullptr);
-      changed.push_back(holder.id);
+  for (std::size_t begin = 0; begin < positions.size(); begin += kPositionsAtOnce) {
+    const std::span some(positions.data() + begin, std::min(kPositionsAtOnce, positions.size() - begin));
+    pool.ParallelFor(some.size(), [&](std::size_t i) { SettlePosition(merging, scope, some[i]); });
+    for (Position& position : some) {
+      report.num_shared_voxels += position.num_shared;
+      report.num_moved_voxels += position.num_moved;
+      PutPosition(position, map, changed);
     }
   }
   std::sort(changed.begin(), changed.end());
