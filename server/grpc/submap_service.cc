@@ -20,7 +20,7 @@ Status FillOutcome(const Result<EditOutcome>& outcome, Response& response) {
   response.set_revision(snapshot.revision());
   if constexpr (requires { response.mutable_submap(); }) {
     if (const Submap* submap = snapshot.Find(outcome->submap)) {
-      *response.mutable_submap() = ToProto(*submap, snapshot.info());
+      *response.mutable_submap() = ToProto(*submap, *outcome->view);
     }
   }
   return Status::Ok();
@@ -42,7 +42,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
       DHPMAP_ASSIGN_OR_RETURN(const auto after, SubmapIdFromPage(pager));
       response->set_revision(snapshot.revision());
       for (const auto& submap : SelectSubmaps(snapshot, filter, after, pager.num_wanted())) {
-        v1::Submap proto = ToProto(*submap, snapshot.info());
+        v1::Submap proto = ToProto(*submap, *view);
         if (!pager.Takes(proto, std::to_string(submap->id().value))) break;
         *response->add_submaps() = std::move(proto);
       }
@@ -59,7 +59,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
       const Submap* submap = view->snapshot().Find(name.submap);
       if (submap == nullptr) return NoSuchSubmap(name.submap);
       response->set_revision(view->snapshot().revision());
-      *response->mutable_submap() = ToProto(*submap, view->snapshot().info());
+      *response->mutable_submap() = ToProto(*submap, *view);
       return Status::Ok();
     });
   }

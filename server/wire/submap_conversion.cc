@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "mapping/map/display_name.h"
-#include "mapping/map/observed_sphere.h"
 #include "server/app/etag.h"
 #include "server/wire/types/label_conversion.h"
 #include "server/wire/types/pose_conversion.h"
@@ -83,7 +82,8 @@ bool TouchesPose(const FieldMask& mask) {
 
 }  // namespace
 
-v1::Submap ToProto(const Submap& submap, const MapInfo& map) {
+v1::Submap ToProto(const Submap& submap, const MapView& view) {
+  const MapInfo& map = view.snapshot().info();
   const SubmapInfo& info = submap.info();
   v1::Submap proto;
   proto.set_name(SubmapResourceName(map.name, info.id));
@@ -97,7 +97,7 @@ v1::Submap ToProto(const Submap& submap, const MapInfo& map) {
   }
   proto.set_display_name(DisplayNameOf(info, *map.label_set));
   *proto.mutable_map_from_submap() = ToProto(info.T_map_submap);
-  if (const BoundingSphere sphere = SphereOfObservedInMap(submap); !sphere.IsEmpty()) {
+  if (const BoundingSphere sphere = view.ObservedSphereInMap(submap); !sphere.IsEmpty()) {
     *proto.mutable_bounding_sphere()->mutable_center_m() = ToProto(sphere.center_m);
     proto.mutable_bounding_sphere()->set_radius_m(sphere.radius_m);
   }

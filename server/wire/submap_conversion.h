@@ -3,12 +3,14 @@
 
 #include "dhpmap/v1/submap_service.pb.h"
 #include "mapping/map/map.h"
+#include "server/app/map_view.h"
 #include "server/app/submap_edits.h"
 #include "server/app/submap_filter.h"
 
 namespace dhpmap {
 
-v1::Submap ToProto(const Submap& submap, const MapInfo& map);
+/// One of the view's submaps.
+v1::Submap ToProto(const Submap& submap, const MapView& view);
 
 /// INVALID_ARGUMENT, naming every bad field, for a class name that the label set lacks, an empty or non-finite region,
 /// a negative radius.
