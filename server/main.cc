@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wiring: store -> registry -> gRPC door -> REST door, until SIGTERM or SIGINT.
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -36,6 +37,15 @@ int WaitForSignal(const sigset_t& signals) {
   sigwait(&signals, &signal);
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   return signal;
+}
+
+/// To as many file descriptors as we may have: most systems allow a process a thousand at first, and hundreds of
+/// thousands if it asks. gRPC's door takes no more connections for good once it has met the limit.
+void RaiseDescriptorLimit() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == limit.rlim_max) return;
+  limit.rlim_cur = limit.rlim_max;
+  if (setrlimit(RLIMIT_NOFILE, &limit) != 0) LogWarning("the limit of file descriptors cannot be raised");
 }
 
 Status Serve(const ServerConfig& config, const sigset_t& signals) {
@@ -78,6 +88,7 @@ int Main(std::vector<std::string> arguments, const std::vector<std::string>& env
     return 0;
   }
   InitLog(LogOptionsOf(invocation->config));
+  RaiseDescriptorLimit();
   const Status status = Serve(invocation->config, BlockEndSignals());
   if (!status.ok()) LogError(status.ToString());
   return status.ok() ? 0 : 1;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A server with more connections than a process may have at first.
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <string>
+#include <vector>
+
+#include "dhpmap/v1/map_service.grpc.pb.h"
+#include "tests/e2e/server_process.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// Lowers the limit of file descriptors, of what is started too, while it lives.
+class DescriptorLimit {
+ public:
+  explicit DescriptorLimit(rlim_t limit) {
+    ::getrlimit(RLIMIT_NOFILE, &before_);
+    rlimit lower = before_;
+    lower.rlim_cur = limit;
+    ::setrlimit(RLIMIT_NOFILE, &lower);
+  }
+  ~DescriptorLimit() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+  [[nodiscard]] rlim_t most() const { return before_.rlim_max; }
+
+ private:
+  rlimit before_{};
+};
+
+/// TCP connections to "host:port" on which nothing is said.
+class SilentConnections {
+ public:
+  explicit SilentConnections(std::string address) {
+    address_.sin_family = AF_INET;
+    address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address_.sin_port = htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
+  }
+  ~SilentConnections() {
+    for (const int socket : sockets_) ::close(socket);
+  }
+  SilentConnections(const SilentConnections&) = delete;
+  SilentConnections& operator=(const SilentConnections&) = delete;
+
+  bool Open(int count) {
+    for (; count > 0; --count) {
+      sockets_.push_back(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+      if (::connect(sockets_.back(), reinterpret_cast<const sockaddr*>(&address_), sizeof address_) != 0) return false;
+    }
+    return true;
+  }
+
+ private:
+  sockaddr_in address_{};
+  std::vector<int> sockets_;
+};
+
+bool IsAnswering(const ServerProcess& server) {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(20));
+  v1::ListMapsResponse response;
+  return v1::MapService::NewStub(server.Connect())->ListMaps(&context, {}, &response).ok();
+}
+
+TEST(Descriptors, MoreConnectionsThanAProcessMayHaveAtFirstAreNoHarmToEitherDoor) {
+  constexpr int kAtFirst = 100;
+  TempDir folder;
+  std::unique_ptr<ServerProcess> server;
+  {
+    const DescriptorLimit limit(kAtFirst);
+    if (limit.most() < 4 * kAtFirst) GTEST_SKIP() << "this process may not have more";
+    server = std::make_unique<ServerProcess>(folder.path(), folder.path() / "maps.db");
+  }
+  ASSERT_TRUE(server->is_serving());
+  SilentConnections silent(server->grpc_address());
+  ASSERT_TRUE(silent.Open(2 * kAtFirst));
+  EXPECT_TRUE(IsAnswering(*server));
+  EXPECT_EQ(RunProgram(folder.path(), {"curl", "--silent", "--fail", server->http_url() + "/healthz"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace dhpmap::testing
