@@ -7,8 +7,8 @@
 
 namespace dhpmap::testing {
 
-/// Whether two maps hold the same submaps, labels, counts and free space, and the same geometry to within `distance_tolerance_m`
-/// (and as fraction, `weight_tolerance`). Both 0: bit for bit.
+/// Whether two maps hold the same submaps, labels, counts and free space, and the same geometry to within
+/// `distance_tolerance_m` (and as fraction, `weight_tolerance`). Both 0: bit for bit.
 ::testing::AssertionResult MapsAreEqual(const MapSnapshot& a, const MapSnapshot& b, double distance_tolerance_m = 0,
                                         double weight_tolerance = 0);
 
