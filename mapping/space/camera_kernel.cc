@@ -33,10 +33,10 @@ void LimitRow(const float* __restrict depth0_m, const float* __restrict depth1_m
                         (d1 < kMissing ? 1.0f : 0.0f);
     const float ab = a1 < b1 ? a1 : b1, cd = c1 < d1 ? c1 : d1;
     const float depth = ab < cd ? ab : cd;
-    const float length = std::sqrt(column_length2[u] + row_length2);
-    const float before = depth * length - margin;
-    const float range = before < max_range ? before : max_range;
-    const float seen = (range > 0.0f ? range : 0.0f) / length * voxels_per_m;
+    const float per_range = 1.0f / std::sqrt(column_length2[u] + row_length2);  // depth for a range of 1
+    const float before = depth - margin * per_range, most = max_range * per_range;
+    const float nearer = before < most ? before : most;
+    const float seen = (nearer > 0.0f ? nearer : 0.0f) * voxels_per_m;
     limit[u] = count >= 3.0f ? seen : kMissing;
   }
 }

@@ -2,6 +2,7 @@
 #include "mapping/space/sight_pyramid.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "mapping/space/vector_clones.h"
 
@@ -89,7 +90,8 @@ void SightPyramid::Build(const SightImage& image) {
 }
 
 SightPyramid::Span SightPyramid::Over(int u0, int v0, int u1, int v1) const {
-  int shift = 1;
+  const auto side = static_cast<unsigned>(std::max(u1 - u0, v1 - v0));
+  int shift = std::max(1, static_cast<int>(std::bit_width(side)) - 2);  // no less will do
   while ((u1 >> shift) - (u0 >> shift) > 3 || (v1 >> shift) - (v0 >> shift) > 3) ++shift;
   const Level& level = levels_[static_cast<std::size_t>(shift - 1)];
   const auto width = static_cast<std::size_t>(level.width);

@@ -120,14 +120,16 @@ class TileLook {
     alignas(64) std::array<std::uint8_t, kOctantVoxels> is_free;
     view_.Test(x + kToFirst, y + kToFirst, z + kToFirst, is_free);
     for (std::size_t z_in = 0; z_in < kOctantSide; ++z_in) {
-      layers[z_in] = 0;
-      for (std::size_t y_in = 0; y_in < kOctantSide; ++y_in) {
-        std::uint32_t row;  // four bytes of 0 or 1 become four bits
-        std::memcpy(&row, is_free.data() + 16 * z_in + 4 * y_in, sizeof(row));
-        const std::uint64_t bits = (row * std::uint64_t{0x01020408} >> 24) & 0xF;
-        layers[z_in] |= bits << (8 * y_in);
-      }
+      layers[z_in] = TwoRows(is_free.data() + 16 * z_in) | TwoRows(is_free.data() + 16 * z_in + 8) << 16;
     }
+  }
+
+  /// Two rows of four bytes of 0 or 1 become four bits each, in a byte each.
+  static std::uint64_t TwoRows(const std::uint8_t* is_free) {
+    std::uint64_t bytes;
+    std::memcpy(&bytes, is_free, sizeof(bytes));
+    const std::uint64_t bits = bytes * 0x0102040810204080 >> 56;
+    return (bits & 0x0F) | (bits & 0xF0) << 4;
   }
 
   const View& view_;
