@@ -70,7 +70,7 @@ void PrintTable(const v1::QueryPointsRequest& request, const v1::QueryPointsResp
                   Fixed(result.distance_m(), 4), Fixed(result.weight(), 1), Fixed(result.class_confidence(), 2),
                   Fixed(result.instance_confidence(), 2)});
     } else {
-      row.insert(row.end(), {"-", "unobserved", "-", "-", "-", "-", "-"});
+      row.insert(row.end(), {"-", result.free() ? "free" : "unknown", "-", "-", "-", "-", "-"});
     }
     table.Add(std::move(row));
   }

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "mapping/base/grid_reach.h"
 #include "mapping/map/voxel_answer.h"
 #include "mapping/query/voxel_sampler.h"
 
@@ -17,6 +18,17 @@ struct Vote {
   VoxelSupport support;
 };
 
+/// Farther than the truncation a distance says only that: it is what carving leaves, but for rounding.
+bool IsNearSurface(const Submap& submap, const VoxelSample& voxel) {
+  return voxel.distance_m() < 0.999 * submap.info().truncation_m;
+}
+
+bool IsLookedThrough(const MapSnapshot& map, const Eigen::Vector3d& p_map) {
+  const double voxel_size_m = map.info().config.voxel_size_m;
+  const bool is_on_grid = (p_map.array().abs() <= GridReach_m(voxel_size_m)).all();
+  return is_on_grid && map.free_space()->IsFree(VoxelAt(p_map, voxel_size_m));
+}
+
 }  // namespace
 
 PointLookup::PointLookup(std::shared_ptr<const MapSnapshot> snapshot)
@@ -25,15 +37,18 @@ PointLookup::PointLookup(std::shared_ptr<const MapSnapshot> snapshot)
 PointInfo PointLookup::At(const Eigen::Vector3d& p_map) const {
   Vote best;
   float total_support = 0;
+  bool is_near_surface = false;
   index_.VisitAround(p_map, [&](const SubmapIndex::Entry& entry) {
     const Submap& submap = entry.submap();
     const VoxelSample voxel = SampleVoxelAt(submap, entry.ToSubmap(p_map));
     if (!voxel.IsObserved()) return;
+    is_near_surface = is_near_surface || IsNearSurface(submap, voxel);
     const VoxelSupport support = SupportOfVoxel(submap, *voxel.block, voxel.linear);
     total_support += support.observations;
     if (best.submap == nullptr || support > best.support) best = {&submap, voxel, support};
   });
   PointInfo info;
+  info.is_free = !is_near_surface && IsLookedThrough(*snapshot_, p_map);
   if (best.submap == nullptr) return info;
 
   const SubmapInfo& submap = best.submap->info();

@@ -11,8 +11,11 @@ namespace dhpmap {
 
 /// What the map knows of one point.
 struct PointInfo {
-  bool is_observed = false;  ///< false: nothing else is meaningful
-  SubmapId submap;           ///< the submap that answers; its id is the instance id, 0 = unknown object
+  bool is_observed = false;  ///< false: nothing else is meaningful but is_free
+  /// Sensors have looked through its voxel, and no submap has a surface within its truncation. Neither this nor
+  /// observed: unknown.
+  bool is_free = false;
+  SubmapId submap;  ///< the submap that answers; its id is the instance id, 0 = unknown object
   Panoptic panoptic = Panoptic::kUnknown;
   ClassId class_id;
   float distance_m = 0;  ///< value of the voxel that holds the point

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/wire/point_conversion.h"
 
+#include <limits>
 #include <string>
 
 #include "server/wire/types/label_conversion.h"
@@ -16,6 +17,7 @@ Status BadPoints(const std::string& field, const std::string& what) {
 
 v1::PointResult ToProto(const PointInfo& point, const MapInfo& map) {
   v1::PointResult result;
+  result.set_free(point.is_free);
   if (!point.is_observed) return result;
   result.set_observed(true);
   result.set_instance_id(point.submap.value);
@@ -38,6 +40,7 @@ void Reserve(int num_points, v1::PackedPointResults& packed) {
   packed.mutable_instance_id()->Reserve(num_points);
   packed.mutable_class_id()->Reserve(num_points);
   packed.mutable_distance_m()->Reserve(num_points);
+  packed.mutable_free()->Reserve(num_points);
   packed.mutable_weight()->Reserve(num_points);
   packed.mutable_class_confidence()->Reserve(num_points);
   packed.mutable_instance_confidence()->Reserve(num_points);
@@ -50,7 +53,8 @@ void Append(const PointInfo& found, v1::PackedPointResults& packed) {
   packed.add_observed(point.is_observed);
   packed.add_instance_id(point.submap.value);
   packed.add_class_id(point.panoptic == Panoptic::kUnknown ? 0 : point.class_id.value);
-  packed.add_distance_m(point.distance_m);
+  packed.add_distance_m(point.is_observed ? point.distance_m : std::numeric_limits<float>::quiet_NaN());
+  packed.add_free(found.is_free);
   packed.add_weight(point.weight);
   for (const std::uint8_t channel : {point.color.r, point.color.g, point.color.b}) {
     packed.mutable_rgb()->push_back(static_cast<char>(channel));
@@ -88,8 +92,8 @@ Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::Rep
 }
 
 std::size_t BytesOfAnswers(const v1::QueryPointsRequest& request) {
-  // Of a point: 24 for where it is; 33 packed and up to 40 as bytes; or a message with a name and a colour of its own.
-  constexpr std::size_t kPacked = 24 + 33 + 40, kMessage = 24 + 260 + 100;
+  // Of a point: 24 for where it is; 34 packed and up to 41 as bytes; or a message with a name and a colour of its own.
+  constexpr std::size_t kPacked = 24 + 34 + 41, kMessage = 24 + 260 + 100;
   const auto num_points = static_cast<std::size_t>(request.xyz_m_size() / 3 + request.points_m_size());
   return num_points * (request.packed() ? kPacked : kMessage);
 }

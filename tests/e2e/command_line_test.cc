@@ -61,7 +61,7 @@ TEST_F(CommandLine, ListsMapsAndSubmapsForPeopleAndMachines) {
 TEST_F(CommandLine, QueriesPointsFromArgumentsAndFiles) {
   const Outcome typed = Run({"query", "point", "room", "1.16", "-.5", ".4", "9", "9", "9"});
   EXPECT_NE(typed.out.find("Ball"), std::string::npos) << typed.out << typed.err;
-  EXPECT_NE(typed.out.find("unobserved"), std::string::npos) << typed.out;
+  EXPECT_NE(typed.out.find("unknown"), std::string::npos) << typed.out;
   std::ofstream(File("points.txt")) << "1.16,-.5,.4\n9 9 9\n";
   EXPECT_EQ(Run({"query", "point", "room", "--file", File("points.txt").string()}).out, typed.out);
 }

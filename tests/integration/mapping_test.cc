@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -120,15 +121,19 @@ TEST(Mapping, ARestartOnTheSameFileGivesTheSameAnswers) {
   const auto& a = after.packed();
   const auto& b = before.packed();
   ASSERT_EQ(a.observed_size(), b.observed_size());
-  int num_observed = 0;
+  int num_observed = 0, num_free = 0;
   for (int i = 0; i < a.observed_size(); ++i) {
     num_observed += a.observed(i) ? 1 : 0;
+    num_free += a.free(i) ? 1 : 0;
     ASSERT_EQ(a.observed(i), b.observed(i));
+    ASSERT_EQ(a.free(i), b.free(i));
     ASSERT_EQ(a.instance_id(i), b.instance_id(i));
     ASSERT_EQ(a.class_id(i), b.class_id(i));
-    ASSERT_NEAR(a.distance_m(i), b.distance_m(i), 0.1 / 4096 + 1e-7);
+    if (a.observed(i)) ASSERT_NEAR(a.distance_m(i), b.distance_m(i), 0.1 / 4096 + 1e-7);
+    else ASSERT_TRUE(std::isnan(a.distance_m(i)) && std::isnan(b.distance_m(i)));
   }
   EXPECT_GT(num_observed, 500);
+  EXPECT_GT(num_free, 50);
 }
 
 TEST(Mapping, GoesOnAfterARestartAsIfThereHadBeenNone) {

@@ -42,6 +42,28 @@ TEST(PointLookup, EmptyMapKnowsNothing) {
   EXPECT_FALSE(PointLookup(map.Publish(0)).At({0, 0, 0}).is_observed);
 }
 
+TEST(PointLookup, WhatWasLookedThroughIsFreeUnlessASurfaceIsNear) {
+  Map map(Info());
+  FreeBlocks seen;
+  seen.full = 1;  // the block at the origin
+  map.mutable_free_space().Add({0, 0, 0}, seen, 0);
+  Observe(AddSubmap(map, Panoptic::kThing, kThing), {1, 0, 0}, 0.03f, 1.0f, 1, kThing);
+  Observe(AddSubmap(map, Panoptic::kThing, kThing), {2, 0, 0}, 0.08f, 1.0f, 1, kThing);  // at the truncation
+  Observe(AddSubmap(map, Panoptic::kThing, kThing), {3, 0, 0}, 0.08f, 9.0f, 9, kThing);
+  Observe(AddSubmap(map, Panoptic::kThing, kThing), {3, 0, 0}, -0.05f, 1.0f, 1, kThing);
+  const PointLookup lookup(map.Publish(0));
+  const auto at = [&](int x) { return lookup.At(VoxelCentre({x, 0, 0}, 0.04)); };
+  EXPECT_TRUE(at(0).is_free);
+  EXPECT_FALSE(at(0).is_observed);
+  EXPECT_FALSE(at(1).is_free);
+  EXPECT_TRUE(at(2).is_free && at(2).is_observed);
+  EXPECT_FALSE(at(3).is_free) << "whichever submap answers";
+  EXPECT_FALSE(at(8).is_free) << "another block: unknown";
+  EXPECT_FALSE(at(-1).is_free);
+  EXPECT_FALSE(lookup.At({1e300, 0, 0}).is_free);
+  EXPECT_FALSE(lookup.At({0, -1e12, 0}).is_free);
+}
+
 TEST(PointLookup, MostObservedSubmapAnswersWhereSurfacesAreEquallyNear) {
   Map map(Info());
   Submap& thing = AddSubmap(map, Panoptic::kThing, kThing);

@@ -89,6 +89,29 @@ TEST(PointAnswers, AreMessagesOrArraysAsAsked) {
   EXPECT_EQ(packed.rgb(), std::string("\1\2\3\0\0\0\0\0\0", 9));
   EXPECT_EQ(packed.kind(), std::string("\1\0\0", 3));
   EXPECT_EQ(packed.instance_id(2), 0) << "of what is not observed nothing else is told";
+  EXPECT_TRUE(std::isnan(packed.distance_m(1))) << "no distance is not a distance of 0";
+  EXPECT_FALSE(packed.free(0) || packed.free(1));
+}
+
+TEST(PointAnswers, TellFreeFromUnknownAndGiveNeitherADistance) {
+  const MapInfo map = MapOfChairs();
+  for (const bool is_packed : {false, true}) {
+    v1::QueryPointsRequest request;
+    request.set_packed(is_packed);
+    v1::QueryPointsResponse response;
+    PointAnswers answers(request, map, 2, response);
+    answers.Append({.is_free = true});
+    answers.Append({});
+    if (is_packed) {
+      EXPECT_TRUE(response.packed().free(0));
+      EXPECT_FALSE(response.packed().free(1) || response.packed().observed(0));
+      EXPECT_TRUE(std::isnan(response.packed().distance_m(0)));
+    } else {
+      EXPECT_TRUE(response.results(0).free());
+      EXPECT_FALSE(response.results(1).free() || response.results(0).observed());
+      EXPECT_FALSE(response.results(0).has_distance_m() || response.results(1).has_distance_m());
+    }
+  }
 }
 
 TEST(BytesOfAnswers, IsNoLessThanWhatAnswersTake) {
