@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "mapping/query/vector_clones.h"
+
 namespace dhpmap {
 
 /// Boxes in a tree of eight children a node, for questions about a place. What the boxes hold is the caller's: it knows
@@ -29,17 +31,24 @@ class BoxTree {
   [[nodiscard]] std::span<const std::uint32_t> items() const { return items_; }
   [[nodiscard]] std::size_t MemoryBytes() const;
 
-  /// Calls limit2 = visit(position) for boxes whose squared distance from `p` is at most limit2, near ones mostly
-  /// first; `position` is into items(). The visitor may lower the limit, and the boxes beyond it are left out. A finite
-  /// limit.
-  template <typename Visitor>
-  void VisitNearest(const Eigen::Vector3f& p, float limit2, Visitor&& visit) const;
+  // For searches of their own: nodes by height, 1 for those whose children are boxes of the list; a node's children are
+  // kLanes * node + lane, one lower.
+
+  /// Of the root, whose node is 0; 0: there is none.
+  [[nodiscard]] std::uint32_t height() const { return static_cast<std::uint32_t>(first_node_.size()); }
+  /// Squared distances of a node's children from a point. Returns which are no farther than a finite limit, a bit each;
+  /// never one that is not there.
+  DHPMAP_ALWAYS_INLINE unsigned ChildrenWithin(std::uint32_t height, std::uint32_t node, const Eigen::Vector3f& p,
+                                               float limit2, float (&distance2)[kLanes]) const {
+    return nodes_[first_node_[height - 1] + node].ChildrenWithin(p, limit2, distance2);
+  }
 
   /// Calls visit(position) for boxes that overlap `box`, in no order to rely on.
   template <typename Visitor>
   void VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const;
 
  private:
+  typedef float Float8 __attribute__((vector_size(32), may_alias));
   /// The boxes of eight children side by side. Those of children that are not there are inside out, at infinity.
   struct alignas(32) Node {
     float low[3][kLanes];
@@ -47,21 +56,27 @@ class BoxTree {
 
     Node();
     void Set(std::size_t lane, const Eigen::AlignedBox3f& box);
-    /// Squared distances from a point.
-    void Distances2(const Eigen::Vector3f& p, float (&distance2)[kLanes]) const {
-      float sum[kLanes] = {};
+    DHPMAP_ALWAYS_INLINE unsigned ChildrenWithin(const Eigen::Vector3f& p, float limit2,
+                                                 float (&distance2)[kLanes]) const {
+      Float8 sum = {};
       for (int axis = 0; axis < 3; ++axis) {
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          const float below = low[axis][lane] - p[axis], above = p[axis] - high[axis][lane];
-          const float outside = std::max(std::max(below, above), 0.0f);
-          sum[lane] += outside * outside;
-        }
+        const float x = p[axis];
+        const Float8 here = {x, x, x, x, x, x, x, x}, zero = {};
+        const Float8 below = *reinterpret_cast<const Float8*>(low[axis]) - here;
+        const Float8 above = here - *reinterpret_cast<const Float8*>(high[axis]);
+        Float8 outside = below > above ? below : above;
+        outside = outside > zero ? outside : zero;
+        sum += outside * outside;
       }
-      for (std::size_t lane = 0; lane < kLanes; ++lane) distance2[lane] = sum[lane];
+      unsigned within = 0;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        distance2[lane] = sum[lane];
+        within |= static_cast<unsigned>(sum[lane] <= limit2) << lane;
+      }
+      return within;
     }
   };
   struct Pending {
-    float distance2;
     std::uint32_t node;
     std::uint32_t level;
   };
@@ -78,42 +93,11 @@ class BoxTree {
 };
 
 template <typename Visitor>
-void BoxTree::VisitNearest(const Eigen::Vector3f& p, float limit2, Visitor&& visit) const {
-  if (nodes_.empty()) return;
-  std::array<Pending, kMostPending> pending;
-  std::size_t num_pending = 0;
-  pending[num_pending++] = {0, 0, static_cast<std::uint32_t>(first_node_.size() - 1)};
-  while (num_pending > 0) {
-    const Pending here = pending[--num_pending];
-    if (here.distance2 > limit2) continue;
-    float distance2[kLanes];
-    nodes_[first_node_[here.level] + here.node].Distances2(p, distance2);
-    // Those within the limit, the farthest first.
-    std::array<Pending, kLanes> children;
-    std::size_t num_children = 0;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (!(distance2[lane] <= limit2)) continue;
-      std::size_t at = num_children++;
-      for (; at > 0 && children[at - 1].distance2 < distance2[lane]; --at) children[at] = children[at - 1];
-      children[at] = {distance2[lane], static_cast<std::uint32_t>(kLanes * here.node + lane), here.level - 1};
-    }
-    if (here.level > 0) {
-      for (std::size_t i = 0; i < num_children; ++i) pending[num_pending++] = children[i];
-      continue;
-    }
-    while (num_children > 0) {
-      const Pending& child = children[--num_children];
-      if (child.distance2 <= limit2) limit2 = visit(static_cast<std::size_t>(child.node));
-    }
-  }
-}
-
-template <typename Visitor>
 void BoxTree::VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const {
   if (nodes_.empty()) return;
   std::array<Pending, kMostPending> pending;
   std::size_t num_pending = 0;
-  pending[num_pending++] = {0, 0, static_cast<std::uint32_t>(first_node_.size() - 1)};
+  pending[num_pending++] = {0, height() - 1};
   while (num_pending > 0) {
     const Pending here = pending[--num_pending];
     const Node& node = nodes_[first_node_[here.level] + here.node];
@@ -124,7 +108,7 @@ void BoxTree::VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) 
       }
       if (!overlaps) continue;
       const auto child = static_cast<std::uint32_t>(kLanes * here.node + lane);
-      if (here.level > 0) pending[num_pending++] = {0, child, here.level - 1};
+      if (here.level > 0) pending[num_pending++] = {child, here.level - 1};
       else visit(static_cast<std::size_t>(child));
     }
   }

@@ -19,21 +19,22 @@ DistanceQuery::DistanceQuery(std::shared_ptr<const MapSurfaces> surfaces, Distan
 }
 
 SurfaceDistance DistanceQuery::At(const Eigen::Vector3d& p_map) const {
-  return Describe(p_map, FindNearest(p_map, options_.max_distance_m));
+  return Describe(p_map, NearestSearch(*surfaces_, is_held_).Find(p_map, options_.max_distance_m));
 }
 
 void DistanceQuery::At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const {
   // What is nearest to a point is no farther from the next one than that plus the way between: mostly a much better
   // limit than the caller's.
   constexpr double kRounding_m = 1e-5;
+  NearestSearch search(*surfaces_, is_held_);
   const Eigen::Vector3d* before = nullptr;
   double before_m = 0;
   for (const std::uint32_t i : OrderAlongCurve(points_m)) {
     const Eigen::Vector3d& p = points_m[i];
     double limit_m = options_.max_distance_m;
     if (before != nullptr) limit_m = std::min(limit_m, before_m + (p - *before).norm() + kRounding_m);
-    Found found = FindNearest(p, limit_m);
-    if (!found.is_any && limit_m < options_.max_distance_m) found = FindNearest(p, options_.max_distance_m);
+    NearestSurface found = search.Find(p, limit_m);
+    if (!found.is_any && limit_m < options_.max_distance_m) found = search.Find(p, options_.max_distance_m);
     answers[i] = Describe(p, found);
     if (answers[i].submap == nullptr) continue;
     before = &p;
@@ -41,27 +42,9 @@ void DistanceQuery::At(std::span<const Eigen::Vector3d> points_m, std::span<Surf
   }
 }
 
-DistanceQuery::Found DistanceQuery::FindNearest(const Eigen::Vector3d& p_map, double limit_m) const {
-  Found best;
-  best.nearest.found.distance2_m2 = static_cast<float>(limit_m * limit_m);
-  surfaces_->index().VisitNearest(
-      p_map, best.nearest.found.Limit2(), [&](std::size_t number, const Eigen::Vector3d& p_submap) {
-        const Submap& submap = surfaces_->index().entries()[number].submap();
-        if (Holds(number) && surfaces_->surface(number).ImproveNearest(submap, p_submap, best.nearest)) {
-          best.number = number;
-          best.p_submap = p_submap;
-          best.is_any = true;
-        }
-        return best.nearest.found.Limit2();
-      });
-  return best;
-}
-
-SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, const Found& found) const {
+SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, const NearestSurface& found) const {
   SurfaceDistance answer;
-  const NearestSurface& surface = found.nearest.found;
-  const Eigen::Vector3d nearest_submap = found.nearest.corner_m + surface.point_m.cast<double>();
-  const Eigen::Vector3d away = found.p_submap - nearest_submap;
+  const Eigen::Vector3d away = found.p_submap - found.point_submap;
   const double distance_m = away.norm();
   if (!found.is_any || distance_m > options_.max_distance_m) {
     answer.distance_m = options_.max_distance_m;
@@ -70,27 +53,34 @@ SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, const Foun
   }
   const SubmapInfo& submap = surfaces_->index().entries()[found.number].submap().info();
   answer.submap = &submap;
-  answer.nearest_m = submap.T_map_submap * nearest_submap;
-  const Sight sight = SightOf(p_map);
+  answer.nearest_m = submap.T_map_submap * found.point_submap;
+  const bool is_in_band = distance_m <= submap.truncation_m;
+  const Sight sight = SightOf(p_map, found);
   answer.status = sight.is_seen || options_.unknown_is_free ? DistanceStatus::kOk : DistanceStatus::kUnknown;
-  const bool is_behind = surface.side < 0 && (distance_m <= submap.truncation_m || !sight.is_front);
+  const bool is_behind = found.is_behind && (is_in_band || !sight.is_front);
   answer.distance_m = is_behind ? -distance_m : distance_m;
   constexpr double kLeast_m = 1e-5;  // nearer, rounding would turn the direction
-  const Eigen::Vector3d direction = distance_m > kLeast_m ? Eigen::Vector3d(away / answer.distance_m)
-                                                          : Eigen::Vector3d(surface.normal.cast<double>());
+  const Eigen::Vector3d direction =
+      distance_m > kLeast_m ? Eigen::Vector3d(away / answer.distance_m) : found.normal_submap;
   answer.gradient = submap.T_map_submap.linear() * direction;
   return answer;
 }
 
-DistanceQuery::Sight DistanceQuery::SightOf(const Eigen::Vector3d& p_map) const {
+/// Asks the nearest submap first, as it mostly knows.
+DistanceQuery::Sight DistanceQuery::SightOf(const Eigen::Vector3d& p_map, const NearestSurface& found) const {
   Sight sight;
-  surfaces_->index().VisitAround(p_map, [&](const SubmapIndex::Entry& entry) {
-    const auto number = static_cast<std::size_t>(&entry - surfaces_->index().entries().data());
-    if (sight.is_front || !Holds(number)) return;
-    const VoxelSample voxel = SampleVoxelAt(entry.submap(), entry.ToSubmap(p_map));
+  const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
+  const auto look = [&sight](const Submap& submap, const Eigen::Vector3d& p_submap) {
+    const VoxelSample voxel = SampleVoxelAt(submap, p_submap);
     if (!voxel.IsObserved()) return;
     sight.is_seen = true;
     sight.is_front |= voxel.distance_m() > 0;
+  };
+  if (entries[found.number].MayHold(found.p_submap)) look(entries[found.number].submap(), found.p_submap);
+  if (sight.is_front || (sight.is_seen && !found.is_behind)) return sight;
+  surfaces_->index().VisitAround(p_map, [&](const SubmapIndex::Entry& entry) {
+    if (sight.is_front || !Holds(static_cast<std::size_t>(&entry - entries.data()))) return;
+    look(entry.submap(), entry.ToSubmap(p_map));
   });
   return sight;
 }

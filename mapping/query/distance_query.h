@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mapping/query/nearest_search.h"
 #include "mapping/query/query_scope.h"
 #include "mapping/query/surface_cache.h"
 
@@ -48,20 +49,13 @@ class DistanceQuery {
   void At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const;
 
  private:
-  struct Found {
-    SubmapSurface::Nearest nearest;
-    std::size_t number = 0;  ///< of the submap
-    Eigen::Vector3d p_submap = Eigen::Vector3d::Zero();
-    bool is_any = false;
-  };
   struct Sight {
     bool is_seen = false;   ///< somebody has observed what is there
     bool is_front = false;  ///< and it was in front of a surface
   };
   [[nodiscard]] bool Holds(std::size_t number) const { return is_held_.empty() || is_held_[number]; }
-  [[nodiscard]] Found FindNearest(const Eigen::Vector3d& p_map, double limit_m) const;
-  [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, const Found& found) const;
-  [[nodiscard]] Sight SightOf(const Eigen::Vector3d& p_map) const;
+  [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, const NearestSurface& found) const;
+  [[nodiscard]] Sight SightOf(const Eigen::Vector3d& p_map, const NearestSurface& found) const;
 
   std::shared_ptr<const MapSurfaces> surfaces_;
   DistanceOptions options_;

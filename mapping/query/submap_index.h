@@ -57,10 +57,10 @@ class SubmapIndex {
   template <typename Visitor>
   void VisitAround(const Eigen::Vector3d& p_map, Visitor&& visit) const;
 
-  /// Calls limit2 = visit(number, p_submap) for the entries whose box is no farther from the point than the root of
-  /// limit2 (m2, finite), near ones mostly first. The visitor may lower the limit.
-  template <typename Visitor>
-  void VisitNearest(const Eigen::Vector3d& p_map, float limit2, Visitor&& visit) const;
+  /// Of the entries' boxes along the axes of the map frame; its items are the entries' numbers.
+  [[nodiscard]] const BoxTree& tree() const { return tree_; }
+  /// A point of the map frame in that of the tree.
+  [[nodiscard]] Eigen::Vector3f InTree(const Eigen::Vector3d& p_map) const { return (p_map - origin_m_).cast<float>(); }
 
  private:
   void Build();
@@ -72,7 +72,7 @@ class SubmapIndex {
 
 template <typename Visitor>
 void SubmapIndex::VisitAround(const Eigen::Vector3d& p_map, Visitor&& visit) const {
-  const Eigen::Vector3f p = (p_map - origin_m_).cast<float>();
+  const Eigen::Vector3f p = InTree(p_map);
   constexpr std::size_t kMostSorted = 64;  // of those that hold one point; more are rare
   std::size_t found[kMostSorted];
   std::size_t num_found = 0;
@@ -90,18 +90,6 @@ void SubmapIndex::VisitAround(const Eigen::Vector3d& p_map, Visitor&& visit) con
   }
   std::sort(found, found + num_found);
   for (std::size_t i = 0; i < num_found; ++i) try_one(entries_[found[i]]);
-}
-
-template <typename Visitor>
-void SubmapIndex::VisitNearest(const Eigen::Vector3d& p_map, float limit2, Visitor&& visit) const {
-  tree_.VisitNearest((p_map - origin_m_).cast<float>(), limit2, [&](std::size_t position) {
-    const std::size_t number = tree_.items()[position];
-    const Eigen::Vector3d p_submap = entries_[number].ToSubmap(p_map);
-    if (entries_[number].box_m().squaredExteriorDistance(p_submap) <= static_cast<double>(limit2)) {
-      limit2 = visit(number, p_submap);
-    }
-    return limit2;
-  });
 }
 
 }  // namespace dhpmap

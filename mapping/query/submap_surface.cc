@@ -43,18 +43,4 @@ SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slot_of) {
   for (const std::uint32_t number : tree_.items()) tiles_.push_back(std::move(tiles[number]));
 }
 
-bool SubmapSurface::ImproveNearest(const Submap& submap, const Eigen::Vector3d& p_submap, Nearest& best) const {
-  bool has_changed = false;
-  tree_.VisitNearest((p_submap - origin_m_).cast<float>(), best.found.Limit2(), [&](std::size_t position) {
-    const Tile& tile = tiles_[position];
-    const TriangleTree& surface = tile.slot->Surface(submap.blocks(), tile.index);
-    if (surface.ImproveNearest((p_submap - tile.corner_m).cast<float>(), best.found)) {
-      best.corner_m = tile.corner_m;
-      has_changed = true;
-    }
-    return best.found.Limit2();
-  });
-  return has_changed;
-}
-
 }  // namespace dhpmap

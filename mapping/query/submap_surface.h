@@ -25,14 +25,25 @@ class SubmapSurface {
   /// Around the surface, to a block or so. Empty: there is none.
   [[nodiscard]] const Eigen::AlignedBox3d& box_m() const { return box_m_; }
 
-  /// A surface point of the submap: `found` is in the frame of the tile, whose corner is at `corner_m`.
-  struct Nearest {
-    NearestSurface found;
-    Eigen::Vector3d corner_m = Eigen::Vector3d::Zero();
-  };
-  /// Looks for a point nearer to `p_submap` (finite) than `best`. Returns whether `best` has changed. `submap` is the
-  /// one this was made of, at whatever pose, or a clone.
-  bool ImproveNearest(const Submap& submap, const Eigen::Vector3d& p_submap, Nearest& best) const;
+  /// Of the tiles' boxes, to a block or so.
+  [[nodiscard]] const BoxTree& tree() const { return tree_; }
+  /// A point of the submap's frame in that of the tree.
+  [[nodiscard]] Eigen::Vector3f InTree(const Eigen::Vector3d& p_submap) const {
+    return (p_submap - origin_m_).cast<float>();
+  }
+
+  /// The surface of the tile at a position in the tree, made if it is not there. `submap` is the one this was made of,
+  /// at whatever pose, or a clone. Valid as long as this.
+  [[nodiscard]] const TriangleTree& Surface(const Submap& submap, std::size_t position) const {
+    return tiles_[position].slot->Surface(submap.blocks(), tiles_[position].index);
+  }
+  /// A point of the submap's frame in that of a tile's surface, and back.
+  [[nodiscard]] Eigen::Vector3f InTile(const Eigen::Vector3d& p_submap, std::size_t position) const {
+    return (p_submap - tiles_[position].corner_m).cast<float>();
+  }
+  [[nodiscard]] Eigen::Vector3d FromTile(const Eigen::Vector3f& p_tile, std::size_t position) const {
+    return tiles_[position].corner_m + p_tile.cast<double>();
+  }
 
   /// Calls visit(const TileSurfaceSlot&) for every tile.
   template <typename Visitor>

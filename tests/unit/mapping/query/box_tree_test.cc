@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 
@@ -21,45 +22,53 @@ std::vector<Eigen::AlignedBox3f> RandomBoxes(std::size_t count, unsigned seed) {
   return boxes;
 }
 
-TEST(BoxTree, FindsTheNearestBoxAndVisitsOnlyWhatMayBeNearer) {
+/// Every box's position in the tree with its squared distance, found from the root downwards; and that no node is
+/// farther than what is below it.
+void Descend(const BoxTree& tree, const Eigen::Vector3f& p, std::uint32_t height, std::uint32_t node, float least2,
+             std::map<std::uint32_t, float>& found) {
+  if (height == 0) {
+    EXPECT_TRUE(found.emplace(tree.items()[node], least2).second) << "twice";
+    return;
+  }
+  float distance2[BoxTree::kLanes];
+  const unsigned all = tree.ChildrenWithin(height, node, p, 1e30f, distance2);
+  const unsigned near = tree.ChildrenWithin(height, node, p, 9, distance2);
+  for (std::uint32_t lane = 0; lane < BoxTree::kLanes; ++lane) {
+    EXPECT_EQ(near >> lane & 1, distance2[lane] <= 9);
+    if ((all >> lane & 1) == 0) continue;
+    EXPECT_GE(distance2[lane], least2);
+    Descend(tree, p, height - 1, BoxTree::kLanes * node + lane, distance2[lane], found);
+  }
+}
+
+TEST(BoxTree, TellsHowFarBoxesAndNodesAre) {
   for (const std::size_t count : {1u, 7u, 8u, 9u, 63u, 64u, 65u, 513u, 1000u}) {
     const auto boxes = RandomBoxes(count, static_cast<unsigned>(count));
     const BoxTree tree(boxes);
     std::mt19937 random(3);
     std::uniform_real_distribution<float> place(-8, 8);
-    for (int n = 0; n < 100; ++n) {
+    for (int n = 0; n < 20; ++n) {
       const Eigen::Vector3f p(place(random), place(random), place(random));
-      float truth = std::numeric_limits<float>::max();
-      for (const auto& box : boxes) truth = std::min(truth, box.squaredExteriorDistance(p));
-      float best = 1e6f;
-      std::set<std::size_t> visited;
-      tree.VisitNearest(p, best, [&](std::size_t position) {
-        EXPECT_TRUE(visited.insert(position).second) << "twice";
-        const float distance2 = boxes[tree.items()[position]].squaredExteriorDistance(p);
-        EXPECT_LE(distance2, best * 1.0001f + 1e-6f);
-        best = std::min(best, distance2);
-        return best;
-      });
-      EXPECT_NEAR(best, truth, 1e-5f * (1 + truth)) << count;
+      std::map<std::uint32_t, float> found;
+      Descend(tree, p, tree.height(), 0, 0, found);
+      ASSERT_EQ(found.size(), count);
+      for (const auto& [item, distance2] : found) {
+        EXPECT_NEAR(distance2, boxes[item].squaredExteriorDistance(p), 1e-4f);
+      }
     }
   }
 }
 
-TEST(BoxTree, KeepsToTheLimit) {
-  const auto boxes = RandomBoxes(300, 5);
+TEST(BoxTree, PutsWhatIsCloseTogetherIntoOneNode) {
+  const auto boxes = RandomBoxes(4096, 8);
   const BoxTree tree(boxes);
-  const Eigen::Vector3f p(1, 2, 3);
-  constexpr float kLimit2 = 2.5f;
-  std::set<std::uint32_t> visited, within;
-  tree.VisitNearest(p, kLimit2, [&](std::size_t position) {
-    visited.insert(tree.items()[position]);
-    return kLimit2;
-  });
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    if (boxes[i].squaredExteriorDistance(p) <= kLimit2) within.insert(i);
+  float sum = 0;
+  for (std::size_t first = 0; first < boxes.size(); first += BoxTree::kLanes) {
+    Eigen::AlignedBox3f node;
+    for (std::size_t lane = 0; lane < BoxTree::kLanes; ++lane) node.extend(boxes[tree.items()[first + lane]].center());
+    sum += node.sizes().maxCoeff();
   }
-  EXPECT_EQ(visited, within);
-  EXPECT_FALSE(within.empty());
+  EXPECT_LT(sum / 512, 2) << "of ten: 512 equal cubes would have sides of 1.25";
 }
 
 TEST(BoxTree, FindsAllThatOverlap) {
@@ -82,25 +91,20 @@ TEST(BoxTree, HoldsEveryItemOnceAlsoWhereAllBoxesAreTheSame) {
                                               Eigen::AlignedBox3f(Eigen::Vector3f(1, 1, 1), Eigen::Vector3f(2, 2, 2)));
   const BoxTree tree(same);
   EXPECT_EQ(std::set<std::uint32_t>(tree.items().begin(), tree.items().end()).size(), 200u);
-  std::size_t num_visited = 0;
-  tree.VisitNearest({0, 0, 0}, 100, [&](std::size_t) {
-    ++num_visited;
-    return 100.0f;
-  });
-  EXPECT_EQ(num_visited, 200u);
 }
 
 TEST(BoxTree, OfNothingFindsNothing) {
   const BoxTree tree;
   EXPECT_TRUE(tree.empty());
-  tree.VisitNearest({0, 0, 0}, 1, [](std::size_t) -> float { throw 1; });
+  EXPECT_EQ(tree.height(), 0u);
   tree.VisitOverlapping({Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(1, 1, 1)}, [](std::size_t) { throw 1; });
 }
 
-TEST(BoxTree, NothingIsNearAPointBeyondAllNumbers) {
+TEST(BoxTree, EverythingIsFarFromAPointBeyondAllNumbers) {
   const BoxTree tree(RandomBoxes(20, 1));
   for (const float far : {1e30f, std::numeric_limits<float>::infinity()}) {
-    tree.VisitNearest({far, -far, 0}, 9, [](std::size_t) -> float { throw 1; });
+    float distance2[BoxTree::kLanes];
+    EXPECT_EQ(tree.ChildrenWithin(tree.height(), 0, {far, -far, 0}, 1e6f, distance2), 0u);
   }
 }
 

@@ -104,6 +104,24 @@ TEST(DistanceQuery, EqualsTheScene) {
   }
 }
 
+TEST(DistanceQuery, TellsTheSideAlsoAtSharpEdgesAndCorners) {
+  // Nearest to most points around a slim pyramid is an edge or a corner.
+  Map map(testing::SceneInfo());
+  const auto pyramid = [](const Eigen::Vector3d& p) {
+    const double slant = (std::max(std::abs(p.x()), std::abs(p.y())) * 3 + p.z() - 0.7) / std::sqrt(10);
+    return std::max(slant, -p.z() - 0.2);
+  };
+  testing::ObserveBand(testing::AddThing(map), pyramid, testing::CubeAt({0, 0, 0.2}, 0.9));
+  const DistanceQuery query = QueryOf(map);
+  int num_inside = 0;
+  for (const Eigen::Vector3d& p : testing::RandomPoints(4000, 1.0, 5)) {
+    if (std::abs(pyramid(p)) < kSceneVoxel_m) continue;
+    num_inside += pyramid(p) < 0;
+    EXPECT_EQ(query.At(p).distance_m < 0, pyramid(p) < 0) << p.transpose();
+  }
+  EXPECT_GT(num_inside, 10);
+}
+
 TEST(DistanceQuery, IsNegativeDeepBehindOnlyWhereNothingWasSeenInFront) {
   // A ball inside a ball: behind the outer surface, and near the inner one, which is seen from between.
   Map map(testing::SceneInfo());

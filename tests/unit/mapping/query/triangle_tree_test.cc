@@ -26,51 +26,27 @@ std::array<Eigen::Vector3d, 3> InDoubles(const TriangleCorners& t) {
   return {t[0].cast<double>(), t[1].cast<double>(), t[2].cast<double>()};
 }
 
-TEST(TriangleTree, FindsTheNearestPointOfAllTriangles) {
-  for (const int count : {1, 10, 3000}) {
-    const auto triangles = RandomTriangles(count, static_cast<unsigned>(count));
-    const TriangleTree tree(triangles);
-    for (const Eigen::Vector3d& p : testing::RandomPoints(300, 1.5, 4)) {
-      double truth = 1e9;
-      for (const auto& t : triangles) truth = std::min(truth, testing::DistanceToTriangle(p, InDoubles(t)));
-      NearestSurface best{.distance2_m2 = 100};
-      ASSERT_TRUE(tree.ImproveNearest(p.cast<float>(), best));
-      EXPECT_NEAR(std::sqrt(best.distance2_m2), truth, 1e-4);
-      EXPECT_NEAR((p - best.point_m.cast<double>()).norm(), truth, 1e-4);
+TEST(TriangleTree, ThePointOfATriangleThatIsNearestIsOnItAndAsFarAsTheTriangle) {
+  for (const TriangleCorners& triangle : RandomTriangles(400, 6)) {
+    const auto exact = InDoubles(triangle);
+    for (const Eigen::Vector3d& around : testing::RandomPoints(30, 0.3, 4)) {
+      const Eigen::Vector3d p = exact[0] + around;
+      const Eigen::Vector3d nearest = NearestPointOf(triangle, p.cast<float>()).cast<double>();
+      EXPECT_NEAR((p - nearest).norm(), testing::DistanceToTriangle(p, exact), 1e-4);
+      EXPECT_NEAR(testing::DistanceToTriangle(nearest, exact), 0, 1e-5);
     }
   }
 }
 
-TEST(TriangleTree, SaysNothingBeyondTheLimit) {
-  const TriangleTree tree({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
-  NearestSurface best{.distance2_m2 = 0.25f};
-  EXPECT_FALSE(tree.ImproveNearest({0.2f, 0.2f, 0.51f}, best));
-  EXPECT_TRUE(tree.ImproveNearest({0.2f, 0.2f, 0.49f}, best));
-  EXPECT_GT(best.side, 0);
-}
-
-TEST(TriangleTree, TellsTheSideOfAClosedSurfaceAlsoFromItsEdgesAndCorners) {
-  // A tetrahedron with sharp edges: the nearest point of most points around is on an edge or a corner.
-  const Eigen::Vector3f a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(0.1f, 0.1f, 0.3f);
-  const TriangleTree tree({{{a, c, b}}, {{a, b, d}}, {{b, c, d}}, {{c, a, d}}});
-  int num_inside = 0;
-  for (const Eigen::Vector3d& p : testing::RandomPoints(20000, 1.2, 5)) {
-    const Eigen::Vector3f q = p.cast<float>();
-    NearestSurface best{.distance2_m2 = 100};
-    ASSERT_TRUE(tree.ImproveNearest(q, best));
-    bool is_inside = true;
-    for (const auto& [u, v, w] : std::vector<TriangleCorners>{{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}}) {
-      is_inside &= (v - u).cross(w - u).dot(q - u) < 0;
-    }
-    num_inside += is_inside;
-    EXPECT_EQ(best.side < 0, is_inside) << p.transpose();
+TEST(TriangleTree, KeepsEveryTriangleWhereItsTreeSays) {
+  const auto triangles = RandomTriangles(500, 7);
+  const TriangleTree tree(triangles);
+  ASSERT_EQ(tree.num_triangles(), triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    EXPECT_EQ(tree.triangle(i), triangles[tree.tree().items()[i]]);
+    for (const Eigen::Vector3f& corner : tree.triangle(i)) EXPECT_TRUE(tree.bounds().contains(corner));
   }
-  EXPECT_GT(num_inside, 10);
-}
-
-TEST(TriangleTree, OfNothingIsNowhere) {
-  NearestSurface best{.distance2_m2 = 100};
-  EXPECT_FALSE(TriangleTree({}).ImproveNearest({0, 0, 0}, best));
+  EXPECT_EQ(TriangleTree({}).num_triangles(), 0u);
 }
 
 }  // namespace
