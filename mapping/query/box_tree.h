@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -46,6 +47,12 @@ class BoxTree {
   /// Calls visit(position) for boxes that overlap `box`, in no order to rely on.
   template <typename Visitor>
   void VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const;
+
+  /// Calls limit = visit(position) for boxes that the ray from `origin` along `direction` (finite, of unit length)
+  /// meets within `limit`, those it enters first mostly first. The visitor may lower the limit. One that is missed by a
+  /// hundredth of a millimetre may be visited.
+  template <typename Visitor>
+  void VisitAlong(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float limit, Visitor&& visit) const;
 
  private:
   typedef float Float8 __attribute__((vector_size(32), may_alias));
@@ -110,6 +117,56 @@ void BoxTree::VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) 
       const auto child = static_cast<std::uint32_t>(kLanes * here.node + lane);
       if (here.level > 0) pending[num_pending++] = {child, here.level - 1};
       else visit(static_cast<std::size_t>(child));
+    }
+  }
+}
+
+template <typename Visitor>
+void BoxTree::VisitAlong(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float limit,
+                         Visitor&& visit) const {
+  if (nodes_.empty()) return;
+  constexpr float kRounding = 1e-5f;
+  const float margin = kRounding * (1 + origin.cwiseAbs().maxCoeff());
+  Eigen::Vector3f inverse;
+  for (int axis = 0; axis < 3; ++axis) {
+    constexpr float kLeast = 1e-12f;  // so that nothing is infinite or not a number
+    inverse[axis] = 1 / (std::abs(direction[axis]) > kLeast ? direction[axis] : kLeast);
+  }
+  struct Entered {
+    float at;
+    Pending what;
+  };
+  std::array<Entered, kMostPending> pending;
+  std::size_t num_pending = 0;
+  pending[num_pending++] = {0, {0, height() - 1}};
+  while (num_pending > 0) {
+    const Entered here = pending[--num_pending];
+    if (here.at > limit) continue;
+    const Node& node = nodes_[first_node_[here.what.level] + here.what.node];
+    std::array<Entered, kLanes> children;  // the one entered last first
+    std::size_t num_children = 0;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (node.low[0][lane] > node.high[0][lane]) continue;  // not there
+      float enter = 0, leave = limit;
+      for (int axis = 0; axis < 3; ++axis) {
+        const float a = (node.low[axis][lane] - margin - origin[axis]) * inverse[axis];
+        const float b = (node.high[axis][lane] + margin - origin[axis]) * inverse[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+      }
+      if (!(enter <= leave)) continue;
+      std::size_t at = num_children++;
+      for (; at > 0 && children[at - 1].at < enter; --at) children[at] = children[at - 1];
+      const auto child = static_cast<std::uint32_t>(kLanes * here.what.node + lane);
+      children[at] = {enter, {child, here.what.level - 1}};
+    }
+    if (here.what.level > 0) {
+      for (std::size_t i = 0; i < num_children; ++i) pending[num_pending++] = children[i];
+      continue;
+    }
+    while (num_children > 0) {
+      const Entered& child = children[--num_children];
+      if (child.at <= limit) limit = visit(static_cast<std::size_t>(child.what.node));
     }
   }
 }

@@ -82,6 +82,11 @@ DistanceQuery::Sight DistanceQuery::SightOf(const Eigen::Vector3d& p_map, const 
     if (sight.is_front || !Holds(static_cast<std::size_t>(&entry - entries.data()))) return;
     look(entry.submap(), entry.ToSubmap(p_map));
   });
+  // A voxel beside a surface may have been looked through, too: what submaps hold there counts.
+  const MapSnapshot& map = surfaces_->state();
+  if (!sight.is_seen && map.free_space()->IsFree(VoxelAt(p_map, map.info().config.voxel_size_m))) {
+    sight = {.is_seen = true, .is_front = true};
+  }
   return sight;
 }
 

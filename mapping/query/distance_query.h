@@ -22,7 +22,7 @@ enum class DistanceStatus : std::uint8_t {
 struct SurfaceDistance {
   DistanceStatus status = DistanceStatus::kClamped;
   /// Euclidean. Negative behind a surface: in the submap's band, and farther behind where the point was not seen in
-  /// front of any. Clamped: the limit.
+  /// front of any, nor free. Clamped: the limit.
   double distance_m = 0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< of the distance, map frame, unit; clamped: zero
   Eigen::Vector3d nearest_m;                           ///< on the surface, map frame; clamped: NaN
@@ -51,7 +51,7 @@ class DistanceQuery {
  private:
   struct Sight {
     bool is_seen = false;   ///< somebody has observed what is there
-    bool is_front = false;  ///< and it was in front of a surface
+    bool is_front = false;  ///< and it was in front of a surface, or free
   };
   [[nodiscard]] bool Holds(std::size_t number) const { return is_held_.empty() || is_held_[number]; }
   [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, const NearestSurface& found) const;

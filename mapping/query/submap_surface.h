@@ -38,8 +38,11 @@ class SubmapSurface {
     return tiles_[position].slot->Surface(submap.blocks(), tiles_[position].index);
   }
   /// A point of the submap's frame in that of a tile's surface, and back.
+  [[nodiscard]] Eigen::Vector3d InTileExactly(const Eigen::Vector3d& p_submap, std::size_t position) const {
+    return p_submap - tiles_[position].corner_m;
+  }
   [[nodiscard]] Eigen::Vector3f InTile(const Eigen::Vector3d& p_submap, std::size_t position) const {
-    return (p_submap - tiles_[position].corner_m).cast<float>();
+    return InTileExactly(p_submap, position).cast<float>();
   }
   [[nodiscard]] Eigen::Vector3d FromTile(const Eigen::Vector3f& p_tile, std::size_t position) const {
     return tiles_[position].corner_m + p_tile.cast<double>();

@@ -27,7 +27,8 @@ std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> s
 
 }  // namespace
 
-MapSurfaces::MapSurfaces(std::vector<Part> parts) : parts_(std::move(parts)), index_(EntriesOf(parts_)) {}
+MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts)
+    : state_(state), parts_(std::move(parts)), index_(EntriesOf(parts_)) {}
 
 SurfaceCache::SurfaceCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
 
@@ -59,7 +60,7 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state) 
     std::shared_ptr<const SubmapSurface> surface = SurfaceOf(submap);
     if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), std::move(surface)});
   }
-  return std::make_shared<const MapSurfaces>(std::move(parts));
+  return std::make_shared<const MapSurfaces>(state, std::move(parts));
 }
 
 std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap) {

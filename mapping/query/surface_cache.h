@@ -21,13 +21,17 @@ class MapSurfaces {
     const Submap* submap;
     std::shared_ptr<const SubmapSurface> surface;  ///< of something
   };
-  explicit MapSurfaces(std::vector<Part> parts);
+  /// `state` outlives this.
+  MapSurfaces(const MapSnapshot& state, std::vector<Part> parts);
+
+  [[nodiscard]] const MapSnapshot& state() const { return state_; }
 
   /// Entry i is of surface(i). By ascending id.
   [[nodiscard]] const SubmapIndex& index() const { return index_; }
   [[nodiscard]] const SubmapSurface& surface(std::size_t number) const { return *parts_[number].surface; }
 
  private:
+  const MapSnapshot& state_;
   std::vector<Part> parts_;
   SubmapIndex index_;
 };

@@ -73,7 +73,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
       {"mapping/space", {"free_space_finder.h"}},
       {"mapping/tracking", {"activity.h", "tracker.h", "visibility.h"}},
       {"mapping/refinement", {"refine_map.h"}},
-      {"mapping/query", {"distance_query.h", "point_lookup.h", "surface_cache.h"}},
+      {"mapping/query", {"distance_query.h", "point_lookup.h", "ray_query.h", "surface_cache.h"}},
       {"mapping/mesh", {"map_mesh.h", "mesh.h", "mesh_stream.h", "tile_surface.h"}},
       {"mapping/io", {"pcd.h", "ply.h"}},
       {"mapping/pipeline", {"map_builder.h", "refinement_slots.h"}},

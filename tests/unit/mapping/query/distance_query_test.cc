@@ -148,6 +148,21 @@ TEST(DistanceQuery, TellsSeenFromUnseen) {
   EXPECT_EQ(QueryOf(map).At({9.0, 0, 0}).status, DistanceStatus::kClamped);
 }
 
+TEST(DistanceQuery, WhatWasLookedThroughIsKnownAndNotBehind) {
+  Map map(testing::SceneInfo());
+  const auto wall = [](const Eigen::Vector3d& p) { return p.x() - 0.6; };  // faces +x
+  testing::ObserveBand(testing::AddThing(map), wall, testing::CubeAt({0.6, 0, 0}, 0.5));
+  const Eigen::Vector3d p(0.1, 0.02, 0.03);
+  EXPECT_EQ(QueryOf(map).At(p).status, DistanceStatus::kUnknown);
+  EXPECT_NEAR(QueryOf(map).At(p).distance_m, -0.5, 1e-3);
+  FreeBlocks seen;
+  seen.full = 1u << CellOf({0, 0, 0});  // voxels up to 0.4 m
+  map.mutable_free_space().Add(TileOf({0, 0, 0}), seen, 1);
+  EXPECT_EQ(QueryOf(map).At(p).status, DistanceStatus::kOk);
+  EXPECT_NEAR(QueryOf(map).At(p).distance_m, 0.5, 1e-3);
+  EXPECT_LT(QueryOf(map).At({0.5, 0.02, 0.03}).distance_m, 0) << "in the band behind the surface";
+}
+
 TEST(DistanceQuery, LeavesOutWhatIsExcluded) {
   Map map = testing::FurnishedRoom();
   DistanceOptions options;

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/ray_query.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mapping/query/voxel_sampler.h"
+
+namespace dhpmap {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// How far along the ray it meets the triangle, from either side; infinity if it does not (Moeller and Trumbore 1997).
+/// A little over the edges, so that none slips through between two triangles.
+double MeetingOf(const TriangleCorners& triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+  constexpr double kNever = std::numeric_limits<double>::infinity(), kOver = 1e-6;
+  const Eigen::Vector3d a = triangle[0].cast<double>();
+  const Eigen::Vector3d ab = triangle[1].cast<double>() - a, ac = triangle[2].cast<double>() - a;
+  const Eigen::Vector3d across = direction.cross(ac);
+  const double determinant = ab.dot(across);
+  if (std::abs(determinant) < 1e-15) return kNever;  // edge-on: its neighbours are met
+  const Eigen::Vector3d from_a = origin - a;
+  const double u = from_a.dot(across) / determinant;
+  if (u < -kOver || u > 1 + kOver) return kNever;
+  const Eigen::Vector3d other = from_a.cross(ab);
+  const double v = direction.dot(other) / determinant;
+  if (v < -kOver || u + v > 1 + kOver) return kNever;
+  const double along = ac.dot(other) / determinant;
+  return along >= 0 ? along : kNever;
+}
+
+}  // namespace
+
+RayQuery::RayQuery(std::shared_ptr<const MapSurfaces> surfaces, RayOptions options)
+    : surfaces_(std::move(surfaces)), options_(std::move(options)) {
+  if (options_.scope.IsAll()) return;
+  for (const SubmapIndex::Entry& entry : surfaces_->index().entries()) {
+    is_held_.push_back(options_.scope.Holds(entry.submap().info()));
+  }
+}
+
+RayHit RayQuery::Cast(const Ray& ray) const {
+  RayHit hit = FirstHit(ray);
+  hit.free_m = options_.unknown_is_free ? hit.distance_m : SeenUpTo(ray, hit.distance_m);
+  hit.is_unknown = hit.free_m < hit.distance_m;
+  return hit;
+}
+
+RayHit RayQuery::FirstHit(const Ray& ray) const {
+  RayHit hit{.distance_m = options_.max_distance_m};
+  hit.point_m.setConstant(kNaN);
+  hit.normal.setConstant(kNaN);
+  const SubmapIndex& index = surfaces_->index();
+  const auto limit = [&hit] { return static_cast<float>(hit.distance_m); };
+  index.tree().VisitAlong(index.InTree(ray.origin_m), ray.direction.cast<float>(), limit(), [&](std::size_t position) {
+    const std::size_t number = index.tree().items()[position];
+    if (!Holds(number)) return limit();
+    const SubmapIndex::Entry& entry = index.entries()[number];
+    const Submap& submap = entry.submap();
+    const SubmapSurface& surface = surfaces_->surface(number);
+    const Transform& T_map_submap = submap.info().T_map_submap;
+    const Eigen::Vector3d origin = entry.ToSubmap(ray.origin_m);
+    const Eigen::Vector3d direction = T_map_submap.linear().transpose() * ray.direction;
+    surface.tree().VisitAlong(surface.InTree(origin), direction.cast<float>(), limit(), [&](std::size_t tile) {
+      const TriangleTree& triangles = surface.Surface(submap, tile);
+      const Eigen::Vector3d in_tile = surface.InTileExactly(origin, tile);
+      triangles.tree().VisitAlong(in_tile.cast<float>(), direction.cast<float>(), limit(), [&](std::size_t i) {
+        const TriangleCorners& t = triangles.triangle(i);
+        const double along_m = MeetingOf(t, in_tile, direction);
+        if (along_m >= hit.distance_m && !(hit.submap == nullptr && along_m == hit.distance_m)) return limit();
+        hit.submap = &submap.info();
+        hit.distance_m = along_m;
+        hit.normal = T_map_submap.linear() * (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized().cast<double>();
+        return limit();
+      });
+      return limit();
+    });
+    return limit();
+  });
+  if (hit.submap != nullptr) hit.point_m = ray.origin_m + hit.distance_m * ray.direction;
+  return hit;
+}
+
+bool RayQuery::IsSeen(VoxelIndex voxel) const {
+  const MapSnapshot& map = surfaces_->state();
+  if (map.free_space()->IsFree(voxel)) return true;
+  const Eigen::Vector3d centre = VoxelCentre(voxel, map.info().config.voxel_size_m);
+  bool is_seen = false;
+  surfaces_->index().VisitAround(centre, [&](const SubmapIndex::Entry& entry) {
+    const auto number = static_cast<std::size_t>(&entry - surfaces_->index().entries().data());
+    if (!is_seen && Holds(number)) is_seen = SampleVoxelAt(entry.submap(), entry.ToSubmap(centre)).IsObserved();
+  });
+  return is_seen;
+}
+
+/// From voxel to voxel (Amanatides and Woo 1987).
+double RayQuery::SeenUpTo(const Ray& ray, double end_m) const {
+  const double size_m = surfaces_->state().info().config.voxel_size_m;
+  constexpr double kGridReach_vox = 1 << 30;
+  if (ray.origin_m.cwiseAbs().maxCoeff() + end_m > kGridReach_vox * size_m) return 0;  // nobody can have been there
+  VoxelIndex voxel = VoxelAt(ray.origin_m, size_m);
+  std::int32_t* const index[3] = {&voxel.x, &voxel.y, &voxel.z};
+  Eigen::Vector3d next_m, step_m;  // along the ray: to the next voxel in each axis, and between two
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = ray.direction[axis];
+    step_m[axis] = d == 0 ? std::numeric_limits<double>::infinity() : size_m / std::abs(d);
+    const double border_m = (*index[axis] + (d > 0 ? 1 : 0)) * size_m;
+    next_m[axis] = d == 0 ? step_m[axis] : (border_m - ray.origin_m[axis]) / d;
+  }
+  double here_m = 0;
+  while (here_m < end_m) {
+    if (!IsSeen(voxel)) return here_m;
+    int axis = 0;
+    here_m = next_m.minCoeff(&axis);
+    next_m[axis] += step_m[axis];
+    *index[axis] += ray.direction[axis] > 0 ? 1 : -1;
+  }
+  return end_m;
+}
+
+}  // namespace dhpmap
