@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap query point, distances: what is at these points, how far are they from surfaces?
+// dhpmap query point, distances, rays: what is at these points, how far are they from surfaces, what do rays meet?
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
@@ -116,14 +116,8 @@ void PrintTable(const v1::QueryDistancesRequest& request, const v1::QueryDistanc
   table.Print(std::cout);
 }
 
-ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
-  ExitCode exit_code = ExitCode::kOk;
-  const auto xyz_m = Points(options.points, exit_code);
-  if (!xyz_m) return exit_code;
-  v1::QueryDistancesRequest request;
-  request.set_map(MapName(options.points.map));
-  request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
-  v1::QueryOptions& asked = *request.mutable_options();
+v1::QueryOptions OptionsToProto(const DistancesOptions& options) {
+  v1::QueryOptions asked;
   asked.set_max_distance_m(options.max_distance_m);
   for (const std::int64_t id : options.excluded_submaps) {
     asked.add_excluded_submaps(SubmapName(options.points.map, id));
@@ -131,6 +125,17 @@ ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   asked.mutable_excluded_class_names()->Assign(options.excluded_class_names.begin(),
                                                options.excluded_class_names.end());
   asked.mutable_class_names()->Assign(options.class_names.begin(), options.class_names.end());
+  return asked;
+}
+
+ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
+  ExitCode exit_code = ExitCode::kOk;
+  const auto xyz_m = Points(options.points, exit_code);
+  if (!xyz_m) return exit_code;
+  v1::QueryDistancesRequest request;
+  request.set_map(MapName(options.points.map));
+  request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
+  *request.mutable_options() = OptionsToProto(options);
   grpc::ClientContext context;
   v1::QueryDistancesResponse response;
   const grpc::Status status = v1::QueryService::NewStub(Connect(session))->QueryDistances(&context, request, &response);
@@ -140,21 +145,74 @@ ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   return ExitCode::kOk;
 }
 
+void PrintTable(const v1::CastRaysResponse& response) {
+  TextTable table({"RAY", "STATUS", "DISTANCE_M", "FREE_M", "POINT_M", "INSTANCE", "CLASS"});
+  for (int i = 0; i < response.results_size(); ++i) {
+    const v1::RayResult& result = response.results(i);
+    std::vector<std::string> row = {std::to_string(i), v1::QueryStatus_Name(result.status()),
+                                    Fixed(result.distance_m(), 4), Fixed(result.free_m(), 4)};
+    if (result.has_point_m()) {
+      const v1::Vector3& p = result.point_m();
+      row.insert(row.end(),
+                 {Fixed(p.x(), 3) + " " + Fixed(p.y(), 3) + " " + Fixed(p.z(), 3), std::to_string(result.instance_id()),
+                  result.class_name().empty() ? "-" : result.class_name()});
+    } else {
+      row.insert(row.end(), {"-", "-", "-"});
+    }
+    table.Add(std::move(row));
+  }
+  table.Print(std::cout);
+}
+
+ExitCode RunRays(const Session& session, const DistancesOptions& options) {
+  const std::vector<float>& numbers = options.points.xyz_m;
+  if (numbers.empty() || numbers.size() % 6 != 0) {
+    return ReportLocalError("rays are X Y Z DX DY DZ [X Y Z DX DY DZ ...]", ExitCode::kUsage);
+  }
+  v1::CastRaysRequest request;
+  request.set_map(MapName(options.points.map));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    (i % 6 < 3 ? request.mutable_origin_xyz_m() : request.mutable_direction_xyz())->Add(numbers[i]);
+  }
+  *request.mutable_options() = OptionsToProto(options);
+  grpc::ClientContext context;
+  v1::CastRaysResponse response;
+  const grpc::Status status = v1::QueryService::NewStub(Connect(session))->CastRays(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else PrintTable(response);
+  return ExitCode::kOk;
+}
+
 void AddPointOptions(CLI::App& command, PointOptions& options) {
   command.add_option("map", options.map, "Name of the map")->required();
   CLI::Option* xyz = command.add_option("xyz", options.xyz_m, "X Y Z [X Y Z ...]");
   command.add_option("--file", options.file, "Read the points from a file, - for stdin")->excludes(xyz);
 }
 
+void AddQueryOptions(CLI::App& command, DistancesOptions& options) {
+  command.add_option("--max-distance", options.max_distance_m, "How far to look, in m")->capture_default_str();
+  command.add_option("--exclude-submap", options.excluded_submaps, "Ids of objects to leave out");
+  command.add_option("--exclude-class", options.excluded_class_names, "Names of classes to leave out");
+  command.add_option("--class", options.class_names, "Names of the only classes to look at");
+}
+
 void AddDistances(CLI::App& query, Session& session) {
   auto options = std::make_shared<DistancesOptions>();
   CLI::App* distances = query.add_subcommand("distances", "How far are these points from the nearest surface?");
   AddPointOptions(*distances, options->points);
-  distances->add_option("--max-distance", options->max_distance_m, "How far to look, in m")->capture_default_str();
-  distances->add_option("--exclude-submap", options->excluded_submaps, "Ids of objects to leave out");
-  distances->add_option("--exclude-class", options->excluded_class_names, "Names of classes to leave out");
-  distances->add_option("--class", options->class_names, "Names of the only classes to look at");
+  AddQueryOptions(*distances, *options);
   distances->callback([options, &session] { session.exit_code = RunDistances(session, *options); });
+}
+
+void AddRays(CLI::App& query, Session& session) {
+  auto options = std::make_shared<DistancesOptions>();
+  CLI::App* rays = query.add_subcommand("rays", "What do these rays meet first?");
+  rays->add_option("map", options->points.map, "Name of the map")->required();
+  rays->add_option("rays", options->points.xyz_m, "X Y Z DX DY DZ [X Y Z DX DY DZ ...]: origins and directions")
+      ->required();
+  AddQueryOptions(*rays, *options);
+  rays->callback([options, &session] { session.exit_code = RunRays(session, *options); });
 }
 
 }  // namespace
@@ -167,6 +225,7 @@ void AddQueryCommands(CLI::App& app, Session& session) {
   AddPointOptions(*point, *options);
   point->callback([options, &session] { session.exit_code = RunPoint(session, *options); });
   AddDistances(*query, session);
+  AddRays(*query, session);
 }
 
 }  // namespace dhpmap

@@ -4,10 +4,12 @@
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "server/app/distance_lookup.h"
 #include "server/app/point_query.h"
+#include "server/app/ray_cast.h"
 #include "server/grpc/services.h"
 #include "server/wire/distance_conversion.h"
 #include "server/wire/point_conversion.h"
 #include "server/wire/query_options.h"
+#include "server/wire/ray_conversion.h"
 #include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
@@ -70,6 +72,28 @@ class QueryService final : public v1::QueryService::CallbackService {
     const CallMessages call{"QueryService/QueryDistances", request, response};
     const int num_points = request->xyz_m_size() / 3 + request->points_m_size();
     if (num_points <= kMostQuickDistances) return Run(context_, call, [answer] { return answer({}); });
+    return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
+  }
+
+  /// The same.
+  grpc::ServerUnaryReactor* CastRays(grpc::CallbackServerContext*, const v1::CastRaysRequest* request,
+                                     v1::CastRaysResponse* response) override {
+    const std::size_t answer_bytes = BytesOfAnswers(*request);
+    const bool can_fit = answer_bytes <= context_.options.inflight->limit_bytes();
+    const auto answer = [=, this](const std::stop_token& stop) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+      DHPMAP_ASSIGN_OR_RETURN(const auto rays, RaysFromProto(*request, context_.options.max_query_points));
+      DHPMAP_ASSIGN_OR_RETURN(const auto question, QueryOptionsFromProto(request->options(), view->snapshot()));
+      if (!can_fit) return AnswersTooLarge(answer_bytes);
+      RayAnswers answers(*request, view->snapshot().info(), *response);
+      DHPMAP_RETURN_IF_ERROR(dhpmap::CastRays(*view, context_.registry.surfaces(), question, rays, stop,
+                                              [&answers](const RayHit& hit) { answers.Append(hit); }));
+      if (context_.observer.on_query) context_.observer.on_query(rays.size());
+      return Status::Ok();
+    };
+    const CallMessages call{"QueryService/CastRays", request, response};
+    if (NumRays(*request) <= kMostQuickDistances) return Run(context_, call, [answer] { return answer({}); });
     return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
   }
 

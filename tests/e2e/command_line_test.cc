@@ -83,6 +83,16 @@ TEST_F(CommandLine, QueriesDistancesWithAndWithoutObjects) {
   EXPECT_EQ(with({"--max-distance", "-1"}).exit_code, 2);
 }
 
+TEST_F(CommandLine, CastsRays) {
+  const Outcome down = Run({"query", "rays", "room", "1.16", "-.5", "2", "0", "0", "-2", "--max-distance", "5"});
+  EXPECT_NE(down.out.find("Ball"), std::string::npos) << down.out << down.err;
+  const Outcome through = Run({"query", "rays", "room", "1.16", "-.5", "2", "0", "0", "-2", "--max-distance", "5",
+                               "--exclude-class", "Ball", "--json"});
+  EXPECT_NE(through.out.find("\"class_name\": \"Floor\""), std::string::npos) << through.out << through.err;
+  EXPECT_EQ(Run({"query", "rays", "room", "0", "0", "0", "0", "0", "0"}).exit_code, 2) << "no direction";
+  EXPECT_EQ(Run({"query", "rays", "room", "0", "0", "0", "1"}).exit_code, 1);
+}
+
 TEST_F(CommandLine, EditsObjects) {
   std::istringstream table(Run({"submaps", "room", "--class", "box"}).out);
   std::string line, id;

@@ -104,6 +104,27 @@ TEST_F(DistancesTest, FollowAnObjectThatIsMovedOrExcluded) {
   EXPECT_NE(Ask().results(0).instance_id(), before.instance_id());
 }
 
+TEST_F(DistancesTest, RaysMeetTheSceneThroughBothDoors) {
+  v1::CastRaysRequest rays;
+  rays.set_map("maps/room");
+  for (const float value : {0.f, 0.f, 2.f}) rays.add_origin_xyz_m(value);
+  for (const float value : {0.f, 0.f, -1.f, 0.f, 0.f, 1.f}) rays.add_direction_xyz(value);
+  std::string first;
+  for (const auto& channel : {server.channel(), server.grpc().InProcessChannel()}) {
+    v1::CastRaysResponse response;
+    grpc::ClientContext context;
+    const grpc::Status cast = v1::QueryService::NewStub(channel)->CastRays(&context, rays, &response);
+    ASSERT_TRUE(cast.ok()) << cast.error_message();
+    ASSERT_EQ(response.results_size(), 2);
+    EXPECT_NEAR(response.results(0).distance_m(), TestScene().Distance({0, 0, 2}), 0.03) << "the ball, from above";
+    EXPECT_GT(response.results(0).instance_id(), 0);
+    EXPECT_EQ(response.results(1).instance_id(), -1);
+    EXPECT_EQ(response.results(1).distance_m(), 3);
+    if (first.empty()) first = response.SerializeAsString();
+    EXPECT_EQ(response.SerializeAsString(), first);
+  }
+}
+
 TEST_F(DistancesTest, BadRequestsNameTheItem) {
   AddPoint(0, 0, 1);
   AddPoint(0, std::nan(""), 1);
