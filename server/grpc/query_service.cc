@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
 #include <string>
 
 #include "dhpmap/v1/query_service.grpc.pb.h"
@@ -16,7 +17,7 @@ namespace dhpmap {
 namespace {
 
 /// More take milliseconds, which are in the way of those who ask for little.
-constexpr int kMostQuickPoints = 2048, kMostQuickDistances = 256;
+constexpr std::size_t kMostQuickPoints = 2048, kMostQuickDistances = 256;
 
 Status AnswersTooLarge(std::size_t bytes) {
   return InvalidArgument("the points cannot be looked up")
@@ -25,79 +26,72 @@ Status AnswersTooLarge(std::size_t bytes) {
                                    " MiB, more than there is for all calls: ask for packed ones, or for fewer points");
 }
 
+template <typename Request>
+std::size_t NumPoints(const Request& request) {
+  return static_cast<std::size_t>(request.xyz_m_size() / 3 + request.points_m_size());
+}
+
 class QueryService final : public v1::QueryService::CallbackService {
  public:
   explicit QueryService(const ServiceContext& context) : context_(context) {}
 
-  /// In one of the lanes, by how long it takes; refused if there is no room for the answer.
   grpc::ServerUnaryReactor* QueryPoints(grpc::CallbackServerContext*, const v1::QueryPointsRequest* request,
                                         v1::QueryPointsResponse* response) override {
-    const std::size_t answer_bytes = BytesOfAnswers(*request);
-    const bool can_fit = answer_bytes <= context_.options.inflight->limit_bytes();
-    const auto answer = [=, this](const std::stop_token& stop) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+    const auto ask = [=, this](const MapView& view, const Status& fits, const std::stop_token& stop) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const auto points_m, PointsFromProto(*request, context_.options.max_query_points));
-      if (!can_fit) return AnswersTooLarge(answer_bytes);
-      PointAnswers answers(*request, view->snapshot().info(), points_m.size(), *response);
-      DHPMAP_RETURN_IF_ERROR(
-          LookUpPoints(*view, points_m, stop, [&answers](const PointInfo& point) { answers.Append(point); }));
-      if (context_.observer.on_query) context_.observer.on_query(points_m.size());
-      return Status::Ok();
+      DHPMAP_RETURN_IF_ERROR(fits);
+      PointAnswers answers(*request, view.snapshot().info(), points_m.size(), *response);
+      return LookUpPoints(view, points_m, stop, [&answers](const PointInfo& point) { answers.Append(point); });
     };
-    const CallMessages call{"QueryService/QueryPoints", request, response};
-    const int num_points = request->xyz_m_size() / 3 + request->points_m_size();
-    if (num_points <= kMostQuickPoints) return Run(context_, call, [answer] { return answer({}); });
-    return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
+    return Answer("QueryService/QueryPoints", request, response, NumPoints(*request), kMostQuickPoints, ask);
   }
 
-  /// The same.
   grpc::ServerUnaryReactor* QueryDistances(grpc::CallbackServerContext*, const v1::QueryDistancesRequest* request,
                                            v1::QueryDistancesResponse* response) override {
-    const std::size_t answer_bytes = BytesOfAnswers(*request);
-    const bool can_fit = answer_bytes <= context_.options.inflight->limit_bytes();
-    const auto answer = [=, this](const std::stop_token& stop) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+    const auto ask = [=, this](const MapView& view, const Status& fits, const std::stop_token& stop) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const auto points_m, PointsFromProto(*request, context_.options.max_query_points));
-      DHPMAP_ASSIGN_OR_RETURN(const auto question, QueryOptionsFromProto(request->options(), view->snapshot()));
-      if (!can_fit) return AnswersTooLarge(answer_bytes);
-      DistanceAnswers answers(*request, view->snapshot().info(), points_m.size(), *response);
-      DHPMAP_RETURN_IF_ERROR(
-          LookUpDistances(*view, context_.registry.surfaces(), question, points_m, stop,
-                          [&answers](const SurfaceDistance& distance) { answers.Append(distance); }));
-      if (context_.observer.on_query) context_.observer.on_query(points_m.size());
-      return Status::Ok();
+      DHPMAP_ASSIGN_OR_RETURN(const auto question, QueryOptionsFromProto(request->options(), view.snapshot()));
+      DHPMAP_RETURN_IF_ERROR(fits);
+      DistanceAnswers answers(*request, view.snapshot().info(), points_m.size(), *response);
+      return LookUpDistances(view, context_.registry.surfaces(), question, points_m, stop,
+                             [&answers](const SurfaceDistance& distance) { answers.Append(distance); });
     };
-    const CallMessages call{"QueryService/QueryDistances", request, response};
-    const int num_points = request->xyz_m_size() / 3 + request->points_m_size();
-    if (num_points <= kMostQuickDistances) return Run(context_, call, [answer] { return answer({}); });
-    return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
+    return Answer("QueryService/QueryDistances", request, response, NumPoints(*request), kMostQuickDistances, ask);
   }
 
-  /// The same.
   grpc::ServerUnaryReactor* CastRays(grpc::CallbackServerContext*, const v1::CastRaysRequest* request,
                                      v1::CastRaysResponse* response) override {
-    const std::size_t answer_bytes = BytesOfAnswers(*request);
-    const bool can_fit = answer_bytes <= context_.options.inflight->limit_bytes();
-    const auto answer = [=, this](const std::stop_token& stop) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+    const auto ask = [=, this](const MapView& view, const Status& fits, const std::stop_token& stop) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const auto rays, RaysFromProto(*request, context_.options.max_query_points));
-      DHPMAP_ASSIGN_OR_RETURN(const auto question, QueryOptionsFromProto(request->options(), view->snapshot()));
-      if (!can_fit) return AnswersTooLarge(answer_bytes);
-      RayAnswers answers(*request, view->snapshot().info(), *response);
-      DHPMAP_RETURN_IF_ERROR(dhpmap::CastRays(*view, context_.registry.surfaces(), question, rays, stop,
-                                              [&answers](const RayHit& hit) { answers.Append(hit); }));
-      if (context_.observer.on_query) context_.observer.on_query(rays.size());
-      return Status::Ok();
+      DHPMAP_ASSIGN_OR_RETURN(const auto question, QueryOptionsFromProto(request->options(), view.snapshot()));
+      DHPMAP_RETURN_IF_ERROR(fits);
+      RayAnswers answers(*request, view.snapshot().info(), *response);
+      return dhpmap::CastRays(view, context_.registry.surfaces(), question, rays, stop,
+                              [&answers](const RayHit& hit) { answers.Append(hit); });
     };
-    const CallMessages call{"QueryService/CastRays", request, response};
-    if (NumRays(*request) <= kMostQuickDistances) return Run(context_, call, [answer] { return answer({}); });
-    return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
+    return Answer("QueryService/CastRays", request, response, NumRays(*request), kMostQuickDistances, ask);
   }
 
  private:
+  /// A query of `num_items` points or rays, in one of the lanes, by how long it takes. `ask(view, fits, stop)` answers;
+  /// it returns `fits`, an error where there is not that much room for answers, once it knows the request to be sound.
+  template <typename Request, typename Response, typename Ask>
+  grpc::ServerUnaryReactor* Answer(const char* name, const Request* request, Response* response, std::size_t num_items,
+                                   std::size_t most_quick, const Ask& ask) {
+    const std::size_t answer_bytes = BytesOfAnswers(*request);
+    const bool can_fit = answer_bytes <= context_.options.inflight->limit_bytes();
+    const auto answer = [=, this](const std::stop_token& stop) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+      DHPMAP_RETURN_IF_ERROR(ask(*view, can_fit ? Status::Ok() : AnswersTooLarge(answer_bytes), stop));
+      if (context_.observer.on_query) context_.observer.on_query(num_items);
+      return Status::Ok();
+    };
+    const CallMessages call{name, request, response};
+    if (num_items <= most_quick) return Run(context_, call, [answer] { return answer({}); });
+    return RunBulk(context_, call, can_fit ? answer_bytes : 0, answer);
+  }
+
   const ServiceContext& context_;
 };
 
