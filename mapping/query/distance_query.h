@@ -8,6 +8,7 @@
 
 #include "mapping/query/nearest_search.h"
 #include "mapping/query/query_scope.h"
+#include "mapping/query/query_world.h"
 #include "mapping/query/surface_cache.h"
 
 namespace dhpmap {
@@ -22,7 +23,7 @@ enum class DistanceStatus : std::uint8_t {
 struct SurfaceDistance {
   DistanceStatus status = DistanceStatus::kClamped;
   /// Euclidean. Negative behind a surface: in the submap's band, and farther behind where the point was not seen in
-  /// front of any, nor free. Clamped: the limit.
+  /// front of any, nor free. Less the submap's padding. Clamped: the limit.
   double distance_m = 0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< of the distance, map frame, unit; clamped: zero
   Eigen::Vector3d nearest_m;                           ///< on the surface, map frame; clamped: NaN
@@ -36,30 +37,29 @@ struct DistanceOptions {
 };
 
 /// Distances to the zero surface of a state of a map: the nearest point of all submaps' surfaces (ExtractTileSurface),
-/// each at its pose. Exact to 1e-5 of the distance, by
-/// rounding. Immutable, thread-safe.
+/// each at its pose and grown by its padding. Exact to 1e-5 of the distance, by rounding. Immutable, thread-safe.
 class DistanceQuery {
  public:
   DistanceQuery(std::shared_ptr<const MapSurfaces> surfaces, DistanceOptions options);
 
   /// `p_map`: finite, metres of the map frame.
-  [[nodiscard]] SurfaceDistance At(const Eigen::Vector3d& p_map) const;
+  [[nodiscard]] SurfaceDistance At(const Eigen::Vector3d& p_map) const {
+    return Within(p_map, options_.max_distance_m);
+  }
+
+  /// The same with a limit of its own: finite, not negative.
+  [[nodiscard]] SurfaceDistance Within(const Eigen::Vector3d& p_map, double limit_m) const;
 
   /// The same for many points, in their order; faster, as it goes from each to one close by. As many answers as points.
   void At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const;
 
  private:
-  struct Sight {
-    bool is_seen = false;   ///< somebody has observed what is there
-    bool is_front = false;  ///< and it was in front of a surface, or free
-  };
-  [[nodiscard]] bool Holds(std::size_t number) const { return is_held_.empty() || is_held_[number]; }
-  [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, const NearestSurface& found) const;
-  [[nodiscard]] Sight SightOf(const Eigen::Vector3d& p_map, const NearestSurface& found) const;
+  class Searches;
+  [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, double limit_m, const NearestSurface& found,
+                                         double padding_m) const;
 
-  std::shared_ptr<const MapSurfaces> surfaces_;
+  QueryWorld world_;
   DistanceOptions options_;
-  std::vector<bool> is_held_;  ///< by the scope; empty: all are
 };
 
 }  // namespace dhpmap

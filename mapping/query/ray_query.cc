@@ -6,8 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "mapping/query/voxel_sampler.h"
-
 namespace dhpmap {
 namespace {
 
@@ -35,12 +33,7 @@ double MeetingOf(const TriangleCorners& triangle, const Eigen::Vector3d& origin,
 }  // namespace
 
 RayQuery::RayQuery(std::shared_ptr<const MapSurfaces> surfaces, RayOptions options)
-    : surfaces_(std::move(surfaces)), options_(std::move(options)) {
-  if (options_.scope.IsAll()) return;
-  for (const SubmapIndex::Entry& entry : surfaces_->index().entries()) {
-    is_held_.push_back(options_.scope.Holds(entry.submap().info()));
-  }
-}
+    : world_(std::move(surfaces), options.scope), options_(std::move(options)) {}
 
 RayHit RayQuery::Cast(const Ray& ray) const {
   RayHit hit = FirstHit(ray);
@@ -53,14 +46,15 @@ RayHit RayQuery::FirstHit(const Ray& ray) const {
   RayHit hit{.distance_m = options_.max_distance_m};
   hit.point_m.setConstant(kNaN);
   hit.normal.setConstant(kNaN);
-  const SubmapIndex& index = surfaces_->index();
+  const MapSurfaces& surfaces = world_.surfaces();
+  const SubmapIndex& index = surfaces.index();
   const auto limit = [&hit] { return static_cast<float>(hit.distance_m); };
   index.tree().VisitAlong(index.InTree(ray.origin_m), ray.direction.cast<float>(), limit(), [&](std::size_t position) {
     const std::size_t number = index.tree().items()[position];
-    if (!Holds(number)) return limit();
+    if (!world_.Holds(number)) return limit();
     const SubmapIndex::Entry& entry = index.entries()[number];
     const Submap& submap = entry.submap();
-    const SubmapSurface& surface = surfaces_->surface(number);
+    const SubmapSurface& surface = surfaces.surface(number);
     const Transform& T_map_submap = submap.info().T_map_submap;
     const Eigen::Vector3d origin = entry.ToSubmap(ray.origin_m);
     const Eigen::Vector3d direction = T_map_submap.linear().transpose() * ray.direction;
@@ -84,21 +78,9 @@ RayHit RayQuery::FirstHit(const Ray& ray) const {
   return hit;
 }
 
-bool RayQuery::IsSeen(VoxelIndex voxel) const {
-  const MapSnapshot& map = surfaces_->state();
-  if (map.free_space()->IsFree(voxel)) return true;
-  const Eigen::Vector3d centre = VoxelCentre(voxel, map.info().config.voxel_size_m);
-  bool is_seen = false;
-  surfaces_->index().VisitAround(centre, [&](const SubmapIndex::Entry& entry) {
-    const auto number = static_cast<std::size_t>(&entry - surfaces_->index().entries().data());
-    if (!is_seen && Holds(number)) is_seen = SampleVoxelAt(entry.submap(), entry.ToSubmap(centre)).IsObserved();
-  });
-  return is_seen;
-}
-
 /// From voxel to voxel (Amanatides and Woo 1987).
 double RayQuery::SeenUpTo(const Ray& ray, double end_m) const {
-  const double size_m = surfaces_->state().info().config.voxel_size_m;
+  const double size_m = world_.voxel_size_m();
   constexpr double kGridReach_vox = 1 << 30;
   if (ray.origin_m.cwiseAbs().maxCoeff() + end_m > kGridReach_vox * size_m) return 0;  // nobody can have been there
   VoxelIndex voxel = VoxelAt(ray.origin_m, size_m);
@@ -112,7 +94,7 @@ double RayQuery::SeenUpTo(const Ray& ray, double end_m) const {
   }
   double here_m = 0;
   while (here_m < end_m) {
-    if (!IsSeen(voxel)) return here_m;
+    if (!world_.IsSeen(voxel)) return here_m;
     int axis = 0;
     here_m = next_m.minCoeff(&axis);
     next_m[axis] += step_m[axis];

@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <vector>
 
 #include "mapping/query/query_scope.h"
+#include "mapping/query/query_world.h"
 #include "mapping/query/surface_cache.h"
 
 namespace dhpmap {
@@ -28,7 +28,7 @@ struct RayHit {
 struct RayOptions {
   double max_distance_m = 3;     ///< finite, positive
   bool unknown_is_free = false;  ///< unseen space is passed like any other
-  QueryScope scope;
+  QueryScope scope;              ///< padding has no meaning here
 };
 
 /// Rays through a state of a map, to the same surfaces that distances are measured to, seen from either side.
@@ -41,15 +41,12 @@ class RayQuery {
   [[nodiscard]] RayHit Cast(const Ray& ray) const;
 
  private:
-  [[nodiscard]] bool Holds(std::size_t number) const { return is_held_.empty() || is_held_[number]; }
   [[nodiscard]] RayHit FirstHit(const Ray& ray) const;
-  [[nodiscard]] bool IsSeen(VoxelIndex voxel) const;
   /// How far the ray goes through voxels of the map's grid that somebody has seen, up to `end_m`.
   [[nodiscard]] double SeenUpTo(const Ray& ray, double end_m) const;
 
-  std::shared_ptr<const MapSurfaces> surfaces_;
+  QueryWorld world_;
   RayOptions options_;
-  std::vector<bool> is_held_;  ///< by the scope; empty: all are
 };
 
 }  // namespace dhpmap

@@ -2,7 +2,7 @@
 #include "server/wire/query_options.h"
 
 #include <algorithm>
-#include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -13,7 +13,9 @@ namespace dhpmap {
 namespace {
 
 constexpr double kMaxDistance_m = 1000;
-constexpr int kMaxListed = 1000;
+constexpr double kMaxPadding_m = 10;
+constexpr int kMaxListed = 1000, kMaxAttached = 100;
+constexpr std::size_t kMostPaddings = 16;  // each costs a search a point
 
 Status BadOption(Reason reason, const std::string& field, const std::string& what) {
   return InvalidArgument("the options of the query are not usable").WithReason(reason).WithViolation(field, what);
@@ -37,19 +39,78 @@ Result<SubmapId> SubmapFromProto(const std::string& name, const std::string& fie
   return parsed.submap;
 }
 
+Result<ClassId> ClassFromProto(const std::string& name, const std::string& field, const LabelSet& label_set) {
+  const auto& classes = label_set.classes();
+  const auto found = std::find_if(classes.begin(), classes.end(), [&](const auto& c) { return c.name == name; });
+  if (found != classes.end()) return found->id;
+  return BadOption("BAD_FILTER", field, "the label set has no class '" + name.substr(0, 80) + "'");
+}
+
 Result<std::vector<ClassId>> ClassesFromProto(const google::protobuf::RepeatedPtrField<std::string>& names,
                                               const std::string& list, const LabelSet& label_set) {
   DHPMAP_RETURN_IF_ERROR(CheckLength(list, names.size()));
   std::vector<ClassId> ids;
   for (int i = 0; i < names.size(); ++i) {
-    const auto& classes = label_set.classes();
-    const auto found = std::find_if(classes.begin(), classes.end(), [&](const auto& c) { return c.name == names[i]; });
-    if (found == classes.end()) {
-      return BadOption("BAD_FILTER", Item(list, i), "the label set has no class '" + names[i].substr(0, 80) + "'");
-    }
-    ids.push_back(found->id);
+    DHPMAP_ASSIGN_OR_RETURN(const ClassId id, ClassFromProto(names[i], Item(list, i), label_set));
+    ids.push_back(id);
   }
   return ids;
+}
+
+Status NotTaken(const std::string& field) { return BadOption("BAD_FILTER", field, "has no meaning for this query"); }
+
+Result<double> PaddingFromProto(double padding_m, const std::string& field) {
+  if (padding_m >= 0 && padding_m <= kMaxPadding_m) return padding_m;
+  return BadOption("BAD_DISTANCE", field, "is not from 0 to 10");
+}
+
+Result<SurfacePadding> PaddingFromProto(const v1::Padding& proto, const MapSnapshot& map) {
+  SurfacePadding padding;
+  DHPMAP_ASSIGN_OR_RETURN(padding.default_m, PaddingFromProto(proto.default_m(), "options.padding.default_m"));
+  std::set<double> different = {padding.default_m};
+  const std::string classes = "options.padding.classes", submaps = "options.padding.submaps";
+  DHPMAP_RETURN_IF_ERROR(CheckLength(classes, proto.classes_size()));
+  for (int i = 0; i < proto.classes_size(); ++i) {
+    const std::string item = Item(classes, i);
+    DHPMAP_ASSIGN_OR_RETURN(const ClassId id,
+                            ClassFromProto(proto.classes(i).class_name(), item + ".class_name", *map.info().label_set));
+    DHPMAP_ASSIGN_OR_RETURN(const double padding_m,
+                            PaddingFromProto(proto.classes(i).padding_m(), item + ".padding_m"));
+    padding.classes.emplace_back(id, padding_m);
+    different.insert(padding_m);
+  }
+  DHPMAP_RETURN_IF_ERROR(CheckLength(submaps, proto.submaps_size()));
+  for (int i = 0; i < proto.submaps_size(); ++i) {
+    const std::string item = Item(submaps, i);
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, SubmapFromProto(proto.submaps(i).submap(), item + ".submap", map));
+    DHPMAP_ASSIGN_OR_RETURN(const double padding_m,
+                            PaddingFromProto(proto.submaps(i).padding_m(), item + ".padding_m"));
+    padding.submaps.emplace_back(id, padding_m);
+    different.insert(padding_m);
+  }
+  if (different.size() > kMostPaddings) {
+    return BadOption("BAD_FILTER", "options.padding",
+                     std::to_string(different.size()) + " different values are more than 16");
+  }
+  return padding;
+}
+
+Result<std::vector<SubmapId>> AttachedFromProto(const v1::QueryOptions& options, const MapSnapshot& map) {
+  const std::string list = "options.attached";
+  if (options.attached_size() > kMaxAttached) {
+    return BadOption("BAD_FILTER", list, std::to_string(options.attached_size()) + " are more than 100");
+  }
+  std::vector<SubmapId> attached;
+  for (int i = 0; i < options.attached_size(); ++i) {
+    const std::string field = Item(list, i) + ".submap";
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, SubmapFromProto(options.attached(i).submap(), field, map));
+    if (id == kUnknownSubmap) return BadOption("BAD_FILTER", field, "is that of unknown objects, which nobody carries");
+    if (std::find(attached.begin(), attached.end(), id) != attached.end()) {
+      return BadOption("BAD_FILTER", field, "is attached already");
+    }
+    attached.push_back(id);
+  }
+  return attached;
 }
 
 Result<QueryScope> ScopeFromProto(const v1::QueryOptions& options, const MapSnapshot& map) {
@@ -66,17 +127,38 @@ Result<QueryScope> ScopeFromProto(const v1::QueryOptions& options, const MapSnap
   if (options.class_names_size() > 0) {
     DHPMAP_ASSIGN_OR_RETURN(scope.classes, ClassesFromProto(options.class_names(), "options.class_names", label_set));
   }
+  DHPMAP_ASSIGN_OR_RETURN(scope.attached, AttachedFromProto(options, map));
+  DHPMAP_ASSIGN_OR_RETURN(scope.padding, PaddingFromProto(options.padding(), map));
+  if (options.has_max_age_s()) {
+    if (!(options.max_age_s() >= 0)) return BadOption("BAD_FILTER", "options.max_age_s", "is not 0 or more");
+    scope.max_free_age_s = options.max_age_s();
+  }
   return scope;
+}
+
+Status CheckTaken(const v1::QueryOptions& options, TakenOptions taken) {
+  if (options.min_revision() < 0) return BadOption("BAD_FILTER", "options.min_revision", "is negative");
+  if (options.has_padding() && !taken.padding) return NotTaken("options.padding");
+  if (options.attached_size() > 0 && !taken.attached) return NotTaken("options.attached");
+  for (int i = 0; i < options.attached_size(); ++i) {
+    if (options.attached(i).has_pose()) return NotTaken(Item("options.attached", i) + ".pose");
+  }
+  if (options.ignored_contacts_size() > 0) return NotTaken("options.ignored_contacts");
+  if (options.has_max_age_s() && !taken.max_age) return NotTaken("options.max_age_s");
+  return Status::Ok();
 }
 
 }  // namespace
 
-Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map) {
+Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
+                                               TakenOptions taken) {
+  DHPMAP_RETURN_IF_ERROR(CheckTaken(options, taken));
   DistanceQuestion question;
   switch (options.unknown_policy()) {
     case v1::QueryOptions::UNKNOWN_POLICY_UNSPECIFIED:
     case v1::QueryOptions::REPORT: break;
     case v1::QueryOptions::FREE: question.options.unknown_is_free = true; break;
+    case v1::QueryOptions::OCCUPIED: return NotTaken("options.unknown_policy");
     default: return BadOption("BAD_FILTER", "options.unknown_policy", "is none of those there are");
   }
   if (options.has_max_distance_m()) {

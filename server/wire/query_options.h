@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "dhpmap/v1/query_service.pb.h"
+#include "dhpmap/v1/query_options.pb.h"
 #include "mapping/map/map.h"
 #include "server/app/distance_lookup.h"
 
 namespace dhpmap {
 
+/// Options that have no meaning for some queries. One that is set and not taken is INVALID_ARGUMENT. All queries take
+/// what is excluded, classes, the frame, max_distance_m, min_revision, and unknown space as REPORT or FREE.
+struct TakenOptions {
+  bool padding = false;
+  bool attached = false;  ///< leaves the world
+  bool max_age = false;
+};
+inline constexpr TakenOptions kDistanceOptions{.padding = true, .attached = true, .max_age = true};
+inline constexpr TakenOptions kRayOptions{.attached = true, .max_age = true};
+
 /// What a request's options mean for a state of a map. INVALID_ARGUMENT for a distance, pose, name, policy or length of
-/// a list that is not usable, NOT_FOUND for a submap that is not there; each names the field, "options.frame", and of a
-/// list the first item that is wrong.
-Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map);
+/// a list that is not usable, or an option that is not taken; NOT_FOUND for a submap that is not there; each names the
+/// field, "options.frame", and of a list the first item that is wrong.
+Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
+                                               TakenOptions taken = {});
 
 }  // namespace dhpmap

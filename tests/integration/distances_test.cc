@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <thread>
 
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
@@ -34,6 +37,14 @@ class DistancesTest : public ::testing::Test {
     grpc::ClientContext context;
     status = v1::QueryService::NewStub(channel)->QueryDistances(&context, request, &response);
     return response;
+  }
+  std::int64_t Last() {
+    v1::GetMapRequest get;
+    get.set_name("maps/room");
+    v1::GetMapResponse got;
+    grpc::ClientContext context;
+    EXPECT_TRUE(server.maps->GetMap(&context, get, &got).ok());
+    return got.map().revision();
   }
   std::string FirstBadField() const {
     google::rpc::Status details;
@@ -123,6 +134,41 @@ TEST_F(DistancesTest, RaysMeetTheSceneThroughBothDoors) {
     if (first.empty()) first = response.SerializeAsString();
     EXPECT_EQ(response.SerializeAsString(), first);
   }
+}
+
+TEST_F(DistancesTest, WaitForARevisionUntilTheDeadline) {
+  AddPoint(0, 0, 1);
+  const std::int64_t now = Ask().revision();
+  request.mutable_options()->set_min_revision(now + 1);
+  for (const bool is_bulk : {false, true}) {
+    if (is_bulk) request.mutable_xyz_m()->Resize(3 * 3000, 0.5f);
+    v1::QueryDistancesResponse response;
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + std::chrono::milliseconds(100));
+    EXPECT_EQ(server.queries->QueryDistances(&context, request, &response).error_code(), grpc::DEADLINE_EXCEEDED);
+  }
+  for (const bool is_bulk : {true, false}) {
+    if (!is_bulk) request.mutable_xyz_m()->Truncate(3);
+    request.mutable_options()->set_min_revision(Last() + 1);
+    std::thread writer([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      v1::UpdateSubmapRequest rename;
+      rename.mutable_submap()->set_name("maps/room/submaps/1");
+      rename.mutable_submap()->set_display_name(is_bulk ? "a" : "b");
+      rename.mutable_update_mask()->add_paths("display_name");
+      v1::UpdateSubmapResponse renamed;
+      grpc::ClientContext context;
+      EXPECT_TRUE(server.submaps->UpdateSubmap(&context, rename, &renamed).ok());
+    });
+    const v1::QueryDistancesResponse response = Ask();
+    writer.join();
+    ASSERT_TRUE(status.ok()) << status.error_message();
+    EXPECT_EQ(response.revision(), request.options().min_revision());
+    EXPECT_EQ(response.results_size(), is_bulk ? 3000 : 1);
+  }
+  request.set_map("maps/nowhere");
+  Ask();
+  EXPECT_EQ(status.error_code(), grpc::NOT_FOUND);
 }
 
 TEST_F(DistancesTest, BadRequestsNameTheItem) {

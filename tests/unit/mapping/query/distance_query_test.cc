@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "tests/unit/mapping/query/surface_scene.h"
 
@@ -216,6 +220,89 @@ TEST(DistanceQuery, NeighboursThatShareASurfaceLeaveNoGap) {
   for (const Eigen::Vector3d& p : testing::RandomPoints(1000, 1, 12)) {
     EXPECT_NEAR(query.At(p).distance_m, ball(p), 0.2 * kSceneVoxel_m) << p.transpose();
   }
+}
+
+TEST(DistanceQuery, PaddingIsTakenOffBySubmapClassOrDefault) {
+  Map map = testing::FurnishedRoom();
+  map.FindMutable(SubmapId(2))->mutable_info().T_map_submap.translate(Eigen::Vector3d(0.1, 0.2, 0));
+  SurfacePadding padding{.default_m = 0.04};
+  padding.classes = {{ClassId(1), 0.1}, {ClassId(3), 0.3}};
+  padding.submaps = {{SubmapId(3), 0.25}};  // of class 1
+  DistanceOptions options;
+  options.scope.padding = padding;
+  const DistanceQuery query = QueryOf(map, options);
+  std::vector<std::pair<double, AllTriangles>> parts;
+  for (const auto& submap : map.published()->submaps()) {
+    parts.emplace_back(padding.Of(submap->info()),
+                       AllTriangles(*map.published(), [&](const SubmapInfo& info) { return info.id == submap->id(); }));
+  }
+  EXPECT_EQ(parts[0].first, 0.04) << "unknown objects have no class";
+  EXPECT_EQ(parts[1].first, 0.1);
+  EXPECT_EQ(parts[3].first, 0.25);
+  const auto points = testing::RandomPoints(60, 1.7, 23);
+  std::vector<SurfaceDistance> batch(points.size());
+  query.At(points, batch);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double reach_m = 9, padding_m = 0;
+    SubmapId id;
+    for (const auto& [pad_m, triangles] : parts) {
+      const BruteNearest nearest = triangles.Nearest(points[i]);
+      if (nearest.distance_m - pad_m < reach_m) {
+        reach_m = nearest.distance_m - pad_m, padding_m = pad_m, id = nearest.submap;
+      }
+    }
+    for (const SurfaceDistance& answer : {query.At(points[i]), batch[i]}) {
+      EXPECT_EQ(answer.submap->id, id);
+      EXPECT_NEAR(std::abs(answer.distance_m + padding_m) - padding_m, reach_m, 0.001 * kSceneVoxel_m);
+      EXPECT_NEAR((points[i] - answer.nearest_m).norm(), reach_m + padding_m, 0.001 * kSceneVoxel_m);
+    }
+  }
+}
+
+TEST(DistanceQuery, PaddingReachesFromBeyondTheLimit) {
+  Map map(testing::SceneInfo());
+  testing::ObserveBand(testing::AddThing(map), testing::Ball({0, 0, 0}, 0.5), testing::CubeAt({0, 0, 0}, 0.7));
+  DistanceOptions options{.max_distance_m = 0.3};
+  options.scope.padding.default_m = 0.25;
+  EXPECT_NEAR(QueryOf(map, options).At({1.0, 0, 0}).distance_m, 0.25, 0.1 * kSceneVoxel_m);
+  EXPECT_EQ(QueryOf(map, options).At({1.1, 0, 0}).status, DistanceStatus::kClamped);
+  EXPECT_EQ(QueryOf(map, options).At({1.1, 0, 0}).distance_m, 0.3);
+  EXPECT_NEAR(QueryOf(map, options).At({0.6, 0, 0}).distance_m, -0.15, 0.1 * kSceneVoxel_m);
+  EXPECT_GT(QueryOf(map, options).At({0.6, 0, 0}).gradient.x(), 0.99) << "within the padding it is the way out";
+}
+
+TEST(DistanceQuery, WhatIsAttachedIsNotThere) {
+  Map map = testing::FurnishedRoom();
+  DistanceOptions attached, excluded;
+  attached.scope.attached = {SubmapId(1)};
+  excluded.scope.excluded_submaps = {SubmapId(1)};
+  const DistanceQuery a = QueryOf(map, attached), b = QueryOf(map, excluded);
+  for (const Eigen::Vector3d& p : testing::RandomPoints(100, 1.5, 4)) {
+    EXPECT_EQ(a.At(p).distance_m, b.At(p).distance_m);
+    EXPECT_NE(a.At(p).submap->id, SubmapId(1));
+  }
+}
+
+TEST(DistanceQuery, FreeSpaceThatIsTooOldIsUnknown) {
+  Map map(testing::SceneInfo());
+  testing::ObserveBand(testing::AddThing(map), testing::Ball({0.2, 0.2, 3}, 0.5), testing::CubeAt({0.2, 0.2, 3}, 0.7));
+  FreeBlocks seen;
+  seen.full = ~std::uint64_t{0};
+  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  map.mutable_free_space().Add({0, 0, 0}, seen, 100 * kSecond_ns);
+  map.mutable_free_space().Add({0, 0, 1}, seen, 160 * kSecond_ns);
+  const Eigen::Vector3d old(0.2, 0.2, 1.0), late(0.2, 0.2, 1.8);
+  const auto status = [&](const Eigen::Vector3d& p, std::optional<double> max_age_s) {
+    DistanceOptions options;
+    options.scope.max_free_age_s = max_age_s;
+    return QueryOf(map, options).At(p).status;
+  };
+  EXPECT_EQ(status(old, std::nullopt), DistanceStatus::kOk);
+  EXPECT_EQ(status(old, 61), DistanceStatus::kOk);
+  EXPECT_EQ(status(old, 59), DistanceStatus::kUnknown);
+  EXPECT_EQ(status(late, 59), DistanceStatus::kOk);
+  EXPECT_EQ(status(late, 0), DistanceStatus::kOk);
+  EXPECT_EQ(status(old, 1e300), DistanceStatus::kOk);
 }
 
 TEST(DistanceQuery, OfAnEmptyMapIsClamped) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace dhpmap {
 namespace {
@@ -39,7 +41,14 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   options.add_excluded_class_names("table");
   options.add_class_names("chair");
   options.mutable_frame()->mutable_translation_m()->set_z(4);
-  const auto question = QueryOptionsFromProto(options, *Home());
+  options.mutable_padding()->set_default_m(0.5);
+  options.mutable_padding()->add_classes()->set_class_name("chair");
+  options.mutable_padding()->mutable_classes(0)->set_padding_m(0.25);
+  options.mutable_padding()->add_submaps()->set_submap("maps/home/submaps/0");
+  options.add_attached()->set_submap("maps/home/submaps/1");
+  options.set_max_age_s(60);
+  options.set_min_revision(3);
+  const auto question = QueryOptionsFromProto(options, *Home(), kDistanceOptions);
   ASSERT_TRUE(question.ok());
   EXPECT_TRUE(question->options.unknown_is_free);
   EXPECT_EQ(question->options.max_distance_m, 7);
@@ -47,6 +56,12 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   EXPECT_EQ(question->options.scope.excluded_classes, std::vector<ClassId>{ClassId(2)});
   EXPECT_EQ(question->options.scope.classes, std::vector<ClassId>{ClassId(1)});
   EXPECT_EQ(question->T_map_query.translation().z(), 4);
+  const SurfacePadding& padding = question->options.scope.padding;
+  EXPECT_EQ(padding.default_m, 0.5);
+  EXPECT_EQ(padding.classes, (std::vector<std::pair<ClassId, double>>{{ClassId(1), 0.25}}));
+  EXPECT_EQ(padding.submaps, (std::vector<std::pair<SubmapId, double>>{{SubmapId(0), 0}}));
+  EXPECT_EQ(question->options.scope.attached, std::vector<SubmapId>{SubmapId(1)});
+  EXPECT_EQ(question->options.scope.max_free_age_s, 60);
 }
 
 TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
@@ -79,15 +94,72 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
          for (int i = 0; i < 1001; ++i) o.add_excluded_submaps("maps/home/submaps/1");
        },
        "options.excluded_submaps", "BAD_FILTER"},
+      {[](auto& o) { o.mutable_padding()->set_default_m(-0.1); }, "options.padding.default_m", "BAD_DISTANCE"},
+      {[](auto& o) { o.mutable_padding()->set_default_m(NAN); }, "options.padding.default_m", "BAD_DISTANCE"},
+      {[](auto& o) { o.mutable_padding()->add_classes()->set_class_name("spoon"); },
+       "options.padding.classes[0].class_name", "BAD_FILTER"},
+      {[](auto& o) {
+         o.mutable_padding()->add_classes()->set_class_name("chair");
+         o.mutable_padding()->mutable_classes(0)->set_padding_m(11);
+       },
+       "options.padding.classes[0].padding_m", "BAD_DISTANCE"},
+      {[](auto& o) { o.mutable_padding()->add_submaps()->set_submap("maps/home/submaps/9"); },
+       "options.padding.submaps[0].submap", "SUBMAP_NOT_FOUND"},
+      {[](auto& o) {
+         for (int i = 0; i < 16; ++i) {
+           auto& padding = *o.mutable_padding()->add_submaps();
+           padding.set_submap("maps/home/submaps/1");
+           padding.set_padding_m(0.1 * (i + 1));
+         }
+       },
+       "options.padding", "BAD_FILTER"},
+      {[](auto& o) { o.add_attached()->set_submap("maps/home/submaps/0"); }, "options.attached[0].submap",
+       "BAD_FILTER"},
+      {[](auto& o) {
+         for (int i = 0; i < 2; ++i) o.add_attached()->set_submap("maps/home/submaps/1");
+       },
+       "options.attached[1].submap", "BAD_FILTER"},
+      {[](auto& o) { o.set_max_age_s(-1); }, "options.max_age_s", "BAD_FILTER"},
+      {[](auto& o) { o.set_max_age_s(NAN); }, "options.max_age_s", "BAD_FILTER"},
+      {[](auto& o) { o.set_min_revision(-1); }, "options.min_revision", "BAD_FILTER"},
+      {[](auto& o) { o.set_unknown_policy(v1::QueryOptions::OCCUPIED); }, "options.unknown_policy", "BAD_FILTER"},
+      {[](auto& o) { o.add_ignored_contacts(); }, "options.ignored_contacts", "BAD_FILTER"},
+      {[](auto& o) {
+         o.add_attached()->set_submap("maps/home/submaps/1");
+         o.mutable_attached(0)->mutable_pose();
+       },
+       "options.attached[0].pose", "BAD_FILTER"},
   };
   const auto home = Home();
   for (const Case& c : cases) {
     v1::QueryOptions options;
     c.spoil(options);
-    const Status status = QueryOptionsFromProto(options, *home).status();
+    const Status status = QueryOptionsFromProto(options, *home, kDistanceOptions).status();
     EXPECT_EQ(status.reason(), c.reason) << c.field << ": " << status.ToString();
     ASSERT_EQ(status.violations().size(), 1u) << c.field;
     EXPECT_EQ(status.violations()[0].field, c.field);
+  }
+}
+
+TEST(QueryOptionsFromProto, RefusesWhatTheQueryHasNoUseFor) {
+  struct Case {
+    std::function<void(v1::QueryOptions&)> set;
+    const char* field;
+    bool is_for_rays;
+  };
+  const Case cases[] = {
+      {[](auto& o) { o.mutable_padding(); }, "options.padding", false},
+      {[](auto& o) { o.add_attached()->set_submap("maps/home/submaps/1"); }, "options.attached", true},
+      {[](auto& o) { o.set_max_age_s(1); }, "options.max_age_s", true},
+  };
+  for (const Case& c : cases) {
+    v1::QueryOptions options;
+    c.set(options);
+    EXPECT_TRUE(QueryOptionsFromProto(options, *Home(), kDistanceOptions).ok()) << c.field;
+    EXPECT_EQ(QueryOptionsFromProto(options, *Home(), kRayOptions).ok(), c.is_for_rays) << c.field;
+    const Status refused = QueryOptionsFromProto(options, *Home()).status();
+    ASSERT_EQ(refused.violations().size(), 1u) << c.field;
+    EXPECT_EQ(refused.violations()[0].field, c.field);
   }
 }
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/query_world.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "mapping/query/voxel_sampler.h"
+
+namespace dhpmap {
+namespace {
+
+/// The first stamp that is no older than `max_age_s` at the newest look.
+std::int64_t OldestOf(const FreeSpace& space, double max_age_s) {
+  std::int64_t newest_ns = std::numeric_limits<std::int64_t>::min();
+  for (const FreeTileEntry& tile : space.tiles()) newest_ns = std::max(newest_ns, tile.tile->last_seen_ns());
+  const double oldest_ns = static_cast<double>(newest_ns) - 1e9 * max_age_s;
+  constexpr double kLeast_ns = -9.2e18;
+  return oldest_ns > kLeast_ns ? newest_ns - static_cast<std::int64_t>(1e9 * max_age_s)
+                               : std::numeric_limits<std::int64_t>::min();
+}
+
+}  // namespace
+
+QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryScope& scope)
+    : surfaces_(std::move(surfaces)), free_space_(surfaces_->state().free_space().get()) {
+  if (scope.max_free_age_s) oldest_ns_ = OldestOf(*free_space_, *scope.max_free_age_s);
+  const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
+  if (!scope.IsAll()) {
+    for (const SubmapIndex::Entry& entry : entries) is_held_.push_back(scope.Holds(entry.submap().info()));
+  }
+  if (scope.padding.classes.empty() && scope.padding.submaps.empty()) {
+    grown_.push_back({scope.padding.default_m, is_held_});
+    return;
+  }
+  std::map<double, std::vector<bool>, std::greater<>> by_padding = {
+      {scope.padding.default_m, std::vector<bool>(entries.size())}};
+  for (std::size_t number = 0; number < entries.size(); ++number) {
+    if (!Holds(number)) continue;
+    auto& is_held = by_padding[scope.padding.Of(entries[number].submap().info())];
+    is_held.resize(entries.size());
+    is_held[number] = true;
+  }
+  for (auto& [padding_m, is_held] : by_padding) grown_.push_back({padding_m, std::move(is_held)});
+}
+
+bool QueryWorld::IsSeen(VoxelIndex voxel) const {
+  if (IsFree(voxel)) return true;
+  const Eigen::Vector3d centre = VoxelCentre(voxel, voxel_size_m());
+  const SubmapIndex& index = surfaces_->index();
+  bool is_seen = false;
+  index.VisitAround(centre, [&](const SubmapIndex::Entry& entry) {
+    if (is_seen || !Holds(static_cast<std::size_t>(&entry - index.entries().data()))) return;
+    is_seen = SampleVoxelAt(entry.submap(), entry.ToSubmap(centre)).IsObserved();
+  });
+  return is_seen;
+}
+
+QueryWorld::Sight QueryWorld::SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const {
+  Sight sight;
+  const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
+  const auto look = [&sight](const Submap& submap, const Eigen::Vector3d& p_submap) {
+    const VoxelSample voxel = SampleVoxelAt(submap, p_submap);
+    if (!voxel.IsObserved()) return;
+    sight.is_seen = true;
+    sight.is_front |= voxel.distance_m() > 0;
+  };
+  if (nearest.is_any && entries[nearest.number].MayHold(nearest.p_submap)) {
+    look(entries[nearest.number].submap(), nearest.p_submap);
+    if (sight.is_front || (sight.is_seen && !nearest.is_behind)) return sight;
+  }
+  surfaces_->index().VisitAround(p_map, [&](const SubmapIndex::Entry& entry) {
+    if (sight.is_front || !Holds(static_cast<std::size_t>(&entry - entries.data()))) return;
+    look(entry.submap(), entry.ToSubmap(p_map));
+  });
+  // A voxel beside a surface may have been looked through, too: what submaps hold there counts.
+  if (!sight.is_seen && IsFree(VoxelAt(p_map, voxel_size_m()))) sight = {.is_seen = true, .is_front = true};
+  return sight;
+}
+
+}  // namespace dhpmap
