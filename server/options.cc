@@ -69,6 +69,7 @@ GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget
           .num_threads = config.grpc.num_threads,
           .num_bulk_threads = config.grpc.bulk_threads,
           .inflight = std::move(inflight),
+          .max_connections = config.grpc.max_connections,
           .keepalive_s = config.grpc.keepalive_s,
           .max_query_points = config.limits.query_points,
           .max_frames_in_flight = config.mapping.max_frames_in_flight,

@@ -6,5 +6,6 @@ dhpmap_tests(ROOM unit/server/config LIBS dhpmap_server_config dhpmap_test_scene
 dhpmap_tests(ROOM unit/server/grpc STUBS LIBS dhpmap_grpc dhpmap_proto dhpmap_test_scenes)
 dhpmap_tests(ROOM unit/server/log LIBS dhpmap_log)
 dhpmap_tests(ROOM unit/server/metrics LIBS dhpmap_metrics)
+dhpmap_tests(ROOM unit/server/net LIBS dhpmap_net)
 dhpmap_tests(ROOM unit/server/wire STUBS LIBS dhpmap_wire dhpmap_test_scenes)
 dhpmap_tests(ROOM unit/server/wire/types STUBS LIBS dhpmap_wire_types)

@@ -18,6 +18,7 @@ struct ServerConfig {
     int max_message_mib = 64;
     int num_threads = 4;
     int bulk_threads = 0;
+    int max_connections = 1000;
     double keepalive_s = 10;
   } grpc;
   struct Http {
@@ -77,6 +78,7 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("grpc.num_threads", c.grpc.num_threads, 1, 256, "threads that answer what is quick");
   visit("grpc.bulk_threads", c.grpc.bulk_threads, 0, 256,
         "threads for meshes, voxels and many points, at lower priority; 0 = one a core");
+  visit("grpc.max_connections", c.grpc.max_connections, 1, 1e6, "one more is closed at once");
   visit("grpc.keepalive_s", c.grpc.keepalive_s, 1, 86400,
         "s of silence after which a client is asked whether it is there, and again until it is given up");
   visit("http.address", c.http.address, 0, 0, "host:port; port 0 takes a free one");

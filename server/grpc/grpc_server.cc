@@ -18,6 +18,7 @@
 #include "grpc/health/v1/health.pb.h"
 #include "server/grpc/services.h"
 #include "server/log/log.h"
+#include "server/net/connection_acceptor.h"
 
 namespace dhpmap {
 
@@ -31,6 +32,8 @@ constexpr int kFrameThreads = 2;
 constexpr int kMaxStreamsPerConnection = 128;
 /// Clients, too, may ask whether we are there, but not all the time.
 constexpr int kMinClientPing_ms = 5'000;
+/// Who connects and says nothing is sent away.
+constexpr int kHandshake_ms = 20'000;
 
 int BulkThreads(const GrpcOptions& options) {
   return options.num_bulk_threads > 0 ? options.num_bulk_threads
@@ -49,6 +52,7 @@ void LimitConnections(const GrpcOptions& options, grpc::ServerBuilder& builder) 
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, Milliseconds(options.keepalive_s));
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);  // as many as it takes
+  builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, kHandshake_ms);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kMinClientPing_ms);
 }
 
@@ -83,6 +87,7 @@ struct GrpcServer::Impl {
   ServiceContext context;
   IntegrateStreams streams;
   std::vector<std::unique_ptr<grpc::Service>> services;
+  std::unique_ptr<net::ConnectionAcceptor> connections;  // none behind a unix: address
   int port = 0;
   std::atomic<bool> is_serving = false;
   std::unique_ptr<grpc::Server> server;
@@ -93,6 +98,18 @@ namespace {
 
 constexpr std::array kServiceNames = {"", "dhpmap.v1.MapService", "dhpmap.v1.MappingService", "dhpmap.v1.SubmapService",
                                       "dhpmap.v1.QueryService"};
+
+/// gRPC's own accepting ends for good when file descriptors run out, and takes any number of connections. So TCP
+/// connections are accepted by us and handed to it.
+void HandOver(net::ConnectionAcceptor& connections,
+              std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> grpc_door) {
+  const std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor> door = std::move(grpc_door);
+  connections.Start([door](int socket) {
+    grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
+    connection.fd = socket;
+    door->HandleNewConnection(&connection);
+  });
+}
 
 /// gRPC tells of its inner life on standard error; what matters of it comes back to us as a status.
 void LogFromGrpc(gpr_log_func_args* line) { LogDebug(std::string("grpc: ") + line->message); }
@@ -108,16 +125,27 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   auto impl = std::make_unique<Impl>(options, registry, std::move(observer));
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   grpc::ServerBuilder builder;
-  builder.AddListeningPort(options.address, grpc::InsecureServerCredentials(), &impl->port);
+  std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> door;
+  if (options.address.starts_with("unix:")) {
+    builder.AddListeningPort(options.address, grpc::InsecureServerCredentials(), &impl->port);
+  } else {
+    auto connections =
+        net::ConnectionAcceptor::Listen({.address = options.address, .max_connections = options.max_connections});
+    if (!connections.ok()) return Status(connections.status()).WithReason("CANNOT_BIND");
+    impl->connections = std::move(*connections);
+    impl->port = impl->connections->port();
+    door = builder.experimental().AddExternalConnectionAcceptor(
+        grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD, grpc::InsecureServerCredentials());
+  }
   builder.SetMaxReceiveMessageSize(static_cast<int>(std::min(options.max_message_bytes, kMost)));
   LimitConnections(options, builder);
-  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);  // else a second server on the port would go unnoticed
   for (const auto& service : impl->services) builder.RegisterService(service.get());
   impl->server = builder.BuildAndStart();
   if (impl->server == nullptr || impl->port == 0) {
     return Unavailable("cannot listen for gRPC on " + options.address + ": in use, or not an address of this machine")
         .WithReason("CANNOT_BIND");
   }
+  if (door != nullptr) HandOver(*impl->connections, std::move(door));
   std::unique_ptr<GrpcServer> server(new GrpcServer(std::move(impl)));
   server->SetServing(false);
   return server;
@@ -150,6 +178,7 @@ void GrpcServer::Drain() {
 
 void GrpcServer::Shutdown(double grace_s) {
   Drain();
+  if (impl_->connections != nullptr) impl_->connections->Stop();
   const auto grace =
       std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(grace_s));
   impl_->server->Shutdown(std::chrono::system_clock::now() + grace);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/http/listener.h"
 
-#include <fcntl.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +15,6 @@
 #include <boost/asio/strand.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
-#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <thread>
@@ -26,6 +23,8 @@
 
 #include "mapping/base/this_thread.h"
 #include "server/http/request_parser.h"
+#include "server/net/address.h"
+#include "server/net/reserve_descriptor.h"
 
 namespace dhpmap::http {
 namespace {
@@ -259,45 +258,6 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
   std::shared_ptr<ConnectionEvents> events_;
 };
 
-Result<std::pair<std::string, std::uint16_t>> SplitAddress(const std::string& address) {
-  const std::size_t colon = address.rfind(':');
-  std::uint16_t port = 0;
-  const char* begin = address.data() + (colon == std::string::npos ? address.size() : colon + 1);
-  const char* end = address.data() + address.size();
-  const auto [stop, error] = std::from_chars(begin, end, port);
-  if (colon == std::string::npos || error != std::errc() || stop != end) {
-    return InvalidArgument("'" + address + "' is no address: expected host:port");
-  }
-  std::string host = address.substr(0, colon);
-  if (host.size() > 1 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
-  return std::pair{std::move(host), port};
-}
-
-/// A file descriptor kept back, to accept one more connection when there are no others.
-class Reserve {
- public:
-  Reserve() { Fill(); }
-  ~Reserve() { Use(); }
-  Reserve(const Reserve&) = delete;
-  Reserve& operator=(const Reserve&) = delete;
-
-  /// Frees it; false if there was none.
-  bool Use() {
-    if (descriptor_ < 0) return false;
-    ::close(descriptor_);
-    descriptor_ = -1;
-    return true;
-  }
-  /// False if there is none to be had.
-  bool Fill() {
-    if (descriptor_ < 0) descriptor_ = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-    return descriptor_ >= 0;
-  }
-
- private:
-  int descriptor_ = -1;
-};
-
 }  // namespace
 
 struct Listener::Impl {
@@ -320,18 +280,18 @@ struct Listener::Impl {
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   tcp::acceptor acceptor;  // used on its strand only, once the threads run
   asio::steady_timer retry;
-  Reserve reserve;
+  net::ReserveDescriptor reserve;
   int port = 0;
   std::vector<std::thread> threads;
 };
 
 Status Listener::Impl::Bind(const std::string& address) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto parts, SplitAddress(address));
+  DHPMAP_ASSIGN_OR_RETURN(const net::Address parts, net::SplitAddress(address));
   error_code error;
-  const auto ip = parts.first == "localhost" ? asio::ip::make_address("127.0.0.1", error)
-                                             : asio::ip::make_address(parts.first, error);
+  const auto ip = parts.host == "localhost" ? asio::ip::make_address("127.0.0.1", error)
+                                            : asio::ip::make_address(parts.host, error);
   if (error) return InvalidArgument("'" + address + "' is no address: the host must be an IP address or localhost");
-  const tcp::endpoint endpoint(ip, parts.second);
+  const tcp::endpoint endpoint(ip, parts.port);
   acceptor.open(endpoint.protocol(), error);
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);

@@ -83,5 +83,20 @@ TEST(Descriptors, MoreConnectionsThanAProcessMayHaveAtFirstAreNoHarmToEitherDoor
   EXPECT_EQ(RunProgram(folder.path(), {"curl", "--silent", "--fail", server->http_url() + "/healthz"}).exit_code, 0);
 }
 
+TEST(Descriptors, WhenThereAreNoneForMoreConnectionsTheServerGoesOnAfterwards) {
+  constexpr int kAtMost = 100;
+  TempDir folder;
+  ServerProcess server(folder.path(), folder.path() / "maps.db");
+  ASSERT_TRUE(server.is_serving());
+  const rlimit limit{.rlim_cur = kAtMost, .rlim_max = kAtMost};
+  ASSERT_EQ(::prlimit(server.process().pid(), RLIMIT_NOFILE, &limit, nullptr), 0);
+  {
+    SilentConnections silent(server.grpc_address());
+    ASSERT_TRUE(silent.Open(2 * kAtMost));
+    EXPECT_EQ(RunProgram(folder.path(), {"curl", "--silent", "--fail", server.http_url() + "/healthz"}).exit_code, 0);
+  }
+  EXPECT_TRUE(IsAnswering(server));
+}
+
 }  // namespace
 }  // namespace dhpmap::testing

@@ -43,8 +43,10 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/config", {"mapping/base", "mapping/labels", "mapping/map", "server/app", "server/log"}},
       {"server/wire/types", {"mapping/base", "mapping/labels", "mapping/map", "proto"}},
       {"server/wire", {"mapping", "server/app", "proto"}},
-      {"server/grpc", {"mapping", "server/app", "server/wire", "server/metrics", "server/log", "proto"}},
-      {"server/http", {"mapping/base"}},
+      {"server/net", {"mapping/base"}},
+      {"server/grpc",
+       {"mapping", "server/app", "server/net", "server/wire", "server/metrics", "server/log", "proto"}},
+      {"server/http", {"mapping/base", "server/net"}},
       {"server/json", {"mapping/base"}},
       {"server/gateway", {"mapping/base", "server/wire/types", "server/http", "server/json", "proto"}},
       {"server", {"mapping", "storage/store.h", "server", "proto"}},  // main.cc: wiring
