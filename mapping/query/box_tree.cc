@@ -20,14 +20,14 @@ void BoxTree::Node::Set(std::size_t lane, const Eigen::AlignedBox3f& box) {
   }
 }
 
-BoxTree::BoxTree(std::span<const Eigen::AlignedBox3f> boxes) : items_(boxes.size()) {
+BoxTree::BoxTree(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size) : items_(boxes.size()) {
   if (boxes.empty()) return;
   for (const Eigen::AlignedBox3f& box : boxes) bounds_.extend(box);
   std::iota(items_.begin(), items_.end(), 0u);
   std::size_t capacity = 1;  // of a child of the root
   while (capacity * kLanes < boxes.size()) capacity *= kLanes;
   Arrange(boxes, items_, capacity);
-  BuildLevels(boxes);
+  BuildLevels(boxes, leaf_size);
 }
 
 /// Cuts the items into eight parts, halving along the longest side three times, so that all but the last part are full
@@ -59,15 +59,15 @@ void BoxTree::Arrange(std::span<const Eigen::AlignedBox3f> boxes, std::span<std:
   halve(halve, items, kLanes);
 }
 
-void BoxTree::BuildLevels(std::span<const Eigen::AlignedBox3f> boxes) {
-  std::vector<Eigen::AlignedBox3f> below;
-  for (const std::uint32_t item : items_) below.push_back(boxes[item]);
+void BoxTree::BuildLevels(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size) {
+  std::vector<Eigen::AlignedBox3f> below((items_.size() + leaf_size - 1) / leaf_size);
+  for (std::size_t i = 0; i < items_.size(); ++i) below[i / leaf_size].extend(boxes[items_[i]]);
   do {
-    first_node_.push_back(nodes_.size());
+    first_node_[height_++] = static_cast<std::uint32_t>(nodes_.size());
     std::vector<Eigen::AlignedBox3f> level((below.size() + kLanes - 1) / kLanes);
     nodes_.resize(nodes_.size() + level.size());
     for (std::size_t i = 0; i < below.size(); ++i) {
-      nodes_[first_node_.back() + i / kLanes].Set(i % kLanes, below[i]);
+      nodes_[first_node_[height_ - 1] + i / kLanes].Set(i % kLanes, below[i]);
       level[i / kLanes].extend(below[i]);
     }
     below = std::move(level);
@@ -75,8 +75,7 @@ void BoxTree::BuildLevels(std::span<const Eigen::AlignedBox3f> boxes) {
 }
 
 std::size_t BoxTree::MemoryBytes() const {
-  return items_.capacity() * sizeof(items_[0]) + nodes_.capacity() * sizeof(nodes_[0]) +
-         first_node_.capacity() * sizeof(first_node_[0]);
+  return items_.capacity() * sizeof(items_[0]) + nodes_.capacity() * sizeof(nodes_[0]);
 }
 
 }  // namespace dhpmap

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -16,14 +17,16 @@
 namespace dhpmap {
 
 /// Boxes in a tree of eight children a node, for questions about a place. What the boxes hold is the caller's: it knows
-/// them by their number in the list the tree was made of. Immutable, thread-safe.
+/// them by their number in the list the tree was made of. Below the nodes lie leaves, of one box each or of eight that
+/// are close together. Immutable, thread-safe.
 class BoxTree {
  public:
   static constexpr std::size_t kLanes = 8;
 
   BoxTree() = default;
-  /// Finite boxes, none empty; fewer than 2^32. Takes n log n.
-  explicit BoxTree(std::span<const Eigen::AlignedBox3f> boxes);
+  /// Finite boxes, none empty; fewer than 2^32. Takes n log n. Leaf i holds items() from i * leaf_size (1 or kLanes)
+  /// on, of the last one what there is.
+  explicit BoxTree(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size = 1);
 
   [[nodiscard]] bool empty() const { return items_.empty(); }
   /// Around all; empty for none.
@@ -32,11 +35,14 @@ class BoxTree {
   [[nodiscard]] std::span<const std::uint32_t> items() const { return items_; }
   [[nodiscard]] std::size_t MemoryBytes() const;
 
-  // For searches of their own: nodes by height, 1 for those whose children are boxes of the list; a node's children are
+  /// That wait in a search depth first: at most seven siblings on each level, and 8^11 > 2^32.
+  static constexpr std::size_t kMostPending = 11 * kLanes;
+
+  // For searches of their own: nodes by height, 1 for those whose children are leaves; a node's children are
   // kLanes * node + lane, one lower.
 
   /// Of the root, whose node is 0; 0: there is none.
-  [[nodiscard]] std::uint32_t height() const { return static_cast<std::uint32_t>(first_node_.size()); }
+  [[nodiscard]] std::uint32_t height() const { return height_; }
   /// Squared distances of a node's children from a point. Returns which are no farther than a finite limit, a bit each;
   /// never one that is not there.
   DHPMAP_ALWAYS_INLINE unsigned ChildrenWithin(std::uint32_t height, std::uint32_t node, const Eigen::Vector3f& p,
@@ -44,11 +50,17 @@ class BoxTree {
     return nodes_[first_node_[height - 1] + node].ChildrenWithin(p, limit2, distance2);
   }
 
-  /// Calls visit(position) for boxes that overlap `box`, in no order to rely on.
+  /// Fetches a node that will soon be asked for its children.
+  void Prefetch(std::uint32_t height, std::uint32_t node) const {
+    const auto* first = reinterpret_cast<const char*>(&nodes_[first_node_[height - 1] + node]);
+    for (std::size_t at = 0; at < sizeof(Node); at += 64) __builtin_prefetch(first + at);
+  }
+
+  /// Calls visit(leaf) for leaves that overlap `box`, in no order to rely on.
   template <typename Visitor>
   void VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const;
 
-  /// Calls limit = visit(position) for boxes that the ray from `origin` along `direction` (finite, of unit length)
+  /// Calls limit = visit(leaf) for leaves that the ray from `origin` along `direction` (finite, of unit length)
   /// meets within `limit`, those it enters first mostly first. The visitor may lower the limit. One that is missed by a
   /// hundredth of a millimetre may be visited.
   template <typename Visitor>
@@ -56,6 +68,8 @@ class BoxTree {
 
  private:
   typedef float Float8 __attribute__((vector_size(32), may_alias));
+  typedef std::int32_t Int8 __attribute__((vector_size(32), may_alias));
+  typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
   /// The boxes of eight children side by side. Those of children that are not there are inside out, at infinity.
   struct alignas(32) Node {
     float low[3][kLanes];
@@ -66,6 +80,7 @@ class BoxTree {
     DHPMAP_ALWAYS_INLINE unsigned ChildrenWithin(const Eigen::Vector3f& p, float limit2,
                                                  float (&distance2)[kLanes]) const {
       Float8 sum = {};
+      const Int8 bits = {1, 2, 4, 8, 16, 32, 64, 128};
       for (int axis = 0; axis < 3; ++axis) {
         const float x = p[axis];
         const Float8 here = {x, x, x, x, x, x, x, x}, zero = {};
@@ -75,28 +90,25 @@ class BoxTree {
         outside = outside > zero ? outside : zero;
         sum += outside * outside;
       }
-      unsigned within = 0;
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        distance2[lane] = sum[lane];
-        within |= static_cast<unsigned>(sum[lane] <= limit2) << lane;
-      }
-      return within;
+      std::memcpy(distance2, &sum, sizeof(sum));
+      const Int8 within = (sum <= Float8{} + limit2) & bits;
+      const Words words = reinterpret_cast<const Words&>(within);
+      const std::uint64_t folded = words[0] | words[1] | words[2] | words[3];
+      return static_cast<unsigned>(folded | folded >> 32);
     }
   };
   struct Pending {
     std::uint32_t node;
     std::uint32_t level;
   };
-  /// At most seven siblings wait on each level, and 8^11 > 2^32.
-  static constexpr std::size_t kMostPending = 11 * kLanes;
-
   void Arrange(std::span<const Eigen::AlignedBox3f> boxes, std::span<std::uint32_t> items, std::size_t child_capacity);
-  void BuildLevels(std::span<const Eigen::AlignedBox3f> boxes);
+  void BuildLevels(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size);
 
   Eigen::AlignedBox3f bounds_;
   std::vector<std::uint32_t> items_;
   std::vector<Node> nodes_;  ///< level by level; the children of node i are 8 i to 8 i + 7 of the level below
-  std::vector<std::size_t> first_node_;  ///< of each level; level 0 holds items
+  std::array<std::uint32_t, 11> first_node_{};  ///< of each level; the children of level 0 are leaves
+  std::uint32_t height_ = 0;
 };
 
 template <typename Visitor>

@@ -52,23 +52,89 @@ SurfaceDistance DistanceQuery::Within(const Eigen::Vector3d& p_map, double limit
   return Describe(p_map, limit_m, found.surface, found.padding_m);
 }
 
+bool DistanceQuery::AnyCloserThan(const Eigen::Vector3d& p_map, double radius_m) const {
+  return std::any_of(world_.grown().begin(), world_.grown().end(), [&](const QueryWorld::Grown& grown) {
+    return NearestSearch(world_.surfaces(), grown.is_held).IsAnyWithin(p_map, radius_m + grown.padding_m);
+  });
+}
+
+/// What is nearest to a point is no farther from the next one than that plus the way between: mostly a much better
+/// limit than the caller's.
+class DistanceQuery::Limit {
+ public:
+  explicit Limit(double most_m) : most_m_(most_m) {}
+  [[nodiscard]] double At(const Eigen::Vector3d& p) const {
+    constexpr double kRounding_m = 1e-5;
+    return before_ == nullptr ? most_m_ : std::min(most_m_, before_m_ + (p - *before_).norm() + kRounding_m);
+  }
+  void Learn(const Eigen::Vector3d& p, double reach_m) {
+    before_ = &p;
+    before_m_ = reach_m;
+  }
+
+ private:
+  double most_m_;
+  const Eigen::Vector3d* before_ = nullptr;
+  double before_m_ = 0;
+};
+
 void DistanceQuery::At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const {
-  // What is nearest to a point is no farther from the next one than that plus the way between: mostly a much better
-  // limit than the caller's.
-  constexpr double kRounding_m = 1e-5;
+  if (world_.grown().size() == 1) {
+    AtTogether(points_m, answers);
+    return;
+  }
   Searches searches(world_);
-  const Eigen::Vector3d* before = nullptr;
-  double before_m = 0;
+  Limit limit(options_.max_distance_m);
   for (const std::uint32_t i : OrderAlongCurve(points_m)) {
     const Eigen::Vector3d& p = points_m[i];
-    double limit_m = options_.max_distance_m;
-    if (before != nullptr) limit_m = std::min(limit_m, before_m + (p - *before).norm() + kRounding_m);
+    const double limit_m = limit.At(p);
     Searches::Found found = searches.Find(p, limit_m);
     if (!found.surface.is_any && limit_m < options_.max_distance_m) found = searches.Find(p, options_.max_distance_m);
     answers[i] = Describe(p, options_.max_distance_m, found.surface, found.padding_m);
-    if (answers[i].submap == nullptr) continue;
-    before = &p;
-    before_m = found.reach_m;
+    if (answers[i].submap != nullptr) limit.Learn(p, found.reach_m);
+  }
+}
+
+/// Where all that is there is grown alike: a search a point, some of them side by side, so that none waits for memory.
+void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const {
+  constexpr std::size_t kMostInFlight = 16;
+  struct Flight {
+    NearestSearch search;
+    std::uint32_t point = 0;
+    double limit_m = 0;
+  };
+  const auto& [padding_m, is_held] = world_.grown()[0];
+  const double most_m = options_.max_distance_m;
+  const std::vector<std::uint32_t> order = OrderAlongCurve(points_m);
+  std::size_t next = 0;
+  Limit limit(most_m);
+  const auto start_next = [&](Flight& flight) {
+    flight.point = order[next++];
+    flight.limit_m = limit.At(points_m[flight.point]);
+    flight.search.Start(points_m[flight.point], flight.limit_m + padding_m);
+  };
+  const auto finish = [&](Flight& flight) {
+    const Eigen::Vector3d& p = points_m[flight.point];
+    NearestSurface found = flight.search.Found();
+    if (!found.is_any && flight.limit_m < most_m) found = flight.search.Find(p, most_m + padding_m);
+    answers[flight.point] = Describe(p, most_m, found, padding_m);
+    if (found.is_any) limit.Learn(p, (found.p_submap - found.point_submap).norm() - padding_m);
+  };
+  std::vector<Flight> flights(std::min(points_m.size(), kMostInFlight),
+                              Flight{NearestSearch(world_.surfaces(), is_held)});
+  std::vector<Flight*> in_flight;
+  for (Flight& flight : flights) {
+    start_next(flight);
+    in_flight.push_back(&flight);
+  }
+  while (!in_flight.empty()) {
+    std::erase_if(in_flight, [&](Flight* flight) {
+      if (!flight->search.Step()) return false;
+      finish(*flight);
+      if (next == order.size()) return true;
+      start_next(*flight);
+      return false;
+    });
   }
 }
 
@@ -86,7 +152,14 @@ SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, double lim
   answer.submap = &submap;
   answer.nearest_m = submap.T_map_submap * found.point_submap;
   const bool is_in_band = distance_m <= submap.truncation_m;
-  const QueryWorld::Sight sight = world_.SightAt(p_map, found);
+  // In front of the surface, or in its band, a place need only be seen; what is farther behind must be known not to be
+  // in front of anything.
+  QueryWorld::Sight sight{.is_seen = options_.unknown_is_free};
+  if (found.is_behind && !is_in_band) {
+    sight = world_.SightAt(p_map, found);
+  } else if (!sight.is_seen) {
+    sight.is_seen = world_.IsSeenAt(p_map, found);
+  }
   answer.status = sight.is_seen || options_.unknown_is_free ? DistanceStatus::kOk : DistanceStatus::kUnknown;
   const double side = found.is_behind && (is_in_band || !sight.is_front) ? -1 : 1;
   answer.distance_m = side * distance_m - padding_m;

@@ -53,8 +53,14 @@ class DistanceQuery {
   /// The same for many points, in their order; faster, as it goes from each to one close by. As many answers as points.
   void At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const;
 
+  /// Whether any grown surface is within `radius_m` (finite, not negative) of a point, on whichever side of it: told as
+  /// soon as it is known, in no time where nothing is near. What is farther by 1e-5 of that may count, too.
+  [[nodiscard]] bool AnyCloserThan(const Eigen::Vector3d& p_map, double radius_m) const;
+
  private:
   class Searches;
+  class Limit;
+  void AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const;
   [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, double limit_m, const NearestSurface& found,
                                          double padding_m) const;
 

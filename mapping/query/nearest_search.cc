@@ -3,9 +3,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <tuple>
+#include <utility>
 
 #include "mapping/query/vector_clones.h"
 
@@ -31,32 +35,211 @@ Eigen::Vector3f NormalOf(const TriangleCorners& triangle) {
   return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
 }
 
+/// Distances between points of one cell, in floats, are less by no more than this.
+constexpr float kRounding = 1 - 1e-5f;
+
 }  // namespace
 
 NearestSearch::NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held)
     : surfaces_(surfaces), is_held_(is_held) {
-  scopes_.reserve(64);
-  heap_.reserve(256);
-  touches_.reserve(16);
+  touches_.reserve(8);
 }
 
-NearestSurface NearestSearch::Find(const Eigen::Vector3d& p_map, double limit_m) {
+void NearestSearch::Begin(const Eigen::Vector3d& p_map, double limit_m) {
   p_map_ = p_map;
   best2_ = static_cast<float>(limit_m * limit_m);
   limit2_ = WithRounding(best2_);
-  scopes_.clear();
-  heap_.clear();
   touches_.clear();
-  const SubmapIndex& index = surfaces_.index();
-  OpenTree({.tree = &index.tree(), .triangles = nullptr, .submap = nullptr, .p = index.InTree(p_map)}, 0);
-  Run();
-  return Describe();
 }
 
-void NearestSearch::OpenTree(const Scope& scope, float distance2) {
-  if (scope.tree->empty()) return;
-  scopes_.push_back(scope);
-  Push({distance2, static_cast<std::uint32_t>(scopes_.size() - 1), 0, scope.tree->height()});
+NearestSurface NearestSearch::Find(const Eigen::Vector3d& p_map, double limit_m) {
+  Start(p_map, limit_m);
+  while (!Step()) {
+  }
+  return Found();
+}
+
+bool NearestSearch::IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m) {
+  Start(p_map, limit_m);
+  stops_at_any_ = true;
+  while (!Step()) {
+  }
+  return !touches_.empty();
+}
+
+void NearestSearch::Start(const Eigen::Vector3d& p_map, double limit_m) {
+  stops_at_any_ = false;
+  limit_m_ = limit_m;
+  Begin(p_map, limit_m);
+  cell_ = nullptr;
+  slot_ = surfaces_.cells().SlotAt(p_map);
+  __builtin_prefetch(slot_);
+  stage_ = Stage::kSlot;
+}
+
+bool NearestSearch::Step() {
+  switch (stage_) {
+    case Stage::kSlot: {
+      bool is_wanted = false;
+      if (slot_ != nullptr) cell_ = surfaces_.cells().Find(*slot_, is_wanted);
+      if (is_wanted) cell_ = &MakeCell();
+      if (cell_ == nullptr) {
+        SearchMap();
+        stage_ = Stage::kDone;
+      } else {
+        __builtin_prefetch(cell_);
+        __builtin_prefetch(reinterpret_cast<const char*>(cell_) + 64);
+        stage_ = Stage::kCell;
+      }
+      break;
+    }
+    case Stage::kCell: EnterCell(); break;
+    case Stage::kTiles: GoToNextTile(); break;
+    case Stage::kTile:
+      if (VisitNode()) GoToNextTile();
+      break;
+    case Stage::kDone: break;
+  }
+  return stage_ == Stage::kDone;
+}
+
+void NearestSearch::EnterCell() {
+  way_m_ = static_cast<float>((p_map_ - cell_->centre_m).norm());
+  next_tile_ = 0;
+  if (surfaces_.cells().IsMarkDue(*cell_)) {
+    for (const NearbyTile& tile : cell_->tiles) surfaces_.surface(tile.number).MarkUsed(tile.tile);
+  }
+  if (!cell_->tiles.empty()) __builtin_prefetch(cell_->tiles.data());
+  stage_ = Stage::kTiles;
+}
+
+void NearestSearch::GoToNextTile() {
+  if (stops_at_any_ && !touches_.empty()) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  for (; next_tile_ < cell_->tiles.size(); ++next_tile_) {
+    const NearbyTile& next = cell_->tiles[next_tile_];
+    const float least_m = kRounding * next.distance_m - way_m_;
+    if (least_m > 0 && least_m * least_m > limit2_) break;
+    if (!Holds(next.number)) continue;
+    const SubmapIndex::Entry& entry = surfaces_.index().entries()[next.number];
+    const Eigen::Vector3f p = (entry.ToSubmap(p_map_) - next.corner_m).cast<float>();
+    if (next.box.squaredExteriorDistance(p) > limit2_) continue;
+    ++next_tile_;
+    EnterTile({.triangles = next.triangles, .number = next.number, .tile = next.tile, .p = p});
+    stage_ = Stage::kTile;
+    return;
+  }
+  LeaveCell();
+}
+
+/// The tiles have been gone through: is that all that may be near?
+void NearestSearch::LeaveCell() {
+  const float seen_m = kRounding * cell_->complete_m - way_m_;
+  if (!(seen_m > 0 && limit2_ <= seen_m * seen_m)) {
+    Begin(p_map_, touches_.empty() ? limit_m_ : std::sqrt(static_cast<double>(limit2_)));
+    SearchMap();
+  }
+  stage_ = Stage::kDone;
+}
+
+/// What is nearest to a point of the cell is no farther from the centre than what is nearest to that, and twice the way
+/// between the two.
+const NearbyCell& NearestSearch::MakeCell() {
+  const NearbyCells& cells = surfaces_.cells();
+  const Eigen::Vector3d p_map = p_map_, centre_m = cells.CentreAt(p_map);
+  const double across_m = 2 * cells.radius_m();
+  const bool stops_at_any = std::exchange(stops_at_any_, false);
+  Begin(centre_m, NearbyCells::kReach_m + across_m);
+  sees_all_ = true;
+  auto cell = std::make_unique<NearbyCell>();
+  VisitTiles([&](const Tile& tile) {
+    const float before2 = best2_;
+    SearchTile(tile);
+    if (touches_.empty()) return;
+    touches_.clear();
+    const double distance_m = std::sqrt(static_cast<double>(best2_));
+    cell->tiles.push_back({.triangles = tile.triangles,
+                           .number = tile.number,
+                           .tile = tile.tile,
+                           .distance_m = static_cast<float>(distance_m),
+                           .corner_m = surfaces_.surface(tile.number).Corner(tile.tile),
+                           .box = tile.triangles->bounds()});
+    best2_ = std::min(before2, static_cast<float>((distance_m + across_m) * (distance_m + across_m)));
+    limit2_ = WithRounding(best2_);
+  });
+  sees_all_ = false;
+  cell->complete_m = std::sqrt(best2_);
+  std::erase_if(cell->tiles, [&](const NearbyTile& tile) { return tile.distance_m > cell->complete_m; });
+  std::sort(cell->tiles.begin(), cell->tiles.end(),
+            [](const NearbyTile& a, const NearbyTile& b) { return a.distance_m < b.distance_m; });
+  cell->tiles.shrink_to_fit();
+  cell->centre_m = centre_m;
+  cell->seen = SeenIn(cells.BlockAt(p_map), centre_m, cell->may_be_seen_elsewise);
+  stops_at_any_ = stops_at_any;
+  Begin(p_map, limit_m_);
+  return cells.Put(*slot_, std::move(cell));
+}
+
+FreeMask NearestSearch::SeenIn(BlockIndex block, const Eigen::Vector3d& centre_m, bool& may_be_seen_elsewise) const {
+  const MapSnapshot& map = surfaces_.state();
+  const FreeTile* tile = map.free_space()->Find(TileOf(block));
+  FreeMask seen = tile != nullptr ? tile->MaskOf(CellOf(block)) : FreeMask{};
+  may_be_seen_elsewise = false;
+  const SubmapIndex& index = surfaces_.index();
+  const auto half_m = static_cast<float>(0.51 * surfaces_.cells().side_m());
+  const Eigen::Vector3f centre = index.InTree(centre_m), half = Eigen::Vector3f::Constant(half_m);
+  index.tree().VisitOverlapping({centre - half, centre + half}, [&](std::size_t item) {
+    const SubmapIndex::Entry& entry = index.entries()[index.tree().items()[item]];
+    if (!entry.IsInMapFrame() || entry.submap().info().voxel_size_m != map.info().config.voxel_size_m) {
+      may_be_seen_elsewise = true;
+      return;
+    }
+    const BlockEntry* there = entry.submap().blocks().Find(block);
+    if (there == nullptr || there->tsdf == nullptr) return;
+    for (int i = 0; i < kBlockVoxels; ++i) {
+      seen[static_cast<std::size_t>(i >> 6)] |= std::uint64_t{there->tsdf->IsObserved(i)} << (i & 63);
+    }
+  });
+  return seen;
+}
+
+void NearestSearch::SearchMap() {
+  VisitTiles([&](const Tile& tile) {
+    SearchTile(tile);
+    if (stops_at_any_ && !touches_.empty()) heap_.clear();
+  });
+}
+
+template <typename Visitor>
+void NearestSearch::VisitTiles(Visitor&& visit) {
+  scopes_.clear();
+  heap_.clear();
+  const SubmapIndex& index = surfaces_.index();
+  if (index.tree().empty()) return;
+  scopes_.push_back({.tree = &index.tree(), .submap = nullptr, .p = index.InTree(p_map_), .number = 0});
+  Push({0, 0, 0, index.tree().height()});
+  while (!heap_.empty()) {
+    const Pending here = Pop();
+    if (here.distance2 > limit2_) return;  // and so is all that is left
+    if (here.height > 0) {
+      PushChildren(here);
+      continue;
+    }
+    const Scope& from = scopes_[here.scope];
+    if (from.submap == nullptr) {
+      OpenSubmap(here);
+      continue;
+    }
+    const SubmapIndex::Entry& entry = index.entries()[from.number];
+    const TriangleTree& triangles = from.submap->Surface(entry.submap(), here.node);
+    if (triangles.num_triangles() == 0) continue;
+    visit(Tile{.triangles = &triangles,
+               .number = from.number,
+               .tile = here.node,
+               .p = from.submap->InTile(entry.ToSubmap(p_map_), here.node)});
+  }
 }
 
 void NearestSearch::Push(const Pending& pending) {
@@ -71,114 +254,107 @@ NearestSearch::Pending NearestSearch::Pop() {
   return top;
 }
 
+void NearestSearch::PushChildren(const Pending& node) {
+  const Scope& scope = scopes_[node.scope];
+  float distance2[BoxTree::kLanes];
+  unsigned near = scope.tree->ChildrenWithin(node.height, node.node, scope.p, limit2_, distance2);
+  for (; near != 0; near &= near - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+    Push(
+        {distance2[lane], node.scope, static_cast<std::uint32_t>(BoxTree::kLanes) * node.node + lane, node.height - 1});
+  }
+}
+
+/// Goes on with its tiles.
+void NearestSearch::OpenSubmap(const Pending& item) {
+  const std::uint32_t number = surfaces_.index().tree().items()[item.node];
+  if (!Holds(number)) return;
+  const SubmapIndex::Entry& entry = surfaces_.index().entries()[number];
+  const Eigen::Vector3d p_submap = entry.ToSubmap(p_map_);
+  const auto distance2 = static_cast<float>(entry.box_m().squaredExteriorDistance(p_submap));
+  const SubmapSurface& surface = surfaces_.surface(number);
+  if (distance2 > limit2_ || surface.tree().empty()) return;
+  scopes_.push_back({.tree = &surface.tree(), .submap = &surface, .p = surface.InTree(p_submap), .number = number});
+  Push({std::max(distance2, item.distance2), static_cast<std::uint32_t>(scopes_.size() - 1), 0,
+        surface.tree().height()});
+}
+
+void NearestSearch::EnterTile(const Tile& tile) {
+  tile_ = tile;
+  const BoxTree& tree = tile.triangles->tree();
+  tree.Prefetch(tree.height(), 0);
+  nodes_[0] = {0, 0, tree.height()};
+  num_nodes_ = 1;
+}
+
+void NearestSearch::SearchTile(const Tile& tile) {
+  EnterTile(tile);
+  while (!VisitNode()) {
+  }
+}
+
 DHPMAP_VECTOR_CLONES
-void NearestSearch::Run() {
-  while (!heap_.empty()) {
-    Pending here = Pop();
-    if (here.distance2 > limit2_) return;  // and so is all that is left
-    // Down from here, as long as nothing else may be nearer.
-    while (here.distance2 <= limit2_) {
-      if (here.height == 0) {
-        Open(here);
-        break;
-      }
-      const Scope& scope = scopes_[here.scope];
-      float distance2[BoxTree::kLanes];
-      unsigned near = scope.tree->ChildrenWithin(here.height, here.node, scope.p, limit2_, distance2);
-      const std::uint32_t first = BoxTree::kLanes * here.node;
-      if (scope.triangles != nullptr && here.height == 1) {
-        const TriangleTree& triangles = *scope.triangles;
-        for (; near != 0; near &= near - 1) {
-          const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
-          if (distance2[lane] <= limit2_) Try(triangles.triangle(first + lane), here.scope);
-        }
-        break;
-      }
-      Pending next{limit2_ + 1, 0, 0, 0};
-      for (; near != 0; near &= near - 1) {
-        const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
-        const Pending child{distance2[lane], here.scope, first + lane, here.height - 1};
-        if (next.distance2 > limit2_) {
-          next = child;
-        } else if (child.distance2 < next.distance2) {
-          Push(next);
-          next = child;
-        } else {
-          Push(child);
-        }
-      }
-      here = next;
-      if (!heap_.empty() && heap_.front().distance2 < here.distance2 && here.distance2 <= limit2_) {
-        Push(here);
-        break;
-      }
+bool NearestSearch::VisitNode() {
+  constexpr auto kLanes = static_cast<std::uint32_t>(BoxTree::kLanes);
+  const BoxTree& tree = tile_.triangles->tree();
+  float distance2[kLanes];
+  const Node here = nodes_[--num_nodes_];
+  if (here.height > 0) {
+    unsigned near = tree.ChildrenWithin(here.height, here.node, tile_.p, limit2_, distance2);
+    const std::size_t first = num_nodes_;
+    for (; near != 0; near &= near - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+      std::size_t at = num_nodes_++;
+      for (; at > first && nodes_[at - 1].distance2 < distance2[lane]; --at) nodes_[at] = nodes_[at - 1];
+      nodes_[at] = {distance2[lane], kLanes * here.node + lane, here.height - 1};
+    }
+  } else {
+    unsigned near = tile_.triangles->packet(here.node).Within(tile_.p, limit2_, distance2);
+    for (; near != 0; near &= near - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+      if (distance2[lane] > limit2_) continue;
+      if (WithRounding(distance2[lane]) < best2_) touches_.clear();
+      touches_.push_back({tile_, kLanes * here.node + lane});
+      if (stops_at_any_) return true;
+      if (distance2[lane] >= best2_) continue;
+      best2_ = distance2[lane];
+      limit2_ = WithRounding(distance2[lane]);
     }
   }
-}
-
-/// Goes from a submap to its tiles, from a tile to its triangles.
-void NearestSearch::Open(const Pending& item) {
-  const Scope from = scopes_[item.scope];
-  if (from.submap == nullptr) {
-    const std::uint32_t number = from.tree->items()[item.node];
-    if (!is_held_.empty() && !is_held_[number]) return;
-    const SubmapIndex::Entry& entry = surfaces_.index().entries()[number];
-    const Eigen::Vector3d p_submap = entry.ToSubmap(p_map_);
-    const auto distance2 = static_cast<float>(entry.box_m().squaredExteriorDistance(p_submap));
-    if (distance2 > limit2_) return;
-    const SubmapSurface& surface = surfaces_.surface(number);
-    OpenTree({.tree = &surface.tree(),
-              .triangles = nullptr,
-              .submap = &surface,
-              .p = surface.InTree(p_submap),
-              .number = number,
-              .tile = 0,
-              .p_submap = p_submap},
-             std::max(distance2, item.distance2));
-    return;
+  while (num_nodes_ > 0 && nodes_[num_nodes_ - 1].distance2 > limit2_) --num_nodes_;
+  if (num_nodes_ == 0) return true;
+  const Node& next = nodes_[num_nodes_ - 1];
+  if (next.height > 0) {
+    tree.Prefetch(next.height, next.node);
+  } else {
+    tile_.triangles->PrefetchPacket(next.node);
   }
-  const Submap& submap = surfaces_.index().entries()[from.number].submap();
-  const TriangleTree& triangles = from.submap->Surface(submap, item.node);
-  const Eigen::Vector3f p = from.submap->InTile(from.p_submap, item.node);
-  const float distance2 = triangles.bounds().squaredExteriorDistance(p);
-  if (triangles.num_triangles() == 0 || distance2 > limit2_) return;
-  OpenTree({.tree = &triangles.tree(),
-            .triangles = &triangles,
-            .submap = from.submap,
-            .p = p,
-            .number = from.number,
-            .tile = item.node,
-            .p_submap = from.p_submap},
-           distance2);
+  return false;
 }
 
-void NearestSearch::Try(const TriangleCorners& triangle, std::uint32_t scope) {
-  const Eigen::Vector3f& p = scopes_[scope].p;
-  const float distance2 = (p - NearestPointOf(triangle, p)).squaredNorm();
-  if (!(distance2 <= limit2_)) return;  // a triangle without an area may give NaN
-  if (WithRounding(distance2) < best2_) touches_.clear();
-  touches_.push_back({&triangle, scope});
-  if (distance2 >= best2_) return;
-  best2_ = distance2;
-  limit2_ = WithRounding(distance2);
-}
-
-NearestSurface NearestSearch::Describe() const {
+NearestSurface NearestSearch::Found() {
   NearestSurface found;
+  found.cell = cell_;
+  // In one order, however they were found, so that the same is said of a seam each time.
+  if (touches_.size() > 1) {
+    std::sort(touches_.begin(), touches_.end(), [](const Touch& a, const Touch& b) {
+      return std::tie(a.tile.number, a.tile.tile, a.position) < std::tie(b.tile.number, b.tile.tile, b.position);
+    });
+  }
   float side = 0, least2 = std::numeric_limits<float>::infinity();
   for (const Touch& touch : touches_) {
-    const Scope& scope = scopes_[touch.scope];
-    const Eigen::Vector3f point = NearestPointOf(*touch.triangle, scope.p), away = scope.p - point;
+    const TriangleCorners triangle = touch.tile.triangles->triangle(touch.position);
+    const Eigen::Vector3f point = NearestPointOf(triangle, touch.tile.p), away = touch.tile.p - point;
     const float distance2 = away.squaredNorm();
     if (distance2 > limit2_) continue;  // was as near as the nearest of that time
-    const Eigen::Vector3f normal = NormalOf(*touch.triangle);
-    side += AngleAt(*touch.triangle, point) * normal.dot(away);
+    const Eigen::Vector3f normal = NormalOf(triangle);
+    side += AngleAt(triangle, point) * normal.dot(away);
     if (distance2 >= least2) continue;
     least2 = distance2;
     found.is_any = true;
-    found.number = scope.number;
-    found.p_submap = scope.p_submap;
-    found.point_submap = scope.submap->FromTile(point, scope.tile);
+    found.number = touch.tile.number;
+    found.p_submap = surfaces_.index().entries()[found.number].ToSubmap(p_map_);
+    found.point_submap = surfaces_.surface(found.number).FromTile(point, touch.tile.tile);
     found.normal_submap = normal.cast<double>();
   }
   found.is_behind = side < 0;

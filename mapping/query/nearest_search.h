@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,11 +19,12 @@ struct NearestSurface {
   Eigen::Vector3d point_submap = Eigen::Vector3d::Zero();   ///< on the surface, in the submap's frame
   Eigen::Vector3d normal_submap = Eigen::Vector3d::Zero();  ///< unit, to the front
   bool is_behind = false;                                   ///< the place is behind the surface
+  const NearbyCell* cell = nullptr;  ///< what is known of the place's surroundings; null: nothing
 };
 
-/// Looks for it: of submaps, their tiles and the triangles in these always what may be nearest comes next, so that
-/// little more is looked at than what there is within the distance that is found. Keeps its scratch memory from one
-/// search to the next: belongs to one thread.
+/// Looks for it. In a cell whose nearby tiles are known (NearbyCells) these are gone through; elsewhere, of submaps and
+/// their tiles, always what may be nearest comes next. The answer is the same to the bit. Keeps its scratch memory from
+/// one search to the next: belongs to one thread.
 class NearestSearch {
  public:
   /// `is_held` says by number which submaps count; empty: all. Both outlive this.
@@ -31,16 +33,26 @@ class NearestSearch {
   /// `p_map`: finite, metres of the map frame; `limit_m`: finite. Exact to 1e-5 of the distance, by rounding.
   [[nodiscard]] NearestSurface Find(const Eigen::Vector3d& p_map, double limit_m);
 
+  /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that may count, too. Ends at the first.
+  [[nodiscard]] bool IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m);
+
+  // Find in steps. What a step will look at has been fetched by the one before, so who has several searches, and goes
+  // from one to the next, does not wait for memory.
+
+  void Start(const Eigen::Vector3d& p_map, double limit_m);
+  /// Whether this was the last one.
+  bool Step();
+  /// After the last step.
+  [[nodiscard]] NearestSurface Found();
+
  private:
-  /// A tree, and the place in the frame of its boxes.
+  enum class Stage { kSlot, kCell, kTiles, kTile, kDone };
+  /// The place in the frame of a tree's boxes.
   struct Scope {
-    const BoxTree* tree;
-    const TriangleTree* triangles;  ///< of a tile; null: of submaps or tiles
-    const SubmapSurface* submap;    ///< of tiles and triangles; null: of submaps
+    const BoxTree* tree;          ///< of submaps or tiles
+    const SubmapSurface* submap;  ///< of tiles; null: of submaps
     Eigen::Vector3f p;
-    std::uint32_t number;      ///< of the submap
-    std::uint32_t tile;        ///< position in the submap's surface
-    Eigen::Vector3d p_submap;  ///< of tiles and triangles
+    std::uint32_t number;  ///< of the submap
   };
   /// A node of a scope's tree, or one of its items, that has yet to be looked at.
   struct Pending {
@@ -49,28 +61,70 @@ class NearestSearch {
     std::uint32_t node;
     std::uint32_t height;  ///< 0: an item; a node's children are one lower
   };
+  /// A tile's surface, and the place in its frame.
+  struct Tile {
+    const TriangleTree* triangles = nullptr;
+    std::uint32_t number = 0;  ///< of the submap
+    std::uint32_t tile = 0;    ///< position in the submap's surface
+    Eigen::Vector3f p = Eigen::Vector3f::Zero();
+  };
+  /// A node of the tile's tree, or a packet of triangles, that has yet to be looked at.
+  struct Node {
+    float distance2;
+    std::uint32_t node;
+    std::uint32_t height;  ///< 0: a packet
+  };
   /// A triangle that is as near as any.
   struct Touch {
-    const TriangleCorners* triangle;
-    std::uint32_t scope;
+    Tile tile;
+    std::uint32_t position;
   };
 
-  void Run();
-  void Open(const Pending& item);
-  void OpenTree(const Scope& scope, float distance2);
+  void Begin(const Eigen::Vector3d& p_map, double limit_m);
+  [[nodiscard]] bool Holds(std::size_t number) const { return sees_all_ || is_held_.empty() || is_held_[number]; }
+
+  // In a cell.
+  const NearbyCell& MakeCell();
+  [[nodiscard]] FreeMask SeenIn(BlockIndex block, const Eigen::Vector3d& centre_m, bool& may_be_seen_elsewise) const;
+  void EnterCell();
+  void GoToNextTile();
+  void LeaveCell();
+
+  // In the whole map.
+  void SearchMap();
+  /// Calls visit(tile) for tiles within the limit, which it may lower, the nearest box first.
+  template <typename Visitor>
+  void VisitTiles(Visitor&& visit);
   void Push(const Pending& pending);
   Pending Pop();
-  void Try(const TriangleCorners& triangle, std::uint32_t scope);
-  [[nodiscard]] NearestSurface Describe() const;
+  void PushChildren(const Pending& node);
+  void OpenSubmap(const Pending& item);
+
+  // In a tile.
+  void EnterTile(const Tile& tile);
+  /// Depth first, the nearest child first. Returns whether that was the last one.
+  bool VisitNode();
+  void SearchTile(const Tile& tile);
 
   const MapSurfaces& surfaces_;
   const std::vector<bool>& is_held_;
   Eigen::Vector3d p_map_ = Eigen::Vector3d::Zero();
-  float best2_ = 0;   ///< squared distance of the nearest triangle, or of the limit
-  float limit2_ = 0;  ///< within which a triangle is as near: an edge or a corner belongs to several
+  double limit_m_ = 0;
+  Stage stage_ = Stage::kDone;
+  bool stops_at_any_ = false;
+  bool sees_all_ = false;  ///< also what is not held
+  float best2_ = 0;        ///< squared distance of the nearest triangle, or of the limit
+  float limit2_ = 0;       ///< within which a triangle is as near: an edge or a corner belongs to several
+  NearbyCells::Slot* slot_ = nullptr;
+  const NearbyCell* cell_ = nullptr;
+  float way_m_ = 0;  ///< from the cell's centre
+  std::size_t next_tile_ = 0;
+  Tile tile_;
+  std::size_t num_nodes_ = 0;
   std::vector<Scope> scopes_;
   std::vector<Pending> heap_;  ///< the nearest on top
   std::vector<Touch> touches_;
+  std::array<Node, BoxTree::kMostPending> nodes_;  ///< of the tile, the nearest last
 };
 
 }  // namespace dhpmap

@@ -57,6 +57,17 @@ bool QueryWorld::IsSeen(VoxelIndex voxel) const {
   return is_seen;
 }
 
+bool QueryWorld::IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const {
+  const VoxelIndex voxel = VoxelAt(p_map, voxel_size_m());
+  const bool takes_all = is_held_.empty() && oldest_ns_ == std::numeric_limits<std::int64_t>::min();
+  if (nearest.cell != nullptr && takes_all) {
+    const int linear = LinearIndex(voxel);
+    const bool is_seen = (nearest.cell->seen[static_cast<std::size_t>(linear >> 6)] >> (linear & 63) & 1u) != 0;
+    if (is_seen || !nearest.cell->may_be_seen_elsewise) return is_seen;
+  }
+  return IsFree(voxel) || SightAt(p_map, nearest).is_seen;
+}
+
 QueryWorld::Sight QueryWorld::SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const {
   Sight sight;
   const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();

@@ -46,6 +46,9 @@ class QueryWorld {
   }
   /// Whether it is free, or a submap that is there has observed what is at its centre.
   [[nodiscard]] bool IsSeen(VoxelIndex voxel) const;
+  /// Whether a place within the reach of the grid is free, or a submap that is there has observed it. `nearest`: of the
+  /// surfaces.
+  [[nodiscard]] bool IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
   /// Of a place within the reach of the grid. `nearest`: of the surfaces; asked first, as its submap mostly knows.
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
 

@@ -62,12 +62,15 @@ RayHit RayQuery::FirstHit(const Ray& ray) const {
       const TriangleTree& triangles = surface.Surface(submap, tile);
       const Eigen::Vector3d in_tile = surface.InTileExactly(origin, tile);
       triangles.tree().VisitAlong(in_tile.cast<float>(), direction.cast<float>(), limit(), [&](std::size_t i) {
-        const TriangleCorners& t = triangles.triangle(i);
-        const double along_m = MeetingOf(t, in_tile, direction);
-        if (along_m >= hit.distance_m && !(hit.submap == nullptr && along_m == hit.distance_m)) return limit();
-        hit.submap = &submap.info();
-        hit.distance_m = along_m;
-        hit.normal = T_map_submap.linear() * (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized().cast<double>();
+        for (std::size_t k = i * TrianglePacket::kLanes;
+             k < std::min((i + 1) * TrianglePacket::kLanes, triangles.num_triangles()); ++k) {
+          const TriangleCorners t = triangles.triangle(k);
+          const double along_m = MeetingOf(t, in_tile, direction);
+          if (along_m >= hit.distance_m && !(hit.submap == nullptr && along_m == hit.distance_m)) continue;
+          hit.submap = &submap.info();
+          hit.distance_m = along_m;
+          hit.normal = T_map_submap.linear() * (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized().cast<double>();
+        }
         return limit();
       });
       return limit();

@@ -31,15 +31,14 @@ SubmapIndex::SubmapIndex(std::vector<Entry> entries) : entries_(std::move(entrie
 
 void SubmapIndex::Build() {
   std::vector<Eigen::AlignedBox3d> boxes_m;
-  Eigen::AlignedBox3d all_m;
   for (const Entry& entry : entries_) {
     boxes_m.push_back(entry.box_m().transformed(entry.submap().info().T_map_submap));
-    all_m.extend(boxes_m.back());
+    box_m_.extend(boxes_m.back());
   }
   if (boxes_m.empty()) return;
-  origin_m_ = all_m.center();
+  origin_m_ = box_m_.center();
   // Single precision, and rotations, must not lose a voxel at the rim.
-  const float rounding_m = static_cast<float>(1e-6 * all_m.sizes().norm() + 1e-9 * origin_m_.norm());
+  const float rounding_m = static_cast<float>(1e-6 * box_m_.sizes().norm() + 1e-9 * origin_m_.norm());
   std::vector<Eigen::AlignedBox3f> boxes;
   for (const Eigen::AlignedBox3d& box : boxes_m) {
     boxes.emplace_back((box.min() - origin_m_).cast<float>() - Eigen::Vector3f::Constant(rounding_m),

@@ -29,6 +29,9 @@ class SubmapIndex {
       return is_on_map_axes_ ? p_map : Eigen::Vector3d(T_submap_map_ * p_map);
     }
 
+    /// Whether the two frames are one.
+    [[nodiscard]] bool IsInMapFrame() const { return is_on_map_axes_; }
+
     /// Whether its box and its bounding sphere hold a point of its own frame.
     [[nodiscard]] bool MayHold(const Eigen::Vector3d& p_submap) const {
       const BoundingSphere& sphere = submap_->bounding_sphere();
@@ -59,6 +62,8 @@ class SubmapIndex {
 
   /// Of the entries' boxes along the axes of the map frame; its items are the entries' numbers.
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
+  /// Around all entries, in the map frame; empty for none.
+  [[nodiscard]] const Eigen::AlignedBox3d& box_m() const { return box_m_; }
   /// A point of the map frame in that of the tree.
   [[nodiscard]] Eigen::Vector3f InTree(const Eigen::Vector3d& p_map) const { return (p_map - origin_m_).cast<float>(); }
 
@@ -66,6 +71,7 @@ class SubmapIndex {
   void Build();
 
   std::vector<Entry> entries_;
+  Eigen::AlignedBox3d box_m_;
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();  ///< of the tree, whose floats would not do far from here
   BoxTree tree_;                                        ///< of the entries' boxes, along the axes of the map frame
 };

@@ -37,9 +37,13 @@ class SubmapSurface {
   [[nodiscard]] const TriangleTree& Surface(const Submap& submap, std::size_t position) const {
     return tiles_[position].slot->Surface(submap.blocks(), tiles_[position].index);
   }
+  /// That somebody uses the surface of a tile, which is made, without asking for it.
+  void MarkUsed(std::size_t position) const { tiles_[position].slot->MarkUsed(); }
+  /// Origin of the frame of a tile's surface, in the submap's frame.
+  [[nodiscard]] const Eigen::Vector3d& Corner(std::size_t position) const { return tiles_[position].corner_m; }
   /// A point of the submap's frame in that of a tile's surface, and back.
   [[nodiscard]] Eigen::Vector3d InTileExactly(const Eigen::Vector3d& p_submap, std::size_t position) const {
-    return p_submap - tiles_[position].corner_m;
+    return p_submap - Corner(position);
   }
   [[nodiscard]] Eigen::Vector3f InTile(const Eigen::Vector3d& p_submap, std::size_t position) const {
     return InTileExactly(p_submap, position).cast<float>();

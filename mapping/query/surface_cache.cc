@@ -27,8 +27,11 @@ std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> s
 
 }  // namespace
 
-MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts)
-    : state_(state), parts_(std::move(parts)), index_(EntriesOf(parts_)) {}
+MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger)
+    : state_(state),
+      parts_(std::move(parts)),
+      index_(EntriesOf(parts_)),
+      cells_(index_.box_m(), state.info().config.voxel_size_m, std::move(ledger)) {}
 
 SurfaceCache::SurfaceCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
 
@@ -41,7 +44,7 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Of(const std::shared_ptr<const 
   ledger_->time.fetch_add(1, std::memory_order_relaxed);
   {
     const MutexLock lock(mutex_);
-    if (ledger_->bytes > limit_bytes_) Evict();
+    if (ledger_->bytes + ledger_->cell_bytes > limit_bytes_) Evict();
     std::erase_if(states_, [](const auto& known) { return known.second.key.expired(); });
     if (const auto known = states_.find(state.get()); known != states_.end()) {
       return HoldBoth(state, known->second.value);
@@ -60,7 +63,7 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state) 
     std::shared_ptr<const SubmapSurface> surface = SurfaceOf(submap);
     if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), std::move(surface)});
   }
-  return std::make_shared<const MapSurfaces>(state, std::move(parts));
+  return std::make_shared<const MapSurfaces>(state, std::move(parts), ledger_);
 }
 
 std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap) {
@@ -96,7 +99,8 @@ void SurfaceCache::Sweep() {
 void SurfaceCache::Evict() {
   Sweep();
   std::vector<Slot> made;
-  std::size_t bytes = 0;
+  states_.clear();  // and their cells, but for those in use
+  std::size_t bytes = ledger_->cell_bytes;
   for (const auto& [tile, slot] : slots_) {
     if (slot->bytes() == 0) continue;
     made.push_back(slot);
@@ -116,7 +120,6 @@ void SurfaceCache::Evict() {
     known.second.value->ForEachSlot([&](const TileSurfaceSlot& slot) { is_hit |= dropped.contains(&slot); });
     return is_hit;
   });
-  states_.clear();
 }
 
 }  // namespace dhpmap

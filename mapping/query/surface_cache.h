@@ -9,6 +9,7 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/map/map.h"
+#include "mapping/query/nearby_cells.h"
 #include "mapping/query/submap_index.h"
 #include "mapping/query/submap_surface.h"
 
@@ -21,19 +22,22 @@ class MapSurfaces {
     const Submap* submap;
     std::shared_ptr<const SubmapSurface> surface;  ///< of something
   };
-  /// `state` outlives this.
-  MapSurfaces(const MapSnapshot& state, std::vector<Part> parts);
+  /// `state` outlives this; `ledger`: see NearbyCells.
+  MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger);
 
   [[nodiscard]] const MapSnapshot& state() const { return state_; }
 
   /// Entry i is of surface(i). By ascending id.
   [[nodiscard]] const SubmapIndex& index() const { return index_; }
   [[nodiscard]] const SubmapSurface& surface(std::size_t number) const { return *parts_[number].surface; }
+  /// What is nearest to the places that are asked about again and again.
+  [[nodiscard]] const NearbyCells& cells() const { return cells_; }
 
  private:
   const MapSnapshot& state_;
   std::vector<Part> parts_;
   SubmapIndex index_;
+  NearbyCells cells_;
 };
 
 /// Surfaces of the maps that are asked about, made when they are first wanted and kept for later states, moved objects
@@ -50,6 +54,8 @@ class SurfaceCache {
 
   /// What surfaces take now.
   [[nodiscard]] std::size_t bytes() const { return ledger_->bytes; }
+  /// What the cells of the states that are asked about take, in the same limit.
+  [[nodiscard]] std::size_t cell_bytes() const { return ledger_->cell_bytes; }
   /// Tiles whose surface is there or was asked for, of any state.
   [[nodiscard]] std::size_t num_tiles() const DHPMAP_EXCLUDES(mutex_);
 

@@ -9,15 +9,10 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/mesh/tile_surface.h"
+#include "mapping/query/surface_ledger.h"
 #include "mapping/query/triangle_tree.h"
 
 namespace dhpmap {
-
-/// What the surfaces of a cache take, and its clock.
-struct SurfaceLedger {
-  std::atomic<std::size_t> bytes{0};
-  std::atomic<std::uint64_t> time{1};
-};
 
 /// The surface of one tile of a submap, made when it is first asked for, from whichever map, clone or state has the
 /// same voxels there. Knows them by identity and does not keep them alive. Thread-safe: threads that want the same
@@ -36,12 +31,16 @@ class TileSurfaceSlot {
 
   /// `blocks` has the tile, as it was when the slot was made. Valid as long as the slot.
   [[nodiscard]] const TriangleTree& Surface(const BlockTable& blocks, TileIndex tile) const {
+    MarkUsed();
+    const TriangleTree* ready = ready_.load(std::memory_order_acquire);
+    return ready != nullptr ? *ready : Make(blocks, tile);
+  }
+  /// That somebody uses it now.
+  void MarkUsed() const {
     if (const std::uint64_t now = ledger_->time.load(std::memory_order_relaxed);
         last_used_.load(std::memory_order_relaxed) != now) {
       last_used_.store(now, std::memory_order_relaxed);
     }
-    const TriangleTree* ready = ready_.load(std::memory_order_acquire);
-    return ready != nullptr ? *ready : Make(blocks, tile);
   }
   /// 0: not made.
   [[nodiscard]] std::size_t bytes() const;

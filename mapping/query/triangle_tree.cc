@@ -37,13 +37,16 @@ Eigen::Vector3f NearestPointOf(const TriangleCorners& triangle, const Eigen::Vec
   return a + (in_b * ab + in_c * ac) / (in_a + in_b + in_c);
 }
 
-TriangleTree::TriangleTree(std::vector<TriangleCorners> triangles) : tree_(BoxesOf(triangles)) {
-  triangles_.reserve(triangles.size());
-  for (const std::uint32_t number : tree_.items()) triangles_.push_back(triangles[number]);
+TriangleTree::TriangleTree(std::vector<TriangleCorners> triangles)
+    : tree_(BoxesOf(triangles), TrianglePacket::kLanes),
+      packets_((triangles.size() + TrianglePacket::kLanes - 1) / TrianglePacket::kLanes) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    packets_[i / TrianglePacket::kLanes].Set(i % TrianglePacket::kLanes, triangles[tree_.items()[i]]);
+  }
 }
 
 std::size_t TriangleTree::MemoryBytes() const {
-  return sizeof(*this) + tree_.MemoryBytes() + triangles_.capacity() * sizeof(triangles_[0]);
+  return sizeof(*this) + tree_.MemoryBytes() + packets_.capacity() * sizeof(packets_[0]);
 }
 
 }  // namespace dhpmap

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "mapping/query/box_tree.h"
+#include "mapping/query/triangle_packet.h"
 
 namespace dhpmap {
-
-using TriangleCorners = std::array<Eigen::Vector3f, 3>;
 
 /// The point of a triangle that is nearest to `p`.
 Eigen::Vector3f NearestPointOf(const TriangleCorners& triangle, const Eigen::Vector3f& p);
@@ -21,17 +19,25 @@ class TriangleTree {
  public:
   explicit TriangleTree(std::vector<TriangleCorners> triangles);
 
-  [[nodiscard]] std::size_t num_triangles() const { return triangles_.size(); }
+  [[nodiscard]] std::size_t num_triangles() const { return tree_.items().size(); }
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return tree_.bounds(); }
   [[nodiscard]] std::size_t MemoryBytes() const;
 
-  /// Of their boxes; position i in it is triangle(i).
+  /// Of their boxes, eight to a leaf; leaf i is packet(i), item i of it triangle(i).
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
-  [[nodiscard]] const TriangleCorners& triangle(std::size_t position) const { return triangles_[position]; }
+  [[nodiscard]] const TrianglePacket& packet(std::size_t leaf) const { return packets_[leaf]; }
+  [[nodiscard]] TriangleCorners triangle(std::size_t position) const {
+    return packets_[position / TrianglePacket::kLanes].Get(position % TrianglePacket::kLanes);
+  }
+  /// Fetches a packet that will soon be asked for.
+  void PrefetchPacket(std::size_t leaf) const {
+    const auto* first = reinterpret_cast<const char*>(&packets_[leaf]);
+    for (std::size_t at = 0; at < sizeof(TrianglePacket); at += 64) __builtin_prefetch(first + at);
+  }
 
  private:
   BoxTree tree_;
-  std::vector<TriangleCorners> triangles_;  ///< in the order of the tree
+  std::vector<TrianglePacket> packets_;  ///< in the order of the tree
 };
 
 }  // namespace dhpmap

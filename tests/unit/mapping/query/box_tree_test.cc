@@ -59,6 +59,22 @@ TEST(BoxTree, TellsHowFarBoxesAndNodesAre) {
   }
 }
 
+TEST(BoxTree, LeavesOfEightHoldAllBoxes) {
+  for (const std::size_t count : {1u, 8u, 9u, 64u, 65u, 700u}) {
+    const auto boxes = RandomBoxes(count, 200 + static_cast<unsigned>(count));
+    const BoxTree tree(boxes, BoxTree::kLanes);
+    for (const auto& box : RandomBoxes(30, 12)) {
+      std::set<std::size_t> leaves;
+      tree.VisitOverlapping(box, [&](std::size_t leaf) { EXPECT_TRUE(leaves.insert(leaf).second); });
+      for (std::size_t at = 0; at < count; ++at) {
+        if (boxes[tree.items()[at]].intersects(box)) {
+          EXPECT_TRUE(leaves.contains(at / BoxTree::kLanes)) << count;
+        }
+      }
+    }
+  }
+}
+
 TEST(BoxTree, PutsWhatIsCloseTogetherIntoOneNode) {
   const auto boxes = RandomBoxes(4096, 8);
   const BoxTree tree(boxes);

@@ -38,6 +38,29 @@ TEST(TriangleTree, ThePointOfATriangleThatIsNearestIsOnItAndAsFarAsTheTriangle) 
   }
 }
 
+TEST(TrianglePacket, MeasuresEightAtOnceAsEachAlone) {
+  const auto triangles = RandomTriangles(400, 9);
+  for (std::size_t first = 0; first < triangles.size(); first += TrianglePacket::kLanes) {
+    const std::size_t count = first % 24 == 0 ? 5 : TrianglePacket::kLanes;  // some are not full
+    TrianglePacket packet;
+    for (std::size_t lane = 0; lane < count; ++lane) packet.Set(lane, triangles[first + lane]);
+    for (const Eigen::Vector3d& around : testing::RandomPoints(40, 0.4, 5)) {
+      const Eigen::Vector3f p = triangles[first][0] + around.cast<float>();
+      float distance2[TrianglePacket::kLanes];
+      const unsigned within = packet.Within(p, 0.5f, distance2);
+      EXPECT_EQ(within >> count, 0u) << "lanes without a triangle";
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const auto exact = InDoubles(triangles[first + lane]);
+        EXPECT_EQ(packet.Get(lane), triangles[first + lane]);
+        if ((exact[1] - exact[0]).cross(exact[2] - exact[0]).norm() < 1e-6) continue;  // what it says of these is free
+        const double truth_m = testing::DistanceToTriangle(p.cast<double>(), exact);
+        EXPECT_NEAR(std::sqrt(distance2[lane]), truth_m, 1e-5);
+        EXPECT_EQ((within >> lane & 1u) != 0, distance2[lane] <= 0.5f);
+      }
+    }
+  }
+}
+
 TEST(TriangleTree, KeepsEveryTriangleWhereItsTreeSays) {
   const auto triangles = RandomTriangles(500, 7);
   const TriangleTree tree(triangles);

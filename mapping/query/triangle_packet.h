@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "mapping/query/vector_clones.h"
+
+namespace dhpmap {
+
+using TriangleCorners = std::array<Eigen::Vector3f, 3>;
+
+/// Eight triangles side by side, so that one pass measures all of them. Lanes without a triangle are NaN and near to
+/// nothing.
+struct alignas(32) TrianglePacket {
+  static constexpr std::size_t kLanes = 8;
+
+  float corners[3][3][kLanes];  ///< by corner and axis
+
+  TrianglePacket() {
+    for (auto& corner : corners) {
+      for (auto& axis : corner) {
+        for (float& value : axis) value = std::numeric_limits<float>::quiet_NaN();
+      }
+    }
+  }
+  void Set(std::size_t lane, const TriangleCorners& triangle) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (int axis = 0; axis < 3; ++axis) corners[corner][axis][lane] = triangle[corner][axis];
+    }
+  }
+  [[nodiscard]] TriangleCorners Get(std::size_t lane) const {
+    TriangleCorners triangle;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (int axis = 0; axis < 3; ++axis) triangle[corner][axis] = corners[corner][axis][lane];
+    }
+    return triangle;
+  }
+
+  /// Squared distances of the triangles from a point. Returns which are no farther than a finite limit, a bit each;
+  /// never one without an area, whose neighbours have its edges. By the Voronoi regions of corners, edges and face, as
+  /// NearestPointOf, but all at once: a region's numerators and denominator are picked, then divided.
+  DHPMAP_ALWAYS_INLINE unsigned Within(const Eigen::Vector3f& p, float limit2, float (&distance2)[kLanes]) const {
+    typedef float Float8 __attribute__((vector_size(32), may_alias));
+    typedef std::int32_t Int8 __attribute__((vector_size(32), may_alias));
+    typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
+    const auto at = [this](int corner, int axis) -> const Float8& {
+      return *reinterpret_cast<const Float8*>(corners[corner][axis]);
+    };
+    const Float8 zero = {}, one = zero + 1;
+    const Float8 ap_x = p[0] - at(0, 0), ap_y = p[1] - at(0, 1), ap_z = p[2] - at(0, 2);
+    const Float8 ab_x = at(1, 0) - at(0, 0), ab_y = at(1, 1) - at(0, 1), ab_z = at(1, 2) - at(0, 2);
+    const Float8 ac_x = at(2, 0) - at(0, 0), ac_y = at(2, 1) - at(0, 1), ac_z = at(2, 2) - at(0, 2);
+    const Float8 ab_ap = ab_x * ap_x + ab_y * ap_y + ab_z * ap_z;
+    const Float8 ac_ap = ac_x * ap_x + ac_y * ap_y + ac_z * ap_z;
+    const Float8 ab_ac = ab_x * ac_x + ab_y * ac_y + ab_z * ac_z;
+    const Float8 ab_bp = ab_ap - (ab_x * ab_x + ab_y * ab_y + ab_z * ab_z), ac_bp = ac_ap - ab_ac;
+    const Float8 ab_cp = ab_ap - ab_ac, ac_cp = ac_ap - (ac_x * ac_x + ac_y * ac_y + ac_z * ac_z);
+    const Float8 in_a = ab_bp * ac_cp - ab_cp * ac_bp;
+    const Float8 in_b = ab_cp * ac_ap - ab_ap * ac_cp;
+    const Float8 in_c = ab_ap * ac_bp - ab_bp * ac_ap;
+    // From the face to the first corner: of what holds the last counts.
+    Float8 to_b = in_b, to_c = in_c, whole = in_a + in_b + in_c;
+    const Float8 bc_c = ac_bp - ab_bp, bc_b = ab_cp - ac_cp;
+    const Int8 on_bc = (in_a <= zero) & (bc_c >= zero) & (bc_b >= zero);
+    to_b = on_bc ? bc_b : to_b;
+    to_c = on_bc ? bc_c : to_c;
+    whole = on_bc ? bc_b + bc_c : whole;
+    const Int8 on_ac = (in_b <= zero) & (ac_ap >= zero) & (ac_cp <= zero);
+    to_b = on_ac ? zero : to_b;
+    to_c = on_ac ? ac_ap : to_c;
+    whole = on_ac ? ac_ap - ac_cp : whole;
+    const Int8 at_c = (ac_cp >= zero) & (ab_cp <= ac_cp);
+    to_b = at_c ? zero : to_b;
+    to_c = at_c ? one : to_c;
+    whole = at_c ? one : whole;
+    const Int8 on_ab = (in_c <= zero) & (ab_ap >= zero) & (ab_bp <= zero);
+    to_b = on_ab ? ab_ap : to_b;
+    to_c = on_ab ? zero : to_c;
+    whole = on_ab ? ab_ap - ab_bp : whole;
+    const Int8 at_b = (ab_bp >= zero) & (ac_bp <= ab_bp);
+    to_b = at_b ? one : to_b;
+    to_c = at_b ? zero : to_c;
+    whole = at_b ? one : whole;
+    const Int8 at_a = (ab_ap <= zero) & (ac_ap <= zero);
+    to_b = at_a ? zero : to_b;
+    to_c = at_a ? zero : to_c;
+    whole = at_a ? one : whole;
+    const Float8 share = 1 / whole, v = to_b * share, w = to_c * share;
+    const Float8 x = ap_x - v * ab_x - w * ac_x;
+    const Float8 y = ap_y - v * ab_y - w * ac_y;
+    const Float8 z = ap_z - v * ab_z - w * ac_z;
+    const Float8 squared = x * x + y * y + z * z;
+    *reinterpret_cast<Float8*>(distance2) = squared;
+    const Int8 bits = {1, 2, 4, 8, 16, 32, 64, 128};
+    const Int8 within = (squared <= zero + limit2) & bits;
+    const Words words = reinterpret_cast<const Words&>(within);
+    const std::uint64_t folded = words[0] | words[1] | words[2] | words[3];
+    return static_cast<unsigned>(folded | folded >> 32);
+  }
+};
+
+}  // namespace dhpmap
