@@ -45,15 +45,14 @@ void OnInterrupt(int) {
 /// "auto" takes predictions where the data set has them.
 Result<std::unique_ptr<Dataset>> Open(const MapOptions& options) {
   const DatasetOptions dataset_options{.drop_moving_points = !options.keep_moving_points};
-  DHPMAP_ASSIGN_OR_RETURN(const DatasetFormat format, ParseDatasetFormat(options.format));
   if (options.labels != "auto") {
     DHPMAP_ASSIGN_OR_RETURN(const LabelSource labels, ParseLabelSource(options.labels));
-    return OpenDataset(options.directory, format, labels, dataset_options);
+    return OpenDataset(options.directory, options.format, labels, dataset_options);
   }
-  auto dataset = OpenDataset(options.directory, format, LabelSource::kPredicted, dataset_options);
+  auto dataset = OpenDataset(options.directory, options.format, LabelSource::kPredicted, dataset_options);
   if (dataset.ok() || dataset.status().reason() != "NO_LABELS") return dataset;
   std::cerr << "dhpmap: mapping without labels: " << dataset.status().message() << "\n";
-  return OpenDataset(options.directory, format, LabelSource::kNone, dataset_options);
+  return OpenDataset(options.directory, options.format, LabelSource::kNone, dataset_options);
 }
 
 /// One run of frames into a map.
@@ -191,7 +190,7 @@ void AddMapCommand(CLI::App& app, Session& session) {
   command->add_option("directory", options->directory, "Root of the data set, or one of its recordings")->required();
   command->add_option("--map", options->map.name, "Name of the map")->required();
   command->add_option("--format", options->format, "Layout of the data set")
-      ->check(CLI::IsMember({"auto", "flat", "kitti", "sevenscenes", "tum"}))
+      ->check(CLI::IsMember(DatasetFormats()))
       ->capture_default_str();
   command->add_option("--labels", options->labels, "Where labels come from; auto: predictions if there are any")
       ->check(CLI::IsMember({"auto", "predicted", "groundtruth", "none"}))

@@ -68,7 +68,7 @@ ExitCode RunCreate(const Session& session, const CreateOptions& options) {
   if (!options.dataset.empty()) {
     const auto labels = ParseLabelSource(options.labels);
     if (!labels.ok()) return ReportLocalError(labels.status().message(), ExitCode::kUsage);
-    auto opened = OpenDataset(options.dataset, DatasetFormat::kAuto, *labels);
+    auto opened = OpenDataset(options.dataset, kAnyFormat, *labels);
     if (!opened.ok()) return ReportLocalError(opened.status().message());
     dataset = std::move(*opened);
   }

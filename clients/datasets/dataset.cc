@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/datasets/dataset.h"
 
+#include <array>
 #include <filesystem>
+#include <utility>
 
 #include "clients/datasets/layouts.h"
 
@@ -10,27 +12,48 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<DatasetFormat> DetectFormat(const fs::path& directory) {
-  if (LooksFlat(directory)) return DatasetFormat::kFlat;
-  if (LooksLikeKitti(directory)) return DatasetFormat::kKitti;
-  if (LooksLikeSevenScenes(directory)) return DatasetFormat::kSevenScenes;
-  if (LooksLikeTum(directory)) return DatasetFormat::kTum;
-  return InvalidArgument(
-      directory.string() +
-      " is no data set that we know: there is neither timestamps.csv (flat; here or in run1/), nor "
-      "velodyne/ (SemanticKITTI; here or in sequences/NN/), nor frame-*.depth.png (7-Scenes; here or "
-      "in seq-01/), nor depth.txt and rgb.txt (TUM RGB-D)");
+/// One way in which a data set may lie on disk.
+struct Layout {
+  const char* name;
+  const char* mark;  // what tells it
+  bool (*is_here)(const fs::path& directory);
+  Result<std::unique_ptr<Dataset>> (*open)(const fs::path& directory, LabelSource labels, const DatasetOptions&);
+};
+
+template <Result<std::unique_ptr<Dataset>> (*Open)(const fs::path&, LabelSource)>
+Result<std::unique_ptr<Dataset>> WithoutOptions(const fs::path& directory, LabelSource labels, const DatasetOptions&) {
+  return Open(directory, labels);
+}
+
+/// Asked in this order.
+constexpr std::array kLayouts = {
+    Layout{"flat", "timestamps.csv (here or in run1/)", LooksFlat, WithoutOptions<OpenFlat>},
+    Layout{"kitti", "velodyne/ (SemanticKITTI; here or in sequences/NN/)", LooksLikeKitti, OpenKitti},
+    Layout{"sevenscenes", "frame-*.depth.png (7-Scenes; here or in seq-01/)", LooksLikeSevenScenes,
+           WithoutOptions<OpenSevenScenes>},
+    Layout{"tum", "depth.txt and rgb.txt (TUM RGB-D)", LooksLikeTum, WithoutOptions<OpenTum>},
+};
+
+Result<const Layout*> FindLayout(const std::string& name, const fs::path& directory) {
+  const bool is_any = name == kAnyFormat;
+  std::string names = kAnyFormat, marks;
+  for (const Layout& layout : kLayouts) {
+    if (is_any ? layout.is_here(directory) : layout.name == name) return &layout;
+    names += std::string(", ") + layout.name;
+    marks += (marks.empty() ? "" : ", nor ") + std::string(layout.mark);
+  }
+  if (is_any) {
+    return InvalidArgument(directory.string() + " is no data set that we know: there is neither " + marks);
+  }
+  return InvalidArgument("data set format '" + name + "' is none of " + names);
 }
 
 }  // namespace
 
-Result<DatasetFormat> ParseDatasetFormat(const std::string& name) {
-  if (name == "auto") return DatasetFormat::kAuto;
-  if (name == "flat") return DatasetFormat::kFlat;
-  if (name == "kitti") return DatasetFormat::kKitti;
-  if (name == "sevenscenes") return DatasetFormat::kSevenScenes;
-  if (name == "tum") return DatasetFormat::kTum;
-  return InvalidArgument("data set format '" + name + "' is not auto, flat, kitti, sevenscenes or tum");
+std::vector<std::string> DatasetFormats() {
+  std::vector<std::string> names = {kAnyFormat};
+  for (const Layout& layout : kLayouts) names.emplace_back(layout.name);
+  return names;
 }
 
 Result<LabelSource> ParseLabelSource(const std::string& name) {
@@ -40,23 +63,14 @@ Result<LabelSource> ParseLabelSource(const std::string& name) {
   return InvalidArgument("label source '" + name + "' is not predicted, groundtruth or none");
 }
 
-Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, DatasetFormat format, LabelSource labels,
-                                             const DatasetOptions& options) {
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, const std::string& format,
+                                             LabelSource labels, const DatasetOptions& options) {
   fs::path path = fs::path(directory).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();  // "house/" -> "house", so that its parent is above it
   std::error_code error;
   if (!fs::is_directory(path, error)) return NotFound("there is no folder " + directory);
-  if (format == DatasetFormat::kAuto) {
-    DHPMAP_ASSIGN_OR_RETURN(format, DetectFormat(path));
-  }
-  switch (format) {
-    case DatasetFormat::kFlat: return OpenFlat(path, labels);
-    case DatasetFormat::kKitti: return OpenKitti(path, labels, options);
-    case DatasetFormat::kSevenScenes: return OpenSevenScenes(path, labels);
-    case DatasetFormat::kTum: return OpenTum(path, labels);
-    case DatasetFormat::kAuto: break;
-  }
-  return Internal("no reader for this format");
+  DHPMAP_ASSIGN_OR_RETURN(const Layout* layout, FindLayout(format, path));
+  return layout->open(path, labels, options);
 }
 
 }  // namespace dhpmap

@@ -16,7 +16,11 @@
 namespace dhpmap {
 
 enum class LabelSource { kPredicted, kGroundTruth, kNone };
-enum class DatasetFormat { kAuto, kFlat, kKitti, kSevenScenes, kTum };
+
+/// Told from the files there.
+inline constexpr const char* kAnyFormat = "auto";
+/// That, and the names of all others: "flat", "kitti", ...
+std::vector<std::string> DatasetFormats();
 
 struct DatasetOptions {
   /// LiDAR scans with SemanticKITTI labels beside them: leave out points that are not labelled or move.
@@ -69,14 +73,12 @@ class Dataset {
   virtual Result<DatasetFrame> Read(std::size_t index) = 0;
 };
 
-/// `directory` is the root of the data set or one of its recordings; of several the first by name is taken. kAuto tells
-/// the format from the files there. NOT_FOUND or INVALID_ARGUMENT say what is missing; FAILED_PRECONDITION with reason
+/// `directory` is the root of the data set or one of its recordings; of several the first by name is taken. `format` is
+/// one of DatasetFormats(). NOT_FOUND or INVALID_ARGUMENT say what is missing; FAILED_PRECONDITION with reason
 /// NO_LABELS: the data set has no labels of this kind.
-Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, DatasetFormat format, LabelSource labels,
-                                             const DatasetOptions& options = {});
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, const std::string& format,
+                                             LabelSource labels, const DatasetOptions& options = {});
 
-/// "flat", "kitti", "sevenscenes", "tum" or "auto"; INVALID_ARGUMENT for anything else.
-Result<DatasetFormat> ParseDatasetFormat(const std::string& name);
 /// "predicted", "groundtruth" or "none"; INVALID_ARGUMENT for anything else.
 Result<LabelSource> ParseLabelSource(const std::string& name);
 

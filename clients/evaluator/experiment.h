@@ -15,7 +15,7 @@ namespace dhpmap::evaluator {
 /// What to run on a data set.
 struct ExperimentOptions {
   std::string directory;
-  DatasetFormat format = DatasetFormat::kAuto;
+  std::string format = kAnyFormat;
   LabelSource labels = LabelSource::kPredicted;
   std::size_t num_frames = 0;  ///< 0 = all
   std::string class_map;       ///< file; empty = see FindClassMap

@@ -51,7 +51,7 @@ Result<Experiment> RunOn(const std::string& directory, const PaperOptions& optio
 Status CheckReadable(const std::vector<std::string>& directories) {
   for (const std::string& directory : directories) {
     for (const LabelSource labels : {LabelSource::kGroundTruth, LabelSource::kPredicted}) {
-      DHPMAP_RETURN_IF_ERROR(OpenDataset(directory, DatasetFormat::kAuto, labels).status());
+      DHPMAP_RETURN_IF_ERROR(OpenDataset(directory, kAnyFormat, labels).status());
     }
   }
   return Status::Ok();

@@ -23,7 +23,7 @@ std::size_t BytesOf(const PanopticFrame& frame) {
 
 }  // namespace
 
-Result<Recording> Recording::Open(const std::string& directory, DatasetFormat format, LabelSource labels,
+Result<Recording> Recording::Open(const std::string& directory, const std::string& format, LabelSource labels,
                                   std::size_t num_frames, std::size_t cache_bytes) {
   DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<Dataset> dataset, OpenDataset(directory, format, labels));
   const std::size_t available = dataset->num_frames();

@@ -16,7 +16,7 @@ namespace dhpmap::evaluator {
 class Recording {
  public:
   /// The first `num_frames` frames (0 = all), of which up to `cache_bytes` are kept decoded.
-  static Result<Recording> Open(const std::string& directory, DatasetFormat format, LabelSource labels,
+  static Result<Recording> Open(const std::string& directory, const std::string& format, LabelSource labels,
                                 std::size_t num_frames, std::size_t cache_bytes);
 
   [[nodiscard]] const std::vector<LabelClass>& label_classes() const { return dataset_->label_classes(); }

@@ -18,7 +18,7 @@ namespace {
 
 struct RunOptions {
   ExperimentOptions experiment;
-  std::string labels = "predicted", format = "auto", json, markdown, pictures;
+  std::string labels = "predicted", json, markdown, pictures;
   std::vector<std::string> settings;
 };
 
@@ -26,7 +26,6 @@ Status Run(RunOptions& options) {
   ExperimentOptions& wanted = options.experiment;
   DHPMAP_ASSIGN_OR_RETURN(wanted.labels, ParseLabelSource(options.labels));
   if (wanted.labels == LabelSource::kNone) return InvalidArgument("without labels there is nothing to evaluate");
-  DHPMAP_ASSIGN_OR_RETURN(wanted.format, ParseDatasetFormat(options.format));
   DHPMAP_ASSIGN_OR_RETURN(wanted.settings, ParseSettings(options.settings));
   DHPMAP_RETURN_IF_ERROR(CheckWritable({options.json, options.markdown}));
 
@@ -51,7 +50,9 @@ void AddRunCommand(CLI::App& app, Status& status) {
   command.add_option("DATASET_DIR", wanted.directory, "Data set with ground truth labels")->required();
   command.add_option("--labels", options->labels, "Labels the systems map: predicted or groundtruth")
       ->capture_default_str();
-  command.add_option("--format", options->format, "flat, kitti, sevenscenes, tum or auto")->capture_default_str();
+  command.add_option("--format", wanted.format, "Layout of the data set")
+      ->check(CLI::IsMember(DatasetFormats()))
+      ->capture_default_str();
   command.add_option("--frames", wanted.num_frames, "First frames only; 0 = all")->capture_default_str();
   command.add_option("--systems", wanted.systems, "Which systems, by commas")->delimiter(',')->capture_default_str();
   command.add_option("--set", options->settings, "key=value of the map's configuration, on top of the preset");

@@ -192,8 +192,7 @@ void PrintTable(const nlohmann::json& report) {
 }
 
 Status Run(CheckOptions options, bool has_depth_range) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto dataset,
-                          OpenDataset(options.directory, DatasetFormat::kAuto, LabelSource::kGroundTruth));
+  DHPMAP_ASSIGN_OR_RETURN(const auto dataset, OpenDataset(options.directory, kAnyFormat, LabelSource::kGroundTruth));
   if (!has_depth_range && dataset->preset() == "outdoor_lidar") {
     options.samples.min_depth_m = 1.0;
     options.samples.max_depth_m = 30.0;

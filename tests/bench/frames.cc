@@ -8,7 +8,7 @@ namespace dhpmap::bench {
 
 Result<LoadedFrames> LoadFrames(const std::string& directory, LabelSource labels, std::size_t num_frames) {
   LoadedFrames loaded;
-  DHPMAP_ASSIGN_OR_RETURN(loaded.dataset, OpenDataset(directory, DatasetFormat::kAuto, labels));
+  DHPMAP_ASSIGN_OR_RETURN(loaded.dataset, OpenDataset(directory, kAnyFormat, labels));
   const std::size_t available = loaded.dataset->num_frames();
   const std::size_t wanted = num_frames == 0 ? available : std::min(num_frames, available);
   for (std::size_t i = 0; i < wanted; ++i) {

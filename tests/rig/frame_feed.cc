@@ -10,7 +10,7 @@
 namespace dhpmap::rig {
 
 Result<std::vector<v1::Frame>> ReadFrames(const std::string& directory) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto dataset, OpenDataset(directory, DatasetFormat::kAuto, LabelSource::kPredicted));
+  DHPMAP_ASSIGN_OR_RETURN(const auto dataset, OpenDataset(directory, kAnyFormat, LabelSource::kPredicted));
   std::vector<v1::Frame> frames;
   for (std::size_t i = 0; i < dataset->num_frames(); ++i) {
     DHPMAP_ASSIGN_OR_RETURN(const DatasetFrame frame, dataset->Read(i));

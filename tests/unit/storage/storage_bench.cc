@@ -100,7 +100,7 @@ int Run(int argc, char** argv) {
     return 2;
   }
   const LabelSource labels = Must(ParseLabelSource(argc > 2 ? argv[2] : "groundtruth"));
-  const auto dataset = Must(OpenDataset(argv[1], DatasetFormat::kAuto, labels));
+  const auto dataset = Must(OpenDataset(argv[1], kAnyFormat, labels));
   const std::size_t num_frames =
       std::min(dataset->num_frames(), static_cast<std::size_t>(argc > 3 ? std::atoi(argv[3]) : 1 << 20));
   const testing::TempDir folder;

@@ -13,7 +13,7 @@ class FlatDataset : public ::testing::Test {
   void SetUp() override { WriteFlatDataset(root()); }
   [[nodiscard]] std::filesystem::path root() const { return temp_.path() / "house"; }
   [[nodiscard]] std::unique_ptr<Dataset> Open(LabelSource labels) const {
-    auto dataset = OpenDataset(root().string(), DatasetFormat::kAuto, labels);
+    auto dataset = OpenDataset(root().string(), kAnyFormat, labels);
     EXPECT_TRUE(dataset.ok()) << dataset.status().ToString();
     return dataset.ok() ? std::move(*dataset) : nullptr;
   }
@@ -71,7 +71,7 @@ TEST_F(FlatDataset, GroundTruthInstancesShareTheirClass) {
 
 TEST_F(FlatDataset, TheRecordingItselfOpensTooAndFindsTheTablesBesideIt) {
   for (const char* directory : {"run1", "run1/"}) {
-    const auto dataset = OpenDataset((root() / directory).string(), DatasetFormat::kFlat, LabelSource::kGroundTruth);
+    const auto dataset = OpenDataset((root() / directory).string(), "flat", LabelSource::kGroundTruth);
     ASSERT_TRUE(dataset.ok()) << dataset.status().ToString();
     EXPECT_EQ((*dataset)->num_frames(), 2u);
   }
@@ -150,9 +150,7 @@ TEST_F(FlatDataset, IntegerDepthIsTakenAsMillimetres) {
 }
 
 TEST_F(FlatDataset, BrokenListsAndTablesFailAtOpening) {
-  const auto open = [&](LabelSource labels) {
-    return OpenDataset(root().string(), DatasetFormat::kFlat, labels).status();
-  };
+  const auto open = [&](LabelSource labels) { return OpenDataset(root().string(), "flat", labels).status(); };
   WriteText(root() / "groundtruth_labels.csv", "InstanceID,ClassID\n1,70000\n");
   EXPECT_NE(open(LabelSource::kGroundTruth).message().find("line 2: ClassID"), std::string::npos);
   WriteText(root() / "groundtruth_labels.csv", "InstanceID,ClassID\n1,7\n1,8\n");
@@ -174,7 +172,7 @@ TEST(SharedHouse, ReadsUnchangedWithEveryLabelSource) {
   const std::filesystem::path data = SharedDataDir();
   if (data.empty()) GTEST_SKIP() << "no shared data on this machine";
   for (LabelSource labels : {LabelSource::kPredicted, LabelSource::kGroundTruth}) {
-    const auto dataset = OpenDataset((data / "house").string(), DatasetFormat::kAuto, labels);
+    const auto dataset = OpenDataset((data / "house").string(), kAnyFormat, labels);
     ASSERT_TRUE(dataset.ok()) << dataset.status().ToString();
     EXPECT_EQ((*dataset)->num_frames(), 120u);
     EXPECT_EQ((*dataset)->label_classes().size(), 38u);

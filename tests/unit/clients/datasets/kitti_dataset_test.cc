@@ -14,7 +14,7 @@ class KittiDataset : public ::testing::Test {
   void SetUp() override { WriteKittiSequence(sequence()); }
   [[nodiscard]] std::filesystem::path sequence() const { return temp_.path() / "dataset/sequences/07"; }
   [[nodiscard]] Result<std::unique_ptr<Dataset>> Open(LabelSource labels, const DatasetOptions& options = {}) const {
-    return OpenDataset(sequence().string(), DatasetFormat::kAuto, labels, options);
+    return OpenDataset(sequence().string(), kAnyFormat, labels, options);
   }
 
  private:
@@ -82,7 +82,7 @@ TEST_F(KittiDataset, WithoutImagesTheWholeScanIsThereAndPredictionsAreNot) {
 
 TEST_F(KittiDataset, TheRootOfSeveralSequencesOpensTheFirst) {
   const auto root = sequence().parent_path().parent_path();
-  const auto dataset = OpenDataset(root.string(), DatasetFormat::kAuto, LabelSource::kNone);
+  const auto dataset = OpenDataset(root.string(), kAnyFormat, LabelSource::kNone);
   ASSERT_TRUE(dataset.ok()) << dataset.status().ToString();
   EXPECT_EQ((*dataset)->num_frames(), 1u);
 }
@@ -130,7 +130,7 @@ TEST(SharedKitti, ReadsUnchangedWithEveryLabelSource) {
   if (data.empty()) GTEST_SKIP() << "no shared data on this machine";
   for (const char* sequence : {"00", "07"}) {
     for (LabelSource labels : {LabelSource::kPredicted, LabelSource::kGroundTruth, LabelSource::kNone}) {
-      const auto dataset = OpenDataset((data / "kitti/sequences" / sequence).string(), DatasetFormat::kAuto, labels);
+      const auto dataset = OpenDataset((data / "kitti/sequences" / sequence).string(), kAnyFormat, labels);
       ASSERT_TRUE(dataset.ok()) << dataset.status().ToString();
       ASSERT_EQ((*dataset)->num_frames(), 10u);
       const auto raw = (*dataset)->Read(9);

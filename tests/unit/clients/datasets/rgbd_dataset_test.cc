@@ -10,7 +10,7 @@ namespace dhpmap::testing {
 namespace {
 
 Result<std::unique_ptr<Dataset>> Open(const std::filesystem::path& path, LabelSource labels = LabelSource::kNone) {
-  return OpenDataset(path.string(), DatasetFormat::kAuto, labels);
+  return OpenDataset(path.string(), kAnyFormat, labels);
 }
 
 TEST(SevenScenesDataset, OpensTheFirstSequenceAndReadsMillimetres) {
@@ -122,10 +122,23 @@ TEST(OpenDataset, SaysWhatItLookedForInAnythingElse) {
   EXPECT_EQ(Open(temp.path()).status().code(), StatusCode::kInvalidArgument);
   EXPECT_NE(Open(temp.path()).status().message().find("timestamps.csv"), std::string::npos);
   EXPECT_EQ(Open(temp.path() / "nowhere").status().code(), StatusCode::kNotFound);
-  for (DatasetFormat format :
-       {DatasetFormat::kFlat, DatasetFormat::kKitti, DatasetFormat::kSevenScenes, DatasetFormat::kTum}) {
-    EXPECT_EQ(OpenDataset(temp.path().string(), format, LabelSource::kNone).status().code(), StatusCode::kNotFound);
+}
+
+TEST(OpenDataset, LooksForTheFormatThatIsAskedFor) {
+  const TempDir temp;
+  const std::vector<std::string> formats = DatasetFormats();
+  EXPECT_EQ(formats.front(), kAnyFormat);
+  EXPECT_GE(formats.size(), 5u);
+  for (std::size_t i = 1; i < formats.size(); ++i) {
+    EXPECT_EQ(OpenDataset(temp.path().string(), formats[i], LabelSource::kNone).status().code(), StatusCode::kNotFound);
   }
+}
+
+TEST(OpenDataset, NamesTheFormatsThereAreInsteadOfOneThatIsNot) {
+  const TempDir temp;
+  const Status status = OpenDataset(temp.path().string(), "rosbag", LabelSource::kNone).status();
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  for (const std::string& name : DatasetFormats()) EXPECT_NE(status.message().find(name), std::string::npos) << name;
 }
 
 }  // namespace

@@ -151,8 +151,7 @@ TEST_F(ExperimentTest, PrintsThresholdsClassMapAndEverySystem) {
 TEST_F(ExperimentTest, FramesAreTheSameFromTheCacheAndFromTheDisk) {
   std::vector<std::int64_t> stamps[3];
   for (const std::size_t cache_bytes : {std::size_t{0}, std::size_t{1} << 20, std::size_t{1} << 30}) {
-    auto recording =
-        Recording::Open(dir_->path().string(), DatasetFormat::kAuto, LabelSource::kPredicted, 0, cache_bytes);
+    auto recording = Recording::Open(dir_->path().string(), kAnyFormat, LabelSource::kPredicted, 0, cache_bytes);
     ASSERT_TRUE(recording.ok());
     for (auto& seen : stamps) {
       seen.clear();
@@ -178,7 +177,7 @@ TEST(Recording, LeavesOutUnreadableFramesAndSaysWhy) {
   }
   ASSERT_FALSE(depth.empty());
   std::ofstream(depth, std::ios::trunc) << "not a picture";
-  auto recording = Recording::Open(dir.path().string(), DatasetFormat::kAuto, LabelSource::kPredicted, 0, 1 << 30);
+  auto recording = Recording::Open(dir.path().string(), kAnyFormat, LabelSource::kPredicted, 0, 1 << 30);
   ASSERT_TRUE(recording.ok());
   for (int pass = 0; pass < 2; ++pass) {
     int num_frames = 0;

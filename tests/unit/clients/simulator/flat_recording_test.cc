@@ -59,7 +59,7 @@ TEST(FlatRecording, GroundTruthIsReadBackAsRendered) {
   RecordingOptions options = SmallRecording(folder.path());
   options.has_depth_noise = false;
   ASSERT_TRUE(Record(options).ok());
-  const auto dataset = OpenDataset(folder.path(), DatasetFormat::kAuto, LabelSource::kGroundTruth);
+  const auto dataset = OpenDataset(folder.path(), kAnyFormat, LabelSource::kGroundTruth);
   ASSERT_TRUE(dataset.ok()) << dataset.status().ToString();
   ASSERT_EQ((*dataset)->num_frames(), 5u);
   for (int i = 0; i < 5; ++i) {
@@ -85,7 +85,7 @@ TEST(FlatRecording, GroundTruthIsReadBackAsRendered) {
 TEST(FlatRecording, GroundTruthTableTellsClassesAndKinds) {
   testing::TempDir folder;
   ASSERT_TRUE(Record(SmallRecording(folder.path())).ok());
-  const auto dataset = OpenDataset(folder.path(), DatasetFormat::kFlat, LabelSource::kGroundTruth);
+  const auto dataset = OpenDataset(folder.path(), "flat", LabelSource::kGroundTruth);
   ASSERT_TRUE(dataset.ok());
   std::map<int, LabelClass> classes;
   for (const LabelClass& label_class : (*dataset)->label_classes()) classes[label_class.id.value] = label_class;
@@ -104,7 +104,7 @@ TEST(FlatRecording, GroundTruthTableTellsClassesAndKinds) {
 TEST(FlatRecording, PredictionsAreReadBackWithTheirTable) {
   testing::TempDir folder;
   ASSERT_TRUE(Record(SmallRecording(folder.path())).ok());
-  const auto dataset = OpenDataset(folder.path(), DatasetFormat::kFlat, LabelSource::kPredicted);
+  const auto dataset = OpenDataset(folder.path(), "flat", LabelSource::kPredicted);
   ASSERT_TRUE(dataset.ok()) << dataset.status().ToString();
   const auto label_set = LabelSet::Create((*dataset)->label_classes());
   ASSERT_TRUE(label_set.ok());
