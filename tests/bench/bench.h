@@ -52,8 +52,8 @@ struct QueryBenchOptions {
   std::size_t num_points = 100000;  ///< of each kind
   std::size_t num_checked = 300;    ///< of these, compared with every triangle
 };
-/// Points a second that one core answers on the data set's map, as it is and with a third of the things moved, and the
-/// errors against brute force over all triangles.
+/// What one core answers a second on the data set's map, as it is and with a third of the things moved, the errors
+/// against brute force over all triangles, and how the time grows with the number of submaps.
 Status RunQueryBench(const QueryBenchOptions& options);
 
 }  // namespace dhpmap::bench

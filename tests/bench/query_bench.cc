@@ -13,6 +13,9 @@
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/point_lookup.h"
+#include "mapping/query/point_order.h"
+#include "mapping/query/ray_query.h"
+#include "mapping/query/tsdf_sampler.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/frames.h"
 
@@ -26,6 +29,14 @@ double CpuSeconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// What an addition takes that waits for the one before: a cycle. Tells how much of the core others have.
+double NanosecondsACycle() {
+  constexpr int kCount = 100000000;
+  const double start_s = CpuSeconds();
+  for (int i = 0; i < kCount; ++i) asm volatile("" : "+r"(i));
+  return 1e9 * (CpuSeconds() - start_s) / kCount;
 }
 
 double Seconds(const std::function<void()>& work) {
@@ -153,11 +164,11 @@ void PrintErrors(const Kind& kind, const DistanceQuery& query, const Soup& soup,
 }
 
 void Measure(const char* what, const std::vector<Kind>& kinds,
-             const std::function<void(std::span<const Eigen::Vector3d>)>& ask) {
-  std::printf("  %-34s", what);
+             const std::function<void(std::span<const Eigen::Vector3d>)>& ask, int repetitions = 3) {
+  std::printf("  %-36s", what);
   for (const Kind& kind : kinds) {
     double best_s = std::numeric_limits<double>::infinity();
-    for (int repetition = 0; repetition < 3; ++repetition) {
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
       best_s = std::min(best_s, Seconds([&] {
                           const std::span<const Eigen::Vector3d> all(kind.points);
                           for (std::size_t i = 0; i < all.size(); i += kBatch)
@@ -169,6 +180,68 @@ void Measure(const char* what, const std::vector<Kind>& kinds,
   std::printf("\n");
 }
 
+/// The points in an order in which a planner may ask: each close to the one before.
+std::vector<Kind> InOrder(std::vector<Kind> kinds) {
+  for (Kind& kind : kinds) {
+    std::vector<Eigen::Vector3d> points;
+    for (const std::uint32_t i : OrderAlongCurve(kind.points)) points.push_back(kind.points[i]);
+    kind.points = std::move(points);
+  }
+  return kinds;
+}
+
+/// The TSDF itself, of the submap that has most of it, where it was observed.
+void MeasureTsdf(const MapSnapshot& map, std::size_t num_points, std::mt19937& random) {
+  const auto& submaps = map.submaps();
+  const Submap& submap = **std::max_element(submaps.begin(), submaps.end(), [](const auto& a, const auto& b) {
+    return a->blocks().size() < b->blocks().size();
+  });
+  std::vector<BlockIndex> blocks;
+  for (const BlockEntry& block : submap.blocks().entries()) blocks.push_back(block.index);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double size_m = submap.info().voxel_size_m;
+  std::vector<Kind> kinds = {{"block by block", {}}};
+  for (std::size_t i = 0; i < num_points; ++i) {
+    const Eigen::Vector3d corner = BlockCorner(blocks[i * blocks.size() / num_points], size_m);
+    kinds[0].points.push_back(corner + kBlockSide * size_m * Eigen::Vector3d(unit(random), unit(random), unit(random)));
+  }
+  std::vector<Kind> shuffled = kinds;
+  std::shuffle(shuffled[0].points.begin(), shuffled[0].points.end(), random);
+  kinds.push_back({"random", std::move(shuffled[0].points)});
+  double sum = 0;
+  std::printf("  TSDF of one submap                 coherent   random\n");
+  Measure("voxel", kinds, [&](auto points) {
+    TsdfSampler sampler(submap);
+    for (const Eigen::Vector3d& p : points) {
+      const float value = sampler.At(VoxelAt(p, size_m));
+      sum += value > 0 ? value : 0;
+    }
+  });
+  Measure("trilinear, with gradient", kinds, [&](auto points) {
+    TsdfSampler sampler(submap);
+    for (const Eigen::Vector3d& p : points) sum += sampler.Between(p).distance_m;
+  });
+  std::printf("  (%.0f m)\n", sum);
+}
+
+void MeasureRays(const std::shared_ptr<const MapSurfaces>& surfaces, const std::vector<Kind>& kinds,
+                 std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  std::vector<Kind> few = kinds;
+  for (Kind& kind : few) kind.points.resize(std::min<std::size_t>(kind.points.size(), 5000));
+  const RayQuery rays(surfaces, {.unknown_is_free = true}), seen(surfaces, {});
+  double sum_m = 0;
+  const auto cast = [&](const RayQuery& query, auto points) {
+    for (const Eigen::Vector3d& p : points) {
+      const Eigen::Vector3d direction(normal(random), normal(random), normal(random));
+      sum_m += query.Cast({p, direction.normalized()}).distance_m;
+    }
+  };
+  Measure("rays, first hit within 3 m", few, [&](auto points) { cast(rays, points); });
+  Measure("the same, and where unknown begins", few, [&](auto points) { cast(seen, points); });
+  std::printf("  (%.0f m)\n", sum_m);
+}
+
 void MeasureState(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& cache,
                   const QueryBenchOptions& options) {
   std::mt19937 random(1);
@@ -176,36 +249,130 @@ void MeasureState(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& c
   const double index_s = Seconds([&] { surfaces = cache.Of(map); });
   const DistanceQuery query(surfaces, {});
   const Soup soup(*map);
-  const std::vector<Kind> kinds = Points(*map, soup, options.num_points, random);
+  const std::vector<Kind> kinds = Points(*map, soup, options.num_points, random), coherent = InOrder(kinds);
   std::vector<SurfaceDistance> answers(kBatch);
+  const double first_s = Seconds([&] { query.At(std::span(kinds[0].points).first(10), answers); });
   const double cold_s = Seconds([&] {
     for (const Kind& kind : kinds) query.At(std::span(kind.points).first(kBatch), answers);
   });
-  std::printf("%zu submaps, %zu tiles, %zu triangles; index %.1f ms, first %zu points %.1f ms, surfaces %.1f MB\n",
-              map->submaps().size(), cache.num_tiles(), soup.triangles.size(), 1e3 * index_s, 3 * kBatch, 1e3 * cold_s,
-              static_cast<double>(cache.bytes()) / 1e6);
-  std::printf("  M points a second, one core            near   middle      far\n");
-  const PointLookup lookup(map);
-  std::size_t num_observed = 0;
-  Measure("voxel at the point (QueryPoints)", kinds, [&](auto points) {
-    for (const Eigen::Vector3d& p : points) num_observed += lookup.At(p).is_observed;
-  });
+  std::printf("%zu submaps, %zu tiles, %zu triangles; index %.2f ms, first 10 points %.2f ms, first %zu %.1f ms\n",
+              map->submaps().size(), cache.num_tiles(), soup.triangles.size(), 1e3 * index_s, 1e3 * first_s, 3 * kBatch,
+              1e3 * cold_s);
+  std::printf("  M a second, one core                   near   middle      far\n");
+  const auto in_batches = [&](auto points) { query.At(points, std::span(answers).first(points.size())); };
+  Measure("distances, batches, while cells come", kinds, in_batches, 1);
+  Measure("distances, batches of random points", kinds, in_batches);
+  Measure("distances, batches close together", coherent, in_batches);
   double sum_m = 0;
-  Measure("distance, gradient, object: single", kinds, [&](auto points) {
+  const auto single = [&](auto points) {
     for (const Eigen::Vector3d& p : points) sum_m += query.At(p).distance_m;
-  });
-  Measure("the same in batches of 2,048", kinds,
-          [&](auto points) { query.At(points, std::span(answers).first(points.size())); });
-  std::vector<Kind> coherent = kinds;
-  for (Kind& kind : coherent) {
-    std::sort(kind.points.begin(), kind.points.end(), [](const auto& a, const auto& b) {
-      return std::floor(2 * a.x()) != std::floor(2 * b.x()) ? a.x() < b.x() : a.y() < b.y();
-    });
-  }
-  Measure("batches of points close together", coherent,
-          [&](auto points) { query.At(points, std::span(answers).first(points.size())); });
+  };
+  Measure("distances, single random points", kinds, single);
+  Measure("distances, single, close together", coherent, single);
+  std::size_t count = 0;
+  const auto touches = [&](auto points) {
+    for (const Eigen::Vector3d& p : points) count += query.AnyCloserThan(p, 0.1);
+  };
+  Measure("spheres of 0.1 m, yes or no, random", kinds, touches);
+  Measure("the same, close together", coherent, touches);
+  const PointLookup lookup(map);
+  const auto look_up = [&](auto points) {
+    for (const Eigen::Vector3d& p : points) count += lookup.At(p).is_observed;
+  };
+  Measure("voxel of the map, random", kinds, look_up);
+  Measure("voxel of the map, close together", coherent, look_up);
+  MeasureRays(surfaces, kinds, random);
+  MeasureTsdf(*map, options.num_points, random);
+  std::printf("  surfaces %.1f MB, cells %.1f MB\n", static_cast<double>(cache.bytes()) / 1e6,
+              static_cast<double>(cache.cell_bytes()) / 1e6);
   for (const Kind& kind : kinds) PrintErrors(kind, query, soup, options.num_checked, map->info().config.voxel_size_m);
-  std::printf("  (%zu observed, %.0f m)\n", num_observed, sum_m);
+  std::printf("  (%zu, %.0f m)\n", count, sum_m);
+}
+
+/// So many copies of a thing, each somewhere in a flat of so much room that there is one to 4 m3.
+std::shared_ptr<const MapSnapshot> Copies(const MapSnapshot& map, std::size_t count, std::mt19937& random) {
+  const Submap* thing = nullptr;
+  for (const auto& submap : map.submaps()) {
+    const bool is_better = submap->info().panoptic == Panoptic::kThing &&
+                           (thing == nullptr || (submap->blocks().size() > thing->blocks().size() &&
+                                                 submap->bounding_sphere().radius_m < 0.8));
+    if (is_better) thing = submap.get();
+  }
+  Map copies(std::make_shared<const MapSnapshot>(map));
+  const SubmapId original = thing->id();
+  const Eigen::Vector3d center = thing->BoundingSphereInMap().center_m;
+  const double side_m = std::sqrt(4.0 * static_cast<double>(count) / 2.5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    Transform T = Transform::Identity();
+    T.translate(Eigen::Vector3d(side_m * unit(random), side_m * unit(random), 2.5 * unit(random)));
+    T.rotate(Eigen::AngleAxisd(6 * unit(random), Eigen::Vector3d::UnitZ()));
+    T.translate(-center);
+    Submap& copy = *copies.Clone(original);
+    copy.mutable_info().T_map_submap = T * copy.info().T_map_submap;
+  }
+  std::vector<SubmapId> others;
+  for (const auto& submap : map.submaps()) {
+    if (submap->id() != kUnknownSubmap) others.push_back(submap->id());
+  }
+  for (const SubmapId id : others) (void)copies.Remove(id);
+  return copies.Publish(0);
+}
+
+/// How the time of a query grows with the number of submaps, against a look at every submap's box.
+void MeasureGrowth(const MapSnapshot& map, std::size_t num_points) {
+  std::printf("of copies of one thing      10      100    1,000   10,000\n");
+  std::vector<double> index_ms, moved_ms, M_a_s, linear_M_a_s;
+  for (const std::size_t count : {10u, 100u, 1000u, 10000u}) {
+    std::mt19937 random(5);
+    const auto state = Copies(map, count, random);
+    SurfaceCache cache(std::size_t{4} << 30);
+    std::shared_ptr<const MapSurfaces> surfaces;
+    index_ms.push_back(1e3 * Seconds([&] { surfaces = cache.Of(state); }));
+    const Eigen::AlignedBox3d& box = surfaces->index().box_m();
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = 0; i < num_points; ++i) {
+      points.push_back(box.min() + Eigen::Vector3d(unit(random), unit(random), unit(random)).cwiseProduct(box.sizes()));
+    }
+    const DistanceQuery query(surfaces, {});
+    std::vector<SurfaceDistance> answers(kBatch);
+    double best_s = std::numeric_limits<double>::infinity();
+    for (int repetition = 0; repetition < 3; ++repetition) {
+      best_s = std::min(best_s, Seconds([&] {
+                          for (std::size_t i = 0; i < points.size(); i += kBatch) {
+                            const auto batch = std::span(points).subspan(i, std::min(kBatch, points.size() - i));
+                            query.At(batch, std::span(answers).first(batch.size()));
+                          }
+                        }));
+    }
+    M_a_s.push_back(1e-6 * static_cast<double>(points.size()) / best_s);
+    const std::size_t num_linear = std::min<std::size_t>(points.size(), 1 + 2000000 / count);
+    double least_m2 = 0;
+    const double linear_s = Seconds([&] {
+      for (std::size_t i = 0; i < num_linear; ++i) {
+        double best2 = std::numeric_limits<double>::infinity();
+        for (const SubmapIndex::Entry& entry : surfaces->index().entries()) {
+          best2 = std::min(best2, entry.box_m().squaredExteriorDistance(entry.ToSubmap(points[i])));
+        }
+        least_m2 += best2;
+      }
+    });
+    linear_M_a_s.push_back(1e-6 * static_cast<double>(num_linear) / linear_s + 0 * least_m2);
+    Map next(state);
+    next.FindMutable(next.submaps().back()->id())->mutable_info().T_map_submap.translation().x() += 0.1;
+    const auto moved = next.Publish(1);
+    moved_ms.push_back(1e3 * Seconds([&] { (void)cache.Of(moved); }));
+  }
+  const auto row = [](const char* name, const std::vector<double>& values) {
+    std::printf("  %-20s", name);
+    for (const double value : values) std::printf(" %8.3f", value);
+    std::printf("\n");
+  };
+  row("distances, M/s", M_a_s);
+  row("boxes one by one", linear_M_a_s);
+  row("index, ms", index_ms);
+  row("after a move, ms", moved_ms);
 }
 
 }  // namespace
@@ -215,11 +382,13 @@ Status RunQueryBench(const QueryBenchOptions& options) {
   std::mt19937 random(7);
   Map map(built);
   SurfaceCache cache(std::size_t{4} << 30);
-  std::printf("as mapped: ");
+  std::printf("a cycle takes %.2f ns: on a core that others use, too, everything takes as much longer\nas mapped: ",
+              NanosecondsACycle());
   MeasureState(map.Publish(0), cache, options);
   MoveThings(map, 1.0 / 3, random);
   std::printf("moved: ");
   MeasureState(map.Publish(0), cache, options);
+  MeasureGrowth(*built, options.num_points);
   return Status::Ok();
 }
 
