@@ -20,6 +20,15 @@ void BoxTree::Node::Set(std::size_t lane, const Eigen::AlignedBox3f& box) {
   }
 }
 
+Eigen::AlignedBox3f BoxTree::Node::Bounds() const {
+  Eigen::AlignedBox3f box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min()[axis] = *std::min_element(low[axis], low[axis] + kLanes);
+    box.max()[axis] = *std::max_element(high[axis], high[axis] + kLanes);
+  }
+  return box;
+}
+
 BoxTree::BoxTree(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size) : items_(boxes.size()) {
   if (boxes.empty()) return;
   for (const Eigen::AlignedBox3f& box : boxes) bounds_.extend(box);
@@ -72,6 +81,15 @@ void BoxTree::BuildLevels(std::span<const Eigen::AlignedBox3f> boxes, std::size_
     }
     below = std::move(level);
   } while (below.size() > 1);
+}
+
+void BoxTree::Replace(std::size_t leaf, const Eigen::AlignedBox3f& box) {
+  bounds_ = box;
+  for (std::uint32_t level = 0; level < height_; ++level, leaf /= kLanes) {
+    Node& node = nodes_[first_node_[level] + leaf / kLanes];
+    node.Set(leaf % kLanes, bounds_);
+    bounds_ = node.Bounds();
+  }
 }
 
 std::size_t BoxTree::MemoryBytes() const {

@@ -18,7 +18,7 @@ namespace dhpmap {
 
 /// Boxes in a tree of eight children a node, for questions about a place. What the boxes hold is the caller's: it knows
 /// them by their number in the list the tree was made of. Below the nodes lie leaves, of one box each or of eight that
-/// are close together. Immutable, thread-safe.
+/// are close together. Thread-compatible.
 class BoxTree {
  public:
   static constexpr std::size_t kLanes = 8;
@@ -27,6 +27,10 @@ class BoxTree {
   /// Finite boxes, none empty; fewer than 2^32. Takes n log n. Leaf i holds items() from i * leaf_size (1 or kLanes)
   /// on, of the last one what there is.
   explicit BoxTree(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size = 1);
+
+  /// Puts another box into a leaf; the tree stays as it is, and is the worse for it the farther that lies from the old
+  /// one. Only for leaves of one box.
+  void Replace(std::size_t leaf, const Eigen::AlignedBox3f& box);
 
   [[nodiscard]] bool empty() const { return items_.empty(); }
   /// Around all; empty for none.
@@ -77,6 +81,7 @@ class BoxTree {
 
     Node();
     void Set(std::size_t lane, const Eigen::AlignedBox3f& box);
+    [[nodiscard]] Eigen::AlignedBox3f Bounds() const;
     DHPMAP_ALWAYS_INLINE unsigned ChildrenWithin(const Eigen::Vector3f& p, float limit2,
                                                  float (&distance2)[kLanes]) const {
       Float8 sum = {};

@@ -29,22 +29,53 @@ SubmapIndex::SubmapIndex(std::span<const std::shared_ptr<const Submap>> submaps)
 
 SubmapIndex::SubmapIndex(std::vector<Entry> entries) : entries_(std::move(entries)) { Build(); }
 
+SubmapIndex::SubmapIndex(const SubmapIndex& before, std::vector<Entry> entries, std::span<const std::size_t> changed)
+    : entries_(std::move(entries)) {
+  Eigen::AlignedBox3d box_m = before.box_m_;
+  for (const std::size_t number : changed) box_m.extend(BoxInMap(entries_[number]));
+  const bool is_in_reach = (box_m.min() - before.origin_m_).cwiseAbs().maxCoeff() <= before.reach_m_ &&
+                           (box_m.max() - before.origin_m_).cwiseAbs().maxCoeff() <= before.reach_m_;
+  // Half of the boxes elsewhere: then a new tree is worth it.
+  if (!is_in_reach || before.entries_.size() != entries_.size() ||
+      2 * (before.num_replaced_ + changed.size()) > entries_.size()) {
+    Build();
+    return;
+  }
+  box_m_ = box_m;
+  origin_m_ = before.origin_m_;
+  reach_m_ = before.reach_m_;
+  tree_ = before.tree_;
+  leaf_of_ = before.leaf_of_;
+  num_replaced_ = before.num_replaced_ + changed.size();
+  for (const std::size_t number : changed) tree_.Replace(leaf_of_[number], BoxInTree(BoxInMap(entries_[number])));
+}
+
+Eigen::AlignedBox3d SubmapIndex::BoxInMap(const Entry& entry) {
+  return entry.box_m().transformed(entry.submap().info().T_map_submap);
+}
+
+Eigen::AlignedBox3f SubmapIndex::BoxInTree(const Eigen::AlignedBox3d& box_m) const {
+  // Single precision, and rotations, must not lose a voxel at the rim.
+  const auto rounding_m = static_cast<float>(1e-6 * reach_m_ + 1e-9 * origin_m_.norm());
+  return {(box_m.min() - origin_m_).cast<float>() - Eigen::Vector3f::Constant(rounding_m),
+          (box_m.max() - origin_m_).cast<float>() + Eigen::Vector3f::Constant(rounding_m)};
+}
+
 void SubmapIndex::Build() {
   std::vector<Eigen::AlignedBox3d> boxes_m;
   for (const Entry& entry : entries_) {
-    boxes_m.push_back(entry.box_m().transformed(entry.submap().info().T_map_submap));
+    boxes_m.push_back(BoxInMap(entry));
     box_m_.extend(boxes_m.back());
   }
   if (boxes_m.empty()) return;
   origin_m_ = box_m_.center();
-  // Single precision, and rotations, must not lose a voxel at the rim.
-  const float rounding_m = static_cast<float>(1e-6 * box_m_.sizes().norm() + 1e-9 * origin_m_.norm());
+  reach_m_ = 2 * box_m_.sizes().norm();
   std::vector<Eigen::AlignedBox3f> boxes;
-  for (const Eigen::AlignedBox3d& box : boxes_m) {
-    boxes.emplace_back((box.min() - origin_m_).cast<float>() - Eigen::Vector3f::Constant(rounding_m),
-                       (box.max() - origin_m_).cast<float>() + Eigen::Vector3f::Constant(rounding_m));
-  }
+  for (const Eigen::AlignedBox3d& box_m : boxes_m) boxes.push_back(BoxInTree(box_m));
   tree_ = BoxTree(boxes);
+  leaf_of_.resize(boxes.size());
+  for (std::size_t leaf = 0; leaf < boxes.size(); ++leaf)
+    leaf_of_[tree_.items()[leaf]] = static_cast<std::uint32_t>(leaf);
 }
 
 }  // namespace dhpmap

@@ -51,6 +51,9 @@ class SubmapIndex {
   explicit SubmapIndex(std::span<const std::shared_ptr<const Submap>> submaps);
   /// By boxes around what they hold, each in its submap's own frame; none is empty.
   explicit SubmapIndex(std::vector<Entry> entries);
+  /// The same for entries of which only those with the numbers in `changed` differ from an index of as many: costs a
+  /// copy, and what has changed.
+  SubmapIndex(const SubmapIndex& before, std::vector<Entry> entries, std::span<const std::size_t> changed);
 
   /// Those that hold something, in the order given.
   [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
@@ -69,11 +72,17 @@ class SubmapIndex {
 
  private:
   void Build();
+  /// In the map frame; and as floats in the frame of the tree, so much larger that rounding loses no voxel at the rim.
+  [[nodiscard]] static Eigen::AlignedBox3d BoxInMap(const Entry& entry);
+  [[nodiscard]] Eigen::AlignedBox3f BoxInTree(const Eigen::AlignedBox3d& box_m) const;
 
   std::vector<Entry> entries_;
   Eigen::AlignedBox3d box_m_;
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();  ///< of the tree, whose floats would not do far from here
+  double reach_m_ = 0;                                  ///< so far from the origin the tree's floats will do
   BoxTree tree_;                                        ///< of the entries' boxes, along the axes of the map frame
+  std::vector<std::uint32_t> leaf_of_;                  ///< by number
+  std::size_t num_replaced_ = 0;                        ///< boxes in the tree, since it was made
 };
 
 template <typename Visitor>

@@ -10,13 +10,6 @@ namespace {
 
 constexpr std::size_t kCentre = 13;  // of a TileNeighbourhood
 
-std::vector<SubmapIndex::Entry> EntriesOf(const std::vector<MapSurfaces::Part>& parts) {
-  std::vector<SubmapIndex::Entry> entries;
-  entries.reserve(parts.size());
-  for (const MapSurfaces::Part& part : parts) entries.emplace_back(*part.submap, part.surface->box_m());
-  return entries;
-}
-
 /// Surfaces that keep the state alive they refer to.
 std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> state,
                                             std::shared_ptr<const MapSurfaces> surfaces) {
@@ -27,11 +20,32 @@ std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> s
 
 }  // namespace
 
-MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger)
+MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger,
+                         const MapSurfaces* before)
     : state_(state),
       parts_(std::move(parts)),
-      index_(EntriesOf(parts_)),
+      index_(IndexOf(parts_, before)),
       cells_(index_.box_m(), state.info().config.voxel_size_m, std::move(ledger)) {}
+
+/// The surface tells a submap from all others that there have been: submaps that are gone may have had the same
+/// address.
+SubmapIndex MapSurfaces::IndexOf(const std::vector<Part>& parts, const MapSurfaces* before) {
+  const std::size_t num_before = before == nullptr ? 0 : before->parts_.size();
+  std::vector<SubmapIndex::Entry> entries;
+  entries.reserve(parts.size());
+  std::vector<std::size_t> changed;
+  for (std::size_t number = 0; number < parts.size(); ++number) {
+    const Part& part = parts[number];
+    if (number < num_before && before->parts_[number].surface == part.surface) {
+      entries.push_back(before->index_.entries()[number]);
+    } else {
+      entries.emplace_back(*part.submap, part.surface->box_m());
+      changed.push_back(number);
+    }
+  }
+  if (before == nullptr || num_before != parts.size()) return SubmapIndex(std::move(entries));
+  return {before->index_, std::move(entries), changed};
+}
 
 SurfaceCache::SurfaceCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
 
@@ -42,6 +56,7 @@ std::size_t SurfaceCache::num_tiles() const {
 
 std::shared_ptr<const MapSurfaces> SurfaceCache::Of(const std::shared_ptr<const MapSnapshot>& state) {
   ledger_->time.fetch_add(1, std::memory_order_relaxed);
+  std::shared_ptr<const MapSurfaces> before;
   {
     const MutexLock lock(mutex_);
     if (ledger_->bytes + ledger_->cell_bytes > limit_bytes_) Evict();
@@ -49,21 +64,23 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Of(const std::shared_ptr<const 
     if (const auto known = states_.find(state.get()); known != states_.end()) {
       return HoldBoth(state, known->second.value);
     }
+    if (const auto latest = latest_.find(state->info().name); latest != latest_.end()) before = latest->second;
   }
-  std::shared_ptr<const MapSurfaces> made = Make(*state);
+  std::shared_ptr<const MapSurfaces> made = Make(*state, before.get());
   const MutexLock lock(mutex_);
   if (slots_.size() + submaps_.size() > sweep_at_) Sweep();
   states_.insert_or_assign(state.get(), Known<MapSnapshot, MapSurfaces>{state, made});
+  latest_[state->info().name] = made;
   return HoldBoth(state, std::move(made));
 }
 
-std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state) {
+std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, const MapSurfaces* before) {
   std::vector<MapSurfaces::Part> parts;
   for (const auto& submap : state.submaps()) {
     std::shared_ptr<const SubmapSurface> surface = SurfaceOf(submap);
     if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), std::move(surface)});
   }
-  return std::make_shared<const MapSurfaces>(state, std::move(parts), ledger_);
+  return std::make_shared<const MapSurfaces>(state, std::move(parts), ledger_, before);
 }
 
 std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap) {
@@ -90,6 +107,7 @@ SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, double 
 
 /// Forgets what nobody has any longer. Costs as much as there is, so it comes when that has doubled.
 void SurfaceCache::Sweep() {
+  latest_.clear();
   std::erase_if(slots_, [](const auto& slot) { return slot.second->IsOrphan(); });
   std::erase_if(submaps_, [](const auto& known) { return known.second.key.expired(); });
   sweep_at_ = 2 * (slots_.size() + submaps_.size()) + 64;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -22,8 +23,10 @@ class MapSurfaces {
     const Submap* submap;
     std::shared_ptr<const SubmapSurface> surface;  ///< of something
   };
-  /// `state` outlives this; `ledger`: see NearbyCells.
-  MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger);
+  /// `state` outlives this; `ledger`: see NearbyCells. With those of an earlier state of the map, though that be gone,
+  /// the index costs little more than what has changed since.
+  MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger,
+              const MapSurfaces* before = nullptr);
 
   [[nodiscard]] const MapSnapshot& state() const { return state_; }
 
@@ -34,6 +37,8 @@ class MapSurfaces {
   [[nodiscard]] const NearbyCells& cells() const { return cells_; }
 
  private:
+  static SubmapIndex IndexOf(const std::vector<Part>& parts, const MapSurfaces* before);
+
   const MapSnapshot& state_;
   std::vector<Part> parts_;
   SubmapIndex index_;
@@ -67,7 +72,7 @@ class SurfaceCache {
     std::shared_ptr<const Value> value;
   };
 
-  std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state) DHPMAP_EXCLUDES(mutex_);
+  std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state, const MapSurfaces* before) DHPMAP_EXCLUDES(mutex_);
   std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap) DHPMAP_EXCLUDES(mutex_);
   Slot SlotOf(const TileNeighbourhood& around, double voxel_size_m) DHPMAP_EXCLUDES(mutex_);
   void Sweep() DHPMAP_REQUIRES(mutex_);
@@ -79,6 +84,7 @@ class SurfaceCache {
   std::unordered_map<const BlockTile*, Slot> slots_ DHPMAP_GUARDED_BY(mutex_);  // by the tile in the middle
   std::unordered_map<const Submap*, Known<Submap, SubmapSurface>> submaps_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<const MapSnapshot*, Known<MapSnapshot, MapSurfaces>> states_ DHPMAP_GUARDED_BY(mutex_);
+  std::unordered_map<std::string, std::shared_ptr<const MapSurfaces>> latest_ DHPMAP_GUARDED_BY(mutex_);  // by map
   std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;  // so many slots and submaps
 };
 

@@ -110,6 +110,48 @@ TEST(SubmapIndex, BoxesInItsTreeHoldTheSubmapsBoxes) {
   }
 }
 
+TEST(SubmapIndex, UpdatedOverAndOverEqualsAFreshOne) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  SubmapList submaps = RandomSubmaps(120, 10.0, random);
+  const auto entries_of = [&submaps] {
+    std::vector<SubmapIndex::Entry> entries;
+    for (const auto& submap : submaps) {
+      entries.emplace_back(*submap,
+                           Eigen::AlignedBox3d(Eigen::Vector3d(-0.8, 0, -0.8), Eigen::Vector3d(1.6, 0.8, 1.6)));
+    }
+    return entries;
+  };
+  SubmapIndex updated(entries_of());
+  std::vector<SubmapList> alive{submaps};
+  for (int step = 0; step < 60; ++step) {
+    std::set<std::size_t> moved;
+    for (std::size_t n = 0; n < 1 + random() % 4; ++n) moved.insert(random() % submaps.size());
+    for (const std::size_t number : moved) {
+      Transform T = Transform::Identity();
+      const double spread_m = step == 40 ? 500 : 12;  // once far beyond all that was
+      T.translate(spread_m * Eigen::Vector3d(unit(random), unit(random), unit(random)));
+      T.rotate(Eigen::AngleAxisd(3 * unit(random), Eigen::Vector3d::UnitY()));
+      submaps[number] = Solid(static_cast<std::uint32_t>(number + 1), T);
+    }
+    alive.push_back(submaps);
+    updated = SubmapIndex(updated, entries_of(), std::vector<std::size_t>(moved.begin(), moved.end()));
+    const SubmapIndex fresh(entries_of());
+    EXPECT_TRUE(updated.box_m().contains(fresh.box_m())) << "it may be larger, by where things have been";
+    for (int n = 0; n < 60; ++n) {
+      const SubmapIndex::Entry& near = fresh.entries()[random() % submaps.size()];
+      const Eigen::Vector3d p =
+          near.submap().BoundingSphereInMap().center_m + Eigen::Vector3d(unit(random), unit(random), unit(random));
+      EXPECT_EQ(IdsAround(updated, p), IdsAround(fresh, p)) << step;
+    }
+    std::set<std::uint32_t> all;
+    const Eigen::Vector3f everywhere = Eigen::Vector3f::Constant(1e6f);
+    updated.tree().VisitOverlapping({-everywhere, everywhere},
+                                    [&](std::size_t leaf) { all.insert(updated.tree().items()[leaf]); });
+    EXPECT_EQ(all.size(), submaps.size());
+  }
+}
+
 TEST(SubmapIndex, LeavesOutEmptySubmaps) {
   SubmapInfo info;
   info.voxel_size_m = 0.1;
