@@ -32,15 +32,16 @@ struct SurfacePadding {
 struct QueryScope {
   std::vector<SubmapId> excluded_submaps;
   std::vector<ClassId> excluded_classes;
-  std::optional<std::vector<ClassId>> classes;  ///< only these
-  std::vector<SubmapId> attached;               ///< on a robot, and no longer where they are
+  std::optional<std::vector<ClassId>> classes;   ///< only these
+  std::optional<std::vector<SubmapId>> submaps;  ///< only these
+  std::vector<SubmapId> attached;                ///< on a robot, and no longer where they are
   SurfacePadding padding;
   /// What was last looked through so long before the newest look at the map is not known to be free.
   std::optional<double> max_free_age_s;
 
   /// Whether every submap is there.
   [[nodiscard]] bool IsAll() const {
-    return excluded_submaps.empty() && excluded_classes.empty() && !classes && attached.empty();
+    return excluded_submaps.empty() && excluded_classes.empty() && !classes && !submaps && attached.empty();
   }
 
   /// The unknown submap has no class, and passes whatever is asked of classes: an obstacle of unknown kind is one.
@@ -49,6 +50,7 @@ struct QueryScope {
       return std::find(list.begin(), list.end(), id) != list.end();
     };
     if (contains(excluded_submaps, submap.id) || contains(attached, submap.id)) return false;
+    if (submaps && !contains(*submaps, submap.id)) return false;
     if (submap.panoptic == Panoptic::kUnknown) return true;
     return !contains(excluded_classes, submap.class_id) && (!classes || contains(*classes, submap.class_id));
   }

@@ -44,6 +44,11 @@ class QueryWorld {
     return tile != nullptr && tile->last_seen_ns() >= oldest_ns_ &&
            tile->IsFree(CellOf(BlockOf(voxel)), LinearIndex(voxel));
   }
+  /// The same of all voxels of a block.
+  [[nodiscard]] FreeMask FreeVoxels(BlockIndex block) const {
+    const FreeTile* tile = free_space_->Find(TileOf(block));
+    return tile != nullptr && tile->last_seen_ns() >= oldest_ns_ ? tile->MaskOf(CellOf(block)) : FreeMask{};
+  }
   /// Whether it is free, or a submap that is there has observed what is at its centre.
   [[nodiscard]] bool IsSeen(VoxelIndex voxel) const;
   /// Whether a place within the reach of the grid is free, or a submap that is there has observed it. `nearest`: of the

@@ -3,11 +3,14 @@
 
 namespace dhpmap {
 
+VoxelSample SampleVoxel(const BlockEntry& block, int linear) {
+  const bool is_observed = block.tsdf != nullptr && block.tsdf->IsObserved(linear);
+  return is_observed ? VoxelSample{&block, linear} : VoxelSample{};
+}
+
 VoxelSample SampleVoxel(const Submap& submap, VoxelIndex voxel) {
   const BlockEntry* block = submap.blocks().Find(BlockOf(voxel));
-  if (block == nullptr || block->tsdf == nullptr) return {};
-  const int linear = LinearIndex(voxel);
-  return block->tsdf->IsObserved(linear) ? VoxelSample{block, linear} : VoxelSample{};
+  return block != nullptr ? SampleVoxel(*block, LinearIndex(voxel)) : VoxelSample{};
 }
 
 VoxelSample SampleVoxelAt(const Submap& submap, const Eigen::Vector3d& p_submap) {

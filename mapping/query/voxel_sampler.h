@@ -20,6 +20,9 @@ struct VoxelSample {
   [[nodiscard]] Color color() const { return block->tsdf->color[static_cast<std::size_t>(linear)]; }
 };
 
+/// A voxel of a block; see LinearIndex.
+VoxelSample SampleVoxel(const BlockEntry& block, int linear);
+
 /// The voxel of `submap` at an index of its own grid, and the one that holds a point of its frame (finite, metres,
 /// within the range of the grid).
 VoxelSample SampleVoxel(const Submap& submap, VoxelIndex voxel);
