@@ -46,5 +46,9 @@ void AddQueryCommands(CLI::App& app, Session& session);
 void AddEditCommands(CLI::App& app, Session& session);
 void AddBackupCommand(CLI::App& app, Session& session);
 void AddExportCommands(CLI::App& app, Session& session);
+// Likewise, subcommands of `query`.
+void AddGridCommand(CLI::App& query, Session& session);
+void AddObjectCommands(CLI::App& query, Session& session);
+void AddSliceCommand(CLI::App& query, Session& session);
 
 }  // namespace dhpmap

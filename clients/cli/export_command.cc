@@ -56,9 +56,11 @@ std::string Rows(const v1::StreamSubmapVoxelsResponse& part) {
     for (int axis = 0; axis < 3; ++axis) rows += Fixed(part.xyz_m(3 * i + axis), 4) + ",";
     rows += Fixed(part.distance_m(i), 5) + "," + Fixed(part.weight(i), 3);
     for (int channel = 0; channel < 3; ++channel) {
-      rows += "," + std::to_string(static_cast<unsigned char>(part.rgb()[static_cast<std::size_t>(3 * i + channel)]));
+      rows += ',';
+      rows += std::to_string(static_cast<unsigned char>(part.rgb()[static_cast<std::size_t>(3 * i + channel)]));
     }
-    rows += "," + std::to_string(part.class_id(i)) + "," + Fixed(part.class_confidence(i), 3) + "\n";
+    rows += ',';
+    rows += std::to_string(part.class_id(i)) + "," + Fixed(part.class_confidence(i), 3) + "\n";
   }
   return rows;
 }

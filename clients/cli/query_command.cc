@@ -226,6 +226,9 @@ void AddQueryCommands(CLI::App& app, Session& session) {
   point->callback([options, &session] { session.exit_code = RunPoint(session, *options); });
   AddDistances(*query, session);
   AddRays(*query, session);
+  AddSliceCommand(*query, session);
+  AddGridCommand(*query, session);
+  AddObjectCommands(*query, session);
 }
 
 }  // namespace dhpmap

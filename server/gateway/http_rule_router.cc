@@ -33,7 +33,6 @@ std::pair<std::string, std::string> MethodAndPath(const HttpRule& rule) {
 }
 
 std::optional<FileFields> FindFileFields(const MethodDescriptor& method) {
-  if (!method.server_streaming()) return std::nullopt;
   const Descriptor& type = *method.output_type();
   const auto* data = type.FindFieldByName("data");
   const auto* content_type = type.FindFieldByName("content_type");

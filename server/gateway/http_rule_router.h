@@ -18,7 +18,8 @@ class ServiceDescriptor;
 
 namespace dhpmap::gateway {
 
-/// A stream of messages that is a file in parts: `bytes data`, and `string content_type` (and its size) in the first.
+/// A message that holds a file, or a stream of messages that hold its parts: `bytes data`, and `string content_type`
+/// (and its size) in the first.
 struct FileFields {
   const google::protobuf::FieldDescriptor* data;
   const google::protobuf::FieldDescriptor* content_type;

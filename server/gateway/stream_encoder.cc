@@ -39,27 +39,36 @@ Result<StreamPart> StreamEncoder::Encode(const std::string& message) {
 }
 
 Result<StreamPart> StreamEncoder::EncodeFile(const std::string& bytes) {
-  const auto message = NewMessage(*route_.method->output_type());
-  if (!message->ParseFromString(bytes)) {
-    return Internal("the answer is not a " + route_.method->output_type()->full_name());
-  }
-  const auto& reflection = *message->GetReflection();
+  DHPMAP_ASSIGN_OR_RETURN(FilePart file, FilePartOf(route_, bytes));
   StreamPart part;
   if (is_first_) {
     is_first_ = false;
-    std::string type = HeaderValue(reflection.GetString(*message, route_.file->content_type));
-    if (type.empty()) type = "application/octet-stream";
-    part.head.emplace();
-    part.head->headers.emplace_back("Content-Disposition",
-                                    "attachment; filename=\"" + file_stem_ + "." + ExtensionOf(type) + "\"");
-    part.head->headers.emplace_back("Content-Type", std::move(type));
-    if (route_.file->total_bytes != nullptr) {
-      const std::int64_t total = reflection.GetInt64(*message, route_.file->total_bytes);
-      if (total > 0) part.head->length = static_cast<std::uint64_t>(total);
-    }
+    part.head = StreamHead{FileHead(std::move(file.type), file_stem_), std::nullopt};
+    if (file.total_bytes > 0) part.head->length = static_cast<std::uint64_t>(file.total_bytes);
   }
-  part.data = reflection.GetString(*message, route_.file->data);
+  part.data = std::move(file.data);
   return part;
+}
+
+Result<FilePart> FilePartOf(const Route& route, const std::string& bytes) {
+  const auto message = NewMessage(*route.method->output_type());
+  if (!message->ParseFromString(bytes)) {
+    return Internal("the answer is not a " + route.method->output_type()->full_name());
+  }
+  const auto& reflection = *message->GetReflection();
+  FilePart part;
+  part.type = HeaderValue(reflection.GetString(*message, route.file->content_type));
+  if (route.file->total_bytes != nullptr) part.total_bytes = reflection.GetInt64(*message, route.file->total_bytes);
+  part.data = reflection.GetString(*message, route.file->data);
+  return part;
+}
+
+http::Headers FileHead(std::string type, const std::string& file_stem) {
+  if (type.empty()) type = "application/octet-stream";
+  http::Headers headers;
+  headers.emplace_back("Content-Disposition", "attachment; filename=\"" + file_stem + "." + ExtensionOf(type) + "\"");
+  headers.emplace_back("Content-Type", std::move(type));
+  return headers;
 }
 
 std::string ExtensionOf(std::string_view content_type) {
@@ -68,6 +77,7 @@ std::string ExtensionOf(std::string_view content_type) {
   for (const std::string_view prefix : {"vnd.", "x-"}) {
     if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
   }
+  if (name == "portable-graymap") return "pgm";
   const bool plain = !name.empty() && name.size() <= 8 && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
   });

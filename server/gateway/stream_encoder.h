@@ -47,6 +47,17 @@ class StreamEncoder {
   bool is_first_ = true;
 };
 
+/// What a message of an RPC that sends a file (Route::file) has of it.
+struct FilePart {
+  std::string type;  ///< may be empty
+  std::int64_t total_bytes = 0;
+  std::string data;
+};
+/// INTERNAL if it is no message of the RPC's type.
+Result<FilePart> FilePartOf(const Route& route, const std::string& message);
+/// Of the answer; `type`: empty for bytes of any kind.
+http::Headers FileHead(std::string type, const std::string& file_stem);
+
 /// "ply" for "model/x-ply; charset=...", "bin" for what has no name of its own.
 std::string ExtensionOf(std::string_view content_type);
 

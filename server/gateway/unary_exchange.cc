@@ -6,6 +6,7 @@
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/rpc_exchange.h"
 #include "server/gateway/rpc_request.h"
+#include "server/gateway/stream_encoder.h"
 #include "server/gateway/transcoder.h"
 
 namespace dhpmap::gateway {
@@ -87,6 +88,11 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
 
   http::Response MakeAnswer(const RpcStatus& status, std::string message) const {
     if (!status.ok()) return ErrorResponse(status, request_.answer_format);
+    if (request_.route->file && request_.answer_format == AnswerFormat::kAny) {
+      auto file = FilePartOf(*request_.route, message);
+      if (!file.ok()) return ErrorResponse(file.status(), request_.answer_format);
+      if (!file->type.empty()) return FileAnswer(std::move(*file));
+    }
     auto body = ToAnswer(*request_.route, std::move(message), request_.answer_format);
     if (!body.ok()) return ErrorResponse(body.status(), request_.answer_format);
     http::Response response;
@@ -94,6 +100,13 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
     response.headers.emplace_back("Content-Type", is_protobuf ? kProtobufType : kJsonType);
     response.body = std::move(*body);
     if (!is_protobuf) response.body += '\n';
+    return response;
+  }
+
+  [[nodiscard]] http::Response FileAnswer(FilePart file) const {
+    http::Response response;
+    response.headers = FileHead(std::move(file.type), request_.file_stem);
+    response.body = std::move(file.data);
     return response;
   }
 

@@ -56,12 +56,13 @@ void LimitConnections(const GrpcOptions& options, grpc::ServerBuilder& builder) 
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kMinClientPing_ms);
 }
 
-std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& context, IntegrateStreams& streams) {
+std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& context, IntegrateStreams& streams,
+                                                         QueryStreams& query_streams) {
   std::vector<std::unique_ptr<grpc::Service>> services;
   services.push_back(MakeMapService(context));
   services.push_back(MakeMappingService(context, streams));
   services.push_back(MakeSubmapService(context));
-  services.push_back(MakeQueryService(context));
+  services.push_back(MakeQueryService(context, query_streams));
   return services;
 }
 
@@ -73,7 +74,7 @@ struct GrpcServer::Impl {
         observer(std::move(grpc_observer)),
         context{registry, lanes, options, observer},
         streams(options.inflight->limit_bytes()),
-        services(MakeServices(context, streams)),
+        services(MakeServices(context, streams, query_streams)),
         lanes{.quick = Lane({.name = "quick", .num_threads = options.num_threads, .max_waiting = kMaxWaiting}),
               .answers = Lane({.name = "answers"}),
               .bulk = Lane({.name = "bulk",
@@ -86,6 +87,7 @@ struct GrpcServer::Impl {
   GrpcObserver observer;
   ServiceContext context;
   IntegrateStreams streams;
+  QueryStreams query_streams;
   std::vector<std::unique_ptr<grpc::Service>> services;
   std::unique_ptr<net::ConnectionAcceptor> connections;  // none behind a unix: address
   int port = 0;
@@ -174,6 +176,7 @@ std::shared_ptr<grpc::Channel> GrpcServer::InProcessChannel() {
 void GrpcServer::Drain() {
   SetServing(false);
   impl_->streams.StopAll();
+  impl_->query_streams.StopAll();
 }
 
 void GrpcServer::Shutdown(double grace_s) {

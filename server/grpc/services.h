@@ -7,6 +7,7 @@
 
 #include "server/grpc/call_runner.h"
 #include "server/grpc/integrate_stream.h"
+#include "server/grpc/query_stream.h"
 
 namespace dhpmap {
 
@@ -14,6 +15,6 @@ namespace dhpmap {
 std::unique_ptr<grpc::Service> MakeMapService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeMappingService(const ServiceContext& context, IntegrateStreams& streams);
 std::unique_ptr<grpc::Service> MakeSubmapService(const ServiceContext& context);
-std::unique_ptr<grpc::Service> MakeQueryService(const ServiceContext& context);
+std::unique_ptr<grpc::Service> MakeQueryService(const ServiceContext& context, QueryStreams& streams);
 
 }  // namespace dhpmap

@@ -9,15 +9,6 @@ namespace {
 
 constexpr std::int64_t kNobody = -1;  // 0 is the unknown submap
 
-v1::QueryStatus StatusToProto(DistanceStatus status) {
-  switch (status) {
-    case DistanceStatus::kOk: return v1::OK;
-    case DistanceStatus::kClamped: return v1::CLAMPED;
-    case DistanceStatus::kUnknown: return v1::UNKNOWN;
-  }
-  return v1::QUERY_STATUS_UNSPECIFIED;
-}
-
 bool HasClass(const SurfaceDistance& answer) {
   return answer.submap != nullptr && answer.submap->panoptic != Panoptic::kUnknown;
 }
@@ -60,6 +51,15 @@ void Append(const SurfaceDistance& answer, v1::PackedDistanceResults& packed) {
 }
 
 }  // namespace
+
+v1::QueryStatus StatusToProto(DistanceStatus status) {
+  switch (status) {
+    case DistanceStatus::kOk: return v1::OK;
+    case DistanceStatus::kClamped: return v1::CLAMPED;
+    case DistanceStatus::kUnknown: return v1::UNKNOWN;
+  }
+  return v1::QUERY_STATUS_UNSPECIFIED;
+}
 
 std::size_t BytesOfAnswers(const v1::QueryDistancesRequest& request) {
   // Of a point: 24 for where it is; 44 packed and up to 43 as bytes; or a message with two vectors and two names.

@@ -93,6 +93,40 @@ TEST_F(CommandLine, CastsRays) {
   EXPECT_EQ(Run({"query", "rays", "room", "0", "0", "0", "1"}).exit_code, 1);
 }
 
+TEST_F(CommandLine, WritesSlicesAsMapsForNav2) {
+  const std::vector<std::string> query = {"query", "slice", "room", "--from", "0.1", "--to", "1", "--out"};
+  for (const char* name : {"floor.pgm", "floor.png"}) {
+    std::vector<std::string> arguments = query;
+    arguments.push_back(File(name).string());
+    const Outcome outcome = Run(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("cells of 0.0"), std::string::npos) << outcome.out;
+    EXPECT_GT(std::filesystem::file_size(File(name)), 100u);
+    const std::string yaml = ReadAll(File("floor.yaml"));
+    EXPECT_NE(yaml.find("image: '" + std::string(name) + "'"), std::string::npos) << yaml;
+    EXPECT_NE(yaml.find("origin: ["), std::string::npos) << yaml;
+  }
+  EXPECT_TRUE(ReadAll(File("floor.pgm")).starts_with("P5\n"));
+  EXPECT_EQ(Run({"query", "slice", "room", "--out", "floor.jpg"}).exit_code, 1);
+  EXPECT_EQ(Run({"query", "slice", "room", "--from", "2", "--to", "1", "--out", File("no.pgm").string()}).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(File("no.pgm")));
+}
+
+TEST_F(CommandLine, FindsAndRelatesObjectsAndWritesGrids) {
+  const Outcome nearest = Run({"query", "search", "room", "--near", "1.16", "-.5", ".6", "--most", "1"});
+  EXPECT_NE(nearest.out.find("Ball"), std::string::npos) << nearest.out << nearest.err;
+  EXPECT_EQ(nearest.out.find("Floor"), std::string::npos) << nearest.out;
+  EXPECT_EQ(Run({"query", "search", "room", "--class", "spoon"}).exit_code, 2);
+  const Outcome relations = Run({"query", "relations", "room", "--kind", "on", "--json"});
+  EXPECT_NE(relations.out.find("\"revision\""), std::string::npos) << relations.out << relations.err;
+  EXPECT_EQ(Run({"query", "relations", "room", "99999"}).exit_code, 3);
+  const std::string npy = File("grid.npy").string();
+  const Outcome grid =
+      Run({"query", "grid", "room", "--box", "0", "0", "0", "0.5", "0.4", "0.3", "--resolution", "0.1", "--out", npy});
+  EXPECT_NE(grid.out.find("6 x 5 x 4 distances"), std::string::npos) << grid.out << grid.err;
+  EXPECT_EQ(ReadAll(File("grid.npy")).size(), 128 + 4 * 6 * 5 * 4u);
+}
+
 TEST_F(CommandLine, EditsObjects) {
   std::istringstream table(Run({"submaps", "room", "--class", "box"}).out);
   std::string line, id;

@@ -55,6 +55,29 @@ TEST_F(GatewayTest, LargeBodiesUnderCurlsDefaultTypeAreNoForms) {
   EXPECT_GT(Heard<v1::QueryPointsRequest>().xyz_m_size(), 70'000);
 }
 
+TEST_F(GatewayTest, AnAnswerThatHoldsAFileIsAFileUnlessJsonIsAskedFor) {
+  v1::GetOccupancySliceResponse slice;
+  slice.set_data("P5\n1 1\n255\n\xfe");
+  slice.set_content_type("image/x-portable-graymap");
+  server.Set("GetOccupancySlice", {.messages = {slice.SerializeAsString()}});
+  const std::string path = "/v1/maps/home:getOccupancySlice?min_z_m=0.1&max_z_m=1&area.min_x_m=-2&format=PGM";
+  const http::HttpAnswer file = client->Ask("GET", path, "", {{"Accept", "*/*"}});
+  EXPECT_EQ(file.status, 200);
+  EXPECT_EQ(file.body, slice.data());
+  EXPECT_EQ(file.Header("Content-Type"), "image/x-portable-graymap");
+  EXPECT_EQ(file.Header("Content-Disposition"), "attachment; filename=\"maps_home.pgm\"");
+  const auto heard = Heard<v1::GetOccupancySliceRequest>();
+  EXPECT_EQ(heard.area().min_x_m(), -2);
+  EXPECT_EQ(heard.format(), v1::PGM);
+  const http::HttpAnswer json = client->Ask("GET", path, "", {{"Accept", "application/json"}});
+  EXPECT_EQ(At(AsJson(json.body), "data").string_value(), "UDUKMSAxCjI1NQr+");
+  slice.clear_content_type();
+  slice.set_cells("\x64");
+  server.Set("GetOccupancySlice", {.messages = {slice.SerializeAsString()}});
+  EXPECT_EQ(client->Ask("POST", "/v1/maps/home:getOccupancySlice", "{}").Header("Content-Type"), "application/json")
+      << "an answer that may hold a file, and does not";
+}
+
 TEST_F(GatewayTest, ProtobufGoesBothWays) {
   v1::QueryPointsRequest request;
   request.add_xyz_m(1.5f);

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap query slice: a band of heights as a map that nav2 loads.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "clients/cli/connection.h"
+#include "clients/cli/output_file.h"
+#include "clients/cli/text_table.h"
+#include "dhpmap/v1/query_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+struct SliceCommand {
+  std::string map, file;
+  double min_z_m = 0.1, max_z_m = 1.5, resolution_m = 0, free_share = 0.3;
+  std::vector<double> area_m;
+  std::vector<std::int64_t> excluded_submaps;
+  std::vector<std::string> excluded_class_names, class_names;
+};
+
+v1::GetOccupancySliceRequest ToRequest(const SliceCommand& command) {
+  v1::GetOccupancySliceRequest request;
+  request.set_map(MapName(command.map));
+  request.set_min_z_m(command.min_z_m);
+  request.set_max_z_m(command.max_z_m);
+  if (command.resolution_m != 0) request.set_resolution_m(command.resolution_m);
+  request.set_free_share(command.free_share);
+  if (!command.area_m.empty()) {
+    request.mutable_area()->set_min_x_m(command.area_m[0]);
+    request.mutable_area()->set_min_y_m(command.area_m[1]);
+    request.mutable_area()->set_max_x_m(command.area_m[2]);
+    request.mutable_area()->set_max_y_m(command.area_m[3]);
+  }
+  v1::QueryOptions& options = *request.mutable_options();
+  for (const std::int64_t id : command.excluded_submaps) options.add_excluded_submaps(SubmapName(command.map, id));
+  options.mutable_excluded_class_names()->Assign(command.excluded_class_names.begin(),
+                                                 command.excluded_class_names.end());
+  options.mutable_class_names()->Assign(command.class_names.begin(), command.class_names.end());
+  return request;
+}
+
+Status WriteFile(const std::string& path, const std::string& text) {
+  DHPMAP_ASSIGN_OR_RETURN(OutputFile file, OutputFile::Open(path));
+  file.Write(text);
+  return file.Close();
+}
+
+ExitCode RunSlice(const Session& session, const SliceCommand& command) {
+  const std::filesystem::path picture = command.file;
+  const bool is_png = picture.extension() == ".png";
+  if (!is_png && picture.extension() != ".pgm") {
+    return ReportLocalError("--out is FILE.pgm or FILE.png; its YAML is written beside it", ExitCode::kUsage);
+  }
+  v1::GetOccupancySliceRequest request = ToRequest(command);
+  request.set_format(is_png ? v1::PNG : v1::PGM);
+  request.set_image(picture.filename().string());
+  grpc::ClientContext context;
+  v1::GetOccupancySliceResponse slice;
+  const grpc::Status status = v1::QueryService::NewStub(Connect(session))->GetOccupancySlice(&context, request, &slice);
+  if (!status.ok()) return ReportError(session, status);
+  std::filesystem::path yaml = picture;
+  yaml.replace_extension(".yaml");
+  for (const auto& [path, text] : {std::pair(picture, &slice.data()), std::pair(yaml, &slice.yaml())}) {
+    if (const Status written = WriteFile(path.string(), *text); !written.ok()) {
+      return ReportLocalError(written.message());
+    }
+  }
+  if (session.json) {
+    slice.clear_data();
+    PrintJson(slice);
+  } else {
+    std::cout << picture.string() << ", " << yaml.string() << ": " << slice.width() << " x " << slice.height()
+              << " cells of " << Fixed(slice.resolution_m(), 3) << " m, of revision " << slice.revision() << "\n";
+  }
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddSliceCommand(CLI::App& query, Session& session) {
+  auto options = std::make_shared<SliceCommand>();
+  CLI::App* slice =
+      query.add_subcommand("slice", "What is occupied, free and unknown, seen from above, as a map for nav2");
+  slice->add_option("map", options->map, "Name of the map")->required();
+  slice->add_option("--out", options->file, "FILE.pgm or FILE.png; FILE.yaml is written beside it")->required();
+  slice->add_option("--from", options->min_z_m, "Bottom of the band, in m")->capture_default_str();
+  slice->add_option("--to", options->max_z_m, "Top of the band, in m")->capture_default_str();
+  slice->add_option("--area", options->area_m, "MIN_X MIN_Y MAX_X MAX_Y in m; default: all that is known")->expected(4);
+  slice->add_option("--resolution", options->resolution_m, "Side of a cell, in m; default: the voxels'");
+  slice->add_option("--free-share", options->free_share, "Share of free voxels that makes a cell free")
+      ->capture_default_str();
+  slice->add_option("--exclude-submap", options->excluded_submaps, "Ids of objects to leave out");
+  slice->add_option("--exclude-class", options->excluded_class_names, "Names of classes to leave out");
+  slice->add_option("--class", options->class_names, "Names of the only classes to look at");
+  slice->callback([options, &session] { session.exit_code = RunSlice(session, *options); });
+}
+
+}  // namespace dhpmap

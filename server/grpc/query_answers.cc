@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/grpc/query_answers.h"
+
+#include <string>
+#include <utility>
+
+#include "server/app/distance_lookup.h"
+#include "server/app/object_queries.h"
+#include "server/app/point_query.h"
+#include "server/app/ray_cast.h"
+#include "server/app/slice_export.h"
+#include "server/wire/distance_conversion.h"
+#include "server/wire/object_conversion.h"
+#include "server/wire/point_conversion.h"
+#include "server/wire/query_options.h"
+#include "server/wire/ray_conversion.h"
+#include "server/wire/slice_conversion.h"
+
+namespace dhpmap {
+namespace {
+
+/// More take milliseconds, which are in the way of those who ask for little.
+constexpr std::size_t kMostQuickPoints = 2048, kMostQuickDistances = 256;
+
+template <typename Request>
+std::size_t NumPoints(const Request& request) {
+  return static_cast<std::size_t>(request.xyz_m_size() / 3 + request.points_m_size());
+}
+
+template <typename Request>
+QueryEffort EffortOfItems(const Request& request, std::size_t num_items, std::size_t most_quick) {
+  return {.num_items = num_items, .is_quick = num_items <= most_quick, .answer_bytes = BytesOfAnswers(request)};
+}
+
+const MapInfo& InfoOf(const QueryPlace& place) { return place.view.snapshot().info(); }
+SurfaceCache& SurfacesOf(const QueryPlace& place) { return place.context.registry.surfaces(); }
+
+}  // namespace
+
+Status AnswersTooLarge(std::size_t bytes) {
+  return InvalidArgument("the query cannot be answered")
+      .WithReason("BAD_POINTS")
+      .WithViolation("packed", "the answers would take " + std::to_string(bytes >> 20) +
+                                   " MiB, more than there is for all calls: ask for packed ones, or for fewer");
+}
+
+QueryEffort EffortOf(const v1::QueryPointsRequest& request) {
+  return EffortOfItems(request, NumPoints(request), kMostQuickPoints);
+}
+
+Status AnswerQuery(const QueryPlace& place, const v1::QueryPointsRequest& request, v1::QueryPointsResponse& response) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto points_m, PointsFromProto(request, place.context.options.max_query_points));
+  DHPMAP_RETURN_IF_ERROR(place.fits);
+  PointAnswers answers(request, InfoOf(place), points_m.size(), response);
+  return LookUpPoints(place.view, points_m, place.stop, [&](const PointInfo& point) { answers.Append(point); });
+}
+
+QueryEffort EffortOf(const v1::QueryDistancesRequest& request) {
+  return EffortOfItems(request, NumPoints(request), kMostQuickDistances);
+}
+
+Status AnswerQuery(const QueryPlace& place, const v1::QueryDistancesRequest& request,
+                   v1::QueryDistancesResponse& response) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto points_m, PointsFromProto(request, place.context.options.max_query_points));
+  DHPMAP_ASSIGN_OR_RETURN(const auto question,
+                          QueryOptionsFromProto(request.options(), place.view.snapshot(), kDistanceOptions));
+  DHPMAP_RETURN_IF_ERROR(place.fits);
+  DistanceAnswers answers(request, InfoOf(place), points_m.size(), response);
+  return LookUpDistances(place.view, SurfacesOf(place), question, points_m, place.stop,
+                         [&](const SurfaceDistance& distance) { answers.Append(distance); });
+}
+
+QueryEffort EffortOf(const v1::CastRaysRequest& request) {
+  return EffortOfItems(request, NumRays(request), kMostQuickDistances);
+}
+
+Status AnswerQuery(const QueryPlace& place, const v1::CastRaysRequest& request, v1::CastRaysResponse& response) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto rays, RaysFromProto(request, place.context.options.max_query_points));
+  DHPMAP_ASSIGN_OR_RETURN(const auto question,
+                          QueryOptionsFromProto(request.options(), place.view.snapshot(), kRayOptions));
+  DHPMAP_RETURN_IF_ERROR(place.fits);
+  RayAnswers answers(request, InfoOf(place), response);
+  return CastRays(place.view, SurfacesOf(place), question, rays, place.stop,
+                  [&](const RayHit& hit) { answers.Append(hit); });
+}
+
+QueryEffort EffortOf(const v1::GetOccupancySliceRequest& request) { return {.answer_bytes = BytesOfAnswers(request)}; }
+
+Status AnswerQuery(const QueryPlace& place, const v1::GetOccupancySliceRequest& request,
+                   v1::GetOccupancySliceResponse& response) {
+  DHPMAP_ASSIGN_OR_RETURN(const SliceRequest wanted, SliceRequestFromProto(request, place.view.snapshot()));
+  DHPMAP_RETURN_IF_ERROR(place.fits);
+  DHPMAP_ASSIGN_OR_RETURN(SliceAnswer slice, ExportSlice(place.view, SurfacesOf(place), wanted, place.stop));
+  ToProto(wanted, InfoOf(place), std::move(slice), response);
+  return Status::Ok();
+}
+
+QueryEffort EffortOf(const v1::SearchSubmapsRequest& request) { return {.answer_bytes = BytesOfAnswers(request)}; }
+
+Status AnswerQuery(const QueryPlace& place, const v1::SearchSubmapsRequest& request,
+                   v1::SearchSubmapsResponse& response) {
+  DHPMAP_ASSIGN_OR_RETURN(const SubmapQuestion question, SubmapQuestionFromProto(request, place.view.snapshot()));
+  DHPMAP_RETURN_IF_ERROR(place.fits);
+  DHPMAP_ASSIGN_OR_RETURN(const auto matches, FindSubmaps(place.view, SurfacesOf(place), question, place.stop));
+  ToProto(question, matches, place.view, response);
+  return Status::Ok();
+}
+
+QueryEffort EffortOf(const v1::ListRelationsRequest& request) { return {.answer_bytes = BytesOfAnswers(request)}; }
+
+Status AnswerQuery(const QueryPlace& place, const v1::ListRelationsRequest& request,
+                   v1::ListRelationsResponse& response) {
+  DHPMAP_ASSIGN_OR_RETURN(const RelationQuestion question, RelationQuestionFromProto(request, place.view.snapshot()));
+  DHPMAP_RETURN_IF_ERROR(place.fits);
+  DHPMAP_ASSIGN_OR_RETURN(const auto relations, ListRelations(place.view, SurfacesOf(place), question, place.stop));
+  ToProto(relations, InfoOf(place), response);
+  return Status::Ok();
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+
+#include "dhpmap/v1/query_service.pb.h"
+#include "server/app/map_view.h"
+#include "server/grpc/call_runner.h"
+
+namespace dhpmap {
+
+/// What answering a query takes.
+struct QueryEffort {
+  std::size_t num_items = 1;     ///< points, rays, calls
+  bool is_quick = false;         ///< a millisecond at most
+  std::size_t answer_bytes = 0;  ///< at most: the question as we hold it, the answer, and the answer as bytes
+};
+
+/// Answers a query from one state of a map. `fits` is an error where there is not that much room for answers; it is
+/// returned once the request is known to be sound.
+struct QueryPlace {
+  const ServiceContext& context;
+  const MapView& view;
+  const Status& fits;
+  const std::stop_token& stop;
+};
+
+// A query is two functions of its request, for unary calls and for streams.
+
+QueryEffort EffortOf(const v1::QueryPointsRequest& request);
+Status AnswerQuery(const QueryPlace& place, const v1::QueryPointsRequest& request, v1::QueryPointsResponse& response);
+
+QueryEffort EffortOf(const v1::QueryDistancesRequest& request);
+Status AnswerQuery(const QueryPlace& place, const v1::QueryDistancesRequest& request,
+                   v1::QueryDistancesResponse& response);
+
+QueryEffort EffortOf(const v1::CastRaysRequest& request);
+Status AnswerQuery(const QueryPlace& place, const v1::CastRaysRequest& request, v1::CastRaysResponse& response);
+
+QueryEffort EffortOf(const v1::GetOccupancySliceRequest& request);
+Status AnswerQuery(const QueryPlace& place, const v1::GetOccupancySliceRequest& request,
+                   v1::GetOccupancySliceResponse& response);
+
+QueryEffort EffortOf(const v1::SearchSubmapsRequest& request);
+Status AnswerQuery(const QueryPlace& place, const v1::SearchSubmapsRequest& request,
+                   v1::SearchSubmapsResponse& response);
+
+QueryEffort EffortOf(const v1::ListRelationsRequest& request);
+Status AnswerQuery(const QueryPlace& place, const v1::ListRelationsRequest& request,
+                   v1::ListRelationsResponse& response);
+
+/// What AnswerQuery is to say of `fits` where so many bytes are more than there are for all calls.
+Status AnswersTooLarge(std::size_t bytes);
+
+/// The revision that a query is to wait for; 0: none.
+template <typename Request>
+std::int64_t MinRevision(const Request& request) {
+  if constexpr (requires { request.options().min_revision(); }) return request.options().min_revision();
+  else return 0;
+}
+
+/// Any query above, with what there is room for, counted.
+template <typename Request, typename Response>
+Status AnswerFromMap(const ServiceContext& context, const std::shared_ptr<const MapView>& view, const Request& request,
+                     Response& response, const std::stop_token& stop) {
+  const QueryEffort effort = EffortOf(request);
+  const bool can_fit = effort.answer_bytes <= context.options.inflight->limit_bytes();
+  const Status fits = can_fit ? Status::Ok() : AnswersTooLarge(effort.answer_bytes);
+  DHPMAP_RETURN_IF_ERROR(AnswerQuery({context, *view, fits, stop}, request, response));
+  if (context.observer.on_query) context.observer.on_query(effort.num_items);
+  return Status::Ok();
+}
+
+}  // namespace dhpmap

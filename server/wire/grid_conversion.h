@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stop_token>
+
+#include "dhpmap/v1/occupancy.pb.h"
+#include "server/app/distance_grid.h"
+
+namespace dhpmap {
+
+/// INVALID_ARGUMENT, naming the field, for a box or resolution that is not usable, or more than 16,000,000 nodes;
+/// errors of QueryOptionsFromProto.
+Result<GridQuestion> GridQuestionFromProto(const v1::GetDistanceGridRequest& request, const MapSnapshot& map);
+
+/// The nodes of a grid in messages of at most 256 KiB.
+class GridChunks {
+ public:
+  GridChunks(DistanceGrid grid, const v1::GetDistanceGridRequest& request)
+      : grid_(std::move(grid)), with_gradients_(request.with_gradients()), with_objects_(request.with_objects()) {}
+  /// Fills the next message, which is empty; false: there is none.
+  Result<bool> Next(v1::GetDistanceGridResponse& message, const std::stop_token& stop);
+
+ private:
+  DistanceGrid grid_;
+  bool with_gradients_, with_objects_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "google/rpc/error_details.pb.h"
+#include "server/grpc/map_pin.h"
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// A mapped TestScene and one stream of queries.
+class QueryStreamTest : public ::testing::Test {
+ protected:
+  using Stream = grpc::ClientReaderWriter<v1::QueryStreamRequest, v1::QueryStreamResponse>;
+
+  QueryStreamTest() {
+    v1::CreateMapResponse created;
+    grpc::ClientContext creating;
+    EXPECT_TRUE(server.maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
+    EXPECT_TRUE(Feed(server, "room", 0, 10).status.ok());
+  }
+  std::unique_ptr<Stream> Open(const std::shared_ptr<grpc::Channel>& channel) {
+    return v1::QueryService::NewStub(channel)->QueryStream(&context);
+  }
+  static v1::QueryStreamRequest Distance(std::int64_t number, double z_m) {
+    v1::QueryStreamRequest request;
+    request.set_number(number);
+    request.mutable_query_distances()->set_map("maps/room");
+    request.mutable_query_distances()->add_points_m()->set_z(z_m);
+    return request;
+  }
+  static v1::QueryStreamRequest Pin(const std::string& map) {
+    v1::QueryStreamRequest request;
+    request.mutable_pin()->set_map(map);
+    return request;
+  }
+  static v1::QueryStreamResponse Ask(Stream& stream, const v1::QueryStreamRequest& request) {
+    v1::QueryStreamResponse response;
+    EXPECT_TRUE(stream.Write(request));
+    EXPECT_TRUE(stream.Read(&response));
+    EXPECT_EQ(response.number(), request.number());
+    return response;
+  }
+  std::int64_t RevisionNow() {
+    v1::GetMapRequest request;
+    request.set_name("maps/room");
+    v1::GetMapResponse response;
+    grpc::ClientContext getting;
+    EXPECT_TRUE(server.maps->GetMap(&getting, request, &response).ok());
+    return response.map().revision();
+  }
+
+  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  TestServer server{*store};
+  grpc::ClientContext context;
+};
+
+TEST_F(QueryStreamTest, AnswersAnyQueryUnderItsNumberAsTheCallWould) {
+  grpc::ClientContext calling;
+  v1::QueryDistancesResponse called;
+  ASSERT_TRUE(server.queries->QueryDistances(&calling, Distance(0, 1.3).query_distances(), &called).ok());
+  const auto stream = Open(server.grpc().InProcessChannel());
+  EXPECT_EQ(Ask(*stream, Distance(7, 1.3)).query_distances().SerializeAsString(), called.SerializeAsString());
+  v1::QueryStreamRequest request;
+  request.set_number(8);
+  request.mutable_query_points()->set_map("maps/room");
+  request.mutable_query_points()->add_points_m()->set_z(0.8);
+  EXPECT_EQ(Ask(*stream, request).query_points().results_size(), 1);
+  request.mutable_cast_rays()->set_map("maps/room");
+  v1::Ray& ray = *request.mutable_cast_rays()->add_rays();
+  ray.mutable_origin_m()->set_z(2);
+  ray.mutable_direction()->set_z(-1);
+  EXPECT_EQ(Ask(*stream, request).cast_rays().results_size(), 1);
+  request.mutable_get_occupancy_slice()->set_map("maps/room");
+  request.mutable_get_occupancy_slice()->set_max_z_m(1);
+  EXPECT_GT(Ask(*stream, request).get_occupancy_slice().width(), 10);
+  request.mutable_search_submaps()->set_map("maps/room");
+  EXPECT_GT(Ask(*stream, request).search_submaps().matches_size(), 1);
+  request.mutable_list_relations()->set_map("maps/room");
+  EXPECT_GT(Ask(*stream, request).list_relations().revision(), 0);
+  EXPECT_TRUE(stream->WritesDone());
+  v1::QueryStreamResponse none;
+  EXPECT_FALSE(stream->Read(&none));
+  EXPECT_TRUE(stream->Finish().ok());
+}
+
+TEST_F(QueryStreamTest, ManySentAheadAreAnsweredInTheirOrder) {
+  const auto stream = Open(server.channel());
+  constexpr int kMany = 500;
+  std::thread writer([&] {
+    for (int i = 0; i < kMany; ++i) EXPECT_TRUE(stream->Write(Distance(i, 0.5 + 0.001 * i)));
+    stream->WritesDone();
+  });
+  v1::QueryStreamResponse response;
+  for (int i = 0; i < kMany; ++i) {
+    ASSERT_TRUE(stream->Read(&response));
+    EXPECT_EQ(response.number(), i);
+    EXPECT_EQ(response.query_distances().results_size(), 1);
+  }
+  writer.join();
+  EXPECT_TRUE(stream->Finish().ok());
+}
+
+TEST_F(QueryStreamTest, ABadQueryIsAnsweredWithItsErrorAndTheStreamGoesOn) {
+  const auto stream = Open(server.channel());
+  v1::QueryStreamRequest bad = Distance(1, 1);
+  bad.mutable_query_distances()->mutable_options()->add_class_names("spoon");
+  v1::QueryStreamResponse answer = Ask(*stream, bad);
+  EXPECT_EQ(answer.error().code(), grpc::INVALID_ARGUMENT);
+  EXPECT_GT(answer.error().details_size(), 0);
+  EXPECT_EQ(answer.answer_case(), v1::QueryStreamResponse::ANSWER_NOT_SET);
+  EXPECT_EQ(Ask(*stream, v1::QueryStreamRequest()).error().code(), grpc::INVALID_ARGUMENT) << "no query";
+  bad = Distance(2, 1);
+  bad.mutable_query_distances()->set_map("maps/nowhere");
+  EXPECT_EQ(Ask(*stream, bad).error().code(), grpc::NOT_FOUND);
+  bad = Distance(3, 1);
+  bad.mutable_query_distances()->mutable_options()->set_min_revision(1'000'000);
+  EXPECT_EQ(Ask(*stream, bad).error().code(), grpc::FAILED_PRECONDITION);
+  EXPECT_EQ(Ask(*stream, Pin("room")).error().code(), grpc::INVALID_ARGUMENT);
+  answer = Ask(*stream, Distance(4, 1.3));
+  EXPECT_FALSE(answer.has_error());
+  EXPECT_EQ(answer.query_distances().results_size(), 1);
+}
+
+TEST_F(QueryStreamTest, APinHoldsOneStateWhileTheMapGoesOn) {
+  const auto stream = Open(server.channel());
+  const std::int64_t pinned = Ask(*stream, Pin("maps/room")).pin().revision();
+  EXPECT_EQ(pinned, RevisionNow());
+  ASSERT_TRUE(Feed(server, "room", 10, 20).status.ok());
+  ASSERT_GT(RevisionNow(), pinned);
+  EXPECT_EQ(Ask(*stream, Distance(1, 1)).query_distances().revision(), pinned);
+  v1::QueryStreamRequest points;
+  points.mutable_query_points()->set_map("maps/room");
+  points.mutable_query_points()->add_points_m();
+  EXPECT_EQ(Ask(*stream, points).query_points().revision(), pinned);
+  EXPECT_EQ(Ask(*stream, Pin("")).pin().revision(), 0);
+  EXPECT_EQ(Ask(*stream, Distance(2, 1)).query_distances().revision(), RevisionNow());
+}
+
+TEST_F(QueryStreamTest, EndsWithTheServerAlsoWhenNobodyAsks) {
+  const auto stream = Open(server.channel());
+  (void)Ask(*stream, Distance(1, 1));
+  const auto begun = std::chrono::steady_clock::now();
+  EXPECT_TRUE(server.Stop().ok());
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(2));
+  v1::QueryStreamResponse none;
+  EXPECT_FALSE(stream->Read(&none));
+  EXPECT_EQ(stream->Finish().error_code(), grpc::UNAVAILABLE);
+}
+
+TEST(MapPin, LetsGoByItselfAndSaysSo) {
+  MapPin pin(std::chrono::milliseconds(30));
+  EXPECT_EQ(*pin.Of("m"), nullptr) << "nothing is held";
+  auto view = std::make_shared<const MapView>(Map(MapInfo{.name = "m"}).Publish(0));
+  const std::weak_ptr<const MapView> watch = view;
+  pin.Hold("m", std::move(view));
+  EXPECT_NE(*pin.Of("m"), nullptr);
+  EXPECT_EQ(*pin.Of("other"), nullptr);
+  const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!watch.expired() && std::chrono::steady_clock::now() < late) std::this_thread::yield();
+  EXPECT_TRUE(watch.expired()) << "although nobody asks";
+  EXPECT_EQ(pin.Of("m").status().code(), StatusCode::kFailedPrecondition);
+  pin.Release();
+  EXPECT_EQ(*pin.Of("m"), nullptr);
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

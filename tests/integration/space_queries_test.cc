@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Slices, grids, objects and streams of queries, of a mapped TestScene, through both doors.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+namespace {
+
+std::string FirstBadField(const std::string& status_bytes) {
+  google::rpc::Status details;
+  google::rpc::BadRequest bad;
+  if (!details.ParseFromString(status_bytes)) return "";
+  for (const auto& detail : details.details()) {
+    if (detail.UnpackTo(&bad) && bad.field_violations_size() > 0) return bad.field_violations(0).field();
+  }
+  return "";
+}
+
+class SpaceQueries : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    store_ = MakeMemoryStore();
+    server_ = std::make_unique<TestServer>(*store_);
+    v1::CreateMapResponse created;
+    grpc::ClientContext context;
+    ASSERT_TRUE(server_->maps->CreateMap(&context, CreateRequest("room"), &created).ok());
+    ASSERT_TRUE(Feed(*server_, "room", 0, 40).status.ok());
+    v1::FinishMappingRequest finish;
+    finish.set_map("maps/room");
+    v1::FinishMappingResponse finished;
+    grpc::ClientContext finishing;
+    ASSERT_TRUE(server_->mapping->FinishMapping(&finishing, finish, &finished).ok());
+  }
+  static void TearDownTestSuite() {
+    server_.reset();
+    store_.reset();
+  }
+  /// The two doors: TCP, and the one that REST goes through.
+  static std::vector<std::shared_ptr<grpc::Channel>> Doors() {
+    return {server_->channel(), server_->grpc().InProcessChannel()};
+  }
+
+  template <typename Request, typename Response>
+  using Rpc = grpc::Status (v1::QueryService::Stub::*)(grpc::ClientContext*, const Request&, Response*);
+  /// Asks through both doors, which must agree.
+  template <typename Request, typename Response>
+  Response Ask(Rpc<Request, Response> rpc, const Request& request) {
+    Response response;
+    std::string first;
+    for (const auto& channel : Doors()) {
+      grpc::ClientContext context;
+      response.Clear();
+      status = ((*v1::QueryService::NewStub(channel)).*rpc)(&context, request, &response);
+      if (first.empty()) first = response.SerializeAsString();
+      EXPECT_EQ(response.SerializeAsString(), first);
+    }
+    return response;
+  }
+  v1::GetOccupancySliceResponse Slice(const v1::GetOccupancySliceRequest& request) {
+    return Ask(&v1::QueryService::Stub::GetOccupancySlice, request);
+  }
+  static v1::GetOccupancySliceRequest SliceRequest(double min_z_m, double max_z_m) {
+    v1::GetOccupancySliceRequest request;
+    request.set_map("maps/room");
+    request.set_min_z_m(min_z_m);
+    request.set_max_z_m(max_z_m);
+    return request;
+  }
+  /// Distances of a box of nodes, all messages put together.
+  v1::GetDistanceGridResponse Grid(const v1::GetDistanceGridRequest& request) {
+    v1::GetDistanceGridResponse all, part;
+    grpc::ClientContext context;
+    const auto reader = server_->queries->GetDistanceGrid(&context, request);
+    num_parts = 0;
+    while (reader->Read(&part)) {
+      EXPECT_EQ(part.first(), all.distance_m_size());
+      all.MergeFrom(part);
+      ++num_parts;
+    }
+    status = reader->Finish();
+    return all;
+  }
+  static v1::GetDistanceGridRequest GridRequest() {
+    v1::GetDistanceGridRequest request;
+    request.set_map("maps/room");
+    auto& low = *request.mutable_box()->mutable_min_m();
+    auto& high = *request.mutable_box()->mutable_max_m();
+    low.set_x(-0.6), low.set_y(-0.5), low.set_z(0.1);
+    high.set_x(0.6), high.set_y(0.5), high.set_z(1.0);
+    request.set_resolution_m(0.05);
+    return request;
+  }
+  void ExpectRefused(grpc::StatusCode code, const std::string& field) {
+    EXPECT_EQ(status.error_code(), code) << field;
+    EXPECT_EQ(FirstBadField(status.error_details()), field);
+  }
+
+  static std::unique_ptr<MapStore> store_;
+  static std::unique_ptr<TestServer> server_;
+  grpc::Status status;
+  int num_parts = 0;
+};
+std::unique_ptr<MapStore> SpaceQueries::store_;
+std::unique_ptr<TestServer> SpaceQueries::server_;
+
+TEST_F(SpaceQueries, ASliceShowsTheScene) {
+  v1::GetOccupancySliceRequest request = SliceRequest(0.1, 0.6);
+  request.set_with_objects(true);
+  const auto slice = Slice(request);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_EQ(slice.cells().size(), static_cast<std::size_t>(slice.width()) * static_cast<std::size_t>(slice.height()));
+  ASSERT_EQ(slice.object_size(), slice.width() * slice.height());
+  const auto at = [&slice](double x_m, double y_m) {
+    const int x = static_cast<int>(std::floor((x_m - slice.origin_m().x()) / slice.resolution_m()));
+    const int y = static_cast<int>(std::floor((y_m - slice.origin_m().y()) / slice.resolution_m()));
+    return static_cast<std::size_t>(y * slice.width() + x);
+  };
+  const auto cell = [&](double x_m, double y_m) {
+    return static_cast<int>(static_cast<signed char>(slice.cells()[at(x_m, y_m)]));
+  };
+  EXPECT_EQ(cell(0.39, 0), 100) << "the ball's equator";
+  EXPECT_EQ(cell(1.2, 0.06), 100) << "the box's side";
+  EXPECT_EQ(cell(0.7, -0.4), 0) << "between and before them";
+  EXPECT_NE(cell(0, 0), 0) << "nobody looked into the ball";
+  const std::uint32_t ball = slice.object(static_cast<int>(at(0.39, 0)));
+  const std::uint32_t box = slice.object(static_cast<int>(at(1.2, 0.06)));
+  ASSERT_GT(ball, 0u);
+  ASSERT_GT(box, 0u);
+  EXPECT_NE(ball, box);
+  EXPECT_GT(slice.objects(static_cast<int>(ball) - 1).instance_id(), 0);
+  EXPECT_EQ(slice.object(static_cast<int>(at(0.7, -0.4))), 0u);
+  request.mutable_options()->add_excluded_submaps(slice.objects(static_cast<int>(ball) - 1).submap());
+  request.mutable_area()->set_min_x_m(0.36);
+  request.mutable_area()->set_max_x_m(0.40);
+  request.mutable_area()->set_min_y_m(-0.02);
+  request.mutable_area()->set_max_y_m(0.02);
+  EXPECT_NE(Slice(request).cells(), "\x64") << "without the ball";
+}
+
+TEST_F(SpaceQueries, SlicesComeAsPicturesWithTheirYaml) {
+  v1::GetOccupancySliceRequest request = SliceRequest(0.1, 0.6);
+  const auto cells = Slice(request);
+  request.set_format(v1::PGM);
+  const auto pgm = Slice(request);
+  EXPECT_EQ(pgm.content_type(), "image/x-portable-graymap");
+  EXPECT_TRUE(pgm.data().starts_with("P5\n")) << pgm.data().substr(0, 20);
+  EXPECT_EQ(pgm.data().size() - pgm.data().find("255\n") - 4, cells.cells().size());
+  EXPECT_TRUE(pgm.cells().empty());
+  EXPECT_NE(pgm.yaml().find("image: 'room.pgm'"), std::string::npos) << pgm.yaml();
+  request.set_format(v1::PNG);
+  EXPECT_TRUE(Slice(request).data().starts_with("\x89PNG"));
+  request.set_format(v1::YAML);
+  request.set_image("floor 1.pgm");
+  const auto yaml = Slice(request);
+  EXPECT_NE(yaml.data().find("image: 'floor 1.pgm'"), std::string::npos) << yaml.data();
+  EXPECT_EQ(yaml.content_type(), "application/yaml");
+  EXPECT_EQ(yaml.width(), cells.width());
+}
+
+TEST_F(SpaceQueries, BadSlicesAreRefusedByField) {
+  const double nan = std::nan("");
+  const std::pair<const char*, std::function<void(v1::GetOccupancySliceRequest&)>> bad[] = {
+      {"max_z_m", [](auto& r) { r.set_max_z_m(0.1); }},
+      {"min_z_m", [=](auto& r) { r.set_min_z_m(nan); }},
+      {"resolution_m", [](auto& r) { r.set_resolution_m(0); }},
+      {"resolution_m", [=](auto& r) { r.set_resolution_m(nan); }},
+      {"free_share", [](auto& r) { r.set_free_share(1.5); }},
+      {"area.max_x_m", [](auto& r) { r.mutable_area()->set_max_x_m(-1); }},
+      {"area",
+       [](auto& r) {
+         r.mutable_area()->set_max_x_m(9e5);
+         r.mutable_area()->set_max_y_m(9e5);
+       }},
+      {"max_z_m",
+       [](auto& r) {
+         r.mutable_area()->set_max_x_m(60);
+         r.mutable_area()->set_max_y_m(60);
+         r.set_max_z_m(1e5);
+       }},
+      {"format", [](auto& r) { r.set_format(static_cast<v1::SliceFormat>(77)); }},
+      {"image", [](auto& r) { r.set_image("a\nb"); }},
+      {"options.padding", [](auto& r) { r.mutable_options()->mutable_padding()->set_default_m(1); }},
+      {"options.frame", [=](auto& r) { r.mutable_options()->mutable_frame()->mutable_translation_m()->set_x(nan); }}};
+  for (const auto& [field, spoil] : bad) {
+    v1::GetOccupancySliceRequest request = SliceRequest(0.1, 0.6);
+    spoil(request);
+    Slice(request);
+    ExpectRefused(grpc::INVALID_ARGUMENT, field);
+  }
+  Slice(SliceRequest(900, 901));
+  ExpectRefused(grpc::FAILED_PRECONDITION, "area");
+  v1::GetOccupancySliceRequest request = SliceRequest(0, 1);
+  request.mutable_options()->add_excluded_submaps("maps/room/submaps/4000000");
+  Slice(request);
+  ExpectRefused(grpc::NOT_FOUND, "options.excluded_submaps[0]");
+}
+
+TEST_F(SpaceQueries, AGridIsTheDistancesAtItsNodes) {
+  v1::GetDistanceGridRequest request = GridRequest();
+  request.set_with_gradients(true);
+  request.set_with_objects(true);
+  const auto grid = Grid(request);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_EQ(grid.num_x(), 25);
+  ASSERT_EQ(grid.num_y(), 21);
+  ASSERT_EQ(grid.num_z(), 19);
+  EXPECT_EQ(num_parts, 3) << "of 4,096 nodes";
+  v1::QueryDistancesRequest points;
+  points.set_map("maps/room");
+  points.set_packed(true);
+  for (int k = 0; k < 19; ++k) {
+    for (int j = 0; j < 21; ++j) {
+      for (int i = 0; i < 25; ++i) {
+        for (const double value : {-0.6 + 0.05 * i, -0.5 + 0.05 * j, 0.1 + 0.05 * k}) {
+          points.add_xyz_m(static_cast<float>(value));
+        }
+      }
+    }
+  }
+  const auto one_by_one = Ask(&v1::QueryService::Stub::QueryDistances, points).packed();
+  ASSERT_EQ(grid.distance_m_size(), one_by_one.distance_m_size());
+  ASSERT_EQ(grid.gradient_size(), 3 * grid.distance_m_size());
+  ASSERT_EQ(grid.status_size(), grid.distance_m_size());
+  ASSERT_EQ(grid.instance_id_size(), grid.distance_m_size());
+  for (int n = 0; n < grid.distance_m_size(); ++n) {
+    EXPECT_NEAR(std::abs(grid.distance_m(n)), std::abs(one_by_one.distance_m(n)), 1e-5);
+  }
+}
+
+TEST_F(SpaceQueries, BadGridsAreRefusedByField) {
+  const std::pair<const char*, std::function<void(v1::GetDistanceGridRequest&)>> bad[] = {
+      {"resolution_m", [](auto& r) { r.clear_resolution_m(); }},
+      {"box.max_m", [](auto& r) { r.mutable_box()->mutable_max_m()->set_z(-9); }},
+      {"box.min_m", [](auto& r) { r.mutable_box()->mutable_min_m()->set_y(std::nan("")); }},
+      {"box", [](auto& r) { r.mutable_box()->mutable_max_m()->set_x(1e5); }},
+      {"options.min_revision", [](auto& r) { r.mutable_options()->set_min_revision(1); }},
+      {"options.max_distance_m", [](auto& r) { r.mutable_options()->set_max_distance_m(-1); }}};
+  for (const auto& [field, spoil] : bad) {
+    v1::GetDistanceGridRequest request = GridRequest();
+    spoil(request);
+    Grid(request);
+    ExpectRefused(grpc::INVALID_ARGUMENT, field);
+  }
+}
+
+TEST_F(SpaceQueries, ObjectsAreFoundAndRelated) {
+  v1::SearchSubmapsRequest search;
+  search.set_map("maps/room");
+  search.mutable_near_m()->set_z(1.0);
+  search.set_most(2);
+  const auto found = Ask(&v1::QueryService::Stub::SearchSubmaps, search);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_EQ(found.matches_size(), 2);
+  const v1::SubmapMatch& ball = found.matches(0);
+  EXPECT_NEAR(ball.distance_m(), 0.2, 0.03);
+  EXPECT_NEAR(ball.nearest_m().z(), 0.8, 0.03);
+  EXPECT_NEAR(ball.box().max_m().z(), 0.8, 0.05);
+  EXPECT_LE(ball.distance_m(), found.matches(1).distance_m());
+  search.mutable_options()->add_excluded_submaps(ball.submap().name());
+  EXPECT_NE(Ask(&v1::QueryService::Stub::SearchSubmaps, search).matches(0).submap().name(), ball.submap().name());
+
+  v1::ListRelationsRequest relate;
+  relate.set_map("maps/room");
+  const auto relations = Ask(&v1::QueryService::Stub::ListRelations, relate);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  std::set<std::pair<std::string, int>> told;
+  for (const v1::Relation& relation : relations.relations()) told.emplace(relation.subject(), relation.kind());
+  EXPECT_TRUE(told.contains({ball.submap().name(), v1::Relation::ON})) << relations.ShortDebugString();
+  for (const v1::Relation& relation : relations.relations()) EXPECT_NE(relation.kind(), v1::Relation::IN);
+}
+
+TEST_F(SpaceQueries, BadQuestionsAboutObjectsAreRefusedByField) {
+  const std::pair<const char*, std::function<void(v1::SearchSubmapsRequest&)>> bad[] = {
+      {"most", [](auto& r) { r.set_most(1001); }},
+      {"near_m", [](auto& r) { r.mutable_near_m()->set_x(std::numeric_limits<double>::infinity()); }},
+      {"sphere.radius_m", [](auto& r) { r.mutable_sphere()->set_radius_m(-1); }},
+      {"region.max_m", [](auto& r) { r.mutable_region()->mutable_max_m()->set_x(-1); }},
+      {"options.class_names[0]", [](auto& r) { r.mutable_options()->add_class_names("spoon"); }},
+      {"name_part", [](auto& r) { r.set_name_part(std::string(201, 'x')); }}};
+  for (const auto& [field, spoil] : bad) {
+    v1::SearchSubmapsRequest request;
+    request.set_map("maps/room");
+    spoil(request);
+    Ask(&v1::QueryService::Stub::SearchSubmaps, request);
+    EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT) << field;
+    EXPECT_NE(FirstBadField(status.error_details()).find(field[0] == 'o' ? "class_names[0]" : field),
+              std::string::npos);
+  }
+  v1::ListRelationsRequest request;
+  request.set_map("maps/room");
+  request.set_min_support(0);
+  Ask(&v1::QueryService::Stub::ListRelations, request);
+  ExpectRefused(grpc::INVALID_ARGUMENT, "min_support");
+  request.clear_min_support();
+  request.add_kinds(v1::Relation::KIND_UNSPECIFIED);
+  Ask(&v1::QueryService::Stub::ListRelations, request);
+  ExpectRefused(grpc::INVALID_ARGUMENT, "kinds[0]");
+  request.clear_kinds();
+  request.set_submap("maps/room/submaps/4000000");
+  Ask(&v1::QueryService::Stub::ListRelations, request);
+  ExpectRefused(grpc::NOT_FOUND, "submap");
+}
+
+}  // namespace
+}  // namespace dhpmap::testing
