@@ -2,6 +2,8 @@
 #include "mapping/query/ray_query.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -28,6 +30,16 @@ double MeetingOf(const TriangleCorners& triangle, const Eigen::Vector3d& origin,
   if (v < -kOver || u + v > 1 + kOver) return kNever;
   const double along = ac.dot(other) / determinant;
   return along >= 0 ? along : kNever;
+}
+
+/// One by each coordinate, none infinite.
+Eigen::Vector3f InverseOf(const Eigen::Vector3d& direction) {
+  constexpr double kLeast = 1e-12;
+  Eigen::Vector3f inverse;
+  for (int i = 0; i < 3; ++i) {
+    inverse[i] = static_cast<float>(1 / (std::abs(direction[i]) > kLeast ? direction[i] : kLeast));
+  }
+  return inverse;
 }
 
 }  // namespace
@@ -58,12 +70,17 @@ RayHit RayQuery::FirstHit(const Ray& ray) const {
     const Transform& T_map_submap = submap.info().T_map_submap;
     const Eigen::Vector3d origin = entry.ToSubmap(ray.origin_m);
     const Eigen::Vector3d direction = T_map_submap.linear().transpose() * ray.direction;
+    const Eigen::Vector3f inverse = InverseOf(direction);
     surface.tree().VisitAlong(surface.InTree(origin), direction.cast<float>(), limit(), [&](std::size_t tile) {
       const TriangleTree& triangles = surface.Surface(submap, tile);
       const Eigen::Vector3d in_tile = surface.InTileExactly(origin, tile);
+      const auto margin_m = static_cast<float>(1e-5 * (1 + in_tile.cwiseAbs().maxCoeff()));  // for rounding
       triangles.tree().VisitAlong(in_tile.cast<float>(), direction.cast<float>(), limit(), [&](std::size_t i) {
-        for (std::size_t k = i * TrianglePacket::kLanes;
-             k < std::min((i + 1) * TrianglePacket::kLanes, triangles.num_triangles()); ++k) {
+        const std::size_t first = i * TrianglePacket::kLanes;
+        const std::size_t count = std::min(TrianglePacket::kLanes, triangles.num_triangles() - first);
+        unsigned met = triangles.packet(i).Along(in_tile.cast<float>(), inverse, margin_m, limit());
+        for (met &= (1u << count) - 1; met != 0; met &= met - 1) {
+          const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(met));
           const TriangleCorners t = triangles.triangle(k);
           const double along_m = MeetingOf(t, in_tile, direction);
           if (along_m >= hit.distance_m && !(hit.submap == nullptr && along_m == hit.distance_m)) continue;

@@ -101,6 +101,34 @@ struct alignas(32) TrianglePacket {
     const std::uint64_t folded = words[0] | words[1] | words[2] | words[3];
     return static_cast<unsigned>(folded | folded >> 32);
   }
+
+  /// Which triangles' boxes, grown by a margin, a ray meets within a limit, a bit each; lanes without a triangle may be
+  /// among them. `inverse`: one by each coordinate of the direction, finite.
+  DHPMAP_ALWAYS_INLINE unsigned Along(const Eigen::Vector3f& origin, const Eigen::Vector3f& inverse, float margin,
+                                      float limit) const {
+    typedef float Float8 __attribute__((vector_size(32), may_alias));
+    typedef std::int32_t Int8 __attribute__((vector_size(32), may_alias));
+    typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
+    Float8 enter = {}, leave = enter + limit;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& a = *reinterpret_cast<const Float8*>(corners[0][axis]);
+      const auto& b = *reinterpret_cast<const Float8*>(corners[1][axis]);
+      const auto& c = *reinterpret_cast<const Float8*>(corners[2][axis]);
+      Float8 low = a < b ? a : b, high = a < b ? b : a;
+      low = c < low ? c : low;
+      high = c > high ? c : high;
+      const Float8 at_low = (low - margin - origin[axis]) * inverse[axis];
+      const Float8 at_high = (high + margin - origin[axis]) * inverse[axis];
+      const Float8 first = at_low < at_high ? at_low : at_high, last = at_low < at_high ? at_high : at_low;
+      enter = first > enter ? first : enter;
+      leave = last < leave ? last : leave;
+    }
+    const Int8 bits = {1, 2, 4, 8, 16, 32, 64, 128};
+    const Int8 met = (enter <= leave) & bits;
+    const Words words = reinterpret_cast<const Words&>(met);
+    const std::uint64_t folded = words[0] | words[1] | words[2] | words[3];
+    return static_cast<unsigned>(folded | folded >> 32);
+  }
 };
 
 }  // namespace dhpmap

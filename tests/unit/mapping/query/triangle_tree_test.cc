@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <random>
 
 #include "tests/unit/mapping/query/surface_scene.h"
@@ -59,6 +60,32 @@ TEST(TrianglePacket, MeasuresEightAtOnceAsEachAlone) {
       }
     }
   }
+}
+
+TEST(TrianglePacket, FindsAlongARayEveryTriangleWhoseBoxItMeets) {
+  const auto triangles = RandomTriangles(400, 10);
+  std::mt19937 random(3);
+  std::normal_distribution<float> normal;
+  int num_met = 0, num_missed = 0;
+  for (std::size_t first = 0; first < triangles.size(); first += TrianglePacket::kLanes) {
+    TrianglePacket packet;
+    for (std::size_t lane = 0; lane < TrianglePacket::kLanes; ++lane) packet.Set(lane, triangles[first + lane]);
+    for (std::size_t aimed_at = 0; aimed_at < TrianglePacket::kLanes; ++aimed_at) {
+      const auto& [a, b, c] = triangles[first + aimed_at];
+      const Eigen::Vector3f target = 0.3f * a + 0.3f * b + 0.4f * c;
+      Eigen::Vector3f direction = Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized();
+      if (aimed_at == 3) direction = Eigen::Vector3f(1e-12f, 1, 1e-12f);  // along an axis
+      const Eigen::Vector3f origin = target - 2 * direction;
+      const unsigned near = packet.Along(origin, direction.cwiseInverse(), 1e-5f, 1.5f);
+      const unsigned far = packet.Along(origin, direction.cwiseInverse(), 1e-5f, 2.5f);
+      EXPECT_NE(far >> aimed_at & 1u, 0u);
+      const bool reaches_back = (a - b).norm() + (b - c).norm() > 0.5f;
+      EXPECT_TRUE(reaches_back || (near >> aimed_at & 1u) == 0);
+      num_met += std::popcount(far);
+      num_missed += 8 - std::popcount(far);
+    }
+  }
+  EXPECT_GT(num_missed, 3 * num_met) << "few of the others are met";
 }
 
 TEST(TriangleTree, KeepsEveryTriangleWhereItsTreeSays) {
