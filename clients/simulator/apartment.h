@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "clients/simulator/bounding_tree.h"
@@ -48,7 +49,14 @@ class ApartmentScene {
   [[nodiscard]] const std::vector<Solid>& solids() const { return tree_.solids(); }
   static std::span<const Room> Rooms();
 
+  /// The same instances and materials with other solids.
+  [[nodiscard]] ApartmentScene WithSolids(std::vector<Solid> solids) const {
+    return {instances_, materials_, std::move(solids)};
+  }
+
  private:
+  ApartmentScene(std::vector<Instance> instances, std::vector<Material> materials, std::vector<Solid> solids)
+      : instances_(std::move(instances)), materials_(std::move(materials)), tree_(std::move(solids)) {}
   explicit ApartmentScene(const SceneBuilder& builder);
 
   std::vector<Instance> instances_;

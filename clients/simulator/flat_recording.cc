@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "clients/simulator/apartment_change.h"
 #include "clients/simulator/camera_path.h"
 #include "clients/simulator/depth_noise.h"
 #include "clients/simulator/image_files.h"
@@ -20,10 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxFrames = 100'000;
+constexpr int kMaxFrames = 100'000, kMaxChanged = 100;
 constexpr int kMinSide_px = 16, kMaxSide_px = 4096;
 constexpr std::int64_t kFirstStamp_ns = 1'600'000'000'000'000'000;
 constexpr std::int64_t kFramePeriod_ns = 100'000'000;
+constexpr std::int64_t kBetweenWalks_ns = 3'600'000'000'000;
 
 Status WriteText(const fs::path& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
@@ -57,8 +59,9 @@ std::string CameraText(const PinholeCamera& camera) {
 
 std::string TimestampsCsv(const RecordingOptions& options) {
   std::string csv = "ImageID,TimeStamp\n";
-  for (int i = options.first_frame; i < options.num_frames; ++i) {
-    csv += FrameId(i) + "," + std::to_string(kFirstStamp_ns + i * kFramePeriod_ns) + "\n";
+  for (int i = options.first_frame; i < options.TotalFrames(); ++i) {
+    const std::int64_t later_ns = i < options.num_frames ? 0 : kBetweenWalks_ns;
+    csv += FrameId(i) + "," + std::to_string(kFirstStamp_ns + i * kFramePeriod_ns + later_ns) + "\n";
   }
   return csv;
 }
@@ -76,8 +79,9 @@ class FrameWriter {
       : scene_(scene), options_(options), renderer_(scene) {}
 
   [[nodiscard]] Result<std::vector<InstanceView>> Write(int frame_number) const {
-    const RenderedFrame frame = renderer_.Render(FlatLayoutCamera(options_.width_px, options_.height_px),
-                                                 path_.PoseOfFrame(frame_number, options_.num_frames));
+    const RenderedFrame frame =
+        renderer_.Render(FlatLayoutCamera(options_.width_px, options_.height_px),
+                         path_.PoseOfFrame(frame_number % options_.num_frames, options_.num_frames));
     const auto number = static_cast<std::uint64_t>(frame_number);
     const std::string start = (options_.directory / options_.run / FrameId(frame_number)).string();
     DHPMAP_RETURN_IF_ERROR(WriteText(start + "_pose.txt", PoseText(frame.T_map_camera)));
@@ -130,16 +134,17 @@ class FirstError {
   Status error_ DHPMAP_GUARDED_BY(mutex_);
 };
 
-/// All frames, spread over the threads; by frame.
-Result<std::vector<std::vector<InstanceView>>> WriteFrames(const FrameWriter& writer, const RecordingOptions& options,
-                                                           ThreadPool& threads,
+/// All frames, spread over the threads; by frame. `after` writes those of a second walk.
+Result<std::vector<std::vector<InstanceView>>> WriteFrames(const FrameWriter& before, const FrameWriter& after,
+                                                           const RecordingOptions& options, ThreadPool& threads,
                                                            const std::function<void()>& on_frame_done) {
   std::vector<std::vector<InstanceView>> views_of_frames(
-      static_cast<std::size_t>(options.num_frames - options.first_frame));
+      static_cast<std::size_t>(options.TotalFrames() - options.first_frame));
   FirstError first_error;
   threads.ParallelFor(views_of_frames.size(), [&](std::size_t i) {
     if (!first_error.Get().ok()) return;
-    Result<std::vector<InstanceView>> views = writer.Write(options.first_frame + static_cast<int>(i));
+    const int frame = options.first_frame + static_cast<int>(i);
+    Result<std::vector<InstanceView>> views = (frame < options.num_frames ? before : after).Write(frame);
     if (views.ok()) {
       views_of_frames[i] = std::move(*views);
       if (on_frame_done) on_frame_done();
@@ -162,6 +167,7 @@ Status RecordingOptions::Validate() const {
   };
   check("frames", num_frames, 1, kMaxFrames);
   check("start", first_frame, 0, std::clamp(num_frames, 1, kMaxFrames) - 1);
+  check("change", num_changed, 0, kMaxChanged);
   check("width", width_px, kMinSide_px, kMaxSide_px);
   check("height", height_px, kMinSide_px, kMaxSide_px);
   if (run.empty() || run.find('/') != std::string::npos || run == "." || run == "..") {
@@ -174,13 +180,21 @@ Result<std::vector<InstanceView>> RecordApartment(const ApartmentScene& scene, c
                                                   ThreadPool& threads, const std::function<void()>& on_frame_done) {
   DHPMAP_RETURN_IF_ERROR(options.Validate());
   DHPMAP_RETURN_IF_ERROR(MakeFolder(options.directory / options.run));
-  const FrameWriter writer(scene, options);
-  DHPMAP_ASSIGN_OR_RETURN(const auto views_of_frames, WriteFrames(writer, options, threads, on_frame_done));
+  DHPMAP_ASSIGN_OR_RETURN(const std::vector<Change> changes, ChooseChanges(scene, options.num_changed, options.seed));
+  const ApartmentScene scene_after = Changed(scene, changes);
+  const FrameWriter before(scene, options), after(scene_after, options);
+  DHPMAP_ASSIGN_OR_RETURN(const auto views_of_frames, WriteFrames(before, after, options, threads, on_frame_done));
   std::vector<InstanceView> views(scene.instances().size());
-  for (const std::vector<InstanceView>& of_frame : views_of_frames) {
-    for (std::size_t id = 0; id < views.size(); ++id) views[id].Join(of_frame[id]);
+  const std::size_t first =
+      options.num_changed > 0 ? views_of_frames.size() - static_cast<std::size_t>(options.num_frames) : 0;
+  for (std::size_t frame = first; frame < views_of_frames.size(); ++frame) {
+    for (std::size_t id = 0; id < views.size(); ++id) views[id].Join(views_of_frames[frame][id]);
   }
-  DHPMAP_RETURN_IF_ERROR(WriteTables(scene, options, views));
+  if (options.num_changed > 0) {
+    DHPMAP_RETURN_IF_ERROR(
+        WriteText(options.directory / "changes.json", ChangesJson(scene, changes, options.num_frames)));
+  }
+  DHPMAP_RETURN_IF_ERROR(WriteTables(scene_after, options, views));
   return views;
 }
 

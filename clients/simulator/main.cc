@@ -28,7 +28,7 @@ Status DrawPlan(const std::string& path) {
 
 int Record(const RecordingOptions& options, int num_threads, bool is_quiet) {
   const ApartmentScene scene;
-  const int num_frames = options.num_frames - options.first_frame;
+  const int num_frames = options.TotalFrames() - options.first_frame;
   ThreadPool threads(num_threads);
   Progress progress(num_frames, is_quiet);
   const auto views = RecordApartment(scene, options, threads, [&progress] { progress.Step(); });
@@ -56,6 +56,9 @@ int Run(int argc, char** argv) {
   app.add_option("--seed", options.seed, "Other seeds give other noise")->capture_default_str();
   app.add_option("--width", options.width_px, "Pixels")->capture_default_str();
   app.add_option("--height", options.height_px, "Pixels")->capture_default_str();
+  app.add_option("--change", options.num_changed,
+                 "Walk twice, with so many things moved and as many taken away in between; changes.json says which")
+      ->capture_default_str();
   app.add_flag("--no-noise", no_noise, "Exact depth");
   app.add_flag("--no-predictions", no_predictions, "Ground truth labels only");
   app.add_option("--threads", num_threads, "0 = one a core")->check(CLI::Range(0, 1024))->capture_default_str();

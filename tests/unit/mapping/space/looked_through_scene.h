@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "mapping/base/thread_pool.h"
@@ -28,15 +30,39 @@ inline Scene FurnishedRoom() {
            {.shape = Shape::kBox, .center_m = {-0.4, 1.1, 1.3}, .size_m = {0.06, 0.06, 1.3}}}};
 }
 
+/// Where the unit ray, from outside, enters a solid; infinity if it does not.
+inline double Enter(const Solid& solid, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d to = solid.center_m - origin;
+  switch (solid.shape) {
+    case Solid::Shape::kHalfSpace: {
+      const double along = direction.dot(solid.size_m);
+      return along < 0 ? std::max(0.0, to.dot(solid.size_m) / along) : kNever;
+    }
+    case Solid::Shape::kSphere: {
+      const double nearest = to.dot(direction);
+      const double half2 = solid.size_m.x() * solid.size_m.x() - (to - nearest * direction).squaredNorm();
+      return half2 > 0 && nearest > 0 ? nearest - std::sqrt(half2) : kNever;
+    }
+    case Solid::Shape::kBox: {
+      double enter = 0, leave = kNever;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double a = (to[axis] - solid.size_m[axis]) / direction[axis];
+        const double b = (to[axis] + solid.size_m[axis]) / direction[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+      }
+      return enter < leave ? enter : kNever;
+    }
+  }
+  return kNever;
+}
+
 /// Distance to what the unit ray hits first, or infinity if nothing within 60 m.
 inline double CastRay(const Scene& scene, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-  double t = 0;
-  while (t < 60) {
-    const double distance = scene.Distance(origin + t * direction);
-    if (distance < 1e-6) return t;
-    t += distance;
-  }
-  return std::numeric_limits<double>::infinity();
+  double nearest = 60;
+  for (const Solid& solid : scene.solids) nearest = std::min(nearest, Enter(solid, origin, direction));
+  return nearest < 60 ? nearest : std::numeric_limits<double>::infinity();
 }
 
 /// 320 x 240 pixels, 90 degrees wide.
