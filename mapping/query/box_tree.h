@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "mapping/query/vector_clones.h"
@@ -60,7 +61,8 @@ class BoxTree {
     for (std::size_t at = 0; at < sizeof(Node); at += 64) __builtin_prefetch(first + at);
   }
 
-  /// Calls visit(leaf) for leaves that overlap `box`, in no order to rely on.
+  /// Calls visit(leaf) for leaves that overlap `box`, in no order to rely on; if it returns a bool, until that is
+  /// false.
   template <typename Visitor>
   void VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const;
 
@@ -106,6 +108,13 @@ class BoxTree {
     std::uint32_t node;
     std::uint32_t level;
   };
+  template <typename Visitor>
+  static bool GoesOn(Visitor& visit, std::size_t position) {
+    if constexpr (std::is_same_v<std::invoke_result_t<Visitor&, std::size_t>, bool>) return visit(position);
+    visit(position);
+    return true;
+  }
+
   void Arrange(std::span<const Eigen::AlignedBox3f> boxes, std::span<std::uint32_t> items, std::size_t child_capacity);
   void BuildLevels(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size);
 
@@ -133,7 +142,7 @@ void BoxTree::VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) 
       if (!overlaps) continue;
       const auto child = static_cast<std::uint32_t>(kLanes * here.node + lane);
       if (here.level > 0) pending[num_pending++] = {child, here.level - 1};
-      else visit(static_cast<std::size_t>(child));
+      else if (!GoesOn(visit, static_cast<std::size_t>(child))) return;
     }
   }
 }

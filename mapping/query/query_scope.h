@@ -34,7 +34,8 @@ struct QueryScope {
   std::vector<ClassId> excluded_classes;
   std::optional<std::vector<ClassId>> classes;   ///< only these
   std::optional<std::vector<SubmapId>> submaps;  ///< only these
-  std::vector<SubmapId> attached;                ///< on a robot, and no longer where they are
+  /// On a robot, and no longer where they are: what was in them counts as seen, and free.
+  std::vector<SubmapId> attached;
   SurfacePadding padding;
   /// What was last looked through so long before the newest look at the map is not known to be free.
   std::optional<double> max_free_age_s;

@@ -30,6 +30,12 @@ QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryS
   if (!scope.IsAll()) {
     for (const SubmapIndex::Entry& entry : entries) is_held_.push_back(scope.Holds(entry.submap().info()));
   }
+  for (std::size_t number = 0; number < entries.size() && !scope.attached.empty(); ++number) {
+    const SubmapId id = entries[number].submap().id();
+    if (std::find(scope.attached.begin(), scope.attached.end(), id) != scope.attached.end()) {
+      attached_.push_back(number);
+    }
+  }
   if (scope.padding.classes.empty() && scope.padding.submaps.empty()) {
     grown_.push_back({scope.padding.default_m, is_held_});
     return;
@@ -45,16 +51,29 @@ QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryS
   for (auto& [padding_m, is_held] : by_padding) grown_.push_back({padding_m, std::move(is_held)});
 }
 
-bool QueryWorld::IsSeen(VoxelIndex voxel) const {
-  if (IsFree(voxel)) return true;
+bool QueryWorld::IsObserved(VoxelIndex voxel) const {
   const Eigen::Vector3d centre = VoxelCentre(voxel, voxel_size_m());
   const SubmapIndex& index = surfaces_->index();
-  bool is_seen = false;
+  bool is_observed = false;
   index.VisitAround(centre, [&](const SubmapIndex::Entry& entry) {
-    if (is_seen || !Holds(static_cast<std::size_t>(&entry - index.entries().data()))) return;
-    is_seen = SampleVoxelAt(entry.submap(), entry.ToSubmap(centre)).IsObserved();
+    if (is_observed || !Holds(static_cast<std::size_t>(&entry - index.entries().data()))) return;
+    is_observed = SampleVoxelAt(entry.submap(), entry.ToSubmap(centre)).IsObserved();
   });
-  return is_seen;
+  return is_observed || IsLeft(centre);
+}
+
+bool QueryWorld::IsLeft(const Eigen::Vector3d& p_map) const {
+  const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
+  return std::any_of(attached_.begin(), attached_.end(), [&](std::size_t number) {
+    const SubmapIndex::Entry& entry = entries[number];
+    const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
+    if (!entry.box_m().contains(p_submap)) return false;
+    if (SampleVoxelAt(entry.submap(), p_submap).IsObserved()) return true;
+    std::vector<bool> is_held(entries.size());
+    is_held[number] = true;
+    const NearestSurface nearest = NearestSearch(*surfaces_, is_held).Find(p_map, entry.box_m().diagonal().norm());
+    return nearest.is_any && nearest.is_behind;
+  });
 }
 
 bool QueryWorld::IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const {
@@ -86,7 +105,8 @@ QueryWorld::Sight QueryWorld::SightAt(const Eigen::Vector3d& p_map, const Neares
     look(entry.submap(), entry.ToSubmap(p_map));
   });
   // A voxel beside a surface may have been looked through, too: what submaps hold there counts.
-  if (!sight.is_seen && IsFree(VoxelAt(p_map, voxel_size_m()))) sight = {.is_seen = true, .is_front = true};
+  if (!sight.is_seen && (IsFree(VoxelAt(p_map, voxel_size_m())) || IsLeft(p_map)))
+    sight = {.is_seen = true, .is_front = true};
   return sight;
 }
 

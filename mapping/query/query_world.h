@@ -33,24 +33,45 @@ class QueryWorld {
   QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryScope& scope);
 
   [[nodiscard]] const MapSurfaces& surfaces() const { return *surfaces_; }
+  [[nodiscard]] const std::shared_ptr<const MapSurfaces>& shared_surfaces() const { return surfaces_; }
   [[nodiscard]] double voxel_size_m() const { return surfaces_->state().info().config.voxel_size_m; }
   [[nodiscard]] bool Holds(std::size_t number) const { return is_held_.empty() || is_held_[number]; }
   /// Every submap that is there is in exactly one of these; at least one, those that are grown most first.
   [[nodiscard]] std::span<const Grown> grown() const { return grown_; }
+  [[nodiscard]] double most_padding_m() const { return grown_.front().padding_m; }
+  /// Of a submap that is there.
+  [[nodiscard]] double padding_m(std::size_t number) const {
+    for (const Grown& grown : grown_) {
+      if (grown.is_held.empty() || grown.is_held[number]) return grown.padding_m;
+    }
+    return 0;
+  }
 
   /// Whether sensors have looked through a voxel of the map's grid, and lately enough.
   [[nodiscard]] bool IsFree(VoxelIndex voxel) const {
-    const FreeTile* tile = free_space_->Find(TileOf(BlockOf(voxel)));
-    return tile != nullptr && tile->last_seen_ns() >= oldest_ns_ &&
-           tile->IsFree(CellOf(BlockOf(voxel)), LinearIndex(voxel));
+    const FreeTile* tile = FindFreeTile(TileOf(BlockOf(voxel)));
+    return tile != nullptr && tile->IsFree(CellOf(BlockOf(voxel)), LinearIndex(voxel));
+  }
+  /// What of a tile is free, if that is late enough; null: nothing.
+  [[nodiscard]] const FreeTile* FindFreeTile(TileIndex index) const {
+    const FreeTile* tile = free_space_->Find(index);
+    return tile != nullptr && tile->last_seen_ns() >= oldest_ns_ ? tile : nullptr;
+  }
+  /// Whether a submap that is there has observed what is at the voxel's centre, or something that is attached was
+  /// there.
+  [[nodiscard]] bool IsObserved(VoxelIndex voxel) const;
+  /// Whether it is free or observed.
+  [[nodiscard]] bool IsSeen(VoxelIndex voxel) const { return IsFree(voxel) || IsObserved(voxel); }
+  /// Whether there is a voxel for a place.
+  [[nodiscard]] bool IsInReach(const Eigen::Vector3d& p_map) const {
+    constexpr double kGridReach_vox = 1 << 30;
+    return p_map.cwiseAbs().maxCoeff() < kGridReach_vox * voxel_size_m();
   }
   /// The same of all voxels of a block.
   [[nodiscard]] FreeMask FreeVoxels(BlockIndex block) const {
     const FreeTile* tile = free_space_->Find(TileOf(block));
     return tile != nullptr && tile->last_seen_ns() >= oldest_ns_ ? tile->MaskOf(CellOf(block)) : FreeMask{};
   }
-  /// Whether it is free, or a submap that is there has observed what is at its centre.
-  [[nodiscard]] bool IsSeen(VoxelIndex voxel) const;
   /// Whether a place within the reach of the grid is free, or a submap that is there has observed it. `nearest`: of the
   /// surfaces.
   [[nodiscard]] bool IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
@@ -58,11 +79,15 @@ class QueryWorld {
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
 
  private:
+  /// Whether a place was left by something that is attached: where that observed something, or behind its surface.
+  [[nodiscard]] bool IsLeft(const Eigen::Vector3d& p_map) const;
+
   std::shared_ptr<const MapSurfaces> surfaces_;
   const FreeSpace* free_space_;
   std::int64_t oldest_ns_ = std::numeric_limits<std::int64_t>::min();  ///< of looks that count
   std::vector<bool> is_held_;                                          ///< by the scope; empty: all are
   std::vector<Grown> grown_;
+  std::vector<std::size_t> attached_;  ///< by the scope
 };
 
 }  // namespace dhpmap

@@ -29,6 +29,7 @@ class SubmapIndex {
       return is_on_map_axes_ ? p_map : Eigen::Vector3d(T_submap_map_ * p_map);
     }
 
+    [[nodiscard]] const Transform& T_submap_map() const { return T_submap_map_; }
     /// Whether the two frames are one.
     [[nodiscard]] bool IsInMapFrame() const { return is_on_map_axes_; }
 
@@ -43,7 +44,7 @@ class SubmapIndex {
    private:
     const Submap* submap_;
     Transform T_submap_map_;
-    bool is_on_map_axes_;  ///< identity pose: no need to transform
+    bool is_on_map_axes_;
     Eigen::AlignedBox3d box_m_;
   };
 

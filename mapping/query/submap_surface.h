@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -32,6 +33,8 @@ class SubmapSurface {
     return (p_submap - origin_m_).cast<float>();
   }
 
+  /// Positions in it are below this.
+  [[nodiscard]] std::size_t num_tiles() const { return tiles_.size(); }
   /// The surface of the tile at a position in the tree, made if it is not there. `submap` is the one this was made of,
   /// at whatever pose, or a clone. Valid as long as this.
   [[nodiscard]] const TriangleTree& Surface(const Submap& submap, std::size_t position) const {

@@ -17,6 +17,7 @@
 #include "mapping/query/ray_query.h"
 #include "mapping/query/tsdf_sampler.h"
 #include "tests/bench/bench.h"
+#include "tests/bench/check_bench.h"
 #include "tests/bench/frames.h"
 
 namespace dhpmap::bench {
@@ -287,6 +288,7 @@ void MeasureState(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& c
               static_cast<double>(cache.cell_bytes()) / 1e6);
   for (const Kind& kind : kinds) PrintErrors(kind, query, soup, options.num_checked, map->info().config.voxel_size_m);
   std::printf("  (%zu, %.0f m)\n", count, sum_m);
+  MeasureChecks(surfaces);
 }
 
 /// So many copies of a thing, each somewhere in a flat of so much room that there is one to 4 m3.

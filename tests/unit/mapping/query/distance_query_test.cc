@@ -278,9 +278,22 @@ TEST(DistanceQuery, WhatIsAttachedIsNotThere) {
   excluded.scope.excluded_submaps = {SubmapId(1)};
   const DistanceQuery a = QueryOf(map, attached), b = QueryOf(map, excluded);
   for (const Eigen::Vector3d& p : testing::RandomPoints(100, 1.5, 4)) {
-    EXPECT_EQ(a.At(p).distance_m, b.At(p).distance_m);
+    EXPECT_EQ(std::abs(a.At(p).distance_m), std::abs(b.At(p).distance_m));
     EXPECT_NE(a.At(p).submap->id, SubmapId(1));
   }
+}
+
+TEST(DistanceQuery, WhereAttachedThingsWereIsSeenAndFree) {
+  Map map(testing::SceneInfo());
+  testing::ObserveBand(testing::AddThing(map), testing::Ball({0, 0, 0}, 0.5), testing::CubeAt({0, 0, 0}, 0.7));
+  testing::ObserveBand(testing::AddThing(map), testing::Ball({1.5, 0, 0}, 0.5), testing::CubeAt({1.5, 0, 0}, 0.7));
+  DistanceOptions options;
+  options.scope.attached = {SubmapId(1)};
+  const DistanceQuery query = QueryOf(map, options);
+  EXPECT_EQ(query.At({0, 0, 0}).status, DistanceStatus::kOk) << "inside";
+  EXPECT_NEAR(query.At({0, 0, 0}).distance_m, 1, 0.1 * kSceneVoxel_m);
+  EXPECT_EQ(query.At({0.45, 0, 0}).status, DistanceStatus::kOk) << "in its band";
+  EXPECT_EQ(query.At({0, 0.9, 0}).status, DistanceStatus::kUnknown) << "beside it";
 }
 
 TEST(DistanceQuery, FreeSpaceThatIsTooOldIsUnknown) {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/body_query.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "mapping/query/body_triangle.h"
+#include "mapping/query/near_triangles.h"
+#include "mapping/query/unseen_voxels.h"
+
+namespace dhpmap {
+namespace {
+
+BodyContact ContactOf(const SurfaceDistance& distance, double radius_m) {
+  return {distance.submap, radius_m - distance.distance_m, distance.nearest_m, distance.gradient};
+}
+
+}  // namespace
+
+BodyQuery::BodyQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options)
+    : options_(std::move(options)),
+      world_(surfaces, options_.scope),
+      distances_(std::move(surfaces), {.max_distance_m = options_.max_distance_m, .scope = options_.scope}) {}
+
+BodyAnswer BodyQuery::Test(const Body& body) const {
+  return std::visit([this](const auto& shape) { return TestShape(shape); }, body);
+}
+
+BodyAnswer BodyQuery::Check(const Body& body, std::size_t max_contacts) const {
+  return std::visit([&](const auto& shape) { return CheckShape(shape, max_contacts); }, body);
+}
+
+template <typename Shape>
+BodyAnswer BodyQuery::TestShape(const Shape& body) const {
+  BodyAnswer answer{.is_colliding = TouchesAny(body) || InsideOf(CentreOf(body))};
+  if (!answer.is_colliding) AddUnseen(body, answer);
+  answer.contacts.clear();
+  return answer;
+}
+
+bool BodyQuery::TouchesAny(const Capsule& capsule) const {
+  if (capsule.a_m != capsule.b_m) return TouchesTriangle(capsule);
+  return distances_.AnyCloserThan(capsule.a_m, capsule.radius_m);
+}
+
+bool BodyQuery::TouchesAny(const OrientedBox& box) const { return TouchesTriangle(box); }
+
+template <typename Shape>
+bool BodyQuery::TouchesTriangle(const Shape& body) const {
+  bool touches = false;
+  VisitNear(world_, body, [&](const NearTriangle<Shape>& near) {
+    touches = TouchOf(near.body, near.triangle, near.padding_m).has_value();
+    return !touches;
+  });
+  return touches;
+}
+
+template <typename Shape>
+BodyAnswer BodyQuery::CheckShape(const Shape& body, std::size_t max_contacts) const {
+  BodyAnswer answer{.contacts = Contacts(body, max_contacts)};
+  if (answer.contacts.empty()) {
+    if (const auto inside = InsideOf(CentreOf(body))) answer.contacts.push_back(ContactOf(*inside, 0));
+  }
+  answer.is_colliding = !answer.contacts.empty();
+  if (!answer.is_colliding) AddUnseen(body, answer);
+  return answer;
+}
+
+std::vector<BodyContact> BodyQuery::Contacts(const Capsule& capsule, std::size_t max_contacts) const {
+  if (capsule.a_m != capsule.b_m) return TriangleContacts(capsule, max_contacts);
+  // A sphere: by distances, which tell the side exactly. The next object is the nearest without those before.
+  std::vector<BodyContact> contacts;
+  const SurfaceDistance nearest = distances_.Within(capsule.a_m, capsule.radius_m);
+  if (nearest.submap == nullptr) return contacts;
+  contacts.push_back(ContactOf(nearest, capsule.radius_m));
+  DistanceOptions others{.max_distance_m = capsule.radius_m, .scope = options_.scope};
+  while (contacts.size() < max_contacts) {
+    others.scope.excluded_submaps.push_back(contacts.back().submap->id);
+    const SurfaceDistance next = DistanceQuery(world_.shared_surfaces(), others).At(capsule.a_m);
+    if (next.submap == nullptr) break;
+    contacts.push_back(ContactOf(next, capsule.radius_m));
+  }
+  return contacts;
+}
+
+std::vector<BodyContact> BodyQuery::Contacts(const OrientedBox& box, std::size_t max_contacts) const {
+  return TriangleContacts(box, max_contacts);
+}
+
+template <typename Shape>
+std::vector<BodyContact> BodyQuery::TriangleContacts(const Shape& body, std::size_t max_contacts) const {
+  struct Deepest {
+    BodyTouch touch;
+    BodyContact contact;
+  };
+  std::map<std::size_t, Deepest> by_submap;
+  VisitNear(world_, body, [&](const NearTriangle<Shape>& near) {
+    const auto touch = TouchOf(near.body, near.triangle, near.padding_m);
+    if (!touch) return true;
+    const auto [known, is_new] = by_submap.try_emplace(near.number);
+    if (!is_new && !touch->TellsMoreThan(known->second.touch)) return true;
+    known->second = {*touch,
+                     {&world_.surfaces().index().entries()[near.number].submap().info(), touch->depth_m,
+                      near.InMap(touch->point), near.TurnedToMap(touch->normal)}};
+    return true;
+  });
+  std::vector<BodyContact> contacts;
+  for (const auto& [number, deepest] : by_submap) contacts.push_back(deepest.contact);
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [](const BodyContact& a, const BodyContact& b) { return a.depth_m > b.depth_m; });
+  if (contacts.size() > max_contacts) contacts.resize(max_contacts);
+  return contacts;
+}
+
+std::optional<SurfaceDistance> BodyQuery::InsideOf(const Eigen::Vector3d& p_map) const {
+  // What was seen in front of a surface can be behind another one only within the band.
+  const double band_m = world_.surfaces().state().info().config.truncation_m;
+  const SurfaceDistance near = distances_.Within(p_map, band_m);
+  if (near.submap != nullptr) return near.distance_m < 0 ? std::optional(near) : std::nullopt;
+  if (world_.IsInReach(p_map) && world_.SightAt(p_map, {}).is_front) return std::nullopt;
+  const SurfaceDistance far = distances_.At(p_map);
+  return far.submap != nullptr && far.distance_m < 0 ? std::optional(far) : std::nullopt;
+}
+
+template <typename Shape>
+void BodyQuery::AddUnseen(const Shape& body, BodyAnswer& answer) const {
+  if (options_.unknown == UnknownSpace::kFree) return;
+  VisitUnseen(world_, body, [&](VoxelIndex voxel) {
+    answer.is_unknown = true;
+    answer.contacts.push_back({.point_m = VoxelCentre(voxel, world_.voxel_size_m())});
+    return false;
+  });
+  answer.is_colliding = answer.is_unknown && options_.unknown == UnknownSpace::kOccupied;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/carried_body.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace dhpmap {
+namespace {
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+/// Around the corners of triangles, which holds the triangles.
+CarriedBody::Ball BallAround(const std::vector<Corners>& triangles) {
+  Eigen::AlignedBox3d box;
+  for (const Corners& t : triangles) {
+    for (const Eigen::Vector3d& corner : t) box.extend(corner);
+  }
+  double radius2 = 0;
+  for (const Corners& t : triangles) {
+    for (const Eigen::Vector3d& corner : t) radius2 = std::max(radius2, (corner - box.center()).squaredNorm());
+  }
+  return {box.center(), std::sqrt(radius2)};
+}
+
+CarriedBody::Ball BallAround(const std::vector<CarriedBody::Ball>& balls) {
+  Eigen::AlignedBox3d box;
+  for (const CarriedBody::Ball& ball : balls) box.extend(ball.center_m);
+  double radius_m = 0;
+  for (const CarriedBody::Ball& ball : balls) {
+    radius_m = std::max(radius_m, (ball.center_m - box.center()).norm() + ball.radius_m);
+  }
+  return {box.center(), radius_m};
+}
+
+}  // namespace
+
+CarriedBody CarriedBodyOf(const MapSurfaces& surfaces, std::size_t number, std::size_t max_balls) {
+  const Submap& submap = surfaces.index().entries()[number].submap();
+  const SubmapSurface& surface = surfaces.surface(number);
+  const double size_m = submap.info().voxel_size_m;
+  // A triangle of marching cubes lies in one cell, which has a voxel's size and voxel centres for corners.
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * size_m);
+  std::map<BlockIndex, std::map<VoxelIndex, std::vector<Corners>>> cells;
+  CarriedBody body;
+  for (std::size_t tile = 0; tile < surface.num_tiles() && body.num_balls <= max_balls; ++tile) {
+    const TriangleTree& triangles = surface.Surface(submap, tile);
+    for (std::size_t i = 0; i < triangles.num_triangles(); ++i) {
+      Corners t;
+      for (std::size_t k = 0; k < 3; ++k) t[k] = surface.FromTile(triangles.triangle(i)[k], tile);
+      const VoxelIndex cell = VoxelAt((t[0] + t[1] + t[2]) / 3 - half, size_m);
+      auto& of_cell = cells[BlockOf(cell)][cell];
+      body.num_balls += of_cell.empty() ? 1 : 0;
+      of_cell.push_back(t);
+    }
+  }
+  for (const auto& [block, of_block] : cells) {
+    CarriedBody::Group& group = body.groups.emplace_back();
+    for (const auto& [cell, triangles] : of_block) group.balls.push_back(BallAround(triangles));
+    group.around = BallAround(group.balls);
+    body.reach_m = std::max(body.reach_m, group.around.center_m.norm() + group.around.radius_m);
+  }
+  return body;
+}
+
+}  // namespace dhpmap

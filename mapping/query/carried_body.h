@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "mapping/query/surface_cache.h"
+
+namespace dhpmap {
+
+/// The surface of a submap as spheres, in its own frame: one around what lies in each voxel, so that they hold all of
+/// the surface and stick out by at most half a voxel's diagonal; and one around all those of a block.
+struct CarriedBody {
+  struct Ball {
+    Eigen::Vector3d center_m;
+    double radius_m;
+  };
+  struct Group {
+    Ball around;
+    std::vector<Ball> balls;
+  };
+  std::vector<Group> groups;
+  double reach_m = 0;  ///< of its points from the origin of the submap's frame
+  std::size_t num_balls = 0;
+};
+
+/// Of the submap with this number in `surfaces`. Ends early, with more than `max_balls`, once there are so many.
+CarriedBody CarriedBodyOf(const MapSurfaces& surfaces, std::size_t number, std::size_t max_balls);
+
+}  // namespace dhpmap

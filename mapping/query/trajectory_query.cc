@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/trajectory_query.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace dhpmap {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+std::optional<std::size_t> NumberOf(const MapSurfaces& surfaces, SubmapId id) {
+  const std::span<const SubmapIndex::Entry> entries = surfaces.index().entries();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].submap().id() == id) return i;
+  }
+  return std::nullopt;  // it has no surface
+}
+
+}  // namespace
+
+Result<TrajectoryQuery> TrajectoryQuery::Make(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options) {
+  TrajectoryQuery query(std::move(surfaces), std::move(options));
+  for (std::size_t i = 0; i < query.options_.attached.size(); ++i) {
+    const AttachedObject& attached = query.options_.attached[i];
+    CarriedBody body;
+    if (const auto number = NumberOf(*query.surfaces_, attached.submap)) {
+      body = CarriedBodyOf(*query.surfaces_, *number, kMostBalls);
+    }
+    if (body.num_balls > kMostBalls) {
+      return ResourceExhausted("the trajectories cannot be checked")
+          .WithViolation("options.attached[" + std::to_string(i) + "].submap", "is too large to be carried");
+    }
+    BodyOptions bodies = query.options_.bodies;
+    auto& excluded = bodies.scope.excluded_submaps;
+    excluded.insert(excluded.end(), attached.may_touch.begin(), attached.may_touch.end());
+    query.carried_.push_back({std::move(body), SweepQuery(query.surfaces_, std::move(bodies))});
+  }
+  return query;
+}
+
+template <typename Sweep>
+void TrajectoryQuery::Add(const SweepQuery& query, const TrajectoryContact& part, const Sweep& sweep,
+                          TrajectoryAnswer& answer, double& unknown_at) const {
+  const bool is_all = options_.max_contacts > 1;
+  const double until = is_all || answer.contacts.empty() ? kNever : answer.contacts.front().at;
+  SweepAnswer found = sweep(query, until);
+  BodyOptions left = query.options();
+  for (std::size_t round = 1;; ++round) {
+    if (found.unknown_at) unknown_at = std::min(unknown_at, *found.unknown_at);
+    if (!found.first || (!is_all && found.first->at >= until)) return;
+    TrajectoryContact contact = part;
+    contact.at = found.first->at;
+    contact.contact = found.first->contact;
+    if (!is_all) answer.contacts.clear();
+    answer.contacts.push_back(contact);
+    if (round >= options_.max_contacts) return;
+    if (contact.contact.submap != nullptr) left.scope.excluded_submaps.push_back(contact.contact.submap->id);
+    else left.unknown = UnknownSpace::kFree;  // told once
+    found = sweep(SweepQuery(surfaces_, left), kNever);
+  }
+}
+
+SweepAnswer TrajectoryQuery::SweepCarried(const SweepQuery& query, const CarriedBody& body, const RigidPath& path,
+                                          double until) {
+  SweepAnswer best;
+  for (const CarriedBody::Group& group : body.groups) {
+    const SweepAnswer rough = query.First(path.Carried(group.around.center_m, group.around.radius_m), until);
+    if (!rough.first && !rough.unknown_at) continue;
+    for (const CarriedBody::Ball& ball : group.balls) {
+      const SweepAnswer found = query.First(path.Carried(ball.center_m, ball.radius_m), until);
+      if (found.unknown_at) best.unknown_at = std::min(found.unknown_at.value(), best.unknown_at.value_or(kNever));
+      if (!found.first || (best.first && best.first->at <= found.first->at)) continue;
+      best.first = found.first;
+      until = found.first->at;
+    }
+  }
+  return best;
+}
+
+Result<TrajectoryAnswer> TrajectoryQuery::Check(const RobotMotion& motion, const std::stop_token& stop) const {
+  TrajectoryAnswer answer;
+  double unknown_at = kNever;
+  const auto add_sphere = [&](std::size_t number, std::span<const SphereKnot> knots) {
+    const auto sweep = [&](const SweepQuery& query, double until) { return query.First(knots, until); };
+    Add(robot_, {.at = 0, .sphere = number, .attached = {}, .contact = {}}, sweep, answer, unknown_at);
+  };
+  for (std::size_t i = 0; i < motion.spheres.size(); ++i) {
+    if (stop.stop_requested()) return Cancelled("the client went away");
+    add_sphere(i, motion.spheres[i]);
+  }
+  double reach_m = 0;
+  for (const CarriedBody::Ball& ball : motion.robot) {
+    reach_m = std::max(reach_m, ball.center_m.norm() + ball.radius_m);
+  }
+  const RigidPath robot_path(motion.waypoints, reach_m);
+  for (std::size_t i = 0; i < motion.robot.size(); ++i) {
+    if (stop.stop_requested()) return Cancelled("the client went away");
+    const CarriedBody::Ball& ball = motion.robot[i];
+    add_sphere(motion.spheres.size() + i, robot_path.Carried(ball.center_m, ball.radius_m));
+  }
+  for (std::size_t i = 0; i < carried_.size(); ++i) {
+    if (stop.stop_requested()) return Cancelled("the client went away");
+    const RigidPath path(motion.attached[i], carried_[i].body.reach_m);
+    const auto sweep = [&](const SweepQuery& query, double until) {
+      return SweepCarried(query, carried_[i].body, path, until);
+    };
+    Add(carried_[i].query, {.at = 0, .sphere = {}, .attached = i, .contact = {}}, sweep, answer, unknown_at);
+  }
+  std::stable_sort(answer.contacts.begin(), answer.contacts.end(),
+                   [](const auto& a, const auto& b) { return a.at < b.at; });
+  if (answer.contacts.size() > options_.max_contacts) answer.contacts.resize(options_.max_contacts);
+  answer.is_valid = answer.contacts.empty();
+  answer.is_unknown = unknown_at < kNever && (answer.is_valid || unknown_at <= answer.contacts.front().at);
+  return answer;
+}
+
+}  // namespace dhpmap
