@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap query point, distances, rays: what is at these points, how far are they from surfaces, what do rays meet?
+// dhpmap query point, distances, rays (collisions, trajectory: check_command.cc): what is at these points, how far are
+// they from surfaces, what do rays meet?
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
 #include "clients/cli/point_input.h"
+#include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
 
@@ -24,9 +26,7 @@ struct PointOptions {
 
 struct DistancesOptions {
   PointOptions points;
-  double max_distance_m = 3;
-  std::vector<std::int64_t> excluded_submaps;
-  std::vector<std::string> excluded_class_names, class_names;
+  QueryFlags flags;
 };
 
 Result<std::vector<float>> ReadAll(const PointOptions& options) {
@@ -116,18 +116,6 @@ void PrintTable(const v1::QueryDistancesRequest& request, const v1::QueryDistanc
   table.Print(std::cout);
 }
 
-v1::QueryOptions OptionsToProto(const DistancesOptions& options) {
-  v1::QueryOptions asked;
-  asked.set_max_distance_m(options.max_distance_m);
-  for (const std::int64_t id : options.excluded_submaps) {
-    asked.add_excluded_submaps(SubmapName(options.points.map, id));
-  }
-  asked.mutable_excluded_class_names()->Assign(options.excluded_class_names.begin(),
-                                               options.excluded_class_names.end());
-  asked.mutable_class_names()->Assign(options.class_names.begin(), options.class_names.end());
-  return asked;
-}
-
 ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   ExitCode exit_code = ExitCode::kOk;
   const auto xyz_m = Points(options.points, exit_code);
@@ -135,7 +123,7 @@ ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   v1::QueryDistancesRequest request;
   request.set_map(MapName(options.points.map));
   request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
-  *request.mutable_options() = OptionsToProto(options);
+  *request.mutable_options() = ToProto(options.flags, options.points.map);
   grpc::ClientContext context;
   v1::QueryDistancesResponse response;
   const grpc::Status status = v1::QueryService::NewStub(Connect(session))->QueryDistances(&context, request, &response);
@@ -174,7 +162,7 @@ ExitCode RunRays(const Session& session, const DistancesOptions& options) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     (i % 6 < 3 ? request.mutable_origin_xyz_m() : request.mutable_direction_xyz())->Add(numbers[i]);
   }
-  *request.mutable_options() = OptionsToProto(options);
+  *request.mutable_options() = ToProto(options.flags, options.points.map);
   grpc::ClientContext context;
   v1::CastRaysResponse response;
   const grpc::Status status = v1::QueryService::NewStub(Connect(session))->CastRays(&context, request, &response);
@@ -190,18 +178,11 @@ void AddPointOptions(CLI::App& command, PointOptions& options) {
   command.add_option("--file", options.file, "Read the points from a file, - for stdin")->excludes(xyz);
 }
 
-void AddQueryOptions(CLI::App& command, DistancesOptions& options) {
-  command.add_option("--max-distance", options.max_distance_m, "How far to look, in m")->capture_default_str();
-  command.add_option("--exclude-submap", options.excluded_submaps, "Ids of objects to leave out");
-  command.add_option("--exclude-class", options.excluded_class_names, "Names of classes to leave out");
-  command.add_option("--class", options.class_names, "Names of the only classes to look at");
-}
-
 void AddDistances(CLI::App& query, Session& session) {
   auto options = std::make_shared<DistancesOptions>();
   CLI::App* distances = query.add_subcommand("distances", "How far are these points from the nearest surface?");
   AddPointOptions(*distances, options->points);
-  AddQueryOptions(*distances, *options);
+  AddQueryFlags(*distances, options->flags);
   distances->callback([options, &session] { session.exit_code = RunDistances(session, *options); });
 }
 
@@ -211,7 +192,7 @@ void AddRays(CLI::App& query, Session& session) {
   rays->add_option("map", options->points.map, "Name of the map")->required();
   rays->add_option("rays", options->points.xyz_m, "X Y Z DX DY DZ [X Y Z DX DY DZ ...]: origins and directions")
       ->required();
-  AddQueryOptions(*rays, *options);
+  AddQueryFlags(*rays, options->flags);
   rays->callback([options, &session] { session.exit_code = RunRays(session, *options); });
 }
 
@@ -229,6 +210,7 @@ void AddQueryCommands(CLI::App& app, Session& session) {
   AddSliceCommand(*query, session);
   AddGridCommand(*query, session);
   AddObjectCommands(*query, session);
+  AddCheckCommands(*query, session);
 }
 
 }  // namespace dhpmap

@@ -67,6 +67,15 @@ class QueryService final : public v1::QueryService::CallbackService {
     return dhpmap::QueryStream::Start(context_, streams_);
   }
 
+  Reactor* CheckCollisions(Context* call, const v1::CheckCollisionsRequest* request,
+                           v1::CheckCollisionsResponse* response) override {
+    return Answer(call, "QueryService/CheckCollisions", request, response);
+  }
+  Reactor* CheckTrajectory(Context* call, const v1::CheckTrajectoryRequest* request,
+                           v1::CheckTrajectoryResponse* response) override {
+    return Answer(call, "QueryService/CheckTrajectory", request, response);
+  }
+
  private:
   /// Answers a query in one of the lanes, by how long it takes, once the map is at the revision that it asks for.
   template <typename Request, typename Response>

@@ -138,14 +138,58 @@ Result<QueryScope> ScopeFromProto(const v1::QueryOptions& options, const MapSnap
 
 Status CheckTaken(const v1::QueryOptions& options, TakenOptions taken) {
   if (options.min_revision() < 0) return BadOption("BAD_FILTER", "options.min_revision", "is negative");
+  if (!v1::QueryOptions::UnknownPolicy_IsValid(options.unknown_policy())) {
+    return BadOption("BAD_FILTER", "options.unknown_policy", "is none of those there are");
+  }
+  if (options.unknown_policy() == v1::QueryOptions::OCCUPIED && !taken.occupied) {
+    return NotTaken("options.unknown_policy");
+  }
   if (options.has_padding() && !taken.padding) return NotTaken("options.padding");
   if (options.attached_size() > 0 && !taken.attached) return NotTaken("options.attached");
-  for (int i = 0; i < options.attached_size(); ++i) {
+  for (int i = 0; i < options.attached_size() && !taken.carries; ++i) {
     if (options.attached(i).has_pose()) return NotTaken(Item("options.attached", i) + ".pose");
   }
-  if (options.ignored_contacts_size() > 0) return NotTaken("options.ignored_contacts");
+  if (options.ignored_contacts_size() > 0 && !taken.carries) return NotTaken("options.ignored_contacts");
   if (options.has_max_age_s() && !taken.max_age) return NotTaken("options.max_age_s");
   return Status::Ok();
+}
+
+/// How far to look; 3 unless said otherwise.
+Result<double> MaxDistanceFromProto(const v1::QueryOptions& options) {
+  if (!options.has_max_distance_m()) return 3.0;
+  const double distance_m = options.max_distance_m();
+  if (distance_m > 0 && distance_m <= kMaxDistance_m) return distance_m;
+  return BadOption("BAD_DISTANCE", "options.max_distance_m", "is not above 0 and up to 1,000");
+}
+
+UnknownSpace UnknownSpaceOf(v1::QueryOptions::UnknownPolicy policy) {
+  if (policy == v1::QueryOptions::FREE) return UnknownSpace::kFree;
+  return policy == v1::QueryOptions::REPORT ? UnknownSpace::kReported : UnknownSpace::kOccupied;
+}
+
+/// What is attached, with its pose and what it may touch. `ids` are those of options.attached.
+Result<std::vector<CarriedSubmap>> CarriedFromProto(const v1::QueryOptions& options, const std::vector<SubmapId>& ids,
+                                                    const MapSnapshot& map) {
+  std::vector<CarriedSubmap> carried;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const int item = static_cast<int>(i);
+    CarriedSubmap& one = carried.emplace_back(CarriedSubmap{.submap = ids[i], .may_touch = {}});
+    DHPMAP_ASSIGN_OR_RETURN(one.T_robot_submap, TransformFromProto(options.attached(item).pose(),
+                                                                   Item("options.attached", item) + ".pose"));
+  }
+  const std::string list = "options.ignored_contacts";
+  DHPMAP_RETURN_IF_ERROR(CheckLength(list, options.ignored_contacts_size()));
+  for (int i = 0; i < options.ignored_contacts_size(); ++i) {
+    const v1::ContactPair& pair = options.ignored_contacts(i);
+    const std::string item = Item(list, i);
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, SubmapFromProto(pair.attached(), item + ".attached", map));
+    const auto one =
+        std::find_if(carried.begin(), carried.end(), [id](const CarriedSubmap& c) { return c.submap == id; });
+    if (one == carried.end()) return BadOption("BAD_FILTER", item + ".attached", "is not attached");
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId other, SubmapFromProto(pair.submap(), item + ".submap", map));
+    one->may_touch.push_back(other);
+  }
+  return carried;
 }
 
 }  // namespace
@@ -154,21 +198,21 @@ Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, 
                                                TakenOptions taken) {
   DHPMAP_RETURN_IF_ERROR(CheckTaken(options, taken));
   DistanceQuestion question;
-  switch (options.unknown_policy()) {
-    case v1::QueryOptions::UNKNOWN_POLICY_UNSPECIFIED:
-    case v1::QueryOptions::REPORT: break;
-    case v1::QueryOptions::FREE: question.options.unknown_is_free = true; break;
-    case v1::QueryOptions::OCCUPIED: return NotTaken("options.unknown_policy");
-    default: return BadOption("BAD_FILTER", "options.unknown_policy", "is none of those there are");
-  }
-  if (options.has_max_distance_m()) {
-    const double distance_m = options.max_distance_m();
-    if (!(distance_m > 0 && distance_m <= kMaxDistance_m)) {
-      return BadOption("BAD_DISTANCE", "options.max_distance_m", "is not above 0 and up to 1,000");
-    }
-    question.options.max_distance_m = distance_m;
-  }
+  question.options.unknown_is_free = options.unknown_policy() == v1::QueryOptions::FREE;
+  DHPMAP_ASSIGN_OR_RETURN(question.options.max_distance_m, MaxDistanceFromProto(options));
   DHPMAP_ASSIGN_OR_RETURN(question.options.scope, ScopeFromProto(options, map));
+  DHPMAP_ASSIGN_OR_RETURN(question.T_map_query, TransformFromProto(options.frame(), "options.frame"));
+  return question;
+}
+
+Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
+                                            TakenOptions taken) {
+  DHPMAP_RETURN_IF_ERROR(CheckTaken(options, taken));
+  CheckQuestion question;
+  question.options.unknown = UnknownSpaceOf(options.unknown_policy());
+  DHPMAP_ASSIGN_OR_RETURN(question.options.max_distance_m, MaxDistanceFromProto(options));
+  DHPMAP_ASSIGN_OR_RETURN(question.options.scope, ScopeFromProto(options, map));
+  DHPMAP_ASSIGN_OR_RETURN(question.attached, CarriedFromProto(options, question.options.scope.attached, map));
   DHPMAP_ASSIGN_OR_RETURN(question.T_map_query, TransformFromProto(options.frame(), "options.frame"));
   return question;
 }

@@ -3,6 +3,7 @@
 
 #include "dhpmap/v1/query_options.pb.h"
 #include "mapping/map/map.h"
+#include "server/app/body_check.h"
 #include "server/app/distance_lookup.h"
 
 namespace dhpmap {
@@ -13,14 +14,22 @@ struct TakenOptions {
   bool padding = false;
   bool attached = false;  ///< leaves the world
   bool max_age = false;
+  bool occupied = false;  ///< unknown space may be
+  bool carries = false;   ///< there is a robot: poses of what is attached, and contacts to be ignored
 };
 inline constexpr TakenOptions kDistanceOptions{.padding = true, .attached = true, .max_age = true};
 inline constexpr TakenOptions kRayOptions{.attached = true, .max_age = true};
+inline constexpr TakenOptions kBodyOptions{.padding = true, .attached = true, .max_age = true, .occupied = true};
+inline constexpr TakenOptions kTrajectoryOptions{
+    .padding = true, .attached = true, .max_age = true, .occupied = true, .carries = true};
 
 /// What a request's options mean for a state of a map. INVALID_ARGUMENT for a distance, pose, name, policy or length of
 /// a list that is not usable, or an option that is not taken; NOT_FOUND for a submap that is not there; each names the
 /// field, "options.frame", and of a list the first item that is wrong.
 Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
                                                TakenOptions taken = {});
+/// The same for checks of bodies or motions, for which unknown space is occupied unless they say otherwise.
+Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
+                                            TakenOptions taken);
 
 }  // namespace dhpmap

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap query collisions, trajectory: do these bodies touch anything, can a robot go this way?
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clients/cli/connection.h"
+#include "clients/cli/query_flags.h"
+#include "clients/cli/text_table.h"
+#include "dhpmap/v1/query_service.grpc.pb.h"
+#include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "server/wire/types/pose_conversion.h"
+
+namespace dhpmap {
+namespace {
+
+struct CheckFlags {
+  std::string map;
+  QueryFlags query;
+  v1::QueryOptions::UnknownPolicy unknown = v1::QueryOptions::OCCUPIED;
+  double padding_m = 0;
+  bool all_contacts = false;
+};
+
+struct CollisionFlags {
+  CheckFlags check;
+  std::vector<float> spheres;
+  std::vector<double> boxes, capsules;
+};
+
+struct TrajectoryFlags {
+  CheckFlags check;
+  std::vector<double> waypoints, robot;
+  std::vector<std::int64_t> attached, may_touch;
+};
+
+void AddCheckFlags(CLI::App& command, CheckFlags& flags) {
+  AddQueryFlags(command, flags.query);
+  static const std::map<std::string, v1::QueryOptions::UnknownPolicy> kPolicies = {
+      {"occupied", v1::QueryOptions::OCCUPIED}, {"report", v1::QueryOptions::REPORT}, {"free", v1::QueryOptions::FREE}};
+  command.add_option("--unknown", flags.unknown, "What space that nobody has seen is: occupied, report, free")
+      ->transform(CLI::CheckedTransformer(kPolicies, CLI::ignore_case));
+  command.add_option("--padding", flags.padding_m, "How far to grow surfaces, in m")->capture_default_str();
+  command.add_flag("--all", flags.all_contacts, "Tell all contacts");
+}
+
+v1::QueryOptions OptionsToProto(const CheckFlags& flags) {
+  v1::QueryOptions options = ToProto(flags.query, flags.map);
+  options.set_unknown_policy(flags.unknown);
+  options.mutable_padding()->set_default_m(flags.padding_m);
+  return options;
+}
+
+v1::Vector3 Vector(const double* xyz) {
+  v1::Vector3 v;
+  v.set_x(xyz[0]);
+  v.set_y(xyz[1]);
+  v.set_z(xyz[2]);
+  return v;
+}
+
+std::string Text(const v1::Vector3& v) { return Fixed(v.x(), 3) + " " + Fixed(v.y(), 3) + " " + Fixed(v.z(), 3); }
+
+/// Depth, point, normal, object and class; dashes for what a contact with unseen space has not.
+std::vector<std::string> Columns(const v1::Contact* contact) {
+  if (contact == nullptr) return {"-", "-", "-", "-", "-"};
+  const bool is_unseen = contact->instance_id() < 0;
+  return {is_unseen ? "-" : Fixed(contact->depth_m(), 4), Text(contact->point_m()),
+          is_unseen ? "-" : Text(contact->normal()), is_unseen ? "unseen" : std::to_string(contact->instance_id()),
+          contact->class_name().empty() ? "-" : contact->class_name()};
+}
+
+void Add(std::vector<std::string> row, const v1::Contact* contact, TextTable& table) {
+  for (std::string& column : Columns(contact)) row.push_back(std::move(column));
+  table.Add(std::move(row));
+}
+
+void PrintTable(const v1::CheckCollisionsResponse& response) {
+  TextTable table({"BODY", "STATUS", "COLLIDING", "DEPTH_M", "POINT_M", "NORMAL", "INSTANCE", "CLASS"});
+  for (int i = 0; i < response.results_size(); ++i) {
+    const v1::CollisionResult& result = response.results(i);
+    const std::vector<std::string> row = {std::to_string(i), v1::QueryStatus_Name(result.status()),
+                                          result.colliding() ? "yes" : "no"};
+    if (result.contacts().empty()) Add(row, nullptr, table);
+    for (const v1::Contact& contact : result.contacts()) Add(row, &contact, table);
+  }
+  table.Print(std::cout);
+}
+
+ExitCode RunCollisions(const Session& session, const CollisionFlags& flags) {
+  if (flags.spheres.size() % 4 != 0 || flags.boxes.size() % 6 != 0 || flags.capsules.size() % 7 != 0 ||
+      flags.spheres.size() + flags.boxes.size() + flags.capsules.size() == 0) {
+    return ReportLocalError("spheres are X Y Z RADIUS, boxes X Y Z and three sizes, capsules X Y Z X Y Z RADIUS",
+                            ExitCode::kUsage);
+  }
+  v1::CheckCollisionsRequest request;
+  request.set_map(MapName(flags.check.map));
+  request.mutable_spheres()->Assign(flags.spheres.begin(), flags.spheres.end());
+  for (std::size_t i = 0; i < flags.boxes.size(); i += 6) {
+    v1::OrientedBox& box = *request.add_bodies()->mutable_box();
+    *box.mutable_pose()->mutable_translation_m() = Vector(&flags.boxes[i]);
+    *box.mutable_size_m() = Vector(&flags.boxes[i + 3]);
+  }
+  for (std::size_t i = 0; i < flags.capsules.size(); i += 7) {
+    v1::Capsule& capsule = *request.add_bodies()->mutable_capsule();
+    *capsule.mutable_a_m() = Vector(&flags.capsules[i]);
+    *capsule.mutable_b_m() = Vector(&flags.capsules[i + 3]);
+    capsule.set_radius_m(flags.capsules[i + 6]);
+  }
+  *request.mutable_options() = OptionsToProto(flags.check);
+  request.set_all_contacts(flags.check.all_contacts);
+  grpc::ClientContext context;
+  v1::CheckCollisionsResponse response;
+  const grpc::Status status =
+      v1::QueryService::NewStub(Connect(session))->CheckCollisions(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else PrintTable(response);
+  return ExitCode::kOk;
+}
+
+void PrintTable(const v1::CheckTrajectoryResponse& response) {
+  TextTable table(
+      {"STATUS", "VALID", "WAYPOINT", "FRACTION", "PART", "DEPTH_M", "POINT_M", "NORMAL", "INSTANCE", "CLASS"});
+  for (const v1::TrajectoryResult& result : response.results()) {
+    const std::vector<std::string> row = {v1::QueryStatus_Name(result.status()), result.valid() ? "yes" : "no"};
+    if (result.contacts().empty()) {
+      std::vector<std::string> none = row;
+      none.insert(none.end(), {"-", "-", "-"});
+      Add(std::move(none), nullptr, table);
+    }
+    for (const v1::TrajectoryContact& contact : result.contacts()) {
+      std::vector<std::string> all = row;
+      all.insert(all.end(),
+                 {std::to_string(contact.waypoint()), Fixed(contact.fraction(), 3),
+                  contact.sphere() >= 0 ? "sphere " + std::to_string(contact.sphere()) : contact.attached()});
+      Add(std::move(all), &contact.contact(), table);
+    }
+  }
+  table.Print(std::cout);
+}
+
+/// Something that the robot takes up at its first waypoint: where it is on the robot from then on.
+Result<v1::AttachedSubmap> TakeUp(const Session& session, const std::string& name, const v1::Pose& first_waypoint,
+                                  grpc::Status& status) {
+  v1::GetSubmapRequest request;
+  request.set_name(name);
+  v1::GetSubmapResponse response;
+  grpc::ClientContext context;
+  status = v1::SubmapService::NewStub(Connect(session))->GetSubmap(&context, request, &response);
+  v1::AttachedSubmap attached;
+  attached.set_submap(name);
+  DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_submap,
+                          TransformFromProto(response.submap().map_from_submap(), "map_from_submap"));
+  DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_robot, TransformFromProto(first_waypoint, "waypoint"));
+  *attached.mutable_pose() = ToProto(T_map_robot.inverse() * T_map_submap);
+  return attached;
+}
+
+ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
+  if (flags.waypoints.empty() || flags.waypoints.size() % 4 != 0 || flags.robot.size() % 4 != 0) {
+    return ReportLocalError("waypoints are X Y Z YAW_DEG [...], a robot is X Y Z RADIUS [...]", ExitCode::kUsage);
+  }
+  v1::CheckTrajectoryRequest request;
+  request.set_map(MapName(flags.check.map));
+  for (std::size_t i = 0; i < flags.robot.size(); i += 4) {
+    v1::Sphere& sphere = *request.add_robot();
+    *sphere.mutable_center_m() = Vector(&flags.robot[i]);
+    sphere.set_radius_m(flags.robot[i + 3]);
+  }
+  v1::Trajectory& trajectory = *request.add_trajectories();
+  for (std::size_t i = 0; i < flags.waypoints.size(); i += 4) {
+    v1::Pose& pose = *trajectory.add_waypoints();
+    const double half_rad = flags.waypoints[i + 3] * M_PI / 360;
+    *pose.mutable_translation_m() = Vector(&flags.waypoints[i]);
+    pose.mutable_rotation()->set_z(std::sin(half_rad));
+    pose.mutable_rotation()->set_w(std::cos(half_rad));
+  }
+  v1::QueryOptions& options = *request.mutable_options();
+  options = OptionsToProto(flags.check);
+  for (const std::int64_t id : flags.attached) {
+    grpc::Status status;
+    const auto attached = TakeUp(session, SubmapName(flags.check.map, id), trajectory.waypoints(0), status);
+    if (!status.ok()) return ReportError(session, status);
+    if (!attached.ok()) return ReportLocalError(attached.status().message(), ExitCode::kUsage);
+    *options.add_attached() = *attached;
+    for (const std::int64_t other : flags.may_touch) {
+      v1::ContactPair& pair = *options.add_ignored_contacts();
+      pair.set_attached(SubmapName(flags.check.map, id));
+      pair.set_submap(SubmapName(flags.check.map, other));
+    }
+  }
+  request.set_all_contacts(flags.check.all_contacts);
+  grpc::ClientContext context;
+  v1::CheckTrajectoryResponse response;
+  const grpc::Status status =
+      v1::QueryService::NewStub(Connect(session))->CheckTrajectory(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else PrintTable(response);
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddCheckCommands(CLI::App& query, Session& session) {
+  auto collision = std::make_shared<CollisionFlags>();
+  CLI::App* collisions = query.add_subcommand("collisions", "Do these bodies touch anything?");
+  collisions->add_option("map", collision->check.map, "Name of the map")->required();
+  collisions->add_option("spheres", collision->spheres, "X Y Z RADIUS [X Y Z RADIUS ...], in m");
+  collisions->add_option("--box", collision->boxes, "X Y Z of the middle and three sizes [...]: along the map's axes");
+  collisions->add_option("--capsule", collision->capsules, "X Y Z X Y Z RADIUS [...]");
+  AddCheckFlags(*collisions, collision->check);
+  collisions->callback([collision, &session] { session.exit_code = RunCollisions(session, *collision); });
+
+  auto motion = std::make_shared<TrajectoryFlags>();
+  CLI::App* trajectory = query.add_subcommand("trajectory", "Can a robot go this way?");
+  trajectory->add_option("map", motion->check.map, "Name of the map")->required();
+  trajectory->add_option("waypoints", motion->waypoints, "X Y Z YAW_DEG [X Y Z YAW_DEG ...]")->required();
+  trajectory->add_option("--robot", motion->robot, "X Y Z RADIUS [...]: its spheres, in its own frame");
+  trajectory->add_option("--attached", motion->attached, "Ids of objects that it takes up at the first");
+  trajectory->add_option("--may-touch", motion->may_touch, "Ids of objects that these may touch");
+  AddCheckFlags(*trajectory, motion->check);
+  trajectory->callback([motion, &session] { session.exit_code = RunTrajectory(session, *motion); });
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/cli/query_flags.h"
+
+#include <CLI/CLI.hpp>
+
+#include "clients/cli/connection.h"
+
+namespace dhpmap {
+
+void AddQueryFlags(CLI::App& command, QueryFlags& flags) {
+  command.add_option("--max-distance", flags.max_distance_m, "How far to look, in m")->capture_default_str();
+  command.add_option("--exclude-submap", flags.excluded_submaps, "Ids of objects to leave out");
+  command.add_option("--exclude-class", flags.excluded_class_names, "Names of classes to leave out");
+  command.add_option("--class", flags.class_names, "Names of the only classes to look at");
+}
+
+v1::QueryOptions ToProto(const QueryFlags& flags, const std::string& map) {
+  v1::QueryOptions options;
+  options.set_max_distance_m(flags.max_distance_m);
+  for (const std::int64_t id : flags.excluded_submaps) options.add_excluded_submaps(SubmapName(map, id));
+  options.mutable_excluded_class_names()->Assign(flags.excluded_class_names.begin(), flags.excluded_class_names.end());
+  options.mutable_class_names()->Assign(flags.class_names.begin(), flags.class_names.end());
+  return options;
+}
+
+}  // namespace dhpmap
