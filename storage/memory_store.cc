@@ -26,6 +26,7 @@ StoredMap Describe(const MapSnapshot& snapshot) {
       if (entry.tsdf) ++map.num_tsdf_blocks, map.blob_bytes += sizeof(TsdfBlock);
       if (entry.labels)
         ++map.num_label_blocks, map.blob_bytes += static_cast<std::int64_t>(entry.labels->MemoryBytes());
+      if (entry.gone) map.blob_bytes += static_cast<std::int64_t>(entry.gone->MemoryBytes());
     }
   }
   return map;

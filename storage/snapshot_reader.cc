@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "storage/codec/gone_codec.h"
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
 #include "storage/map_layers.h"
@@ -23,16 +24,24 @@ struct Job {
   Bytes blob;
   std::shared_ptr<TsdfBlock> tsdf;
   std::shared_ptr<LabelBlock> labels;
+  std::shared_ptr<GoneBlock> gone;
   Status status;
 };
 
 void Decode(Layer layer, Job& job) {
-  if (layer == Layer::kTsdf) {
-    job.tsdf = std::make_shared<TsdfBlock>();
-    job.status = DecodeTsdfBlock(job.blob, job.index, *job.tsdf);
-  } else {
-    job.labels = std::make_shared<LabelBlock>();
-    job.status = DecodeLabelBlock(job.blob, job.index, *job.labels);
+  switch (layer) {
+    case Layer::kTsdf:
+      job.tsdf = std::make_shared<TsdfBlock>();
+      job.status = DecodeTsdfBlock(job.blob, job.index, *job.tsdf);
+      break;
+    case Layer::kLabels:
+      job.labels = std::make_shared<LabelBlock>();
+      job.status = DecodeLabelBlock(job.blob, job.index, *job.labels);
+      break;
+    case Layer::kGone:
+      job.gone = std::make_shared<GoneBlock>();
+      job.status = DecodeGoneBlock(job.blob, job.index, *job.gone);
+      break;
   }
 }
 
@@ -48,8 +57,12 @@ class LayerReader {
     DHPMAP_RETURN_IF_ERROR(rows_.ForEach(submap_key, [&](BlockIndex index, ByteView blob) {
       ++num_blocks;
       if (!first_error.ok()) return;
-      jobs_.push_back(
-          {.index = index, .blob = Bytes(blob.begin(), blob.end()), .tsdf = {}, .labels = {}, .status = {}});
+      jobs_.push_back({.index = index,
+                       .blob = Bytes(blob.begin(), blob.end()),
+                       .tsdf = {},
+                       .labels = {},
+                       .gone = {},
+                       .status = {}});
       if (jobs_.size() == kBlocksABatch) first_error = DecodeBatch();
     }));
     DHPMAP_RETURN_IF_ERROR(first_error);
@@ -66,15 +79,19 @@ class LayerReader {
       if (!job.status.ok()) {
         return {job.status.code(), BlockName(submap_.id().value, layer_, job.index) + " " + job.status.message()};
       }
-      if (layer_ == Layer::kTsdf) {
-        submap_.PutBlock(job.index, std::move(job.tsdf), nullptr);
-      } else {
-        const BlockEntry* entry = submap_.blocks().Find(job.index);
-        submap_.PutBlock(job.index, entry ? entry->tsdf : nullptr, std::move(job.labels));
-      }
+      Put(job);
     }
     jobs_.clear();
     return Status::Ok();
+  }
+
+  void Put(Job& job) {
+    const BlockEntry* entry = submap_.blocks().Find(job.index);
+    switch (layer_) {
+      case Layer::kTsdf: submap_.PutBlock(job.index, std::move(job.tsdf), nullptr); break;
+      case Layer::kLabels: submap_.PutBlock(job.index, entry ? entry->tsdf : nullptr, std::move(job.labels)); break;
+      case Layer::kGone: submap_.PutGone(job.index, std::move(job.gone)); break;
+    }
   }
 
   Layer layer_;
@@ -92,6 +109,7 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithBlocks(sqlite:
   }
   DHPMAP_ASSIGN_OR_RETURN(BlockRowReader tsdf, BlockRowReader::Prepare(database, Layer::kTsdf));
   DHPMAP_ASSIGN_OR_RETURN(BlockRowReader labels, BlockRowReader::Prepare(database, Layer::kLabels));
+  DHPMAP_ASSIGN_OR_RETURN(BlockRowReader gone, BlockRowReader::Prepare(database, Layer::kGone));
   std::vector<std::shared_ptr<const Submap>> submaps;
   for (const SubmapRow& row : rows) {
     constexpr std::uint64_t kOlderThanAnyWriter = 0;
@@ -100,6 +118,7 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithBlocks(sqlite:
     DHPMAP_RETURN_IF_ERROR(LayerReader(Layer::kTsdf, tsdf, pool, *submap).Read(row.key, row.counts.num_tsdf_blocks));
     DHPMAP_RETURN_IF_ERROR(
         LayerReader(Layer::kLabels, labels, pool, *submap).Read(row.key, row.counts.num_label_blocks));
+    DHPMAP_RETURN_IF_ERROR(LayerReader(Layer::kGone, gone, pool, *submap).Read(row.key, row.counts.num_gone_blocks));
     submaps.push_back(std::move(submap));
   }
   return submaps;

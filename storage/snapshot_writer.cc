@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "storage/codec/gone_codec.h"
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
 #include "storage/rows/block_rows.h"
@@ -35,8 +36,12 @@ struct Job {
 
 class Writer {
  public:
-  Writer(SubmapRowWriter submaps, BlockRowWriter tsdf, BlockRowWriter labels, ThreadPool& pool)
-      : submaps_(std::move(submaps)), tsdf_(std::move(tsdf)), labels_(std::move(labels)), pool_(pool) {}
+  Writer(SubmapRowWriter submaps, BlockRowWriter tsdf, BlockRowWriter labels, BlockRowWriter gone, ThreadPool& pool)
+      : submaps_(std::move(submaps)),
+        tsdf_(std::move(tsdf)),
+        labels_(std::move(labels)),
+        gone_(std::move(gone)),
+        pool_(pool) {}
 
   Status Write(std::int64_t map_key, const std::vector<SubmapChange>& changes) {
     for (const SubmapChange& change : changes) {
@@ -70,8 +75,10 @@ class Writer {
     Target target{change.after, key, change.is_new, stored ? stored->counts : SubmapCounts{}};
     for (const BlockIndex index : change.erased_tsdf) DHPMAP_RETURN_IF_ERROR(Erase(target, Layer::kTsdf, index));
     for (const BlockIndex index : change.erased_labels) DHPMAP_RETURN_IF_ERROR(Erase(target, Layer::kLabels, index));
+    for (const BlockIndex index : change.erased_gone) DHPMAP_RETURN_IF_ERROR(Erase(target, Layer::kGone, index));
     for (const BlockEntry* entry : change.written_tsdf) jobs_.push_back({targets_.size(), Layer::kTsdf, entry});
     for (const BlockEntry* entry : change.written_labels) jobs_.push_back({targets_.size(), Layer::kLabels, entry});
+    for (const BlockEntry* entry : change.written_gone) jobs_.push_back({targets_.size(), Layer::kGone, entry});
     targets_.push_back(target);
     return Status::Ok();
   }
@@ -90,7 +97,11 @@ class Writer {
 
   [[nodiscard]] Bytes Encode(const Job& job) const {
     const BlockEntry& entry = *job.entry;
-    if (job.layer == Layer::kLabels) return EncodeLabelBlock(*entry.labels, entry.index);
+    switch (job.layer) {
+      case Layer::kTsdf: break;
+      case Layer::kLabels: return EncodeLabelBlock(*entry.labels, entry.index);
+      case Layer::kGone: return EncodeGoneBlock(*entry.gone, entry.index);
+    }
     return EncodeTsdfBlock(*entry.tsdf, entry.index, targets_[job.target].submap->info().truncation_m);
   }
 
@@ -101,24 +112,37 @@ class Writer {
   }
 
   static void Count(Target& target, Layer layer, BlockDelta delta) {
-    (layer == Layer::kTsdf ? target.counts.num_tsdf_blocks : target.counts.num_label_blocks) += delta.rows;
-    target.counts.blob_bytes += delta.bytes;
+    SubmapCounts& counts = target.counts;
+    switch (layer) {
+      case Layer::kTsdf: counts.num_tsdf_blocks += delta.rows; break;
+      case Layer::kLabels: counts.num_label_blocks += delta.rows; break;
+      case Layer::kGone: counts.num_gone_blocks += delta.rows; break;
+    }
+    counts.blob_bytes += delta.bytes;
   }
 
   /// The rows there are now must be the blocks that the submap has.
   Status Finish(const Target& target) {
     const SubmapCounts wanted = CountBlocks(*target.submap);
     if (target.counts.num_tsdf_blocks != wanted.num_tsdf_blocks ||
-        target.counts.num_label_blocks != wanted.num_label_blocks) {
+        target.counts.num_label_blocks != wanted.num_label_blocks ||
+        target.counts.num_gone_blocks != wanted.num_gone_blocks) {
       return NotTheStateBefore(target.submap->id());
     }
     return submaps_.SetBlobBytes(target.key, target.counts.blob_bytes);
   }
 
-  BlockRowWriter& RowsOf(Layer layer) { return layer == Layer::kTsdf ? tsdf_ : labels_; }
+  BlockRowWriter& RowsOf(Layer layer) {
+    switch (layer) {
+      case Layer::kTsdf: break;
+      case Layer::kLabels: return labels_;
+      case Layer::kGone: return gone_;
+    }
+    return tsdf_;
+  }
 
   SubmapRowWriter submaps_;
-  BlockRowWriter tsdf_, labels_;
+  BlockRowWriter tsdf_, labels_, gone_;
   ThreadPool& pool_;
   std::vector<Target> targets_;
   std::vector<Job> jobs_;
@@ -131,7 +155,8 @@ Status WriteChanges(sqlite::Database& database, std::int64_t map_key, const std:
   DHPMAP_ASSIGN_OR_RETURN(SubmapRowWriter submaps, SubmapRowWriter::Prepare(database));
   DHPMAP_ASSIGN_OR_RETURN(BlockRowWriter tsdf, BlockRowWriter::Prepare(database, Layer::kTsdf));
   DHPMAP_ASSIGN_OR_RETURN(BlockRowWriter labels, BlockRowWriter::Prepare(database, Layer::kLabels));
-  return Writer(std::move(submaps), std::move(tsdf), std::move(labels), pool).Write(map_key, changes);
+  DHPMAP_ASSIGN_OR_RETURN(BlockRowWriter gone, BlockRowWriter::Prepare(database, Layer::kGone));
+  return Writer(std::move(submaps), std::move(tsdf), std::move(labels), std::move(gone), pool).Write(map_key, changes);
 }
 
 }  // namespace dhpmap

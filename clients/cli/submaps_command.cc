@@ -27,6 +27,11 @@ void SetVector(v1::Vector3& out, const double* values) {
   out.set_z(values[2]);
 }
 
+const char* StateName(const v1::Submap& submap) {
+  if (submap.presence() == v1::ABSENT) return "absent";
+  return submap.activity() == v1::ACTIVE ? "active" : "settled";
+}
+
 void PrintTable(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {
   TextTable table(
       {"ID", "KIND", "CLASS", "NAME", "CONFIDENCE", "STATE", "FRAMES", "BLOCKS", "X_M", "Y_M", "Z_M", "RADIUS_M"});
@@ -34,10 +39,10 @@ void PrintTable(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {
     const v1::Sphere& sphere = submap.bounding_sphere();
     const auto metres = [&](double value) { return submap.has_bounding_sphere() ? Fixed(value, 2) : "-"; };
     table.Add({std::to_string(submap.instance_id()), KindName(submap.kind()), submap.class_name(),
-               submap.display_name(), Fixed(submap.class_confidence(), 2),
-               submap.activity() == v1::ACTIVE ? "active" : "settled", std::to_string(submap.num_frames_observed()),
-               std::to_string(submap.num_blocks()), metres(sphere.center_m().x()), metres(sphere.center_m().y()),
-               metres(sphere.center_m().z()), metres(sphere.radius_m())});
+               submap.display_name(), Fixed(submap.class_confidence(), 2), StateName(submap),
+               std::to_string(submap.num_frames_observed()), std::to_string(submap.num_blocks()),
+               metres(sphere.center_m().x()), metres(sphere.center_m().y()), metres(sphere.center_m().z()),
+               metres(sphere.radius_m())});
   }
   table.Print(std::cout);
 }

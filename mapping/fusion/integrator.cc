@@ -16,6 +16,7 @@ namespace {
 struct Neighbour {
   TsdfBlock* tsdf = nullptr;
   LabelBlock* labels = nullptr;
+  const GoneBlock* gone = nullptr;   ///< what was looked through since it was observed; null: nothing
   const BundleCell* ends = nullptr;  ///< bundles of the same segment that end here
 };
 
@@ -45,6 +46,7 @@ class Neighbourhood {
   Neighbour& Load(BlockIndex block, Neighbour& neighbour) {
     neighbour.tsdf = &submap_.MutableTsdf(block);
     if (with_labels_) neighbour.labels = &submap_.MutableLabels(block);
+    neighbour.gone = submap_.blocks().Find(block)->gone.get();
     neighbour.ends = segment_.Find(block);
     return neighbour;
   }
@@ -82,6 +84,27 @@ bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const 
     c = {average.Channel(c.r, color.x()), average.Channel(c.g, color.y()), average.Channel(c.b, color.z())};
   }
   block.weight[i] = std::min(sum, rule.max_weight);
+  return true;
+}
+
+/// The same for a voxel that sensors have looked through: it is seen again. Where it was contradicted there is
+/// something new, which what was there before does not hold down.
+bool ObserveAnew(float sdf_m, float weight, const Eigen::Vector3f& color, const UpdateRule& rule, BlockIndex block,
+                 std::size_t i, Neighbour& here, Submap& submap) {
+  const auto linear = static_cast<int>(i);
+  const float before = here.tsdf->weight[i];
+  if (here.gone->IsContradicted(linear)) here.tsdf->weight[i] = 0;
+  if (!UpdateVoxel(sdf_m, weight, color, rule, *here.tsdf, i)) {
+    here.tsdf->weight[i] = before;
+    return false;
+  }
+  GoneBlock& gone = submap.MutableGone(block);
+  gone.Forget(linear);
+  here.gone = &gone;
+  if (gone.empty()) {
+    submap.PutGone(block, nullptr);
+    here.gone = nullptr;
+  }
   return true;
 }
 
@@ -135,7 +158,11 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
           if (!ends_here) continue;
         }
         const float sdf_m = range_m - ray.CentreAlongRay_m();
-        if (!UpdateVoxel(sdf_m, bundle.weight, color, rule, *here->tsdf, linear)) continue;
+        const bool is_doubted = here->gone != nullptr && here->gone->Count(static_cast<int>(linear)) != 0;
+        const bool is_updated = is_doubted
+                                    ? ObserveAnew(sdf_m, bundle.weight, color, rule, block, linear, *here, submap)
+                                    : UpdateVoxel(sdf_m, bundle.weight, color, rule, *here->tsdf, linear);
+        if (!is_updated) continue;
         ++num_updates;
         if (class_id) here->labels->AddObservation(static_cast<int>(linear), *class_id);
       }

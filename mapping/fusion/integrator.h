@@ -18,7 +18,8 @@ struct RayOrigin {
 };
 
 /// Traces the bundles of one segment through the band of +-truncation around their end points (paper II-C) and updates
-/// the TSDF and, with a class, the labels of the submap. Bundles must be on the submap's grid. Writes to `submap`
+/// the TSDF and, with a class, the labels of the submap. A voxel that was looked through (GoneBlock) begins at 0 again,
+/// and where it was contradicted so does its TSDF. Bundles must be on the submap's grid. Writes to `submap`
 /// alone, so segments of different submaps may run at once; those of one submap one after the other. Returns the number
 /// of voxel updates.
 std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> class_id,

@@ -8,7 +8,9 @@ namespace dhpmap {
 BlockTile& BlockTable::Own(TileEntry& entry, std::uint64_t generation) {
   if (entry.generation != generation) {
     auto copy = std::make_shared<BlockTile>(*entry.tile);
-    for (BlockEntry& block : copy->mutable_entries()) block.owns_tsdf = block.owns_labels = false;
+    for (BlockEntry& block : copy->mutable_entries()) {
+      block.owns_tsdf = block.owns_labels = block.owns_gone = false;
+    }
     entry.tile = std::move(copy);
     entry.generation = generation;
   }

@@ -27,6 +27,7 @@ std::size_t BlockTile::MemoryBytes() const {
   for (const BlockEntry& entry : entries_) {
     if (entry.tsdf) bytes += sizeof(TsdfBlock);
     if (entry.labels) bytes += entry.labels->MemoryBytes();
+    if (entry.gone) bytes += entry.gone->MemoryBytes();
   }
   return bytes;
 }

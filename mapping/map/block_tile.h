@@ -9,20 +9,28 @@
 #include <vector>
 
 #include "mapping/base/grid.h"
+#include "mapping/map/gone_block.h"
 #include "mapping/map/label_block.h"
 #include "mapping/map/tsdf_block.h"
 
 namespace dhpmap {
 
-/// One block of a submap: its two layers, shared with every snapshot that holds the same state. `labels` is null where
-/// nothing was ever labelled (the unknown submap, dropped labels).
+/// One block of a submap: its layers, shared with every snapshot that holds the same state. `labels` is null where
+/// nothing was ever labelled (the unknown submap, dropped labels), `gone` where nothing was looked through.
 struct BlockEntry {
   BlockIndex index;
   // Set by the writer on what it has made since it took over the tile: nobody else holds it.
   bool owns_tsdf = false;
   bool owns_labels = false;
+  bool owns_gone = false;
   std::shared_ptr<const TsdfBlock> tsdf;
   std::shared_ptr<const LabelBlock> labels;
+  std::shared_ptr<const GoneBlock> gone;
+
+  /// Whether a voxel was looked through so often that what it says of a surface no longer holds.
+  [[nodiscard]] bool IsContradicted(int linear) const { return gone != nullptr && gone->IsContradicted(linear); }
+  /// Whether a voxel says something of a surface: it was observed, and not contradicted since. Needs a TSDF.
+  [[nodiscard]] bool Shows(int linear) const { return tsdf->IsObserved(linear) && !IsContradicted(linear); }
 };
 
 // A tile is a cube of 4 x 4 x 4 blocks: what is copied when a writer goes on from a published state. Surfaces fill some

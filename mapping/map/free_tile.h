@@ -13,8 +13,8 @@
 
 namespace dhpmap {
 
-/// The free voxels of one block: bit x + 8 y of word z.
-using FreeMask = std::array<std::uint64_t, kBlockSide>;
+/// The free voxels of one block.
+using FreeMask = VoxelMask;
 
 /// What one look found free in a tile: to be added to what was.
 struct FreeBlocks {

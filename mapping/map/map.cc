@@ -33,6 +33,10 @@ void DiffTile(const BlockTile* before, const BlockTile* after, SubmapChange& cha
         if (entry.labels) change.written_labels.push_back(&entry);
         else change.erased_labels.push_back(entry.index);
       }
+      if (entry.gone != (old ? old->gone : nullptr)) {
+        if (entry.gone) change.written_gone.push_back(&entry);
+        else change.erased_gone.push_back(entry.index);
+      }
     }
   }
   if (before == nullptr) return;
@@ -40,6 +44,7 @@ void DiffTile(const BlockTile* before, const BlockTile* after, SubmapChange& cha
     if (after != nullptr && after->Find(CellOf(old.index)) != nullptr) continue;
     if (old.tsdf) change.erased_tsdf.push_back(old.index);
     if (old.labels) change.erased_labels.push_back(old.index);
+    if (old.gone) change.erased_gone.push_back(old.index);
   }
 }
 

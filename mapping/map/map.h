@@ -120,8 +120,10 @@ struct SubmapChange {
   bool is_new = false;
   std::vector<const BlockEntry*> written_tsdf;    ///< of `after`, TSDF layer not the same object as before
   std::vector<const BlockEntry*> written_labels;  ///< of `after`, label layer not the same object as before
+  std::vector<const BlockEntry*> written_gone;    ///< of `after`, what was looked through not the same object as before
   std::vector<BlockIndex> erased_tsdf;            ///< blocks whose TSDF layer is gone
   std::vector<BlockIndex> erased_labels;
+  std::vector<BlockIndex> erased_gone;
 };
 
 /// Compares by identity of the shared parts: costs nothing for submaps that were not written. `before` may be null.

@@ -61,6 +61,7 @@ struct RefinementConfig {
 /// What the map keeps of the space between the sensor and the surfaces.
 struct SpaceConfig {
   bool free = true;  ///< which voxels were looked through: tells free from unknown. Up to integration.max_range_m
+  bool gone = true;  ///< which surfaces were looked through: what is no longer there is left out of answers
 };
 
 /// Everything that decides how a map is built. Fixed when the map is created and stored with it.
@@ -132,6 +133,7 @@ void VisitFields(Config& c, Visitor&& visit) {
   visit("refinement.appearance.weight", c.refinement.appearance.weight, 0.0, 1e3,
         "how strongly voxels of like colour should agree");
   visit("space.free", c.space.free, 0.0, 1.0, "keep which voxels were looked through, to tell free from unknown");
+  visit("space.gone", c.space.gone, 0.0, 1.0, "leave out of answers what sensors look through: it is no longer there");
 }
 
 /// Every key with its value as text, in the order of VisitFields. SetField undoes it exactly.

@@ -50,12 +50,31 @@ LabelBlock& Submap::MutableLabels(BlockIndex index) {
   return Own(entry.labels, entry.owns_labels);
 }
 
+GoneBlock& Submap::MutableGone(BlockIndex index) {
+  BlockEntry& entry = blocks_.FindOrInsert(index, generation_);
+  return Own(entry.gone, entry.owns_gone);
+}
+
 void Submap::PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf,
                       std::shared_ptr<const LabelBlock> labels) {
   BlockEntry& entry = blocks_.FindOrInsert(index, generation_);
   entry.tsdf = std::move(tsdf);
   entry.labels = std::move(labels);
   entry.owns_tsdf = entry.owns_labels = false;
+}
+
+void Submap::PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone) {
+  BlockEntry& entry = blocks_.FindOrInsert(index, generation_);
+  entry.gone = std::move(gone);
+  entry.owns_gone = false;
+}
+
+void Submap::DropGone() {
+  std::vector<BlockIndex> marked;
+  for (const BlockEntry& entry : blocks_.entries()) {
+    if (entry.gone != nullptr) marked.push_back(entry.index);
+  }
+  for (const BlockIndex index : marked) PutGone(index, nullptr);
 }
 
 int Submap::PruneBlocks() {

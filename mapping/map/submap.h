@@ -16,6 +16,12 @@ namespace dhpmap {
 /// Active things take new observations first; inactive ones are settled and may be refined (paper II-D).
 enum class Activity : std::uint8_t { kActive = 0, kInactive = 1 };
 
+/// Whether an object is still where it was seen.
+enum class Presence : std::uint8_t {
+  kPresent = 0,
+  kAbsent = 1,  ///< most of its surface was looked through since: kept, but no part of what the map answers
+};
+
 /// How often a class was observed in all of a submap.
 struct ClassTotal {
   ClassId id;
@@ -47,6 +53,10 @@ struct SubmapInfo {
   std::int32_t num_frames_overlooked = 0;  ///< of these, frames in which it was in view and not hidden
   std::int64_t first_observed_ns = 0;
   std::int64_t last_observed_ns = 0;
+  Presence presence = Presence::kPresent;  ///< of a thing; see UpdatePresence
+  std::int64_t last_contradicted_ns = 0;   ///< when a voxel of it last became contradicted (GoneBlock); 0 = never
+  /// Somebody has put it where it is (moved, or cloned it): what sensors see there says nothing against it.
+  bool is_placed = false;
   /// Id under which a front end with persistent segment ids knows this object; 0 = none.
   std::uint32_t track_id = 0;
   /// Map revision that last changed anything of this submap.
@@ -69,6 +79,8 @@ class Submap {
   [[nodiscard]] SubmapId id() const { return info_.id; }
   [[nodiscard]] const BlockTable& blocks() const { return blocks_; }
 
+  [[nodiscard]] bool IsAbsent() const { return info_.presence == Presence::kAbsent; }
+
   /// In the submap frame. Tight as of the last UpdateBoundingSphere.
   [[nodiscard]] const BoundingSphere& bounding_sphere() const { return sphere_; }
   /// The same in the map frame.
@@ -77,8 +89,13 @@ class Submap {
   // Writing: the returned layer belongs to this copy alone, and is allocated if it was not there.
   TsdfBlock& MutableTsdf(BlockIndex index);
   LabelBlock& MutableLabels(BlockIndex index);
-  /// Puts layers in place as they are (a loaded map). Either may be null.
+  GoneBlock& MutableGone(BlockIndex index);
+  /// Puts layers in place as they are (a loaded map). Either may be null. What was looked through stays.
   void PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf, std::shared_ptr<const LabelBlock> labels);
+  /// Null: nothing of the block was looked through. Only where there is a block.
+  void PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone);
+  /// Begins anew: nothing of it was looked through.
+  void DropGone();
   bool EraseBlock(BlockIndex index) { return blocks_.Erase(index, generation_); }
   /// Removes blocks without an observed voxel and without labels. Returns how many.
   int PruneBlocks();

@@ -10,6 +10,7 @@ Mesh ExtractMapMesh(const MapSnapshot& map, MeshColoring coloring, ThreadPool& p
   const LabelSet& label_set = *map.info().label_set;
   std::vector<const Submap*> on_grid, others;
   for (const auto& submap : map.submaps()) {
+    if (submap->IsAbsent()) continue;
     (IsOnMapGrid(submap->info(), map.info().config) ? on_grid : others).push_back(submap.get());
   }
   Mesh mesh;

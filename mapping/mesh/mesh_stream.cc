@@ -41,6 +41,7 @@ MeshStream::MeshStream(std::shared_ptr<const MapSnapshot> map, const Submap* sub
     // As ExtractMapMesh has them: what is on the map's grid as one, the others each by itself.
     std::vector<const Submap*> on_grid, others;
     for (const auto& each : map_->submaps()) {
+      if (each->IsAbsent()) continue;
       (IsOnMapGrid(each->info(), map_->info().config) ? on_grid : others).push_back(each.get());
     }
     if (!on_grid.empty()) AddLayer(on_grid, coloring, stop);

@@ -34,7 +34,7 @@ std::uint16_t AverageVoxel(std::span<const BlockHolder> holders, int linear, Tsd
   bool is_first = true;
   for (std::uint16_t h = 0; h < holders.size(); ++h) {
     const TsdfBlock& tsdf = *holders[h].block->tsdf;
-    if (!tsdf.IsObserved(linear)) continue;
+    if (!holders[h].block->Shows(linear)) continue;
     merged.Add(tsdf, i);
     const VoxelSupport support = SupportOfVoxel(*holders[h].submap, *holders[h].block, linear);
     if (is_first || support > best) {
@@ -61,7 +61,8 @@ SurfaceField::SurfaceField(std::span<const Submap* const> submaps, ThreadPool& p
     holders_.back().all.push_back(holder);
   }
   pool.ParallelFor(blocks_.size(), [&](std::size_t i) {
-    if (holders_[i].all.size() > 1) Merge(holders_[i], blocks_[i]);
+    const std::vector<BlockHolder>& all = holders_[i].all;
+    if (all.size() > 1 || all[0].block->gone != nullptr) Merge(holders_[i], blocks_[i]);
   });
 }
 
@@ -72,7 +73,7 @@ void SurfaceField::Merge(Holders& holders, BlockEntry& merged) {
   for (std::uint16_t h = 0; h < holders.all.size(); ++h) {
     const TsdfBlock& own = *holders.all[h].block->tsdf;
     for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-      if (!own.IsObserved(static_cast<int>(i))) continue;
+      if (!holders.all[h].block->Shows(static_cast<int>(i))) continue;
       is_shared[i] = is_held[i];
       if (is_held[i]) continue;
       is_held[i] = true;

@@ -18,8 +18,8 @@ struct BlockHolder {
 };
 
 /// The voxels of submaps that share one grid (pose and voxel size), read as one: at each position the weighted average
-/// of what they hold, and the submap that answers for it (see SupportOfVoxel). Where one submap alone has a block, that
-/// is shared, not copied. Refers to the submaps. Immutable, thread-safe.
+/// of what they hold, and the submap that answers for it (see SupportOfVoxel). What is contradicted is not there. Where
+/// one submap alone has a block, that is shared, not copied. Refers to the submaps. Immutable, thread-safe.
 class SurfaceField {
  public:
   /// At least one submap; by ascending id. The result does not depend on the number of threads.

@@ -58,7 +58,7 @@ class TileWindow {
       for (int y = begin(offset.y); y < end(offset.y); ++y) {
         for (int x = begin(offset.x); x < end(offset.x); ++x) {
           const int linear = LinearIndex({x, y, z});
-          if (!block->tsdf->IsObserved(linear)) continue;
+          if (!block->Shows(linear)) continue;
           Set(Position(offset.x * kBlockSide + x, offset.y * kBlockSide + y, offset.z * kBlockSide + z),
               block->tsdf->distance_m[static_cast<std::size_t>(linear)], kObserved);
         }

@@ -17,6 +17,7 @@
 #include "mapping/pipeline/stage_clock.h"
 #include "mapping/sensor/frame_reach.h"
 #include "mapping/space/free_space_finder.h"
+#include "mapping/space/presence.h"
 #include "mapping/tracking/activity.h"
 #include "mapping/tracking/tracker.h"
 
@@ -54,8 +55,9 @@ struct MapBuilder::Impl {
                                     FrameReport& report);
   void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
             const std::vector<Assignment>& assignments, FrameReport& report);
-  void LookThrough(const PanopticFrame& frame, FrameReport& report);
-  void Settle(const PanopticFrame& frame, const std::vector<Assignment>& assignments, FrameReport& report);
+  std::vector<SubmapId> LookThrough(const PanopticFrame& frame, FrameReport& report);
+  void Settle(const PanopticFrame& frame, const std::vector<Assignment>& assignments,
+              std::vector<SubmapId> contradicted, FrameReport& report);
   void Refine(FrameReport& report);
 
   std::optional<RefinementReport> RefineOnTheSide();
@@ -128,19 +130,27 @@ void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<Segmen
   report.num_voxels_updated = FuseFrame(frame, segments, assignments, map, *pool);
 }
 
-void MapBuilder::Impl::LookThrough(const PanopticFrame& frame, FrameReport& report) {
-  if (!map.info().config.space.free) return;
+/// Returns the submaps that have lost a part of their surface.
+std::vector<SubmapId> MapBuilder::Impl::LookThrough(const PanopticFrame& frame, FrameReport& report) {
+  const SpaceConfig& config = map.info().config.space;
+  if (!config.free && !config.gone) return {};
   const StageClock clock(report.free_s);
-  space.Look(frame, map, *pool);
+  return space.Look(frame, map, *pool);
 }
 
-/// Things that were not seen for a while become inactive, and so may be refined.
+/// Things that were not seen for a while become inactive, and so may be refined, or are found to be gone.
 void MapBuilder::Impl::Settle(const PanopticFrame& frame, const std::vector<Assignment>& assignments,
-                              FrameReport& report) {
+                              std::vector<SubmapId> contradicted, FrameReport& report) {
   const StageClock clock(report.activity_s);
   std::vector<SubmapId> observed;
   for (const Assignment& assignment : assignments) observed.push_back(assignment.submap);
+  std::vector<SubmapId>& doubted = contradicted;  // or soon settled
+  for (const auto& submap : map.submaps()) {
+    const SubmapInfo& info = submap->info();
+    if (info.panoptic == Panoptic::kThing && info.activity == Activity::kActive) doubted.push_back(info.id);
+  }
   report.num_dissolved = UpdateActivity(frame, observed, map);
+  if (map.info().config.space.gone) UpdatePresence(frame, observed, doubted, map);
   map.mutable_info().num_frames += 1;
 }
 
@@ -222,8 +232,8 @@ Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& fram
   DHPMAP_RETURN_IF_ERROR(CheckSize(frame, segments));
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
   Fuse(frame, segments, assignments, report);                   // (B) ray tracing into it, II-C
-  LookThrough(frame, report);                                   // what the rays passed is free
-  Settle(frame, assignments, report);                           // what (C) and (D) may work on, II-D
+  const auto contradicted = LookThrough(frame, report);         // what the rays passed is free
+  Settle(frame, assignments, contradicted, report);             // what (C) and (D) may work on, II-D
   Refine(report);                                               // (C) and (D), II-D and II-E
   return report;
 }
@@ -249,6 +259,7 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   const auto slot = slots ? RefinementSlots::Take(slots, is_cancelled) : std::nullopt;
   GiveBackFreeMemory();  // what was under way had a state of the map of its own
   DeactivateAll(map);
+  if (map.info().config.space.gone) UpdatePresenceOfAll(map);
   RefinementReport report = RefineMap(map, *pool, last_refined.get(), is_cancelled);
   if (is_cancelled && is_cancelled()) return std::nullopt;
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {

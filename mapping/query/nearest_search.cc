@@ -199,7 +199,7 @@ FreeMask NearestSearch::SeenIn(BlockIndex block, const Eigen::Vector3d& centre_m
     const BlockEntry* there = entry.submap().blocks().Find(block);
     if (there == nullptr || there->tsdf == nullptr) return;
     for (int i = 0; i < kBlockVoxels; ++i) {
-      seen[static_cast<std::size_t>(i >> 6)] |= std::uint64_t{there->tsdf->IsObserved(i)} << (i & 63);
+      seen[static_cast<std::size_t>(i >> 6)] |= std::uint64_t{there->Shows(i)} << (i & 63);
     }
   });
   return seen;

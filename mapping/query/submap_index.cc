@@ -22,7 +22,8 @@ SubmapIndex::Entry::Entry(const Submap& submap, const Eigen::AlignedBox3d& box_m
 
 SubmapIndex::SubmapIndex(std::span<const std::shared_ptr<const Submap>> submaps) {
   for (const auto& submap : submaps) {
-    if (!submap->bounding_sphere().IsEmpty()) entries_.emplace_back(*submap, CubeAround(submap->bounding_sphere()));
+    if (!submap->IsAbsent() && !submap->bounding_sphere().IsEmpty())
+      entries_.emplace_back(*submap, CubeAround(submap->bounding_sphere()));
   }
   Build();
 }

@@ -56,7 +56,7 @@ class SubmapIndex {
   /// copy, and what has changed.
   SubmapIndex(const SubmapIndex& before, std::vector<Entry> entries, std::span<const std::size_t> changed);
 
-  /// Those that hold something, in the order given.
+  /// Those that hold something and are not absent, in the order given.
   [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
 
   /// Calls visit(const Entry&), in the order given, for each submap whose box and bounding sphere hold the point

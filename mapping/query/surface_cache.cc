@@ -77,6 +77,7 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Of(const std::shared_ptr<const 
 std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, const MapSurfaces* before) {
   std::vector<MapSurfaces::Part> parts;
   for (const auto& submap : state.submaps()) {
+    if (submap->IsAbsent()) continue;
     std::shared_ptr<const SubmapSurface> surface = SurfaceOf(submap);
     if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), std::move(surface)});
   }

@@ -16,7 +16,8 @@
 
 namespace dhpmap {
 
-/// The surfaces of all submaps of one state of a map, and an index over them. Keeps the state alive. Thread-safe.
+/// The surfaces of all submaps of one state of a map but those that are absent, and an index over them. Keeps the state
+/// alive. Thread-safe.
 class MapSurfaces {
  public:
   struct Part {

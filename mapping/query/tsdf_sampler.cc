@@ -22,7 +22,7 @@ void TsdfSampler::GoTo(BlockIndex first) {
   for (int k = 0; k < 8; ++k) {
     const BlockEntry* block =
         submap_->blocks().Find({first.x + (k & 1), first.y + (k >> 1 & 1), first.z + (k >> 2 & 1)});
-    blocks_[static_cast<std::size_t>(k)] = block == nullptr ? nullptr : block->tsdf.get();
+    blocks_[static_cast<std::size_t>(k)] = block == nullptr || block->tsdf == nullptr ? nullptr : block;
   }
   first_ = first;
   is_anywhere_ = true;
@@ -30,10 +30,10 @@ void TsdfSampler::GoTo(BlockIndex first) {
 
 float TsdfSampler::At(VoxelIndex voxel) {
   GoTo(BlockOf(voxel));
-  const TsdfBlock* block = blocks_[0];
+  const BlockEntry* block = blocks_[0];
   const int linear = LinearIndex(voxel);
-  if (block == nullptr || !block->IsObserved(linear)) return std::numeric_limits<float>::quiet_NaN();
-  return block->distance_m[static_cast<std::size_t>(linear)];
+  if (block == nullptr || !block->Shows(linear)) return std::numeric_limits<float>::quiet_NaN();
+  return block->tsdf->distance_m[static_cast<std::size_t>(linear)];
 }
 
 TsdfSampler::Sample TsdfSampler::Between(const Eigen::Vector3d& p_submap) {
@@ -46,10 +46,10 @@ TsdfSampler::Sample TsdfSampler::Between(const Eigen::Vector3d& p_submap) {
   float value[8];
   for (int k = 0; k < 8; ++k) {
     const int x = in_block[0] + (k & 1), y = in_block[1] + (k >> 1 & 1), z = in_block[2] + (k >> 2 & 1);
-    const TsdfBlock* block = blocks_[static_cast<std::size_t>((x >> 3) | (y >> 3) << 1 | (z >> 3) << 2)];
+    const BlockEntry* block = blocks_[static_cast<std::size_t>((x >> 3) | (y >> 3) << 1 | (z >> 3) << 2)];
     const int linear = LinearIndex({x, y, z});
-    if (block == nullptr || !block->IsObserved(linear)) return {};
-    value[k] = block->distance_m[static_cast<std::size_t>(linear)];
+    if (block == nullptr || !block->Shows(linear)) return {};
+    value[k] = block->tsdf->distance_m[static_cast<std::size_t>(linear)];
   }
   static_assert(kBlockSideLog2 == 3);
   const Eigen::Vector3f part(static_cast<float>(at.x() - low.x), static_cast<float>(at.y() - low.y),

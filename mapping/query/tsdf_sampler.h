@@ -31,8 +31,8 @@ class TsdfSampler {
 
   const Submap* submap_;
   double per_voxel_m_;
-  BlockIndex first_;                          ///< of the blocks at hand
-  std::array<const TsdfBlock*, 8> blocks_{};  ///< from `first_` on, x fastest; null: there is none
+  BlockIndex first_;                           ///< of the blocks at hand
+  std::array<const BlockEntry*, 8> blocks_{};  ///< from `first_` on, x fastest; null: there is none
   bool is_anywhere_ = false;
 };
 

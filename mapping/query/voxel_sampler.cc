@@ -4,8 +4,8 @@
 namespace dhpmap {
 
 VoxelSample SampleVoxel(const BlockEntry& block, int linear) {
-  const bool is_observed = block.tsdf != nullptr && block.tsdf->IsObserved(linear);
-  return is_observed ? VoxelSample{&block, linear} : VoxelSample{};
+  const bool is_shown = block.tsdf != nullptr && block.Shows(linear);
+  return is_shown ? VoxelSample{&block, linear} : VoxelSample{};
 }
 
 VoxelSample SampleVoxel(const Submap& submap, VoxelIndex voxel) {

@@ -8,7 +8,7 @@
 
 namespace dhpmap {
 
-/// An observed voxel of a submap. Valid as long as the submap.
+/// An observed voxel of a submap, not contradicted since (GoneBlock). Valid as long as the submap.
 struct VoxelSample {
   const BlockEntry* block = nullptr;  ///< null: nothing is known there
   int linear = 0;                     ///< the voxel in its block

@@ -14,7 +14,7 @@ using Positions = std::unordered_set<BlockIndex, BlockIndexHash>;
 
 bool SameLayers(const BlockEntry* a, const BlockEntry* b) {
   if (a == nullptr || b == nullptr) return a == b;
-  return a->tsdf == b->tsdf && a->labels == b->labels;
+  return a->tsdf == b->tsdf && a->labels == b->labels && a->gone == b->gone;
 }
 
 /// Block positions at which the submap was written between the two states; either may be null.
@@ -61,8 +61,12 @@ bool TakeBlocks(const Submap* before, const Submap* refined, const Positions& st
       continue;
     }
     const BlockEntry* entry = refined ? refined->blocks().Find(index) : nullptr;
-    if (entry != nullptr) now.PutBlock(index, entry->tsdf, entry->labels);
-    else now.EraseBlock(index);
+    if (entry != nullptr) {
+      now.PutBlock(index, entry->tsdf, entry->labels);
+      now.PutGone(index, entry->gone);
+    } else {
+      now.EraseBlock(index);
+    }
     took_any = true;
   }
   return took_any;

@@ -29,7 +29,7 @@ FirstChoice ChoiceOf(const HeldBlock& block) {
   FirstChoice choice;
   const LabelBlock& labels = *block.entry->labels;
   for (int i = 0; i < kBlockVoxels && !choice.is_disputed; ++i) {
-    if (!block.entry->tsdf->IsObserved(i) || labels.IsEmpty(i)) continue;
+    if (!block.entry->Shows(i) || labels.IsEmpty(i)) continue;
     const std::uint32_t instance = labels.BestInstance(i).id;
     choice.Add({.class_id = labels.BestClass(i).id, .instance = instance == 0 ? block.holder.value : instance});
   }
@@ -135,7 +135,8 @@ void DropUnchanged(std::span<const HeldBlock> blocks, const MapSnapshot& before,
   const auto is_unchanged = [&](std::uint32_t b) {
     const Submap* holder = before.Find(blocks[b].holder);
     const BlockEntry* old = holder != nullptr ? holder->blocks().Find(blocks[b].index) : nullptr;
-    return old != nullptr && old->tsdf == blocks[b].entry->tsdf && old->labels == blocks[b].entry->labels;
+    return old != nullptr && old->tsdf == blocks[b].entry->tsdf && old->labels == blocks[b].entry->labels &&
+           old->gone == blocks[b].entry->gone;
   };
   std::erase_if(tiles, [&](const CrfTile& tile) {
     return std::all_of(tile.inner.begin(), tile.inner.end(), is_unchanged) &&

@@ -76,7 +76,7 @@ void AddMembers(std::span<const HeldBlock> blocks, std::span<const std::uint32_t
   for (const std::uint32_t b : chosen) {
     const HeldBlock& block = blocks[b];
     for (int i = 0; i < kBlockVoxels; ++i) {
-      if (!block.entry->tsdf->IsObserved(i) || block.entry->labels->IsEmpty(i)) continue;
+      if (!block.entry->Shows(i) || block.entry->labels->IsEmpty(i)) continue;
       problem.members.push_back({b, static_cast<std::uint16_t>(i)});
       const Eigen::Vector3d p = VoxelCentre(VoxelIn(block.index, i), voxel_size_m) - origin;
       problem.points.push_back({p.cast<float>(), block.entry->tsdf->color[static_cast<std::size_t>(i)]});

@@ -2,6 +2,7 @@
 #include "mapping/refinement/label_management.h"
 
 #include <algorithm>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@ struct Holder {
   BlockEntry before;                ///< without geometry: the submap had no block here
   std::shared_ptr<TsdfBlock> tsdf;  ///< what it has afterwards; null while nothing changed, and where nothing is left
   std::shared_ptr<LabelBlock> labels;
+  std::shared_ptr<GoneBlock> gone;  ///< null: as before
   bool is_emptied = false;
 };
 
@@ -37,7 +39,7 @@ std::vector<Position> FindPositions(const std::vector<const Submap*>& submaps) {
   std::unordered_map<BlockIndex, std::vector<Holder>, BlockIndexHash> holders_at;
   for (const Submap* submap : submaps) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
-      if (entry.tsdf) holders_at[entry.index].push_back({submap->id(), entry, nullptr, nullptr});
+      if (entry.tsdf) holders_at[entry.index].push_back({.id = submap->id(), .before = entry});
     }
   }
   std::vector<Position> positions;
@@ -64,22 +66,28 @@ Holder& WinnerOf(const MergedVoxel& voxel, const std::vector<SubmapId>& ids, Pos
   auto it = std::lower_bound(position.holders.begin(), position.holders.end(), winner,
                              [](const Holder& holder, SubmapId id) { return holder.id < id; });
   if (it == position.holders.end() || it->id != winner) {
-    it = position.holders.insert(it, {winner, {}, nullptr, nullptr});
+    it = position.holders.insert(it, {.id = winner});
   }
   return *it;
 }
 
 void MakeWritable(Holder& holder) {
   if (holder.tsdf) return;
-  const auto& [index, owns_tsdf, owns_labels, tsdf, labels] = holder.before;
+  const auto& [tsdf, labels] = std::tie(holder.before.tsdf, holder.before.labels);
   holder.tsdf = tsdf ? std::make_shared<TsdfBlock>(*tsdf) : std::make_shared<TsdfBlock>();
   holder.labels = labels ? std::make_shared<LabelBlock>(*labels) : std::make_shared<LabelBlock>();
 }
 
 enum class Scope { kAll, kForeign };
 
-bool IsHeld(const Holder& holder, int linear) {
-  return holder.before.tsdf != nullptr && holder.before.tsdf->IsObserved(linear);
+/// What is contradicted stays with its submap, and has no say.
+bool IsHeld(const Holder& holder, int linear) { return holder.before.tsdf != nullptr && holder.before.Shows(linear); }
+
+/// A voxel that a holder is given was observed, whatever was looked through there before.
+void Forget(int linear, Holder& holder) {
+  if (holder.before.gone == nullptr || holder.before.gone->Count(linear) == 0) return;
+  if (holder.gone == nullptr) holder.gone = std::make_shared<GoneBlock>(*holder.before.gone);
+  holder.gone->Forget(linear);
 }
 
 /// Whether the holder is the instance that its voxel has seen most; ties go to the smaller id.
@@ -133,6 +141,7 @@ void SettlePosition(const std::vector<SubmapId>& ids, Scope scope, Position& pos
       if (!IsHeld(holder, linear) && holder.id != winner) continue;
       MakeWritable(holder);
       if (holder.id == winner) {
+        if (!IsHeld(holder, linear)) Forget(linear, holder);
         Store(merged, winner, linear, *holder.tsdf, *holder.labels);
       } else {
         Clear(linear, *holder.tsdf, *holder.labels);
@@ -151,6 +160,7 @@ void PutPosition(Position& position, Map& map, std::vector<SubmapId>& changed) {
     const bool has_labels = holder.id != kUnknownSubmap;
     if (holder.is_emptied) submap.EraseBlock(position.index);
     else submap.PutBlock(position.index, std::move(holder.tsdf), has_labels ? std::move(holder.labels) : nullptr);
+    if (holder.gone != nullptr) submap.PutGone(position.index, holder.gone->empty() ? nullptr : std::move(holder.gone));
     changed.push_back(holder.id);
   }
   position.holders = {};

@@ -43,6 +43,7 @@ RefinementReport& RefinementReport::operator+=(const RefinementReport& other) {
 }
 
 bool IsSettled(const SubmapInfo& info) {
+  if (info.presence == Presence::kAbsent) return false;
   return info.panoptic != Panoptic::kThing || info.activity == Activity::kInactive;
 }
 

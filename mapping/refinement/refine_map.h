@@ -25,7 +25,8 @@ struct RefinementReport {
   RefinementReport& operator+=(const RefinementReport& other);
 };
 
-/// Settled things, all background classes and the unknown submap are refined together (paper II-D).
+/// Settled things, all background classes and the unknown submap are refined together (paper II-D). What is absent is
+/// not, and a voxel that is contradicted (GoneBlock) stays as it is.
 bool IsSettled(const SubmapInfo& info);
 std::vector<SubmapId> SettledSubmaps(const Map& map);
 

@@ -35,18 +35,17 @@ void VisitNeighbours(VoxelIndex v, Visitor&& visit) {
   }
 }
 
-bool IsObservedIn(const Submap& submap, VoxelIndex v) {
+bool ShowsIn(const Submap& submap, VoxelIndex v) {
   const BlockEntry* entry = submap.blocks().Find(BlockOf(v));
-  return entry != nullptr && entry->tsdf != nullptr && entry->tsdf->IsObserved(LinearIndex(v));
+  return entry != nullptr && entry->tsdf != nullptr && entry->Shows(LinearIndex(v));
 }
 
-/// The submap's voxels in connected islands, corners included.
+/// The submap's voxels, but those that are contradicted, in connected islands, corners included.
 std::vector<Island> FindIslands(const Submap& submap) {
   std::unordered_map<BlockIndex, std::unique_ptr<std::array<bool, kBlockVoxels>>, BlockIndexHash> open;
   for (const BlockEntry& entry : submap.blocks().entries()) {
     auto& flags = open[entry.index] = std::make_unique<std::array<bool, kBlockVoxels>>();
-    for (int i = 0; i < kBlockVoxels; ++i)
-      (*flags)[static_cast<std::size_t>(i)] = entry.tsdf && entry.tsdf->IsObserved(i);
+    for (int i = 0; i < kBlockVoxels; ++i) (*flags)[static_cast<std::size_t>(i)] = entry.tsdf && entry.Shows(i);
   }
   const auto take = [&open](VoxelIndex v) {
     const auto it = open.find(BlockOf(v));
@@ -76,7 +75,7 @@ std::optional<SubmapId> SurroundingOf(const Island& island, SubmapId own, const 
       const auto it = holders.find(BlockOf(v));
       if (it == holders.end()) return;
       for (const Submap* submap : it->second) {
-        if (submap->id() != own && submap->id() != kUnknownSubmap && IsObservedIn(*submap, v)) ++votes[submap->id()];
+        if (submap->id() != own && submap->id() != kUnknownSubmap && ShowsIn(*submap, v)) ++votes[submap->id()];
       }
     });
   }

@@ -16,7 +16,7 @@ constexpr std::size_t kMaxGap = 40;
 /// second may be beyond the end of a line that goes around.
 template <typename Visitor>
 void ForEachGap(const BinLines& lines, const std::vector<float>& bins, Visitor&& visit) {
-  for (std::size_t line = 0; line < lines.num_lines; ++line) {
+  for (std::size_t line = lines.first_line; line < lines.first_line + lines.num_lines; ++line) {
     const float* values = bins.data() + line * lines.line_step;
     std::size_t begin = lines.num_bins, last = lines.num_bins;  // none yet
     for (std::size_t i = 0; i < lines.num_bins; ++i) {

@@ -8,6 +8,7 @@ namespace dhpmap {
 
 /// Lines of bins in a grid, all along one of its directions.
 struct BinLines {
+  std::size_t first_line = 0;        ///< earlier ones are empty
   std::size_t num_lines, line_step;  ///< step: from a line to the next
   std::size_t num_bins, bin_step;    ///< step: from a bin of a line to the next
   bool go_around;                    ///< the first bin of a line follows the last

@@ -96,6 +96,35 @@ void BoundCells(const CellBatch& cells, const CameraGeometry& geometry, CellBoun
 }
 
 DHPMAP_VECTOR_CLONES
+void BoundBalls(const BallBatch& balls, const CameraGeometry& geometry, CellBounds& bounds) {
+  const CameraGeometry& g = geometry;
+  float near[kLanes], far[kLanes], x0[kLanes], x1[kLanes], y0[kLanes], y1[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    const float x = g.R[0][0] * balls.x[i] + g.R[0][1] * balls.y[i] + g.R[0][2] * balls.z[i];
+    const float y = g.R[1][0] * balls.x[i] + g.R[1][1] * balls.y[i] + g.R[1][2] * balls.z[i];
+    const float z = g.R[2][0] * balls.x[i] + g.R[2][1] * balls.y[i] + g.R[2][2] * balls.z[i];
+    const float r = balls.radius[i];
+    near[i] = z - r;
+    far[i] = z + r;
+    // A cube around it, along the axes of the camera.
+    const float per_near = 1.0f / near[i], per_far = 1.0f / far[i];
+    const float left = x - r, right = x + r, up = y - r, down = y + r;
+    x0[i] = left * per_near < left * per_far ? left * per_near : left * per_far;
+    x1[i] = right * per_near > right * per_far ? right * per_near : right * per_far;
+    y0[i] = up * per_near < up * per_far ? up * per_near : up * per_far;
+    y1[i] = down * per_near > down * per_far ? down * per_near : down * per_far;
+  }
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    bounds.near[i] = near[i];
+    bounds.far[i] = far[i];
+    bounds.u0[i] = g.fx * x0[i] + g.cx;
+    bounds.u1[i] = g.fx * x1[i] + g.cx;
+    bounds.v0[i] = g.fy * y0[i] + g.cy;
+    bounds.v1[i] = g.fy * y1[i] + g.cy;
+  }
+}
+
+DHPMAP_VECTOR_CLONES
 void TestOctant(float x, float y, float z, const CameraGeometry& geometry, const float* __restrict limit_vox,
                 std::array<std::uint8_t, kOctantVoxels>& is_free) {
   const CameraGeometry& g = geometry;

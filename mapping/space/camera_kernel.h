@@ -50,6 +50,8 @@ struct CellBounds {
   alignas(32) std::array<float, kLanes> near, far, u0, u1, v0, v1;
 };
 void BoundCells(const CellBatch& cells, const CameraGeometry& geometry, CellBounds& bounds);
+/// The same of all of a ball.
+void BoundBalls(const BallBatch& balls, const CameraGeometry& geometry, CellBounds& bounds);
 
 /// Which voxels of an octant, whose first voxel's centre is given, lie before the limit: 1 or 0 a voxel, x fastest.
 void TestOctant(float x, float y, float z, const CameraGeometry& geometry, const float* limit_vox,

@@ -136,4 +136,32 @@ void CameraView::Classify(const CellBatch& cells, CellSights& sights) const {
   }
 }
 
+float CameraView::LeastOver(int u0, int v0, int u1, int v1) const {
+  // Of few pixels the pyramid would take too many around.
+  constexpr int kFew = 64;
+  if ((u1 - u0 + 1) * (v1 - v0 + 1) > kFew) return pyramid_.Over(u0, v0, u1, v1).least;
+  float least = kNoLimit;
+  for (int v = v0; v <= v1; ++v) {
+    const float* row = image_.limit_vox.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width);
+    least = std::min(least, *std::min_element(row + u0, row + u1 + 1));
+  }
+  return least;
+}
+
+void CameraView::LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_past) const {
+  CellBounds bounds;
+  BoundBalls(balls, geometry_, bounds);
+  const auto end_u = static_cast<float>(geometry_.width), end_v = static_cast<float>(geometry_.height);
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    is_past[i] = false;
+    const float near = bounds.near[i] - kSlack_vox, far = bounds.far[i] + kSlack_vox;
+    if (near <= kSlack_vox || far >= pyramid_.most()) continue;
+    const float u0 = bounds.u0[i] - kSlack_px, u1 = bounds.u1[i] + kSlack_px;
+    const float v0 = bounds.v0[i] - kSlack_px, v1 = bounds.v1[i] + kSlack_px;
+    if (!(u0 >= 0 && v0 >= 0 && u1 < end_u && v1 < end_v)) continue;
+    is_past[i] =
+        LeastOver(static_cast<int>(u0), static_cast<int>(v0), static_cast<int>(u1), static_cast<int>(v1)) > far;
+  }
+}
+
 }  // namespace dhpmap

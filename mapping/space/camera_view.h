@@ -27,6 +27,8 @@ class CameraView {
   [[nodiscard]] Box Reach() const;
 
   void Classify(const CellBatch& cells, CellSights& sights) const;
+  /// Whether all pixels that a ball may cover are in the image and see farther than the ball and the truncation.
+  void LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_past) const;
   /// See TestOctant.
   void Test(float x, float y, float z, std::array<std::uint8_t, kOctantVoxels>& is_free) const {
     TestOctant(x, y, z, geometry_, image_.limit_vox.data(), is_free);
@@ -35,6 +37,8 @@ class CameraView {
   [[nodiscard]] const SightImage& image() const { return image_; }
 
  private:
+  /// No more than the least limit of a rectangle of pixels, u1 and v1 included.
+  [[nodiscard]] float LeastOver(int u0, int v0, int u1, int v1) const;
   void BuildImage(const DepthCameraData& data, const LookOptions& options, ThreadPool& pool);
   void BuildGeometry(const PinholeCamera& camera, const Eigen::Matrix3d& R_camera_grid);
 

@@ -28,6 +28,11 @@ struct CellBatch {
   std::array<float, kLanes> x{}, y{}, z{};
 };
 
+/// Centres and radii of up to eight balls.
+struct BallBatch {
+  std::array<float, kLanes> x{}, y{}, z{}, radius{};
+};
+
 /// The eight halves-by-axis of a cell whose centre is given, x fastest, then y, then z.
 inline CellBatch ChildrenOf(CellSize size, float x, float y, float z) {
   CellBatch children;

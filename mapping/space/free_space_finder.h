@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
@@ -12,9 +13,10 @@ namespace dhpmap {
 /// No voxel farther from the sensor than this is called free, whatever the range limit: bounds what a frame may cost.
 inline constexpr int kMaxSight_vox = 512;
 
-/// Finds what a frame looks through and adds it to the map's free space. Whole cells of voxels are told by the least
-/// and greatest range of the pixels before which they lie, so the cost goes with the surfaces in view, not with the
-/// volume.
+/// Finds what a frame looks through, adds it to the map's free space, and counts it against the surfaces that are said
+/// to be there (GoneBlock, GoneLook): what the map's config asks for of both. Whole cells of voxels are told by the
+/// least and greatest range of the pixels before which they lie, so the cost goes with the surfaces in view, not with
+/// the volume.
 ///
 /// A voxel is called free if its centre lies nearer than the truncation before what the sensor measured in its
 /// direction, and within integration.max_range_m; a return from beyond that range frees what lies before it, no return
@@ -30,7 +32,8 @@ class FreeSpaceFinder {
   /// The frame must be valid (ValidateFrame) and on the map's grid (CheckFrameIsOnGrid). The outcome has the same bits
   /// for any number of threads, and for any order of frames but for the tiles' stamps. If it throws, for want of
   /// memory, a part may have been added: see Map::Fork.
-  void Look(const PanopticFrame& frame, Map& map, ThreadPool& pool);
+  /// Returns the submaps of which voxels became contradicted, by ascending id.
+  std::vector<SubmapId> Look(const PanopticFrame& frame, Map& map, ThreadPool& pool);
 
  private:
   struct Scratch;

@@ -98,6 +98,37 @@ void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBoun
 }
 
 DHPMAP_VECTOR_CLONES
+void BoundBalls(const BallBatch& balls, const LidarGeometry& geometry, LidarBounds& bounds) {
+  const LidarGeometry& g = geometry;
+  constexpr float kSlack_bins = 0.2f;  // as above
+  float near[kLanes], far[kLanes], azimuths[kLanes], elevations[kLanes], wides[kLanes], highs[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    const float gx = balls.x[i], gy = balls.y[i], gz = balls.z[i], radius = balls.radius[i];
+    const float x = g.R[0][0] * gx + g.R[0][1] * gy + g.R[0][2] * gz;
+    const float y = g.R[1][0] * gx + g.R[1][1] * gy + g.R[1][2] * gz;
+    const float z = g.R[2][0] * gx + g.R[2][1] * gy + g.R[2][2] * gz;
+    const float flat = std::sqrt(x * x + y * y), range = std::sqrt(x * x + y * y + z * z);
+    near[i] = range - radius;
+    far[i] = range + radius;
+    azimuths[i] = AzimuthBin(Azimuth(y, x));
+    elevations[i] = ElevationBin(z / (range + kTiny));
+    const float round = 2.0f * kAzimuthBins;
+    const float wide = AngleOf(radius / (flat + kTiny)) * kBinsPerRadian + kSlack_bins;
+    const float high = AngleOf(radius / (range + kTiny)) * kBinsPerSine + kSlack_bins;
+    wides[i] = flat > radius ? wide : round;
+    highs[i] = range > radius ? high : round;
+  }
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    bounds.near[i] = near[i];
+    bounds.far[i] = far[i];
+    bounds.azimuth0[i] = azimuths[i] - wides[i];
+    bounds.azimuth1[i] = azimuths[i] + wides[i];
+    bounds.elevation0[i] = elevations[i] - highs[i];
+    bounds.elevation1[i] = elevations[i] + highs[i];
+  }
+}
+
+DHPMAP_VECTOR_CLONES
 void TestOctant(float x, float y, float z, const LidarGeometry& geometry, const float* __restrict limit_vox,
                 std::array<std::uint8_t, kOctantVoxels>& is_free) {
   const LidarGeometry& g = geometry;

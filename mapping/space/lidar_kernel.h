@@ -39,6 +39,8 @@ struct LidarBounds {
   alignas(32) std::array<float, kLanes> near, far, azimuth0, azimuth1, elevation0, elevation1;
 };
 void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBounds& bounds);
+/// The same of all of a ball.
+void BoundBalls(const BallBatch& balls, const LidarGeometry& geometry, LidarBounds& bounds);
 
 /// Which voxels of an octant, whose first voxel's centre is given, lie before the limit: 1 or 0 a voxel, x fastest.
 void TestOctant(float x, float y, float z, const LidarGeometry& geometry, const float* limit_vox,

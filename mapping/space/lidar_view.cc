@@ -26,6 +26,7 @@ void LidarView::BinPoints(const LidarData& data, const LookOptions& options) {
   std::vector<Return> returns;
   returns.reserve(data.points_m.size());
   int first_row = kElevationBins, last_row = -1;
+  first_column_ = kColumns, last_column_ = 0;
   for (const Eigen::Vector3f& p : data.points_m) {
     const double range = p.cast<double>().norm();
     if (!(range >= kLeastReturn_m)) continue;
@@ -36,6 +37,8 @@ void LidarView::BinPoints(const LidarData& data, const LookOptions& options) {
     const double before_m = std::clamp(range - options.margin_m, 0.0, options.max_range_m);
     first_row = std::min(first_row, row);
     last_row = std::max(last_row, row);
+    first_column_ = std::min(first_column_, static_cast<std::size_t>(column));
+    last_column_ = std::max(last_column_, static_cast<std::size_t>(column));
     returns.push_back({static_cast<std::size_t>(column), row, static_cast<float>(before_m / options.voxel_size_m)});
   }
   geometry_.first_row = first_row;
@@ -66,8 +69,15 @@ void LidarView::Build(const LidarData& data, const Eigen::Matrix3d& R_sensor_gri
   BinPoints(data, options);
   BuildGeometry(R_sensor_grid);
   const auto height = static_cast<std::size_t>(geometry_.height);
-  FillBetweenBeams(
-      {.num_lines = kColumns, .line_step = 1, .num_bins = height, .bin_step = kColumns, .go_around = false}, bins_);
+  if (height > 0) {  // a camera's sector is a fifth of all columns
+    FillBetweenBeams({.first_line = first_column_,
+                      .num_lines = last_column_ - first_column_ + 1,
+                      .line_step = 1,
+                      .num_bins = height,
+                      .bin_step = kColumns,
+                      .go_around = false},
+                     bins_);
+  }
   FillBetweenBeams({.num_lines = height, .line_step = kColumns, .num_bins = kColumns, .bin_step = 1, .go_around = true},
                    bins_);
 
@@ -118,6 +128,30 @@ void LidarView::Classify(const CellBatch& cells, CellSights& sights) const {
     if (span.most <= near) continue;
     const bool is_inside = v0 >= 0 && v1 < last_v + 1;
     sights[i] = is_inside && span.least > far ? CellSight::kFree : CellSight::kMixed;
+  }
+}
+
+void LidarView::LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_past) const {
+  LidarBounds bounds;
+  BoundBalls(balls, geometry_, bounds);
+  const auto first_row = static_cast<float>(geometry_.first_row), end_v = static_cast<float>(geometry_.height);
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    is_past[i] = false;
+    const float far = bounds.far[i] + kSlack_vox;
+    const float u0 = bounds.azimuth0[i], u1 = bounds.azimuth1[i];
+    const float v0 = bounds.elevation0[i] - first_row, v1 = bounds.elevation1[i] - first_row;
+    if (far >= pyramid_.most() || !(v0 >= 0 && v1 < end_v) || u1 - u0 >= kAzimuthBins) continue;
+    const int first = static_cast<int>(std::floor(u0)), last = static_cast<int>(std::floor(u1));
+    const auto least = [&](int from, int to) {
+      return pyramid_.Over(from, static_cast<int>(v0), to, static_cast<int>(v1)).least;
+    };
+    if (first < 0) {  // goes on at the other edge
+      is_past[i] = std::min(least(first + kAzimuthBins, kAzimuthBins - 1), least(0, last)) > far;
+    } else if (last >= kAzimuthBins) {
+      is_past[i] = std::min(least(first, kAzimuthBins - 1), least(0, last - kAzimuthBins)) > far;
+    } else {
+      is_past[i] = least(first, last) > far;
+    }
   }
 }
 

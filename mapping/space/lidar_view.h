@@ -28,6 +28,9 @@ class LidarView {
   [[nodiscard]] Box Reach() const;
 
   void Classify(const CellBatch& cells, CellSights& sights) const;
+  /// Whether all bins that a ball may cover have beams around, all of which go farther than the ball and the
+  /// truncation.
+  void LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_past) const;
   /// See TestOctant.
   void Test(float x, float y, float z, std::array<std::uint8_t, kOctantVoxels>& is_free) const {
     TestOctant(x, y, z, geometry_, image_.limit_vox.data(), is_free);
@@ -43,7 +46,8 @@ class LidarView {
   LidarGeometry geometry_{};
   SightImage image_;
   SightPyramid pyramid_;
-  std::vector<float> bins_;  ///< limits before they are spread to the bins around
+  std::size_t first_column_ = 0, last_column_ = 0;  ///< of the bins that have points
+  std::vector<float> bins_;                         ///< limits before they are spread to the bins around
 };
 
 }  // namespace dhpmap

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "mapping/map/map_grid.h"
 #include "mapping/map/voxel_average.h"
@@ -11,15 +12,28 @@
 namespace dhpmap {
 namespace {
 
-void MergeTsdf(const TsdfBlock& from, TsdfBlock& into, float max_weight) {
-  for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-    if (from.weight[i] < kMinObservedWeight) continue;
+/// What is contradicted is taken only where there is nothing else, and makes place for what is not.
+void MergeBlock(const BlockEntry& from, Submap& submap, float max_weight) {
+  TsdfBlock& into = submap.MutableTsdf(from.index);
+  const std::shared_ptr<const GoneBlock> known = submap.blocks().Find(from.index)->gone;
+  GoneBlock gone = known != nullptr ? *known : GoneBlock();
+  for (int linear = 0; linear < kBlockVoxels; ++linear) {
+    if (!from.tsdf->IsObserved(linear)) continue;
+    const auto i = static_cast<std::size_t>(linear);
+    const bool is_contradicted = from.IsContradicted(linear);
+    if (is_contradicted && into.IsObserved(linear)) continue;
+    if (is_contradicted || gone.IsContradicted(linear)) {
+      into.weight[i] = 0;
+      gone.Set(linear, from.gone != nullptr ? from.gone->Count(linear) : 0);
+    }
     MergedAverage<float> merged;
     merged.Add(into, i);
-    merged.Add(from, i);
+    merged.Add(*from.tsdf, i);
     merged.Store(into, i);
     into.weight[i] = std::min(into.weight[i], max_weight);
   }
+  if (known != nullptr ? gone == *known : gone.empty()) return;
+  submap.PutGone(from.index, gone.empty() ? nullptr : std::make_shared<const GoneBlock>(gone));
 }
 
 }  // namespace
@@ -63,7 +77,7 @@ bool DissolveIntoUnknown(SubmapId id, Map& map) {
   Submap& unknown = *map.FindMutable(kUnknownSubmap);
   const auto max_weight = static_cast<float>(map.info().config.integration.max_weight);
   for (const BlockEntry& entry : submap->blocks().entries()) {
-    if (entry.tsdf) MergeTsdf(*entry.tsdf, unknown.MutableTsdf(entry.index), max_weight);
+    if (entry.tsdf) MergeBlock(entry, unknown, max_weight);
   }
   unknown.UpdateBoundingSphere();
   return map.Remove(id);

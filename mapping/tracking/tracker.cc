@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "mapping/map/map_grid.h"
@@ -14,43 +15,45 @@ namespace {
 /// A thing that a segment may match, on the map's grid or moved away from it.
 struct Candidate {
   const Submap* submap;
+  ClassId class_id;
   BoundingSphere sphere_map;
   bool is_on_map_grid;
   float tolerance_m;
 };
 
-bool IsHit(const Submap& submap, VoxelIndex voxel, float tolerance_m) {
-  const BlockEntry* entry = submap.blocks().Find(BlockOf(voxel));
-  if (entry == nullptr || entry->tsdf == nullptr) return false;
-  const int i = LinearIndex(voxel);
-  return entry->tsdf->IsObserved(i) && std::abs(entry->tsdf->distance_m[static_cast<std::size_t>(i)]) < tolerance_m;
+/// Where an object was and is no longer, something of its class may be it come back; anything else is not.
+bool MayReturn(const Candidate& candidate, std::optional<ClassId> class_id) { return class_id == candidate.class_id; }
+
+bool IsHit(const BlockEntry& entry, int linear, bool may_return, float tolerance_m) {
+  return (may_return ? entry.tsdf->IsObserved(linear) : entry.Shows(linear)) &&
+         std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) < tolerance_m;
 }
 
 /// Points of the cell that hit a candidate on the same grid: exact, since all points of a bundle share its voxel.
-std::int64_t CountAlignedHits(const SegmentBundles& segment, const BundleCell& cell, const Candidate& candidate) {
+std::int64_t CountAlignedHits(const SegmentBundles& segment, const BundleCell& cell, const Candidate& candidate,
+                              bool may_return) {
   const BlockEntry* entry = candidate.submap->blocks().Find(cell.block);
   if (entry == nullptr || entry->tsdf == nullptr) return 0;
-  const TsdfBlock& block = *entry->tsdf;
   std::int64_t hits = 0;
   for (std::uint32_t b = 0; b < cell.num_bundles; ++b) {
     const Bundle& bundle = segment.bundles[cell.first_bundle + b];
-    if (block.IsObserved(bundle.linear) && std::abs(block.distance_m[bundle.linear]) < candidate.tolerance_m) {
-      hits += bundle.num_points;
-    }
+    if (IsHit(*entry, bundle.linear, may_return, candidate.tolerance_m)) hits += bundle.num_points;
   }
   return hits;
 }
 
 /// The same for a candidate with a pose or voxel size of its own: each bundle stands at its mean point.
 std::int64_t CountMovedHits(const SegmentBundles& segment, const BundleCell& cell, const Candidate& candidate,
-                            const Eigen::Vector3d& sensor_map) {
+                            bool may_return, const Eigen::Vector3d& sensor_map) {
   const Transform T_submap_map = candidate.submap->info().T_map_submap.inverse();
   std::int64_t hits = 0;
   for (std::uint32_t b = 0; b < cell.num_bundles; ++b) {
     const Bundle& bundle = segment.bundles[cell.first_bundle + b];
     const Eigen::Vector3d p_map = sensor_map + (bundle.weighted_sum_m / bundle.weight).cast<double>();
     const VoxelIndex voxel = VoxelAt(T_submap_map * p_map, candidate.submap->info().voxel_size_m);
-    if (IsHit(*candidate.submap, voxel, candidate.tolerance_m)) hits += bundle.num_points;
+    const BlockEntry* entry = candidate.submap->blocks().Find(BlockOf(voxel));
+    if (entry == nullptr || entry->tsdf == nullptr) continue;
+    if (IsHit(*entry, LinearIndex(voxel), may_return, candidate.tolerance_m)) hits += bundle.num_points;
   }
   return hits;
 }
@@ -99,8 +102,8 @@ OverlapTable Tracker::CountOverlaps(const PanopticFrame& frame, const std::vecto
     const BoundingSphere sphere = submap->BoundingSphereInMap();
     if (info.panoptic != Panoptic::kThing || !MayBeInView(frame, config_.integration.max_range_m, sphere)) continue;
     const bool on_grid = IsOnMapGrid(info, config_);
-    candidates.push_back(
-        {submap.get(), sphere, on_grid, static_cast<float>(config_.tracking.depth_tolerance_vox * info.voxel_size_m)});
+    candidates.push_back({submap.get(), info.class_id, sphere, on_grid,
+                          static_cast<float>(config_.tracking.depth_tolerance_vox * info.voxel_size_m)});
     table.candidates.push_back(info.id);
   }
 
@@ -109,14 +112,19 @@ OverlapTable Tracker::CountOverlaps(const PanopticFrame& frame, const std::vecto
   const double cell_radius_m = std::sqrt(3.0) / 2 * cell_side_m;
   table.hits.assign(segments.size(), std::vector<std::int64_t>(candidates.size(), 0));
   pool_.ParallelFor(segments.size(), [&](std::size_t s) {
+    std::optional<ClassId> class_id;
+    if (segments[s].row >= 0) class_id = frame.segments[static_cast<std::size_t>(segments[s].row)].class_id;
     for (const BundleCell& cell : segments[s].cells) {
       const Eigen::Vector3d center =
           BlockCorner(cell.block, config_.voxel_size_m) + Eigen::Vector3d::Constant(cell_side_m / 2);
       for (std::size_t c = 0; c < candidates.size(); ++c) {
         const Candidate& candidate = candidates[c];
         if (!candidate.sphere_map.Intersects({center, cell_radius_m})) continue;
-        table.hits[s][c] += candidate.is_on_map_grid ? CountAlignedHits(segments[s], cell, candidate)
-                                                     : CountMovedHits(segments[s], cell, candidate, sensor_map);
+        const bool may_return = MayReturn(candidate, class_id);
+        if (candidate.submap->IsAbsent() && !may_return) continue;
+        table.hits[s][c] += candidate.is_on_map_grid
+                                ? CountAlignedHits(segments[s], cell, candidate, may_return)
+                                : CountMovedHits(segments[s], cell, candidate, may_return, sensor_map);
       }
     }
   });

@@ -32,6 +32,8 @@ struct OverlapTable {
 ///   - background: the one submap of its class;
 ///   - things: matched with thing submaps by IoU, best first, one to one; a second segment may join a submap only if it
 ///     touches one that did (a split segment);
+///     a voxel that was looked through (GoneBlock) is matched by segments of the thing's own class only, as is a thing
+///     that is absent: it has come back;
 ///   - what is left makes a new submap if it is large enough, else goes to the unknown submap.
 /// Ties are broken by submap id, then by table row. Thread-compatible.
 class Tracker {

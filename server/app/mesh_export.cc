@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/mesh_export.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mapping/io/pcd.h"
@@ -34,7 +35,11 @@ std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request) {
   constexpr std::size_t kBlock = 800, kMerged = sizeof(TsdfBlock) + kBlockVoxels * sizeof(std::uint16_t);
   if (request.submap) {
     const Submap* submap = map.Find(*request.submap);
-    return submap == nullptr ? 0 : submap->blocks().size() * kBlock;
+    if (submap == nullptr) return 0;
+    const auto blocks = submap->blocks().entries();
+    const auto num_copied =
+        std::count_if(blocks.begin(), blocks.end(), [](const BlockEntry& b) { return b.gone != nullptr; });
+    return submap->blocks().size() * kBlock + static_cast<std::size_t>(num_copied) * kMerged;
   }
   std::size_t num_blocks = 0;
   for (const auto& submap : map.submaps()) num_blocks += submap->blocks().size();

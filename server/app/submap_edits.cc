@@ -43,6 +43,13 @@ std::optional<Transform> PoseOf(const SubmapPatch& patch, const Submap& submap, 
   return T.ok() ? std::optional(*T) : std::nullopt;
 }
 
+/// It is where somebody puts it, whatever was seen of where it was.
+void Place(Submap& submap) {
+  submap.DropGone();
+  submap.mutable_info().presence = Presence::kPresent;
+  submap.mutable_info().is_placed = true;
+}
+
 /// The patch with its pose worked out, if the map allows it.
 Result<SubmapPatch> Checked(const Map& map, const Submap& submap, SubmapPatch patch) {
   Status bad = InvalidArgument("the submap cannot be changed like this").WithReason("BAD_EDIT");
@@ -56,8 +63,12 @@ Result<SubmapPatch> Checked(const Map& map, const Submap& submap, SubmapPatch pa
   return patch;
 }
 
-void Apply(const SubmapPatch& patch, SubmapInfo& info) {
-  if (patch.T_map_submap) info.T_map_submap = *patch.T_map_submap;
+void Apply(const SubmapPatch& patch, Submap& submap) {
+  SubmapInfo& info = submap.mutable_info();
+  if (patch.T_map_submap) {
+    info.T_map_submap = *patch.T_map_submap;
+    Place(submap);
+  }
   if (patch.display_name) info.display_name = *patch.display_name;
   if (patch.class_id) {
     info.class_id = *patch.class_id;
@@ -87,7 +98,7 @@ Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapP
   DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
   DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
   const bool changes_anything = checked.T_map_submap || checked.class_id || checked.display_name;
-  if (changes_anything) Apply(checked, map.FindMutable(id)->mutable_info());
+  if (changes_anything) Apply(checked, *map.FindMutable(id));
   return Status::Ok();
 }
 
@@ -95,7 +106,8 @@ Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, con
   DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
   DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
   Submap* copy = map.Clone(id);
-  Apply(checked, copy->mutable_info());
+  Apply(checked, *copy);
+  Place(*copy);
   copy->mutable_info().is_confirmed = true;  // somebody asked for it: not to be dissolved as something seen wrongly
   return copy->id();
 }

@@ -36,7 +36,7 @@ std::span<const ObservedVoxel> VoxelWalk::NextBlock() {
   const std::uint32_t own_class = info.panoptic == Panoptic::kUnknown ? 0u : info.class_id.value;
   for (int i = 0; i < kBlockVoxels; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    if (!tsdf.IsObserved(i)) continue;
+    if (!block.Shows(i)) continue;
     if (max_abs_distance_m_ > 0 && std::abs(tsdf.distance_m[at]) > max_abs_distance_m_) continue;
     const BestLabel label = block.labels ? block.labels->BestClass(i) : BestLabel{};
     voxels_.push_back({.centre_m = info.T_map_submap * VoxelCentre(VoxelIn(block.index, i), info.voxel_size_m),

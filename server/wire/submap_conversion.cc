@@ -104,6 +104,8 @@ v1::Submap ToProto(const Submap& submap, const MapView& view) {
   proto.set_voxel_size_m(info.voxel_size_m);
   proto.set_truncation_m(info.truncation_m);
   proto.set_num_blocks(static_cast<std::int64_t>(submap.blocks().size()));
+  proto.set_presence(info.presence == Presence::kAbsent ? v1::ABSENT : v1::PRESENT);
+  proto.set_last_contradicted_ns(info.last_contradicted_ns);
   proto.set_activity(info.activity == Activity::kActive ? v1::ACTIVE : v1::INACTIVE);
   proto.set_confirmed(info.is_confirmed);
   proto.set_num_frames_observed(info.num_frames_observed);

@@ -10,11 +10,18 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-std::string Table(Layer layer) { return layer == Layer::kTsdf ? "tsdf_blocks" : "label_blocks"; }
+std::string Table(Layer layer) { return std::string(LayerName(layer)) + "_blocks"; }
 
 }  // namespace
 
-std::string_view LayerName(Layer layer) { return layer == Layer::kTsdf ? "tsdf" : "label"; }
+std::string_view LayerName(Layer layer) {
+  switch (layer) {
+    case Layer::kTsdf: return "tsdf";
+    case Layer::kLabels: return "label";
+    case Layer::kGone: return "gone";
+  }
+  return {};
+}
 
 std::string BlockName(std::uint32_t submap_id, Layer layer, BlockIndex index) {
   return "submap " + std::to_string(submap_id) + ": " + std::string(LayerName(layer)) + " block (" +

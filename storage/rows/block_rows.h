@@ -10,8 +10,8 @@
 
 namespace dhpmap {
 
-/// The two tables of blobs.
-enum class Layer { kTsdf, kLabels };
+/// The tables of blobs of blocks.
+enum class Layer { kTsdf, kLabels, kGone };
 std::string_view LayerName(Layer layer);
 
 /// "submap 3: tsdf block (1, -2, 0)", for messages.

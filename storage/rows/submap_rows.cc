@@ -25,6 +25,7 @@ SubmapCounts CountBlocks(const Submap& submap) {
   for (const BlockEntry& entry : submap.blocks().entries()) {
     counts.num_tsdf_blocks += entry.tsdf != nullptr;
     counts.num_label_blocks += entry.labels != nullptr;
+    counts.num_gone_blocks += entry.gone != nullptr;
   }
   return counts;
 }
@@ -55,10 +56,10 @@ SubmapRowWriter::SubmapRowWriter(Statement find, Statement upsert, Statement set
       erase_box_(std::move(erase_box)) {}
 
 Result<SubmapRowWriter> SubmapRowWriter::Prepare(Database& database) {
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement find, database.Prepare("SELECT submap_key, num_tsdf_blocks, num_label_blocks, blob_bytes FROM submaps "
-                                       "WHERE map_key = ? AND submap_id = ?",
-                                       kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement find,
+                          database.Prepare("SELECT submap_key, num_tsdf_blocks, num_label_blocks, num_gone_blocks, "
+                                           "blob_bytes FROM submaps WHERE map_key = ? AND submap_id = ?",
+                                           kWriteTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Submaps().Upsert() + " RETURNING submap_key", kWriteTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement set_bytes,
                           database.Prepare("UPDATE submaps SET blob_bytes = ? WHERE submap_key = ?", kWriteTask));
@@ -83,6 +84,7 @@ Result<std::optional<SubmapRowWriter::Stored>> SubmapRowWriter::Find(std::int64_
   stored.key = columns.Int();
   stored.counts.num_tsdf_blocks = columns.Int();
   stored.counts.num_label_blocks = columns.Int();
+  stored.counts.num_gone_blocks = columns.Int();
   stored.counts.blob_bytes = columns.Int();
   find_.Reset();
   return std::optional<Stored>(stored);

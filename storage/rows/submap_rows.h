@@ -14,6 +14,7 @@ namespace dhpmap {
 struct SubmapCounts {
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
+  std::int64_t num_gone_blocks = 0;
   std::int64_t blob_bytes = 0;
 };
 /// Of a submap in memory; leaves blob_bytes at 0.
@@ -61,6 +62,10 @@ std::vector<Column<Row>> SubmapColumns() {
       MakeColumn<Row>("truncation_m", kAlways, 1, DHPMAP_MEMBER(info.truncation_m)),
       MakeColumn<Row>("instance_confidence", kAlways, 1, DHPMAP_MEMBER(info.instance_confidence)),
       MakeColumn<Row>("class_counts", kAlways, 1, DHPMAP_MEMBER(info.class_counts)),
+      MakeColumn<Row>("num_gone_blocks", kAlways, 2, DHPMAP_MEMBER(counts.num_gone_blocks)),
+      MakeColumn<Row>("presence", kAlways, 2, DHPMAP_MEMBER(info.presence)),
+      MakeColumn<Row>("last_contradicted_ns", kAlways, 2, DHPMAP_MEMBER(info.last_contradicted_ns)),
+      MakeColumn<Row>("is_placed", kAlways, 2, DHPMAP_MEMBER(info.is_placed)),
   };
 }
 const Table<SubmapRow>& Submaps();

@@ -9,6 +9,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[1]},  // 0002_checksum_versions.sql
       {.sql = SchemaSql()[2]},  // 0003_sessions_and_history.sql
       {.sql = SchemaSql()[3]},  // 0004_map_tiles.sql
+      {.sql = SchemaSql()[4]},  // 0005_gone.sql
   };
   return steps;
 }

@@ -18,7 +18,7 @@ struct FusionBenchOptions {
   std::size_t num_frames = 0;
   int repetitions = 3;
   bool carving = false;
-  bool free_space = true;
+  bool free_space = true, gone = true;
 };
 /// Time of fusing a frame by stage, and the size of the map.
 Status RunFusionBench(const FusionBenchOptions& options);
@@ -45,6 +45,16 @@ struct CrfBenchOptions {
 };
 /// Time and memory of the dense CRF on the surface voxels of a map, tiled side by side, with noisy labels.
 Status RunCrfBench(const CrfBenchOptions& options);
+
+struct ChangeBenchOptions {
+  std::string directory;
+  std::string labels = "predicted";  ///< or groundtruth
+  bool framewise = false;            ///< without persistent ids, though the labels have them
+  bool gone = true, carving = false;
+};
+/// Maps a double walk of dhpmap-simulate --change: how much of what is gone still has a surface, how much of what was
+/// moved has one at its new place, and whether anything else has lost its own.
+Status RunChangeBench(const ChangeBenchOptions& options);
 
 struct QueryBenchOptions {
   std::string directory;

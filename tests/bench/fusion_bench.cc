@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "mapping/pipeline/map_builder.h"
+#include "mapping/space/presence.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/frames.h"
 
@@ -29,12 +31,34 @@ Result<MapInfo> MakeInfo(const FusionBenchOptions& options, const Dataset& datas
   info.config.integration.max_range_m = options.max_range_m;
   info.config.integration.carving = options.carving;
   info.config.space.free = options.free_space;
+  info.config.space.gone = options.gone;
   DHPMAP_RETURN_IF_ERROR(info.config.Validate());
   std::vector<LabelClass> classes = dataset.label_classes();
   if (options.labels == "one") classes = {{.id = kOneClass, .name = "everything", .panoptic = Panoptic::kStuff}};
   DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(std::move(classes)));
   info.label_set = std::make_shared<LabelSet>(std::move(label_set));
   return info;
+}
+
+/// What the map takes for gone, which is wrong where nothing has moved.
+void PrintGone(const Map& map) {
+  SurfaceVoxels sum;
+  std::size_t num_blocks = 0, bytes = 0, num_absent = 0;
+  for (const auto& submap : map.submaps()) {
+    const SurfaceVoxels voxels = CountSurfaceVoxels(*submap);
+    sum.all += voxels.all;
+    sum.contradicted += voxels.contradicted;
+    num_absent += submap->IsAbsent();
+    for (const BlockEntry& entry : submap->blocks().entries()) {
+      if (entry.gone == nullptr) continue;
+      ++num_blocks;
+      bytes += entry.gone->MemoryBytes();
+    }
+  }
+  std::printf("gone: %lld of %lld surface voxels (%.4f %%), %zu submaps absent, %zu blocks, %.1f KB\n",
+              static_cast<long long>(sum.contradicted), static_cast<long long>(sum.all),
+              100.0 * static_cast<double>(sum.contradicted) / static_cast<double>(std::max<std::int64_t>(1, sum.all)),
+              num_absent, num_blocks, static_cast<double>(bytes) / 1e3);
 }
 
 void PrintSize(const Map& map) {
@@ -99,7 +123,9 @@ Status RunFusionBench(const FusionBenchOptions& options) {
                 repetition + 1, total.mean, total.median, total.p95, 1e3 * sum.bundle_s / n, 1e3 * sum.track_s / n,
                 1e3 * sum.fuse_s / n, 1e3 * sum.activity_s / n, free.mean, free.median, free.p95,
                 static_cast<double>(sum.num_points) / n, static_cast<double>(sum.num_voxels_updated) / n);
-    if (repetition + 1 == options.repetitions) PrintSize(builder.map());
+    if (repetition + 1 != options.repetitions) continue;
+    PrintGone(builder.map());
+    PrintSize(builder.map());
   }
   return Status::Ok();
 }

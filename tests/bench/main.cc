@@ -23,6 +23,8 @@ int main(int argc, char** argv) {
   fusion_command->add_flag("--carving", fusion.carving, "Clear free space too");
   fusion_command->add_flag("!--no-free", fusion.free_space, "Do not keep which voxels were looked through");
 
+  fusion_command->add_flag("!--no-gone", fusion.gone, "Do not look for what is no longer there");
+
   dhpmap::bench::GeometryCheckOptions geometry;
   CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against depth images that were held out");
   geometry_command->add_option("directory", geometry.directory, "Data set with ground truth")->required();
@@ -53,10 +55,19 @@ int main(int argc, char** argv) {
   query_command->add_option("--points", query.num_points, "Points of each kind")->capture_default_str();
   query_command->add_option("--check", query.num_checked, "Of these, compared with brute force")->capture_default_str();
 
+  dhpmap::bench::ChangeBenchOptions change;
+  CLI::App* change_command = app.add_subcommand("change", "What is gone and what was moved between two walks");
+  change_command->add_option("directory", change.directory, "Recording of dhpmap-simulate --change")->required();
+  change_command->add_option("--labels", change.labels, "predicted or groundtruth")->capture_default_str();
+  change_command->add_flag("--framewise", change.framewise, "Do not use persistent ids");
+  change_command->add_flag("--carving", change.carving, "Clear free space too");
+  change_command->add_flag("!--no-gone", change.gone, "Do not look for what is no longer there");
+
   CLI11_PARSE(app, argc, argv);
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
                                 : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
+                                : change_command->parsed()   ? dhpmap::bench::RunChangeBench(change)
                                                              : dhpmap::bench::RunCrfBench(crf);
   if (!status.ok()) std::fprintf(stderr, "dhpmap-bench: %s\n", status.ToString().c_str());
   return status.ok() ? 0 : 1;

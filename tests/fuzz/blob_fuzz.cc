@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "storage/codec/crc32c.h"
+#include "storage/codec/gone_codec.h"
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
 #include "tests/fuzz/fuzz_target.h"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr BlockIndex kIndex{1, -2, 3};
 constexpr double kTruncation_m = 0.08;
+// Of the first byte of an input; without this bit 1 is labels, 0 a TSDF.
+constexpr int kGoneLayer = 4;
 
 /// The blob with the checksum that Seal would give it.
 Bytes WithRightChecksum(ByteView blob) {
@@ -27,10 +30,15 @@ Bytes WithRightChecksum(ByteView blob) {
   return sealed;
 }
 
+int LayerOf(std::uint8_t mode) { return (mode & kGoneLayer) != 0 ? kGoneLayer : mode & 1; }
+
 void DecodeAndEncode(int layer, ByteView blob) {
   if (layer == 0) {
     TsdfBlock block;
     if (DecodeTsdfBlock(blob, kIndex, block).ok()) (void)EncodeTsdfBlock(block, kIndex, kTruncation_m);
+  } else if (layer == kGoneLayer) {
+    GoneBlock block;
+    if (DecodeGoneBlock(blob, kIndex, block).ok()) Require(EncodeGoneBlock(block, kIndex).size() <= blob.size() + 256);
   } else {
     LabelBlock block;
     if (DecodeLabelBlock(blob, kIndex, block).ok()) (void)EncodeLabelBlock(block, kIndex);
@@ -63,6 +71,9 @@ std::vector<std::string> fuzz::Seeds() {
   add(0, EncodeTsdfBlock(TsdfBlock{}, kIndex, kTruncation_m));
   add(1, EncodeLabelBlock(labels, kIndex));
   add(1, EncodeLabelBlock(LabelBlock{}, kIndex));
+  GoneBlock gone;
+  gone.Raise({1, 2, 3, 4, 5, 6, 7, 8}, {{1, 2, 3}, 7});
+  add(kGoneLayer, EncodeGoneBlock(gone, kIndex));
   return seeds;
 }
 
@@ -73,9 +84,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const ByteView blob(data + 1, size - 1);
   if ((data[0] & 2) == 0) {
-    DecodeAndEncode(data[0] & 1, blob);
+    DecodeAndEncode(LayerOf(data[0]), blob);
   } else {
-    DecodeAndEncode(data[0] & 1, WithRightChecksum(blob));
+    DecodeAndEncode(LayerOf(data[0]), WithRightChecksum(blob));
   }
   return 0;
 }

@@ -15,6 +15,8 @@ AssertionResult BlocksAreEqual(const BlockEntry& a, const BlockEntry& b, double 
   if ((a.tsdf == nullptr) != (b.tsdf == nullptr)) return AssertionFailure() << "one has no TSDF layer";
   if ((a.labels == nullptr) != (b.labels == nullptr)) return AssertionFailure() << "one has no label layer";
   if (a.labels && !(*a.labels == *b.labels)) return AssertionFailure() << "label counts differ";
+  if ((a.gone == nullptr) != (b.gone == nullptr)) return AssertionFailure() << "one was not looked through";
+  if (a.gone && !(*a.gone == *b.gone)) return AssertionFailure() << "what was looked through differs";
   for (std::size_t i = 0; a.tsdf && i < kBlockVoxels; ++i) {
     if (a.tsdf->IsObserved(static_cast<int>(i)) != b.tsdf->IsObserved(static_cast<int>(i))) {
       return AssertionFailure() << "voxel " << i << " is observed in one only";
@@ -42,7 +44,8 @@ AssertionResult InfosAreEqual(const SubmapInfo& a, const SubmapInfo& b) {
                     a.is_confirmed == b.is_confirmed && a.num_frames_observed == b.num_frames_observed &&
                     a.num_frames_missed == b.num_frames_missed && a.num_frames_overlooked == b.num_frames_overlooked &&
                     a.first_observed_ns == b.first_observed_ns && a.last_observed_ns == b.last_observed_ns &&
-                    a.track_id == b.track_id;
+                    a.track_id == b.track_id && a.presence == b.presence &&
+                    a.last_contradicted_ns == b.last_contradicted_ns && a.is_placed == b.is_placed;
   return same ? AssertionSuccess() : AssertionFailure() << "rows differ";
 }
 

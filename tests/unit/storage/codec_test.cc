@@ -8,6 +8,7 @@
 #include "storage/codec/crc32c.h"
 #include "storage/codec/envelope.h"
 #include "storage/codec/free_codec.h"
+#include "storage/codec/gone_codec.h"
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
 #include "tests/unit/storage/map_fixtures.h"
@@ -244,6 +245,39 @@ TEST(FreeCodec, RoundTripIsExactAndWholeBlocksCostABit) {
 
 TEST(FreeCodec, EveryFlippedOrMissingByteIsDataLoss) {
   ExpectDamageIsSeen<FreeTile>(EncodeFreeTile(SomeFreeTile(1), kTile), DecodeFree);
+}
+
+TEST(GoneCodec, RoundTripIsExact) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const GoneBlock block = MapGenerator(seed).SomeGone();
+    GoneBlock back;
+    ASSERT_TRUE(DecodeGoneBlock(EncodeGoneBlock(block, kIndex), kIndex, back).ok());
+    EXPECT_EQ(back, block);
+    EXPECT_EQ(EncodeGoneBlock(back, kIndex), EncodeGoneBlock(block, kIndex));
+  }
+}
+
+TEST(GoneCodec, EveryFlippedOrMissingByteIsDataLoss) {
+  ExpectDamageIsSeen<GoneBlock>(EncodeGoneBlock(MapGenerator(1).SomeGone(), kIndex), DecodeGoneBlock);
+}
+
+TEST(GoneCodec, ForgedPayloadsAreHarmless) {
+  const auto refused = [](std::size_t num_words, std::uint64_t word, double x_m) {
+    Payload forged;
+    ByteWriter plain(forged.plain), packable(forged.packable);
+    plain.PutU64(7);
+    for (const double value : {x_m, 0.0, 0.0}) plain.PutF64(value);
+    for (std::size_t n = 0; n < num_words; ++n) packable.PutU64(word);
+    GoneBlock block;
+    const Status status = DecodeGoneBlock(Seal(BlobKind::kGoneV1, kIndex, forged), kIndex, block);
+    EXPECT_TRUE(status.ok() || status.code() == StatusCode::kDataLoss) << status.ToString();
+    return !status.ok();
+  };
+  EXPECT_FALSE(refused(16, 1, 0));
+  EXPECT_TRUE(refused(15, 1, 0)) << "too short";
+  EXPECT_TRUE(refused(17, 1, 0)) << "too long";
+  EXPECT_TRUE(refused(16, 0, 0)) << "counts nothing";
+  EXPECT_TRUE(refused(16, 1, std::numeric_limits<double>::quiet_NaN()));
 }
 
 TEST(LabelCodec, EveryFlippedOrMissingByteIsDataLoss) {

@@ -23,6 +23,8 @@ TEST_F(SqliteStoreTest, OnlyChangedBlocksAreWritten) {
       "CREATE TRIGGER b AFTER UPDATE ON tsdf_blocks BEGIN INSERT INTO written VALUES ('tsdf'); END;"
       "CREATE TRIGGER c AFTER INSERT ON label_blocks BEGIN INSERT INTO written VALUES ('label'); END;"
       "CREATE TRIGGER d AFTER UPDATE ON label_blocks BEGIN INSERT INTO written VALUES ('label'); END;"
+      "CREATE TRIGGER h AFTER INSERT ON gone_blocks BEGIN INSERT INTO written VALUES ('gone'); END;"
+      "CREATE TRIGGER i AFTER UPDATE ON gone_blocks BEGIN INSERT INTO written VALUES ('gone'); END;"
       "CREATE TRIGGER f AFTER INSERT ON map_tiles BEGIN INSERT INTO written VALUES ('tile'); END;"
       "CREATE TRIGGER g AFTER UPDATE ON map_tiles BEGIN INSERT INTO written VALUES ('tile'); END;"
       "CREATE TRIGGER e AFTER UPDATE OF pose ON submaps BEGIN INSERT INTO written VALUES ('submap'); END;");
@@ -63,16 +65,18 @@ TEST_F(SqliteStoreTest, KeepsTotalsAndBoxesInStep) {
     ASSERT_TRUE(store_->Commit(*before, *map->Publish(step), Durability::kNormal).ok());
     EXPECT_EQ(store_->GetMap("house")->blob_bytes, Query("SELECT (SELECT total(length(blob)) FROM tsdf_blocks) + "
                                                          "(SELECT total(length(blob)) FROM label_blocks) + "
+                                                         "(SELECT total(length(blob)) FROM gone_blocks) + "
                                                          "(SELECT total(length(blob)) FROM map_tiles)"));
     std::int64_t num_spheres = 0;
     for (const auto& submap : map->submaps()) num_spheres += !submap->bounding_sphere().IsEmpty();
     EXPECT_EQ(Query("SELECT count(*) FROM submap_boxes"), num_spheres);
   }
   ASSERT_TRUE(store_->DeleteMap("house").ok());
-  EXPECT_EQ(Query("SELECT (SELECT count(*) FROM submaps) + (SELECT count(*) FROM tsdf_blocks) + (SELECT count(*) FROM "
-                  "label_blocks) + (SELECT count(*) FROM submap_boxes) + (SELECT count(*) FROM map_config) + (SELECT "
-                  "count(*) FROM feed_sessions) + (SELECT count(*) FROM map_tiles)"),
-            0);
+  EXPECT_EQ(
+      Query("SELECT (SELECT count(*) FROM submaps) + (SELECT count(*) FROM tsdf_blocks) + (SELECT count(*) FROM "
+            "label_blocks) + (SELECT count(*) FROM submap_boxes) + (SELECT count(*) FROM map_config) + (SELECT "
+            "count(*) FROM feed_sessions) + (SELECT count(*) FROM map_tiles) + (SELECT count(*) FROM gone_blocks)"),
+      0);
 }
 
 TEST_F(SqliteStoreTest, ABoxEnclosesItsSphereInTheMapFrame) {

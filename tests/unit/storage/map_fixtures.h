@@ -65,6 +65,18 @@ class MapGenerator {
     }
   }
 
+  /// Voxels that were looked through up to three times.
+  GoneBlock SomeGone() {
+    GoneBlock gone;
+    for (int n = 1 + Below(3); n > 0; --n) {
+      VoxelMask voxels{};
+      for (int k = 1 + Below(40); k > 0; --k)
+        voxels[static_cast<std::size_t>(Below(8))] |= std::uint64_t{1} << Below(64);
+      gone.Raise(voxels, {{Uniform(-9, 9), -0.0, 1e-300}, 1'600'000'000'000'000'000 + Below(1 << 30)});
+    }
+    return gone;
+  }
+
   BlockIndex Index() { return {Below(6) - 3, Below(6) - 3, Below(6) - 3}; }
 
   void AddBlocks(Submap& submap, int count) {
@@ -72,6 +84,7 @@ class MapGenerator {
       const BlockIndex index = Index();
       FillTsdf(submap.MutableTsdf(index), submap.info().truncation_m);
       if (submap.id() != kUnknownSubmap) FillLabels(submap.MutableLabels(index));
+      if (Below(2)) submap.PutGone(index, std::make_shared<const GoneBlock>(SomeGone()));
     }
     submap.UpdateBoundingSphere();
   }
@@ -95,6 +108,9 @@ class MapGenerator {
     info.first_observed_ns = 1'600'000'000'000'000'001 + Below(9);
     info.last_observed_ns = 1'600'000'000'000'000'011 + Below(9);
     info.track_id = static_cast<std::uint32_t>(Below(3));
+    info.presence = Below(2) ? Presence::kPresent : Presence::kAbsent;
+    info.last_contradicted_ns = 1'600'000'000'000'000'021 + Below(9);
+    info.is_placed = Below(2) != 0;
     Submap& submap = map.Create(info);
     AddBlocks(submap, num_blocks);
     return submap;
@@ -136,12 +152,13 @@ class MapGenerator {
   void ChangeOnce(Map& map) {
     const auto& submaps = map.submaps();
     const SubmapId id = submaps[static_cast<std::size_t>(Below(static_cast<int>(submaps.size())))]->id();
-    switch (Below(8)) {
+    switch (Below(9)) {
       case 0: AddSubmap(map, Below(4)); break;
       case 1: map.Clone(id); break;
       case 2: map.Remove(id); break;
       case 3: map.FindMutable(id)->mutable_info().T_map_submap = Pose(); break;
       case 4: map.FindMutable(id)->DropLabels(); break;
+      case 8: map.FindMutable(id)->DropGone(); break;
       case 5: {
         Submap* submap = map.FindMutable(id);
         if (!submap->blocks().empty()) submap->EraseBlock(submap->blocks().entries().front().index);
@@ -189,6 +206,9 @@ inline void ExpectSameInfo(const SubmapInfo& expected, const SubmapInfo& actual)
   EXPECT_EQ(expected.first_observed_ns, actual.first_observed_ns);
   EXPECT_EQ(expected.last_observed_ns, actual.last_observed_ns);
   EXPECT_EQ(expected.track_id, actual.track_id);
+  EXPECT_EQ(expected.presence, actual.presence);
+  EXPECT_EQ(expected.last_contradicted_ns, actual.last_contradicted_ns);
+  EXPECT_EQ(expected.is_placed, actual.is_placed);
   EXPECT_EQ(expected.revision, actual.revision);
 }
 
@@ -227,6 +247,8 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
       ASSERT_EQ(entry.labels == nullptr, found->labels == nullptr);
       if (entry.tsdf) ExpectSameTsdf(*entry.tsdf, *found->tsdf, one.info().truncation_m / 4096, 1.0 / 65536);
       EXPECT_TRUE(!entry.labels || *entry.labels == *found->labels);
+      ASSERT_EQ(entry.gone == nullptr, found->gone == nullptr);
+      EXPECT_TRUE(!entry.gone || *entry.gone == *found->gone);
     }
   }
 }

@@ -78,6 +78,19 @@ std::string TextOf(const LabelBlock& block, int num_in_full) {
   return Line("    labels %d voxels %08x", num_labelled, Crc32c(bytes)) + voxels;
 }
 
+std::string TextOf(const GoneBlock& block) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  int num_contradicted = 0;
+  for (int v = 0; v < kBlockVoxels; ++v) {
+    writer.PutU8(static_cast<std::uint8_t>(block.Count(v)));
+    num_contradicted += block.IsContradicted(v);
+  }
+  const Viewpoint& last = block.last();
+  return Line("    gone %d voxels %08x from %.17g %.17g %.17g at %" PRId64, num_contradicted, Crc32c(bytes),
+              last.position_m.x(), last.position_m.y(), last.position_m.z(), last.stamp_ns);
+}
+
 std::string RowText(const Submap& submap) {
   const SubmapInfo& info = submap.info();
   std::string text = Line("submap %u '%s' panoptic %d class %d%s", info.id.value, info.display_name.c_str(),
@@ -95,6 +108,10 @@ std::string RowText(const Submap& submap) {
                static_cast<int>(info.activity), info.is_confirmed, info.num_frames_observed, info.num_frames_missed,
                info.num_frames_overlooked, info.track_id, info.revision);
   text += Line("  observed_ns %" PRId64 " %" PRId64, info.first_observed_ns, info.last_observed_ns);
+  if (info.presence != Presence::kPresent || info.last_contradicted_ns != 0 || info.is_placed) {  // from schema 5 on
+    text += Line("  presence %d contradicted_ns %" PRId64 "%s", static_cast<int>(info.presence),
+                 info.last_contradicted_ns, info.is_placed ? " placed" : "");
+  }
   text += "  class_counts";
   for (const ClassTotal& entry : info.class_counts) {
     Append(text, entry.id.value, entry.count);
@@ -110,6 +127,7 @@ std::string BlocksText(const Submap& submap) {
     text += Line("  block %d %d %d", entry.index.x, entry.index.y, entry.index.z);
     if (entry.tsdf) text += TextOf(*entry.tsdf, num_voxels);
     if (entry.labels) text += TextOf(*entry.labels, num_voxels);
+    if (entry.gone) text += TextOf(*entry.gone);
   }
   return text;
 }

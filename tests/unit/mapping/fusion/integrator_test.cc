@@ -223,5 +223,42 @@ TEST(Integrator, CarvingClearsAnObjectThatIsGoneAndLeavesTheWall) {
   EXPECT_GT(solid_voxels(without.solids[0]), 500);
 }
 
+TEST(IntegrateSegment, WhatIsSeenInAContradictedPlaceBeginsAnew) {
+  const MapConfig config;
+  const Eigen::Vector3d eye(0, 0, 1), target(2, 0, 1);
+  Submap once = EmptySubmap(config), again = EmptySubmap(config), held = EmptySubmap(config);
+  Scene farther = SphereInFrontOfWall();
+  farther.solids[0].center_m.x() += 0.06;
+  Fuse(FrameOf(farther, eye, target), config, once);
+  for (Submap* submap : {&again, &held}) {
+    for (int n = 0; n < 20; ++n) Fuse(FrameOf(SphereInFrontOfWall(), eye, target), config, *submap);
+  }
+  std::vector<BlockIndex> indices;
+  for (const BlockEntry& entry : again.blocks().entries()) indices.push_back(entry.index);
+  for (const BlockIndex index : indices) {
+    for (int linear = 0; linear < kBlockVoxels; ++linear) {
+      again.MutableGone(index).Set(linear, GoneBlock::kContradicted);
+      held.MutableGone(index).Set(linear, GoneBlock::kContradicted - 1);
+    }
+  }
+  for (Submap* submap : {&again, &held}) Fuse(FrameOf(farther, eye, target), config, *submap);
+  std::int64_t num_anew = 0, num_held = 0;
+  for (const BlockEntry& entry : once.blocks().entries()) {
+    const BlockEntry *anew = again.blocks().Find(entry.index), *other = held.blocks().Find(entry.index);
+    for (int linear = 0; linear < kBlockVoxels; ++linear) {
+      if (!entry.tsdf->IsObserved(linear)) continue;
+      const auto i = static_cast<std::size_t>(linear);
+      ASSERT_EQ(anew->tsdf->distance_m[i], entry.tsdf->distance_m[i]);
+      ASSERT_EQ(anew->tsdf->weight[i], entry.tsdf->weight[i]);
+      ASSERT_TRUE(anew->Shows(linear));
+      ASSERT_TRUE(other->gone == nullptr || other->gone->Count(linear) == 0) << "seen again, it begins at 0";
+      ++num_anew;
+      num_held += other->tsdf->weight[i] > entry.tsdf->weight[i] * 1.5f;
+    }
+  }
+  EXPECT_GT(num_anew, 1000);
+  EXPECT_GT(num_held, 1000) << "what was only doubted is averaged";
+}
+
 }  // namespace
 }  // namespace dhpmap

@@ -101,7 +101,7 @@ TEST(MapBuilder, KeepsWhatWasLookedThroughUnlessTheConfigSaysNo) {
   EXPECT_TRUE(map->free_space()->IsFree(VoxelAt({1.0, 0.0, 1.0}, map->info().config.voxel_size_m)));
   EXPECT_FALSE(map->free_space()->IsFree(VoxelAt({1.0, 0.0, -0.2}, map->info().config.voxel_size_m)));
   MapInfo info = Info();
-  info.config.space.free = false;
+  info.config.space.free = info.config.space.gone = false;
   MapBuilder builder(info, 1);
   const auto report = builder.Integrate(Frame(Room(), 0));
   ASSERT_TRUE(report.ok());

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "tests/support/map_equality.h"
 #include "tests/unit/mapping/refinement/random_map.h"
@@ -146,6 +147,42 @@ TEST(LabelManagement, UnknownGeometryGoesToTheObjectThatIsThere) {
   const TsdfBlock& unknown = *map.Find(kUnknownSubmap)->blocks().entries().front().tsdf;
   EXPECT_FALSE(unknown.IsObserved(0));
   EXPECT_TRUE(unknown.IsObserved(1));
+}
+
+TEST_P(RandomMaps, WhatIsContradictedStaysAndHasNoSay) {
+  Map map = RandomMap(GetParam()), without = RandomMap(GetParam());
+  // Every third voxel of each submap: contradicted in one map, never observed in the other.
+  std::vector<std::tuple<SubmapId, BlockIndex, int>> contradicted;
+  ForEachVoxel(map, [&](const Submap& submap, const BlockEntry& entry, int i) {
+    if ((i + static_cast<int>(submap.id().value)) % 3 == 0) contradicted.emplace_back(submap.id(), entry.index, i);
+  });
+  for (const auto& [id, index, i] : contradicted) {
+    map.FindMutable(id)->MutableGone(index).Set(i, GoneBlock::kContradicted);
+    Submap& other = *without.FindMutable(id);
+    other.MutableTsdf(index).weight[static_cast<std::size_t>(i)] = 0;
+    if (other.blocks().Find(index)->labels != nullptr) other.MutableLabels(index).Clear(i);
+  }
+  const auto before = map.Publish(0);
+  ManageLabels(AllIds(map), map, pool_);
+  ManageLabels(AllIds(without), without, pool_);
+  std::set<std::pair<SubmapId, VoxelIndex>> shown, expected;
+  ForEachVoxel(map, [&](const Submap& submap, const BlockEntry& entry, int i) {
+    if (entry.Shows(i)) shown.emplace(submap.id(), VoxelIn(entry.index, i));
+  });
+  ForEachVoxel(without, [&](const Submap& submap, const BlockEntry& entry, int i) {
+    expected.emplace(submap.id(), VoxelIn(entry.index, i));
+  });
+  EXPECT_EQ(shown, expected);
+  std::size_t num_kept = 0;
+  for (const auto& [id, index, i] : contradicted) {
+    const BlockEntry* entry = map.Find(id) ? map.Find(id)->blocks().Find(index) : nullptr;
+    ASSERT_TRUE(entry != nullptr && entry->tsdf->IsObserved(i)) << "nothing that was observed is lost";
+    if (entry->Shows(i)) continue;  // it was given the voxel, which others hold
+    ++num_kept;
+    const auto at = static_cast<std::size_t>(i);
+    EXPECT_EQ(entry->tsdf->weight[at], before->Find(id)->blocks().Find(index)->tsdf->weight[at]);
+  }
+  EXPECT_GT(num_kept, contradicted.size() / 2);
 }
 
 }  // namespace

@@ -184,5 +184,30 @@ TEST_F(ActivityTest, OnlySubmapsOnTheMapsGridDissolve) {
   EXPECT_EQ(map_.Publish(2), before) << "nothing was written";
 }
 
+TEST_F(ActivityTest, WhatIsContradictedMakesPlaceAndComesOnlyWhereThereIsNothingElse) {
+  const BlockIndex block{2, 0, 0};
+  const SubmapId id = Add(Thing(false), block);
+  const auto set = [&](Submap& submap, int linear, float weight, bool is_contradicted) {
+    submap.MutableTsdf(block).weight[static_cast<std::size_t>(linear)] = weight;
+    if (is_contradicted) submap.MutableGone(block).Set(linear, GoneBlock::kContradicted);
+  };
+  Submap& thing = *map_.FindMutable(id);
+  Submap& unknown = *map_.FindMutable(kUnknownSubmap);
+  set(thing, 1, 2, true), set(unknown, 1, 5, false);  // the unknown one's stays
+  set(thing, 2, 2, true);                             // comes, and stays contradicted
+  set(thing, 3, 2, false), set(unknown, 3, 5, true);  // takes the place
+  set(thing, 4, 2, false), set(unknown, 4, 5, false);
+  EXPECT_TRUE(DissolveIntoUnknown(id, map_));
+  const BlockEntry& merged = *map_.Find(kUnknownSubmap)->blocks().Find(block);
+  const auto expect = [&](int linear, float weight, bool is_contradicted) {
+    EXPECT_EQ(merged.tsdf->weight[static_cast<std::size_t>(linear)], weight) << linear;
+    EXPECT_EQ(merged.IsContradicted(linear), is_contradicted) << linear;
+  };
+  expect(1, 5, false);
+  expect(2, 2, true);
+  expect(3, 2, false);
+  expect(4, 7, false);
+}
+
 }  // namespace
 }  // namespace dhpmap

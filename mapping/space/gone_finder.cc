@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/space/gone_finder.h"
+
+namespace dhpmap {
+namespace {
+
+/// Whether any part of the sphere, of a submap on the map's grid, lies within a box around the sensor.
+bool MayReach(const Box& reach, const GridOrigin& origin, const BoundingSphere& sphere, double voxel_size_m) {
+  if (sphere.IsEmpty()) return false;
+  const Eigen::Vector3d eye_vox = Eigen::Vector3d(origin.voxel.x, origin.voxel.y, origin.voxel.z) + origin.offset_vox;
+  const Eigen::Array3d center_vox = (sphere.center_m / voxel_size_m - eye_vox).array();
+  const double radius_vox = sphere.radius_m / voxel_size_m + 1;
+  // Written so that NaN, of a camera of absurd focal length, is within.
+  return !(center_vox + radius_vox < reach.least_vox.array()).any() &&
+         !(center_vox - radius_vox > reach.most_vox.array()).any();
+}
+
+}  // namespace
+
+void GoneFinder::AddJob(const Submap& submap, const BlockTile& tile) {
+  if (num_jobs_ == jobs_.size()) jobs_.emplace_back();
+  jobs_[num_jobs_].id = submap.id();
+  jobs_[num_jobs_].submap = &submap;
+  jobs_[num_jobs_].tile = &tile;
+  ++num_jobs_;
+}
+
+void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, std::span<const TileToLook> tiles,
+                          const Map& map) {
+  num_jobs_ = 0;
+  in_view_ = {};
+  in_view_.Reserve(tiles.size());
+  for (std::size_t i = 0; i < tiles.size(); ++i) in_view_.Set(tiles[i].index, static_cast<std::uint32_t>(i));
+  for (const auto& submap : map.submaps()) {
+    if (submap->info().is_placed || !IsOnMapGrid(submap->info(), map.info().config)) continue;
+    if (!MayReach(reach, origin, submap->bounding_sphere(), submap->info().voxel_size_m)) continue;
+    const BlockTable& blocks = submap->blocks();
+    if (blocks.tiles().size() <= tiles.size()) {
+      for (const TileEntry& entry : blocks.tiles()) {
+        if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(*submap, *entry.tile);
+      }
+    } else {  // a wall may go on and on
+      for (const TileToLook& tile : tiles) {
+        if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(*submap, *entry->tile);
+      }
+    }
+  }
+}
+
+std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
+  std::vector<SubmapId> changed;
+  for (std::size_t i = 0; i < num_jobs_; ++i) {
+    if (jobs_[i].found.empty()) continue;
+    Submap& submap = *map.FindMutable(jobs_[i].id);
+    int num_became = 0;
+    for (const ContradictedBlock& block : jobs_[i].found) {
+      num_became += submap.MutableGone(block.index).Raise(block.voxels, from);
+    }
+    if (num_became == 0) continue;
+    submap.mutable_info().last_contradicted_ns = from.stamp_ns;
+    if (changed.empty() || changed.back() != submap.id()) changed.push_back(submap.id());
+  }
+  return changed;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "mapping/base/index_map.h"
+#include "mapping/base/thread_pool.h"
+#include "mapping/map/map.h"
+#include "mapping/map/map_grid.h"
+#include "mapping/space/gone_look.h"
+#include "mapping/space/look_tiles.h"
+
+namespace dhpmap {
+
+/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Those that somebody has put where
+/// they are, and those on another grid than the map's, which were moved, are left alone. Keeps its buffers.
+/// Thread-compatible.
+class GoneFinder {
+ public:
+  /// `tiles`: those that the view does not hide. Returns the submaps of which voxels became contradicted, by ascending
+  /// id. The outcome does not depend on the number of threads.
+  template <typename View>
+  std::vector<SubmapId> Look(const View& view, const GridOrigin& origin, std::span<const TileToLook> tiles,
+                             const Viewpoint& from, Map& map, ThreadPool& pool) {
+    ListJobs(view.Reach(), origin, tiles, map);
+    pool.ParallelFor(num_jobs_, [&](std::size_t i) {
+      Job& job = jobs_[i];
+      const SubmapInfo& info = job.submap->info();
+      job.found.clear();
+      GoneLook<View>(view, origin, from, info.voxel_size_m, info.truncation_m, job.found).Look(*job.tile);
+    });
+    return Count(from, map);
+  }
+
+ private:
+  struct Job {
+    SubmapId id;
+    // Until the map is written to:
+    const Submap* submap = nullptr;
+    const BlockTile* tile = nullptr;
+    std::vector<ContradictedBlock> found;
+  };
+
+  /// The tiles of submaps that are in view.
+  void ListJobs(const Box& reach, const GridOrigin& origin, std::span<const TileToLook> tiles, const Map& map);
+  void AddJob(const Submap& submap, const BlockTile& tile);
+  std::vector<SubmapId> Count(const Viewpoint& from, Map& map);
+
+  IndexMap<TileIndex> in_view_;
+  std::vector<Job> jobs_;  ///< beyond num_jobs_ they are kept for their memory
+  std::size_t num_jobs_ = 0;
+};
+
+}  // namespace dhpmap

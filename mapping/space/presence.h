@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "mapping/map/map.h"
+#include "mapping/sensor/frame.h"
+
+namespace dhpmap {
+
+/// A thing of whose surface more is contradicted, and which has settled, is absent.
+inline constexpr double kAbsentShare = 0.6;
+
+/// Voxels of a submap within a voxel of its surface.
+struct SurfaceVoxels {
+  std::int64_t all = 0, contradicted = 0;
+};
+SurfaceVoxels CountSurfaceVoxels(const Submap& submap);
+
+/// Says after a frame which things are absent, and which have come back. `observed`: the submaps with a segment in it;
+/// `doubted`: those of which voxels became contradicted, or which settled. The others stay as they were.
+///
+/// An absent thing that is seen again is present at once: to wait until it was seen from all around would keep an
+/// obstacle out of the answers. If it was matched by its place, all of it is taken to be there again (Submap::DropGone)
+/// until it is looked through; if by a persistent id, it may be elsewhere, and what was looked through stays so.
+void UpdatePresence(const PanopticFrame& frame, std::span<const SubmapId> observed, std::span<const SubmapId> doubted,
+                    Map& map);
+
+/// The same for all things, when none is seen any longer.
+void UpdatePresenceOfAll(Map& map);
+
+}  // namespace dhpmap
