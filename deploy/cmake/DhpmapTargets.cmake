@@ -128,7 +128,7 @@ function(dhpmap_tests)
   elseif(label STREQUAL unit AND NOT ARG_ROOM MATCHES "^unit/(architecture|deploy)$")
     add_dependencies(dhpmap_unit_tests ${name})
   endif()
-  if(ARG_ROOM MATCHES "^(integration|unit/(server/(app|wire|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|refinement|pipeline)))$")
+  if(ARG_ROOM MATCHES "^(integration|unit/(server/(app|wire|net|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|refinement|pipeline)))$")
     add_dependencies(dhpmap_threaded_tests ${name})
   endif()
   # One label only, and no property without a value: gtest_discover_tests passes lists on as separate words.

@@ -38,7 +38,8 @@ void DecodeAndEncode(int layer, ByteView blob) {
     if (DecodeTsdfBlock(blob, kIndex, block).ok()) (void)EncodeTsdfBlock(block, kIndex, kTruncation_m);
   } else if (layer == kGoneLayer) {
     GoneBlock block;
-    if (DecodeGoneBlock(blob, kIndex, block).ok()) Require(EncodeGoneBlock(block, kIndex).size() <= blob.size() + 256);
+    if (DecodeGoneBlock(blob, kIndex, block).ok())
+      fuzz::Require(EncodeGoneBlock(block, kIndex).size() <= blob.size() + 256);
   } else {
     LabelBlock block;
     if (DecodeLabelBlock(blob, kIndex, block).ok()) (void)EncodeLabelBlock(block, kIndex);
