@@ -28,14 +28,15 @@ struct Job {
   Status status;
 };
 
+/// Layers are not made by make_shared: StateMarks would keep their memory.
 void Decode(Layer layer, Job& job) {
   switch (layer) {
     case Layer::kTsdf:
-      job.tsdf = std::make_shared<TsdfBlock>();
+      job.tsdf.reset(new TsdfBlock());
       job.status = DecodeTsdfBlock(job.blob, job.index, *job.tsdf);
       break;
     case Layer::kLabels:
-      job.labels = std::make_shared<LabelBlock>();
+      job.labels.reset(new LabelBlock());
       job.status = DecodeLabelBlock(job.blob, job.index, *job.labels);
       break;
     case Layer::kGone:

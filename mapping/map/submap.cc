@@ -8,13 +8,14 @@
 namespace dhpmap {
 namespace {
 
-/// The layer to write to: the present one if this writer made it, else a private copy or a new one.
+/// The layer to write to: the present one if this writer made it, else a private copy or a new one. Not made by
+/// make_shared: StateMarks would keep its memory.
 template <typename Layer>
 Layer& Own(std::shared_ptr<const Layer>& layer, bool& is_owned) {
   if (layer == nullptr) {
-    layer = std::make_shared<Layer>();
+    layer = std::shared_ptr<const Layer>(new Layer());
   } else if (!is_owned) {
-    layer = std::make_shared<Layer>(*layer);
+    layer = std::shared_ptr<const Layer>(new Layer(*layer));
   }
   is_owned = true;
   return const_cast<Layer&>(*layer);  // nobody else holds it

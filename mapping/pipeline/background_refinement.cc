@@ -19,7 +19,7 @@ constexpr int kNiceness = 10;
 BackgroundRefinement::~BackgroundRefinement() { Cancel(); }
 
 void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before,
-                                 std::shared_ptr<const MapSnapshot> refined_before,
+                                 std::shared_ptr<const StateMarks> refined_before,
                                  std::optional<RefinementSlots::Slot> slot) {
   is_cancelled_ = false;
   outcome_ = std::async(
@@ -33,6 +33,7 @@ void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before,
         Outcome outcome{.before = before};
         outcome.report = RefineMap(map, pool, refined_before.get(), [this] { return is_cancelled_.load(); });
         outcome.refined = map.Freeze();
+        outcome.marks = std::make_shared<const StateMarks>(*outcome.refined);
         GiveBackFreeMemory();
         return outcome;
       });

@@ -18,6 +18,7 @@ class BackgroundRefinement {
   struct Outcome {
     std::shared_ptr<const MapSnapshot> before;
     std::shared_ptr<const MapSnapshot> refined;
+    std::shared_ptr<const StateMarks> marks;  ///< of `refined`
     RefinementReport report;
   };
 
@@ -29,7 +30,7 @@ class BackgroundRefinement {
 
   /// Requires that none is under way. `refined_before` may be null, see RefineLabels. The slot, if there is one, is
   /// given back when the refinement has ended.
-  void Start(std::shared_ptr<const MapSnapshot> before, std::shared_ptr<const MapSnapshot> refined_before,
+  void Start(std::shared_ptr<const MapSnapshot> before, std::shared_ptr<const StateMarks> refined_before,
              std::optional<RefinementSlots::Slot> slot = std::nullopt);
   [[nodiscard]] bool IsUnderWay() const { return outcome_.valid(); }
   [[nodiscard]] bool IsReady() const;

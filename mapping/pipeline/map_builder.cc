@@ -73,9 +73,9 @@ struct MapBuilder::Impl {
   Tracker tracker;
   FreeSpaceFinder space;
   BackgroundRefinement refinement;
-  bool is_overdue = false;                          // the refinement under way should be taken over
-  bool is_waiting = false;                          // for a slot
-  std::shared_ptr<const MapSnapshot> last_refined;  // in this session
+  bool is_overdue = false;                         // the refinement under way should be taken over
+  bool is_waiting = false;                         // for a slot
+  std::shared_ptr<const StateMarks> last_refined;  // in this session
   RefinementReport refinement_total;
 };
 
@@ -163,7 +163,7 @@ RefinementReport MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome&
   RefinementReport report = outcome.report;
   report.num_deferred_blocks = AdoptRefinement(*outcome.before, *outcome.refined, map);
   refinement_total += report;
-  last_refined = outcome.refined;
+  last_refined = outcome.marks;
   return report;
 }
 
@@ -267,7 +267,7 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   }
   PruneEmptyBlocks();
   GiveBackFreeMemory();
-  last_refined = map.Freeze();
+  last_refined = std::make_shared<const StateMarks>(*map.Freeze());
   refinement_total += report;
   return report;
 }

@@ -131,13 +131,8 @@ std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int r
   return tiles;
 }
 
-void DropUnchanged(std::span<const HeldBlock> blocks, const MapSnapshot& before, std::vector<CrfTile>& tiles) {
-  const auto is_unchanged = [&](std::uint32_t b) {
-    const Submap* holder = before.Find(blocks[b].holder);
-    const BlockEntry* old = holder != nullptr ? holder->blocks().Find(blocks[b].index) : nullptr;
-    return old != nullptr && old->tsdf == blocks[b].entry->tsdf && old->labels == blocks[b].entry->labels &&
-           old->gone == blocks[b].entry->gone;
-  };
+void DropUnchanged(std::span<const HeldBlock> blocks, const StateMarks& before, std::vector<CrfTile>& tiles) {
+  const auto is_unchanged = [&](std::uint32_t b) { return before.Has(blocks[b].holder, *blocks[b].entry); };
   std::erase_if(tiles, [&](const CrfTile& tile) {
     return std::all_of(tile.inner.begin(), tile.inner.end(), is_unchanged) &&
            std::all_of(tile.rim.begin(), tile.rim.end(), is_unchanged);

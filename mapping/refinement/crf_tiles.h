@@ -8,6 +8,7 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
+#include "mapping/map/state_marks.h"
 
 namespace dhpmap {
 
@@ -45,6 +46,6 @@ struct CrfTile {
 std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim, ThreadPool& pool);
 
 /// Leaves out tiles of which no block, rim included, was written since `before`.
-void DropUnchanged(std::span<const HeldBlock> blocks, const MapSnapshot& before, std::vector<CrfTile>& tiles);
+void DropUnchanged(std::span<const HeldBlock> blocks, const StateMarks& before, std::vector<CrfTile>& tiles);
 
 }  // namespace dhpmap

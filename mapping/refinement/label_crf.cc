@@ -232,8 +232,8 @@ void Apply(const Change& change, SubmapId holder, LabelBlock& labels) {
 
 }  // namespace
 
-LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool,
-                            const MapSnapshot* refined_before, const std::function<bool()>& is_cancelled) {
+LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool, const StateMarks* refined_before,
+                            const std::function<bool()>& is_cancelled) {
   const MapConfig& config = map.info().config;
   const std::vector<HeldBlock> blocks = CollectBlocks(ids, map);
   const int rim = RimOf(config);

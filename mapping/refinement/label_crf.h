@@ -8,6 +8,7 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
+#include "mapping/map/state_marks.h"
 
 namespace dhpmap {
 
@@ -25,7 +26,6 @@ struct LabelCrfReport {
 /// `refined_before`, if there is one, is what an earlier run left: where no block has been written since, nothing is
 /// solved again, so that only what is new costs time, and labels that have settled stay.
 LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool,
-                            const MapSnapshot* refined_before = nullptr,
-                            const std::function<bool()>& is_cancelled = {});
+                            const StateMarks* refined_before = nullptr, const std::function<bool()>& is_cancelled = {});
 
 }  // namespace dhpmap

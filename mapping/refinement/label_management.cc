@@ -74,8 +74,9 @@ Holder& WinnerOf(const MergedVoxel& voxel, const std::vector<SubmapId>& ids, Pos
 void MakeWritable(Holder& holder) {
   if (holder.tsdf) return;
   const auto& [tsdf, labels] = std::tie(holder.before.tsdf, holder.before.labels);
-  holder.tsdf = tsdf ? std::make_shared<TsdfBlock>(*tsdf) : std::make_shared<TsdfBlock>();
-  holder.labels = labels ? std::make_shared<LabelBlock>(*labels) : std::make_shared<LabelBlock>();
+  // Not made by make_shared: StateMarks would keep their memory.
+  holder.tsdf.reset(tsdf ? new TsdfBlock(*tsdf) : new TsdfBlock());
+  holder.labels.reset(labels ? new LabelBlock(*labels) : new LabelBlock());
 }
 
 enum class Scope { kAll, kForeign };

@@ -55,7 +55,7 @@ std::vector<SubmapId> SettledSubmaps(const Map& map) {
   return ids;
 }
 
-RefinementReport RefineMap(Map& map, ThreadPool& pool, const MapSnapshot* refined_before,
+RefinementReport RefineMap(Map& map, ThreadPool& pool, const StateMarks* refined_before,
                            const std::function<bool()>& is_cancelled) {
   RefinementReport report;
   const RefinementConfig& config = map.info().config.refinement;

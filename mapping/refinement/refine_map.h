@@ -9,6 +9,7 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
+#include "mapping/map/state_marks.h"
 #include "mapping/refinement/label_crf.h"
 #include "mapping/refinement/label_management.h"
 
@@ -34,7 +35,7 @@ std::vector<SubmapId> SettledSubmaps(const Map& map);
 /// its switch in the map's config is on (paper II-D and II-E). Does not depend on the number of threads.
 /// `is_cancelled`, if set, is asked now and then; once it says true, the map is left half refined and must be thrown
 /// away. `refined_before`: see RefineLabels.
-RefinementReport RefineMap(Map& map, ThreadPool& pool, const MapSnapshot* refined_before = nullptr,
+RefinementReport RefineMap(Map& map, ThreadPool& pool, const StateMarks* refined_before = nullptr,
                            const std::function<bool()>& is_cancelled = {});
 
 /// Brings what was refined on the side into the map that went on: `before` is the state that both came from (see

@@ -66,9 +66,10 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
 const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
   static const std::map<std::string, std::vector<std::string>> front = {
       {"mapping/map",
-       {"block_table.h", "bounding_sphere.h", "display_name.h", "free_space.h", "free_tile.h", "gone_block.h",
-        "history_id.h", "label_block.h", "lost_revisions.h", "map.h", "map_config.h", "map_grid.h", "observed_sphere.h",
-        "session_marks.h", "slope.h", "submap.h", "tsdf_block.h", "voxel_answer.h", "voxel_average.h"}},
+       {"block_table.h", "bounding_sphere.h", "display_name.h",    "free_space.h",     "free_tile.h",
+        "gone_block.h",  "history_id.h",      "label_block.h",     "lost_revisions.h", "map.h",
+        "map_config.h",  "map_grid.h",        "observed_sphere.h", "session_marks.h",  "slope.h",
+        "state_marks.h", "submap.h",          "tsdf_block.h",      "voxel_answer.h",   "voxel_average.h"}},
       {"mapping/sensor", {"frame.h", "frame_reach.h", "image_codec.h", "lidar_projection.h", "pinhole_camera.h"}},
       {"mapping/fusion", {"band_size.h", "bundler.h", "grid_ray.h", "integrator.h", "segment_parts.h"}},
       {"mapping/space", {"free_space_finder.h", "presence.h"}},

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 #include <set>
+#include <vector>
 
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
@@ -153,6 +155,29 @@ TEST(Refinement, AFinishThatIsCancelledLeavesTheMapAsItWas) {
   builder.Finish();
   untouched.Finish();
   EXPECT_TRUE(MapsAreEqual(*builder.map().Freeze(), *untouched.map().Freeze())) << "and it can be finished later";
+}
+
+TEST(Refinement, WhatWasRefinedIsNotKeptOnceItIsWrittenAnew) {
+  MapBuilder builder(Info(0), 1);
+  MapFrames(0, 3, builder);
+  builder.Finish();
+  std::vector<std::weak_ptr<const TsdfBlock>> before;
+  for (const auto& submap : builder.map().Publish(0)->submaps()) {
+    for (const BlockEntry& entry : submap->blocks().entries()) before.push_back(entry.tsdf);
+  }
+  MapFrames(0, 3, builder);  // the same places
+  builder.map().Publish(1);
+  std::set<const TsdfBlock*> now;
+  for (const auto& submap : builder.map().submaps()) {
+    for (const BlockEntry& entry : submap->blocks().entries()) now.insert(entry.tsdf.get());
+  }
+  int num_written = 0;
+  for (const auto& layer : before) {
+    if (now.contains(layer.lock().get())) continue;
+    ++num_written;
+    EXPECT_TRUE(layer.expired()) << "something holds a state that nobody can ask for";
+  }
+  EXPECT_GT(num_written, 10);
 }
 
 TEST(Refinement, WaitsForASlotThatOtherMapsHold) {

@@ -141,10 +141,11 @@ TEST(RefineLabels, SolvesOnlyWhatWasWrittenSinceTheLastTime) {
   ThreadPool pool(1);
   EXPECT_GT(RefineLabels(AllIds(map), map, pool).num_tiles, 0);
   const auto refined = map.Publish(0);
-  EXPECT_EQ(RefineLabels(AllIds(map), map, pool, refined.get()).num_tiles, 0);
+  const StateMarks marks(*refined);
+  EXPECT_EQ(RefineLabels(AllIds(map), map, pool, &marks).num_tiles, 0);
   EXPECT_EQ(map.Publish(0), refined);
   Put(*map.FindMutable(SubmapId(1)), {5, 5, 0}, 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});
-  EXPECT_GT(RefineLabels(AllIds(map), map, pool, refined.get()).num_tiles, 0);
+  EXPECT_GT(RefineLabels(AllIds(map), map, pool, &marks).num_tiles, 0);
 }
 
 TEST(RefineLabels, ACancelledRunEnds) {
