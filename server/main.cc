@@ -3,6 +3,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <string>
@@ -71,9 +73,11 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
 
   const int signal = WaitForSignal(signals);
   LogInfo("got signal " + std::to_string(signal) + ": ending streams, storing what is fused");
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(config.shutdown_grace_s);
   grpc->Drain();
   gateway->Shutdown(config.shutdown_grace_s);
-  grpc->Shutdown(config.shutdown_grace_s);
+  const std::chrono::duration<double> left = end - std::chrono::steady_clock::now();  // one grace for both doors
+  grpc->Shutdown(std::max(0.0, left.count()));
   return registry->Shutdown();
 }
 

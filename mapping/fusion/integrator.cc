@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "mapping/base/stopped.h"
 #include "mapping/fusion/grid_ray.h"
 #include "mapping/map/voxel_average.h"
 
@@ -127,13 +128,14 @@ RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
       offset_vox((p_grid_m / voxel_size_m - Eigen::Vector3d(voxel.x, voxel.y, voxel.z)).cast<float>()) {}
 
 std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> class_id,
-                              const IntegrationConfig& config, Submap& submap) {
+                              const IntegrationConfig& config, Submap& submap, const std::stop_token& stop) {
   const UpdateRule rule = MakeRule(config, submap);
   const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
   Neighbourhood neighbourhood(segment, class_id.has_value(), submap);
   std::int64_t num_updates = 0;
 
   for (const BundleCell& cell : segment.cells) {
+    ThrowIfStopped(stop);
     neighbourhood.MoveTo(cell.block);
     for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
       const Bundle& bundle = segment.bundles[b];
@@ -175,7 +177,7 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
 }
 
 std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayOrigin& origin,
-                            const IntegrationConfig& config, Submap& submap) {
+                            const IntegrationConfig& config, Submap& submap, const std::stop_token& stop) {
   const UpdateRule rule = MakeRule(config, submap);
   const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
   const float margin_m = rule.truncation_m + voxel_size_m;
@@ -189,6 +191,7 @@ std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayO
 
   for (const SegmentBundles& segment : segments) {
     for (const Bundle& bundle : segment.bundles) {
+      ThrowIfStopped(stop);
       const Eigen::Vector3f end_m = bundle.weighted_sum_m / bundle.weight;
       const float range_m = end_m.norm();
       const Eigen::Vector3f direction = end_m / range_m;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 
 #include "mapping/fusion/bundler.h"
 #include "mapping/map/submap.h"
@@ -21,13 +22,14 @@ struct RayOrigin {
 /// the TSDF and, with a class, the labels of the submap. A voxel that was looked through (GoneBlock) begins at 0 again,
 /// and where it was contradicted so does its TSDF. Bundles must be on the submap's grid. Writes to `submap`
 /// alone, so segments of different submaps may run at once; those of one submap one after the other. Returns the number
-/// of voxel updates.
+/// of voxel updates. Throws Stopped soon after `stop` is requested, with a part done.
 std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> class_id,
-                              const IntegrationConfig& config, Submap& submap);
+                              const IntegrationConfig& config, Submap& submap, const std::stop_token& stop = {});
 
 /// Moves voxels of `submap` that the rays of a whole frame pass through, more than the truncation and a voxel before
-/// their ends, towards free space. Only voxels that there are; labels stay. Bundles must be on the submap's grid.
+/// their ends, towards free space. Only voxels that there are; labels stay. Bundles must be on the submap's grid. Stops
+/// as IntegrateSegment does.
 std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayOrigin& origin,
-                            const IntegrationConfig& config, Submap& submap);
+                            const IntegrationConfig& config, Submap& submap, const std::stop_token& stop = {});
 
 }  // namespace dhpmap

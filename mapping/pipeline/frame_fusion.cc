@@ -31,7 +31,7 @@ std::vector<SubmapWork> GroupBySubmap(std::span<const Assignment> assignments, M
 }
 
 void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, const MapConfig& map_config,
-                SubmapWork& work) {
+                const std::stop_token& stop, SubmapWork& work) {
   Submap& submap = *work.submap;
   const SubmapInfo& info = submap.info();
   const IntegrationConfig& config = map_config.integration;
@@ -57,15 +57,15 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
     }
     std::optional<ClassId> class_id;
     if (!is_unknown) class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
-    work.num_updates += IntegrateSegment(*bundles, origin, class_id, config, submap);
+    work.num_updates += IntegrateSegment(*bundles, origin, class_id, config, submap, stop);
   }
   if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
   submap.mutable_info().num_frames_observed += 1;
   submap.mutable_info().last_observed_ns = frame.stamp_ns;
 }
 
-std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, Map& map,
-                   ThreadPool& pool) {
+std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, Map& map, ThreadPool& pool,
+                   const std::stop_token& stop) {
   const MapConfig& config = map.info().config;
   const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
   std::vector<Submap*> in_view;
@@ -79,7 +79,7 @@ std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>
   for (const SubmapId id : ids) in_view.push_back(map.FindMutable(id));
   std::vector<std::int64_t> num_updates(in_view.size(), 0);
   pool.ParallelFor(in_view.size(), [&](std::size_t i) {
-    num_updates[i] = CarveFreeSpace(segments, origin, config.integration, *in_view[i]);
+    num_updates[i] = CarveFreeSpace(segments, origin, config.integration, *in_view[i], stop);
   });
   std::int64_t total = 0;
   for (const std::int64_t n : num_updates) total += n;
@@ -89,13 +89,14 @@ std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>
 }  // namespace
 
 std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
-                       std::span<const Assignment> assignments, Map& map, ThreadPool& pool) {
+                       std::span<const Assignment> assignments, Map& map, ThreadPool& pool,
+                       const std::stop_token& stop) {
   std::vector<SubmapWork> works = GroupBySubmap(assignments, map);
   const MapConfig& config = map.info().config;
-  pool.ParallelFor(works.size(), [&](std::size_t i) { FuseSubmap(frame, segments, config, works[i]); });
+  pool.ParallelFor(works.size(), [&](std::size_t i) { FuseSubmap(frame, segments, config, stop, works[i]); });
   std::int64_t num_updates = 0;
   for (const SubmapWork& work : works) num_updates += work.num_updates;
-  if (config.integration.carving) num_updates += Carve(frame, segments, map, pool);
+  if (config.integration.carving) num_updates += Carve(frame, segments, map, pool, stop);
   return num_updates;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "mapping/base/thread_pool.h"
@@ -16,7 +17,9 @@ namespace dhpmap {
 /// Integrates each segment of a frame into the submap it was assigned to, by ray tracing (paper Fig. 2 B, II-C), and
 /// clears free space if the config says so. Submaps are independent of each other: the result has the same bits for any
 /// number of threads. `segments` are on the map's grid, with one assignment each. Returns the number of voxel updates.
+/// Throws Stopped soon after `stop` is requested, with a part done.
 std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
-                       std::span<const Assignment> assignments, Map& map, ThreadPool& pool);
+                       std::span<const Assignment> assignments, Map& map, ThreadPool& pool,
+                       const std::stop_token& stop = {});
 
 }  // namespace dhpmap

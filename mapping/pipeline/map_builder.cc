@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/base/free_memory.h"
+#include "mapping/base/stopped.h"
 #include "mapping/fusion/band_size.h"
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/segment_parts.h"
@@ -45,7 +46,7 @@ struct MapBuilder::Impl {
         tracker(map.info().config, *pool) {}
 
   [[nodiscard]] Status CheckFrame(const PanopticFrame& frame) const;
-  Result<FrameReport> IntegrateChecked(const PanopticFrame& frame);
+  Result<FrameReport> IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop);
   void GoBackTo(Map&& before);
 
   // The stages of a frame; each notes its time and outcome in the report.
@@ -54,8 +55,8 @@ struct MapBuilder::Impl {
   std::vector<Assignment> Associate(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                                     FrameReport& report);
   void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
-            const std::vector<Assignment>& assignments, FrameReport& report);
-  std::vector<SubmapId> LookThrough(const PanopticFrame& frame, FrameReport& report);
+            const std::vector<Assignment>& assignments, const std::stop_token& stop, FrameReport& report);
+  std::vector<SubmapId> LookThrough(const PanopticFrame& frame, const std::stop_token& stop, FrameReport& report);
   void Settle(const PanopticFrame& frame, const std::vector<Assignment>& assignments,
               std::vector<SubmapId> contradicted, FrameReport& report);
   void Refine(FrameReport& report);
@@ -125,17 +126,19 @@ std::vector<Assignment> MapBuilder::Impl::Associate(const PanopticFrame& frame,
 }
 
 void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
-                            const std::vector<Assignment>& assignments, FrameReport& report) {
+                            const std::vector<Assignment>& assignments, const std::stop_token& stop,
+                            FrameReport& report) {
   const StageClock clock(report.fuse_s);
-  report.num_voxels_updated = FuseFrame(frame, segments, assignments, map, *pool);
+  report.num_voxels_updated = FuseFrame(frame, segments, assignments, map, *pool, stop);
 }
 
 /// Returns the submaps that have lost a part of their surface.
-std::vector<SubmapId> MapBuilder::Impl::LookThrough(const PanopticFrame& frame, FrameReport& report) {
+std::vector<SubmapId> MapBuilder::Impl::LookThrough(const PanopticFrame& frame, const std::stop_token& stop,
+                                                    FrameReport& report) {
   const SpaceConfig& config = map.info().config.space;
   if (!config.free && !config.gone) return {};
   const StageClock clock(report.free_s);
-  return space.Look(frame, map, *pool);
+  return space.Look(frame, map, *pool, stop);
 }
 
 /// Things that were not seen for a while become inactive, and so may be refined, or are found to be gone.
@@ -226,24 +229,28 @@ const Map& MapBuilder::map() const { return impl_->map; }
 const RefinementReport& MapBuilder::refinement_total() const { return impl_->refinement_total; }
 
 /// Paper Fig. 2, from left to right.
-Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& frame) {
+Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop) {
   FrameReport report;
   const auto& segments = Bundle(frame, report);  // sensor data to point segments
   DHPMAP_RETURN_IF_ERROR(CheckSize(frame, segments));
+  ThrowIfStopped(stop);
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
-  Fuse(frame, segments, assignments, report);                   // (B) ray tracing into it, II-C
-  const auto contradicted = LookThrough(frame, report);         // what the rays passed is free
+  Fuse(frame, segments, assignments, stop, report);             // (B) ray tracing into it, II-C
+  const auto contradicted = LookThrough(frame, stop, report);   // what the rays passed is free
   Settle(frame, assignments, contradicted, report);             // what (C) and (D) may work on, II-D
   Refine(report);                                               // (C) and (D), II-D and II-E
   return report;
 }
 
-Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame) {
+Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std::stop_token& stop) {
   std::optional<Map> before;
   try {
     DHPMAP_RETURN_IF_ERROR(impl_->CheckFrame(frame));
     before = impl_->map.Fork();
-    return impl_->IntegrateChecked(frame);
+    return impl_->IntegrateChecked(frame, stop);
+  } catch (const Stopped&) {
+    if (before) impl_->GoBackTo(*std::move(before));
+    return Cancelled("the frame was given up: the map is as it was");
   } catch (const std::bad_alloc&) {
     if (before) impl_->GoBackTo(*std::move(before));
     return ResourceExhausted("there is not enough memory for the frame").WithReason("OUT_OF_MEMORY");

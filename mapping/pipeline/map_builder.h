@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "mapping/base/result.h"
 #include "mapping/base/thread_pool.h"
@@ -57,8 +58,9 @@ class MapBuilder {
 
   /// Fuses one frame, as a whole or not at all: on error the map is as it was before. INVALID_ARGUMENT for a frame that
   /// is not usable (see ValidateFrame) or beyond the grid; RESOURCE_EXHAUSTED for one that touches more than
-  /// kMaxBlocksAFrame blocks, or for which memory does not suffice; INTERNAL for any other exception.
-  Result<FrameReport> Integrate(const PanopticFrame& frame);
+  /// kMaxBlocksAFrame blocks, or for which memory does not suffice; CANCELLED soon after `stop` is requested; INTERNAL
+  /// for any other exception.
+  Result<FrameReport> Integrate(const PanopticFrame& frame, const std::stop_token& stop = {});
 
   /// Ends a mapping session: every thing becomes inactive, all is refined, empty blocks go, bounding spheres are tight,
   /// and the labels of voxels are dropped if the config says so. If it throws, for want of memory, the map is as

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mapping/base/stopped.h"
 #include "mapping/map/free_space.h"
 #include "mapping/space/camera_view.h"
 #include "mapping/space/gone_finder.h"
@@ -32,9 +33,10 @@ struct FreeSpaceFinder::Scratch {
   GoneFinder gone;
 
   template <typename View>
-  std::vector<SubmapId> Look(const View& view, const PanopticFrame& frame, Map& map, ThreadPool& pool);
+  std::vector<SubmapId> Look(const View& view, const PanopticFrame& frame, Map& map, ThreadPool& pool,
+                             const std::stop_token& stop);
   template <typename View>
-  void AddFree(const View& view, std::int64_t stamp_ns, Map& map, ThreadPool& pool);
+  void AddFree(const View& view, std::int64_t stamp_ns, Map& map, ThreadPool& pool, const std::stop_token& stop);
   /// What one tile has that the map does not.
   template <typename View>
   void LookAtTile(const View& view, const TileToLook& tile, const FreeSpace& known, std::int64_t stamp_ns,
@@ -55,22 +57,26 @@ void FreeSpaceFinder::Scratch::LookAtTile(const View& view, const TileToLook& ti
 
 template <typename View>
 std::vector<SubmapId> FreeSpaceFinder::Scratch::Look(const View& view, const PanopticFrame& frame, Map& map,
-                                                     ThreadPool& pool) {
+                                                     ThreadPool& pool, const std::stop_token& stop) {
   const Eigen::Vector3d eye_m = frame.T_map_sensor.translation();
   const GridOrigin origin(eye_m, map.info().config.voxel_size_m);
   ListTiles(view, origin, tiles);
-  if (map.info().config.space.free) AddFree(view, frame.stamp_ns, map, pool);
+  if (map.info().config.space.free) AddFree(view, frame.stamp_ns, map, pool, stop);
   if (!map.info().config.space.gone) return {};
-  return gone.Look(view, origin, tiles, {eye_m, frame.stamp_ns}, map, pool);
+  return gone.Look(view, origin, tiles, {eye_m, frame.stamp_ns}, map, pool, stop);
 }
 
 template <typename View>
-void FreeSpaceFinder::Scratch::AddFree(const View& view, std::int64_t stamp_ns, Map& map, ThreadPool& pool) {
+void FreeSpaceFinder::Scratch::AddFree(const View& view, std::int64_t stamp_ns, Map& map, ThreadPool& pool,
+                                       const std::stop_token& stop) {
   found.resize(std::min(kTilesAPart, tiles.size()));
   for (std::size_t begin = 0; begin < tiles.size(); begin += kTilesAPart) {
     const std::size_t count = std::min(kTilesAPart, tiles.size() - begin);
     const FreeSpace& known = map.free_space();
-    pool.ParallelFor(count, [&](std::size_t i) { LookAtTile(view, tiles[begin + i], known, stamp_ns, found[i]); });
+    pool.ParallelFor(count, [&](std::size_t i) {
+      ThrowIfStopped(stop);
+      LookAtTile(view, tiles[begin + i], known, stamp_ns, found[i]);
+    });
     for (std::size_t i = 0; i < count; ++i) {
       if (found[i].is_news) map.mutable_free_space().Add(tiles[begin + i].index, found[i].blocks, stamp_ns);
     }
@@ -82,7 +88,8 @@ FreeSpaceFinder::~FreeSpaceFinder() = default;
 FreeSpaceFinder::FreeSpaceFinder(FreeSpaceFinder&&) noexcept = default;
 FreeSpaceFinder& FreeSpaceFinder::operator=(FreeSpaceFinder&&) noexcept = default;
 
-std::vector<SubmapId> FreeSpaceFinder::Look(const PanopticFrame& frame, Map& map, ThreadPool& pool) {
+std::vector<SubmapId> FreeSpaceFinder::Look(const PanopticFrame& frame, Map& map, ThreadPool& pool,
+                                            const std::stop_token& stop) {
   if (scratch_ == nullptr) scratch_ = std::make_unique<Scratch>();
   const MapConfig& config = map.info().config;
   const double voxel_size_m = config.voxel_size_m;
@@ -92,10 +99,10 @@ std::vector<SubmapId> FreeSpaceFinder::Look(const PanopticFrame& frame, Map& map
   const Eigen::Matrix3d R_sensor_grid = frame.T_map_sensor.linear().transpose();
   if (frame.camera) {
     scratch_->camera.Build(*frame.camera, R_sensor_grid, options, pool);
-    return scratch_->Look(scratch_->camera, frame, map, pool);
+    return scratch_->Look(scratch_->camera, frame, map, pool, stop);
   }
   scratch_->lidar.Build(*frame.lidar, R_sensor_grid, options, pool);
-  return scratch_->Look(scratch_->lidar, frame, map, pool);
+  return scratch_->Look(scratch_->lidar, frame, map, pool, stop);
 }
 
 }  // namespace dhpmap

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "mapping/base/thread_pool.h"
@@ -31,9 +32,9 @@ class FreeSpaceFinder {
 
   /// The frame must be valid (ValidateFrame) and on the map's grid (CheckFrameIsOnGrid). The outcome has the same bits
   /// for any number of threads, and for any order of frames but for the tiles' stamps. If it throws, for want of
-  /// memory, a part may have been added: see Map::Fork.
+  /// memory, or Stopped soon after `stop` is requested, a part may have been added: see Map::Fork.
   /// Returns the submaps of which voxels became contradicted, by ascending id.
-  std::vector<SubmapId> Look(const PanopticFrame& frame, Map& map, ThreadPool& pool);
+  std::vector<SubmapId> Look(const PanopticFrame& frame, Map& map, ThreadPool& pool, const std::stop_token& stop = {});
 
  private:
   struct Scratch;

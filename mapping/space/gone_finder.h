@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "mapping/base/index_map.h"
+#include "mapping/base/stopped.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
 #include "mapping/map/map_grid.h"
@@ -20,12 +22,13 @@ namespace dhpmap {
 class GoneFinder {
  public:
   /// `tiles`: those that the view does not hide. Returns the submaps of which voxels became contradicted, by ascending
-  /// id. The outcome does not depend on the number of threads.
+  /// id. The outcome does not depend on the number of threads. Throws Stopped soon after `stop` is requested.
   template <typename View>
   std::vector<SubmapId> Look(const View& view, const GridOrigin& origin, std::span<const TileToLook> tiles,
-                             const Viewpoint& from, Map& map, ThreadPool& pool) {
+                             const Viewpoint& from, Map& map, ThreadPool& pool, const std::stop_token& stop = {}) {
     ListJobs(view.Reach(), origin, tiles, map);
     pool.ParallelFor(num_jobs_, [&](std::size_t i) {
+      ThrowIfStopped(stop);
       Job& job = jobs_[i];
       const SubmapInfo& info = job.submap->info();
       job.found.clear();

@@ -174,6 +174,10 @@ std::vector<std::shared_ptr<MapSession>> MapRegistry::OpenSessions() const {
   return sessions;
 }
 
+void MapRegistry::GiveUpMapping() {
+  for (const auto& session : OpenSessions()) session->GiveUpMapping();
+}
+
 Status MapRegistry::Shutdown() {
   {
     const MutexLock lock(mutex_);

@@ -70,6 +70,8 @@ class MapRegistry {
   /// Stops every session: see MapSession::Stop. What is open can still be read; a map that is not open can no longer be
   /// opened (UNAVAILABLE). Returns why a map's last state could not be stored, or OK.
   Status Shutdown();
+  /// MapSession::GiveUpMapping of all that are open.
+  void GiveUpMapping();
 
  private:
   mutable Mutex mutex_;

@@ -303,7 +303,8 @@ Status MapSession::WhyBehind() const {
 FrameOutcome MapSession::IntegrateNow(const std::shared_ptr<Feed>& feed, std::int64_t sequence,
                                       Result<PanopticFrame> frame) {
   FrameOutcome outcome{.report = FrameReport{}};
-  const Status refusal = feed ? feed->MayFeed() : Status::Ok();
+  Status refusal = feed ? feed->MayFeed() : Status::Ok();
+  if (end_.stop_requested()) refusal = ShuttingDown();
   if (!refusal.ok()) {
     outcome.report = refusal;
   } else if (feed && sequence <= builder_.map().info().sessions.LastOf(feed->session())) {
@@ -322,7 +323,8 @@ FrameOutcome MapSession::IntegrateNow(const std::shared_ptr<Feed>& feed, std::in
 }
 
 Result<FrameReport> MapSession::Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame) {
-  auto report = Guarded<Result<FrameReport>>([&] { return builder_.Integrate(frame); });
+  auto report = Guarded<Result<FrameReport>>([&] { return builder_.Integrate(frame, end_.get_token()); });
+  if (report.status().code() == StatusCode::kCancelled) return ShuttingDown();
   if (!report.ok()) return report;
   lag_.OnFused(builder_.map().info().num_frames, StoreLag::Clock::now());
   if (feed) {

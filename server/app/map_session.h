@@ -134,8 +134,12 @@ class MapSession {
   /// the session who may still ask for something.
   [[nodiscard]] bool IsAtRest() const;
 
-  /// Ends the job in hand (a refinement is given up), refuses those that wait and all later ones with UNAVAILABLE,
-  /// commits with a full sync, and joins the threads. Returns the outcome of that commit.
+  /// The frame in hand and those that wait are refused with UNAVAILABLE, and leave the map as it was; so does a
+  /// refinement. All else goes on.
+  void GiveUpMapping() { end_.request_stop(); }
+
+  /// Ends the job in hand (a frame or a refinement is given up), refuses those that wait and all later ones with
+  /// UNAVAILABLE, commits with a full sync, and joins the threads. Returns the outcome of that commit.
   Status Stop();
 
  private:

@@ -3,6 +3,7 @@
 
 #include <google/protobuf/message.h>
 #include <grpc/support/log.h>
+#include <grpcpp/alarm.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 
@@ -184,7 +185,12 @@ void GrpcServer::Shutdown(double grace_s) {
   if (impl_->connections != nullptr) impl_->connections->Stop();
   const auto grace =
       std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(grace_s));
-  impl_->server->Shutdown(std::chrono::system_clock::now() + grace);
+  const auto end = std::chrono::system_clock::now() + grace;
+  grpc::Alarm giving_up;
+  giving_up.Set(end, [&registry = impl_->context.registry](bool is_time) {
+    if (is_time) registry.GiveUpMapping();
+  });
+  impl_->server->Shutdown(end);
   impl_->server->Wait();
 }
 

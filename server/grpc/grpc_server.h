@@ -60,8 +60,8 @@ class GrpcServer {
   /// from them is fused, stored and acknowledged. Everything else goes on. Does not wait.
   void Drain();
 
-  /// Drain; then refuses new calls, lets running ones go on for `grace_s`, cancels those left, and returns when all
-  /// have ended.
+  /// Drain; then refuses new calls, lets running ones go on for `grace_s`, cancels those left, gives up the frames that
+  /// are being fused (MapRegistry::GiveUpMapping), and returns when all have ended.
   void Shutdown(double grace_s);
 
  private:

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <new>
 #include <random>
+#include <stop_token>
+#include <thread>
 
 #include "mapping/fusion/band_size.h"
 #include "mapping/pipeline/map_builder.h"
@@ -118,6 +121,56 @@ TEST(WholeFrame, LeavesTheMapAsItWasWhicheverAllocationFails) {
 TEST(WholeFrame, LeavesTheMapAsItWasWhenAWorkerOfThePoolFails) {
   EXPECT_GT(FailEveryStep(3, 0, 29, true), 5);
   EXPECT_GT(FailEveryStep(3, 5, 29, false), 5);
+}
+
+TEST(WholeFrame, ToldToStopLeavesTheMapAsItWas) {
+  MapBuilder builder(Info(), 2);
+  ASSERT_TRUE(builder.Integrate(Frame(0)).ok());
+  const auto state = builder.map().Freeze();
+  std::stop_source stopped;
+  stopped.request_stop();
+  const auto report = builder.Integrate(Frame(1), stopped.get_token());
+  EXPECT_EQ(report.status().code(), StatusCode::kCancelled) << report.status().ToString();
+  EXPECT_TRUE(MapsAreEqual(*builder.map().Freeze(), *state));
+  EXPECT_TRUE(builder.Integrate(Frame(1)).ok());
+}
+
+TEST(WholeFrame, AHugeFrameStopsSoonAfterItIsToldTo) {
+  using Clock = std::chrono::steady_clock;
+  MapInfo info = Info();
+  info.config.voxel_size_m = 0.002;
+  info.config.truncation_m = 0.1;
+  info.config.integration.max_range_m = 1.2;
+  PanopticFrame frame;
+  frame.camera.emplace().camera = {160, 120, 160, 160, 80, 60};
+  frame.camera->depth_m.assign(std::size_t{160} * 120, 1.0f);
+  MapBuilder builder(info, 2), untroubled(info, 2);
+  const auto begin = Clock::now();
+  ASSERT_TRUE(untroubled.Integrate(frame).ok());
+  const Clock::duration whole = Clock::now() - begin;
+  const auto state = builder.map().Freeze();
+  int num_stopped = 0;
+  for (const int percent : {3, 6, 12, 25, 50}) {
+    std::stop_source stop;
+    Clock::time_point told;
+    std::jthread teller([&] {
+      std::this_thread::sleep_for(whole * percent / 100);
+      told = Clock::now();
+      stop.request_stop();
+    });
+    const auto report = builder.Integrate(frame, stop.get_token());
+    const auto ended = Clock::now();
+    teller.join();
+    if (report.ok()) {  // the machine has become faster meanwhile
+      builder.map() = Map(state);
+      continue;
+    }
+    ++num_stopped;
+    EXPECT_EQ(report.status().code(), StatusCode::kCancelled) << report.status().ToString();
+    EXPECT_LT(ended - told, whole / 2) << "told after " << percent << " %";
+    EXPECT_TRUE(MapsAreEqual(*builder.map().Freeze(), *state));
+  }
+  EXPECT_GT(num_stopped, 0);
 }
 
 TEST(WholeFrame, AFinishThatFailsLeavesTheMapAsItWas) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <stop_token>
+
+namespace dhpmap {
+
+/// Thrown by work that takes long, once it is told to stop: through the thread pool, to whoever can go back to the
+/// state before.
+class Stopped final : public std::exception {
+ public:
+  [[nodiscard]] const char* what() const noexcept override { return "told to stop"; }
+};
+
+/// Costs a nanosecond: for loops whose turns take microseconds.
+inline void ThrowIfStopped(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw Stopped();
+}
+
+}  // namespace dhpmap
