@@ -43,14 +43,40 @@ Lane::~Lane() {
 bool Lane::TryPost(std::shared_ptr<LaneTask> task) {
   {
     const MutexLock lock(mutex_);
-    if (tasks_.size() >= options_.max_waiting) {
-      std::erase_if(tasks_, [](const std::shared_ptr<LaneTask>& waiting) { return waiting->IsGivenUp(); });
-    }
-    if (tasks_.size() >= options_.max_waiting) return false;
+    if (!HasRoom()) return false;
     tasks_.push_back(std::move(task));
   }
   wake_.NotifyOne();
   return true;
+}
+
+bool Lane::TryPostLast(std::shared_ptr<LaneTask> task) {
+  {
+    const MutexLock lock(mutex_);
+    if (!HasRoom()) return false;
+    last_.push_back({.task = std::move(task), .due = Clock::now() + kLongestLast});
+  }
+  wake_.NotifyOne();
+  return true;
+}
+
+bool Lane::HasRoom() {
+  if (tasks_.size() + last_.size() < options_.max_waiting) return true;
+  std::erase_if(tasks_, [](const std::shared_ptr<LaneTask>& waiting) { return waiting->IsGivenUp(); });
+  std::erase_if(last_, [](const Last& waiting) { return waiting.task->IsGivenUp(); });
+  return tasks_.size() + last_.size() < options_.max_waiting;
+}
+
+std::shared_ptr<LaneTask> Lane::TakeNext() {
+  std::shared_ptr<LaneTask> task;
+  if (tasks_.empty() || (!last_.empty() && last_.front().due <= Clock::now())) {
+    task = std::move(last_.front().task);
+    last_.pop_front();
+  } else {
+    task = std::move(tasks_.front());
+    tasks_.pop_front();
+  }
+  return task;
 }
 
 void Lane::Post(std::function<void()> work) { Post(std::make_shared<LaneTask>(std::move(work))); }
@@ -66,11 +92,10 @@ void Lane::Post(std::shared_ptr<LaneTask> task) {
 void Lane::Loop() {
   MutexLock lock(mutex_);
   while (true) {
-    wake_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !tasks_.empty(); });
-    if (tasks_.empty()) return;
+    wake_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !tasks_.empty() || !last_.empty(); });
+    if (tasks_.empty() && last_.empty()) return;
     {
-      const std::shared_ptr<LaneTask> task = std::move(tasks_.front());
-      tasks_.pop_front();
+      const std::shared_ptr<LaneTask> task = TakeNext();
       lock.Unlock();
       if (const auto work = task->Take()) work();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -50,17 +51,31 @@ class Lane {
 
   /// False, and nothing is kept, if max_waiting tasks wait that nobody has given up.
   [[nodiscard]] bool TryPost(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
+  /// The same for work that takes a state of a map and goes on with it in other tasks. It begins when nothing else
+  /// waits, so that what has begun ends first and lets go of its state; but it does not wait for ever.
+  [[nodiscard]] bool TryPostLast(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
   /// For work that its source bounds, such as the frames in flight of a stream: there is always room for it.
   void Post(std::function<void()> work) DHPMAP_EXCLUDES(mutex_);
   void Post(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
 
  private:
+  using Clock = std::chrono::steady_clock;
+  /// How long others may go before one of TryPostLast.
+  static constexpr std::chrono::seconds kLongestLast{5};
+  struct Last {
+    std::shared_ptr<LaneTask> task;
+    Clock::time_point due;
+  };
+
   void Loop() DHPMAP_EXCLUDES(mutex_);
+  [[nodiscard]] bool HasRoom() DHPMAP_REQUIRES(mutex_);
+  [[nodiscard]] std::shared_ptr<LaneTask> TakeNext() DHPMAP_REQUIRES(mutex_);
 
   const LaneOptions options_;
   Mutex mutex_;
   CondVar wake_;
   std::deque<std::shared_ptr<LaneTask>> tasks_ DHPMAP_GUARDED_BY(mutex_);
+  std::deque<Last> last_ DHPMAP_GUARDED_BY(mutex_);
   bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::vector<std::thread> threads_;
 };

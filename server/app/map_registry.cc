@@ -160,6 +160,19 @@ Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& na
   return session->View();
 }
 
+std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& state) const {
+  const auto entry = FindEntry(state.info().name);
+  if (entry == nullptr) return nullptr;
+  std::shared_ptr<MapSession> session;
+  {
+    const MutexLock lock(mutex_);
+    session = entry->session;
+  }
+  if (session == nullptr) return nullptr;
+  auto present = session->View()->shared_snapshot();
+  return present->info().history_id == state.info().history_id ? present : nullptr;
+}
+
 Result<std::int64_t> MapRegistry::DiskBytes(const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(const StoredMap map, store_.GetMap(name));
   return map.blob_bytes;

@@ -63,6 +63,8 @@ class MapRegistry {
   /// Bytes of encoded blocks in the store.
   Result<std::int64_t> DiskBytes(const std::string& name);
   [[nodiscard]] std::vector<std::shared_ptr<MapSession>> OpenSessions() const;
+  /// The present state of the map that `state` is of; null if it is not open. Opens none.
+  [[nodiscard]] std::shared_ptr<const MapSnapshot> PresentOf(const MapSnapshot& state) const;
   /// Closes the maps that are idle at the time `now`, as the registry does by itself from time to time. What views of
   /// them hold stays.
   void CloseIdleMaps(Clock::time_point now);

@@ -31,6 +31,11 @@ Status RunGuarded(const std::function<Status()>& work) {
   }
 }
 
+Status StateHasNoRoom() {
+  return ResourceExhausted("the map has gone on while this was read, and there is no more room for the state it shows")
+      .WithReason("TOO_MANY_BYTES");
+}
+
 Status TooBusy() {
   return ResourceExhausted("too many calls of this kind wait already: try again later").WithReason("TOO_BUSY");
 }

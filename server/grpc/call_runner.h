@@ -5,6 +5,7 @@
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/server_callback.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -16,6 +17,7 @@
 
 #include "mapping/base/byte_budget.h"
 #include "mapping/base/result.h"
+#include "server/app/held_states.h"
 #include "server/app/map_registry.h"
 #include "server/grpc/grpc_server.h"
 #include "server/grpc/lanes.h"
@@ -29,6 +31,7 @@ struct ServiceContext {
   Lanes& lanes;
   const GrpcOptions& options;
   const GrpcObserver& observer;
+  HeldStates& held;
 };
 
 /// The bookkeeping of one call: takes its time, tells the observer, and logs an error that is our fault, once.
@@ -57,6 +60,9 @@ struct CallMessages {
 /// Calls work() and turns whatever it throws into INTERNAL: the one outer catch of every handler.
 Status RunGuarded(const std::function<Status()>& work);
 
+/// What a stream ends with whose map has gone on for so long that there is no room for the state it shows.
+Status StateHasNoRoom();
+
 /// What a call is answered for which there is no room in its lane.
 Status TooBusy();
 
@@ -79,6 +85,13 @@ grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages&
 grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, const CallMessages& call, std::size_t answer_bytes,
                                   std::function<Status(std::stop_token)> handler);
 
+/// What a stream keeps from message to message.
+struct StreamKeeps {
+  ByteShare& room;  ///< to grow by what that is, but for a state
+  /// To be called with the state that it goes through, if it does. RESOURCE_EXHAUSTED if there is no room for one.
+  std::function<Status(HeldStates::State)> hold;
+};
+
 /// Streams messages to a client, made on the bulk lane one at a time while the client takes them; refused if there is
 /// no room for what a stream keeps. Deletes itself when the call is over.
 template <typename Response>
@@ -86,26 +99,28 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
  public:
   /// Fills the next message; false: there is none.
   using Next = std::function<Result<bool>(Response&)>;
-  /// What comes before the first message, which may take long; the token tells when nobody waits for it any longer. The
-  /// share is to grow by what is kept from message to message, if that is more than a snapshot.
-  using Prepare = std::function<Result<Next>(std::stop_token, ByteShare&)>;
+  /// What comes before the first message, which may take long; the token tells when nobody waits for it any longer.
+  using Prepare = std::function<Result<Next>(std::stop_token, const StreamKeeps&)>;
 
-  static ChunkStream* Start(const ServiceContext& context, const CallMessages& call, Prepare prepare) {
-    auto* stream = new ChunkStream(context, call.method);
+  static ChunkStream* Start(const ServiceContext& context, grpc::CallbackServerContext* call_context,
+                            const CallMessages& call, Prepare prepare) {
+    auto* stream = new ChunkStream(context, call_context, call.method);
     if (!stream->share_.Resize(call.request->ByteSizeLong() + kKept_bytes)) {
       stream->End(TooManyBytes());
       return stream;
     }
     const auto begin = std::make_shared<LaneTask>([stream, prepare = std::move(prepare)] {
       const Status status = RunGuarded([&] {
-        DHPMAP_ASSIGN_OR_RETURN(stream->next_, prepare(stream->stop_.get_token(), stream->share_));
+        const StreamKeeps keeps{stream->share_,
+                                [stream](HeldStates::State state) { return stream->HoldState(std::move(state)); }};
+        DHPMAP_ASSIGN_OR_RETURN(stream->next_, prepare(stream->stop_.get_token(), keeps));
         return Status::Ok();
       });
       if (status.ok()) stream->WriteNext();
       else stream->context_.lanes.answers.Post([stream, status] { stream->End(status); });
     });
     stream->begin_ = begin;
-    if (!context.lanes.bulk.TryPost(begin)) {
+    if (!context.lanes.bulk.TryPostLast(begin)) {
       begin->GiveUp();
       stream->End(TooBusy());
     }
@@ -113,7 +128,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   }
 
   void OnWriteDone(bool ok) override {
-    if (!ok) return End(Cancelled("the client went away"));
+    if (!ok) return End(WhyBroken());
     context_.lanes.bulk.Post([this] { WriteNext(); });  // one a stream, so bounded by the streams that have begun
   }
   void OnCancel() override {
@@ -126,14 +141,27 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   /// A message, its bytes on the way out, and where in the map it has got to.
   static constexpr std::size_t kKept_bytes = 1u << 20;
 
-  ChunkStream(const ServiceContext& context, std::string_view method)
-      : context_(context), record_(context, method), share_(context.options.inflight.get()) {}
+  ChunkStream(const ServiceContext& context, grpc::CallbackServerContext* call_context, std::string_view method)
+      : context_(context),
+        call_context_(call_context),
+        record_(context, method),
+        share_(context.options.inflight.get()) {}
+
+  Status HoldState(HeldStates::State state) {
+    hold_ = context_.held.TryHold(std::move(state), [this] { LetGo(); });
+    return hold_ != nullptr ? Status::Ok() : TooManyBytes();
+  }
+  /// With the next message; if none is made, since the client does not take the last one, at once.
+  void LetGo() {
+    if (has_no_room_.exchange(true)) call_context_->TryCancel();
+  }
+  [[nodiscard]] Status WhyBroken() const { return has_no_room_ ? StateHasNoRoom() : Cancelled("the client went away"); }
 
   void WriteNext() {
     bool has_next = false;
     response_.Clear();
     const Status status = RunGuarded([&] {
-      if (stop_.stop_requested()) return Cancelled("the client went away");
+      if (stop_.stop_requested() || has_no_room_) return WhyBroken();
       DHPMAP_ASSIGN_OR_RETURN(has_next, next_(response_));
       return Status::Ok();
     });
@@ -149,8 +177,11 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   }
 
   const ServiceContext& context_;
+  grpc::CallbackServerContext* const call_context_;
   CallRecord record_;
   ByteShare share_;
+  std::atomic<bool> has_no_room_ = false;  // for the state any longer
+  std::unique_ptr<HeldStates::Hold> hold_;
   std::shared_ptr<LaneTask> begin_;
   std::stop_source stop_;
   Next next_;

@@ -73,7 +73,8 @@ struct GrpcServer::Impl {
   Impl(const GrpcOptions& grpc_options, MapRegistry& registry, GrpcObserver grpc_observer)
       : options(grpc_options),
         observer(std::move(grpc_observer)),
-        context{registry, lanes, options, observer},
+        held(*options.inflight, [&registry](const MapSnapshot& state) { return registry.PresentOf(state); }),
+        context{registry, lanes, options, observer, held},
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams, query_streams)),
         lanes{.quick = Lane({.name = "quick", .num_threads = options.num_threads, .max_waiting = kMaxWaiting}),
@@ -86,6 +87,7 @@ struct GrpcServer::Impl {
 
   GrpcOptions options;
   GrpcObserver observer;
+  HeldStates held;
   ServiceContext context;
   IntegrateStreams streams;
   QueryStreams query_streams;

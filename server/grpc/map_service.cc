@@ -90,12 +90,12 @@ class MapService final : public v1::MapService::CallbackService {
     });
   }
 
-  grpc::ServerWriteReactor<v1::BackupMapResponse>* BackupMap(grpc::CallbackServerContext*,
+  grpc::ServerWriteReactor<v1::BackupMapResponse>* BackupMap(grpc::CallbackServerContext* call,
                                                              const v1::BackupMapRequest* request) override {
     using Stream = ChunkStream<v1::BackupMapResponse>;
     return Stream::Start(
-        context_, {"MapService/BackupMap", request},
-        [this](const std::stop_token& stop, ByteShare&) -> Result<Stream::Next> {
+        context_, call, {"MapService/BackupMap", request},
+        [this](const std::stop_token& stop, const StreamKeeps&) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<StoreBackup> backup, context_.registry.Backup(stop));
           return Stream::Next([chunks = BackupChunks(std::move(backup))](v1::BackupMapResponse& message) mutable {
             return chunks.Next(message);

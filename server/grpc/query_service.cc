@@ -49,14 +49,15 @@ class QueryService final : public v1::QueryService::CallbackService {
   }
 
   grpc::ServerWriteReactor<v1::GetDistanceGridResponse>* GetDistanceGrid(
-      Context*, const v1::GetDistanceGridRequest* request) override {
+      Context* call, const v1::GetDistanceGridRequest* request) override {
     using Stream = ChunkStream<v1::GetDistanceGridResponse>;
     return Stream::Start(
-        context_, {"QueryService/GetDistanceGrid", request},
-        [=, this](const std::stop_token& stop, ByteShare&) -> Result<Stream::Next> {
+        context_, call, {"QueryService/GetDistanceGrid", request},
+        [=, this](const std::stop_token& stop, const StreamKeeps& keeps) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
           DHPMAP_ASSIGN_OR_RETURN(auto view, context_.registry.ViewOf(map));
           DHPMAP_ASSIGN_OR_RETURN(const GridQuestion question, GridQuestionFromProto(*request, view->snapshot()));
+          DHPMAP_RETURN_IF_ERROR(keeps.hold(view->shared_snapshot()));
           DistanceGrid grid(std::move(view), context_.registry.surfaces(), question);
           return Stream::Next([chunks = std::make_shared<GridChunks>(std::move(grid), *request),
                                stop](v1::GetDistanceGridResponse& message) { return chunks->Next(message, stop); });
@@ -85,6 +86,7 @@ class QueryService final : public v1::QueryService::CallbackService {
     const auto answer = [=, this](const std::stop_token& stop) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+      const auto hold = effort.is_quick ? nullptr : context_.held.TakeHold(view->shared_snapshot());
       return AnswerFromMap(context_, view, *request, *response, stop);
     };
     const CallMessages call{name, request, response};

@@ -101,32 +101,38 @@ class SubmapService final : public v1::SubmapService::CallbackService {
   }
 
   grpc::ServerWriteReactor<v1::StreamSubmapVoxelsResponse>* StreamSubmapVoxels(
-      grpc::CallbackServerContext*, const v1::StreamSubmapVoxelsRequest* request) override {
+      grpc::CallbackServerContext* call, const v1::StreamSubmapVoxelsRequest* request) override {
     using Stream = ChunkStream<v1::StreamSubmapVoxelsResponse>;
     return Stream::Start(
-        context_, {"SubmapService/StreamSubmapVoxels", request},
-        [=, this](const std::stop_token&, ByteShare&) -> Result<Stream::Next> {
+        context_, call, {"SubmapService/StreamSubmapVoxels", request},
+        [=, this](const std::stop_token&, const StreamKeeps& keeps) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
           DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
-          DHPMAP_ASSIGN_OR_RETURN(
-              VoxelWalk walk, VoxelWalk::Begin(view->shared_snapshot(), name.submap, request->max_abs_distance_m()));
+          const auto state = OnlySubmap(view->snapshot(), name.submap);
+          if (state == nullptr) return NoSuchSubmap(name.submap);
+          DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
+          DHPMAP_ASSIGN_OR_RETURN(VoxelWalk walk, VoxelWalk::Begin(state, name.submap, request->max_abs_distance_m()));
           return Stream::Next([chunks = VoxelChunks(std::move(walk))](v1::StreamSubmapVoxelsResponse& message) mutable {
             return chunks.Next(message);
           });
         });
   }
 
-  grpc::ServerWriteReactor<v1::GetSubmapMeshResponse>* GetSubmapMesh(grpc::CallbackServerContext*,
+  grpc::ServerWriteReactor<v1::GetSubmapMeshResponse>* GetSubmapMesh(grpc::CallbackServerContext* call,
                                                                      const v1::GetSubmapMeshRequest* request) override {
     using Stream = ChunkStream<v1::GetSubmapMeshResponse>;
     return Stream::Start(
-        context_, {"SubmapService/GetSubmapMesh", request},
-        [=, this](const std::stop_token& stop, ByteShare& room) -> Result<Stream::Next> {
+        context_, call, {"SubmapService/GetSubmapMesh", request},
+        [=, this](const std::stop_token& stop, const StreamKeeps& keeps) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const ObjectName name, ParseObjectName(request->name(), "name"));
           DHPMAP_ASSIGN_OR_RETURN(const MeshRequest wanted, MeshRequestFromProto(*request, name.submap));
           DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
-          if (!room.Grow(BytesOfExport(view->snapshot(), wanted))) return TooManyBytes();
-          DHPMAP_ASSIGN_OR_RETURN(MeshFile file, ExportMesh(view->shared_snapshot(), wanted, stop));
+          auto state = view->shared_snapshot();
+          if (wanted.submap) state = OnlySubmap(*state, *wanted.submap);
+          if (state == nullptr) return NoSuchSubmap(*wanted.submap);
+          DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
+          if (!keeps.room.Grow(BytesOfExport(*state, wanted))) return TooManyBytes();
+          DHPMAP_ASSIGN_OR_RETURN(MeshFile file, ExportMesh(std::move(state), wanted, stop));
           return Stream::Next([chunks = std::make_shared<MeshChunks>(std::move(file))](
                                   v1::GetSubmapMeshResponse& message) mutable { return chunks->Next(message); });
         });

@@ -93,6 +93,45 @@ TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
   ExpectNothingKept();
 }
 
+TEST_F(InflightBytes, AMeshThatNobodyTakesLetsGoOfItsStateOnceTheMapHasGoneOn) {
+  grpc::ClientContext create;
+  v1::CreateMapRequest fine = CreateRequest("fine");
+  fine.mutable_config()->set_voxel_size_m(0.025);
+  v1::CreateMapResponse created;
+  ASSERT_TRUE(server_.maps->CreateMap(&create, fine, &created).ok());
+  ASSERT_TRUE(Feed(server_, "fine", 0, 12).status.ok());
+  grpc::ClientContext context;
+  v1::GetSubmapMeshRequest request;
+  request.set_name("maps/fine");
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);  // else gRPC takes megabytes for a client that reads nothing
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  const auto stub = v1::SubmapService::NewStub(grpc::CreateCustomChannel(
+      "127.0.0.1:" + std::to_string(server_.grpc().port()), grpc::InsecureChannelCredentials(), arguments));
+  const auto mesh = stub->GetSubmapMesh(&context, request);
+  v1::GetSubmapMeshResponse part;
+  ASSERT_TRUE(mesh->Read(&part));
+  const std::size_t stream_bytes = budget_->used_bytes();
+  ASSERT_GT(stream_bytes, 0u);
+  ASSERT_TRUE(Feed(server_, "fine", 0, 3).status.ok());  // many blocks anew
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (budget_->used_bytes() <= stream_bytes && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  EXPECT_GT(budget_->used_bytes(), stream_bytes) << "what only the old state has is counted";
+  ByteShare others(budget_.get());
+  ASSERT_TRUE(others.Resize(kLimit_bytes - budget_->used_bytes()));
+  ASSERT_TRUE(Feed(server_, "fine", 0, 6).status.ok());
+  while (budget_->used_bytes() > others.bytes() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  EXPECT_EQ(budget_->used_bytes(), others.bytes());
+  while (mesh->Read(&part)) {
+  }
+  const grpc::Status ended = mesh->Finish();
+  EXPECT_TRUE(ended.error_code() == grpc::StatusCode::CANCELLED ||
+              ended.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED)
+      << ended.error_code() << " " << ended.error_message();
+  others.Release();
+  ExpectNothingKept();
+}
+
 TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {
   const std::unique_ptr<MapStore> store = MakeMemoryStore();
   const std::size_t too_few_bytes = DecodedBytes(TestFrame(0));  // the message is there as well

@@ -28,6 +28,35 @@ TEST(Lane, RunsTasksInTheOrderTheyCame) {
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
+TEST(Lane, WhatIsPostedLastBeginsWhenNothingElseWaits) {
+  std::vector<int> order;
+  {
+    Lane lane({.num_threads = 1});
+    Plug plug(lane);
+    ASSERT_TRUE(lane.TryPostLast(Task([&order] { order.push_back(3); })));
+    ASSERT_TRUE(lane.TryPostLast(Task([&order] { order.push_back(4); })));
+    ASSERT_TRUE(lane.TryPost(Task([&order, &lane] {
+      order.push_back(0);
+      lane.Post([&order] { order.push_back(2); });  // goes on with it
+    })));
+    ASSERT_TRUE(lane.TryPost(Task([&order] { order.push_back(1); })));
+    plug.Release();
+  }
+  EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST(Lane, CountsWhatIsPostedLastAmongWhatWaits) {
+  Lane lane({.num_threads = 1, .max_waiting = 2});
+  Plug plug(lane);
+  const auto dead = Task([] {});
+  EXPECT_TRUE(lane.TryPostLast(dead));
+  EXPECT_TRUE(lane.TryPost(Task([] {})));
+  EXPECT_FALSE(lane.TryPostLast(Task([] {})));
+  EXPECT_TRUE(dead->GiveUp());
+  EXPECT_TRUE(lane.TryPostLast(Task([] {}))) << "the place of what was given up is free";
+  plug.Release();
+}
+
 TEST(Lane, TakesNoMoreThanMayWait) {
   Lane lane({.num_threads = 1, .max_waiting = 2});
   Plug plug(lane);

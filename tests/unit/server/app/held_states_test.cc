@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/held_states.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace dhpmap {
+namespace {
+
+constexpr std::size_t kBlock_bytes = sizeof(TsdfBlock) + sizeof(LabelBlock);
+constexpr SubmapId kThing{1}, kOther{2};
+
+/// A map of two submaps of 10 blocks, each with TSDF and labels.
+class HeldStatesTest : public ::testing::Test {
+ protected:
+  HeldStatesTest() {
+    for (int i = 0; i < 2; ++i) map_.Create({.panoptic = Panoptic::kThing, .voxel_size_m = 0.04});
+    Write(kThing, 0, 10);
+    Write(kOther, 0, 10);
+    (void)Now();
+  }
+
+  void Write(SubmapId id, int begin, int end) {
+    for (int x = begin; x < end; ++x) {
+      map_.FindMutable(id)->MutableTsdf({x, 0, 0}).weight[0] += 1;
+      map_.FindMutable(id)->MutableLabels({x, 0, 0}).AddObservation(0, ClassId(1));
+    }
+  }
+  HeldStates::State Now() {
+    const MutexLock lock(mutex_);
+    present_ = map_.Publish(0);
+    return present_;
+  }
+  void Close() {
+    const MutexLock lock(mutex_);
+    present_ = nullptr;
+  }
+  std::size_t BlocksHeld() {
+    states_.Look();
+    return states_.bytes() / kBlock_bytes;
+  }
+
+  ByteBudget budget_{100 * kBlock_bytes};
+  Map map_{MapInfo{.name = "m", .history_id = 7}};
+  Mutex mutex_;
+  HeldStates::State present_ DHPMAP_GUARDED_BY(mutex_);
+  HeldStates states_{budget_, [this](const MapSnapshot&) {
+                       const MutexLock lock(mutex_);
+                       return present_;
+                     }};
+};
+
+TEST_F(HeldStatesTest, APresentStateCostsNothing) {
+  const auto hold = states_.TakeHold(Now());
+  EXPECT_EQ(BlocksHeld(), 0u);
+}
+
+TEST_F(HeldStatesTest, AnOldStateCostsWhatWasWrittenSinceHoweverOften) {
+  const auto hold = states_.TakeHold(Now());
+  for (int i = 0; i < 3; ++i) {
+    Write(kThing, 2, 6);
+    Now();
+  }
+  EXPECT_EQ(BlocksHeld(), 4u);
+  Write(kThing, 20, 30);  // new: the old state has none of it
+  Now();
+  EXPECT_EQ(BlocksHeld(), 4u);
+  EXPECT_EQ(budget_.used_bytes(), 4 * kBlock_bytes);
+}
+
+TEST_F(HeldStatesTest, WhatSeveralStatesShareIsCountedOnce) {
+  const auto first = states_.TakeHold(Now()), again = states_.TakeHold(Now());
+  Write(kThing, 0, 3);
+  const auto second = states_.TakeHold(Now());
+  Write(kOther, 0, 2);
+  Now();
+  EXPECT_EQ(BlocksHeld(), 5u);
+}
+
+TEST_F(HeldStatesTest, OneSubmapAloneCostsNoMoreThanItself) {
+  const auto whole = states_.TakeHold(Now());
+  const auto hold = states_.TakeHold(OnlySubmap(*Now(), kThing));
+  Write(kThing, 0, 3);
+  Write(kOther, 0, 4);
+  Now();
+  EXPECT_EQ(BlocksHeld(), 7u);
+  EXPECT_EQ(OnlySubmap(*Now(), SubmapId(99)), nullptr);
+}
+
+TEST_F(HeldStatesTest, AStateOfAMapThatIsClosedCostsAllOfIt) {
+  const auto hold = states_.TakeHold(Now());
+  Close();
+  EXPECT_EQ(BlocksHeld(), 20u);
+}
+
+TEST_F(HeldStatesTest, WhatIsLetGoIsGivenBack) {
+  auto hold = states_.TakeHold(Now());
+  Write(kThing, 0, 3);
+  Now();
+  EXPECT_EQ(BlocksHeld(), 3u);
+  hold.reset();
+  EXPECT_EQ(BlocksHeld(), 0u);
+  EXPECT_EQ(budget_.used_bytes(), 0u);
+}
+
+TEST_F(HeldStatesTest, TheOldestIsAskedToLetGoOnceThereIsNoRoom) {
+  ByteShare others(&budget_);
+  int first_asked = 0, second_asked = 0;
+  auto first = states_.TryHold(Now(), [&] { ++first_asked; });
+  Write(kThing, 0, 5);
+  const auto second = states_.TryHold(Now(), [&] { ++second_asked; });
+  Write(kOther, 0, 5);
+  Now();
+  EXPECT_EQ(BlocksHeld(), 10u);
+  EXPECT_EQ(first_asked, 0);
+  ASSERT_TRUE(others.Resize(90 * kBlock_bytes));
+  Write(kThing, 5, 6);
+  Now();
+  (void)BlocksHeld();
+  EXPECT_GT(first_asked, 0);
+  EXPECT_EQ(second_asked, 0) << "without the first there is room";
+}
+
+TEST_F(HeldStatesTest, NoMoreAreTakenWhileOlderOnesHoldMuch) {
+  const auto hold = states_.TakeHold(Now());
+  Write(kThing, 0, 10);
+  Write(kOther, 0, 10);
+  Now();
+  EXPECT_EQ(BlocksHeld(), 20u);
+  EXPECT_NE(states_.TryHold(Now(), {}), nullptr);
+  const auto newest = states_.TakeHold(Now());
+  Close();
+  EXPECT_EQ(BlocksHeld(), 40u);
+  EXPECT_EQ(states_.TryHold(Now(), {}), nullptr);
+}
+
+TEST_F(HeldStatesTest, LooksByItselfAndAsksNobodyWhoIsGone) {
+  ByteShare others(&budget_);
+  ASSERT_TRUE(others.Resize(99 * kBlock_bytes));
+  std::atomic<int> asked = 0;
+  auto hold = states_.TryHold(Now(), [&] { ++asked; });
+  Write(kThing, 0, 5);
+  Now();
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (asked == 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  EXPECT_GT(asked, 0);
+  hold.reset();
+  const int before = asked;
+  states_.Look();
+  EXPECT_EQ(asked, before);
+}
+
+}  // namespace
+}  // namespace dhpmap
