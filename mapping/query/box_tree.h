@@ -66,6 +66,10 @@ class BoxTree {
   template <typename Visitor>
   void VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const;
 
+  /// Calls visit(leaf) for leaves of which may_hold(box) is true, and of all boxes around them, in no order to rely on.
+  template <typename Predicate, typename Visitor>
+  void VisitWhere(Predicate&& may_hold, Visitor&& visit) const;
+
   /// Calls limit = visit(leaf) for leaves that the ray from `origin` along `direction` (finite, of unit length)
   /// meets within `limit`, those it enters first mostly first. The visitor may lower the limit. One that is missed by a
   /// hundredth of a millimetre may be visited.
@@ -143,6 +147,27 @@ void BoxTree::VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) 
       const auto child = static_cast<std::uint32_t>(kLanes * here.node + lane);
       if (here.level > 0) pending[num_pending++] = {child, here.level - 1};
       else if (!GoesOn(visit, static_cast<std::size_t>(child))) return;
+    }
+  }
+}
+
+template <typename Predicate, typename Visitor>
+void BoxTree::VisitWhere(Predicate&& may_hold, Visitor&& visit) const {
+  if (nodes_.empty()) return;
+  std::array<Pending, kMostPending> pending;
+  std::size_t num_pending = 0;
+  pending[num_pending++] = {0, height() - 1};
+  while (num_pending > 0) {
+    const Pending here = pending[--num_pending];
+    const Node& node = nodes_[first_node_[here.level] + here.node];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (node.low[0][lane] > node.high[0][lane]) continue;  // not there
+      const Eigen::AlignedBox3f box(Eigen::Vector3f(node.low[0][lane], node.low[1][lane], node.low[2][lane]),
+                                    Eigen::Vector3f(node.high[0][lane], node.high[1][lane], node.high[2][lane]));
+      if (!may_hold(box)) continue;
+      const auto child = static_cast<std::uint32_t>(kLanes * here.node + lane);
+      if (here.level > 0) pending[num_pending++] = {child, here.level - 1};
+      else visit(static_cast<std::size_t>(child));
     }
   }
 }

@@ -2,6 +2,7 @@
 #include "mapping/query/distance_query.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -9,6 +10,22 @@
 #include "mapping/query/point_order.h"
 
 namespace dhpmap {
+namespace {
+
+constexpr double kLeast_m = 1e-5;  // nearer, rounding would turn the direction
+
+SurfaceDistance Clamped(double limit_m) {
+  SurfaceDistance answer;
+  answer.distance_m = limit_m;
+  answer.nearest_m.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return answer;
+}
+
+NearField::List ListAt(const NearField& field, const Eigen::Vector3f& p) {
+  return field.is_far() ? NearField::List{} : field.ListOf(field.CubeAt(p));
+}
+
+}  // namespace
 
 /// What is nearest of all that is grown, each by its own.
 class DistanceQuery::Searches {
@@ -45,7 +62,23 @@ class DistanceQuery::Searches {
 };
 
 DistanceQuery::DistanceQuery(std::shared_ptr<const MapSurfaces> surfaces, DistanceOptions options)
-    : world_(std::move(surfaces), options.scope), options_(std::move(options)) {}
+    : world_(std::move(surfaces), options.scope),
+      options_(std::move(options)),
+      takes_fields_(options_.tolerance_vox >= NearField::kTolerance_vox && world_.grown().size() == 1) {}
+
+SurfaceDistance DistanceQuery::At(const Eigen::Vector3d& p_map) const {
+  if (takes_fields_) {
+    const DistanceFields& fields = world_.surfaces().fields();
+    DistanceFields::Slot* slot = fields.SlotAt(p_map);
+    const FieldCell* cell = slot == nullptr ? nullptr : fields.Find(world_.surfaces(), *slot, p_map);
+    if (cell != nullptr) {
+      const Eigen::Vector3f p = (p_map - cell->field->centre_m()).cast<float>();
+      SurfaceDistance answer;
+      if (TryField(p_map, *cell, p, ListAt(*cell->field, p), answer)) return answer;
+    }
+  }
+  return Within(p_map, options_.max_distance_m);
+}
 
 SurfaceDistance DistanceQuery::Within(const Eigen::Vector3d& p_map, double limit_m) const {
   const Searches::Found found = Searches(world_).Find(p_map, limit_m);
@@ -79,13 +112,15 @@ class DistanceQuery::Limit {
 };
 
 void DistanceQuery::At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const {
+  std::vector<std::uint32_t> order = OrderAlongCurve(points_m);
+  if (takes_fields_) order = AtByFields(points_m, order, answers);
   if (world_.grown().size() == 1) {
-    AtTogether(points_m, answers);
+    AtTogether(points_m, order, answers);
     return;
   }
   Searches searches(world_);
   Limit limit(options_.max_distance_m);
-  for (const std::uint32_t i : OrderAlongCurve(points_m)) {
+  for (const std::uint32_t i : order) {
     const Eigen::Vector3d& p = points_m[i];
     const double limit_m = limit.At(p);
     Searches::Found found = searches.Find(p, limit_m);
@@ -96,7 +131,8 @@ void DistanceQuery::At(std::span<const Eigen::Vector3d> points_m, std::span<Surf
 }
 
 /// Where all that is there is grown alike: a search a point, some of them side by side, so that none waits for memory.
-void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const {
+void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,
+                               std::span<SurfaceDistance> answers) const {
   constexpr std::size_t kMostInFlight = 16;
   struct Flight {
     NearestSearch search;
@@ -105,7 +141,6 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
   };
   const auto& [padding_m, is_held] = world_.grown()[0];
   const double most_m = options_.max_distance_m;
-  const std::vector<std::uint32_t> order = OrderAlongCurve(points_m);
   std::size_t next = 0;
   Limit limit(most_m);
   const auto start_next = [&](Flight& flight) {
@@ -120,8 +155,7 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
     answers[flight.point] = Describe(p, most_m, found, padding_m);
     if (found.is_any) limit.Learn(p, (found.p_submap - found.point_submap).norm() - padding_m);
   };
-  std::vector<Flight> flights(std::min(points_m.size(), kMostInFlight),
-                              Flight{NearestSearch(world_.surfaces(), is_held)});
+  std::vector<Flight> flights(std::min(order.size(), kMostInFlight), Flight{NearestSearch(world_.surfaces(), is_held)});
   std::vector<Flight*> in_flight;
   for (Flight& flight : flights) {
     start_next(flight);
@@ -138,19 +172,121 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
   }
 }
 
+/// Points whose cell has a field, some side by side, each step of all before the next one, so that none waits for
+/// memory. Returns the others, in their order.
+std::vector<std::uint32_t> DistanceQuery::AtByFields(std::span<const Eigen::Vector3d> points_m,
+                                                     std::span<const std::uint32_t> order,
+                                                     std::span<SurfaceDistance> answers) const {
+  constexpr std::size_t kSideBySide = 16;
+  struct Lookup {
+    DistanceFields::Slot* slot;
+    const FieldCell* cell;
+    Eigen::Vector3f p;
+    std::uint32_t cube;
+    NearField::List list;
+  };
+  std::array<Lookup, kSideBySide> lookups;
+  const DistanceFields& fields = world_.surfaces().fields();
+  std::vector<std::uint32_t> others;
+  for (std::size_t first = 0; first < order.size(); first += kSideBySide) {
+    const std::span<const std::uint32_t> some = order.subspan(first, std::min(kSideBySide, order.size() - first));
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      lookups[i].slot = fields.SlotAt(points_m[some[i]]);
+      __builtin_prefetch(lookups[i].slot);
+    }
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      Lookup& lookup = lookups[i];
+      lookup.cell = lookup.slot == nullptr ? nullptr : fields.Find(world_.surfaces(), *lookup.slot, points_m[some[i]]);
+      __builtin_prefetch(lookup.cell);
+    }
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (lookups[i].cell != nullptr) __builtin_prefetch(lookups[i].cell->field.get());
+    }
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      Lookup& lookup = lookups[i];
+      if (lookup.cell == nullptr) continue;
+      const NearField& field = *lookup.cell->field;
+      lookup.p = (points_m[some[i]] - field.centre_m()).cast<float>();
+      if (field.is_far()) continue;
+      lookup.cube = field.CubeAt(lookup.p);
+      field.PrefetchCube(lookup.cube);
+    }
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      Lookup& lookup = lookups[i];
+      lookup.list = {};
+      if (lookup.cell == nullptr || lookup.cell->field->is_far()) continue;
+      lookup.list = lookup.cell->field->ListOf(lookup.cube);
+      lookup.cell->field->Prefetch(lookup.list);
+    }
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (lookups[i].cell != nullptr) lookups[i].cell->field->PrefetchTriangles(lookups[i].list);
+    }
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const Lookup& lookup = lookups[i];
+      SurfaceDistance& answer = answers[some[i]];
+      if (lookup.cell == nullptr || !TryField(points_m[some[i]], *lookup.cell, lookup.p, lookup.list, answer)) {
+        others.push_back(some[i]);
+      }
+    }
+  }
+  return others;
+}
+
+/// Whether the field knows. What it holds to be nearest of all is nearest of what is there, if that is there.
+bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell, const Eigen::Vector3f& p,
+                             const NearField::List& list, SurfaceDistance& answer) const {
+  const double limit_m = options_.max_distance_m, padding_m = world_.most_padding_m();
+  if (cell.field->is_far()) {
+    if (limit_m + padding_m > NearField::kReach_m) return false;
+    answer = Clamped(limit_m);
+    return true;
+  }
+  if (list.count == 0) return false;
+  const NearField::Nearest nearest = cell.field->Find(p, list);
+  NearestSurface found{.is_any = true, .number = cell.numbers[nearest.submap], .is_behind = nearest.is_behind};
+  if (!world_.Holds(found.number)) return false;
+  const double distance_m = static_cast<double>(nearest.away.norm());
+  if (distance_m - padding_m > limit_m) {
+    answer = Clamped(limit_m);
+    return true;
+  }
+  found.p_submap = world_.surfaces().index().entries()[found.number].ToSubmap(p_map);
+  found.sight = &cell.sight;
+  if (!list.is_side_known) {
+    // Of no account, if something says that the point is in front.
+    const double band_m = world_.surfaces().index().entries()[found.number].submap().info().truncation_m;
+    if (distance_m <= band_m || !world_.SightAt(p_map, found).is_front) return false;
+    found.is_behind = false;
+  }
+  double side = 1;
+  Tell(p_map, found, distance_m, padding_m, answer, side);
+  const Eigen::Vector3d away = nearest.away.cast<double>();
+  answer.nearest_m = p_map - away;
+  answer.gradient = distance_m > kLeast_m ? Eigen::Vector3d(side / distance_m * away) : nearest.normal.cast<double>();
+  return true;
+}
+
 SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, double limit_m, const NearestSurface& found,
                                         double padding_m) const {
-  SurfaceDistance answer;
   const Eigen::Vector3d away = found.p_submap - found.point_submap;
   const double distance_m = away.norm();
-  if (!found.is_any || distance_m - padding_m > limit_m) {
-    answer.distance_m = limit_m;
-    answer.nearest_m.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return answer;
-  }
+  if (!found.is_any || distance_m - padding_m > limit_m) return Clamped(limit_m);
+  SurfaceDistance answer;
+  double side = 1;
+  Tell(p_map, found, distance_m, padding_m, answer, side);
+  const Transform& T_map_submap = answer.submap->T_map_submap;
+  answer.nearest_m = T_map_submap * found.point_submap;
+  const Eigen::Vector3d direction =
+      distance_m > kLeast_m ? Eigen::Vector3d(side * away / distance_m) : found.normal_submap;
+  answer.gradient = T_map_submap.linear() * direction;
+  return answer;
+}
+
+/// Whose surface it is, on which side of it the point is, and whether that was seen.
+void DistanceQuery::Tell(const Eigen::Vector3d& p_map, const NearestSurface& found, double distance_m, double padding_m,
+                         SurfaceDistance& answer, double& side) const {
   const SubmapInfo& submap = world_.surfaces().index().entries()[found.number].submap().info();
   answer.submap = &submap;
-  answer.nearest_m = submap.T_map_submap * found.point_submap;
   const bool is_in_band = distance_m <= submap.truncation_m;
   // In front of the surface, or in its band, a place need only be seen; what is farther behind must be known not to be
   // in front of anything.
@@ -161,13 +297,8 @@ SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, double lim
     sight.is_seen = world_.IsSeenAt(p_map, found);
   }
   answer.status = sight.is_seen || options_.unknown_is_free ? DistanceStatus::kOk : DistanceStatus::kUnknown;
-  const double side = found.is_behind && (is_in_band || !sight.is_front) ? -1 : 1;
+  side = found.is_behind && (is_in_band || !sight.is_front) ? -1 : 1;
   answer.distance_m = side * distance_m - padding_m;
-  constexpr double kLeast_m = 1e-5;  // nearer, rounding would turn the direction
-  const Eigen::Vector3d direction =
-      distance_m > kLeast_m ? Eigen::Vector3d(side * away / distance_m) : found.normal_submap;
-  answer.gradient = submap.T_map_submap.linear() * direction;
-  return answer;
 }
 
 }  // namespace dhpmap

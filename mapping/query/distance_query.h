@@ -33,21 +33,25 @@ struct SurfaceDistance {
 struct DistanceOptions {
   double max_distance_m = 3;     ///< finite, positive
   bool unknown_is_free = false;  ///< unseen points are OK, not UNKNOWN
+  /// How much too long a distance may be, in voxels of the map. From NearField::kTolerance_vox on, and if all surfaces
+  /// are grown alike, near fields answer where there are any, several times as fast; below, or elsewhere: exact.
+  double tolerance_vox = 0;
   QueryScope scope;
 };
 
 /// Distances to the zero surface of a state of a map: the nearest point of all submaps' surfaces (ExtractTileSurface),
-/// each at its pose and grown by its padding. Exact to 1e-5 of the distance, by rounding. Immutable, thread-safe.
+/// each at its pose and grown by its padding. Exact to 1e-5 of the distance, by rounding, unless a tolerance allows for
+/// more: then |distance + padding| is never too short, and too long by no more than NearField::kTolerance_vox voxels
+/// and no more than a share of NearField::kShare; the nearest point, gradient and submap are those of that point of a
+/// surface. Within() and AnyCloserThan() are always exact. Immutable, thread-safe.
 class DistanceQuery {
  public:
   DistanceQuery(std::shared_ptr<const MapSurfaces> surfaces, DistanceOptions options);
 
   /// `p_map`: finite, metres of the map frame.
-  [[nodiscard]] SurfaceDistance At(const Eigen::Vector3d& p_map) const {
-    return Within(p_map, options_.max_distance_m);
-  }
+  [[nodiscard]] SurfaceDistance At(const Eigen::Vector3d& p_map) const;
 
-  /// The same with a limit of its own: finite, not negative.
+  /// The same, exactly, with a limit of its own: finite, not negative.
   [[nodiscard]] SurfaceDistance Within(const Eigen::Vector3d& p_map, double limit_m) const;
 
   /// The same for many points, in their order; faster, as it goes from each to one close by. As many answers as points.
@@ -60,12 +64,20 @@ class DistanceQuery {
  private:
   class Searches;
   class Limit;
-  void AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const;
+  void AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,
+                  std::span<SurfaceDistance> answers) const;
+  std::vector<std::uint32_t> AtByFields(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,
+                                        std::span<SurfaceDistance> answers) const;
+  bool TryField(const Eigen::Vector3d& p_map, const FieldCell& cell, const Eigen::Vector3f& p,
+                const NearField::List& list, SurfaceDistance& answer) const;
+  void Tell(const Eigen::Vector3d& p_map, const NearestSurface& found, double distance_m, double padding_m,
+            SurfaceDistance& answer, double& side) const;
   [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, double limit_m, const NearestSurface& found,
                                          double padding_m) const;
 
   QueryWorld world_;
   DistanceOptions options_;
+  bool takes_fields_;
 };
 
 }  // namespace dhpmap

@@ -176,33 +176,10 @@ const NearbyCell& NearestSearch::MakeCell() {
             [](const NearbyTile& a, const NearbyTile& b) { return a.distance_m < b.distance_m; });
   cell->tiles.shrink_to_fit();
   cell->centre_m = centre_m;
-  cell->seen = SeenIn(cells.BlockAt(p_map), centre_m, cell->may_be_seen_elsewise);
+  cell->sight = LookIntoCell(surfaces_, cells.BlockAt(p_map));
   stops_at_any_ = stops_at_any;
   Begin(p_map, limit_m_);
   return cells.Put(*slot_, std::move(cell));
-}
-
-FreeMask NearestSearch::SeenIn(BlockIndex block, const Eigen::Vector3d& centre_m, bool& may_be_seen_elsewise) const {
-  const MapSnapshot& map = surfaces_.state();
-  const FreeTile* tile = map.free_space()->Find(TileOf(block));
-  FreeMask seen = tile != nullptr ? tile->MaskOf(CellOf(block)) : FreeMask{};
-  may_be_seen_elsewise = false;
-  const SubmapIndex& index = surfaces_.index();
-  const auto half_m = static_cast<float>(0.51 * surfaces_.cells().side_m());
-  const Eigen::Vector3f centre = index.InTree(centre_m), half = Eigen::Vector3f::Constant(half_m);
-  index.tree().VisitOverlapping({centre - half, centre + half}, [&](std::size_t item) {
-    const SubmapIndex::Entry& entry = index.entries()[index.tree().items()[item]];
-    if (!entry.IsInMapFrame() || entry.submap().info().voxel_size_m != map.info().config.voxel_size_m) {
-      may_be_seen_elsewise = true;
-      return;
-    }
-    const BlockEntry* there = entry.submap().blocks().Find(block);
-    if (there == nullptr || there->tsdf == nullptr) return;
-    for (int i = 0; i < kBlockVoxels; ++i) {
-      seen[static_cast<std::size_t>(i >> 6)] |= std::uint64_t{there->Shows(i)} << (i & 63);
-    }
-  });
-  return seen;
 }
 
 void NearestSearch::SearchMap() {
@@ -334,7 +311,7 @@ bool NearestSearch::VisitNode() {
 
 NearestSurface NearestSearch::Found() {
   NearestSurface found;
-  found.cell = cell_;
+  found.sight = cell_ == nullptr ? nullptr : &cell_->sight;
   // In one order, however they were found, so that the same is said of a seam each time.
   if (touches_.size() > 1) {
     std::sort(touches_.begin(), touches_.end(), [](const Touch& a, const Touch& b) {

@@ -19,7 +19,7 @@ struct NearestSurface {
   Eigen::Vector3d point_submap = Eigen::Vector3d::Zero();   ///< on the surface, in the submap's frame
   Eigen::Vector3d normal_submap = Eigen::Vector3d::Zero();  ///< unit, to the front
   bool is_behind = false;                                   ///< the place is behind the surface
-  const NearbyCell* cell = nullptr;  ///< what is known of the place's surroundings; null: nothing
+  const CellSight* sight = nullptr;  ///< what is known of the voxels around the place; null: nothing
 };
 
 /// Looks for it. In a cell whose nearby tiles are known (NearbyCells) these are gone through; elsewhere, of submaps and
@@ -85,7 +85,6 @@ class NearestSearch {
 
   // In a cell.
   const NearbyCell& MakeCell();
-  [[nodiscard]] FreeMask SeenIn(BlockIndex block, const Eigen::Vector3d& centre_m, bool& may_be_seen_elsewise) const;
   void EnterCell();
   void GoToNextTile();
   void LeaveCell();

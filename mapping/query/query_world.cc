@@ -30,6 +30,7 @@ QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryS
   if (!scope.IsAll()) {
     for (const SubmapIndex::Entry& entry : entries) is_held_.push_back(scope.Holds(entry.submap().info()));
   }
+  takes_all_ = scope.IsAll() && !scope.max_free_age_s;
   for (std::size_t number = 0; number < entries.size() && !scope.attached.empty(); ++number) {
     const SubmapId id = entries[number].submap().id();
     if (std::find(scope.attached.begin(), scope.attached.end(), id) != scope.attached.end()) {
@@ -77,17 +78,33 @@ bool QueryWorld::IsLeft(const Eigen::Vector3d& p_map) const {
 }
 
 bool QueryWorld::IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const {
-  const VoxelIndex voxel = VoxelAt(p_map, voxel_size_m());
-  const bool takes_all = is_held_.empty() && oldest_ns_ == std::numeric_limits<std::int64_t>::min();
-  if (nearest.cell != nullptr && takes_all) {
-    const int linear = LinearIndex(voxel);
-    const bool is_seen = (nearest.cell->seen[static_cast<std::size_t>(linear >> 6)] >> (linear & 63) & 1u) != 0;
-    if (is_seen || !nearest.cell->may_be_seen_elsewise) return is_seen;
+  const int linear = LinearIndex(VoxelAt(p_map, voxel_size_m()));
+  if (nearest.sight != nullptr && takes_all_) {
+    if (CellSight::Has(nearest.sight->free, linear) || CellSight::Has(nearest.sight->observed, linear)) return true;
+    return !nearest.sight->others.empty() && SightIn(*nearest.sight, p_map).is_seen;
   }
-  return IsFree(voxel) || SightAt(p_map, nearest).is_seen;
+  return IsFree(VoxelAt(p_map, voxel_size_m())) || SightAt(p_map, nearest).is_seen;
+}
+
+QueryWorld::Sight QueryWorld::SightIn(const CellSight& cell, const Eigen::Vector3d& p_map) const {
+  const int linear = LinearIndex(VoxelAt(p_map, voxel_size_m()));
+  Sight sight{.is_seen = CellSight::Has(cell.observed, linear), .is_front = CellSight::Has(cell.front, linear)};
+  for (const std::uint32_t number : cell.others) {
+    if (sight.is_front) break;
+    const SubmapIndex::Entry& entry = surfaces_->index().entries()[number];
+    const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
+    if (!entry.MayHold(p_submap)) continue;
+    const VoxelSample voxel = SampleVoxelAt(entry.submap(), p_submap);
+    if (!voxel.IsObserved()) continue;
+    sight.is_seen = true;
+    sight.is_front |= voxel.distance_m() > 0;
+  }
+  if (!sight.is_seen && CellSight::Has(cell.free, linear)) sight = {.is_seen = true, .is_front = true};
+  return sight;
 }
 
 QueryWorld::Sight QueryWorld::SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const {
+  if (nearest.sight != nullptr && takes_all_) return SightIn(*nearest.sight, p_map);
   Sight sight;
   const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
   const auto look = [&sight](const Submap& submap, const Eigen::Vector3d& p_submap) {

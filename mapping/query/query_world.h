@@ -79,6 +79,8 @@ class QueryWorld {
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
 
  private:
+  /// What is known of a place in a cell, if all submaps are there and all that was looked through counts.
+  [[nodiscard]] Sight SightIn(const CellSight& cell, const Eigen::Vector3d& p_map) const;
   /// Whether a place was left by something that is attached: where that observed something, or behind its surface.
   [[nodiscard]] bool IsLeft(const Eigen::Vector3d& p_map) const;
 
@@ -86,6 +88,7 @@ class QueryWorld {
   const FreeSpace* free_space_;
   std::int64_t oldest_ns_ = std::numeric_limits<std::int64_t>::min();  ///< of looks that count
   std::vector<bool> is_held_;                                          ///< by the scope; empty: all are
+  bool takes_all_ = false;                                             ///< submaps and looks
   std::vector<Grown> grown_;
   std::vector<std::size_t> attached_;  ///< by the scope
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/query/submap_surface.h"
 
+#include <algorithm>
+
 namespace dhpmap {
 namespace {
 
@@ -28,7 +30,7 @@ SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slot_of) {
     if (box.isEmpty()) continue;
     boxes_m.push_back(box);
     box_m_.extend(box);
-    tiles.push_back({entry.index, TileCorner(entry.index, voxel_size_m),
+    tiles.push_back({entry.index, TileCorner(entry.index, voxel_size_m), box,
                      slot_of(FindNeighbourhood(submap.blocks(), entry.index), entry.index)});
   }
   if (tiles.empty()) return;
@@ -41,6 +43,27 @@ SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slot_of) {
   }
   tree_ = BoxTree(boxes);
   for (const std::uint32_t number : tree_.items()) tiles_.push_back(std::move(tiles[number]));
+}
+
+void SubmapSurface::AppendChanges(const SubmapSurface& before, std::vector<Eigen::AlignedBox3d>& boxes_m) const {
+  const auto sorted = [](const SubmapSurface& surface) {
+    std::vector<const Tile*> tiles;
+    for (const Tile& tile : surface.tiles_) tiles.push_back(&tile);
+    std::sort(tiles.begin(), tiles.end(), [](const Tile* a, const Tile* b) { return a->index < b->index; });
+    return tiles;
+  };
+  const std::vector<const Tile*> old_tiles = sorted(before), new_tiles = sorted(*this);
+  auto was = old_tiles.begin(), is = new_tiles.begin();
+  while (was != old_tiles.end() || is != new_tiles.end()) {
+    if (is == new_tiles.end() || (was != old_tiles.end() && (*was)->index < (*is)->index)) {
+      boxes_m.push_back((*was++)->box_m);
+    } else if (was == old_tiles.end() || (*is)->index < (*was)->index) {
+      boxes_m.push_back((*is++)->box_m);
+    } else {
+      if ((*was)->slot != (*is)->slot) boxes_m.push_back((*was)->box_m.merged((*is)->box_m));
+      ++was, ++is;
+    }
+  }
 }
 
 }  // namespace dhpmap

@@ -55,6 +55,9 @@ class SubmapSurface {
     return tiles_[position].corner_m + p_tile.cast<double>();
   }
 
+  /// Appends boxes, in the submap's frame, around all in which this differs from an earlier one.
+  void AppendChanges(const SubmapSurface& before, std::vector<Eigen::AlignedBox3d>& boxes_m) const;
+
   /// Calls visit(const TileSurfaceSlot&) for every tile.
   template <typename Visitor>
   void ForEachSlot(Visitor&& visit) const {
@@ -65,6 +68,7 @@ class SubmapSurface {
   struct Tile {
     TileIndex index;
     Eigen::Vector3d corner_m;
+    Eigen::AlignedBox3d box_m;
     std::shared_ptr<const TileSurfaceSlot> slot;
   };
 

@@ -23,9 +23,56 @@ std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> s
 MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger,
                          const MapSurfaces* before)
     : state_(state),
+      voxel_size_m_(state.info().config.voxel_size_m),
       parts_(std::move(parts)),
       index_(IndexOf(parts_, before)),
-      cells_(index_.box_m(), state.info().config.voxel_size_m, std::move(ledger)) {}
+      cells_(index_.box_m(), voxel_size_m_, ledger),
+      fields_(FieldsAfter(before, ledger)) {}
+
+DistanceFields MapSurfaces::FieldsAfter(const MapSurfaces* before, const std::shared_ptr<SurfaceLedger>& ledger) const {
+  if (before != nullptr && before->voxel_size_m_ == voxel_size_m_) {
+    const std::shared_ptr<FieldStore>& store = before->fields_.store();
+    if (const auto number = store->Append(before->fields_.state(), ChangesSince(*before))) {
+      return {index_.box_m(), voxel_size_m_, store, *number};
+    }
+  }
+  return {index_.box_m(), voxel_size_m_, std::make_shared<FieldStore>(ledger), FieldStore::kFirst};
+}
+
+/// Of what was, only what this has copies of: the state may be gone.
+std::vector<Eigen::AlignedBox3d> MapSurfaces::ChangesSince(const MapSurfaces& before) const {
+  std::vector<Eigen::AlignedBox3d> boxes_m;
+  const auto add_all = [&boxes_m](const SubmapIndex::Entry& entry) {
+    boxes_m.push_back(entry.box_m().transformed(entry.T_submap_map().inverse()));
+  };
+  const std::span<const SubmapIndex::Entry> old_entries = before.index_.entries(), new_entries = index_.entries();
+  std::size_t was = 0, is = 0;
+  while (was < old_entries.size() || is < new_entries.size()) {
+    const bool is_only_old =
+        is == new_entries.size() || (was < old_entries.size() && before.parts_[was].id < parts_[is].id);
+    if (is_only_old) {
+      add_all(old_entries[was++]);
+      continue;
+    }
+    if (was == old_entries.size() || parts_[is].id < before.parts_[was].id) {
+      add_all(new_entries[is++]);
+      continue;
+    }
+    const SubmapIndex::Entry &old_one = old_entries[was], &new_one = new_entries[is];
+    const SubmapSurface &old_surface = before.surface(was++), &new_surface = surface(is++);
+    if (&old_surface == &new_surface) continue;
+    if (old_one.T_submap_map().matrix() != new_one.T_submap_map().matrix()) {
+      add_all(old_one);
+      add_all(new_one);
+      continue;
+    }
+    const std::size_t first = boxes_m.size();
+    const Transform T_map_submap = new_one.T_submap_map().inverse();
+    new_surface.AppendChanges(old_surface, boxes_m);
+    for (std::size_t i = first; i < boxes_m.size(); ++i) boxes_m[i] = boxes_m[i].transformed(T_map_submap);
+  }
+  return boxes_m;
+}
 
 /// The surface tells a submap from all others that there have been: submaps that are gone may have had the same
 /// address.
@@ -47,7 +94,9 @@ SubmapIndex MapSurfaces::IndexOf(const std::vector<Part>& parts, const MapSurfac
   return {before->index_, std::move(entries), changed};
 }
 
-SurfaceCache::SurfaceCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
+SurfaceCache::SurfaceCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {
+  ledger_->most_field_bytes = limit_bytes / 2;
+}
 
 std::size_t SurfaceCache::num_tiles() const {
   const MutexLock lock(mutex_);
@@ -79,7 +128,7 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, 
   for (const auto& submap : state.submaps()) {
     if (submap->IsAbsent()) continue;
     std::shared_ptr<const SubmapSurface> surface = SurfaceOf(submap);
-    if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), std::move(surface)});
+    if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), submap->id(), std::move(surface)});
   }
   return std::make_shared<const MapSurfaces>(state, std::move(parts), ledger_, before);
 }

@@ -10,6 +10,7 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/map/map.h"
+#include "mapping/query/distance_fields.h"
 #include "mapping/query/nearby_cells.h"
 #include "mapping/query/submap_index.h"
 #include "mapping/query/submap_surface.h"
@@ -22,10 +23,11 @@ class MapSurfaces {
  public:
   struct Part {
     const Submap* submap;
+    SubmapId id;
     std::shared_ptr<const SubmapSurface> surface;  ///< of something
   };
-  /// `state` outlives this; `ledger`: see NearbyCells. With those of an earlier state of the map, though that be gone,
-  /// the index costs little more than what has changed since.
+  /// `state` outlives this; `ledger`: see CellSlots. With those of an earlier state of the map, though that be gone,
+  /// the index costs little more than what has changed since, and near fields go on where nothing has.
   MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger,
               const MapSurfaces* before = nullptr);
 
@@ -36,14 +38,23 @@ class MapSurfaces {
   [[nodiscard]] const SubmapSurface& surface(std::size_t number) const { return *parts_[number].surface; }
   /// What is nearest to the places that are asked about again and again.
   [[nodiscard]] const NearbyCells& cells() const { return cells_; }
+  /// What is nearest to them but for a part of a voxel, found sooner.
+  [[nodiscard]] const DistanceFields& fields() const { return fields_; }
 
  private:
   static SubmapIndex IndexOf(const std::vector<Part>& parts, const MapSurfaces* before);
 
+  /// Boxes of the map frame around all in which this differs from an earlier state.
+  [[nodiscard]] std::vector<Eigen::AlignedBox3d> ChangesSince(const MapSurfaces& before) const;
+  [[nodiscard]] DistanceFields FieldsAfter(const MapSurfaces* before,
+                                           const std::shared_ptr<SurfaceLedger>& ledger) const;
+
   const MapSnapshot& state_;
+  const double voxel_size_m_;
   std::vector<Part> parts_;
   SubmapIndex index_;
   NearbyCells cells_;
+  DistanceFields fields_;
 };
 
 /// Surfaces of the maps that are asked about, made when they are first wanted and kept for later states, moved objects

@@ -4,13 +4,16 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace dhpmap {
 
 /// What the surfaces of a cache take, and its clock. Thread-safe.
 struct SurfaceLedger {
   std::atomic<std::size_t> bytes{0};       ///< of surfaces
-  std::atomic<std::size_t> cell_bytes{0};  ///< of NearbyCells
+  std::atomic<std::size_t> cell_bytes{0};  ///< of what is known of cells
+  /// For the near fields of one map. Not changed while others look.
+  std::size_t most_field_bytes = std::numeric_limits<std::size_t>::max();
   std::atomic<std::uint64_t> time{1};
 };
 

@@ -40,13 +40,16 @@ struct alignas(32) TrianglePacket {
     return triangle;
   }
 
-  /// Squared distances of the triangles from a point. Returns which are no farther than a finite limit, a bit each;
-  /// never one without an area, whose neighbours have its edges. By the Voronoi regions of corners, edges and face, as
+  typedef float Float8 __attribute__((vector_size(32), may_alias));
+  typedef std::int32_t Int8 __attribute__((vector_size(32), may_alias));
+  /// From a triangle's nearest point to another, by lane.
+  struct Away {
+    Float8 x, y, z, squared;  ///< not a number for a triangle without an area, whose neighbours have its edges
+  };
+
+  /// Each triangle and the point of the same lane. By the Voronoi regions of corners, edges and face, as
   /// NearestPointOf, but all at once: a region's numerators and denominator are picked, then divided.
-  DHPMAP_ALWAYS_INLINE unsigned Within(const Eigen::Vector3f& p, float limit2, float (&distance2)[kLanes]) const {
-    typedef float Float8 __attribute__((vector_size(32), may_alias));
-    typedef std::int32_t Int8 __attribute__((vector_size(32), may_alias));
-    typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
+  DHPMAP_ALWAYS_INLINE Away AwayFrom(const Float8 (&p)[3]) const {
     const auto at = [this](int corner, int axis) -> const Float8& {
       return *reinterpret_cast<const Float8*>(corners[corner][axis]);
     };
@@ -93,10 +96,20 @@ struct alignas(32) TrianglePacket {
     const Float8 x = ap_x - v * ab_x - w * ac_x;
     const Float8 y = ap_y - v * ab_y - w * ac_y;
     const Float8 z = ap_z - v * ab_z - w * ac_z;
-    const Float8 squared = x * x + y * y + z * z;
+    return {x, y, z, x * x + y * y + z * z};
+  }
+
+  /// Squared distances of the triangles from a point. Returns which are no farther than a finite limit, a bit each;
+  /// never one without an area.
+  DHPMAP_ALWAYS_INLINE unsigned Within(const Eigen::Vector3f& p, float limit2, float (&distance2)[kLanes]) const {
+    typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
+    const float px = p[0], py = p[1], pz = p[2];
+    const Float8 p8[3] = {
+        {px, px, px, px, px, px, px, px}, {py, py, py, py, py, py, py, py}, {pz, pz, pz, pz, pz, pz, pz, pz}};
+    const Float8 squared = AwayFrom(p8).squared;
     *reinterpret_cast<Float8*>(distance2) = squared;
     const Int8 bits = {1, 2, 4, 8, 16, 32, 64, 128};
-    const Int8 within = (squared <= zero + limit2) & bits;
+    const Int8 within = (squared <= Float8{} + limit2) & bits;
     const Words words = reinterpret_cast<const Words&>(within);
     const std::uint64_t folded = words[0] | words[1] | words[2] | words[3];
     return static_cast<unsigned>(folded | folded >> 32);
@@ -106,8 +119,6 @@ struct alignas(32) TrianglePacket {
   /// among them. `inverse`: one by each coordinate of the direction, finite.
   DHPMAP_ALWAYS_INLINE unsigned Along(const Eigen::Vector3f& origin, const Eigen::Vector3f& inverse, float margin,
                                       float limit) const {
-    typedef float Float8 __attribute__((vector_size(32), may_alias));
-    typedef std::int32_t Int8 __attribute__((vector_size(32), may_alias));
     typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
     Float8 enter = {}, leave = enter + limit;
     for (int axis = 0; axis < 3; ++axis) {

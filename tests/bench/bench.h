@@ -61,6 +61,7 @@ struct QueryBenchOptions {
   std::size_t num_frames = 0;
   std::size_t num_points = 100000;  ///< of each kind
   std::size_t num_checked = 300;    ///< of these, compared with every triangle
+  bool only_distances = false;
 };
 /// What one core answers a second on the data set's map, as it is and with a third of the things moved, the errors
 /// against brute force over all triangles, and how the time grows with the number of submaps.

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   query_command->add_option("--frames", query.num_frames, "Frames, 0 = all");
   query_command->add_option("--points", query.num_points, "Points of each kind")->capture_default_str();
   query_command->add_option("--check", query.num_checked, "Of these, compared with brute force")->capture_default_str();
+  query_command->add_flag("--distances", query.only_distances, "Nothing but distances");
 
   dhpmap::bench::ChangeBenchOptions change;
   CLI::App* change_command = app.add_subcommand("change", "What is gone and what was moved between two walks");

@@ -164,6 +164,31 @@ void PrintErrors(const Kind& kind, const DistanceQuery& query, const Soup& soup,
       kind.name, median, p99, most, Quantile(angles_deg, 0.5), Quantile(angles_deg, 0.99));
 }
 
+/// Near fields against the exact search, at all points.
+void PrintFieldErrors(const Kind& kind, const DistanceQuery& quick, const DistanceQuery& exact, double voxel_m) {
+  std::vector<double> errors_vox, angles_deg;
+  std::size_t num_half = 0, num_sides = 0, num_same = 0, num_states = 0;
+  std::vector<SurfaceDistance> a(kind.points.size()), b(kind.points.size());
+  quick.At(kind.points, a);
+  exact.At(kind.points, b);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    errors_vox.push_back(std::abs(std::abs(a[i].distance_m) - std::abs(b[i].distance_m)) / voxel_m);
+    num_half += std::abs(a[i].distance_m - b[i].distance_m) > 0.5 * voxel_m;
+    num_states += a[i].status != b[i].status;
+    if (a[i].submap == nullptr || b[i].submap == nullptr) continue;
+    const bool is_other_side = (a[i].distance_m < 0) != (b[i].distance_m < 0);
+    num_sides += is_other_side;
+    num_same += is_other_side && (a[i].nearest_m - b[i].nearest_m).norm() < 1e-4;
+    angles_deg.push_back(std::acos(std::clamp(a[i].gradient.dot(b[i].gradient), -1.0, 1.0)) * 180 / M_PI);
+  }
+  const double median = Quantile(errors_vox, 0.5), p99 = Quantile(errors_vox, 0.99), most = errors_vox.back();
+  std::printf(
+      "  %-7s fields: error of distance, voxels: median %.5f p99 %.5f max %.5f; of gradient, degrees: median %.3f p99 "
+      "%.3f; of %zu beyond half a voxel %zu (other side %zu, %zu of the same place), other status %zu\n",
+      kind.name, median, p99, most, Quantile(angles_deg, 0.5), Quantile(angles_deg, 0.99), a.size(), num_half,
+      num_sides, num_same, num_states);
+}
+
 void Measure(const char* what, const std::vector<Kind>& kinds,
              const std::function<void(std::span<const Eigen::Vector3d>)>& ask, int repetitions = 3) {
   std::printf("  %-36s", what);
@@ -243,6 +268,83 @@ void MeasureRays(const std::shared_ptr<const MapSurfaces>& surfaces, const std::
   std::printf("  (%.0f m)\n", sum_m);
 }
 
+void MeasureFields(const std::shared_ptr<const MapSurfaces>& surfaces, const SurfaceCache& cache,
+                   const std::vector<Kind>& kinds, const std::vector<Kind>& coherent, const DistanceQuery& exact) {
+  const DistanceQuery quick(surfaces, {.tolerance_vox = 0.5});
+  std::vector<SurfaceDistance> answers(kBatch);
+  const auto in_batches = [&](auto points) { quick.At(points, std::span(answers).first(points.size())); };
+  const std::size_t before = cache.cell_bytes(), num_before = surfaces->fields().store()->num_fields();
+  Measure("fields, batches, while they come", coherent, in_batches, 1);
+  for (int n = 0; n < 70; ++n) {  // the others of those cells, until all are there that these points want
+    for (const Kind& kind : coherent) {
+      for (std::size_t i = static_cast<std::size_t>(n) % 7; i < kind.points.size(); i += 7)
+        (void)quick.At(kind.points[i]);
+    }
+  }
+  const auto num_more = static_cast<std::int64_t>(surfaces->fields().store()->num_fields()) -
+                        static_cast<std::int64_t>(num_before);  // those near what has moved are dropped when asked for
+  std::printf("  %zu fields, %+lld; with what is known of cells in this state %+.1f MB\n", num_before,
+              static_cast<long long>(num_more),
+              (static_cast<double>(cache.cell_bytes()) - static_cast<double>(before)) / 1e6);
+  Measure("fields, batches of random points", kinds, in_batches);
+  Measure("fields, batches close together", coherent, in_batches);
+  double sum_m = 0;
+  const auto single = [&](auto points) {
+    for (const Eigen::Vector3d& p : points) sum_m += quick.At(p).distance_m;
+  };
+  Measure("fields, single random points", kinds, single);
+  Measure("fields, single, close together", coherent, single);
+  const double voxel_m = surfaces->state().info().config.voxel_size_m;
+  for (const Kind& kind : kinds) PrintFieldErrors(kind, quick, exact, voxel_m);
+  std::printf("  (%.0f m)\n", sum_m);
+}
+
+/// One thing moves by 30 cm: how soon the first answers near it come, and when they come as fast as before.
+void MeasureMove(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& cache, std::mt19937& random) {
+  const Submap* thing = nullptr;
+  for (const auto& submap : map->submaps()) {
+    const bool is_better = submap->info().panoptic == Panoptic::kThing && submap->bounding_sphere().radius_m < 0.8 &&
+                           (thing == nullptr || submap->blocks().size() > thing->blocks().size());
+    if (is_better) thing = submap.get();
+  }
+  if (thing == nullptr) return;
+  const BoundingSphere sphere = thing->BoundingSphereInMap();
+  std::uniform_real_distribution<double> unit(-1.5, 1.5);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 20000; ++i) {
+    points.push_back(sphere.center_m + Eigen::Vector3d(unit(random), unit(random), unit(random)));
+  }
+  const DistanceOptions options{.tolerance_vox = 0.5};
+  std::vector<SurfaceDistance> answers(kBatch);
+  const auto pass = [&](const DistanceQuery& query) {
+    return Seconds([&] {
+      for (std::size_t i = 0; i < points.size(); i += kBatch) {
+        const auto batch = std::span(points).subspan(i, std::min(kBatch, points.size() - i));
+        query.At(batch, std::span(answers).first(batch.size()));
+      }
+    });
+  };
+  const DistanceQuery still(cache.Of(map), options);
+  double steady_s = 1;
+  for (int n = 0; n < 200; ++n) steady_s = std::min(steady_s, pass(still));
+  Map next(map);
+  next.FindMutable(thing->id())->mutable_info().T_map_submap.pretranslate(Eigen::Vector3d(0.3, 0, 0));
+  const auto moved = next.Publish(1);
+  std::shared_ptr<const MapSurfaces> surfaces;
+  const double first_s = Seconds([&] {
+    surfaces = cache.Of(moved);
+    DistanceQuery(surfaces, options).At(std::span(points).first(100), std::span(answers).first(100));
+  });
+  const DistanceQuery query(surfaces, options);
+  double sum_s = 0, now_s = 1;
+  int num_passes = 0;
+  for (; num_passes < 200 && now_s > 1.25 * steady_s; ++num_passes) sum_s += now_s = pass(query);
+  std::printf(
+      "after a thing of %.1f m moved: first 100 points %.2f ms; %.2f M/s as before after %d passes of 20,000, %.0f "
+      "ms\n",
+      2 * sphere.radius_m, 1e3 * first_s, 0.02 / now_s, num_passes, 1e3 * sum_s);
+}
+
 void MeasureState(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& cache,
                   const QueryBenchOptions& options) {
   std::mt19937 random(1);
@@ -270,6 +372,8 @@ void MeasureState(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& c
   };
   Measure("distances, single random points", kinds, single);
   Measure("distances, single, close together", coherent, single);
+  MeasureFields(surfaces, cache, kinds, coherent, query);
+  if (options.only_distances) return;
   std::size_t count = 0;
   const auto touches = [&](auto points) {
     for (const Eigen::Vector3d& p : points) count += query.AnyCloserThan(p, 0.1);
@@ -389,7 +493,10 @@ Status RunQueryBench(const QueryBenchOptions& options) {
   MeasureState(map.Publish(0), cache, options);
   MoveThings(map, 1.0 / 3, random);
   std::printf("moved: ");
-  MeasureState(map.Publish(0), cache, options);
+  const auto moved = map.Publish(0);
+  MeasureState(moved, cache, options);
+  MeasureMove(moved, cache, random);
+  if (options.only_distances) return Status::Ok();
   MeasureGrowth(*built, options.num_points);
   return Status::Ok();
 }

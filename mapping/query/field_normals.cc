@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/field_normals.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace dhpmap {
+
+FieldNormals::FieldNormals(std::size_t num_triangles) : entries_(std::bit_ceil(12 * num_triangles + 8), Entry{0, 0}) {}
+
+std::uint64_t FieldNormals::KeyOf(const Eigen::Vector3f& corner) {
+  constexpr double kSteps_per_m = 1e4, kHalf = 1 << 20;
+  std::uint64_t key = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto step = static_cast<std::uint64_t>(double{corner[axis]} * kSteps_per_m + kHalf + 0.5);
+    key = key << 21 | (step & 0x1FFFFFu);
+  }
+  return key;  // bit 63 set, for the one in front
+}
+
+std::uint64_t FieldNormals::KeyOf(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t{1} << 62 | std::uint64_t{std::min(a, b)} << 31 | std::max(a, b);
+}
+
+FieldNormals::Entry& FieldNormals::Find(std::uint64_t key) {
+  const std::size_t mask = entries_.size() - 1;
+  const std::uint64_t hash = key * 0x9E3779B97F4A7C15ull;
+  for (std::size_t at = (hash ^ hash >> 32) & mask;; at = (at + 1) & mask) {
+    if (entries_[at].key == key || entries_[at].key == 0) return entries_[at];
+  }
+}
+
+std::uint32_t FieldNormals::PlaceOf(std::uint64_t key) {
+  Entry& entry = Find(key);
+  if (entry.key == 0) {
+    entry = {key, static_cast<std::uint32_t>(sums_.size())};
+    sums_.emplace_back(Eigen::Vector3f::Zero());
+  }
+  return entry.place;
+}
+
+FieldNormals::Places FieldNormals::Want(const TriangleCorners& triangle) {
+  std::array<std::uint32_t, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = PlaceOf(KeyOf(triangle[i]));
+  Places places;
+  for (std::size_t i = 0; i < 3; ++i) {
+    places.corners[i] = corners[i];
+    places.edges[i] = PlaceOf(KeyOf(corners[i], corners[(i + 1) % 3]));
+  }
+  return places;
+}
+
+void FieldNormals::Add(const TriangleCorners& triangle) {
+  constexpr std::uint32_t kNone = 0xFFFFFFFF;
+  std::array<std::uint32_t, 3> places;
+  bool is_any = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Entry& entry = Find(KeyOf(triangle[i]));
+    places[i] = entry.key == 0 ? kNone : entry.place;
+    is_any |= entry.key != 0;
+  }
+  if (!is_any) return;
+  const Eigen::Vector3f normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (places[i] == kNone) continue;
+    const std::size_t next = (i + 1) % 3;
+    const Eigen::Vector3f u = triangle[next] - triangle[i], v = triangle[(i + 2) % 3] - triangle[i];
+    sums_[places[i]] += std::atan2(u.cross(v).norm(), u.dot(v)) * normal;
+    if (places[next] == kNone) continue;
+    if (const Entry& edge = Find(KeyOf(places[i], places[next])); edge.key != 0) sums_[edge.place] += normal;
+  }
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/field_store.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dhpmap {
+
+std::optional<std::uint64_t> FieldStore::Append(std::uint64_t before, std::vector<Eigen::AlignedBox3d> changed) {
+  constexpr std::size_t kMostChanges = 256;  // what nobody asked for in as many states is made again
+  const MutexLock lock(mutex_);
+  if (before != last_) return std::nullopt;
+  changes_.push_back(std::move(changed));
+  if (changes_.size() > kMostChanges) changes_.pop_front();
+  return ++last_;
+}
+
+bool FieldStore::Holds(const Entry& entry, std::uint64_t state) const {
+  if (last_ - entry.checked > changes_.size()) return false;  // forgotten
+  const Eigen::Vector3d& centre_m = entry.field->centre_m();
+  const double horizon2 = entry.field->horizon_m() * entry.field->horizon_m();
+  for (std::uint64_t next = entry.checked + 1; next <= state; ++next) {
+    for (const Eigen::AlignedBox3d& box : changes_[changes_.size() - 1 - (last_ - next)]) {
+      if (box.squaredExteriorDistance(centre_m) <= horizon2) return false;
+    }
+  }
+  return true;
+}
+
+std::shared_ptr<const NearField> FieldStore::Find(BlockIndex block, std::uint64_t state) {
+  const MutexLock lock(mutex_);
+  const auto found = entries_.find(block);
+  if (found == entries_.end() || state < found->second.made) return nullptr;
+  Entry& entry = found->second;
+  if (state > entry.checked) {
+    if (!Holds(entry, state)) {
+      bytes_ -= entry.field->MemoryBytes();
+      entries_.erase(found);
+      return nullptr;
+    }
+    entry.checked = state;
+  }
+  entry.last_used = ledger_->time.load(std::memory_order_relaxed);
+  return entry.field;
+}
+
+void FieldStore::Put(BlockIndex block, std::uint64_t state, std::shared_ptr<const NearField> field) {
+  const MutexLock lock(mutex_);
+  if (bytes_ + field->MemoryBytes() > ledger_->most_field_bytes) DropOldest();
+  Entry& entry = entries_[block];
+  if (entry.field != nullptr) {
+    if (entry.checked > state) return;  // that one is of more use
+    bytes_ -= entry.field->MemoryBytes();
+  }
+  bytes_ += field->MemoryBytes();
+  entry = {std::move(field), state, state, ledger_->time.load(std::memory_order_relaxed)};
+}
+
+/// Half of them, so that it comes seldom.
+void FieldStore::DropOldest() {
+  if (entries_.empty()) return;
+  std::vector<std::uint64_t> times;
+  for (const auto& [block, entry] : entries_) times.push_back(entry.last_used);
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  std::erase_if(entries_, [&](const auto& item) {
+    if (item.second.last_used > *middle) return false;
+    bytes_ -= item.second.field->MemoryBytes();
+    return true;
+  });
+}
+
+std::size_t FieldStore::num_fields() const {
+  const MutexLock lock(mutex_);
+  return entries_.size();
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "mapping/base/grid.h"
+#include "mapping/query/near_field.h"
+#include "mapping/query/surface_cache.h"
+#include "mapping/query/triangle_packet.h"
+
+namespace dhpmap {
+
+/// Makes near fields. Keeps its scratch memory: belongs to one thread. A triangle is left out of a cube if another is
+/// nearer, or not much farther, at all its points: as the distance to a triangle is convex, it is nowhere less than its
+/// tangent in the cube's middle, and that less the distance to the other is concave, so its least is at one of the
+/// eight corners.
+class NearFieldMaker {
+ public:
+  explicit NearFieldMaker(const MapSurfaces& surfaces) : surfaces_(surfaces) {}
+
+  /// Null: too much is near by.
+  [[nodiscard]] std::shared_ptr<const NearField> Make(BlockIndex block, std::shared_ptr<SurfaceLedger> ledger);
+
+ private:
+  static constexpr std::size_t kLanes = TrianglePacket::kLanes;
+  using Float8 = TrianglePacket::Float8;
+  /// Candidates of a cube.
+  struct Pool {
+    std::vector<TrianglePacket> packets;
+    std::vector<std::uint32_t> ids;  ///< by lane
+    void Clear();
+    void Add(const TriangleCorners& triangle, std::uint32_t id);
+  };
+  /// Distances of eight candidates from the cube's middle, and how these grow with the place.
+  struct Tangents {
+    alignas(32) float distance[kLanes];  ///< infinite: there is none
+    alignas(32) float slope[3][kLanes];
+  };
+  using AtCorners = std::array<float, 8>;
+
+  void Gather(const Eigen::Vector3d& centre_m, double horizon_m, double half_m, const Eigen::Vector3f& nearest);
+  std::uint32_t Divide(std::size_t level, const Eigen::Vector3f& middle, float half);
+  void Measure(const Pool& pool, const Eigen::Vector3f& middle, float half);
+  static void MeasureSides(const TrianglePacket& packet, const Float8 (&middle)[3], float half, std::uint8_t& front,
+                           std::uint8_t& back);
+  [[nodiscard]] bool IsOneSided() const;
+  void Thin(const Pool& pool, const Eigen::Vector3f& middle, float half, float slack, int num_rounds);
+  [[nodiscard]] static AtCorners DistancesAtCorners(const TriangleCorners& triangle, const Eigen::Vector3f& middle,
+                                                    float half);
+  void DropFarther(const AtCorners& other, float half, float slack);
+  [[nodiscard]] std::size_t NumAlive() const;
+  void Compact(const Pool& from, Pool& to) const;
+  std::uint32_t MakeLeaf(const Pool& pool, bool is_unsure);
+  void Lay(std::uint32_t root);
+  std::uint32_t Copy(std::uint32_t at);
+  std::uint16_t Keep(std::uint32_t id, const TriangleCorners& triangle);
+  void AddNormals();
+
+  const MapSurfaces& surfaces_;
+  std::array<Pool, NearField::kLevels + 1> pools_;  ///< by level
+  std::vector<std::array<std::uint32_t, 8>> nodes_;
+  std::vector<std::uint32_t> numbers_;  ///< of the submaps, by candidate
+  std::vector<Tangents> tangents_;
+  std::vector<std::uint8_t> alive_, saved_, picked_, front_, back_;  ///< a bit a lane
+  std::vector<std::uint16_t> kept_;                                  ///< by candidate
+  std::vector<std::uint32_t> alone_;  ///< where the list of one triangle alone is, by triangle
+  std::vector<std::pair<float, std::uint32_t>> listed_;
+  float most_tolerance_ = 0;
+  bool has_failed_ = false;
+  NearField* field_ = nullptr;
+};
+
+}  // namespace dhpmap
