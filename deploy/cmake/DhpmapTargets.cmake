@@ -40,8 +40,8 @@ option(DHPMAP_PRECOMPILE "Share precompiled headers, and compile some sources to
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(DHPMAP_PRECOMPILE OFF)
 endif()
-if(DHPMAP_PRECOMPILE AND DHPMAP_CCACHE)  # which asks for this beside precompiled headers
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${DHPMAP_CCACHE})
+if(DHPMAP_PRECOMPILE AND DHPMAP_CCACHE)  # which needs care beside precompiled headers
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_CURRENT_LIST_DIR}/ccache.sh ${DHPMAP_CCACHE})
 endif()
 
 # dhpmap_prelude(NAME LIBS ... [OPTIONS ...] HEADERS ...): headers for targets to share by dhpmap_use_prelude.
