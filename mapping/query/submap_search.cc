@@ -113,6 +113,7 @@ class Search {
   bool Passes(std::size_t number) {
     const SubmapInfo& submap = surfaces_.index().entries()[number].submap().info();
     if (!question_.scope.Holds(submap)) return false;
+    if (question_.scope.classes && submap.panoptic == Panoptic::kUnknown) return false;
     if (!HasPart(DisplayNameOf(submap, *surfaces_.state().info().label_set), question_.name_part)) return false;
     if (question_.sphere_m &&
         !nearness_.Of(number, question_.T_map_query * question_.sphere_m->center_m, question_.sphere_m->radius_m)) {

@@ -16,7 +16,8 @@
 
 namespace dhpmap {
 
-/// Which submaps: those that pass all that is given. Places are in the asker's frame.
+/// Which submaps: those that pass all that is given. Places are in the asker's frame. Who asks for classes looks for
+/// things of these, not for obstacles: the unknown submap, which stays in the way of other queries, is none.
 struct SubmapQuestion {
   Transform T_map_query = Transform::Identity();  ///< from the asker's frame
   QueryScope scope;

@@ -91,6 +91,10 @@ void QueryStream::Handle() {
       return Handle(request_.search_submaps(), *response_.mutable_search_submaps());
     case v1::QueryStreamRequest::kListRelations:
       return Handle(request_.list_relations(), *response_.mutable_list_relations());
+    case v1::QueryStreamRequest::kCheckCollisions:
+      return Handle(request_.check_collisions(), *response_.mutable_check_collisions());
+    case v1::QueryStreamRequest::kCheckTrajectory:
+      return Handle(request_.check_trajectory(), *response_.mutable_check_trajectory());
     case v1::QueryStreamRequest::kPin: return AnswerInLane(true, [this] { return HandlePin(); });
     case v1::QueryStreamRequest::QUERY_NOT_SET: return Answer(NoQuery());
   }

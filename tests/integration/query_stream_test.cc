@@ -81,6 +81,13 @@ TEST_F(QueryStreamTest, AnswersAnyQueryUnderItsNumberAsTheCallWould) {
   EXPECT_GT(Ask(*stream, request).search_submaps().matches_size(), 1);
   request.mutable_list_relations()->set_map("maps/room");
   EXPECT_GT(Ask(*stream, request).list_relations().revision(), 0);
+  request.mutable_check_collisions()->set_map("maps/room");
+  for (const float value : {0.0F, 0.0F, 1.3F, 5.0F}) request.mutable_check_collisions()->add_spheres(value);
+  EXPECT_TRUE(Ask(*stream, request).check_collisions().results(0).colliding());
+  request.mutable_check_trajectory()->set_map("maps/room");
+  request.mutable_check_trajectory()->add_robot()->set_radius_m(5);
+  request.mutable_check_trajectory()->add_trajectories()->add_waypoints()->mutable_rotation()->set_w(1);
+  EXPECT_FALSE(Ask(*stream, request).check_trajectory().results(0).valid());
   EXPECT_TRUE(stream->WritesDone());
   v1::QueryStreamResponse none;
   EXPECT_FALSE(stream->Read(&none));
