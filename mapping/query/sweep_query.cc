@@ -25,8 +25,9 @@ double At(const SphereKnot& from, const SphereKnot& to, double share) { return f
 
 }  // namespace
 
-SweepQuery::SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options)
+SweepQuery::SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options, bool counts_inside)
     : options_(std::move(options)),
+      counts_inside_(counts_inside),
       world_(surfaces, options_.scope),
       distances_(surfaces, {.max_distance_m = options_.max_distance_m, .scope = options_.scope}),
       bodies_(std::move(surfaces), options_) {}
@@ -50,11 +51,12 @@ std::optional<SweepContact> SweepQuery::FirstSurface(std::span<const SphereKnot>
     const SphereKnot& here = knots[i];
     const double look_m = std::min(std::max(rest_m, 0.0), options_.max_distance_m);
     const SurfaceDistance distance = distances_.Within(here.center_m, here.radius_m + look_m);
-    double clear_m = distance.distance_m - here.radius_m;
+    const double distance_m = counts_inside_ ? distance.distance_m : std::abs(distance.distance_m);
+    double clear_m = distance_m - here.radius_m;
     if (distance.submap != nullptr && clear_m <= 0) {
       return SweepContact{here.at, {distance.submap, -clear_m, distance.nearest_m, distance.gradient}};
     }
-    if (i == 0 && distance.submap == nullptr) {
+    if (i == 0 && counts_inside_ && distance.submap == nullptr) {
       if (const auto inside = bodies_.InsideOf(here.center_m)) {
         return SweepContact{here.at,
                             {inside->submap, here.radius_m - inside->distance_m, inside->nearest_m, inside->gradient}};

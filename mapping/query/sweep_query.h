@@ -28,7 +28,9 @@ struct SweepAnswer {
 /// Immutable, thread-safe.
 class SweepQuery {
  public:
-  SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options);
+  /// Without `counts_inside` only surfaces are in the way, from both sides: for what else is met by those who have gone
+  /// through one.
+  SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options, bool counts_inside = true);
 
   /// Of the map frame, in the order of time; finite. Only what happens no later than `until`. The depth of a contact
   /// on the way is that at the next knot, or 0.
@@ -46,6 +48,7 @@ class SweepQuery {
   [[nodiscard]] double DepthAt(const SphereKnot& knot, std::size_t number) const;
 
   BodyOptions options_;
+  bool counts_inside_;
   QueryWorld world_;
   DistanceQuery distances_;
   BodyQuery bodies_;

@@ -59,7 +59,8 @@ void TrajectoryQuery::Add(const SweepQuery& query, const TrajectoryContact& part
     if (round >= options_.max_contacts) return;
     if (contact.contact.submap != nullptr) left.scope.excluded_submaps.push_back(contact.contact.submap->id);
     else left.unknown = UnknownSpace::kFree;  // told once
-    found = sweep(SweepQuery(surfaces_, left), kNever);
+    // Beyond the surface of what it met, it is soon behind surfaces that it never touches.
+    found = sweep(SweepQuery(surfaces_, left, /*counts_inside=*/false), kNever);
   }
 }
 

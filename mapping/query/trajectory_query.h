@@ -32,7 +32,8 @@ struct RobotMotion {
 struct TrajectoryOptions {
   BodyOptions bodies;  ///< whose scope has all that is attached
   std::vector<AttachedObject> attached;
-  /// 1: the first of all. More: the first of each part of the robot with each object, the earliest so many.
+  /// 1: the first of all. More: the first of each part of the robot with each object, the earliest so many; the first
+  /// of a part may be with the inside of an object, the others are with surfaces.
   std::size_t max_contacts = 1;
 };
 

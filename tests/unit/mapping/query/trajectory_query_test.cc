@@ -223,6 +223,25 @@ Map CupOnTable() {
   return map;
 }
 
+TEST(TrajectoryQuery, AllAreThoseWhoseSurfacesItMeetsNotThoseItIsThenBehind) {
+  Map map = Sheet();
+  Submap& back = testing::AddThing(map);
+  testing::ObserveBand(back, [](const Eigen::Vector3d& p) { return p.x() - 0.7; },
+                       {Eigen::Vector3d(0.4, -1, -1), Eigen::Vector3d(1, 1, 1)});
+  const TrajectoryQuery query = QueryOf(map, {.bodies = kIgnoringUnknown, .max_contacts = 10});
+  const auto met_up_to = [&](double x) {
+    std::vector<SubmapId> ids;
+    RobotMotion motion;
+    motion.spheres = {Knots{{0, {-0.2, 0, 0}, 0.02}, {1, {x, 0, 0}, 0.02}}};
+    const auto answer = query.Check(motion);
+    for (const TrajectoryContact& contact : answer->contacts) ids.push_back(contact.contact.submap->id);
+    return ids;
+  };
+  EXPECT_EQ(met_up_to(0.2).size(), 0u);
+  EXPECT_EQ(met_up_to(0.5), std::vector{SubmapId(1)}) << "behind both sides of the wall, it has touched one";
+  EXPECT_EQ(met_up_to(0.9), (std::vector{SubmapId(1), back.id()}));
+}
+
 TEST(TrajectoryQuery, WhatIsCarriedLeavesTheWorldAndMeetsWhatIsInItsWay) {
   Map map = CupOnTable();
   TrajectoryOptions options{.bodies = kIgnoringUnknown, .attached = {{SubmapId(1), {SubmapId(2)}}}};
