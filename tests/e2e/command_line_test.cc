@@ -93,6 +93,29 @@ TEST_F(CommandLine, CastsRays) {
   EXPECT_EQ(Run({"query", "rays", "room", "0", "0", "0", "1"}).exit_code, 1);
 }
 
+TEST_F(CommandLine, ChecksBodiesAndMotions) {
+  const std::vector<std::string> query = {"query", "collisions", "room", "1.16", "-.5",       ".5",  ".2",
+                                          "1.16",  "-.5",        "2",    ".1",   "--unknown", "free"};
+  const Outcome spheres = Run(query);
+  EXPECT_NE(spheres.out.find("yes"), std::string::npos) << spheres.out << spheres.err;
+  EXPECT_NE(spheres.out.find("Ball"), std::string::npos) << spheres.out;
+  EXPECT_NE(spheres.out.find("no"), std::string::npos) << spheres.out;
+  const Outcome others =
+      Run({"query",     "collisions", "room", "--box", "1.16", "-.5", ".5", ".2", ".2",    ".2",
+           "--capsule", "1.16",       "-.5",  ".5",    "1.16", "-.5", "1",  ".1", "--all", "--json"});
+  EXPECT_NE(others.out.find("\"colliding\": true"), std::string::npos) << others.out << others.err;
+  EXPECT_EQ(Run({"query", "collisions", "room", "0", "0", "0"}).exit_code, 1);
+  EXPECT_EQ(Run({"query", "collisions", "room", "0", "0", "0", "-1"}).exit_code, 2) << "no radius";
+  std::vector<std::string> fall = {"query", "trajectory", "room",    "1.16", "-.5", "2", "0",  "1.16",      "-.5",
+                                   ".5",    "0",          "--robot", "0",    "0",   "0", ".1", "--unknown", "free"};
+  const Outcome stopped = Run(fall);
+  EXPECT_NE(stopped.out.find("sphere 0"), std::string::npos) << stopped.out << stopped.err;
+  EXPECT_NE(stopped.out.find("Ball"), std::string::npos) << stopped.out;
+  fall.insert(fall.end(), {"--exclude-class", "Ball", "--json"});
+  EXPECT_NE(Run(fall).out.find("\"valid\": true"), std::string::npos) << Run(fall).out << Run(fall).err;
+  EXPECT_EQ(Run({"query", "trajectory", "room", "0", "0", "0"}).exit_code, 1);
+}
+
 TEST_F(CommandLine, WritesSlicesAsMapsForNav2) {
   const std::vector<std::string> query = {"query", "slice", "room", "--from", "0.1", "--to", "1", "--out"};
   for (const char* name : {"floor.pgm", "floor.png"}) {
