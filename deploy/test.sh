@@ -24,7 +24,7 @@ test_release() {
   echo "== release: test"
   local log=build/release-test.log
   ctest --preset release -j "$(nproc)" >"$log" 2>&1 || true
-  local total bad
+  local total bad skipped
   total=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests failed out of ([0-9]+)$/\2/p' "$log")
   bad=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests failed out of ([0-9]+)$/\1/p' "$log")
   if [ -z "$total" ]; then
@@ -32,9 +32,14 @@ test_release() {
     echo "0 passed, 1 failed"
     exit 1
   fi
+  skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test +#.*\*\*\*Skipped' "$log") || true
+  if [ "$skipped" -gt 0 ]; then
+    echo "$skipped skipped:"
+    sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: (.*[^.]) \.+\*\*\*Skipped.*/  \1/p' "$log"
+  fi
   if [ "$bad" -gt 0 ]; then grep -vE '^ *[0-9]+/[0-9]+ Test +#|^ +Start ' "$log" | tail -n 200; fi
   sed -nE 's/^Total Test time.*/&/p' "$log"
-  passed=$((passed + total - bad))
+  passed=$((passed + total - bad - skipped))
   failed=$((failed + bad))
 }
 

@@ -26,13 +26,18 @@ class CountCasesTest : public ::testing::Test {
     std::ofstream(binary) << "#!/bin/sh\n" << script << "\n";
     fs::permissions(binary, fs::perms::owner_all);
   }
-  void MakeReport(int tests, int failures, int disabled = 0, const std::string& shard = "") {
+  void MakeReport(int tests, int failures, int disabled = 0, const std::string& shard = "", int skipped = 0) {
     std::ofstream(folder_.path() / "reports" / ("unit_a_test" + shard + ".xml"))
         << R"(<?xml version="1.0" encoding="UTF-8"?>)"
         << "\n<testsuites tests=\"" << tests << "\" failures=\"" << failures << "\" disabled=\"" << disabled
         << "\" errors=\"0\" time=\"0.5\" name=\"AllTests\">\n"
         << R"(  <testsuite name="Suite" tests="9" failures="9" disabled="9" errors="9">)"
         << "\n";
+    std::ofstream report(folder_.path() / "reports" / ("unit_a_test" + shard + ".xml"), std::ios::app);
+    for (int i = 0; i < skipped; ++i) {
+      report << R"(    <testcase name="One" status="run" result="skipped" time="0" classname="Suite">)"
+             << "\n";
+    }
   }
   /// What ctest says of room unit/a.
   void MakeLog(const std::string& ended) {
@@ -67,6 +72,16 @@ TEST_F(CountCasesTest, CountsFailedCases) {
   MakeReport(3, 2);
   MakeLog("***Failed");
   EXPECT_EQ(Count(), "1 passed, 2 failed\n");
+}
+
+TEST_F(CountCasesTest, ACaseThatSkipsItselfHasNeitherPassedNorFailed) {
+  MakeBinary();
+  MakeReport(3, 0, 0, "", 2);
+  MakeLog("   Passed");
+  EXPECT_EQ(Count(), "1 passed, 0 failed\n");
+  MakeReport(3, 1, 0, "", 2);
+  MakeLog("***Failed");
+  EXPECT_EQ(Count(), "0 passed, 1 failed\n");
 }
 
 TEST_F(CountCasesTest, AllCasesOfABinaryThatCrashedFail) {
