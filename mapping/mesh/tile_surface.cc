@@ -110,7 +110,7 @@ class TileWindow {
     unsigned all = kObserved;
     for (int dz = -1; dz <= 1; ++dz) {
       for (int dy = -1; dy <= 1; ++dy) {
-        const std::uint8_t* row = flags_.data() + position + dy * kStride[1] + dz * kStride[2];
+        const std::uint8_t* row = &flags_[static_cast<std::size_t>(position + dy * kStride[1] + dz * kStride[2])];
         all &= row[-1] & row[0] & row[1];
       }
     }

@@ -21,7 +21,7 @@ enum class SeatState {
 constexpr bool IsLegal(SeatState from, SeatState to) {
   switch (from) {
     case SeatState::kFree: return to == SeatState::kTaken || to == SeatState::kClosed;
-    case SeatState::kTaken: return to == SeatState::kFree;  // whoever comes next finds it free
+    case SeatState::kTaken:  // whoever comes next finds it free
     case SeatState::kClosed: return to == SeatState::kFree;
   }
   return false;

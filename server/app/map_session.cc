@@ -65,7 +65,7 @@ MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& st
       commits_(store, snapshot, options_.commit_retry_s, options_.on_commit),
       seat_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s))),
       builder_(snapshot, PoolOf(options_), RefinementTiming::kNeverWait, options_.refinement_slots),
-      view_(std::make_shared<const MapView>(snapshot)) {}
+      view_(std::make_shared<const MapView>(std::move(snapshot))) {}
 
 MapSession::~MapSession() { (void)Stop(); }
 
@@ -118,7 +118,9 @@ FeedProgress MapSession::ProgressOf(const std::shared_ptr<Feed>& feed) const {
 
 void MapSession::Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done) {
   auto run = [this, change = std::move(change), done] { done(EditNow(change)); };
-  Post({.run = std::move(run), .refuse = [done](const Status& status) { done(status); }, .is_edit = true});
+  Post({.run = std::move(run),
+        .refuse = [done = std::move(done)](const Status& status) { done(status); },
+        .is_edit = true});
 }
 
 Result<EditOutcome> MapSession::EditNow(const std::function<Result<SubmapId>(Map&)>& change) {
@@ -146,7 +148,7 @@ void MapSession::Flush(std::function<void(const Status&)> done) {
     Publish();
     RequestCommit(Durability::kFull, done);
   };
-  Post({.run = std::move(run), .refuse = done});
+  Post({.run = std::move(run), .refuse = std::move(done)});
 }
 
 Result<RefinementReport> MapSession::FinishNow(const std::stop_token& stop) {
@@ -168,7 +170,9 @@ void MapSession::Finish(std::function<void(Result<FinishOutcome>)> done, std::st
       else done(NotStoredYet(status));
     });
   };
-  Post({.run = std::move(run), .refuse = [done](const Status& status) { done(status); }, .is_edit = true});
+  Post({.run = std::move(run),
+        .refuse = [done = std::move(done)](const Status& status) { done(status); },
+        .is_edit = true});
 }
 
 Status MapSession::DeleteFromStore() {
@@ -179,7 +183,7 @@ Status MapSession::DeleteFromStore() {
   DHPMAP_RETURN_IF_ERROR(seat_.Close());  // nobody may start feeding meanwhile
   std::promise<Status> outcome;
   commits_.DeleteMap([&outcome](const Status& status) { outcome.set_value(status); });
-  const Status status = outcome.get_future().get();
+  Status status = outcome.get_future().get();
   if (!status.ok()) {
     seat_.Reopen();
     return status;
@@ -228,10 +232,11 @@ void MapSession::Post(Job job) {
     if (refused.ok()) {
       num_pending_edits_ += job.is_edit ? 1 : 0;
       jobs_.push_back(std::move(job));
+      wake_.NotifyOne();
+      return;
     }
   }
-  if (refused.ok()) wake_.NotifyOne();
-  else job.refuse(refused);
+  job.refuse(refused);
 }
 
 void MapSession::WriterLoop() {
