@@ -139,7 +139,8 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
     std::uint32_t point = 0;
     double limit_m = 0;
   };
-  const auto& [padding_m, is_held] = world_.grown()[0];
+  const double padding_m = world_.grown()[0].padding_m;
+  const std::vector<bool>& is_held = world_.grown()[0].is_held;
   const double most_m = options_.max_distance_m;
   std::size_t next = 0;
   Limit limit(most_m);

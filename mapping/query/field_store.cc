@@ -63,11 +63,15 @@ void FieldStore::DropOldest() {
   for (const auto& [block, entry] : entries_) times.push_back(entry.last_used);
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::nth_element(times.begin(), middle, times.end());
-  std::erase_if(entries_, [&](const auto& item) {
-    if (item.second.last_used > *middle) return false;
-    bytes_ -= item.second.field->MemoryBytes();
-    return true;
-  });
+  const std::uint64_t last_to_go = *middle;
+  for (auto entry = entries_.begin(); entry != entries_.end();) {
+    if (entry->second.last_used > last_to_go) {
+      ++entry;
+      continue;
+    }
+    bytes_ -= entry->second.field->MemoryBytes();
+    entry = entries_.erase(entry);
+  }
 }
 
 std::size_t FieldStore::num_fields() const {

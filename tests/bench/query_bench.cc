@@ -167,7 +167,7 @@ void PrintErrors(const Kind& kind, const DistanceQuery& query, const Soup& soup,
 /// Near fields against the exact search, at all points.
 void PrintFieldErrors(const Kind& kind, const DistanceQuery& quick, const DistanceQuery& exact, double voxel_m) {
   std::vector<double> errors_vox, angles_deg;
-  std::size_t num_half = 0, num_sides = 0, num_same = 0, num_states = 0;
+  std::size_t num_half = 0, num_sides = 0, num_states = 0;
   std::vector<SurfaceDistance> a(kind.points.size()), b(kind.points.size());
   quick.At(kind.points, a);
   exact.At(kind.points, b);
@@ -176,17 +176,15 @@ void PrintFieldErrors(const Kind& kind, const DistanceQuery& quick, const Distan
     num_half += std::abs(a[i].distance_m - b[i].distance_m) > 0.5 * voxel_m;
     num_states += a[i].status != b[i].status;
     if (a[i].submap == nullptr || b[i].submap == nullptr) continue;
-    const bool is_other_side = (a[i].distance_m < 0) != (b[i].distance_m < 0);
-    num_sides += is_other_side;
-    num_same += is_other_side && (a[i].nearest_m - b[i].nearest_m).norm() < 1e-4;
+    num_sides += (a[i].distance_m < 0) != (b[i].distance_m < 0);
     angles_deg.push_back(std::acos(std::clamp(a[i].gradient.dot(b[i].gradient), -1.0, 1.0)) * 180 / M_PI);
   }
   const double median = Quantile(errors_vox, 0.5), p99 = Quantile(errors_vox, 0.99), most = errors_vox.back();
   std::printf(
       "  %-7s fields: error of distance, voxels: median %.5f p99 %.5f max %.5f; of gradient, degrees: median %.3f p99 "
-      "%.3f; of %zu beyond half a voxel %zu (other side %zu, %zu of the same place), other status %zu\n",
+      "%.3f; of %zu beyond half a voxel %zu (other side %zu), other status %zu\n",
       kind.name, median, p99, most, Quantile(angles_deg, 0.5), Quantile(angles_deg, 0.99), a.size(), num_half,
-      num_sides, num_same, num_states);
+      num_sides, num_states);
 }
 
 void Measure(const char* what, const std::vector<Kind>& kinds,
@@ -288,15 +286,13 @@ void MeasureFields(const std::shared_ptr<const MapSurfaces>& surfaces, const Sur
               (static_cast<double>(cache.cell_bytes()) - static_cast<double>(before)) / 1e6);
   Measure("fields, batches of random points", kinds, in_batches);
   Measure("fields, batches close together", coherent, in_batches);
-  double sum_m = 0;
   const auto single = [&](auto points) {
-    for (const Eigen::Vector3d& p : points) sum_m += quick.At(p).distance_m;
+    for (const Eigen::Vector3d& p : points) (void)quick.At(p);
   };
   Measure("fields, single random points", kinds, single);
   Measure("fields, single, close together", coherent, single);
   const double voxel_m = surfaces->state().info().config.voxel_size_m;
   for (const Kind& kind : kinds) PrintFieldErrors(kind, quick, exact, voxel_m);
-  std::printf("  (%.0f m)\n", sum_m);
 }
 
 /// One thing moves by 30 cm: how soon the first answers near it come, and when they come as fast as before.
