@@ -151,6 +151,7 @@ Status CheckTaken(const v1::QueryOptions& options, TakenOptions taken) {
   }
   if (options.ignored_contacts_size() > 0 && !taken.carries) return NotTaken("options.ignored_contacts");
   if (options.has_max_age_s() && !taken.max_age) return NotTaken("options.max_age_s");
+  if (options.has_tolerance_vox() && !taken.tolerance) return NotTaken("options.tolerance_vox");
   return Status::Ok();
 }
 
@@ -200,6 +201,8 @@ Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, 
   DistanceQuestion question;
   question.options.unknown_is_free = options.unknown_policy() == v1::QueryOptions::FREE;
   DHPMAP_ASSIGN_OR_RETURN(question.options.max_distance_m, MaxDistanceFromProto(options));
+  if (!(options.tolerance_vox() >= 0)) return BadOption("BAD_FILTER", "options.tolerance_vox", "is not 0 or more");
+  question.options.tolerance_vox = options.tolerance_vox();
   DHPMAP_ASSIGN_OR_RETURN(question.options.scope, ScopeFromProto(options, map));
   DHPMAP_ASSIGN_OR_RETURN(question.T_map_query, TransformFromProto(options.frame(), "options.frame"));
   return question;

@@ -14,10 +14,11 @@ struct TakenOptions {
   bool padding = false;
   bool attached = false;  ///< leaves the world
   bool max_age = false;
-  bool occupied = false;  ///< unknown space may be
-  bool carries = false;   ///< there is a robot: poses of what is attached, and contacts to be ignored
+  bool occupied = false;   ///< unknown space may be
+  bool tolerance = false;  ///< of distances
+  bool carries = false;    ///< there is a robot: poses of what is attached, and contacts to be ignored
 };
-inline constexpr TakenOptions kDistanceOptions{.padding = true, .attached = true, .max_age = true};
+inline constexpr TakenOptions kDistanceOptions{.padding = true, .attached = true, .max_age = true, .tolerance = true};
 inline constexpr TakenOptions kRayOptions{.attached = true, .max_age = true};
 inline constexpr TakenOptions kBodyOptions{.padding = true, .attached = true, .max_age = true, .occupied = true};
 inline constexpr TakenOptions kTrajectoryOptions{

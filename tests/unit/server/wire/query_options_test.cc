@@ -48,6 +48,7 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   options.add_attached()->set_submap("maps/home/submaps/1");
   options.set_max_age_s(60);
   options.set_min_revision(3);
+  options.set_tolerance_vox(0.6);
   const auto question = QueryOptionsFromProto(options, *Home(), kDistanceOptions);
   ASSERT_TRUE(question.ok());
   EXPECT_TRUE(question->options.unknown_is_free);
@@ -62,6 +63,7 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   EXPECT_EQ(padding.submaps, (std::vector<std::pair<SubmapId, double>>{{SubmapId(0), 0}}));
   EXPECT_EQ(question->options.scope.attached, std::vector<SubmapId>{SubmapId(1)});
   EXPECT_EQ(question->options.scope.max_free_age_s, 60);
+  EXPECT_EQ(question->options.tolerance_vox, 0.6);
 }
 
 TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
@@ -121,6 +123,8 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
        "options.attached[1].submap", "BAD_FILTER"},
       {[](auto& o) { o.set_max_age_s(-1); }, "options.max_age_s", "BAD_FILTER"},
       {[](auto& o) { o.set_max_age_s(NAN); }, "options.max_age_s", "BAD_FILTER"},
+      {[](auto& o) { o.set_tolerance_vox(-0.1); }, "options.tolerance_vox", "BAD_FILTER"},
+      {[](auto& o) { o.set_tolerance_vox(NAN); }, "options.tolerance_vox", "BAD_FILTER"},
       {[](auto& o) { o.set_min_revision(-1); }, "options.min_revision", "BAD_FILTER"},
       {[](auto& o) { o.set_unknown_policy(v1::QueryOptions::OCCUPIED); }, "options.unknown_policy", "BAD_FILTER"},
       {[](auto& o) { o.add_ignored_contacts(); }, "options.ignored_contacts", "BAD_FILTER"},
@@ -151,6 +155,7 @@ TEST(QueryOptionsFromProto, RefusesWhatTheQueryHasNoUseFor) {
       {[](auto& o) { o.mutable_padding(); }, "options.padding", false},
       {[](auto& o) { o.add_attached()->set_submap("maps/home/submaps/1"); }, "options.attached", true},
       {[](auto& o) { o.set_max_age_s(1); }, "options.max_age_s", true},
+      {[](auto& o) { o.set_tolerance_vox(0); }, "options.tolerance_vox", false},
   };
   for (const Case& c : cases) {
     v1::QueryOptions options;
