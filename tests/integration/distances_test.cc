@@ -97,6 +97,32 @@ TEST_F(DistancesTest, PackedAnswersAreTheSameInArraysAlsoInTheBulkLane) {
   }
 }
 
+TEST_F(DistancesTest, WithAToleranceTheyAreTooLongByThatAtMostAndNeverTooShort) {
+  for (int i = 0; i < 4000; ++i) AddPoint(0.02 * (i % 16), 0.02 * (i / 16 % 16), 0.7 + 0.04 * (i / 256));
+  request.set_packed(true);
+  const v1::QueryDistancesResponse exact = Ask();
+  request.mutable_options()->set_tolerance_vox(0.4);
+  v1::GetMapRequest get;
+  get.set_name("maps/room");
+  v1::GetMapResponse got;
+  grpc::ClientContext context;
+  ASSERT_TRUE(server.maps->GetMap(&context, get, &got).ok());
+  const double tolerance_m = 0.4 * got.map().config().voxel_size_m();
+  for (const char* round : {"first", "with what the first left"}) {
+    const v1::QueryDistancesResponse answers = Ask();
+    ASSERT_TRUE(status.ok()) << status.error_message();
+    for (int i = 0; i < 4000; ++i) {
+      const float wanted_m = exact.packed().distance_m(i), distance_m = answers.packed().distance_m(i);
+      EXPECT_GT(std::abs(distance_m), std::abs(wanted_m) - 1e-4) << round << i;
+      EXPECT_LT(std::abs(distance_m), 1.08 * std::abs(wanted_m) + tolerance_m + 1e-4) << round << i;
+      EXPECT_EQ(answers.packed().status(i), exact.packed().status(i)) << round << i;
+    }
+  }
+  request.mutable_options()->set_tolerance_vox(-1);
+  (void)Ask();
+  EXPECT_EQ(FirstBadField(), "options.tolerance_vox");
+}
+
 TEST_F(DistancesTest, FollowAnObjectThatIsMovedOrExcluded) {
   AddPoint(0, 0, 0.9);
   const v1::DistanceResult before = Ask().results(0);
