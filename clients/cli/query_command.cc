@@ -19,6 +19,8 @@ namespace {
 
 constexpr int kMaxPointsACall = 1'000'000;
 
+constexpr std::size_t kMostColumns = 10;
+
 struct PointOptions {
   std::string map, file;
   std::vector<float> xyz_m;
@@ -63,6 +65,7 @@ void PrintTable(const v1::QueryPointsRequest& request, const v1::QueryPointsResp
   for (int i = 0; i < response.results_size(); ++i) {
     const v1::PointResult& result = response.results(i);
     std::vector<std::string> row;
+    row.reserve(kMostColumns);
     for (int axis = 0; axis < 3; ++axis) row.push_back(Fixed(request.xyz_m(3 * i + axis), 3));
     if (result.observed()) {
       const bool is_known = result.instance_id() != 0;
@@ -102,6 +105,7 @@ void PrintTable(const v1::QueryDistancesRequest& request, const v1::QueryDistanc
   for (int i = 0; i < response.results_size(); ++i) {
     const v1::DistanceResult& result = response.results(i);
     std::vector<std::string> row;
+    row.reserve(kMostColumns);
     for (int axis = 0; axis < 3; ++axis) row.push_back(Fixed(request.xyz_m(3 * i + axis), 3));
     row.push_back(v1::QueryStatus_Name(result.status()));
     row.push_back(Fixed(result.distance_m(), 4));

@@ -80,14 +80,14 @@ class CellGrid : public CellSlots {
       : CellSlots(box_m, voxel_size_m, std::move(ledger)), num_enough_(num_enough) {}
   ~CellGrid() {
     ForEachSlot([](const Slot& slot) {
-      if (slot > kMostAsked) delete reinterpret_cast<const Cell*>(slot.load());
+      if (slot > kMostAsked) delete CellIn(slot.load());
     });
   }
 
   /// The cell, or null; then `num_asked` says how often it was asked for before, up to num_enough.
   [[nodiscard]] const Cell* Find(Slot& slot, std::uintptr_t& num_asked) const {
     std::uintptr_t there = slot.load(std::memory_order_acquire);
-    if (there > kMostAsked) return reinterpret_cast<const Cell*>(there);
+    if (there > kMostAsked) return CellIn(there);
     num_asked = there;
     // Counts that are lost to others who count do no harm.
     if (there < num_enough_) slot.compare_exchange_strong(there, there + 1, std::memory_order_relaxed);
@@ -110,11 +110,16 @@ class CellGrid : public CellSlots {
       AddBytes(cell->MemoryBytes());
       return *cell.release();
     }
-    return *reinterpret_cast<const Cell*>(there);
+    return *CellIn(there);
   }
   [[nodiscard]] std::uintptr_t num_enough() const { return num_enough_; }
 
  private:
+  /// Of a slot above kMostAsked: it is a count or a cell, changed at once.
+  [[nodiscard]] static const Cell* CellIn(std::uintptr_t slot) {
+    return reinterpret_cast<const Cell*>(slot);  // NOLINT(performance-no-int-to-ptr)
+  }
+
   const std::uintptr_t num_enough_;
 };
 

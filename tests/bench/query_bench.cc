@@ -306,10 +306,8 @@ void MeasureMove(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& ca
   if (thing == nullptr) return;
   const BoundingSphere sphere = thing->BoundingSphereInMap();
   std::uniform_real_distribution<double> unit(-1.5, 1.5);
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 20000; ++i) {
-    points.push_back(sphere.center_m + Eigen::Vector3d(unit(random), unit(random), unit(random)));
-  }
+  std::vector<Eigen::Vector3d> points(20000);
+  for (Eigen::Vector3d& p : points) p = sphere.center_m + Eigen::Vector3d(unit(random), unit(random), unit(random));
   const DistanceOptions options{.tolerance_vox = 0.5};
   std::vector<SurfaceDistance> answers(kBatch);
   const auto pass = [&](const DistanceQuery& query) {

@@ -98,7 +98,10 @@ TEST_F(DistancesTest, PackedAnswersAreTheSameInArraysAlsoInTheBulkLane) {
 }
 
 TEST_F(DistancesTest, WithAToleranceTheyAreTooLongByThatAtMostAndNeverTooShort) {
-  for (int i = 0; i < 4000; ++i) AddPoint(0.02 * (i % 16), 0.02 * (i / 16 % 16), 0.7 + 0.04 * (i / 256));
+  for (int i = 0; i < 4000; ++i) {
+    const int column = i % 16, row = i / 16 % 16, layer = i / 256;
+    AddPoint(0.02 * column, 0.02 * row, 0.7 + 0.04 * layer);
+  }
   request.set_packed(true);
   const v1::QueryDistancesResponse exact = Ask();
   request.mutable_options()->set_tolerance_vox(0.4);
