@@ -135,10 +135,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     stop_.request_stop();
     if (begin_ && begin_->GiveUp()) End(Cancelled("the client went away"));
   }
-  void OnDone() override {
-    (void)has_ended_.load(std::memory_order_acquire);  // after all that the lanes did, seen without gRPC's own locks
-    delete this;
-  }
+  void OnDone() override { delete this; }
 
  private:
   /// A message, its bytes on the way out, and where in the map it has got to.
@@ -175,7 +172,6 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   }
 
   void End(const Status& status) {
-    has_ended_.store(true, std::memory_order_release);
     record_.End(status);
     this->Finish(ToGrpc(status));
   }
@@ -186,7 +182,6 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   ByteShare share_;
   std::atomic<bool> has_no_room_ = false;  // for the state any longer
   std::unique_ptr<HeldStates::Hold> hold_;
-  std::atomic<bool> has_ended_{false};
   std::shared_ptr<LaneTask> begin_;
   std::stop_source stop_;
   Next next_;
