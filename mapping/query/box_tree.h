@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -80,6 +81,9 @@ class BoxTree {
   typedef float Float8 __attribute__((vector_size(32), may_alias));
   typedef std::int32_t Int8 __attribute__((vector_size(32), may_alias));
   typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
+  typedef float Float4 __attribute__((vector_size(16), may_alias));
+  typedef std::int32_t Int4 __attribute__((vector_size(16), may_alias));
+  typedef std::uint64_t Words2 __attribute__((vector_size(16), may_alias));
   /// The boxes of eight children side by side. Those of children that are not there are inside out, at infinity.
   struct alignas(32) Node {
     float low[3][kLanes];
@@ -107,6 +111,22 @@ class BoxTree {
       const std::uint64_t folded = words[0] | words[1] | words[2] | words[3];
       return static_cast<unsigned>(folded | folded >> 32);
     }
+    // Four at a time: what every processor has, for callers that have no clones for others.
+    DHPMAP_ALWAYS_INLINE unsigned ChildrenOverlapping(const Eigen::AlignedBox3f& box) const {
+      unsigned lanes = 0;
+      for (std::size_t first = 0; first < kLanes; first += 4) {
+        Int4 overlap = {1, 2, 4, 8};
+        for (int axis = 0; axis < 3; ++axis) {
+          const Float4 from = Float4{} + box.min()[axis], to = Float4{} + box.max()[axis];
+          overlap &= *reinterpret_cast<const Float4*>(low[axis] + first) <= to;
+          overlap &= *reinterpret_cast<const Float4*>(high[axis] + first) >= from;
+        }
+        const Words2 words = reinterpret_cast<const Words2&>(overlap);
+        const std::uint64_t folded = words[0] | words[1];
+        lanes |= static_cast<unsigned>((folded | folded >> 32) & 0xF) << first;
+      }
+      return lanes;
+    }
   };
   struct Pending {
     std::uint32_t node;
@@ -119,6 +139,10 @@ class BoxTree {
     return true;
   }
 
+  /// Visits leaves: of each node, goes on with the children that lanes_of(node) has a bit for.
+  template <typename Choice, typename Visitor>
+  void Descend(Choice&& lanes_of, Visitor&& visit) const;
+
   void Arrange(std::span<const Eigen::AlignedBox3f> boxes, std::span<std::uint32_t> items, std::size_t child_capacity);
   void BuildLevels(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size);
 
@@ -129,47 +153,41 @@ class BoxTree {
   std::uint32_t height_ = 0;
 };
 
-template <typename Visitor>
-void BoxTree::VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const {
+template <typename Choice, typename Visitor>
+void BoxTree::Descend(Choice&& lanes_of, Visitor&& visit) const {
   if (nodes_.empty()) return;
   std::array<Pending, kMostPending> pending;
   std::size_t num_pending = 0;
   pending[num_pending++] = {0, height() - 1};
   while (num_pending > 0) {
     const Pending here = pending[--num_pending];
-    const Node& node = nodes_[first_node_[here.level] + here.node];
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      bool overlaps = true;
-      for (int axis = 0; axis < 3; ++axis) {
-        overlaps &= node.low[axis][lane] <= box.max()[axis] && node.high[axis][lane] >= box.min()[axis];
-      }
-      if (!overlaps) continue;
-      const auto child = static_cast<std::uint32_t>(kLanes * here.node + lane);
+    for (unsigned lanes = lanes_of(nodes_[first_node_[here.level] + here.node]); lanes != 0; lanes &= lanes - 1) {
+      const auto child =
+          static_cast<std::uint32_t>(kLanes * here.node) + static_cast<unsigned>(std::countr_zero(lanes));
       if (here.level > 0) pending[num_pending++] = {child, here.level - 1};
       else if (!GoesOn(visit, static_cast<std::size_t>(child))) return;
     }
   }
 }
 
+template <typename Visitor>
+void BoxTree::VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const {
+  Descend([&box](const Node& node) { return node.ChildrenOverlapping(box); }, visit);
+}
+
 template <typename Predicate, typename Visitor>
 void BoxTree::VisitWhere(Predicate&& may_hold, Visitor&& visit) const {
-  if (nodes_.empty()) return;
-  std::array<Pending, kMostPending> pending;
-  std::size_t num_pending = 0;
-  pending[num_pending++] = {0, height() - 1};
-  while (num_pending > 0) {
-    const Pending here = pending[--num_pending];
-    const Node& node = nodes_[first_node_[here.level] + here.node];
+  const auto lanes_of = [&may_hold](const Node& node) {
+    unsigned lanes = 0;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (node.low[0][lane] > node.high[0][lane]) continue;  // not there
       const Eigen::AlignedBox3f box(Eigen::Vector3f(node.low[0][lane], node.low[1][lane], node.low[2][lane]),
                                     Eigen::Vector3f(node.high[0][lane], node.high[1][lane], node.high[2][lane]));
-      if (!may_hold(box)) continue;
-      const auto child = static_cast<std::uint32_t>(kLanes * here.node + lane);
-      if (here.level > 0) pending[num_pending++] = {child, here.level - 1};
-      else visit(static_cast<std::size_t>(child));
+      if (may_hold(box)) lanes |= 1u << lane;
     }
-  }
+    return lanes;
+  };
+  Descend(lanes_of, visit);
 }
 
 template <typename Visitor>

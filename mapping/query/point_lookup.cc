@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/query/point_lookup.h"
 
+#include <array>
 #include <utility>
 
 #include "mapping/base/grid_reach.h"
@@ -23,6 +24,50 @@ bool IsNearSurface(const Submap& submap, const VoxelSample& voxel) {
   return voxel.distance_m() < 0.999 * submap.info().truncation_m;
 }
 
+/// What the submaps around a point say of it.
+class Votes {
+ public:
+  /// A voxel of a submap at the point, observed or not. It is on its way from memory while others are looked for.
+  void Add(const Submap& submap, const BlockEntry& block, int linear) {
+    if (num_fetched_ == kMost) Count();
+    __builtin_prefetch(&block.tsdf->weight[static_cast<std::size_t>(linear)]);
+    fetched_[num_fetched_++] = {&submap, &block, linear};
+  }
+  /// Of those that were added since.
+  void Count() {
+    for (std::size_t i = 0; i < num_fetched_; ++i) CountOne(fetched_[i]);
+    num_fetched_ = 0;
+  }
+
+  [[nodiscard]] const Vote& best() const { return best_; }
+  [[nodiscard]] float total_support() const { return total_support_; }
+  [[nodiscard]] bool is_near_surface() const { return is_near_surface_; }
+
+ private:
+  struct Fetched {
+    const Submap* submap;
+    const BlockEntry* block;
+    int linear;
+  };
+  static constexpr std::size_t kMost = 16;
+
+  void CountOne(const Fetched& fetched) {
+    const Submap& submap = *fetched.submap;
+    const VoxelSample voxel = SampleVoxel(*fetched.block, fetched.linear);
+    if (!voxel.IsObserved()) return;
+    is_near_surface_ = is_near_surface_ || IsNearSurface(submap, voxel);
+    const VoxelSupport support = SupportOfVoxel(submap, *voxel.block, voxel.linear);
+    total_support_ += support.observations;
+    if (best_.submap == nullptr || support > best_.support) best_ = {&submap, voxel, support};
+  }
+
+  Vote best_;
+  float total_support_ = 0;
+  bool is_near_surface_ = false;
+  std::array<Fetched, kMost> fetched_;
+  std::size_t num_fetched_ = 0;
+};
+
 bool IsLookedThrough(const MapSnapshot& map, const Eigen::Vector3d& p_map) {
   const double voxel_size_m = map.info().config.voxel_size_m;
   const bool is_on_grid = (p_map.array().abs() <= GridReach_m(voxel_size_m)).all();
@@ -35,20 +80,17 @@ PointLookup::PointLookup(std::shared_ptr<const MapSnapshot> snapshot)
     : snapshot_(std::move(snapshot)), index_(snapshot_->submaps()) {}
 
 PointInfo PointLookup::At(const Eigen::Vector3d& p_map) const {
-  Vote best;
-  float total_support = 0;
-  bool is_near_surface = false;
+  Votes votes;
   index_.VisitAround(p_map, [&](const SubmapIndex::Entry& entry) {
     const Submap& submap = entry.submap();
-    const VoxelSample voxel = SampleVoxelAt(submap, entry.ToSubmap(p_map));
-    if (!voxel.IsObserved()) return;
-    is_near_surface = is_near_surface || IsNearSurface(submap, voxel);
-    const VoxelSupport support = SupportOfVoxel(submap, *voxel.block, voxel.linear);
-    total_support += support.observations;
-    if (best.submap == nullptr || support > best.support) best = {&submap, voxel, support};
+    const VoxelIndex voxel = VoxelAt(entry.ToSubmap(p_map), submap.info().voxel_size_m);
+    const BlockEntry* block = submap.blocks().Find(BlockOf(voxel));
+    if (block != nullptr && block->tsdf != nullptr) votes.Add(submap, *block, LinearIndex(voxel));
   });
+  votes.Count();
+  const Vote& best = votes.best();
   PointInfo info;
-  info.is_free = !is_near_surface && IsLookedThrough(*snapshot_, p_map);
+  info.is_free = !votes.is_near_surface() && IsLookedThrough(*snapshot_, p_map);
   if (best.submap == nullptr) return info;
 
   const SubmapInfo& submap = best.submap->info();
@@ -64,7 +106,7 @@ PointInfo PointLookup::At(const Eigen::Vector3d& p_map) const {
   const bool is_labelled = best.voxel.block->labels != nullptr && !best.voxel.block->labels->IsEmpty(best.voxel.linear);
   info.class_confidence = is_labelled && !submap.class_is_fixed ? seen.share : submap.ClassConfidence();
   info.instance_confidence = submap.instance_confidence;
-  if (total_support > 0) info.instance_confidence = best.support.observations / total_support;
+  if (votes.total_support() > 0) info.instance_confidence = best.support.observations / votes.total_support();
   return info;
 }
 

@@ -21,11 +21,19 @@ struct VoxelSample {
 };
 
 /// A voxel of a block; see LinearIndex.
-VoxelSample SampleVoxel(const BlockEntry& block, int linear);
+inline VoxelSample SampleVoxel(const BlockEntry& block, int linear) {
+  const bool is_shown = block.tsdf != nullptr && block.Shows(linear);
+  return is_shown ? VoxelSample{&block, linear} : VoxelSample{};
+}
 
 /// The voxel of `submap` at an index of its own grid, and the one that holds a point of its frame (finite, metres,
 /// within the range of the grid).
-VoxelSample SampleVoxel(const Submap& submap, VoxelIndex voxel);
-VoxelSample SampleVoxelAt(const Submap& submap, const Eigen::Vector3d& p_submap);
+inline VoxelSample SampleVoxel(const Submap& submap, VoxelIndex voxel) {
+  const BlockEntry* block = submap.blocks().Find(BlockOf(voxel));
+  return block != nullptr ? SampleVoxel(*block, LinearIndex(voxel)) : VoxelSample{};
+}
+inline VoxelSample SampleVoxelAt(const Submap& submap, const Eigen::Vector3d& p_submap) {
+  return SampleVoxel(submap, VoxelAt(p_submap, submap.info().voxel_size_m));
+}
 
 }  // namespace dhpmap

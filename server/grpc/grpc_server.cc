@@ -11,7 +11,9 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <limits>
+#include <memory>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -189,11 +191,16 @@ void GrpcServer::Shutdown(double grace_s) {
       std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(grace_s));
   const auto end = std::chrono::system_clock::now() + grace;
   grpc::Alarm giving_up;
-  giving_up.Set(end, [&registry = impl_->context.registry](bool is_time) {
+  const auto has_given_up = std::make_shared<std::promise<void>>();
+  giving_up.Set(end, [&registry = impl_->context.registry, has_given_up](bool is_time) {
     if (is_time) registry.GiveUpMapping();
+    has_given_up->set_value();
   });
   impl_->server->Shutdown(end);
   impl_->server->Wait();
+  // It may be under way this moment, and nobody else waits for it: the registry must not go before.
+  giving_up.Cancel();
+  has_given_up->get_future().wait();
 }
 
 }  // namespace dhpmap

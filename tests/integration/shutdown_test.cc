@@ -113,5 +113,16 @@ TEST_F(Shutdown, GivesUpWhatIsBeingFusedOnceTheGraceIsOver) {
   }
 }
 
+TEST(ShutdownAtOnce, LeavesNothingRunningThatLooksForMaps) {
+  for (int i = 0; i < 40; ++i) {
+    const std::unique_ptr<MapStore> store = MakeMemoryStore();
+    TestServer server(*store);
+    grpc::ClientContext create;
+    v1::CreateMapResponse created;
+    ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+    server.grpc().Shutdown(1e-4 * i);  // the grace ends about when all else has
+  }
+}
+
 }  // namespace
 }  // namespace dhpmap::testing

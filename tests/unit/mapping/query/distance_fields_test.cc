@@ -20,25 +20,13 @@ namespace dhpmap {
 namespace {
 
 using testing::AllTriangles;
+using testing::DisarrayedRoom;
 using testing::kSceneVoxel_m;
 
 constexpr std::size_t kPlenty = std::size_t{1} << 30;
 constexpr int kTimes = 70;  // more often than a cell must be asked for to be made
 constexpr double kRounding_m = 2e-5;
 constexpr double kMost_m = NearField::kTolerance_vox * kSceneVoxel_m;
-
-/// A room whose things are moved, turned and cloned, some into one another.
-Map DisarrayedRoom(unsigned seed) {
-  Map map = testing::FurnishedRoom();
-  std::mt19937 random(seed);
-  map.FindMutable(SubmapId(2))->mutable_info().T_map_submap = testing::RandomPose(random, 0.5);
-  map.Clone(SubmapId(1))->mutable_info().T_map_submap = testing::RandomPose(random, 0.8);
-  map.Clone(kUnknownSubmap)->mutable_info().T_map_submap = testing::RandomPose(random, 0.8);
-  FreeBlocks seen;
-  seen.full = 0x00FF00FF0F0F0F0Full;
-  for (int k = -1; k < 1; ++k) map.mutable_free_space().Add({k, 0, -1 - k}, seen, 1);
-  return map;
-}
 
 DistanceOptions Approximate(DistanceOptions options = {}) {
   options.tolerance_vox = 0.5;
@@ -189,7 +177,7 @@ TEST(DistanceFields, GoOnThroughRandomEditsAsIfMadeAnew) {
   std::vector<SubmapId> clones;
   std::size_t num_carried = 0;
   std::shared_ptr<const MapSnapshot> state = map.Publish(0);
-  const auto points = testing::RandomPoints(60, 1.8, 1);
+  const auto points = testing::RandomPoints(30, 1.8, 1);
   ExpectNearExact(state, cache, {}, points, errors);
   for (unsigned step = 0; step < 10; ++step) {
     const SubmapId any(1 + random() % 3);

@@ -14,19 +14,6 @@ namespace {
 constexpr std::size_t kPlenty = std::size_t{1} << 30;
 constexpr int kTimes = 6;  // more often than a cell must be asked for to be made
 
-/// A room whose things are moved, turned and cloned.
-Map DisarrayedRoom(unsigned seed) {
-  Map map = testing::FurnishedRoom();
-  std::mt19937 random(seed);
-  map.FindMutable(SubmapId(2))->mutable_info().T_map_submap = testing::RandomPose(random, 0.5);
-  map.Clone(SubmapId(1))->mutable_info().T_map_submap = testing::RandomPose(random, 0.8);
-  map.Clone(kUnknownSubmap)->mutable_info().T_map_submap = testing::RandomPose(random, 0.8);
-  FreeBlocks seen;
-  seen.full = 0x00FF00FF0F0F0F0Full;
-  for (int k = -1; k < 1; ++k) map.mutable_free_space().Add({k, 0, -1 - k}, seen, 1);
-  return map;
-}
-
 /// The same bits, though NaN.
 void ExpectSame(const SurfaceDistance& a, const SurfaceDistance& b) {
   EXPECT_EQ(a.status, b.status);
@@ -52,13 +39,13 @@ void ExpectCellsChangeNothing(Map& map, const DistanceOptions& options, double h
 }
 
 TEST(NearbyCells, ChangeNoBitOfAnAnswer) {
-  Map map = DisarrayedRoom(3);
+  Map map = testing::DisarrayedRoom(3);
   ExpectCellsChangeNothing(map, {}, 1.9);
   ExpectCellsChangeNothing(map, {.max_distance_m = 0.2}, 1.9);
 }
 
 TEST(NearbyCells, ServeWhateverIsExcluded) {
-  Map map = DisarrayedRoom(4);
+  Map map = testing::DisarrayedRoom(4);
   DistanceOptions options;
   options.scope.excluded_submaps = {SubmapId(4), SubmapId(2)};  // the room, so that much is far
   ExpectCellsChangeNothing(map, options, 1.9);
@@ -73,7 +60,7 @@ TEST(NearbyCells, ServeLimitsBeyondTheirReach) {
 }
 
 TEST(NearbyCells, MadeForSomeServeOthersWithAnotherScope) {
-  Map map = DisarrayedRoom(5);
+  Map map = testing::DisarrayedRoom(5);
   const auto state = map.Publish(0);
   const auto points = testing::RandomPoints(300, 1.9, 7);
   SurfaceCache cache(kPlenty), reference(kPlenty);
@@ -116,7 +103,7 @@ TEST(NearbyCells, AreNotMadeWhereTheMapIsBeyondMeasure) {
 }
 
 TEST(NearestSearch, TellsWhetherAnythingIsCloserThanARadius) {
-  Map map = DisarrayedRoom(6);
+  Map map = testing::DisarrayedRoom(6);
   SurfaceCache cache(kPlenty);
   DistanceOptions options{.max_distance_m = 9};
   options.scope.excluded_submaps = {SubmapId(3)};

@@ -78,6 +78,7 @@ TEST_F(Clutter, RegionsHoldThoseWithSomeOfTheirSurfaceInThem) {
       if (DistanceTo(id, center) <= sphere.radius_m) expected.push_back(id);
       // Dense points of each triangle instead of cutting it.
       const bool is_in = std::any_of(all.begin(), all.end(), [&box](const auto& t) {
+        if (!Eigen::AlignedBox3d(t[0]).extend(t[1]).extend(t[2]).intersects(box)) return false;
         for (int i = 0; i <= 20; ++i) {
           for (int j = 0; i + j <= 20; ++j) {
             if (box.contains(t[0] + i / 20.0 * (t[1] - t[0]) + j / 20.0 * (t[2] - t[0]))) return true;

@@ -130,14 +130,15 @@ TEST(SurfaceCache, KeepsToItsLimitAndAnswersTheSame) {
 }
 
 TEST(SurfaceCache, ForgetsMapsThatAreGone) {
-  SurfaceCache cache(kPlenty);
-  for (int n = 0; n < 20; ++n) {
-    Map map = testing::FurnishedRoom();
+  const auto ask_a_map_of_its_own = [](SurfaceCache& cache) {
+    Map map(testing::SceneInfo());
+    testing::ObserveBand(testing::AddThing(map), testing::Ball({0, 0, 0}, 0.3), testing::CubeAt({0, 0, 0}, 0.5));
     AskEverywhere(cache, map.Publish(0));
-  }
-  Map map = testing::FurnishedRoom();
+  };
+  SurfaceCache cache(kPlenty);
+  for (int n = 0; n < 20; ++n) ask_a_map_of_its_own(cache);
   SurfaceCache one(kPlenty);
-  AskEverywhere(one, map.Publish(0));
+  ask_a_map_of_its_own(one);
   EXPECT_LT(cache.bytes(), 8 * one.bytes()) << "it sweeps when what it has has doubled";
 }
 

@@ -97,6 +97,19 @@ inline Map FurnishedRoom() {
   return map;
 }
 
+/// The same with things moved, turned and cloned, some into one another.
+inline Map DisarrayedRoom(unsigned seed) {
+  Map map = FurnishedRoom();
+  std::mt19937 random(seed);
+  map.FindMutable(SubmapId(2))->mutable_info().T_map_submap = RandomPose(random, 0.5);
+  map.Clone(SubmapId(1))->mutable_info().T_map_submap = RandomPose(random, 0.8);
+  map.Clone(kUnknownSubmap)->mutable_info().T_map_submap = RandomPose(random, 0.8);
+  FreeBlocks seen;
+  seen.full = 0x00FF00FF0F0F0F0Full;
+  for (int k = -1; k < 1; ++k) map.mutable_free_space().Add({k, 0, -1 - k}, seen, 1);
+  return map;
+}
+
 /// The triangles of one submap in the map frame.
 inline std::vector<std::array<Eigen::Vector3d, 3>> TrianglesInMap(const Submap& submap) {
   std::vector<std::array<Eigen::Vector3d, 3>> triangles;
