@@ -36,7 +36,7 @@ analyse() {
     return 1
   fi
   command=${command//\\\"/\"} command=${command//\\\\/\\}  # as JSON has them
-  (cd build/check && eval "clang++-14 -fsyntax-only -Wno-unknown-warning-option -Werror=thread-safety ${command#*++ }")
+  (cd build/check && eval "clang++-14 -fsyntax-only -Wno-unknown-warning-option -Werror=thread-safety ${command#*++ } -Wno-conversion")
 }
 export -f analyse
 
@@ -87,7 +87,7 @@ check_tidy() {
   files=$(changed_sources "${1:-}")
   [ -n "${1:-}" ] || files=$(head -n "$max_tidy_files" <<<"$files")
   [ -n "$files" ] || return 0
-  xargs -P "$jobs" -n 1 clang-tidy-14 -p build/check --quiet --warnings-as-errors='*' <<<"$files" 2>/dev/null
+  xargs -P "$jobs" -n 1 clang-tidy-14 -p build/check --quiet --warnings-as-errors='*' --extra-arg=-Wno-conversion <<<"$files" 2>/dev/null
 }
 
 passed=0
