@@ -20,9 +20,8 @@ Status AddBytes(sqlite::Database& database, std::int64_t map_key, std::int64_t b
 }  // namespace
 
 Status WriteMapLayers(sqlite::Database& database, std::int64_t map_key, std::int64_t num_stored,
-                      const MapSnapshot* before, const MapSnapshot& after) {
-  const FreeSpaceChange change =
-      DiffFreeSpace(before != nullptr ? before->free_space().get() : nullptr, *after.free_space());
+                      const StateMarks& before, const MapSnapshot& after) {
+  const FreeSpaceChange change = DiffFreeSpace(before, *after.free_space());
   BlockDelta sum{.rows = num_stored, .bytes = 0};
   if (!change.empty()) {
     DHPMAP_ASSIGN_OR_RETURN(TileRowWriter rows, TileRowWriter::Prepare(database, map_key, MapLayer::kFree));

@@ -55,7 +55,7 @@ class MemoryStore final : public MapStore {
     return is_new ? Status::Ok() : AlreadyExists("there is already a map '" + name + "'").WithReason("MAP_EXISTS");
   }
 
-  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability) override {
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability) override {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(before.info().name);

@@ -108,19 +108,19 @@ class SqliteStore final : public MapStore {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(snapshot.info().name));
     return Write(Durability::kFull, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::int64_t map_key, InsertMap(writer.database, snapshot));
-      DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, map_key, 0, nullptr, snapshot));
-      return WriteChanges(writer.database, map_key, DiffSnapshots(nullptr, snapshot), writer.pool);
+      DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, map_key, 0, StateMarks(), snapshot));
+      return WriteChanges(writer.database, map_key, DiffSnapshots(StateMarks(), snapshot), writer.pool);
     });
   }
 
-  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
     return Write(durability, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
       DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
       DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, before.info(), after));
-      DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, head.key, head.num_tiles, &before, after));
-      return WriteChanges(writer.database, head.key, DiffSnapshots(&before, after), writer.pool);
+      DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, head.key, head.num_tiles, before, after));
+      return WriteChanges(writer.database, head.key, DiffSnapshots(before, after), writer.pool);
     });
   }
 

@@ -11,6 +11,7 @@
 #include "mapping/base/result.h"
 #include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
+#include "mapping/map/state_marks.h"
 
 namespace dhpmap {
 
@@ -59,9 +60,10 @@ class MapStore {
   /// Adds a map, in full. ALREADY_EXISTS if its name is taken.
   virtual Status CreateMap(const MapSnapshot& snapshot) = 0;
 
-  /// Writes what differs between two states of a map, in one transaction: all or nothing. `before` is the state last
-  /// committed (or created, or loaded); FAILED_PRECONDITION if the store holds another revision.
-  virtual Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) = 0;
+  /// Writes what differs between two states of a map, in one transaction: all or nothing. `before` are marks of the
+  /// state last committed (or created, or loaded), which itself need not be kept; FAILED_PRECONDITION if the store
+  /// holds another revision.
+  virtual Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) = 0;
 
   /// The whole map. Distances are within truncation / 4096 of what was committed; counts, ids and labels are exact.
   virtual Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) = 0;

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "mapping/map/diff_submap.h"
+
 namespace dhpmap {
 namespace {
 
@@ -18,47 +20,6 @@ SubmapList::const_iterator LowerBound(const SubmapList& submaps, SubmapId id) {
 const Submap* FindIn(const SubmapList& submaps, SubmapId id) {
   const auto it = LowerBound(submaps, id);
   return it != submaps.end() && (*it)->id() == id ? it->get() : nullptr;
-}
-
-/// Lists what differs between two states of one tile; either may be null.
-void DiffTile(const BlockTile* before, const BlockTile* after, SubmapChange& change) {
-  if (after != nullptr) {
-    for (const BlockEntry& entry : after->entries()) {
-      const BlockEntry* old = before ? before->Find(CellOf(entry.index)) : nullptr;
-      if (entry.tsdf != (old ? old->tsdf : nullptr)) {
-        if (entry.tsdf) change.written_tsdf.push_back(&entry);
-        else change.erased_tsdf.push_back(entry.index);
-      }
-      if (entry.labels != (old ? old->labels : nullptr)) {
-        if (entry.labels) change.written_labels.push_back(&entry);
-        else change.erased_labels.push_back(entry.index);
-      }
-      if (entry.gone != (old ? old->gone : nullptr)) {
-        if (entry.gone) change.written_gone.push_back(&entry);
-        else change.erased_gone.push_back(entry.index);
-      }
-    }
-  }
-  if (before == nullptr) return;
-  for (const BlockEntry& old : before->entries()) {
-    if (after != nullptr && after->Find(CellOf(old.index)) != nullptr) continue;
-    if (old.tsdf) change.erased_tsdf.push_back(old.index);
-    if (old.labels) change.erased_labels.push_back(old.index);
-    if (old.gone) change.erased_gone.push_back(old.index);
-  }
-}
-
-SubmapChange DiffSubmap(const Submap* before, const Submap& after) {
-  SubmapChange change{.id = after.id(), .after = &after, .is_new = before == nullptr};
-  for (const TileEntry& tile : after.blocks().tiles()) {
-    const TileEntry* old = before ? before->blocks().FindTile(tile.index) : nullptr;
-    if (old == nullptr || old->tile != tile.tile) DiffTile(old ? old->tile.get() : nullptr, tile.tile.get(), change);
-  }
-  if (before == nullptr) return change;
-  for (const TileEntry& old : before->blocks().tiles()) {
-    if (after.blocks().FindTile(old.index) == nullptr) DiffTile(old.tile.get(), nullptr, change);
-  }
-  return change;
 }
 
 }  // namespace

@@ -2,36 +2,118 @@
 #include "mapping/map/state_marks.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "mapping/map/diff_submap.h"
 
 namespace dhpmap {
 namespace {
 
-template <typename Layer>
-bool IsSame(const std::weak_ptr<const Layer>& mark, const std::shared_ptr<const Layer>& layer) {
-  return !mark.owner_before(layer) && !layer.owner_before(mark);
+std::shared_ptr<const TileMarks> MarkTile(const TileEntry& entry) {
+  auto marks = std::make_shared<TileMarks>();
+  marks->index = entry.index;
+  marks->tile = entry.tile;
+  marks->blocks.reserve(entry.tile->entries().size());
+  for (const BlockEntry& block : entry.tile->entries()) {
+    marks->blocks.push_back({.index = block.index, .tsdf = block.tsdf, .labels = block.labels, .gone = block.gone});
+  }
+  return marks;
+}
+
+std::shared_ptr<const SubmapMarks> MarkSubmap(const std::shared_ptr<const Submap>& submap, const StateMarks* before) {
+  if (before == nullptr) return std::make_shared<const SubmapMarks>(submap, nullptr);
+  const auto old = before->submaps().find(submap->id());
+  if (old == before->submaps().end()) return std::make_shared<const SubmapMarks>(submap, nullptr);
+  if (old->second->IsOf(submap)) return old->second;
+  return std::make_shared<const SubmapMarks>(submap, old->second.get());
 }
 
 }  // namespace
 
-StateMarks::StateMarks(const MapSnapshot& state) {
-  for (const auto& submap : state.submaps()) {
-    std::vector<Block>& blocks = submaps_[submap->id()];
-    blocks.reserve(submap->blocks().size());
-    for (const BlockEntry& entry : submap->blocks().entries()) {
-      blocks.push_back({.index = entry.index, .tsdf = entry.tsdf, .labels = entry.labels, .gone = entry.gone});
-    }
-    std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.index < b.index; });
+bool BlockMark::IsOf(const BlockEntry& entry) const {
+  return IsSamePart(tsdf, entry.tsdf) && IsSamePart(labels, entry.labels) && IsSamePart(gone, entry.gone);
+}
+
+bool TileMarks::IsOf(const TileEntry& entry) const { return IsSamePart(tile, entry.tile); }
+
+const BlockMark* TileMarks::Find(int cell) const {
+  const auto found = std::lower_bound(blocks.begin(), blocks.end(), cell,
+                                      [](const BlockMark& mark, int wanted) { return CellOf(mark.index) < wanted; });
+  return found != blocks.end() && CellOf(found->index) == cell ? &*found : nullptr;
+}
+
+SubmapMarks::SubmapMarks(const std::shared_ptr<const Submap>& submap, const SubmapMarks* before)
+    : info_(submap->info()), submap_(submap) {
+  const std::span<const TileEntry> tiles = submap->blocks().tiles();
+  tiles_.reserve(tiles.size());
+  numbers_.Reserve(tiles.size());
+  for (const TileEntry& entry : tiles) {
+    const std::uint32_t old = before != nullptr ? before->numbers_.Find(entry.index) : IndexMap<TileIndex>::kNone;
+    const bool is_same = old != IndexMap<TileIndex>::kNone && before->tiles_[old]->IsOf(entry);
+    numbers_.Set(entry.index, static_cast<std::uint32_t>(tiles_.size()));
+    tiles_.push_back(is_same ? before->tiles_[old] : MarkTile(entry));
   }
 }
 
+bool SubmapMarks::IsOf(const std::shared_ptr<const Submap>& submap) const { return IsSamePart(submap_, submap); }
+
+const TileMarks* SubmapMarks::FindTile(TileIndex index) const {
+  const std::uint32_t number = numbers_.Find(index);
+  return number == IndexMap<TileIndex>::kNone ? nullptr : tiles_[number].get();
+}
+
+const BlockMark* SubmapMarks::Find(BlockIndex index) const {
+  const TileMarks* tile = FindTile(TileOf(index));
+  return tile != nullptr ? tile->Find(CellOf(index)) : nullptr;
+}
+
+StateMarks::StateMarks(const MapSnapshot& state, const StateMarks* before) : info_(state.info()) {
+  for (const auto& submap : state.submaps()) submaps_[submap->id()] = MarkSubmap(submap, before);
+  free_tiles_.reserve(state.free_space()->tiles().size());
+  for (const FreeTileEntry& entry : state.free_space()->tiles()) free_tiles_.push_back({entry.index, entry.tile});
+  std::sort(free_tiles_.begin(), free_tiles_.end(),
+            [](const FreeTileMark& a, const FreeTileMark& b) { return a.index < b.index; });
+}
+
+const SubmapMarks* StateMarks::Find(SubmapId id) const {
+  const auto found = submaps_.find(id);
+  return found != submaps_.end() ? found->second.get() : nullptr;
+}
+
 bool StateMarks::Has(SubmapId submap, const BlockEntry& entry) const {
-  const auto found = submaps_.find(submap);
-  if (found == submaps_.end()) return false;
-  const std::vector<Block>& blocks = found->second;
-  const auto block = std::lower_bound(blocks.begin(), blocks.end(), entry.index,
-                                      [](const Block& a, BlockIndex wanted) { return a.index < wanted; });
-  return block != blocks.end() && block->index == entry.index && IsSame(block->tsdf, entry.tsdf) &&
-         IsSame(block->labels, entry.labels) && IsSame(block->gone, entry.gone);
+  const SubmapMarks* marks = Find(submap);
+  const BlockMark* mark = marks != nullptr ? marks->Find(entry.index) : nullptr;
+  return mark != nullptr && mark->IsOf(entry);
+}
+
+std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnapshot& after) {
+  std::vector<SubmapChange> changes;
+  for (const auto& submap : after.submaps()) {
+    const SubmapMarks* old = before.Find(submap->id());
+    if (old == nullptr || !old->IsOf(submap)) changes.push_back(DiffSubmap(old, *submap));
+  }
+  for (const auto& [id, old] : before.submaps()) {
+    if (after.Find(id) == nullptr) changes.push_back({.id = id});
+  }
+  return changes;
+}
+
+FreeSpaceChange DiffFreeSpace(const StateMarks& before, const FreeSpace& after) {
+  FreeSpaceChange change;
+  const auto find = [&before](TileIndex index) {
+    const auto& marks = before.free_tiles_;
+    const auto found = std::lower_bound(marks.begin(), marks.end(), index,
+                                        [](const auto& mark, TileIndex wanted) { return mark.index < wanted; });
+    return found != marks.end() && found->index == index ? &*found : nullptr;
+  };
+  for (const FreeTileEntry& entry : after.tiles()) {
+    const auto* old = find(entry.index);
+    if (old == nullptr || !IsSamePart(old->tile, entry.tile)) change.written.push_back(&entry);
+  }
+  for (const auto& old : before.free_tiles_) {
+    if (after.FindEntry(old.index) == nullptr) change.erased.push_back(old.index);
+  }
+  return change;
 }
 
 }  // namespace dhpmap

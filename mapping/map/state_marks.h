@@ -3,31 +3,95 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mapping/base/ids.h"
+#include "mapping/base/index_map.h"
 #include "mapping/map/map.h"
 
 namespace dhpmap {
 
-/// Tells later which blocks of a state were written since, without keeping the state: layers are told apart by their
-/// identity, and only their names stay, some 150 bytes a block. Immutable, thread-safe.
+/// What stays of a block when its state is let go of: the names of its layers. Thread-compatible.
+struct BlockMark {
+  BlockIndex index;
+  // Empty where there was no layer. They keep a layer's name from being given to another, but not the layer.
+  std::weak_ptr<const TsdfBlock> tsdf;
+  std::weak_ptr<const LabelBlock> labels;
+  std::weak_ptr<const GoneBlock> gone;
+
+  /// Whether these are the very layers of `entry`.
+  [[nodiscard]] bool IsOf(const BlockEntry& entry) const;
+};
+
+/// The blocks of one tile, by ascending cell. Immutable, shared by the marks of all states that have the same tile.
+struct TileMarks {
+  TileIndex index;
+  std::weak_ptr<const BlockTile> tile;
+  std::vector<BlockMark> blocks;
+
+  /// Whether it is this very tile.
+  [[nodiscard]] bool IsOf(const TileEntry& entry) const;
+  /// Null if there was no block at this cell.
+  [[nodiscard]] const BlockMark* Find(int cell) const;
+};
+
+/// One submap of a state: its row, and marks of its blocks. Immutable, shared as TileMarks are.
+class SubmapMarks {
+ public:
+  /// `before` may be null; what is the same is shared with it.
+  SubmapMarks(const std::shared_ptr<const Submap>& submap, const SubmapMarks* before);
+
+  [[nodiscard]] const SubmapInfo& info() const { return info_; }
+  /// Whether it is this very row, with these very blocks.
+  [[nodiscard]] bool IsOf(const std::shared_ptr<const Submap>& submap) const;
+  /// In the order of BlockTable::tiles().
+  [[nodiscard]] std::span<const std::shared_ptr<const TileMarks>> tiles() const { return tiles_; }
+  /// Null if the tile was not there.
+  [[nodiscard]] const TileMarks* FindTile(TileIndex index) const;
+  /// Null if the block was not there.
+  [[nodiscard]] const BlockMark* Find(BlockIndex index) const;
+
+ private:
+  SubmapInfo info_;
+  std::weak_ptr<const Submap> submap_;
+  std::vector<std::shared_ptr<const TileMarks>> tiles_;
+  IndexMap<TileIndex> numbers_;  ///< position in tiles_
+};
+
+/// Tells later what of a state was written since, without keeping the state: parts are told apart by their identity,
+/// and only their names stay, some 150 bytes a block. Immutable, thread-safe.
 class StateMarks {
  public:
-  explicit StateMarks(const MapSnapshot& state);
+  /// Of nothing: everything was written since.
+  StateMarks() = default;
+  /// With `before`, marks of an earlier state of the map, what was not written since then is shared with them instead
+  /// of being marked anew. Converts: who only compares with a state can be given the state.
+  StateMarks(const MapSnapshot& state, const StateMarks* before = nullptr);
 
+  /// All of the map but its submaps.
+  [[nodiscard]] const MapInfo& info() const { return info_; }
+  [[nodiscard]] std::int64_t revision() const { return info_.revision; }
+  [[nodiscard]] const std::map<SubmapId, std::shared_ptr<const SubmapMarks>>& submaps() const { return submaps_; }
+  /// Null if there was no such submap.
+  [[nodiscard]] const SubmapMarks* Find(SubmapId id) const;
   /// Whether the submap had this block, with these very layers.
   [[nodiscard]] bool Has(SubmapId submap, const BlockEntry& entry) const;
 
  private:
-  struct Block {
-    BlockIndex index;
-    // Empty where there was no layer. They keep a layer's name from being given to another, but not the layer.
-    std::weak_ptr<const TsdfBlock> tsdf;
-    std::weak_ptr<const LabelBlock> labels;
-    std::weak_ptr<const GoneBlock> gone;
+  friend FreeSpaceChange DiffFreeSpace(const StateMarks& before, const FreeSpace& after);
+  struct FreeTileMark {
+    TileIndex index;
+    std::weak_ptr<const FreeTile> tile;
   };
-  std::map<SubmapId, std::vector<Block>> submaps_;  // blocks by ascending index
+
+  MapInfo info_;
+  std::map<SubmapId, std::shared_ptr<const SubmapMarks>> submaps_;
+  std::vector<FreeTileMark> free_tiles_;  ///< by ascending index
 };
+
+/// As DiffSnapshots: what was written since the marks were made. Costs some bytes a tile, and more only for what was.
+std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnapshot& after);
+FreeSpaceChange DiffFreeSpace(const StateMarks& before, const FreeSpace& after);
 
 }  // namespace dhpmap

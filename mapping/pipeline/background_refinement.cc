@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <utility>
 
 #include "mapping/base/free_memory.h"
@@ -13,6 +14,29 @@ namespace {
 
 /// Nobody waits for a refinement on the side: where cores are scarce, frames and answers come first.
 constexpr int kNiceness = 10;
+
+/// A map that goes on from a state without keeping it, so that what refinement replaces is not in memory twice: of a
+/// map that is seen anew all over, this is half of it.
+Map GoOnFrom(const MapSnapshot& state) {
+  const auto own = std::make_shared<MapSnapshot>(state.info(), state.submaps());  // free space is not refined
+  Map map(own);
+  *own = MapSnapshot(state.info(), {});  // nobody else has seen it
+  return map;
+}
+
+BackgroundRefinement::Outcome Refine(std::shared_ptr<const MapSnapshot> before, const StateMarks* refined_before,
+                                     const std::function<bool()>& is_cancelled) {
+  ThreadPool pool(1);  // the other cores go on fusing
+  const auto marks = std::make_shared<const StateMarks>(*before, refined_before);
+  Map map = GoOnFrom(*before);
+  before = nullptr;
+  BackgroundRefinement::Outcome outcome;
+  outcome.report = RefineMap(map, pool, refined_before, is_cancelled);
+  const auto refined = map.Freeze();
+  outcome.changes = OutcomeOf(marks, *refined);
+  outcome.marks = std::make_shared<const StateMarks>(*refined, marks.get());
+  return outcome;
+}
 
 }  // namespace
 
@@ -27,13 +51,9 @@ void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before,
       [this, before = std::move(before), refined_before = std::move(refined_before), slot = std::move(slot)]() mutable {
         NameThisThread("refinement");
         MakeThisThreadNicer(kNiceness);
-        const auto held = std::move(slot);  // until the end of the work, not of the outcome
-        ThreadPool pool(1);                 // the other cores go on fusing
-        Map map(before);
-        Outcome outcome{.before = before};
-        outcome.report = RefineMap(map, pool, refined_before.get(), [this] { return is_cancelled_.load(); });
-        outcome.refined = map.Freeze();
-        outcome.marks = std::make_shared<const StateMarks>(*outcome.refined);
+        const auto held = std::move(slot);  // until the end of the work, not of the outcome; so is the state
+        const auto marks = std::move(refined_before);
+        Outcome outcome = Refine(std::move(before), marks.get(), [this] { return is_cancelled_.load(); });
         GiveBackFreeMemory();
         return outcome;
       });

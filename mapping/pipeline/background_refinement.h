@@ -8,6 +8,7 @@
 
 #include "mapping/map/map.h"
 #include "mapping/pipeline/refinement_slots.h"
+#include "mapping/refinement/adopt_refinement.h"
 #include "mapping/refinement/refine_map.h"
 
 namespace dhpmap {
@@ -16,9 +17,8 @@ namespace dhpmap {
 class BackgroundRefinement {
  public:
   struct Outcome {
-    std::shared_ptr<const MapSnapshot> before;
-    std::shared_ptr<const MapSnapshot> refined;
-    std::shared_ptr<const StateMarks> marks;  ///< of `refined`
+    RefinementOutcome changes;
+    std::shared_ptr<const StateMarks> marks;  ///< of the refined state
     RefinementReport report;
   };
 
@@ -29,7 +29,7 @@ class BackgroundRefinement {
   BackgroundRefinement& operator=(const BackgroundRefinement&) = delete;
 
   /// Requires that none is under way. `refined_before` may be null, see RefineLabels. The slot, if there is one, is
-  /// given back when the refinement has ended.
+  /// given back when the refinement has ended, and so is the state: the outcome does not keep it.
   void Start(std::shared_ptr<const MapSnapshot> before, std::shared_ptr<const StateMarks> refined_before,
              std::optional<RefinementSlots::Slot> slot = std::nullopt);
   [[nodiscard]] bool IsUnderWay() const { return outcome_.valid(); }

@@ -164,7 +164,7 @@ void MapBuilder::Impl::Refine(FrameReport& report) {
 
 RefinementReport MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome& outcome) {
   RefinementReport report = outcome.report;
-  report.num_deferred_blocks = AdoptRefinement(*outcome.before, *outcome.refined, map);
+  report.num_deferred_blocks = AdoptRefinement(outcome.changes, map);
   refinement_total += report;
   last_refined = outcome.marks;
   return report;

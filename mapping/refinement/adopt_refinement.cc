@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/refinement/adopt_refinement.h"
+
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "mapping/refinement/refine_map.h"
@@ -12,55 +15,74 @@ namespace {
 
 using Positions = std::unordered_set<BlockIndex, BlockIndexHash>;
 
-bool SameLayers(const BlockEntry* a, const BlockEntry* b) {
-  if (a == nullptr || b == nullptr) return a == b;
-  return a->tsdf == b->tsdf && a->labels == b->labels && a->gone == b->gone;
-}
-
-/// Block positions at which the submap was written between the two states; either may be null.
-void AddDifferences(const Submap* before, const Submap* now, Positions& differences) {
-  if (now != nullptr) {
-    for (const BlockEntry& entry : now->blocks().entries()) {
-      if (!SameLayers(before ? before->blocks().Find(entry.index) : nullptr, &entry)) differences.insert(entry.index);
+/// Calls visit(BlockEntry) for the blocks of `now` that were written since. `now` may be null.
+template <typename Visitor>
+void VisitWritten(const SubmapMarks& before, const Submap* now, Visitor&& visit) {
+  if (now == nullptr) return;
+  for (const TileEntry& tile : now->blocks().tiles()) {
+    const TileMarks* old = before.FindTile(tile.index);
+    if (old != nullptr && old->IsOf(tile)) continue;
+    for (const BlockEntry& entry : tile.tile->entries()) {
+      const BlockMark* mark = old != nullptr ? old->Find(CellOf(entry.index)) : nullptr;
+      if (mark == nullptr || !mark->IsOf(entry)) visit(entry);
     }
   }
-  if (before == nullptr) return;
-  for (const BlockEntry& entry : before->blocks().entries()) {
-    if (now == nullptr || now->blocks().Find(entry.index) == nullptr) differences.insert(entry.index);
+}
+
+/// Calls visit(BlockIndex) for the blocks that were there and are not in `now`, which may be null.
+template <typename Visitor>
+void VisitErased(const SubmapMarks& before, const Submap* now, Visitor&& visit) {
+  for (const auto& old : before.tiles()) {
+    const TileEntry* tile = now != nullptr ? now->blocks().FindTile(old->index) : nullptr;
+    if (tile != nullptr && old->IsOf(*tile)) continue;
+    for (const BlockMark& mark : old->blocks) {
+      if (tile == nullptr || tile->tile->Find(CellOf(mark.index)) == nullptr) visit(mark.index);
+    }
   }
 }
 
-bool IsOnSameGrid(const Submap& a, const Submap& b) {
-  return a.info().T_map_submap.isApprox(b.info().T_map_submap, 0) && a.info().voxel_size_m == b.info().voxel_size_m;
+bool IsOnSameGrid(const SubmapInfo& a, const SubmapInfo& b) {
+  return a.T_map_submap.isApprox(b.T_map_submap, 0) && a.voxel_size_m == b.voxel_size_m;
+}
+
+const RefinedSubmap* FindIn(const std::vector<RefinedSubmap>& submaps, SubmapId id) {
+  const auto found = std::lower_bound(submaps.begin(), submaps.end(), id,
+                                      [](const RefinedSubmap& submap, SubmapId wanted) { return submap.id < wanted; });
+  return found != submaps.end() && found->id == id ? &*found : nullptr;
 }
 
 /// Positions that must stay as they are now.
-Positions PositionsThatStay(const MapSnapshot& before, const MapSnapshot& refined, const Map& map) {
+Positions PositionsThatStay(const RefinementOutcome& outcome, const Map& map) {
   Positions stay;
-  for (const auto& old : before.submaps()) {
+  const auto add = [&stay](BlockIndex index) { stay.insert(index); };
+  for (const auto& [id, old] : outcome.before->submaps()) {
     if (!IsSettled(old->info())) continue;
-    const Submap* now = map.Find(old->id());
-    if (now != nullptr && IsOnSameGrid(*old, *now)) {
-      AddDifferences(old.get(), now, stay);
-    } else {  // removed or moved: neither what it held nor what it was given can be put anywhere
-      AddDifferences(old.get(), nullptr, stay);
-      AddDifferences(old.get(), refined.Find(old->id()), stay);
+    const Submap* now = map.Find(id);
+    if (now != nullptr && IsOnSameGrid(old->info(), now->info())) {
+      VisitWritten(*old, now, [&](const BlockEntry& entry) { add(entry.index); });
+      VisitErased(*old, now, add);
+      continue;
+    }
+    // Removed or moved: neither what it held nor what it was given can be put anywhere.
+    VisitErased(*old, nullptr, add);
+    if (const RefinedSubmap* given = FindIn(outcome.written, id)) {
+      for (const BlockEntry& entry : given->written) add(entry.index);
     }
   }
   return stay;
 }
 
 /// Takes the blocks that refinement changed; returns whether there were any.
-bool TakeBlocks(const Submap* before, const Submap* refined, const Positions& stay, Submap& now, Positions& deferred) {
-  Positions changed;
-  AddDifferences(before, refined, changed);
+bool TakeBlocks(const RefinedSubmap& refined, const Positions& stay, Submap& now, Positions& deferred) {
+  std::unordered_map<BlockIndex, const BlockEntry*, BlockIndexHash> changed;  // null: erased
+  for (const BlockEntry& entry : refined.written) changed.emplace(entry.index, &entry);
+  for (const BlockIndex index : refined.erased) changed.emplace(index, nullptr);
   bool took_any = false;
-  for (const BlockIndex index : changed) {
+  for (const auto& [index, entry] : changed) {
     if (stay.contains(index)) {
       deferred.insert(index);
       continue;
     }
-    const BlockEntry* entry = refined ? refined->blocks().Find(index) : nullptr;
     if (entry != nullptr) {
       now.PutBlock(index, entry->tsdf, entry->labels);
       now.PutGone(index, entry->gone);
@@ -74,20 +96,33 @@ bool TakeBlocks(const Submap* before, const Submap* refined, const Positions& st
 
 }  // namespace
 
-std::int64_t AdoptRefinement(const MapSnapshot& before, const MapSnapshot& refined, Map& map) {
-  const Positions stay = PositionsThatStay(before, refined, map);
+RefinementOutcome OutcomeOf(std::shared_ptr<const StateMarks> before, const MapSnapshot& refined) {
+  RefinementOutcome outcome{.before = std::move(before), .written = {}};
+  auto now = refined.submaps().begin();
+  for (const auto& [id, old] : outcome.before->submaps()) {
+    while (now != refined.submaps().end() && (*now)->id() < id) ++now;
+    const bool is_there = now != refined.submaps().end() && (*now)->id() == id;
+    if (is_there && old->IsOf(*now)) continue;
+    const Submap* submap = is_there ? now->get() : nullptr;
+    RefinedSubmap& written = outcome.written.emplace_back(RefinedSubmap{.id = id, .written = {}, .erased = {}});
+    VisitWritten(*old, submap, [&](const BlockEntry& entry) { written.written.push_back(entry); });
+    VisitErased(*old, submap, [&](BlockIndex index) { written.erased.push_back(index); });
+  }
+  return outcome;
+}
+
+std::int64_t AdoptRefinement(const RefinementOutcome& outcome, Map& map) {
+  const Positions stay = PositionsThatStay(outcome, map);
   Positions deferred;
-  for (const auto& old : before.submaps()) {
-    const SubmapId id = old->id();
-    const Submap* better = refined.Find(id);
-    const Submap* now = map.Find(id);
-    if (better == old.get() || now == nullptr || !IsOnSameGrid(*old, *now)) continue;
-    Submap& submap = *map.FindMutable(id);
-    if (!TakeBlocks(old.get(), better, stay, submap, deferred)) continue;
+  for (const RefinedSubmap& refined : outcome.written) {
+    const Submap* now = map.Find(refined.id);
+    if (now == nullptr || !IsOnSameGrid(outcome.before->Find(refined.id)->info(), now->info())) continue;
+    Submap& submap = *map.FindMutable(refined.id);
+    if (!TakeBlocks(refined, stay, submap, deferred)) continue;
     const bool is_gone =
-        submap.blocks().empty() && id != kUnknownSubmap && submap.info().activity == Activity::kInactive;
+        submap.blocks().empty() && refined.id != kUnknownSubmap && submap.info().activity == Activity::kInactive;
     if (is_gone) {
-      map.Remove(id);
+      map.Remove(refined.id);
       continue;
     }
     submap.UpdateBoundingSphere();

@@ -38,13 +38,6 @@ std::vector<SubmapId> SettledSubmaps(const Map& map);
 RefinementReport RefineMap(Map& map, ThreadPool& pool, const StateMarks* refined_before = nullptr,
                            const std::function<bool()>& is_cancelled = {});
 
-/// Brings what was refined on the side into the map that went on: `before` is the state that both came from (see
-/// Map::Freeze), `refined` what refinement made of it. Taken position by position (one block index, all submaps): where
-/// no settled submap of `before` was written since, the refined state is taken; where one was, where one that the
-/// refinement gave voxels to is gone or has moved, everything stays as it is now, to be refined the next time. So each
-/// voxel keeps exactly one of both states, and nothing observed is lost. Returns how many positions were left.
-std::int64_t AdoptRefinement(const MapSnapshot& before, const MapSnapshot& refined, Map& map);
-
 /// Drops the labels of voxels of all labelled submaps (paper II-D): afterwards a voxel has the label of its submap.
 /// Returns the bytes saved. Call it where positions are exclusive.
 std::int64_t DropVoxelLabels(Map& map);

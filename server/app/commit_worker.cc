@@ -13,15 +13,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Status MapIsDeleted(const MapSnapshot& snapshot) {
-  return NotFound("map '" + snapshot.info().name + "' has been deleted").WithReason("MAP_NOT_FOUND");
+Status MapIsDeleted(const StateMarks& committed) {
+  return NotFound("map '" + committed.info().name + "' has been deleted").WithReason("MAP_NOT_FOUND");
 }
 
 }  // namespace
 
-CommitWorker::CommitWorker(MapStore& store, std::shared_ptr<const MapSnapshot> committed, double retry_s,
+CommitWorker::CommitWorker(MapStore& store, const std::shared_ptr<const MapSnapshot>& committed, double retry_s,
                            Observer observer)
-    : store_(store), retry_s_(retry_s), observer_(std::move(observer)), committed_(committed), newest_(committed) {}
+    : store_(store),
+      retry_s_(retry_s),
+      observer_(std::move(observer)),
+      committed_(std::make_shared<const StateMarks>(*committed)),
+      committed_state_(committed) {}
 
 CommitWorker::~CommitWorker() { Stop(); }
 
@@ -42,7 +46,7 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
   {
     const MutexLock lock(mutex_);
     if (deleted_) {
-      refused = MapIsDeleted(*snapshot);
+      refused = MapIsDeleted(*committed_);
     } else if (stopping_) {
       refused = Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN");
     } else if (refused = thread_.Start([this] { Loop(); }); refused.ok()) {
@@ -109,29 +113,35 @@ void CommitWorker::Loop() {
     }
     const bool last_round = stopping_;
     if (!deletions_.empty()) DeleteNow();
-    if (!waiters_.empty() || (last_round && newest_ != committed_)) CommitNewest();
+    if (!waiters_.empty() || (last_round && newest_ != nullptr)) CommitNewest();
     if (last_round && !HasWork()) return;
   }
 }
 
 void CommitWorker::CommitNewest() {
   auto before = committed_;
-  auto after = newest_;
+  auto after = newest_ != nullptr ? newest_ : committed_state_.lock();  // nothing is missing: is the store well again?
   const auto is_unseen = [](const Waiter& waiter) { return waiter.is_unseen; };
   std::vector<Waiter> served = std::exchange(waiters_, {});
   const bool full = stopping_ || std::any_of(served.begin(), served.end(), [](const Waiter& waiter) {
                       return waiter.durability == Durability::kFull;
                     });
-  Status status = deleted_ ? MapIsDeleted(*after) : Status::Ok();
+  Status status = deleted_ ? MapIsDeleted(*before) : Status::Ok();
   mutex_.Unlock();
 
   if (status.ok()) {
     const auto start = Clock::now();
-    status = store_.Commit(*before, *after, full ? Durability::kFull : Durability::kNormal);
+    if (after != nullptr) status = store_.Commit(*before, *after, full ? Durability::kFull : Durability::kNormal);
     if (observer_) observer_(std::chrono::duration<double>(Clock::now() - start).count(), status);
+    const auto marks = status.ok() && after ? std::make_shared<const StateMarks>(*after, before.get()) : before;
     mutex_.Lock();
-    if (status.ok()) committed_ = after;
-    else if (std::any_of(served.begin(), served.end(), is_unseen)) newest_ = before;
+    if (status.ok()) {
+      committed_ = marks;
+      committed_state_ = after;
+      if (newest_ == after) newest_ = nullptr;
+    } else if (std::any_of(served.begin(), served.end(), is_unseen)) {
+      newest_ = nullptr;
+    }
     last_outcome_ = status;
     mutex_.Unlock();
   }
@@ -153,7 +163,7 @@ void CommitWorker::DeleteNow() {
   mutex_.Lock();
   if (status.ok()) {
     deleted_ = true;
-    newest_ = committed_;
+    newest_ = nullptr;
   }
   mutex_.Unlock();
   for (const Done& done : served) done(status);

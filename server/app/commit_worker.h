@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
+#include "mapping/map/state_marks.h"
 #include "server/app/lazy_thread.h"
 #include "storage/store.h"
 
@@ -22,9 +23,9 @@ class CommitWorker {
   using Done = std::function<void(const Status&)>;
   using Observer = std::function<void(double seconds, const Status& status)>;
 
-  /// `committed`: what the store holds. After a failure the worker tries again every `retry_s`. `observer` (may be
-  /// empty) hears of every commit, on the worker's thread.
-  CommitWorker(MapStore& store, std::shared_ptr<const MapSnapshot> committed, double retry_s, Observer observer);
+  /// `committed`: what the store holds; it is not kept. After a failure the worker tries again every `retry_s`.
+  /// `observer` (may be empty) hears of every commit, on the worker's thread.
+  CommitWorker(MapStore& store, const std::shared_ptr<const MapSnapshot>& committed, double retry_s, Observer observer);
   /// Stop().
   ~CommitWorker();
   CommitWorker(const CommitWorker&) = delete;
@@ -75,8 +76,10 @@ class CommitWorker {
 
   mutable Mutex mutex_;
   CondVar wake_;
-  std::shared_ptr<const MapSnapshot> committed_ DHPMAP_GUARDED_BY(mutex_);
-  std::shared_ptr<const MapSnapshot> newest_ DHPMAP_GUARDED_BY(mutex_);
+  // What is in the store, as marks: while a map is fed, each block of a state that is kept is soon a second copy.
+  std::shared_ptr<const StateMarks> committed_ DHPMAP_GUARDED_BY(mutex_);
+  std::weak_ptr<const MapSnapshot> committed_state_ DHPMAP_GUARDED_BY(mutex_);  // while somebody else keeps it
+  std::shared_ptr<const MapSnapshot> newest_ DHPMAP_GUARDED_BY(mutex_);         // null: all is in the store
   std::vector<Waiter> waiters_ DHPMAP_GUARDED_BY(mutex_);
   std::vector<Done> deletions_ DHPMAP_GUARDED_BY(mutex_);
   Status last_outcome_ DHPMAP_GUARDED_BY(mutex_);

@@ -23,7 +23,7 @@ class FailingStore final : public MapStore {
   Result<std::vector<StoredMap>> ListMaps() override { return store_->ListMaps(); }
   Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return is_full_ ? Full() : store_->CreateMap(snapshot); }
-  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     if (is_full_) return Full();
     if (before_commit_) before_commit_();
     return store_->Commit(before, after, durability);

@@ -74,7 +74,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
       {"mapping/fusion", {"band_size.h", "bundler.h", "grid_ray.h", "integrator.h", "segment_parts.h"}},
       {"mapping/space", {"free_space_finder.h", "presence.h"}},
       {"mapping/tracking", {"activity.h", "tracker.h", "visibility.h"}},
-      {"mapping/refinement", {"refine_map.h"}},
+      {"mapping/refinement", {"adopt_refinement.h", "refine_map.h"}},
       {"mapping/query",
        {"body_query.h", "distance_query.h", "occupancy_slice.h", "point_lookup.h", "ray_query.h", "relations.h",
         "submap_search.h", "surface_cache.h", "trajectory_query.h"}},

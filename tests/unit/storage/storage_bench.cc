@@ -114,6 +114,7 @@ int Run(int argc, char** argv) {
   MapBuilder builder(info, 0);
   auto committed = builder.map().Publish(0);
   Must(store->CreateMap(*committed));
+  StateMarks marks(*committed);
 
   double fuse_s = 0, commit_s = 0, commit_cpu_s = 0, slowest_commit_s = 0;
   std::size_t num_written = 0;
@@ -128,7 +129,8 @@ int Run(int argc, char** argv) {
     }
     begin = Clock::now();
     const double cpu_begin_s = ProcessSeconds();
-    Must(store->Commit(*committed, *after, Durability::kNormal));
+    Must(store->Commit(marks, *after, Durability::kNormal));
+    marks = StateMarks(*after, &marks);  // as CommitWorker
     commit_cpu_s += ProcessSeconds() - cpu_begin_s;
     const double seconds = SecondsSince(begin);
     commit_s += seconds;

@@ -7,6 +7,10 @@
 #include <sanitizer/allocator_interface.h>
 #endif
 
+#include <random>
+#include <string>
+#include <vector>
+
 namespace dhpmap {
 namespace {
 
@@ -73,6 +77,90 @@ TEST(StateMarks, KnowWhatIsWrittenAnewInThePlaceOfWhatIsGone) {
     map.Publish(i);
     EXPECT_FALSE(Has(marks, map, 0));
   }
+}
+
+/// Everything that a difference says, in one line each.
+std::vector<std::string> TextOf(const std::vector<SubmapChange>& changes) {
+  std::vector<std::string> lines;
+  for (const SubmapChange& change : changes) {
+    const std::string id = std::to_string(change.id.value);
+    lines.push_back(id + (change.after == nullptr ? " removed" : change.is_new ? " new" : " written"));
+    const auto add = [&](const char* what, BlockIndex b) {
+      lines.push_back(id + what + std::to_string(b.x) + ' ' + std::to_string(b.y) + ' ' + std::to_string(b.z));
+    };
+    for (const BlockEntry* entry : change.written_tsdf) add(" tsdf ", entry->index);
+    for (const BlockEntry* entry : change.written_labels) add(" labels ", entry->index);
+    for (const BlockEntry* entry : change.written_gone) add(" gone ", entry->index);
+    for (const BlockIndex index : change.erased_tsdf) add(" no tsdf ", index);
+    for (const BlockIndex index : change.erased_labels) add(" no labels ", index);
+    for (const BlockIndex index : change.erased_gone) add(" no gone ", index);
+  }
+  return lines;
+}
+
+/// One of the changes that writers make, at random.
+void Change(std::mt19937& random, Map& map) {
+  const SubmapId id = map.submaps()[random() % map.submaps().size()]->id();
+  const BlockIndex block{static_cast<std::int32_t>(random() % 12) - 6, 0, static_cast<std::int32_t>(random() % 2)};
+  switch (random() % 10) {
+    case 0: map.Create({.panoptic = Panoptic::kThing, .voxel_size_m = 0.04}); break;
+    case 1: map.Clone(id); break;
+    case 2: map.Remove(id); break;
+    case 3: map.FindMutable(id)->EraseBlock(block); break;
+    case 4: map.FindMutable(id)->DropLabels(); break;
+    case 5: map.FindMutable(id)->DropGone(); break;
+    case 6: map.FindMutable(id)->MutableGone(block).Set(3, 2); break;
+    case 7: map.FindMutable(id)->MutableLabels(block).AddObservation(3, ClassId(1)); break;
+    case 8: {
+      FreeBlocks seen;
+      seen.full = 1;
+      map.mutable_free_space().Add({block.x, 0, block.z}, seen, static_cast<std::int64_t>(random()));
+      break;
+    }
+    default: map.FindMutable(id)->MutableTsdf(block).weight[3] = 1;
+  }
+}
+
+TEST(StateMarks, TellTheDifferenceOfTwoStatesAsTheStatesThemselvesDo) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    Map map = RowOfBlocks(8);
+    auto before = map.Publish(0);
+    StateMarks marks(*before);
+    for (int step = 1; step < 40; ++step) {
+      for (auto num = random() % 8; num > 0; --num) Change(random, map);
+      const auto after = map.Publish(step);
+      auto expected = TextOf(DiffSnapshots(before.get(), *after)), told = TextOf(DiffSnapshots(marks, *after));
+      ASSERT_EQ(told, expected) << "seed " << seed << " step " << step;
+      const FreeSpaceChange free = DiffFreeSpace(before->free_space().get(), *after->free_space());
+      const FreeSpaceChange free_told = DiffFreeSpace(marks, *after->free_space());
+      ASSERT_EQ(free_told.written, free.written);
+      ASSERT_EQ(free_told.erased.size(), free.erased.size());
+      if (step % 3 == 0) continue;  // later states are compared with this one, too
+      marks = StateMarks(*after, step % 2 == 0 ? &marks : nullptr);
+      before = after;
+    }
+  }
+}
+
+TEST(StateMarks, ShareWhatIsTheSameWithThoseOfTheStateBefore) {
+  Map map = RowOfBlocks(9);  // in three tiles
+  map.Create({.panoptic = Panoptic::kThing, .voxel_size_m = 0.04}).MutableTsdf({0, 0, 0});
+  const StateMarks first(*map.Publish(0));
+  map.FindMutable(kThing)->MutableTsdf({5, 0, 0});
+  const StateMarks second(*map.Publish(1), &first);
+  EXPECT_EQ(second.Find(SubmapId(2)), first.Find(SubmapId(2)));
+  const auto tile = [](const StateMarks& marks, int x) { return marks.Find(kThing)->FindTile({x, 0, 0}); };
+  EXPECT_EQ(tile(second, 0), tile(first, 0));
+  EXPECT_NE(tile(second, 1), tile(first, 1));
+  EXPECT_EQ(tile(second, 2), tile(first, 2));
+  for (int x = 0; x < 9; ++x) EXPECT_TRUE(Has(second, map, x));
+}
+
+TEST(StateMarks, OfNothingSayThatAllWasWrittenSince) {
+  Map map = RowOfBlocks(3);
+  const auto state = map.Publish(0);
+  EXPECT_EQ(TextOf(DiffSnapshots(StateMarks(), *state)), TextOf(DiffSnapshots(nullptr, *state)));
 }
 
 TEST(StateMarks, KeepNoVoxels) {

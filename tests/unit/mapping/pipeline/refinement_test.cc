@@ -112,6 +112,28 @@ TEST(Refinement, OnTheSideTakesOverWhatNobodyWrote) {
   EXPECT_LT(NumPositionsHeldTwice(*builder.map().Freeze()), before / 10);
 }
 
+TEST(Refinement, OfTheStatesThatItBeganWithOnlyMarksAreLeftOnceItIsTakenOver) {
+  MapBuilder builder(Info(4), 2);
+  std::vector<std::weak_ptr<const TsdfBlock>> began_with;
+  for (int i = 0; i < 12; ++i) {  // begins after frames 4, 8, 12; is taken over after 8, 12
+    MapFrames(i, i + 1, builder);
+    if (i != 3 && i != 7) continue;
+    for (const auto& submap : builder.map().submaps()) {
+      for (const BlockEntry& entry : submap->blocks().entries()) began_with.emplace_back(entry.tsdf);
+    }
+  }
+  std::set<const TsdfBlock*> present;
+  for (const auto& submap : builder.map().submaps()) {
+    for (const BlockEntry& entry : submap->blocks().entries()) present.insert(entry.tsdf.get());
+  }
+  int num_written = 0;
+  for (const auto& block : began_with) {
+    num_written += block.expired();
+    EXPECT_TRUE(block.expired() || present.contains(block.lock().get()));
+  }
+  EXPECT_GT(num_written, 100);
+}
+
 TEST(Refinement, TheFrameThatTakesOverSaysWhatWasDone) {
   MapBuilder builder(Info(4), 2);
   RefinementReport sum;

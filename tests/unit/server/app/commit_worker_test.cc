@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <functional>
 #include <future>
+#include <thread>
 #include <utility>
 
 #include "mapping/map/map.h"
@@ -25,7 +28,7 @@ class ScriptedStore final : public MapStore {
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return NotFound("not here"); }
   Status DeleteMap(const std::string&) override { return Status::Ok(); }
   Status Reserve(const std::string&, const NumberMarks&) override { return Status::Ok(); }
-  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     const std::lock_guard lock(mutex);  // held by the test: the disk is slow
     calls.push_back({before.revision(), after.revision(), durability});
     return std::exchange(next_outcome, Status::Ok());
@@ -35,6 +38,13 @@ class ScriptedStore final : public MapStore {
   std::vector<Call> calls;
   Status next_outcome;
 };
+
+/// Whether it comes true, which is waited for.
+bool ComesTrue(const std::function<bool()>& is_so) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!is_so() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return is_so();
+}
 
 class CommitWorkerTest : public ::testing::Test {
  protected:
@@ -90,6 +100,31 @@ TEST_F(CommitWorkerTest, AfterAFailureTheNextCommitStartsFromTheLastGoodState) {
   ASSERT_EQ(store.calls.size(), 2u);
   EXPECT_EQ(store.calls[1].before, 1);
   EXPECT_EQ(store.calls[1].after, 3);
+}
+
+TEST_F(CommitWorkerTest, OfWhatIsStoredNothingButMarksIsKept) {
+  const SubmapId id = map->Create({.panoptic = Panoptic::kThing, .voxel_size_m = 0.04}).id();
+  map->FindMutable(id)->MutableTsdf({0, 0, 0});
+  auto snapshot = map->Publish(0);
+  const std::weak_ptr<const MapSnapshot> state = snapshot;
+  const std::weak_ptr<const TsdfBlock> block = snapshot->Find(id)->blocks().Find({0, 0, 0})->tsdf;
+  ASSERT_TRUE(Request(snapshot, Durability::kNormal).get().ok());
+  snapshot = nullptr;
+  map->FindMutable(id)->MutableTsdf({0, 0, 0});
+  map->Publish(1);
+  ASSERT_TRUE(ComesTrue([&] { return state.expired() && block.expired(); }));
+  EXPECT_TRUE(Request(map->published(), Durability::kNormal).get().ok());
+  EXPECT_EQ(store.calls.back().before, 2);
+}
+
+TEST_F(CommitWorkerTest, AfterAnUnseenStateWasRefusedTheStoreIsTriedWithWhatItHas) {
+  worker.emplace(store, first, /*retry_s=*/0.01, CommitWorker::Observer());
+  store.next_outcome = ResourceExhausted("full");
+  EXPECT_EQ(worker->CommitUnseen(Change()).code(), StatusCode::kResourceExhausted);
+  EXPECT_TRUE(ComesTrue([&] { return worker->last_outcome().ok(); }));
+  EXPECT_EQ(worker->committed_revision(), 1);
+  const std::lock_guard lock(store.mutex);
+  EXPECT_EQ(store.calls.back().after, 1);
 }
 
 TEST_F(CommitWorkerTest, StopCommitsOnceMoreWhatIsNotStored) {

@@ -36,7 +36,7 @@ class MoodyStore final : public MapStore {
   Status CreateMap(const MapSnapshot& snapshot) override {
     return refusal.ok() ? inner_->CreateMap(snapshot) : refusal;
   }
-  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     return inner_->Commit(before, after, durability);
   }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {

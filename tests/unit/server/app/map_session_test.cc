@@ -276,7 +276,7 @@ class SyncStore final : public MapStore {
   Result<std::vector<StoredMap>> ListMaps() override { return inner->ListMaps(); }
   Result<StoredMap> GetMap(const std::string& name) override { return inner->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return inner->CreateMap(snapshot); }
-  Status Commit(const MapSnapshot& before, const MapSnapshot& after, Durability durability) override {
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     last = durability;
     return inner->Commit(before, after, durability);
   }
@@ -309,7 +309,7 @@ class DamagedStore final : public MapStore {
   }
   Result<StoredMap> GetMap(const std::string&) override { return DataLoss("a checksum is wrong"); }
   Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
-  Status Commit(const MapSnapshot&, const MapSnapshot&, Durability) override { return Status::Ok(); }
+  Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Status::Ok(); }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return DataLoss("no"); }
   Status DeleteMap(const std::string&) override {
     is_deleted = true;

@@ -15,7 +15,7 @@ class MarkStore final : public MapStore {
   Result<std::vector<StoredMap>> ListMaps() override { return std::vector<StoredMap>{}; }
   Result<StoredMap> GetMap(const std::string&) override { return NotFound("not here"); }
   Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
-  Status Commit(const MapSnapshot&, const MapSnapshot&, Durability) override { return Status::Ok(); }
+  Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Status::Ok(); }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return NotFound("not here"); }
   Status DeleteMap(const std::string&) override { return Status::Ok(); }
   Status Reserve(const std::string& name, const NumberMarks& marks) override {

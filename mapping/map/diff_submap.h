@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "mapping/map/map.h"
+#include "mapping/map/state_marks.h"
+
+namespace dhpmap {
+
+// What was written to a submap since a state, or since the marks of a state were made: one algorithm for both.
+
+template <typename Part>
+bool IsSamePart(const std::shared_ptr<const Part>& old, const std::shared_ptr<const Part>& now) {
+  return old == now;
+}
+template <typename Part>
+bool IsSamePart(const std::weak_ptr<const Part>& old, const std::shared_ptr<const Part>& now) {
+  return !old.owner_before(now) && !now.owner_before(old);
+}
+
+/// Whether there was a part at all; it need not be alive.
+template <typename Pointer>
+bool WasThere(const Pointer& old) {
+  return !IsSamePart(old, {});
+}
+
+// A submap's past, as a state or as marks.
+inline const TileEntry* FindTile(const Submap& submap, TileIndex index) { return submap.blocks().FindTile(index); }
+inline const TileMarks* FindTile(const SubmapMarks& submap, TileIndex index) { return submap.FindTile(index); }
+inline const BlockEntry* FindBlock(const TileEntry& tile, int cell) { return tile.tile->Find(cell); }
+inline const BlockMark* FindBlock(const TileMarks& tile, int cell) { return tile.Find(cell); }
+template <typename Visitor>
+void VisitTiles(const Submap& submap, Visitor&& visit) {
+  for (const TileEntry& tile : submap.blocks().tiles()) visit(tile, tile.tile->entries());
+}
+template <typename Visitor>
+void VisitTiles(const SubmapMarks& submap, Visitor&& visit) {
+  for (const auto& tile : submap.tiles()) visit(*tile, std::span<const BlockMark>(tile->blocks));
+}
+
+/// Lists what was written of a tile; `before` may be null.
+template <typename OldTile>
+void DiffTile(const OldTile* before, const BlockTile& after, SubmapChange& change) {
+  for (const BlockEntry& entry : after.entries()) {
+    const auto* old = before != nullptr ? FindBlock(*before, CellOf(entry.index)) : nullptr;
+    if (old != nullptr ? !IsSamePart(old->tsdf, entry.tsdf) : entry.tsdf != nullptr) {
+      if (entry.tsdf) change.written_tsdf.push_back(&entry);
+      else change.erased_tsdf.push_back(entry.index);
+    }
+    if (old != nullptr ? !IsSamePart(old->labels, entry.labels) : entry.labels != nullptr) {
+      if (entry.labels) change.written_labels.push_back(&entry);
+      else change.erased_labels.push_back(entry.index);
+    }
+    if (old != nullptr ? !IsSamePart(old->gone, entry.gone) : entry.gone != nullptr) {
+      if (entry.gone) change.written_gone.push_back(&entry);
+      else change.erased_gone.push_back(entry.index);
+    }
+  }
+}
+
+/// Lists the blocks of a tile that are no longer there; `after` may be null.
+template <typename OldBlocks>
+void ListErased(const OldBlocks& before, const BlockTile* after, SubmapChange& change) {
+  for (const auto& old : before) {
+    if (after != nullptr && after->Find(CellOf(old.index)) != nullptr) continue;
+    if (WasThere(old.tsdf)) change.erased_tsdf.push_back(old.index);
+    if (WasThere(old.labels)) change.erased_labels.push_back(old.index);
+    if (WasThere(old.gone)) change.erased_gone.push_back(old.index);
+  }
+}
+
+/// `before` is a Submap or SubmapMarks, and may be null.
+template <typename OldSubmap>
+SubmapChange DiffSubmap(const OldSubmap* before, const Submap& after) {
+  SubmapChange change{.id = after.id(), .after = &after, .is_new = before == nullptr};
+  for (const TileEntry& tile : after.blocks().tiles()) {
+    const auto* old = before != nullptr ? FindTile(*before, tile.index) : nullptr;
+    if (old == nullptr || !IsSamePart(old->tile, tile.tile)) DiffTile(old, *tile.tile, change);
+  }
+  if (before == nullptr) return change;
+  VisitTiles(*before, [&](const auto& old, const auto& blocks) {
+    const TileEntry* now = after.blocks().FindTile(old.index);
+    if (now == nullptr || !IsSamePart(old.tile, now->tile)) ListErased(blocks, now ? now->tile.get() : nullptr, change);
+  });
+  return change;
+}
+
+}  // namespace dhpmap
