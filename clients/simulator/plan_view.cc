@@ -42,8 +42,10 @@ void DrawPath(const CameraPath& path, RenderedFrame& frame) {
         frame.T_map_camera.inverse() * path.PoseAt(static_cast<double>(i) / kSamples).translation();
     const double u = frame.camera.fx_px * p.x() / p.z() + frame.camera.cx_px;
     const double v = frame.camera.fy_px * p.y() / p.z() + frame.camera.cy_px;
-    for (int y = std::max(0, static_cast<int>(v - radius)); y <= std::min<int>(height - 1, v + radius + 1); ++y) {
-      for (int x = std::max(0, static_cast<int>(u - radius)); x <= std::min<int>(width - 1, u + radius + 1); ++x) {
+    for (int y = std::max(0, static_cast<int>(v - radius)); y <= std::min(height - 1, static_cast<int>(v + radius + 1));
+         ++y) {
+      for (int x = std::max(0, static_cast<int>(u - radius));
+           x <= std::min(width - 1, static_cast<int>(u + radius + 1)); ++x) {
         double& here = cover[static_cast<std::size_t>(y * width + x)];
         here = std::max(here, std::clamp(radius + 0.5 - std::hypot(x - u, y - v), 0.0, 1.0));
       }

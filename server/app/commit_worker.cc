@@ -52,10 +52,11 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
     } else if (refused = thread_.Start([this] { Loop(); }); refused.ok()) {
       newest_ = std::move(snapshot);
       waiters_.push_back(std::move(waiter));
+      wake_.NotifyOne();
+      return;
     }
   }
-  if (refused.ok()) wake_.NotifyOne();
-  else if (waiter.done) waiter.done(refused);
+  if (waiter.done) waiter.done(refused);
 }
 
 void CommitWorker::DeleteMap(Done done) {
@@ -64,10 +65,13 @@ void CommitWorker::DeleteMap(Done done) {
     const MutexLock lock(mutex_);
     refused = stopping_ ? Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN")
                         : thread_.Start([this] { Loop(); });
-    if (refused.ok()) deletions_.push_back(std::move(done));
+    if (refused.ok()) {
+      deletions_.push_back(std::move(done));
+      wake_.NotifyOne();
+      return;
+    }
   }
-  if (refused.ok()) wake_.NotifyOne();
-  else done(refused);
+  done(refused);
 }
 
 std::int64_t CommitWorker::committed_revision() const {
