@@ -146,6 +146,7 @@ void MapBuilder::Impl::Settle(const PanopticFrame& frame, const std::vector<Assi
                               std::vector<SubmapId> contradicted, FrameReport& report) {
   const StageClock clock(report.activity_s);
   std::vector<SubmapId> observed;
+  observed.reserve(assignments.size());
   for (const Assignment& assignment : assignments) observed.push_back(assignment.submap);
   std::vector<SubmapId>& doubted = contradicted;  // or soon settled
   for (const auto& submap : map.submaps()) {
