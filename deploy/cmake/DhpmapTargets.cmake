@@ -88,7 +88,10 @@ if(DHPMAP_WERROR)  # off under sanitizers, whose instrumentation makes GCC see u
 endif()
 
 # Of what is released; tests write numbers down as they come. Only GCC's: clang counts changes of sign among them.
-set(dhpmap_source_options $<$<CXX_COMPILER_ID:GNU>:-Wconversion>)
+set(dhpmap_source_options)
+if(DHPMAP_WERROR)
+  set(dhpmap_source_options $<$<CXX_COMPILER_ID:GNU>:-Wconversion>)
+endif()
 
 function(dhpmap_library)
   cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})

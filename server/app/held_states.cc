@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -204,7 +205,11 @@ void HeldStates::LookAgainAndAgain() {
     if (stopping_) return;
     lock.Unlock();
     const auto begin = Clock::now();
-    Look();
+    try {
+      Look();
+    } catch (const std::exception&) {
+      // There is no memory for a look: what was counted stays counted, and the next one may have some.
+    }
     const auto pause = std::max<Clock::duration>(kBetweenLooks, kMostShareOfACore * (Clock::now() - begin));
     lock.Lock();
     wake_.WaitFor(mutex_, pause, [this]() DHPMAP_REQUIRES(mutex_) { return stopping_; });
