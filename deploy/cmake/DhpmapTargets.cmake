@@ -1,7 +1,9 @@
-# dhpmap_library(NAME room_name SOURCES ... PUBLIC ... PRIVATE ... [STUBS]): one static library a room, with our warnings.
-# dhpmap_program(NAME ... SOURCES ... LIBS ... [STUBS]): a program in bin/.
-# dhpmap_tests(ROOM path LIBS ... [ENVIRONMENT name=value] [COST seconds [SHARDS n]] [STUBS]): all tests/<path>/*_test.cc as one test binary.
+# dhpmap_library(NAME room_name SOURCES ... PUBLIC ... PRIVATE ... [STUBS] [ALONE ...]): one static library a room, with our warnings.
+# dhpmap_program(NAME ... SOURCES ... LIBS ... [STUBS] [ALONE ...]): a program in bin/.
+# dhpmap_tests(ROOM path LIBS ... [ENVIRONMENT name=value] [COST seconds [SHARDS n]] [STUBS] [ALONE ...]): all tests/<path>/*_test.cc
+# as one test binary.
 # STUBS: most of its sources include messages or gRPC; they share those headers too.
+# ALONE: sources that name a helper like another source of the room does (or a macro); all others are compiled eight together.
 # ctest runs each case on its own, but under sanitizers, where each start takes a third of a second, a binary as a whole:
 # the costliest first. COST is what the whole takes in the release build, where that is seconds; SHARDS, in how many
 # processes it then runs, so that no core waits long for the last of them.
@@ -36,7 +38,7 @@ endif()
 
 # What most sources include is compiled once and shared: half of a build from scratch went into reading Eigen, gRPC and gtest
 # again. check.sh goes without: it sees what lacks an include. So does clang.
-option(DHPMAP_PRECOMPILE "Share precompiled headers, and compile some sources together" ON)
+option(DHPMAP_PRECOMPILE "Share precompiled headers" ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(DHPMAP_PRECOMPILE OFF)
 endif()
@@ -68,6 +70,19 @@ function(dhpmap_use_prelude target kind stubs)
   target_precompile_headers(${target} REUSE_FROM dhpmap_${kind}_prelude)
 endfunction()
 
+# Templates that each source of a room would instantiate anew, eight of them do once: the other half of a build from scratch.
+# A build that is mended source by source is quicker without.
+option(DHPMAP_TOGETHER "Compile sources of a room together" ${DHPMAP_PRECOMPILE})
+
+# dhpmap_compile_together(TARGET SOURCES...): these sources go by themselves, as they name something of theirs like another source does.
+function(dhpmap_compile_together target)
+  if(DHPMAP_TOGETHER)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)  # takes all but one for headers
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+endfunction()
+
 set(dhpmap_prelude_headers <algorithm> <array> <atomic> <chrono> <cmath> <condition_variable> <cstdint> <cstring> <deque> <filesystem>
   <fstream> <functional> <map> <memory> <mutex> <numeric> <optional> <random> <set> <span> <sstream> <stop_token> <string>
   <string_view> <thread> <tuple> <unordered_map> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry>)
@@ -94,21 +109,23 @@ if(DHPMAP_WERROR)
 endif()
 
 function(dhpmap_library)
-  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;PUBLIC;PRIVATE;ALONE" ${ARGN})
   add_library(${ARG_NAME} STATIC ${ARG_SOURCES})
   target_include_directories(${ARG_NAME} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(${ARG_NAME} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:dhpmap_warnings>)
   target_compile_options(${ARG_NAME} PRIVATE ${dhpmap_source_options})
   dhpmap_use_prelude(${ARG_NAME} sources ${ARG_STUBS})
+  dhpmap_compile_together(${ARG_NAME} ${ARG_ALONE})
 endfunction()
 
 function(dhpmap_program)
-  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;LIBS;ALONE" ${ARGN})
   add_executable(${ARG_NAME} ${ARG_SOURCES})
   target_include_directories(${ARG_NAME} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${ARG_NAME} PRIVATE ${ARG_LIBS} dhpmap_warnings)
   target_compile_options(${ARG_NAME} PRIVATE ${dhpmap_source_options})
   dhpmap_use_prelude(${ARG_NAME} sources ${ARG_STUBS})
+  dhpmap_compile_together(${ARG_NAME} ${ARG_ALONE})
 endfunction()
 
 # What the sanitizer runs build: unit tests of what is served or talks to a server, those of tools that work on files at
@@ -118,7 +135,7 @@ add_custom_target(dhpmap_tool_tests)
 add_custom_target(dhpmap_threaded_tests)
 
 function(dhpmap_tests)
-  cmake_parse_arguments(ARG "STUBS" "ROOM;COST;SHARDS" "LIBS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "ROOM;COST;SHARDS" "LIBS;ENVIRONMENT;ALONE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${ARG_ROOM}/*_test.cc)
   if(NOT sources)
     return()
@@ -130,6 +147,8 @@ function(dhpmap_tests)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_compile_options(${name} PRIVATE ${dhpmap_test_options})
   dhpmap_use_prelude(${name} tests ${ARG_STUBS})
+  list(TRANSFORM ARG_ALONE PREPEND ${CMAKE_SOURCE_DIR}/tests/${ARG_ROOM}/)
+  dhpmap_compile_together(${name} ${ARG_ALONE})
   string(REGEX MATCH "^[a-z0-9]+" label ${ARG_ROOM})
   if(ARG_ROOM MATCHES "^unit/clients/(evaluator|simulator)")
     add_dependencies(dhpmap_tool_tests ${name})

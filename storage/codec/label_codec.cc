@@ -117,7 +117,7 @@ bool ReadVoxel(std::uint8_t form, LabelCount first, ByteReader& rest, LabelHisto
 }  // namespace
 
 Bytes EncodeLabelBlock(const LabelBlock& block, BlockIndex index) {
-  VoxelMask mask{};
+  VoxelBits mask{};
   for (int i = 0; i < kBlockVoxels; ++i) {
     if (!block.IsEmpty(i)) MaskVoxel(mask, i);
   }
@@ -165,7 +165,7 @@ Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block) {
   thread_local Payload payload;
   DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kLabelsV1, index, blob, payload));
   ByteReader reader(payload.packable);
-  VoxelMask mask{};
+  VoxelBits mask{};
   reader.GetInto(mask);
   if (!reader.ok() || !payload.plain.empty()) return DataLoss("has a malformed header");
   const VoxelWalk walk(mask);

@@ -53,8 +53,8 @@ float DistanceStep(const TsdfBlock& block, const VoxelWalk& walk, double truncat
   return step_m;
 }
 
-VoxelMask ObservedVoxels(const TsdfBlock& block) {
-  VoxelMask mask{};
+VoxelBits ObservedVoxels(const TsdfBlock& block) {
+  VoxelBits mask{};
   for (int i = 0; i < kBlockVoxels; ++i) {
     if (block.IsObserved(i)) MaskVoxel(mask, i);
   }
@@ -160,7 +160,7 @@ bool IsPackable(ByteView plane) {
 }  // namespace
 
 Bytes EncodeTsdfBlock(const TsdfBlock& block, BlockIndex index, double truncation_m) {
-  const VoxelMask mask = ObservedVoxels(block);
+  const VoxelBits mask = ObservedVoxels(block);
   const VoxelWalk walk(mask);
   const float step_m = DistanceStep(block, walk, truncation_m);
   const std::size_t count = walk.sites().size();
@@ -198,7 +198,7 @@ Status DecodeTsdfBlock(ByteView blob, BlockIndex index, TsdfBlock& block) {
   ByteReader packed(payload.packable), plain(payload.plain);
   const float step_m = packed.GetF32();
   const std::uint8_t packable = packed.GetU8();
-  VoxelMask mask{};
+  VoxelBits mask{};
   packed.GetInto(mask);
   if (!packed.ok() || !(step_m >= 0) || std::isinf(step_m)) return DataLoss("has a malformed header");
   const VoxelWalk walk(mask);

@@ -20,7 +20,7 @@ constexpr auto kCells = [] {
 
 }  // namespace
 
-VoxelWalk::VoxelWalk(const VoxelMask& mask) {
+VoxelWalk::VoxelWalk(const VoxelBits& mask) {
   std::array<std::uint8_t, kGridSize> masked{};
   std::uint16_t previous = 0;
   for (std::size_t byte = 0; byte < mask.size(); ++byte) {

@@ -11,12 +11,12 @@
 namespace dhpmap {
 
 /// Which voxels of a block are written. One bit a voxel, the lowest first.
-using VoxelMask = std::array<std::uint8_t, kBlockVoxels / 8>;
+using VoxelBits = std::array<std::uint8_t, kBlockVoxels / 8>;
 
-inline void MaskVoxel(VoxelMask& mask, int linear) {
+inline void MaskVoxel(VoxelBits& mask, int linear) {
   mask[linear / 8] |= static_cast<std::uint8_t>(1u << (linear % 8));
 }
-inline bool IsMasked(const VoxelMask& mask, int linear) { return (mask[linear / 8] >> (linear % 8)) & 1u; }
+inline bool IsMasked(const VoxelBits& mask, int linear) { return (mask[linear / 8] >> (linear % 8)) & 1u; }
 
 /// Walks the masked voxels in order and predicts each value from those before it, for the writer and the reader alike:
 /// what is stored are the small differences. Values live in a grid with a border, so that neighbours need no checks.
@@ -34,7 +34,7 @@ class VoxelWalk {
     std::uint8_t faces;    ///< bits xy, xz, yz: the three lower neighbours in that plane are all masked
   };
 
-  explicit VoxelWalk(const VoxelMask& mask);
+  explicit VoxelWalk(const VoxelBits& mask);
   [[nodiscard]] std::span<const Site> sites() const { return {sites_.data(), num_sites_}; }
 
   /// For values with noise: the nearest value.

@@ -26,7 +26,7 @@ struct MapRow {
   std::uint32_t sessions_checksum = 0;
   std::int64_t num_tiles = 0;   ///< rows of map_tiles
   std::int64_t tile_bytes = 0;  ///< size of their blobs, for statistics
-  Seal seal;
+  RowSeal seal;
 };
 
 /// The columns of table maps. `Row` is a MapRow, or derived from it. The order of those that a released version of the

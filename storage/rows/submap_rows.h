@@ -26,7 +26,7 @@ struct SubmapRow {
   SubmapInfo info;
   BoundingSphere sphere;
   SubmapCounts counts;
-  Seal seal;
+  RowSeal seal;
 };
 
 /// The columns of table submaps. `Row` is a SubmapRow, or derived from it. Version 1 of the checksum covers the columns

@@ -75,7 +75,7 @@ Column<Row> MakeColumn(const char* name, Written written, int since, Access) {
   [](auto& row) -> auto& { return row.member; }
 
 /// What a row says of itself: its checksum, and which version of it.
-struct Seal {
+struct RowSeal {
   int version = 0;
   std::uint32_t checksum = 0;
 };
@@ -134,9 +134,9 @@ class Table : public TableSql {
   }
 
   /// What a row that is written now is sealed with.
-  [[nodiscard]] Seal SealOf(const Row& row) const { return {version(), Checksum(row, version())}; }
+  [[nodiscard]] RowSeal SealOf(const Row& row) const { return {version(), Checksum(row, version())}; }
   /// Whether a row is as it was when it was sealed, by this version or an older one.
-  [[nodiscard]] bool IsIntact(const Row& row, const Seal& seal) const {
+  [[nodiscard]] bool IsIntact(const Row& row, const RowSeal& seal) const {
     return seal.version >= 1 && seal.version <= version() && Checksum(row, seal.version) == seal.checksum;
   }
 

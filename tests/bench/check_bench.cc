@@ -2,8 +2,6 @@
 // dhpmap-bench query: checks of bodies and motions on a data set's map.
 #include "tests/bench/check_bench.h"
 
-#include <time.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,15 +11,10 @@
 #include <vector>
 
 #include "mapping/query/trajectory_query.h"
+#include "tests/bench/cpu_time.h"
 
 namespace dhpmap::bench {
 namespace {
-
-double CpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double Quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
@@ -72,9 +65,9 @@ void MeasureTrajectories(const char* what, const std::shared_ptr<const MapSurfac
   for (int repetition = 0; repetition < 2; ++repetition) {  // the first makes surfaces
     valid_ms.clear(), invalid_ms.clear();
     for (const RobotMotion& motion : motions) {
-      const double start_s = CpuSeconds();
+      const double start_s = ThreadCpu_s();
       const auto answer = query->Check(motion);
-      (answer->is_valid ? valid_ms : invalid_ms).push_back(1e3 * (CpuSeconds() - start_s));
+      (answer->is_valid ? valid_ms : invalid_ms).push_back(1e3 * (ThreadCpu_s() - start_s));
     }
   }
   std::printf("  50 waypoints x 20 spheres, unknown %-9s valid %4zu: median %.3f ms p95 %.3f;  not %4zu: %.3f, %.3f\n",
@@ -130,11 +123,11 @@ void MeasureChecks(const std::shared_ptr<const MapSurfaces>& surfaces) {
     double best_s = 1e9;
     for (int repetition = 0; repetition < 2; ++repetition) {
       num_colliding = 0;
-      const double start_s = CpuSeconds();
+      const double start_s = ThreadCpu_s();
       for (const Eigen::Vector3d& p : places) {
         num_colliding += (whether ? query.Test(make(p)) : query.Check(make(p))).is_colliding;
       }
-      best_s = std::min(best_s, CpuSeconds() - start_s);
+      best_s = std::min(best_s, ThreadCpu_s() - start_s);
     }
     std::printf("  %-34s %8.3f M/s, %2.0f %% collide\n", what, 1e-6 * static_cast<double>(places.size()) / best_s,
                 100 * static_cast<double>(num_colliding) / static_cast<double>(places.size()));

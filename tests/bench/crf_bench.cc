@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <malloc.h>
-#include <sys/resource.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/refinement/dense_crf.h"
 #include "tests/bench/bench.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/frames.h"
 
 namespace dhpmap::bench {
@@ -114,13 +114,6 @@ std::vector<std::uint16_t> ArgMax(const std::vector<float>& values, std::size_t 
   return best;
 }
 
-double CpuSeconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-         1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
 /// Forgets the peak of what came before.
 void ResetPeakMemory() {
   malloc_trim(0);
@@ -163,7 +156,7 @@ Status RunCrfBench(const CrfBenchOptions& options) {
     std::vector<CrfPoint> points = Tiled(tile, options.num_points);
     std::vector<float> values = NoisyUnaries(points, num_labels);
     ResetPeakMemory();
-    const double cpu_before_s = CpuSeconds();
+    const double cpu_before_s = ProcessCpu_s();
     const auto start = std::chrono::steady_clock::now();
     DenseCrf crf(pool);
     const CrfBuildReport report = crf.SetPoints(points, smoothness, appearance);
@@ -177,7 +170,7 @@ Status RunCrfBench(const CrfBenchOptions& options) {
     std::printf("run %d  %5.3f  %10.3f (%8zu)  %10.3f (%8zu)  %6.3f  %6.3f | %7.3f  %6.3f  %7.0f\n", repetition + 1,
                 report.sort_s, report.smoothness_s, report.num_smoothness_vertices, report.appearance_s,
                 report.num_appearance_vertices, seconds(built, inferred), seconds(inferred, end), seconds(start, end),
-                CpuSeconds() - cpu_before_s, PeakMemoryMb());
+                ProcessCpu_s() - cpu_before_s, PeakMemoryMb());
   }
   return Status::Ok();
 }

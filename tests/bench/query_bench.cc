@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <time.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -18,6 +16,7 @@
 #include "mapping/query/tsdf_sampler.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/check_bench.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/frames.h"
 
 namespace dhpmap::bench {
@@ -25,25 +24,18 @@ namespace {
 
 constexpr std::size_t kBatch = 2048;  // as the server cuts them
 
-/// CPU time of this thread, which others on the machine change less than the time of day.
-double CpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// What an addition takes that waits for the one before: a cycle. Tells how much of the core others have.
 double NanosecondsACycle() {
   constexpr int kCount = 100000000;
-  const double start_s = CpuSeconds();
+  const double start_s = ThreadCpu_s();
   for (int i = 0; i < kCount; ++i) asm volatile("" : "+r"(i));
-  return 1e9 * (CpuSeconds() - start_s) / kCount;
+  return 1e9 * (ThreadCpu_s() - start_s) / kCount;
 }
 
 double Seconds(const std::function<void()>& work) {
-  const double start_s = CpuSeconds();
+  const double start_s = ThreadCpu_s();
   work();
-  return CpuSeconds() - start_s;
+  return ThreadCpu_s() - start_s;
 }
 
 Result<std::shared_ptr<const MapSnapshot>> BuildMap(const QueryBenchOptions& options) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap_storage_bench DATASET [predicted|groundtruth|none] [FRAMES] [DATABASE]: maps a data set in process, commits
 // after every frame as a server does, and reports sizes and rates of codec and store.
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +14,7 @@
 #include "storage/codec/label_codec.h"
 #include "storage/codec/tsdf_codec.h"
 #include "storage/store.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -23,15 +23,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double SecondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
-/// Processor time: says the same on a busy machine.
-double CpuSeconds(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-double ThreadSeconds() { return CpuSeconds(CLOCK_THREAD_CPUTIME_ID); }
-double ProcessSeconds() { return CpuSeconds(CLOCK_PROCESS_CPUTIME_ID); }
 
 template <typename T>
 T Must(Result<T> result) {
@@ -67,22 +58,22 @@ void MeasureCodecs(const MapSnapshot& map) {
   for (const auto& submap : map.submaps()) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
       if (entry.tsdf) {
-        double begin = ThreadSeconds();
+        double begin = bench::ThreadCpu_s();
         const Bytes blob = EncodeTsdfBlock(*entry.tsdf, entry.index, submap->info().truncation_m);
-        tsdf_encode_s += ThreadSeconds() - begin;
-        begin = ThreadSeconds();
+        tsdf_encode_s += bench::ThreadCpu_s() - begin;
+        begin = bench::ThreadCpu_s();
         Must(DecodeTsdfBlock(blob, entry.index, tsdf));
-        tsdf_decode_s += ThreadSeconds() - begin;
+        tsdf_decode_s += bench::ThreadCpu_s() - begin;
         ++num_tsdf, tsdf_bytes += blob.size();
         num_observed += static_cast<std::size_t>(entry.tsdf->NumObservedVoxels());
       }
       if (entry.labels) {
-        double begin = ThreadSeconds();
+        double begin = bench::ThreadCpu_s();
         const Bytes blob = EncodeLabelBlock(*entry.labels, entry.index);
-        label_encode_s += ThreadSeconds() - begin;
-        begin = ThreadSeconds();
+        label_encode_s += bench::ThreadCpu_s() - begin;
+        begin = bench::ThreadCpu_s();
         Must(DecodeLabelBlock(blob, entry.index, labels));
-        label_decode_s += ThreadSeconds() - begin;
+        label_decode_s += bench::ThreadCpu_s() - begin;
         ++num_labels, label_bytes += blob.size(), label_raw += entry.labels->MemoryBytes();
         for (int i = 0; i < kBlockVoxels; ++i) num_labelled += !entry.labels->IsEmpty(i);
       }
@@ -128,10 +119,10 @@ int Run(int argc, char** argv) {
       num_written += change.written_tsdf.size() + change.written_labels.size();
     }
     begin = Clock::now();
-    const double cpu_begin_s = ProcessSeconds();
+    const double cpu_begin_s = bench::ProcessCpu_s();
     Must(store->Commit(marks, *after, Durability::kNormal));
     marks = StateMarks(*after, &marks);  // as CommitWorker
-    commit_cpu_s += ProcessSeconds() - cpu_begin_s;
+    commit_cpu_s += bench::ProcessCpu_s() - cpu_begin_s;
     const double seconds = SecondsSince(begin);
     commit_s += seconds;
     slowest_commit_s = std::max(slowest_commit_s, seconds);
@@ -149,17 +140,17 @@ int Run(int argc, char** argv) {
   std::size_t memory_bytes = 0;
   for (const auto& submap : committed->submaps()) memory_bytes += submap->MemoryBytes();
   auto begin = Clock::now();
-  const double load_cpu_begin_s = ProcessSeconds();
+  const double load_cpu_begin_s = bench::ProcessCpu_s();
   const auto loaded = Must(store->LoadMap("bench"));
-  const double load_s = SecondsSince(begin), load_cpu_s = ProcessSeconds() - load_cpu_begin_s;
+  const double load_s = SecondsSince(begin), load_cpu_s = bench::ProcessCpu_s() - load_cpu_begin_s;
 
   // The same map once more, in one commit.
   MapInfo copy_info = committed->info();
   copy_info.name = "copy";
   begin = Clock::now();
-  const double save_cpu_begin_s = ProcessSeconds();
+  const double save_cpu_begin_s = bench::ProcessCpu_s();
   Must(store->CreateMap(MapSnapshot(copy_info, committed->submaps(), committed->free_space())));
-  const double save_s = SecondsSince(begin), save_cpu_s = ProcessSeconds() - save_cpu_begin_s;
+  const double save_s = SecondsSince(begin), save_cpu_s = bench::ProcessCpu_s() - save_cpu_begin_s;
   begin = Clock::now();
   Must(store->DeleteMap("copy"));
   const double delete_s = SecondsSince(begin);
