@@ -51,14 +51,13 @@ class VoxelWalk {
 };
 
 inline std::int32_t VoxelWalk::PredictSmooth(const Grid& grid, const Site& site) {
-  if (site.faces == 0) return grid[site.near];
   const std::int32_t* value = grid.data() + site.cell;
   const std::int32_t x = value[-kStepX], y = value[-kStepY], z = value[-kStepZ];
   std::int32_t sum = 0, count = 0;
   if (site.faces & kXy) sum += x + y - value[-kStepX - kStepY], ++count;
   if (site.faces & kXz) sum += x + z - value[-kStepX - kStepZ], ++count;
   if (site.faces & kYz) sum += y + z - value[-kStepY - kStepZ], ++count;
-  return sum / count;
+  return count == 0 ? PredictNear(grid, site) : sum / count;
 }
 
 // Differences of either sign as small unsigned numbers; undone exactly, modulo 2^32.

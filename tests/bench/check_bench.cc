@@ -95,8 +95,8 @@ void PrintErrors(const std::shared_ptr<const MapSurfaces>& surfaces, const std::
     const std::vector<SphereKnot>& knots = motion.spheres.back();
     const SweepAnswer answer = sweep.First(knots);
     const double end = answer.first ? answer.first->at : knots.back().at;
-    for (double at = 0; at < end; at += 1 / kMomentsAWaypoint) {
-      const SphereKnot knot = At(knots, at);
+    for (int moment = 0; moment < kMomentsAWaypoint * end; ++moment) {
+      const SphereKnot knot = At(knots, moment / kMomentsAWaypoint);
       ++num_moments;
       num_missed += std::abs(distances.At(knot.center_m).distance_m) < knot.radius_m - kSame_m;
     }

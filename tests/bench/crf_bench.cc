@@ -78,10 +78,10 @@ std::vector<CrfPoint> Tiled(const std::vector<CrfPoint>& tile, std::size_t num_p
   std::vector<CrfPoint> points;
   points.reserve(num_points);
   for (std::size_t i = 0; i < num_points; ++i) {
-    const std::size_t copy = i / tile.size();
+    const std::size_t copy = i / tile.size(), row = copy / 8, column = copy % 8;
     CrfPoint point = tile[i % tile.size()];
-    point.position_m.x() += static_cast<float>(copy % 8) * pitch_m.x();
-    point.position_m.y() += static_cast<float>(copy / 8) * pitch_m.y();
+    point.position_m.x() += static_cast<float>(column) * pitch_m.x();
+    point.position_m.y() += static_cast<float>(row) * pitch_m.y();
     points.push_back(point);
   }
   return points;
