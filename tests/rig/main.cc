@@ -45,6 +45,14 @@ int main(int argc, char** argv) {
   command->add_option("--repetitions", apartments.repetitions)->capture_default_str();
   command->callback([&] { held = RunApartments(apartments); });
 
+  dhpmap::rig::SoakOptions soak;
+  command = app.add_subcommand("soak", "Mapping, edits and every kind of query at once, for long");
+  command->add_option("dataset", soak.dataset, "What dhpmap-simulate wrote")->required();
+  command->add_option("--seconds", soak.seconds)->capture_default_str();
+  command->add_option("--clients", soak.num_clients)->capture_default_str();
+  command->add_option("--rate", soak.rate_hz, "Calls a second of each client, at most")->capture_default_str();
+  command->callback([&] { held = RunSoak(soak); });
+
   Target target;
   int num_clients = 1, num_calls = 1;
   Stall stall = Stall::kMeshes;

@@ -38,6 +38,15 @@ struct ApartmentsOptions {
 /// Memory after maps have been made, queried, cloned, meshed and deleted in turn.
 bool RunApartments(const ApartmentsOptions& options);
 
+struct SoakOptions {
+  std::string dataset;  ///< the apartment of dhpmap-simulate
+  double seconds = 1800;
+  int num_clients = 8;
+  double rate_hz = 10;  ///< calls a second of each client, at most
+};
+/// Mapping, edits and every kind of query at once, for long: no error, nothing that grows.
+bool RunSoak(const SoakOptions& options);
+
 // Clients in processes of their own, started by the above.
 
 /// Bulk calls from `num_clients` connections until killed.
