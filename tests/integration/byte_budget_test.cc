@@ -2,13 +2,12 @@
 // What is in memory for clients has one bound, whichever way it came.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <memory>
-#include <thread>
 
 #include "server/wire/frame_conversion.h"
 #include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -27,9 +26,7 @@ class InflightBytes : public ::testing::Test {
 
   /// A call is freed a moment after its client has the answer.
   void ExpectNothingKept() {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (budget_->used_bytes() > 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
-    EXPECT_EQ(budget_->used_bytes(), 0u);
+    EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == 0; })) << budget_->used_bytes();
   }
 
   grpc::Status Ask(int num_points, bool is_packed = true) {
@@ -114,14 +111,13 @@ TEST_F(InflightBytes, AMeshThatNobodyTakesLetsGoOfItsStateOnceTheMapHasGoneOn) {
   const std::size_t stream_bytes = budget_->used_bytes();
   ASSERT_GT(stream_bytes, 0u);
   ASSERT_TRUE(Feed(server_, "fine", 0, 3).status.ok());  // many blocks anew
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (budget_->used_bytes() <= stream_bytes && std::chrono::steady_clock::now() < end) std::this_thread::yield();
-  EXPECT_GT(budget_->used_bytes(), stream_bytes) << "what only the old state has is counted";
+  EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() > stream_bytes; }))
+      << "what only the old state has is counted";
   ByteShare others(budget_.get());
   ASSERT_TRUE(others.Resize(kLimit_bytes - budget_->used_bytes()));
   ASSERT_TRUE(Feed(server_, "fine", 0, 6).status.ok());
-  while (budget_->used_bytes() > others.bytes() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
-  EXPECT_EQ(budget_->used_bytes(), others.bytes());
+  EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == others.bytes(); }))
+      << budget_->used_bytes() << " of " << others.bytes();
   while (mesh->Read(&part)) {
   }
   const grpc::Status ended = mesh->Finish();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -79,9 +80,9 @@ TEST_F(FailingStoreTest, IsTriedAgainWithoutBeingAsked) {
   store.set_full(true);
   EXPECT_FALSE(Feed(server, "room", 0, 2).status.ok());
   const int refused = store.num_refused();
-  while (store.num_refused() < refused + 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_TRUE(Eventually([&] { return store.num_refused() >= refused + 2; }));
   store.set_full(false);
-  while (store.GetMap("room")->info.num_frames != 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_TRUE(Eventually([&] { return store.GetMap("room")->info.num_frames == 2; }));
 }
 
 TEST_F(FailingStoreTest, AMapThatCannotBeMadeOrDeletedStaysAsItWas) {

@@ -10,6 +10,7 @@
 #include "tests/integration/failing_store.h"
 #include "tests/integration/feeder.h"
 #include "tests/integration/tcp_proxy.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -333,12 +334,11 @@ TEST(Feeds, APeerThatIsDeadEndsAlthoughItsConnectionIsOpen) {
   EXPECT_TRUE(frozen.Feed(1));
 
   proxy.Freeze();
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   grpc::StatusCode code = grpc::ABORTED;
-  while (code == grpc::ABORTED && std::chrono::steady_clock::now() < end) {
+  EXPECT_TRUE(Eventually([&] {
     code = Feed(server, "room", 2, 3).status.error_code();
-    if (code == grpc::ABORTED) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
+    return code != grpc::ABORTED;
+  }));
   EXPECT_EQ(code, grpc::OK);
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
   EXPECT_EQ(store->GetMap("room")->info.sessions.LastOf("frozen"), 1);

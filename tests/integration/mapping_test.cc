@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -296,10 +297,10 @@ TEST(Mapping, AClientThatGoesAwayLeavesTheMapFreeForOthers) {
     EXPECT_EQ(stream->Finish().error_code(), grpc::CANCELLED);
   }
   grpc::StatusCode code = grpc::ABORTED;
-  for (int attempt = 0; attempt < 100 && code == grpc::ABORTED; ++attempt) {
+  EXPECT_TRUE(Eventually([&] {
     code = Feed(server, "room", 3, 4).status.error_code();
-    if (code == grpc::ABORTED) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
+    return code != grpc::ABORTED;
+  }));
   EXPECT_EQ(code, grpc::OK);
 }
 

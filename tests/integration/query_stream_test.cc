@@ -7,6 +7,7 @@
 #include "google/rpc/error_details.pb.h"
 #include "server/grpc/map_pin.h"
 #include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -166,9 +167,7 @@ TEST(MapPin, LetsGoByItselfAndSaysSo) {
   pin.Hold("m", std::move(view));
   EXPECT_NE(*pin.Of("m"), nullptr);
   EXPECT_EQ(*pin.Of("other"), nullptr);
-  const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (!watch.expired() && std::chrono::steady_clock::now() < late) std::this_thread::yield();
-  EXPECT_TRUE(watch.expired()) << "although nobody asks";
+  EXPECT_TRUE(Eventually([&] { return watch.expired(); })) << "although nobody asks";
   EXPECT_EQ(pin.Of("m").status().code(), StatusCode::kFailedPrecondition);
   pin.Release();
   EXPECT_EQ(*pin.Of("m"), nullptr);

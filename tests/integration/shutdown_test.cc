@@ -11,6 +11,7 @@
 #include "mapping/pipeline/map_builder.h"
 #include "server/wire/frame_conversion.h"
 #include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
 #include "tests/support/wire_frame.h"
 
 namespace dhpmap::testing {
@@ -84,7 +85,7 @@ TEST_F(Shutdown, GivesUpWhatIsBeingFusedOnceTheGraceIsOver) {
 
   has_sent_ = false;
   std::jthread client([this] { FeedAll("room"); });
-  while (!has_sent_) std::this_thread::yield();
+  ASSERT_TRUE(Eventually([&] { return has_sent_.load(); }));
   std::this_thread::sleep_for(std::chrono::duration<double>(whole_s / kFrames / 2));  // in the middle of one
   const auto told = Clock::now();
   const double grace_s = whole_s / kFrames / 4;

@@ -17,6 +17,7 @@
 #include "storage/connection.h"
 #include "storage/sqlite/free_pages.h"
 #include "storage/sqlite/transaction.h"
+#include "tests/support/eventually.h"
 #include "tests/support/places.h"
 #include "tests/unit/storage/disk_fault.h"
 #include "tests/unit/storage/sqlite_fixture.h"
@@ -296,15 +297,6 @@ TEST_F(SpaceReclaimerTest, AFileOfBeforeKeepsItsSpaceAndItsBackupDoesNot) {
 /// The store's own thread.
 class ReclaimingStoreTest : public SpaceReclaimerTest {
  protected:
-  /// Whether it becomes true before the test is taken for hung.
-  static bool Eventually(const std::function<bool()>& holds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (!holds()) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-  }
   /// 10 MB of a table that is none of ours.
   void Fill() {
     Tamper(
@@ -330,7 +322,7 @@ TEST_F(ReclaimingStoreTest, ADeletionCutsTheFileAndItsLogWhileOthersAreWritten) 
     ASSERT_TRUE(store_->Commit(*before, *kept->Publish(20 + n), Durability::kNormal).ok());
     ASSERT_TRUE(store_->LoadMap("kept").ok());
   }
-  EXPECT_TRUE(Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  EXPECT_TRUE(testing::Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
   EXPECT_GT(FileBytes(), 4'000'000) << "some stays for what is stored next";
   ExpectStored(*kept->published());
   ExpectSound();
@@ -343,7 +335,7 @@ TEST_F(ReclaimingStoreTest, GoesOnAfterARestart) {
   Tamper("DROP TABLE filler");
   ASSERT_GT(FileBytes(), 10'000'000);
   Open();
-  EXPECT_TRUE(Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  EXPECT_TRUE(testing::Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
 }
 
 }  // namespace

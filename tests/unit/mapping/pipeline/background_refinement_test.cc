@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/mapping/refinement/random_map.h"
 
@@ -35,7 +36,7 @@ TEST(BackgroundRefinement, KeepsNothingButMarksOfTheStateItBeganWithOnceItIsRead
   const auto blocks = BlocksOf(*before);
   BackgroundRefinement refinement;
   refinement.Start(std::move(before), nullptr);
-  while (!refinement.IsReady()) std::this_thread::yield();
+  ASSERT_TRUE(testing::Eventually([&] { return refinement.IsReady(); }));
   EXPECT_TRUE(state.expired()) << "though nobody has taken the outcome yet";
   const auto outcome = refinement.Take();
   ASSERT_TRUE(outcome);

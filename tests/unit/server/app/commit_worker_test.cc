@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mapping/map/map.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap {
 namespace {
@@ -38,13 +39,6 @@ class ScriptedStore final : public MapStore {
   std::vector<Call> calls;
   Status next_outcome;
 };
-
-/// Whether it comes true, which is waited for.
-bool ComesTrue(const std::function<bool()>& is_so) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (!is_so() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  return is_so();
-}
 
 class CommitWorkerTest : public ::testing::Test {
  protected:
@@ -112,7 +106,7 @@ TEST_F(CommitWorkerTest, OfWhatIsStoredNothingButMarksIsKept) {
   snapshot = nullptr;
   map->FindMutable(id)->MutableTsdf({0, 0, 0});
   map->Publish(1);
-  ASSERT_TRUE(ComesTrue([&] { return state.expired() && block.expired(); }));
+  ASSERT_TRUE(testing::Eventually([&] { return state.expired() && block.expired(); }));
   EXPECT_TRUE(Request(map->published(), Durability::kNormal).get().ok());
   EXPECT_EQ(store.calls.back().before, 2);
 }
@@ -121,7 +115,7 @@ TEST_F(CommitWorkerTest, AfterAnUnseenStateWasRefusedTheStoreIsTriedWithWhatItHa
   worker.emplace(store, first, /*retry_s=*/0.01, CommitWorker::Observer());
   store.next_outcome = ResourceExhausted("full");
   EXPECT_EQ(worker->CommitUnseen(Change()).code(), StatusCode::kResourceExhausted);
-  EXPECT_TRUE(ComesTrue([&] { return worker->last_outcome().ok(); }));
+  EXPECT_TRUE(testing::Eventually([&] { return worker->last_outcome().ok(); }));
   EXPECT_EQ(worker->committed_revision(), 1);
   const std::lock_guard lock(store.mutex);
   EXPECT_EQ(store.calls.back().after, 1);

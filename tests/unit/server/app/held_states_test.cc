@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
-#include <thread>
+
+#include "tests/support/eventually.h"
 
 namespace dhpmap {
 namespace {
@@ -144,9 +144,7 @@ TEST_F(HeldStatesTest, LooksByItselfAndAsksNobodyWhoIsGone) {
   auto hold = states_.TryHold(Now(), [&] { ++asked; });
   Write(kThing, 0, 5);
   Now();
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (asked == 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
-  EXPECT_GT(asked, 0);
+  EXPECT_TRUE(testing::Eventually([&] { return asked > 0; }));
   hold.reset();
   const int before = asked;
   states_.Look();

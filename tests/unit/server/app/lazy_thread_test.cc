@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "mapping/base/mutex.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap {
 namespace {
@@ -41,7 +42,7 @@ TEST(LazyThread, BeginsAnewAfterItHasRetired) {
       const MutexLock lock(mutex);
       return num_runs == run;
     };
-    while (!has_run()) std::this_thread::yield();
+    EXPECT_TRUE(testing::Eventually(has_run));
   }
   thread.Join();
   EXPECT_TRUE(thread.has_run());

@@ -10,6 +10,7 @@
 #include <future>
 #include <string>
 
+#include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -155,11 +156,7 @@ TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileNobodyWri
   for (int round = 0; round < 2; ++round) {  // whoever has retired comes back
     for (const auto& session : registry->OpenSessions()) EditOnce(*session);
     EXPECT_LE(NumThreads() - before, kMaps * kThreadsAMap);
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (NumThreads() > before && std::chrono::steady_clock::now() < end) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    EXPECT_EQ(NumThreads(), before) << "nobody writes any more";
+    EXPECT_TRUE(testing::Eventually([&] { return NumThreads() <= before; })) << "nobody writes any more";
   }
 }
 
@@ -193,11 +190,10 @@ TEST_F(MapRegistryTest, AMapThatNobodyUsesIsClosedAndOpenedAgainWithoutNotice) {
   const auto now = MapRegistry::Clock::now();
   registry_->CloseIdleMaps(now + std::chrono::seconds(1));
   EXPECT_EQ(registry_->OpenSessions().size(), 1u) << "used a moment ago";
-  const auto deadline = now + std::chrono::seconds(60);  // the edit was answered before its job had ended
-  while (!registry_->OpenSessions().empty() && MapRegistry::Clock::now() < deadline) {
+  EXPECT_TRUE(testing::Eventually([&] {  // the edit was answered before its job had ended
     registry_->CloseIdleMaps(now + std::chrono::hours(1));
-  }
-  EXPECT_TRUE(registry_->OpenSessions().empty());
+    return registry_->OpenSessions().empty();
+  }));
   EXPECT_EQ(registry_->Get("room")->num_submaps, 2) << "its summary is of the state that was closed";
   EXPECT_EQ(view->snapshot().submaps().size(), 2u) << "who looks at it keeps what they see";
   const int num_loads = store_.num_loads;
@@ -220,11 +216,7 @@ TEST_F(MapRegistryTest, ClosesIdleMapsByItself) {
   const auto registry = std::move(MapRegistry::Open(store_, std::move(options))).value();
   ASSERT_TRUE(registry->Create(InfoOf("room")).ok());
   ASSERT_TRUE(registry->ViewOf("room").ok());
-  const auto deadline = MapRegistry::Clock::now() + std::chrono::seconds(60);
-  while (!registry->OpenSessions().empty() && MapRegistry::Clock::now() < deadline) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  EXPECT_TRUE(registry->OpenSessions().empty());
+  EXPECT_TRUE(testing::Eventually([&] { return registry->OpenSessions().empty(); }));
 }
 
 TEST_F(MapRegistryTest, AMapIsLoadedOnceForAllWhoAskAtOnce) {

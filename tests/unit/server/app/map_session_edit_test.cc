@@ -7,6 +7,7 @@
 
 #include "server/app/submap_edits.h"
 #include "tests/integration/failing_store.h"
+#include "tests/support/eventually.h"
 #include "tests/unit/server/app/map_session_fixture.h"
 
 namespace dhpmap {
@@ -84,7 +85,7 @@ TEST_F(MapSessionTest, AnEditThatCannotBeStoredDidNotHappen) {
     EXPECT_EQ(clone().status().code(), StatusCode::kResourceExhausted);
     EXPECT_EQ(session->View()->snapshot().revision(), seen);
   }
-  while (disk.num_refused() < 8) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // retries of its own
+  EXPECT_TRUE(testing::Eventually([&] { return disk.num_refused() >= 8; })) << "retries of its own";
   disk.set_full(false);
   const auto last = clone();
   ASSERT_TRUE(last.ok()) << last.status().ToString();

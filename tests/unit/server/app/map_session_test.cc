@@ -10,6 +10,7 @@
 
 #include "server/app/submap_edits.h"
 #include "tests/integration/failing_store.h"
+#include "tests/support/eventually.h"
 #include "tests/unit/server/app/map_session_fixture.h"
 
 namespace dhpmap {
@@ -32,7 +33,7 @@ TEST_F(MapSessionTest, FramesAreSeenWithTheirBatch) {
 TEST_F(MapSessionTest, FramesAreSeenAndStoredAfterAWhileEvenIfNoMoreCome) {
   Open({.publish_frames = 1000, .publish_s = 0.01, .commit_frames = 1000, .commit_s = 0.02});
   Integrate(0);
-  while (store->GetMap("room")->info.num_frames != 1) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  EXPECT_TRUE(testing::Eventually([&] { return store->GetMap("room")->info.num_frames == 1; }));
   EXPECT_EQ(session->View()->snapshot().info().num_frames, 1);
 }
 
@@ -294,7 +295,7 @@ TEST(MapSession, AFlushIsSyncedInFullEvenIfAllWasCommittedBefore) {
   ASSERT_TRUE(registry->Create(RoomInfo("room")).ok());
   const auto session = *registry->OpenSession("room");
   (void)Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(0), done); });
-  while (store.GetMap("room")->info.num_frames == 0) std::this_thread::yield();
+  EXPECT_TRUE(testing::Eventually([&] { return store.GetMap("room")->info.num_frames == 1; }));
   EXPECT_EQ(store.last, Durability::kNormal);
   EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
   EXPECT_EQ(store.last, Durability::kFull);

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/eventually.h"
 #include "tests/unit/server/http/http_client.h"
 
 namespace dhpmap::http {
@@ -80,14 +81,6 @@ class ServerTest : public ::testing::Test {
     HttpClient client(server->port());
     client.SendRaw(request);
     return client.ReadAnswer();
-  }
-  static bool Eventually(const std::function<bool()>& holds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    while (!holds()) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
   }
 
   EchoHandler handler;
@@ -173,9 +166,9 @@ TEST_F(ServerTest, AClientThatHasGoneEndsItsExchange) {
   {
     HttpClient client(server->port());
     client.SendRaw("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
-    ASSERT_TRUE(Eventually([&] { return handler.num_requests == 1; }));
+    ASSERT_TRUE(testing::Eventually([&] { return handler.num_requests == 1; }));
   }
-  EXPECT_TRUE(Eventually([&] { return handler.num_closed == 1; }));
+  EXPECT_TRUE(testing::Eventually([&] { return handler.num_closed == 1; }));
 }
 
 TEST_F(ServerTest, AHeadThatDoesNotEndIsNotWaitedFor) {
@@ -210,8 +203,8 @@ TEST_F(ServerTest, APeerThatIsSilentIsAskedWhetherItIsThere) {
   Start();
   HttpClient waits(server->port());
   waits.SendRaw("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
-  ASSERT_TRUE(Eventually([&] { return handler.num_requests == 1; }));
-  EXPECT_TRUE(Eventually([&] { return NumKeptAlive(server->port()) == 1; }));
+  ASSERT_TRUE(testing::Eventually([&] { return handler.num_requests == 1; }));
+  EXPECT_TRUE(testing::Eventually([&] { return NumKeptAlive(server->port()) == 1; }));
 }
 
 TEST_F(ServerTest, BeyondTheCapTheIdlestConnectionGivesWay) {
@@ -232,7 +225,7 @@ TEST_F(ServerTest, BeyondTheCapOfBusyConnectionsTheAnswerIs503) {
   HttpClient first(server->port()), second(server->port());
   first.SendRaw("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
   second.SendRaw("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
-  ASSERT_TRUE(Eventually([&] { return handler.num_requests == 2; }));
+  ASSERT_TRUE(testing::Eventually([&] { return handler.num_requests == 2; }));
   HttpClient third(server->port());
   EXPECT_EQ(third.Ask("GET", "/a").status, 503);
   EXPECT_TRUE(third.IsClosedByServer());
