@@ -94,17 +94,17 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
           .head_timeout_s = config.http.head_timeout_s};
 }
 
-std::vector<Metrics::MapGauges> GaugesOf(const MapRegistry& registry) {
-  std::vector<Metrics::MapGauges> gauges;
+Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight) {
+  Metrics::Gauges gauges{.surface_bytes = registry.surface_bytes(), .inflight_bytes = inflight.used_bytes()};
   for (const auto& session : registry.OpenSessions()) {
     const auto view = session->View();
     const MapStats stats = ComputeStats(view->snapshot(), /*with_voxels=*/false);
-    gauges.push_back({.name = view->snapshot().info().name,
-                      .num_submaps = stats.num_submaps,
-                      .num_blocks = stats.num_tsdf_blocks,
-                      .revision = view->snapshot().revision(),
-                      .memory_bytes = stats.memory_bytes,
-                      .behind_s = session->BehindSeconds()});
+    gauges.maps.push_back({.name = view->snapshot().info().name,
+                           .num_submaps = stats.num_submaps,
+                           .num_blocks = stats.num_tsdf_blocks,
+                           .revision = view->snapshot().revision(),
+                           .memory_bytes = stats.memory_bytes,
+                           .behind_s = session->BehindSeconds()});
   }
   return gauges;
 }

@@ -25,8 +25,8 @@ GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget
 GrpcObserver ObserverOf(Metrics& metrics);
 GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
 
-/// Of the maps that are open now.
-std::vector<Metrics::MapGauges> GaugesOf(const MapRegistry& registry);
+/// Of the maps that are open now, and of what there is for those who ask.
+Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight);
 /// Whether a map has waited for its store for longer than that.
 bool IsStoreBehind(const MapRegistry& registry, double max_behind_s);
 

@@ -20,6 +20,7 @@ constexpr double kLeastUp = 0.70710678;  // cosine of 45 degrees
 constexpr double kStrayShare = 0.02;
 constexpr std::size_t kMostPoints = 4096;  // of a surface, for what it touches
 constexpr std::size_t kMostEnclosed = 48;  // of a surface, for rays
+constexpr std::size_t kFewEnclosed = 8;    // one point of so many of them is asked first
 constexpr double kLeastInBox = 0.5;        // of the subject's box, for rays to be cast at all
 
 /// A thing or stuff, in the asker's frame.
@@ -102,16 +103,23 @@ class Judge {
     RayOptions options{.max_distance_m = object.box_m.diagonal().norm(), .unknown_is_free = true};
     options.scope.submaps = std::vector{object.id()};
     const RayQuery rays(std::shared_ptr<const MapSurfaces>(std::shared_ptr<const void>(), &surfaces_), options);
-    const std::size_t step = std::max<std::size_t>(1, subject.points_m.size() / kMostEnclosed);
     int num_met = 0, num_cast = 0;
-    for (std::size_t i = 0; i < subject.points_m.size(); i += step) {
-      for (const Eigen::Vector3d& direction : directions) {
-        const Ray ray{question_.T_map_query * subject.points_m[i], question_.T_map_query.linear() * direction};
-        num_met += rays.Cast(ray).submap != nullptr;
-        ++num_cast;
+    const auto share_met_from = [&](std::size_t first, std::size_t step) {
+      for (std::size_t i = first; i < subject.points_m.size(); i += step) {
+        for (const Eigen::Vector3d& direction : directions) {
+          const Ray ray{question_.T_map_query * subject.points_m[i], question_.T_map_query.linear() * direction};
+          num_met += rays.Cast(ray).submap != nullptr;
+          ++num_cast;
+        }
       }
-    }
-    return num_cast == 0 ? 0 : static_cast<double>(num_met) / num_cast;
+      return num_cast == 0 ? 0 : static_cast<double>(num_met) / num_cast;
+    };
+    // A wall's box holds all that stands in the room. A few points tell that it is far from being around them.
+    const std::size_t step = std::max<std::size_t>(1, subject.points_m.size() / kMostEnclosed);
+    const double of_few = share_met_from(step / 2, kFewEnclosed * step);
+    if (of_few < 0.75 * question_.rules.least_enclosure) return of_few;
+    num_met = num_cast = 0;
+    return share_met_from(0, step);
   }
 
  private:

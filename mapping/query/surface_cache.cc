@@ -155,16 +155,24 @@ SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, double 
   return slot;
 }
 
-/// Forgets what nobody has any longer. Costs as much as there is, so it comes when that has doubled.
+void SurfaceCache::Forget(const std::string& map) {
+  const MutexLock lock(mutex_);
+  latest_.erase(map);
+  std::erase_if(states_, [](const auto& known) { return known.second.key.expired(); });
+  Sweep();
+}
+
+/// Forgets what nobody has any longer. Costs as much as there is, so it comes when that has grown by a quarter: while
+/// frames come, each state that is asked about leaves surfaces behind.
 void SurfaceCache::Sweep() {
-  latest_.clear();
   std::erase_if(slots_, [](const auto& slot) { return slot.second->IsOrphan(); });
   std::erase_if(submaps_, [](const auto& known) { return known.second.key.expired(); });
-  sweep_at_ = 2 * (slots_.size() + submaps_.size()) + 64;
+  sweep_at_ = (slots_.size() + submaps_.size()) / 4 * 5 + 64;
 }
 
 /// Forgets surfaces, until what is left takes three quarters of the limit, and all that refers to them.
 void SurfaceCache::Evict() {
+  latest_.clear();
   Sweep();
   std::vector<Slot> made;
   states_.clear();  // and their cells, but for those in use

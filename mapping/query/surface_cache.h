@@ -69,6 +69,10 @@ class SurfaceCache {
   /// The surfaces of a state. The first to ask for it takes a look at what is new in it.
   std::shared_ptr<const MapSurfaces> Of(const std::shared_ptr<const MapSnapshot>& state) DHPMAP_EXCLUDES(mutex_);
 
+  /// What was made for the map of this name alone goes when nobody uses it any longer; asked for again, it is made
+  /// anew.
+  void Forget(const std::string& map) DHPMAP_EXCLUDES(mutex_);
+
   /// What surfaces take now.
   [[nodiscard]] std::size_t bytes() const { return ledger_->bytes; }
   /// What the cells of the states that are asked about take, in the same limit.

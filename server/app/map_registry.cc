@@ -130,6 +130,8 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::str
     entries_.erase(name);
   }
   if (session) (void)session->Stop();  // here, where none of its own threads can be the one that must join them
+  session.reset();
+  surfaces_.Forget(name);
   return revision;
 }
 
@@ -240,6 +242,9 @@ void MapRegistry::CloseIfIdle(Entry& entry, Clock::time_point now) {
     session = std::exchange(entry.session, nullptr);
   }
   (void)session->Stop();  // nothing is left to be stored
+  const std::string name = session->View()->snapshot().info().name;
+  session.reset();
+  surfaces_.Forget(name);
 }
 
 std::shared_ptr<MapRegistry::Entry> MapRegistry::FindEntry(const std::string& name) const {

@@ -58,6 +58,8 @@ class MapRegistry {
   Result<std::shared_ptr<const MapView>> ViewOf(const std::string& name);
   /// For distances, of all maps.
   [[nodiscard]] SurfaceCache& surfaces() { return surfaces_; }
+  /// What those take.
+  [[nodiscard]] std::size_t surface_bytes() const { return surfaces_.bytes() + surfaces_.cell_bytes(); }
   /// See MapStore::Backup.
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) { return store_.Backup(stop); }
   /// Bytes of encoded blocks in the store.

@@ -11,7 +11,7 @@ namespace dhpmap {
 
 Status LookUpPoints(const MapView& view, std::span<const Eigen::Vector3d> points_m, const std::stop_token& stop,
                     const std::function<void(const PointInfo&)>& take) {
-  constexpr std::size_t kBatch = 16'384;  // between two, whoever has given up is seen
+  constexpr std::size_t kBatch = 8'192;  // between two, whoever has given up is seen
   std::vector<PointInfo> answers;
   for (std::size_t first = 0; first < points_m.size(); first += kBatch) {
     if (stop.stop_requested()) return Cancelled("the client went away");

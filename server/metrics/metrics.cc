@@ -42,7 +42,7 @@ prometheus::MetricFamily GaugeFamily(const std::string& name, const std::string&
 }
 
 /// Names and meaning as the client libraries of Prometheus have them.
-prometheus::MetricFamily ProcessGauge(const std::string& name, const std::string& help, double value) {
+prometheus::MetricFamily Gauge(const std::string& name, const std::string& help, double value) {
   prometheus::MetricFamily family;
   family.name = name;
   family.help = help;
@@ -104,22 +104,27 @@ void Metrics::RecordRefinement(double management_s, double crf_s) {
   impl_->refinements.Add({{"step", "crf"}}, SecondsBuckets()).Observe(crf_s);
 }
 
-std::string Metrics::Text(const std::vector<MapGauges>& maps) const {
+std::string Metrics::Text(const Gauges& gauges) const {
   auto families = impl_->registry.Collect();
-  families.push_back(GaugeFamily("dhpmap_map_submaps", "Submaps of an open map", maps, &MapGauges::num_submaps));
-  families.push_back(GaugeFamily("dhpmap_map_blocks", "Blocks of an open map", maps, &MapGauges::num_blocks));
+  families.push_back(GaugeFamily("dhpmap_map_submaps", "Submaps of an open map", gauges.maps, &MapGauges::num_submaps));
+  families.push_back(GaugeFamily("dhpmap_map_blocks", "Blocks of an open map", gauges.maps, &MapGauges::num_blocks));
   families.push_back(
-      GaugeFamily("dhpmap_map_revision", "Published revision of an open map", maps, &MapGauges::revision));
+      GaugeFamily("dhpmap_map_revision", "Published revision of an open map", gauges.maps, &MapGauges::revision));
   families.push_back(
-      GaugeFamily("dhpmap_map_memory_bytes", "Memory that an open map takes", maps, &MapGauges::memory_bytes));
-  families.push_back(GaugeFamily("dhpmap_store_behind_seconds", "For how long what was fused has not been stored", maps,
-                                 &MapGauges::behind_s));
+      GaugeFamily("dhpmap_map_memory_bytes", "Memory that an open map takes", gauges.maps, &MapGauges::memory_bytes));
+  families.push_back(GaugeFamily("dhpmap_store_behind_seconds", "For how long what was fused has not been stored",
+                                 gauges.maps, &MapGauges::behind_s));
+  families.push_back(Gauge("dhpmap_surface_memory_bytes", "Memory of surfaces and distance fields made for queries",
+                           static_cast<double>(gauges.surface_bytes)));
+  families.push_back(Gauge("dhpmap_inflight_bytes",
+                           "Memory of requests, answers and of what only states held for them still need",
+                           static_cast<double>(gauges.inflight_bytes)));
   constexpr double kKiB = 1024;
-  families.push_back(ProcessGauge("process_resident_memory_bytes", "Memory of the process that is in RAM",
-                                  kKiB * ProcessStatus("VmRSS")));
-  families.push_back(ProcessGauge("dhpmap_anonymous_memory_bytes", "Of it, what is not of files: maps and all else",
-                                  kKiB * ProcessStatus("RssAnon")));
-  families.push_back(ProcessGauge("process_threads", "Threads of the process", ProcessStatus("Threads")));
+  families.push_back(
+      Gauge("process_resident_memory_bytes", "Memory of the process that is in RAM", kKiB * ProcessStatus("VmRSS")));
+  families.push_back(Gauge("dhpmap_anonymous_memory_bytes", "Of it, what is not of files: maps and all else",
+                           kKiB * ProcessStatus("RssAnon")));
+  families.push_back(Gauge("process_threads", "Threads of the process", ProcessStatus("Threads")));
   return prometheus::TextSerializer().Serialize(families);
 }
 

@@ -22,6 +22,12 @@ class Metrics {
     std::int64_t num_submaps = 0, num_blocks = 0, revision = 0, memory_bytes = 0;
     double behind_s = 0;
   };
+  /// How things are when the metrics are read.
+  struct Gauges {
+    std::vector<MapGauges> maps;
+    std::size_t surface_bytes = 0;   ///< of what was made to answer queries, of all maps
+    std::size_t inflight_bytes = 0;  ///< of requests, answers and what only states that are held for them still need
+  };
 
   Metrics();
   ~Metrics();
@@ -32,9 +38,10 @@ class Metrics {
   void RecordCommit(StatusCode code, double seconds);                         ///< dhpmap_commit_seconds
   void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
-  /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes} of the maps given, and what the process takes:
-  /// process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
-  [[nodiscard]] std::string Text(const std::vector<MapGauges>& maps) const;
+  /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes} of the maps given, dhpmap_surface_memory_bytes,
+  /// dhpmap_inflight_bytes, and what the process takes: process_resident_memory_bytes, dhpmap_anonymous_memory_bytes,
+  /// process_threads.
+  [[nodiscard]] std::string Text(const Gauges& gauges) const;
 
  private:
   struct Impl;

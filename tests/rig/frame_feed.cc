@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/rig/frame_feed.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -20,16 +21,21 @@ Result<std::vector<v1::Frame>> ReadFrames(const std::string& directory) {
 }
 
 grpc::Status FeedUntil(v1::MappingService::Stub& stub, const std::string& map_id, const std::vector<v1::Frame>& frames,
-                       const std::stop_token& stop, Latencies& gaps) {
+                       double rate_hz, const std::stop_token& stop, Latencies& gaps) {
   grpc::ClientContext context;
   const auto stream = stub.IntegrateFrames(&context);
   std::thread sender([&] {
+    const std::chrono::duration<double> period(rate_hz > 0 ? 1 / rate_hz : 0);
+    auto next = std::chrono::steady_clock::now();
     v1::IntegrateFramesRequest request;
     request.set_map("maps/" + map_id);
     for (std::size_t i = 0; !stop.stop_requested(); ++i) {
       request.set_sequence(static_cast<std::int64_t>(i));
       *request.mutable_frame() = frames[i % frames.size()];
       if (!stream->Write(request)) break;
+      next = std::max(next + std::chrono::duration_cast<std::chrono::steady_clock::duration>(period),
+                      std::chrono::steady_clock::now() - std::chrono::seconds(1));  // one that was late is no flood
+      std::this_thread::sleep_until(next);
     }
     stream->WritesDone();
   });

@@ -15,9 +15,10 @@ namespace dhpmap::rig {
 /// All frames of a data set as messages, so that reading files is not measured.
 Result<std::vector<v1::Frame>> ReadFrames(const std::string& directory);
 
-/// Sends the frames to maps/{map_id} again and again, as fast as the server takes them, until stopped. `gaps` gets the
-/// time between one acknowledgement and the next; a frame that is refused counts as a failure.
+/// Sends the frames to maps/{map_id} again and again, `rate_hz` a second at most (0: as fast as the server takes them),
+/// until stopped. `gaps` gets the time between one acknowledgement and the next; a frame that is refused counts as a
+/// failure.
 grpc::Status FeedUntil(v1::MappingService::Stub& stub, const std::string& map_id, const std::vector<v1::Frame>& frames,
-                       const std::stop_token& stop, Latencies& gaps);
+                       double rate_hz, const std::stop_token& stop, Latencies& gaps);
 
 }  // namespace dhpmap::rig

@@ -82,7 +82,7 @@ bool RunLoad(const LoadOptions& options) {
   grpc::Status fed;
   {
     std::jthread feeder(
-        [&](const std::stop_token& stop) { fed = FeedUntil(*mapping, kMap, *frames, stop, seen.ack_gaps); });
+        [&](const std::stop_token& stop) { fed = FeedUntil(*mapping, kMap, *frames, 0, stop, seen.ack_gaps); });
     const auto bulk = StartSelf(server.folder(),
                                 {"bulk-clients", target.grpc_address, std::to_string(target.http_port), kMap,
                                  std::to_string(options.num_bulk_clients)},

@@ -51,6 +51,8 @@ int main(int argc, char** argv) {
   command->add_option("--seconds", soak.seconds)->capture_default_str();
   command->add_option("--clients", soak.num_clients)->capture_default_str();
   command->add_option("--rate", soak.rate_hz, "Calls a second of each client, at most")->capture_default_str();
+  command->add_option("--fps", soak.frame_rate_hz, "Frames a second; 0: as many as the server takes")
+      ->capture_default_str();
   command->callback([&] { held = RunSoak(soak); });
 
   Target target;

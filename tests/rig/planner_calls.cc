@@ -35,10 +35,12 @@ void PlannerCalls::Run(double rate_hz, Table& table, const std::stop_token& stop
       &PlannerCalls::Points,     &PlannerCalls::Distances, &PlannerCalls::Rays,           &PlannerCalls::Collisions,
       &PlannerCalls::Trajectory, &PlannerCalls::Slice,     &PlannerCalls::Grid,           &PlannerCalls::Search,
       &PlannerCalls::Relations,  &PlannerCalls::Stream,    &PlannerCalls::PointsOverRest, &PlannerCalls::Edits};
+  // As often as a robot asks: what steers it, what it looks up now and then, what people do.
+  std::discrete_distribution<std::size_t> kinds{10, 10, 10, 10, 10, 3, 3, 3, 1, 10, 10, 2};
   const std::chrono::duration<double> pause(1 / rate_hz);
-  for (std::size_t i = random_(); !stop.stop_requested(); ++i) {
+  while (!stop.stop_requested()) {
     const auto begin = std::chrono::steady_clock::now();
-    const std::size_t kind = i % kCalls.size();
+    const std::size_t kind = kinds(random_);
     if ((this->*kCalls[kind])()) {
       table[kind].Add(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     } else {

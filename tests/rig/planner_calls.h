@@ -38,7 +38,7 @@ class PlannerCalls {
 
   PlannerCalls(const Target& target, unsigned seed);
 
-  /// One after the other, `rate_hz` a second at most, until stopped.
+  /// One after the other at random, what steers a robot most often, `rate_hz` a second at most, until stopped.
   void Run(double rate_hz, Table& table, const std::stop_token& stop);
   /// What went wrong, at most 10 of them.
   [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }

@@ -89,8 +89,9 @@ bool RunSoak(const SoakOptions& options) {
   std::vector<std::unique_ptr<PlannerCalls>> clients;
   {
     std::vector<std::jthread> threads;
-    threads.emplace_back(
-        [&](const std::stop_token& stop) { fed = FeedUntil(*mapping, kSoaked, *frames, stop, ack_gaps); });
+    threads.emplace_back([&](const std::stop_token& stop) {
+      fed = FeedUntil(*mapping, kSoaked, *frames, options.frame_rate_hz, stop, ack_gaps);
+    });
     for (int i = 0; i < options.num_clients; ++i) {
       PlannerCalls& calls =
           *clients.emplace_back(std::make_unique<PlannerCalls>(server.TargetOf(kSoaked), static_cast<unsigned>(i)));

@@ -142,6 +142,34 @@ TEST(SurfaceCache, ForgetsMapsThatAreGone) {
   EXPECT_LT(cache.bytes(), 8 * one.bytes()) << "it sweeps when what it has has doubled";
 }
 
+TEST(SurfaceCache, ForgetsAMapThatIsClosedOnceItIsTold) {
+  SurfaceCache cache(kPlenty);
+  {
+    Map map = testing::FurnishedRoom();
+    AskEverywhere(cache, map.Publish(0));
+    cache.Forget(map.info().name);
+    EXPECT_GT(cache.bytes(), 0u) << "the state is still there";
+  }
+  cache.Forget("another");
+  cache.Forget(testing::SceneInfo().name);
+  EXPECT_EQ(cache.bytes() + cache.cell_bytes(), 0u);
+}
+
+TEST(SurfaceCache, WhatEachStateLeavesBehindIsBounded) {
+  Map map(testing::SceneInfo());
+  testing::AddThing(map);
+  SurfaceCache cache(kPlenty);
+  std::size_t least = kPlenty, most = 0;
+  for (int n = 0; n < 200; ++n) {
+    const auto ball = testing::Ball({0, 0, 0}, 0.3 + 0.01 * (n % 2));
+    testing::ObserveBand(*map.FindMutable(SubmapId(1)), ball, testing::CubeAt({0, 0, 0}, 0.5));
+    AskEverywhere(cache, map.Publish(n));
+    if (n > 0) least = std::min(least, cache.bytes());
+    most = std::max(most, cache.bytes());
+  }
+  EXPECT_LT(most, 20 * least) << least;
+}
+
 TEST(SurfaceCache, ThreadsMayAskWhileOthersMakeAndEvict) {
   Map map = testing::FurnishedRoom();
   SurfaceCache plenty(kPlenty);

@@ -10,8 +10,10 @@
 #include <future>
 #include <string>
 
+#include "mapping/query/distance_query.h"
 #include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
+#include "tests/unit/server/app/map_session_fixture.h"
 
 namespace dhpmap {
 namespace {
@@ -199,6 +201,26 @@ TEST_F(MapRegistryTest, AMapThatNobodyUsesIsClosedAndOpenedAgainWithoutNotice) {
   const int num_loads = store_.num_loads;
   EXPECT_EQ((*registry_->ViewOf("room"))->snapshot().submaps().size(), 2u);
   EXPECT_EQ(store_.num_loads, num_loads + 1);
+}
+
+TEST_F(MapRegistryTest, WhatWasMadeForQueriesGoesWithTheMap) {
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  const auto ask = [this] {
+    const auto view = *registry_->ViewOf("room");
+    const DistanceQuery query(registry_->surfaces().Of(view->shared_snapshot()), {.max_distance_m = 9});
+    return query.At({0, 0, 1}).distance_m;
+  };
+  const auto fuse = [this] {
+    const auto session = *registry_->OpenSession("room");
+    ASSERT_TRUE(Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(0), done); }).report.ok());
+    ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  };
+  fuse();
+  const double distance_m = ask();
+  EXPECT_LT(distance_m, 9);
+  EXPECT_GT(registry_->surface_bytes(), 0u);
+  ASSERT_TRUE(registry_->Delete("room").ok());
+  EXPECT_EQ(registry_->surface_bytes(), 0u);
 }
 
 TEST_F(MapRegistryTest, AMapThatIsHeldOrFedStaysOpen) {

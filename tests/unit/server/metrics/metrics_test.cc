@@ -17,13 +17,16 @@ TEST(Metrics, TextHoldsWhatWasRecorded) {
   metrics.RecordFrame(StatusCode::kOk);
   metrics.RecordCommit(StatusCode::kOk, 0.01);
   metrics.RecordRefinement(0.25, 1.5);
-  const std::string text = metrics.Text({{.name = "room", .num_submaps = 4, .num_blocks = 5, .revision = 6}});
+  const std::string text = metrics.Text({.maps = {{.name = "room", .num_submaps = 4, .num_blocks = 5, .revision = 6}},
+                                         .surface_bytes = 7,
+                                         .inflight_bytes = 8});
   for (const char* line :
        {"# TYPE dhpmap_rpc_seconds histogram\n",
         "dhpmap_rpc_seconds_count{code=\"NOT_FOUND\",method=\"MapService/GetMap\"} 2\n",
         "dhpmap_query_points_total 1000\n", "dhpmap_ingest_frames_total{code=\"OK\"} 1\n",
         "dhpmap_commit_seconds_count{code=\"OK\"} 1\n", "dhpmap_refinement_seconds_sum{step=\"crf\"} 1.5\n",
-        "dhpmap_map_submaps{map=\"room\"} 4\n", "dhpmap_map_revision{map=\"room\"} 6\n"}) {
+        "dhpmap_map_submaps{map=\"room\"} 4\n", "dhpmap_surface_memory_bytes 7\n", "dhpmap_inflight_bytes 8\n",
+        "dhpmap_map_revision{map=\"room\"} 6\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
   }
 }
