@@ -2,8 +2,10 @@
 #include "mapping/mesh/tile_surface.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "mapping/map/slope.h"
@@ -27,11 +29,81 @@ constexpr int Position(int x, int y, int z) {
 
 enum Flag : std::uint8_t { kHasValue = 1, kInside = 2, kObserved = 4 };
 
+/// The other voxels around one.
+struct Neighbour {
+  int step;
+  Eigen::Vector3f offset_vox;
+  float nearness;
+};
+constexpr int kNumNeighbours = 26;
+const std::array<Neighbour, kNumNeighbours>& Neighbours() {
+  static const std::array<Neighbour, kNumNeighbours> neighbours = [] {
+    std::array<Neighbour, kNumNeighbours> all;
+    std::size_t i = 0;
+    for (int k = 0; k < 27; ++k) {
+      const Eigen::Vector3i offset(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+      if (offset.isZero()) continue;
+      all[i++] = {offset.x() * kStride[0] + offset.y() * kStride[1] + offset.z() * kStride[2], offset.cast<float>(),
+                  1.0f / static_cast<float>(offset.squaredNorm())};
+    }
+    return all;
+  }();
+  return neighbours;
+}
+
+/// Eight voxels' flags at once.
+using Flags8 = std::uint64_t;
+constexpr Flags8 EightOf(std::uint8_t flag) { return 0x0101010101010101u * flag; }
+Flags8 Load8(const std::uint8_t* flags) {
+  Flags8 eight;
+  std::memcpy(&eight, flags, sizeof(eight));
+  return eight;
+}
+constexpr int kWords = (kSide + 7) / 8;  ///< for a row and a little more
+
+/// Room for a tile and what is around it, which a thread keeps: to clear what a surface touched of it takes a tenth of
+/// clearing all.
+class TileRoom {
+ public:
+  static constexpr std::size_t kRows = std::size_t{kSide} * kSide;  ///< of kSide voxels along x
+
+  std::vector<float> distance_m = std::vector<float>(kVoxels, std::numeric_limits<float>::quiet_NaN());
+  std::vector<std::uint8_t> flags = std::vector<std::uint8_t>(kVoxels + 8 * kWords, 0);  // rows are read in words
+  std::vector<float> sum_m = std::vector<float>(kVoxels, 0), weight = std::vector<float>(kVoxels, 0);
+  std::vector<int> reached;
+
+  void Touch(std::size_t row) {
+    if (is_touched_[row]) return;
+    touched_.push_back(row);
+    is_touched_[row] = true;
+  }
+  [[nodiscard]] bool IsTouched(std::size_t row) const { return is_touched_[row]; }
+  void Clear() {
+    for (const std::size_t row : touched_) {
+      is_touched_[row] = false;
+      const auto first = static_cast<std::ptrdiff_t>(row * kSide);
+      std::fill_n(distance_m.begin() + first, kSide, std::numeric_limits<float>::quiet_NaN());
+      std::fill_n(flags.begin() + first, kSide, std::uint8_t{0});
+    }
+    touched_.clear();
+    for (const int position : reached) {
+      sum_m[static_cast<std::size_t>(position)] = 0;
+      weight[static_cast<std::size_t>(position)] = 0;
+    }
+    reached.clear();
+  }
+
+ private:
+  std::vector<std::size_t> touched_;
+  std::array<bool, kRows> is_touched_{};
+};
+
+constexpr std::size_t RowOf(int position) { return static_cast<std::size_t>(position) / kSide; }
+
 /// A tile with the voxels around it, as far as they are observed or can be extrapolated.
 class TileWindow {
  public:
-  TileWindow(const TileNeighbourhood& around, TileIndex tile)
-      : distance_m_(kVoxels, std::numeric_limits<float>::quiet_NaN()), flags_(kVoxels, 0) {
+  TileWindow(TileRoom& room, const TileNeighbourhood& around, TileIndex tile) : room_(room) {
     for (int dz = -1; dz <= kTileSide; ++dz) {
       for (int dy = -1; dy <= kTileSide; ++dy) {
         for (int dx = -1; dx <= kTileSide; ++dx) CopyBlock(around, tile, {dx, dy, dz});
@@ -39,9 +111,14 @@ class TileWindow {
     }
     Extrapolate();
   }
+  ~TileWindow() { room_.Clear(); }
+  TileWindow(const TileWindow&) = delete;
+  TileWindow& operator=(const TileWindow&) = delete;
 
   [[nodiscard]] float At(int position) const { return distance_m_[static_cast<std::size_t>(position)]; }
-  [[nodiscard]] const std::uint8_t* flags() const { return flags_.data(); }
+  [[nodiscard]] const std::uint8_t* flags() const { return flags_; }
+  /// Whether a row along x has any value.
+  [[nodiscard]] bool HasRow(int position) const { return room_.IsTouched(RowOf(position)); }
 
  private:
   /// The block at an offset, in blocks, from the tile's first.
@@ -56,11 +133,13 @@ class TileWindow {
     const auto end = [](int d) { return d == kTileSide ? kMargin : kBlockSide; };
     for (int z = begin(offset.z); z < end(offset.z); ++z) {
       for (int y = begin(offset.y); y < end(offset.y); ++y) {
+        const int row = Position(0, offset.y * kBlockSide + y, offset.z * kBlockSide + z);
+        room_.Touch(RowOf(row));
         for (int x = begin(offset.x); x < end(offset.x); ++x) {
           const int linear = LinearIndex({x, y, z});
-          if (!block->Shows(linear)) continue;
-          Set(Position(offset.x * kBlockSide + x, offset.y * kBlockSide + y, offset.z * kBlockSide + z),
-              block->tsdf->distance_m[static_cast<std::size_t>(linear)], kObserved);
+          if (block->Shows(linear)) {
+            Set(row + offset.x * kBlockSide + x, block->tsdf->distance_m[static_cast<std::size_t>(linear)], kObserved);
+          }
         }
       }
     }
@@ -75,50 +154,59 @@ class TileWindow {
   /// Gives voxels that have an observed one among their 26 neighbours the average of what these expect there, the
   /// nearer the more.
   void Extrapolate() {
-    std::vector<float> sum_m(kVoxels, 0), weight(kVoxels, 0);
-    std::vector<int> reached;
     for (int z = -2; z < kTileVoxels + 2; ++z) {
       for (int y = -2; y < kTileVoxels + 2; ++y) {
-        for (int x = -2; x < kTileVoxels + 2; ++x) {
-          const int from = Position(x, y, z);
-          if ((flags_[static_cast<std::size_t>(from)] & kObserved) == 0 || !IsAtBorder(from)) continue;
-          const float here_m = At(from);
-          Eigen::Vector3f slope;
-          for (int i = 0; i < 3; ++i) slope[i] = Slope(At(from - kStride[i]), here_m, At(from + kStride[i]));
-          for (int k = 0; k < 27; ++k) {
-            const int dx = k % 3 - 1, dy = k / 3 % 3 - 1, dz = k / 9 - 1;
-            const int to = from + dx * kStride[0] + dy * kStride[1] + dz * kStride[2];
-            const auto t = static_cast<std::size_t>(to);
-            if ((flags_[t] & kObserved) != 0) continue;
-            if (weight[t] == 0) reached.push_back(to);
-            const float nearness = 1.0f / static_cast<float>(dx * dx + dy * dy + dz * dz);
-            sum_m[t] += nearness * (here_m + slope.dot(Eigen::Vector3f(static_cast<float>(dx), static_cast<float>(dy),
-                                                                       static_cast<float>(dz))));
-            weight[t] += nearness;
-          }
-        }
+        if (HasRow(Position(0, y, z))) ExtrapolateRow(y, z);
       }
     }
-    for (const int to : reached) {
+    for (const int to : room_.reached) {
       const auto t = static_cast<std::size_t>(to);
-      Set(to, sum_m[t] / weight[t], kHasValue);
+      room_.Touch(RowOf(to));
+      Set(to, sum_m_[t] / weight_[t], kHasValue);
     }
   }
 
-  /// Whether one of the 26 neighbours is not observed.
-  [[nodiscard]] bool IsAtBorder(int position) const {
-    unsigned all = kObserved;
-    for (int dz = -1; dz <= 1; ++dz) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        const std::uint8_t* row = &flags_[static_cast<std::size_t>(position + dy * kStride[1] + dz * kStride[2])];
-        all &= row[-1] & row[0] & row[1];
+  void ExtrapolateRow(int y, int z) {
+    std::array<Flags8, kWords> all;  // flags that all of the nine rows here and around have
+    all.fill(EightOf(kObserved));
+    for (int k = 0; k < 9; ++k) {
+      const std::uint8_t* row = flags_ + Position(-kMargin, y + k % 3 - 1, z + k / 3 - 1);
+      for (std::size_t word = 0; word < all.size(); ++word) all[word] &= Load8(row + 8 * word);
+    }
+    std::array<std::uint8_t, 8 * (kWords + 1)> by_voxel{};
+    std::memcpy(by_voxel.data(), all.data(), sizeof(all));
+    const std::uint8_t* here = flags_ + Position(-kMargin, y, z);
+    for (std::size_t x = 1; x + 1 < kSide; x += 8) {  // beyond the row is nothing that was observed there
+      const Flags8 within =
+          Load8(&by_voxel[x - 1]) & Load8(&by_voxel[x]) & Load8(&by_voxel[x + 1]) & EightOf(kObserved);
+      Flags8 border = Load8(here + x) & ~within & EightOf(kObserved);
+      for (; border != 0; border &= border - 1) {
+        const std::size_t at = x + static_cast<std::size_t>(std::countr_zero(border)) / 8;
+        if (at + 1 < kSide) SpreadFrom(Position(static_cast<int>(at) - kMargin, y, z));
       }
     }
-    return all == 0;
   }
 
-  std::vector<float> distance_m_;
-  std::vector<std::uint8_t> flags_;
+  /// What a voxel expects at those around it that are not observed.
+  void SpreadFrom(int from) {
+    const float here_m = At(from);
+    Eigen::Vector3f slope;
+    for (int i = 0; i < 3; ++i) slope[i] = Slope(At(from - kStride[i]), here_m, At(from + kStride[i]));
+    for (const Neighbour& neighbour : Neighbours()) {
+      const int to = from + neighbour.step;
+      const auto t = static_cast<std::size_t>(to);
+      if ((flags_[t] & kObserved) != 0) continue;
+      if (weight_[t] == 0) room_.reached.push_back(to);
+      sum_m_[t] += neighbour.nearness * (here_m + slope.dot(neighbour.offset_vox));
+      weight_[t] += neighbour.nearness;
+    }
+  }
+
+  TileRoom& room_;
+  float* const distance_m_ = room_.distance_m.data();
+  std::uint8_t* const flags_ = room_.flags.data();
+  float* const sum_m_ = room_.sum_m.data();
+  float* const weight_ = room_.weight.data();
 };
 
 class TileMarcher {
@@ -136,20 +224,27 @@ class TileMarcher {
  private:
   void MarchRow(int y, int z) {
     constexpr int kCorners = kTileVoxels + 2;
-    std::array<std::uint8_t, kCorners> all, any;
-    const std::uint8_t* row = window_.flags() + Position(-1, y, z);
-    for (int x = 0; x < kCorners; ++x) {
-      const std::uint8_t a = row[x], b = row[x + kStride[1]], c = row[x + kStride[2]],
-                         d = row[x + kStride[1] + kStride[2]];
-      all[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(a & b & c & d);
-      any[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(a | b | c | d);
+    const int first = Position(-1, y, z);
+    for (const int step : {0, kStride[1], kStride[2], kStride[1] + kStride[2]}) {
+      if (!window_.HasRow(first + step)) return;
     }
-    for (std::size_t x = 0; x + 1 < kCorners; ++x) {
-      const unsigned every = all[x] & all[x + 1], some = any[x] | any[x + 1];
-      if ((every & (kHasValue | kInside)) != kHasValue || (some & (kObserved | kInside)) != (kObserved | kInside)) {
-        continue;
+    std::array<std::uint8_t, 8 * (kWords + 1)> all{}, any{};  // by corner along x
+    const std::uint8_t* row = window_.flags() + first;
+    for (std::size_t x = 0; x < kCorners; x += 8) {
+      const Flags8 a = Load8(row + x), b = Load8(row + x + kStride[1]), c = Load8(row + x + kStride[2]),
+                   d = Load8(row + x + kStride[1] + kStride[2]);
+      const Flags8 of_all = a & b & c & d, of_any = a | b | c | d;
+      std::memcpy(&all[x], &of_all, sizeof(of_all));
+      std::memcpy(&any[x], &of_any, sizeof(of_any));
+    }
+    for (std::size_t x = 0; x + 1 < kCorners; x += 8) {
+      const Flags8 every = Load8(&all[x]) & Load8(&all[x + 1]), some = Load8(&any[x]) | Load8(&any[x + 1]);
+      static_assert(kHasValue == 1 && kInside == 2 && kObserved == 4);
+      Flags8 crossed = every & ~(every >> 1) & (some >> 1) & (some >> 2) & EightOf(1);
+      for (; crossed != 0; crossed &= crossed - 1) {
+        const std::size_t at = x + static_cast<std::size_t>(std::countr_zero(crossed)) / 8;
+        if (at + 1 < kCorners) MarchCell({static_cast<int>(at) - 1, y, z});
       }
-      MarchCell({static_cast<int>(x) - 1, y, z});
     }
   }
 
@@ -209,7 +304,8 @@ TileNeighbourhood FindNeighbourhood(const BlockTable& blocks, TileIndex tile) {
 }
 
 std::vector<SurfaceTriangle> ExtractTileSurface(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m) {
-  const TileWindow window(around, tile);
+  thread_local TileRoom room;
+  const TileWindow window(room, around, tile);
   return TileMarcher(window, voxel_size_m).March();
 }
 

@@ -2,7 +2,6 @@
 #include "mapping/query/box_tree.h"
 
 #include <limits>
-#include <numeric>
 
 namespace dhpmap {
 
@@ -32,33 +31,33 @@ Eigen::AlignedBox3f BoxTree::Node::Bounds() const {
 BoxTree::BoxTree(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size) : items_(boxes.size()) {
   if (boxes.empty()) return;
   for (const Eigen::AlignedBox3f& box : boxes) bounds_.extend(box);
-  std::iota(items_.begin(), items_.end(), 0u);
+  std::vector<Centre> centres(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) centres[i] = {boxes[i].center(), static_cast<std::uint32_t>(i)};
   std::size_t capacity = 1;  // of a child of the root
   while (capacity * kLanes < boxes.size()) capacity *= kLanes;
-  Arrange(boxes, items_, capacity);
+  Arrange(centres, capacity);
+  for (std::size_t i = 0; i < centres.size(); ++i) items_[i] = centres[i].item;
   BuildLevels(boxes, leaf_size);
 }
 
 /// Cuts the items into eight parts, halving along the longest side three times, so that all but the last part are full
 /// trees of `child_capacity` items; then each part likewise.
-void BoxTree::Arrange(std::span<const Eigen::AlignedBox3f> boxes, std::span<std::uint32_t> items,
-                      std::size_t child_capacity) {
+void BoxTree::Arrange(std::span<Centre> items, std::size_t child_capacity) {
   if (child_capacity <= 1 && items.size() <= kLanes) return;
-  const auto halve = [&](const auto& self, std::span<std::uint32_t> part, std::size_t num_children) -> void {
+  const auto halve = [&](const auto& self, std::span<Centre> part, std::size_t num_children) -> void {
     if (part.size() <= child_capacity) {
-      if (child_capacity > 1) Arrange(boxes, part, child_capacity / kLanes);
+      if (child_capacity > 1) Arrange(part, child_capacity / kLanes);
       return;
     }
-    Eigen::AlignedBox3f centres;
-    for (const std::uint32_t item : part) centres.extend(boxes[item].center());
-    int axis = 0;
-    centres.sizes().maxCoeff(&axis);
     const std::size_t half = num_children / 2 * child_capacity;
     if (half < part.size()) {
+      Eigen::AlignedBox3f around;
+      for (const Centre& item : part) around.extend(item.at);
+      int axis = 0;
+      around.sizes().maxCoeff(&axis);
       std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
-                       [&](std::uint32_t a, std::uint32_t b) {
-                         const float of_a = boxes[a].center()[axis], of_b = boxes[b].center()[axis];
-                         return of_a != of_b ? of_a < of_b : a < b;
+                       [axis](const Centre& a, const Centre& b) {
+                         return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.item < b.item;
                        });
     }
     const std::size_t cut = std::min(half, part.size());

@@ -143,7 +143,12 @@ class BoxTree {
   template <typename Choice, typename Visitor>
   void Descend(Choice&& lanes_of, Visitor&& visit) const;
 
-  void Arrange(std::span<const Eigen::AlignedBox3f> boxes, std::span<std::uint32_t> items, std::size_t child_capacity);
+  /// Of an item's box.
+  struct Centre {
+    Eigen::Vector3f at;
+    std::uint32_t item;
+  };
+  static void Arrange(std::span<Centre> items, std::size_t child_capacity);
   void BuildLevels(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size);
 
   Eigen::AlignedBox3f bounds_;
