@@ -100,14 +100,19 @@ class TileRoom {
 
 constexpr std::size_t RowOf(int position) { return static_cast<std::size_t>(position) / kSide; }
 
+/// Where block `i` of TileBlocks is, in blocks from the tile's first.
+constexpr BlockIndex OffsetOf(int i) {
+  constexpr int kAround = kTileSide + 2;
+  return {i % kAround - 1, i / kAround % kAround - 1, i / (kAround * kAround) - 1};
+}
+
 /// A tile with the voxels around it, as far as they are observed or can be extrapolated.
 class TileWindow {
  public:
-  TileWindow(TileRoom& room, const TileNeighbourhood& around, TileIndex tile) : room_(room) {
-    for (int dz = -1; dz <= kTileSide; ++dz) {
-      for (int dy = -1; dy <= kTileSide; ++dy) {
-        for (int dx = -1; dx <= kTileSide; ++dx) CopyBlock(around, tile, {dx, dy, dz});
-      }
+  TileWindow(TileRoom& room, const TileBlocks& blocks) : room_(room) {
+    for (int i = 0; i < static_cast<int>(blocks.size()); ++i) {
+      if (blocks[static_cast<std::size_t>(i)] == nullptr) continue;
+      CopyBlock(*blocks[static_cast<std::size_t>(i)], OffsetOf(i));
     }
     Extrapolate();
   }
@@ -121,14 +126,8 @@ class TileWindow {
   [[nodiscard]] bool HasRow(int position) const { return room_.IsTouched(RowOf(position)); }
 
  private:
-  /// The block at an offset, in blocks, from the tile's first.
-  void CopyBlock(const TileNeighbourhood& around, TileIndex tile, BlockIndex offset) {
-    const TileIndex beside = TileOf(offset);
-    const TileEntry* entry = around[static_cast<std::size_t>((beside.x + 1) + 3 * (beside.y + 1) + 9 * (beside.z + 1))];
-    if (entry == nullptr) return;
-    const BlockIndex first = BlockIn(tile, 0);
-    const BlockEntry* block = entry->tile->Find(CellOf({first.x + offset.x, first.y + offset.y, first.z + offset.z}));
-    if (block == nullptr || block->tsdf == nullptr) return;
+  /// `offset`: in blocks, from the tile's first.
+  void CopyBlock(const BlockEntry& block, BlockIndex offset) {
     const auto begin = [](int d) { return d < 0 ? kBlockSide - kMargin : 0; };
     const auto end = [](int d) { return d == kTileSide ? kMargin : kBlockSide; };
     for (int z = begin(offset.z); z < end(offset.z); ++z) {
@@ -137,8 +136,8 @@ class TileWindow {
         room_.Touch(RowOf(row));
         for (int x = begin(offset.x); x < end(offset.x); ++x) {
           const int linear = LinearIndex({x, y, z});
-          if (block->Shows(linear)) {
-            Set(row + offset.x * kBlockSide + x, block->tsdf->distance_m[static_cast<std::size_t>(linear)], kObserved);
+          if (block.Shows(linear)) {
+            Set(row + offset.x * kBlockSide + x, block.tsdf->distance_m[static_cast<std::size_t>(linear)], kObserved);
           }
         }
       }
@@ -303,9 +302,23 @@ TileNeighbourhood FindNeighbourhood(const BlockTable& blocks, TileIndex tile) {
   return around;
 }
 
-std::vector<SurfaceTriangle> ExtractTileSurface(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m) {
+TileBlocks FindBlocks(const TileNeighbourhood& around, TileIndex tile) {
+  TileBlocks blocks{};
+  const BlockIndex first = BlockIn(tile, 0);
+  for (int i = 0; i < static_cast<int>(blocks.size()); ++i) {
+    const BlockIndex offset = OffsetOf(i);
+    const TileIndex beside = TileOf(offset);
+    const TileEntry* entry = around[static_cast<std::size_t>((beside.x + 1) + 3 * (beside.y + 1) + 9 * (beside.z + 1))];
+    if (entry == nullptr) continue;
+    const BlockEntry* block = entry->tile->Find(CellOf({first.x + offset.x, first.y + offset.y, first.z + offset.z}));
+    if (block != nullptr && block->tsdf != nullptr) blocks[static_cast<std::size_t>(i)] = block;
+  }
+  return blocks;
+}
+
+std::vector<SurfaceTriangle> ExtractTileSurface(const TileBlocks& blocks, double voxel_size_m) {
   thread_local TileRoom room;
-  const TileWindow window(room, around, tile);
+  const TileWindow window(room, blocks);
   return TileMarcher(window, voxel_size_m).March();
 }
 

@@ -17,13 +17,18 @@ using SurfaceTriangle = std::array<Eigen::Vector3f, 3>;
 using TileNeighbourhood = std::array<const TileEntry*, 27>;
 TileNeighbourhood FindNeighbourhood(const BlockTable& blocks, TileIndex tile);
 
+/// The blocks of them that it is made of: the tile's own and those that touch it, at offsets -1 to kTileSide from its
+/// first, x fastest. Null where there is no TSDF. While what these show of a surface is the same, so is the surface.
+using TileBlocks = std::array<const BlockEntry*, std::size_t{kTileSide + 2} * (kTileSide + 2) * (kTileSide + 2)>;
+TileBlocks FindBlocks(const TileNeighbourhood& around, TileIndex tile);
+
 /// The part of a submap's zero surface that belongs to one of its tiles, relative to the tile's corner of least
 /// coordinates (TileCorner), along the axes of the submap's frame. Marching cubes as in a mesh of the submap alone, but
 /// the surface reaches one voxel over the border of what is observed, where values are extrapolated from the observed
 /// voxels around: so the surfaces of neighbours that label management has made exclusive close, whatever becomes of
 /// either. It depends on the submap's own voxels only. A cell with an observed corner belongs to the tile of the first
 /// of these, so each is in exactly one tile.
-std::vector<SurfaceTriangle> ExtractTileSurface(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m);
+std::vector<SurfaceTriangle> ExtractTileSurface(const TileBlocks& blocks, double voxel_size_m);
 
 /// In metres of the submap frame.
 Eigen::Vector3d TileCorner(TileIndex tile, double voxel_size_m);

@@ -2,6 +2,7 @@
 #include "mapping/query/submap_surface.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace dhpmap {
 namespace {
@@ -43,24 +44,31 @@ SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slot_of) {
   }
   tree_ = BoxTree(boxes);
   for (const std::uint32_t number : tree_.items()) tiles_.push_back(std::move(tiles[number]));
+  by_index_.resize(tiles_.size());
+  std::iota(by_index_.begin(), by_index_.end(), 0u);
+  std::sort(by_index_.begin(), by_index_.end(),
+            [this](std::uint32_t a, std::uint32_t b) { return tiles_[a].index < tiles_[b].index; });
+}
+
+std::shared_ptr<const TileSurfaceSlot> SubmapSurface::SlotAt(TileIndex tile) const {
+  const auto found = std::lower_bound(by_index_.begin(), by_index_.end(), tile,
+                                      [this](std::uint32_t i, TileIndex t) { return tiles_[i].index < t; });
+  return found != by_index_.end() && tiles_[*found].index == tile ? tiles_[*found].slot : nullptr;
 }
 
 void SubmapSurface::AppendChanges(const SubmapSurface& before, std::vector<Eigen::AlignedBox3d>& boxes_m) const {
-  const auto sorted = [](const SubmapSurface& surface) {
-    std::vector<const Tile*> tiles;
-    for (const Tile& tile : surface.tiles_) tiles.push_back(&tile);
-    std::sort(tiles.begin(), tiles.end(), [](const Tile* a, const Tile* b) { return a->index < b->index; });
-    return tiles;
-  };
-  const std::vector<const Tile*> old_tiles = sorted(before), new_tiles = sorted(*this);
-  auto was = old_tiles.begin(), is = new_tiles.begin();
-  while (was != old_tiles.end() || is != new_tiles.end()) {
-    if (is == new_tiles.end() || (was != old_tiles.end() && (*was)->index < (*is)->index)) {
-      boxes_m.push_back((*was++)->box_m);
-    } else if (was == old_tiles.end() || (*is)->index < (*was)->index) {
-      boxes_m.push_back((*is++)->box_m);
+  auto was = before.by_index_.begin(), is = by_index_.begin();
+  while (was != before.by_index_.end() || is != by_index_.end()) {
+    const Tile* old_tile = was == before.by_index_.end() ? nullptr : &before.tiles_[*was];
+    const Tile* new_tile = is == by_index_.end() ? nullptr : &tiles_[*is];
+    if (new_tile == nullptr || (old_tile != nullptr && old_tile->index < new_tile->index)) {
+      boxes_m.push_back(old_tile->box_m);
+      ++was;
+    } else if (old_tile == nullptr || new_tile->index < old_tile->index) {
+      boxes_m.push_back(new_tile->box_m);
+      ++is;
     } else {
-      if ((*was)->slot != (*is)->slot) boxes_m.push_back((*was)->box_m.merged((*is)->box_m));
+      if (old_tile->slot != new_tile->slot) boxes_m.push_back(old_tile->box_m.merged(new_tile->box_m));
       ++was, ++is;
     }
   }

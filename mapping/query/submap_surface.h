@@ -23,6 +23,9 @@ class SubmapSurface {
   /// Takes a look at each tile; `slot_of` gives the slots.
   SubmapSurface(const Submap& submap, const SlotSource& slot_of);
 
+  /// Null: there is none.
+  [[nodiscard]] std::shared_ptr<const TileSurfaceSlot> SlotAt(TileIndex tile) const;
+
   /// Around the surface, to a block or so. Empty: there is none.
   [[nodiscard]] const Eigen::AlignedBox3d& box_m() const { return box_m_; }
 
@@ -76,6 +79,7 @@ class SubmapSurface {
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();  ///< of the tree, whose floats would not do far from here
   BoxTree tree_;                                        ///< of the tiles' boxes
   std::vector<Tile> tiles_;                             ///< in the order of the tree
+  std::vector<std::uint32_t> by_index_;                 ///< their positions, by ascending index
 };
 
 }  // namespace dhpmap

@@ -39,6 +39,12 @@ DistanceFields MapSurfaces::FieldsAfter(const MapSurfaces* before, const std::sh
   return {index_.box_m(), voxel_size_m_, std::make_shared<FieldStore>(ledger), FieldStore::kFirst};
 }
 
+const SubmapSurface* MapSurfaces::SurfaceOf(SubmapId id) const {
+  const auto part =
+      std::lower_bound(parts_.begin(), parts_.end(), id, [](const Part& a, SubmapId b) { return a.id < b; });
+  return part != parts_.end() && part->id == id ? part->surface.get() : nullptr;
+}
+
 /// Of what was, only what this has copies of: the state may be gone.
 std::vector<Eigen::AlignedBox3d> MapSurfaces::ChangesSince(const MapSurfaces& before) const {
   std::vector<Eigen::AlignedBox3d> boxes_m;
@@ -127,32 +133,45 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, 
   std::vector<MapSurfaces::Part> parts;
   for (const auto& submap : state.submaps()) {
     if (submap->IsAbsent()) continue;
-    std::shared_ptr<const SubmapSurface> surface = SurfaceOf(submap);
+    std::shared_ptr<const SubmapSurface> surface =
+        SurfaceOf(submap, before == nullptr ? nullptr : before->SurfaceOf(submap->id()));
     if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), submap->id(), std::move(surface)});
   }
   return std::make_shared<const MapSurfaces>(state, std::move(parts), ledger_, before);
 }
 
-std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap) {
+std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap,
+                                                             const SubmapSurface* before) {
   {
     const MutexLock lock(mutex_);
     const auto known = submaps_.find(submap.get());
     if (known != submaps_.end() && !known->second.key.expired()) return known->second.value;
   }
-  auto made = std::make_shared<const SubmapSurface>(
-      *submap, [&](const TileNeighbourhood& around, TileIndex) { return SlotOf(around, submap->info().voxel_size_m); });
+  auto made = std::make_shared<const SubmapSurface>(*submap, [&](const TileNeighbourhood& around, TileIndex tile) {
+    return SlotOf(around, tile, submap->info().voxel_size_m, before);
+  });
   const MutexLock lock(mutex_);
   submaps_.insert_or_assign(submap.get(), Known<Submap, SubmapSurface>{submap, made});
   return made;
 }
 
-SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, double voxel_size_m) {
-  const MutexLock lock(mutex_);
-  Slot& slot = slots_[around[kCentre]->tile.get()];
-  if (slot == nullptr || !slot->IsOf(around, voxel_size_m)) {
-    slot = std::make_shared<const TileSurfaceSlot>(around, voxel_size_m, ledger_);
+/// That of the same tile, of one before it that shows the same, or a new one.
+SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m,
+                                        const SubmapSurface* before) {
+  const std::shared_ptr<const BlockTile>& centre = around[kCentre]->tile;
+  const auto fits = [&](const Slot& slot) { return slot != nullptr && slot->IsOf(around, tile, voxel_size_m); };
+  {
+    const MutexLock lock(mutex_);
+    if (const auto known = slots_.find(centre.get()); known != slots_.end() && fits(known->second.value)) {
+      return known->second.value;
+    }
   }
-  return slot;
+  Slot slot = before == nullptr ? nullptr : before->SlotAt(tile);
+  if (!fits(slot)) slot = std::make_shared<const TileSurfaceSlot>(around, tile, voxel_size_m, ledger_);
+  const MutexLock lock(mutex_);
+  Known<BlockTile, TileSurfaceSlot>& known = slots_[centre.get()];
+  if (!fits(known.value)) known = {centre, std::move(slot)};  // else somebody else has been here
+  return known.value;
 }
 
 void SurfaceCache::Forget(const std::string& map) {
@@ -165,7 +184,7 @@ void SurfaceCache::Forget(const std::string& map) {
 /// Forgets what nobody has any longer. Costs as much as there is, so it comes when that has grown by a quarter: while
 /// frames come, each state that is asked about leaves surfaces behind.
 void SurfaceCache::Sweep() {
-  std::erase_if(slots_, [](const auto& slot) { return slot.second->IsOrphan(); });
+  std::erase_if(slots_, [](const auto& slot) { return slot.second.key.expired(); });
   std::erase_if(submaps_, [](const auto& known) { return known.second.key.expired(); });
   sweep_at_ = (slots_.size() + submaps_.size()) / 4 * 5 + 64;
 }
@@ -174,23 +193,23 @@ void SurfaceCache::Sweep() {
 void SurfaceCache::Evict() {
   latest_.clear();
   Sweep();
-  std::vector<Slot> made;
-  states_.clear();  // and their cells, but for those in use
-  std::size_t bytes = ledger_->cell_bytes;
-  for (const auto& [tile, slot] : slots_) {
-    if (slot->bytes() == 0) continue;
-    made.push_back(slot);
-    bytes += slot->bytes();
+  states_.clear();                // and their cells, but for those in use
+  std::unordered_set<Slot> made;  // several tiles may show the same
+  for (const auto& [tile, known] : slots_) {
+    if (known.value->bytes() > 0) made.insert(known.value);
   }
-  std::sort(made.begin(), made.end(), [](const Slot& a, const Slot& b) { return a->last_used() < b->last_used(); });
+  std::vector<Slot> by_use(made.begin(), made.end());
+  std::sort(by_use.begin(), by_use.end(), [](const Slot& a, const Slot& b) { return a->last_used() < b->last_used(); });
+  std::size_t bytes = ledger_->cell_bytes;
+  for (const Slot& slot : by_use) bytes += slot->bytes();
   std::unordered_set<const TileSurfaceSlot*> dropped;
-  for (const Slot& slot : made) {
+  for (const Slot& slot : by_use) {
     if (bytes <= limit_bytes_ / 4 * 3) break;
     bytes -= slot->bytes();
     dropped.insert(slot.get());
   }
   if (dropped.empty()) return;
-  std::erase_if(slots_, [&](const auto& slot) { return dropped.contains(slot.second.get()); });
+  std::erase_if(slots_, [&](const auto& slot) { return dropped.contains(slot.second.value.get()); });
   std::erase_if(submaps_, [&](const auto& known) {
     bool is_hit = false;
     known.second.value->ForEachSlot([&](const TileSurfaceSlot& slot) { is_hit |= dropped.contains(&slot); });

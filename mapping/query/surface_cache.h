@@ -36,6 +36,8 @@ class MapSurfaces {
   /// Entry i is of surface(i). By ascending id.
   [[nodiscard]] const SubmapIndex& index() const { return index_; }
   [[nodiscard]] const SubmapSurface& surface(std::size_t number) const { return *parts_[number].surface; }
+  /// Of a submap; null if it has none.
+  [[nodiscard]] const SubmapSurface* SurfaceOf(SubmapId id) const;
   /// What is nearest to the places that are asked about again and again.
   [[nodiscard]] const NearbyCells& cells() const { return cells_; }
   /// What is nearest to them but for a part of a voxel, found sooner.
@@ -89,15 +91,20 @@ class SurfaceCache {
   };
 
   std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state, const MapSurfaces* before) DHPMAP_EXCLUDES(mutex_);
-  std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap) DHPMAP_EXCLUDES(mutex_);
-  Slot SlotOf(const TileNeighbourhood& around, double voxel_size_m) DHPMAP_EXCLUDES(mutex_);
+  /// `before`: of an earlier state of the submap; null: there was none.
+  std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap,
+                                                 const SubmapSurface* before) DHPMAP_EXCLUDES(mutex_);
+  Slot SlotOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m, const SubmapSurface* before)
+      DHPMAP_EXCLUDES(mutex_);
   void Sweep() DHPMAP_REQUIRES(mutex_);
   void Evict() DHPMAP_REQUIRES(mutex_);
 
   const std::size_t limit_bytes_;
   const std::shared_ptr<SurfaceLedger> ledger_ = std::make_shared<SurfaceLedger>();
   mutable Mutex mutex_;
-  std::unordered_map<const BlockTile*, Slot> slots_ DHPMAP_GUARDED_BY(mutex_);  // by the tile in the middle
+  std::unordered_map<const BlockTile*, Known<BlockTile, TileSurfaceSlot>> slots_
+      DHPMAP_GUARDED_BY(mutex_);  // by the
+                                  // tile in the middle
   std::unordered_map<const Submap*, Known<Submap, SubmapSurface>> submaps_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<const MapSnapshot*, Known<MapSnapshot, MapSurfaces>> states_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<std::string, std::shared_ptr<const MapSurfaces>> latest_ DHPMAP_GUARDED_BY(mutex_);  // by map

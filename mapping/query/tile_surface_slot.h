@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "mapping/base/mutex.h"
 #include "mapping/mesh/tile_surface.h"
@@ -15,21 +16,21 @@
 namespace dhpmap {
 
 /// The surface of one tile of a submap, made when it is first asked for, from whichever map, clone or state has the
-/// same voxels there. Knows them by identity and does not keep them alive. Thread-safe: threads that want the same
-/// surface wait for one of them to make it (a millisecond), and for nothing else.
+/// same surface voxels there; labels may differ. Knows them by identity and does not keep them alive. Thread-safe:
+/// threads that want the same surface wait for one of them to make it (a fraction of a millisecond), and for nothing
+/// else.
 class TileSurfaceSlot {
  public:
-  TileSurfaceSlot(const TileNeighbourhood& around, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger);
+  TileSurfaceSlot(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m,
+                  std::shared_ptr<SurfaceLedger> ledger);
   ~TileSurfaceSlot();
   TileSurfaceSlot(const TileSurfaceSlot&) = delete;
   TileSurfaceSlot& operator=(const TileSurfaceSlot&) = delete;
 
   /// Whether the surface is made of these very voxels.
-  [[nodiscard]] bool IsOf(const TileNeighbourhood& around, double voxel_size_m) const;
-  /// Whether nobody has the tile any longer.
-  [[nodiscard]] bool IsOrphan() const { return tiles_[kCentre].expired(); }
+  [[nodiscard]] bool IsOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m) const;
 
-  /// `blocks` has the tile, as it was when the slot was made. Valid as long as the slot.
+  /// `blocks` has the tile, with the voxels it was made of. Valid as long as the slot.
   [[nodiscard]] const TriangleTree& Surface(const BlockTable& blocks, TileIndex tile) const {
     MarkUsed();
     const TriangleTree* ready = ready_.load(std::memory_order_acquire);
@@ -49,10 +50,19 @@ class TileSurfaceSlot {
   [[nodiscard]] std::uint64_t last_used() const { return last_used_.load(std::memory_order_relaxed); }
 
  private:
-  static constexpr std::size_t kCentre = 13;
+  /// What a block shows of a surface.
+  struct Layers {
+    std::size_t where;  ///< in TileBlocks
+    std::weak_ptr<const TsdfBlock> tsdf;
+    std::weak_ptr<const GoneBlock> gone;
+  };
+  static std::vector<Layers> LayersOf(const TileBlocks& blocks);
+  [[nodiscard]] bool HasLayersOf(const TileBlocks& blocks) const;
   const TriangleTree& Make(const BlockTable& blocks, TileIndex tile) const;
 
-  const std::array<std::weak_ptr<const BlockTile>, 27> tiles_;  // empty where there is none
+  const std::array<std::weak_ptr<const BlockTile>, 27> tiles_;  ///< empty where there is none; while these last, no
+                                                                ///< need to look at each block
+  const std::vector<Layers> layers_;
   const double voxel_size_m_;
   const std::shared_ptr<SurfaceLedger> ledger_;
   mutable std::atomic<std::uint64_t> last_used_{0};

@@ -82,7 +82,7 @@ struct Soup {
       for (const TileEntry& tile : submap->blocks().tiles()) {
         const Eigen::Vector3d corner = TileCorner(tile.index, size_m);
         for (const SurfaceTriangle& t :
-             ExtractTileSurface(FindNeighbourhood(submap->blocks(), tile.index), tile.index, size_m)) {
+             ExtractTileSurface(FindBlocks(FindNeighbourhood(submap->blocks(), tile.index), tile.index), size_m)) {
           auto& triangle = triangles.emplace_back();
           for (std::size_t i = 0; i < 3; ++i) {
             triangle[i] = submap->info().T_map_submap * (corner + t[i].cast<double>());

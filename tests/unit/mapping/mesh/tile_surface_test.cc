@@ -38,7 +38,7 @@ std::vector<Triangle> TrianglesOf(const Submap& submap) {
   for (const TileEntry& tile : submap.blocks().tiles()) {
     const Eigen::Vector3d corner = TileCorner(tile.index, kVoxel_m);
     for (const SurfaceTriangle& t :
-         ExtractTileSurface(FindNeighbourhood(submap.blocks(), tile.index), tile.index, kVoxel_m)) {
+         ExtractTileSurface(FindBlocks(FindNeighbourhood(submap.blocks(), tile.index), tile.index), kVoxel_m)) {
       triangles.push_back({corner + t[0].cast<double>(), corner + t[1].cast<double>(), corner + t[2].cast<double>()});
     }
   }

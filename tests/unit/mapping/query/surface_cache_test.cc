@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <thread>
+#include <vector>
 
 #include "mapping/query/distance_query.h"
 #include "tests/unit/mapping/query/surface_scene.h"
@@ -80,6 +82,58 @@ TEST(SurfaceCache, OnlyTilesThatTouchAChangeAreMadeAgain) {
   ask_along(map.Publish(1));
   EXPECT_GT(cache.bytes(), bytes);
   EXPECT_LT(cache.bytes(), bytes + bytes / 2) << "the old state is still held, and the new one shares the rest with it";
+}
+
+TEST(SurfaceCache, WhatShowsTheSameIsNotMadeAgain) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(kPlenty);
+  const double truth = AskEverywhere(cache, map.Publish(0));
+  const auto before = map.published();
+  const auto first = cache.Of(before);
+  const std::size_t bytes = cache.bytes();
+  for (const auto& submap : before->submaps()) {
+    for (const BlockEntry& block : submap->blocks().entries()) {
+      map.FindMutable(submap->id())->MutableLabels(block.index).AddObservation(0, ClassId(2));
+    }
+  }
+  EXPECT_EQ(AskEverywhere(cache, map.Publish(1)), truth);
+  EXPECT_EQ(cache.bytes(), bytes);
+  // Nor later, when the tiles it was made of are gone.
+  EXPECT_EQ(AskEverywhere(cache, map.Publish(2)), truth);
+  EXPECT_EQ(cache.bytes(), bytes);
+  const auto last = cache.Of(map.published());
+  for (std::size_t i = 0; i < first->index().entries().size(); ++i) {
+    std::vector<Eigen::AlignedBox3d> changes_m;
+    last->surface(i).AppendChanges(first->surface(i), changes_m);
+    EXPECT_TRUE(changes_m.empty());
+  }
+}
+
+TEST(SurfaceCache, AChangeBeyondTheReachOfATilesCellsLeavesItsSurface) {
+  Map map(testing::SceneInfo());
+  const auto wall = [](const Eigen::Vector3d& p) { return p.x() - 0.01; };
+  // Two tiles along y, the second begins at 1.6 m.
+  testing::ObserveBand(testing::AddThing(map), wall,
+                       Eigen::AlignedBox3d(Eigen::Vector3d(-0.3, 0, 0), Eigen::Vector3d(0.3, 3.2, 0.5)));
+  SurfaceCache cache(kPlenty);
+  const auto slots = [&] {
+    const auto surfaces = cache.Of(map.published());
+    const SubmapSurface* surface = surfaces->SurfaceOf(SubmapId(1));
+    return std::array{surface->SlotAt({0, 0, 0}), surface->SlotAt({0, 1, 0})};
+  };
+  const auto write_at = [&](double y_m) {
+    map.FindMutable(SubmapId(1))->MutableTsdf(BlockOf(VoxelAt({0.1, y_m, 0.1}, testing::kSceneVoxel_m))).weight[0] += 1;
+    map.Publish(0);
+  };
+  map.Publish(0);
+  const auto before = slots();
+  ASSERT_TRUE(before[0] && before[1]);
+  write_at(3.0);
+  const auto far = slots();
+  EXPECT_EQ(far[0], before[0]) << "the block that was written touches none of the tile's";
+  EXPECT_NE(far[1], before[1]);
+  write_at(1.7);
+  EXPECT_NE(slots()[0], before[0]);
 }
 
 TEST(SurfaceCache, IncrementalAnswersEqualThoseOfANewCacheOverRandomEdits) {

@@ -117,7 +117,7 @@ inline std::vector<std::array<Eigen::Vector3d, 3>> TrianglesInMap(const Submap& 
   for (const TileEntry& tile : submap.blocks().tiles()) {
     const Eigen::Vector3d corner = TileCorner(tile.index, size_m);
     for (const SurfaceTriangle& local :
-         ExtractTileSurface(FindNeighbourhood(submap.blocks(), tile.index), tile.index, size_m)) {
+         ExtractTileSurface(FindBlocks(FindNeighbourhood(submap.blocks(), tile.index), tile.index), size_m)) {
       auto& triangle = triangles.emplace_back();
       for (std::size_t i = 0; i < 3; ++i) {
         triangle[i] = submap.info().T_map_submap * (corner + local[i].cast<double>());
