@@ -2,6 +2,7 @@
 #include "mapping/base/lane.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "mapping/base/this_thread.h"
@@ -87,6 +88,56 @@ void Lane::Post(std::shared_ptr<LaneTask> task) {
     tasks_.push_back(std::move(task));
   }
   wake_.NotifyOne();
+}
+
+/// Items that several threads take one by one. Who comes after the last has been taken touches no body.
+class Lane::Shared {
+ public:
+  Shared(std::size_t count, const std::function<void(std::size_t)>& body) : count_(count), body_(body) {}
+
+  void TakeAll() DHPMAP_EXCLUDES(mutex_) {
+    MutexLock lock(mutex_);
+    while (next_ < count_) {
+      const std::size_t item = next_++;
+      ++num_running_;
+      lock.Unlock();
+      std::exception_ptr thrown;
+      try {
+        body_(item);
+      } catch (...) {
+        thrown = std::current_exception();
+      }
+      lock.Lock();
+      if (thrown != nullptr) {
+        if (first_ == nullptr) first_ = thrown;
+        next_ = count_;
+      }
+      if (--num_running_ == 0) ended_.NotifyAll();
+    }
+  }
+  /// For items that others have taken.
+  void Wait() DHPMAP_EXCLUDES(mutex_) {
+    const MutexLock lock(mutex_);
+    ended_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return num_running_ == 0; });
+    if (first_ != nullptr) std::rethrow_exception(first_);
+  }
+
+ private:
+  const std::size_t count_;
+  const std::function<void(std::size_t)>& body_;  ///< there as long as an item is not taken, or runs
+  Mutex mutex_;
+  CondVar ended_;
+  std::size_t next_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  int num_running_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::exception_ptr first_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+void Lane::Share(std::size_t count, const std::function<void(std::size_t)>& body) {
+  const auto shared = std::make_shared<Shared>(count, body);
+  const std::size_t num_helpers = std::min(count, threads_.size());
+  for (std::size_t i = 1; i < num_helpers; ++i) Post([shared] { shared->TakeAll(); });
+  shared->TakeAll();
+  shared->Wait();
 }
 
 void Lane::Loop() {

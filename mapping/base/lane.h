@@ -58,7 +58,13 @@ class Lane {
   void Post(std::function<void()> work) DHPMAP_EXCLUDES(mutex_);
   void Post(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
 
+  /// Spread (see there) over the caller's thread and those of the lane that come to it meanwhile: with a busy lane the
+  /// caller does it alone. If a body throws, items that have not begun are left out, and the caller gets the first
+  /// exception once the others have ended.
+  void Share(std::size_t count, const std::function<void(std::size_t)>& body) DHPMAP_EXCLUDES(mutex_);
+
  private:
+  class Shared;
   using Clock = std::chrono::steady_clock;
   /// How long others may go before one of TryPostLast.
   static constexpr std::chrono::seconds kLongestLast{5};

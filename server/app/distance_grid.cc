@@ -15,7 +15,7 @@ Result<std::span<const SurfaceDistance>> DistanceGrid::NextBatch(const std::stop
                                static_cast<double>(row / question_.size.y()));
     points_m_.push_back(question_.corner_m + question_.resolution_m * node);
   }
-  DHPMAP_RETURN_IF_ERROR(LookUpDistances(*view_, *cache_, question_.distances, points_m_, stop,
+  DHPMAP_RETURN_IF_ERROR(LookUpDistances(*view_, *cache_, question_.distances, points_m_, stop, InPlace,
                                          [this](const SurfaceDistance& answer) { answers_.push_back(answer); }));
   next_ = end;
   return std::span<const SurfaceDistance>(answers_);

@@ -5,30 +5,32 @@
 #include <cstddef>
 #include <vector>
 
+#include "server/app/point_pieces.h"
+
 namespace dhpmap {
-namespace {
-
-// Between two batches the cache may let go of surfaces, and the caller of the answer.
-constexpr std::size_t kBatch = 2048;
-
-}  // namespace
 
 Status LookUpDistances(const MapView& view, SurfaceCache& cache, const DistanceQuestion& question,
-                       std::span<const Eigen::Vector3d> points_m, const std::stop_token& stop,
+                       std::span<const Eigen::Vector3d> points_m, const std::stop_token& stop, const Spread& spread,
                        const std::function<void(const SurfaceDistance&)>& take) {
   const bool is_map_frame = IsIdentity(question.T_map_query);
   const Transform T_query_map = question.T_map_query.inverse();
-  std::vector<Eigen::Vector3d> points_map;
   std::vector<SurfaceDistance> answers;
-  for (std::size_t first = 0; first < points_m.size(); first += kBatch) {
+  for (const auto batch : BatchesOf(points_m)) {
     if (stop.stop_requested()) return Cancelled("the client went away");
-    const auto batch = points_m.subspan(first, std::min(kBatch, points_m.size() - first));
-    points_map.assign(batch.begin(), batch.end());
-    if (!is_map_frame) {
-      for (Eigen::Vector3d& p : points_map) p = question.T_map_query * p;
-    }
     answers.assign(batch.size(), {});
-    DistanceQuery(cache.Of(view.shared_snapshot()), question.options).At(points_map, answers);
+    // One a batch: between two the cache may let go of surfaces, and the caller of the answer.
+    const DistanceQuery query(cache.Of(view.shared_snapshot()), question.options);
+    SpreadAlongCurve(batch, spread, [&](std::span<const std::uint32_t> piece) {
+      if (stop.stop_requested()) return;
+      std::vector<Eigen::Vector3d> points_map;
+      points_map.reserve(piece.size());
+      for (const std::uint32_t i : piece)
+        points_map.push_back(is_map_frame ? batch[i] : question.T_map_query * batch[i]);
+      std::vector<SurfaceDistance> of_piece(piece.size());
+      query.At(points_map, of_piece);
+      for (std::size_t k = 0; k < piece.size(); ++k) answers[piece[k]] = of_piece[k];
+    });
+    if (stop.stop_requested()) return Cancelled("the client went away");
     for (SurfaceDistance& answer : answers) {
       if (!is_map_frame) {
         answer.gradient = T_query_map.linear() * answer.gradient;

@@ -5,19 +5,19 @@
 #include <cstddef>
 #include <vector>
 
-#include "mapping/query/point_order.h"
+#include "server/app/point_pieces.h"
 
 namespace dhpmap {
 
 Status LookUpPoints(const MapView& view, std::span<const Eigen::Vector3d> points_m, const std::stop_token& stop,
-                    const std::function<void(const PointInfo&)>& take) {
-  constexpr std::size_t kBatch = 8'192;  // between two, whoever has given up is seen
+                    const Spread& spread, const std::function<void(const PointInfo&)>& take) {
   std::vector<PointInfo> answers;
-  for (std::size_t first = 0; first < points_m.size(); first += kBatch) {
+  for (const auto batch : BatchesOf(points_m)) {
     if (stop.stop_requested()) return Cancelled("the client went away");
-    const auto batch = points_m.subspan(first, std::min(kBatch, points_m.size() - first));
     answers.resize(batch.size());
-    for (const std::uint32_t i : OrderAlongCurve(batch)) answers[i] = view.lookup().At(batch[i]);
+    SpreadAlongCurve(batch, spread, [&](std::span<const std::uint32_t> piece) {
+      for (const std::uint32_t i : piece) answers[i] = view.lookup().At(batch[i]);
+    });
     for (const PointInfo& answer : answers) take(answer);
   }
   return Status::Ok();

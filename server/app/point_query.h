@@ -6,14 +6,15 @@
 #include <span>
 #include <stop_token>
 
+#include "mapping/base/spread.h"
 #include "mapping/base/status.h"
 #include "server/app/map_view.h"
 
 namespace dhpmap {
 
-/// What is at `points_m` (map frame, finite)? Hands the answers to `take` in their order. CANCELLED soon after
-/// `stop` is requested.
+/// What is at `points_m` (map frame, finite)? Looks for many at once with `spread`; hands the answers to `take` in
+/// their order, from this thread. CANCELLED soon after `stop` is requested.
 Status LookUpPoints(const MapView& view, std::span<const Eigen::Vector3d> points_m, const std::stop_token& stop,
-                    const std::function<void(const PointInfo&)>& take);
+                    const Spread& spread, const std::function<void(const PointInfo&)>& take);
 
 }  // namespace dhpmap

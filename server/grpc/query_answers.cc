@@ -57,7 +57,8 @@ Status AnswerQuery(const QueryPlace& place, const v1::QueryPointsRequest& reques
   DHPMAP_ASSIGN_OR_RETURN(const auto points_m, PointsFromProto(request, place.context.options.max_query_points));
   DHPMAP_RETURN_IF_ERROR(place.fits);
   PointAnswers answers(request, InfoOf(place), points_m.size(), response);
-  return LookUpPoints(place.view, points_m, place.stop, [&](const PointInfo& point) { answers.Append(point); });
+  return LookUpPoints(place.view, points_m, place.stop, place.spread,
+                      [&](const PointInfo& point) { answers.Append(point); });
 }
 
 QueryEffort EffortOf(const v1::QueryDistancesRequest& request) {
@@ -71,7 +72,7 @@ Status AnswerQuery(const QueryPlace& place, const v1::QueryDistancesRequest& req
                           QueryOptionsFromProto(request.options(), place.view.snapshot(), kDistanceOptions));
   DHPMAP_RETURN_IF_ERROR(place.fits);
   DistanceAnswers answers(request, InfoOf(place), points_m.size(), response);
-  return LookUpDistances(place.view, SurfacesOf(place), question, points_m, place.stop,
+  return LookUpDistances(place.view, SurfacesOf(place), question, points_m, place.stop, place.spread,
                          [&](const SurfaceDistance& distance) { answers.Append(distance); });
 }
 

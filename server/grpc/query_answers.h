@@ -6,6 +6,7 @@
 #include <stop_token>
 
 #include "dhpmap/v1/query_service.pb.h"
+#include "mapping/base/spread.h"
 #include "server/app/map_view.h"
 #include "server/grpc/call_runner.h"
 
@@ -19,12 +20,13 @@ struct QueryEffort {
 };
 
 /// Answers a query from one state of a map. `fits` is an error where there is not that much room for answers; it is
-/// returned once the request is known to be sound.
+/// returned once the request is known to be sound. `spread` is for those with many parts.
 struct QueryPlace {
   const ServiceContext& context;
   const MapView& view;
   const Status& fits;
   const std::stop_token& stop;
+  const Spread& spread;
 };
 
 // A query is two functions of its request, for unary calls and for streams.
@@ -76,7 +78,11 @@ Status AnswerFromMap(const ServiceContext& context, const std::shared_ptr<const 
   const QueryEffort effort = EffortOf(request);
   const bool can_fit = effort.answer_bytes <= context.options.inflight->limit_bytes();
   const Status fits = can_fit ? Status::Ok() : AnswersTooLarge(effort.answer_bytes);
-  DHPMAP_RETURN_IF_ERROR(AnswerQuery({context, *view, fits, stop}, request, response));
+  const Spread on_lane = [&context](std::size_t count, const std::function<void(std::size_t)>& body) {
+    context.lanes.bulk.Share(count, body);
+  };
+  const Spread spread = effort.is_quick ? Spread(InPlace) : on_lane;
+  DHPMAP_RETURN_IF_ERROR(AnswerQuery({context, *view, fits, stop, spread}, request, response));
   if (context.observer.on_query) context.observer.on_query(effort.num_items);
   return Status::Ok();
 }

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <array>
 #include <atomic>
 #include <future>
+#include <set>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
+#include "tests/support/eventually.h"
 #include "tests/support/lane_plug.h"
 
 namespace dhpmap {
@@ -106,6 +111,46 @@ TEST(Lane, WorkThatHasBegunCannotBeGivenUp) {
   begun.get_future().wait();
   EXPECT_FALSE(task->GiveUp());
   release.set_value();
+}
+
+TEST(Lane, SharesItemsWithThreadsThatHaveNothingElseToDo) {
+  Lane lane({.num_threads = 3});
+  std::atomic<int> arrived = 0;
+  std::array<std::atomic<int>, 100> times{};
+  lane.Share(times.size(), [&](std::size_t i) {
+    // The first two end together only if two threads take them.
+    ++arrived;
+    EXPECT_TRUE(i >= 2 || testing::Eventually([&] { return arrived >= 2; }));
+    ++times[i];
+  });
+  for (const std::atomic<int>& n : times) EXPECT_EQ(n, 1);
+  lane.Share(0, [](std::size_t) { FAIL(); });
+}
+
+TEST(Lane, ABusyLaneLeavesAllToTheCaller) {
+  Lane lane({.num_threads = 2});
+  std::promise<void> may_go_on;
+  std::shared_future<void> go = may_go_on.get_future().share();
+  for (int i = 0; i < 2; ++i) lane.Post([go] { go.wait(); });
+  std::set<std::thread::id> threads;
+  lane.Share(50, [&](std::size_t) { threads.insert(std::this_thread::get_id()); });
+  EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
+  may_go_on.set_value();
+}
+
+TEST(Lane, WhatAnItemThrowsIsTheCallersOnceTheOthersHaveEnded) {
+  Lane lane({.num_threads = 3});
+  for (int round = 0; round < 100; ++round) {
+    std::atomic<int> begun = 0, ended = 0;
+    const auto body = [&](std::size_t i) {
+      ++begun;
+      if (i == 5) throw std::runtime_error("item 5");
+      ++ended;
+    };
+    EXPECT_THROW(lane.Share(10'000, body), std::runtime_error);
+    EXPECT_EQ(ended + 1, begun);
+    EXPECT_LT(begun, 10'000);
+  }
 }
 
 TEST(Lane, ItsThreadsAreAsNiceAsAsked) {

@@ -26,7 +26,8 @@ TEST(LookUpPoints, AnswersInTheOrderOfThePoints) {
   const MapView view(Plane());
   const std::vector<Eigen::Vector3d> points_m = {{9, 9, 9}, {0.1, 0.1, 0.2}, {0.1, 0.1, 0.1}};
   std::vector<PointInfo> answers;
-  ASSERT_TRUE(LookUpPoints(view, points_m, {}, [&](const PointInfo& point) { answers.push_back(point); }).ok());
+  ASSERT_TRUE(
+      LookUpPoints(view, points_m, {}, InPlace, [&](const PointInfo& point) { answers.push_back(point); }).ok());
   ASSERT_EQ(answers.size(), points_m.size());
   for (std::size_t i = 0; i < points_m.size(); ++i) {
     const PointInfo expected = view.lookup().At(points_m[i]);
@@ -42,7 +43,7 @@ TEST(LookUpPoints, EndsSoonAfterTheCallerIsGone) {
   const std::vector<Eigen::Vector3d> points_m(20000, {0.1, 0.1, 0.1});
   std::stop_source caller;
   int num_answered = 0;
-  const Status status = LookUpPoints(view, points_m, caller.get_token(), [&](const PointInfo&) {
+  const Status status = LookUpPoints(view, points_m, caller.get_token(), InPlace, [&](const PointInfo&) {
     if (++num_answered == 100) caller.request_stop();
   });
   EXPECT_EQ(status.code(), StatusCode::kCancelled);
@@ -51,7 +52,7 @@ TEST(LookUpPoints, EndsSoonAfterTheCallerIsGone) {
 
 TEST(LookUpPoints, OfNoPointsIsNothing) {
   const MapView view(Plane());
-  EXPECT_TRUE(LookUpPoints(view, {}, {}, [](const PointInfo&) { FAIL(); }).ok());
+  EXPECT_TRUE(LookUpPoints(view, {}, {}, InPlace, [](const PointInfo&) { FAIL(); }).ok());
 }
 
 }  // namespace
