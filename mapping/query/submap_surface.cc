@@ -56,6 +56,13 @@ std::shared_ptr<const TileSurfaceSlot> SubmapSurface::SlotAt(TileIndex tile) con
   return found != by_index_.end() && tiles_[*found].index == tile ? tiles_[*found].slot : nullptr;
 }
 
+void SubmapSurface::PrepareUsedSince(std::uint64_t time, const Submap& submap, const std::stop_token& stop) const {
+  for (const Tile& tile : tiles_) {
+    if (stop.stop_requested()) return;
+    if (tile.slot->last_used() >= time) tile.slot->Prepare(submap.blocks(), tile.index);
+  }
+}
+
 void SubmapSurface::AppendChanges(const SubmapSurface& before, std::vector<Eigen::AlignedBox3d>& boxes_m) const {
   auto was = before.by_index_.begin(), is = by_index_.begin();
   while (was != before.by_index_.end() || is != by_index_.end()) {

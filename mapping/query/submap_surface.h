@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "mapping/map/submap.h"
@@ -43,6 +44,9 @@ class SubmapSurface {
   [[nodiscard]] const TriangleTree& Surface(const Submap& submap, std::size_t position) const {
     return tiles_[position].slot->Surface(submap.blocks(), tiles_[position].index);
   }
+  /// Makes the surfaces of tiles that were used, in this state or one before, since a time by the ledger's clock. Ends
+  /// soon after `stop` is requested.
+  void PrepareUsedSince(std::uint64_t time, const Submap& submap, const std::stop_token& stop) const;
   /// That somebody uses the surface of a tile, which is made, without asking for it.
   void MarkUsed(std::size_t position) const { tiles_[position].slot->MarkUsed(); }
   /// Origin of the frame of a tile's surface, in the submap's frame.

@@ -111,6 +111,32 @@ std::size_t SurfaceCache::num_tiles() const {
 
 std::shared_ptr<const MapSurfaces> SurfaceCache::Of(const std::shared_ptr<const MapSnapshot>& state) {
   ledger_->time.fetch_add(1, std::memory_order_relaxed);
+  {
+    const MutexLock lock(mutex_);
+    asked_[state->info().name] = Clock::now();
+  }
+  return Find(state);
+}
+
+bool SurfaceCache::IsWanted(const std::string& map) const {
+  constexpr std::chrono::seconds kLately{2};
+  const MutexLock lock(mutex_);
+  const auto asked = asked_.find(map);
+  return asked != asked_.end() && Clock::now() - asked->second < kLately;
+}
+
+void SurfaceCache::Freshen(const std::shared_ptr<const MapSnapshot>& state, const std::stop_token& stop) {
+  constexpr std::uint64_t kLately = 64;  // questions
+  if (!IsWanted(state->info().name)) return;
+  const std::uint64_t now = ledger_->time.load(std::memory_order_relaxed);
+  const std::shared_ptr<const MapSurfaces> surfaces = Find(state);
+  const std::span<const SubmapIndex::Entry> entries = surfaces->index().entries();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    surfaces->surface(i).PrepareUsedSince(now > kLately ? now - kLately : 1, entries[i].submap(), stop);
+  }
+}
+
+std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<const MapSnapshot>& state) {
   std::shared_ptr<const MapSurfaces> before;
   {
     const MutexLock lock(mutex_);
@@ -167,7 +193,10 @@ SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, TileInd
     }
   }
   Slot slot = before == nullptr ? nullptr : before->SlotAt(tile);
-  if (!fits(slot)) slot = std::make_shared<const TileSurfaceSlot>(around, tile, voxel_size_m, ledger_);
+  if (!fits(slot)) {
+    const std::uint64_t last_used = slot == nullptr ? 0 : slot->last_used();
+    slot = std::make_shared<const TileSurfaceSlot>(around, tile, voxel_size_m, ledger_, last_used);
+  }
   const MutexLock lock(mutex_);
   Known<BlockTile, TileSurfaceSlot>& known = slots_[centre.get()];
   if (!fits(known.value)) known = {centre, std::move(slot)};  // else somebody else has been here
@@ -177,6 +206,7 @@ SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, TileInd
 void SurfaceCache::Forget(const std::string& map) {
   const MutexLock lock(mutex_);
   latest_.erase(map);
+  asked_.erase(map);
   std::erase_if(states_, [](const auto& known) { return known.second.key.expired(); });
   Sweep();
 }

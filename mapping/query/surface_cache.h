@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -71,6 +73,12 @@ class SurfaceCache {
   /// The surfaces of a state. The first to ask for it takes a look at what is new in it.
   std::shared_ptr<const MapSurfaces> Of(const std::shared_ptr<const MapSnapshot>& state) DHPMAP_EXCLUDES(mutex_);
 
+  /// Whether somebody has asked about a map of this name in the last two seconds.
+  [[nodiscard]] bool IsWanted(const std::string& map) const DHPMAP_EXCLUDES(mutex_);
+  /// Makes again what a state changes of what was asked for lately, so that who asks next finds it there. Nothing, for
+  /// a map that is not wanted. Ends soon after `stop` is requested.
+  void Freshen(const std::shared_ptr<const MapSnapshot>& state, const std::stop_token& stop) DHPMAP_EXCLUDES(mutex_);
+
   /// What was made for the map of this name alone goes when nobody uses it any longer; asked for again, it is made
   /// anew.
   void Forget(const std::string& map) DHPMAP_EXCLUDES(mutex_);
@@ -90,6 +98,9 @@ class SurfaceCache {
     std::shared_ptr<const Value> value;
   };
 
+  using Clock = std::chrono::steady_clock;
+
+  std::shared_ptr<const MapSurfaces> Find(const std::shared_ptr<const MapSnapshot>& state) DHPMAP_EXCLUDES(mutex_);
   std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state, const MapSurfaces* before) DHPMAP_EXCLUDES(mutex_);
   /// `before`: of an earlier state of the submap; null: there was none.
   std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap,
@@ -108,7 +119,8 @@ class SurfaceCache {
   std::unordered_map<const Submap*, Known<Submap, SubmapSurface>> submaps_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<const MapSnapshot*, Known<MapSnapshot, MapSurfaces>> states_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<std::string, std::shared_ptr<const MapSurfaces>> latest_ DHPMAP_GUARDED_BY(mutex_);  // by map
-  std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;  // so many slots and submaps
+  std::unordered_map<std::string, Clock::time_point> asked_ DHPMAP_GUARDED_BY(mutex_);  // last, by map
+  std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;                                 // so many slots and submaps
 };
 
 }  // namespace dhpmap

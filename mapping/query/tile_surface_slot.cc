@@ -28,11 +28,12 @@ bool IsSame(const std::weak_ptr<const BlockTile>& was, const TileEntry* is) {
 }  // namespace
 
 TileSurfaceSlot::TileSurfaceSlot(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m,
-                                 std::shared_ptr<SurfaceLedger> ledger)
+                                 std::shared_ptr<SurfaceLedger> ledger, std::uint64_t last_used)
     : tiles_(TilesOf(around)),
       layers_(LayersOf(FindBlocks(around, tile))),
       voxel_size_m_(voxel_size_m),
-      ledger_(std::move(ledger)) {}
+      ledger_(std::move(ledger)),
+      last_used_(last_used) {}
 
 std::vector<TileSurfaceSlot::Layers> TileSurfaceSlot::LayersOf(const TileBlocks& blocks) {
   std::vector<Layers> layers;

@@ -21,8 +21,9 @@ namespace dhpmap {
 /// else.
 class TileSurfaceSlot {
  public:
+  /// `last_used`: of the slot in whose place it comes.
   TileSurfaceSlot(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m,
-                  std::shared_ptr<SurfaceLedger> ledger);
+                  std::shared_ptr<SurfaceLedger> ledger, std::uint64_t last_used = 0);
   ~TileSurfaceSlot();
   TileSurfaceSlot(const TileSurfaceSlot&) = delete;
   TileSurfaceSlot& operator=(const TileSurfaceSlot&) = delete;
@@ -35,6 +36,10 @@ class TileSurfaceSlot {
     MarkUsed();
     const TriangleTree* ready = ready_.load(std::memory_order_acquire);
     return ready != nullptr ? *ready : Make(blocks, tile);
+  }
+  /// Makes it, if it is not there, without anybody having asked for it. `blocks` as for Surface.
+  void Prepare(const BlockTable& blocks, TileIndex tile) const {
+    if (ready_.load(std::memory_order_acquire) == nullptr) Make(blocks, tile);
   }
   /// That somebody uses it now.
   void MarkUsed() const {
@@ -65,7 +70,7 @@ class TileSurfaceSlot {
   const std::vector<Layers> layers_;
   const double voxel_size_m_;
   const std::shared_ptr<SurfaceLedger> ledger_;
-  mutable std::atomic<std::uint64_t> last_used_{0};
+  mutable std::atomic<std::uint64_t> last_used_;
   mutable Mutex mutex_;
   mutable std::unique_ptr<const TriangleTree> made_ DHPMAP_GUARDED_BY(mutex_);
   mutable std::atomic<const TriangleTree*> ready_{nullptr};  // made_, once it is there

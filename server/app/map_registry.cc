@@ -200,6 +200,7 @@ Status MapRegistry::Shutdown() {
   }
   shut_down_.NotifyAll();
   closer_.Join();
+  keeper_.Stop();
   Status outcome;
   for (const auto& session : OpenSessions()) {
     if (const Status stored = session->Stop(); !stored.ok()) outcome = stored;
@@ -259,7 +260,9 @@ MapSummary MapRegistry::Summarise(const Entry& entry) const {
 }
 
 std::shared_ptr<MapSession> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot) {
-  auto session = std::make_shared<MapSession>(std::move(snapshot), store_, options_);
+  SessionOptions options = options_;
+  options.on_publish = [this](const std::shared_ptr<const MapSnapshot>& state) { keeper_.Note(state); };
+  auto session = std::make_shared<MapSession>(std::move(snapshot), store_, std::move(options));
   const MutexLock lock(mutex_);
   if (is_shut_down_) return nullptr;
   entry.session = session;

@@ -13,6 +13,7 @@
 #include "mapping/base/mutex.h"
 #include "mapping/query/surface_cache.h"
 #include "server/app/map_session.h"
+#include "server/app/surface_keeper.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -101,6 +102,7 @@ class MapRegistry {
   MapStore& store_;
   const SessionOptions options_;
   SurfaceCache surfaces_;
+  SurfaceKeeper keeper_{surfaces_};
   std::map<std::string, std::shared_ptr<Entry>> entries_ DHPMAP_GUARDED_BY(mutex_);
   bool is_shut_down_ DHPMAP_GUARDED_BY(mutex_) = false;
   CondVar shut_down_;

@@ -362,9 +362,12 @@ std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapSnapsho
   auto view = View();
   if (view->shared_snapshot() == snapshot) return view;
   auto next = std::make_shared<const MapView>(std::move(snapshot));
-  const MutexLock lock(view_mutex_);
-  view_.swap(next);  // `view` still holds the old one: nothing is freed under the lock
-  return view_;
+  {
+    const MutexLock lock(view_mutex_);
+    view_ = next;  // `view` still holds the old one: nothing is freed under the lock
+  }
+  if (options_.on_publish) options_.on_publish(next->shared_snapshot());
+  return next;
 }
 
 /// Not with a full sync: that comes with the commit of the change.

@@ -42,7 +42,7 @@ struct SoakOptions {
   std::string dataset;  ///< the apartment of dhpmap-simulate
   double seconds = 1800;
   int num_clients = 8;
-  double rate_hz = 10;        ///< calls a second of each client, at most
+  double rate_hz = 2;         ///< calls a second of each client, at most
   double frame_rate_hz = 10;  ///< a camera's; 0: as many as the server takes
 };
 /// Mapping, edits and every kind of query at once, for long: no error, nothing that grows.

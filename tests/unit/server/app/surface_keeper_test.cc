@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/surface_keeper.h"
+
+#include <gtest/gtest.h>
+
+#include "mapping/query/distance_query.h"
+#include "tests/support/eventually.h"
+#include "tests/unit/mapping/query/surface_scene.h"
+
+namespace dhpmap {
+namespace {
+
+class SurfaceKeeperTest : public ::testing::Test {
+ protected:
+  /// Near the ball alone.
+  double Ask() {
+    return DistanceQuery(cache_.Of(map_.published()), {.max_distance_m = 0.2}).At({0.45, 0, 0}).distance_m;
+  }
+  void Grow(double by_m) {
+    const auto ball = testing::Ball({0, 0, 0}, 0.3 + by_m);
+    testing::ObserveBand(*map_.FindMutable(SubmapId(1)), ball, testing::CubeAt({0, 0, 0}, 0.5));
+    map_.Publish(0);
+  }
+  void SetUp() override {
+    testing::ObserveBand(testing::AddThing(map_), testing::Ball({0, 0, 0}, 0.3), testing::CubeAt({0, 0, 0}, 0.5));
+    testing::ObserveBand(testing::AddThing(map_), testing::Ball({9, 0, 0}, 0.3), testing::CubeAt({9, 0, 0}, 0.5));
+    map_.Publish(0);
+  }
+
+  Map map_{testing::SceneInfo()};
+  SurfaceCache cache_{std::size_t{1} << 30};
+};
+
+TEST_F(SurfaceKeeperTest, MakesWhatWasAskedForBeforeItIsAskedForAgain) {
+  SurfaceKeeper keeper(cache_);
+  (void)Ask();
+  const std::size_t of_one_ball = cache_.bytes();
+  const auto before = map_.published();  // so that the old surfaces stay, too
+  const auto old = cache_.Of(before);
+  Grow(0.02);
+  keeper.Note(map_.published());
+  EXPECT_TRUE(testing::Eventually([&] { return cache_.bytes() > of_one_ball * 3 / 2; })) << cache_.bytes();
+  const std::size_t ready = cache_.bytes();
+  EXPECT_LT(ready, of_one_ball * 3) << "not that of the other";
+  EXPECT_NEAR(Ask(), 0.13, 0.02);
+  EXPECT_EQ(cache_.bytes(), ready) << "nothing was left to be made";
+}
+
+TEST_F(SurfaceKeeperTest, MakesNothingForWhomNobodyAsks) {
+  SurfaceKeeper keeper(cache_);
+  for (int i = 0; i < 20; ++i) {
+    Grow(0.001 * i);
+    keeper.Note(map_.published());
+  }
+  keeper.Stop();
+  EXPECT_EQ(cache_.bytes() + cache_.num_tiles(), 0u);
+}
+
+TEST_F(SurfaceKeeperTest, EndsAtAnyTimeAndNotesNothingAfterwards) {
+  for (int round = 0; round < 30; ++round) {
+    SurfaceKeeper keeper(cache_);
+    for (int i = 0; i < round % 4; ++i) {
+      (void)Ask();
+      Grow(0.001 * (round + i));
+      keeper.Note(map_.published());
+    }
+    keeper.Stop();
+    Grow(0.05);
+    keeper.Note(map_.published());
+  }
+  const std::weak_ptr<const MapSnapshot> state = map_.published();
+  Grow(0.01);
+  EXPECT_TRUE(state.expired()) << "nobody keeps it";
+}
+
+}  // namespace
+}  // namespace dhpmap
