@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "mapping/base/this_thread.h"
@@ -135,7 +136,11 @@ class Lane::Shared {
 void Lane::Share(std::size_t count, const std::function<void(std::size_t)>& body) {
   const auto shared = std::make_shared<Shared>(count, body);
   const std::size_t num_helpers = std::min(count, threads_.size());
-  for (std::size_t i = 1; i < num_helpers; ++i) Post([shared] { shared->TakeAll(); });
+  try {
+    for (std::size_t i = 1; i < num_helpers; ++i) Post([shared] { shared->TakeAll(); });
+  } catch (const std::bad_alloc&) {
+    // Those who were asked may be at it: nobody leaves before they have ended.
+  }
   shared->TakeAll();
   shared->Wait();
 }

@@ -110,6 +110,7 @@ constexpr BlockIndex OffsetOf(int i) {
 class TileWindow {
  public:
   TileWindow(TileRoom& room, const TileBlocks& blocks) : room_(room) {
+    room_.Clear();  // of what one left that found no memory
     for (int i = 0; i < static_cast<int>(blocks.size()); ++i) {
       if (blocks[static_cast<std::size_t>(i)] == nullptr) continue;
       CopyBlock(*blocks[static_cast<std::size_t>(i)], OffsetOf(i));

@@ -9,12 +9,15 @@
 namespace dhpmap {
 
 void SurfaceKeeper::Note(std::shared_ptr<const MapSnapshot> state) {
-  const std::string name = state->info().name;
-  if (!cache_.IsWanted(name)) return;
+  if (!cache_.IsWanted(state->info().name)) return;
   const MutexLock lock(mutex_);
   if (stopping_) return;
-  if (!thread_.Start([this] { Loop(); }).ok()) return;  // who asks makes it
-  newest_[name].swap(state);
+  try {
+    if (!thread_.Start([this] { Loop(); }).ok()) return;
+    newest_[state->info().name].swap(state);
+  } catch (const std::bad_alloc&) {
+    return;  // who asks makes it, or is told
+  }
   wake_.NotifyOne();
 }
 
@@ -42,7 +45,7 @@ void SurfaceKeeper::Loop() {
     try {
       cache_.Freshen(state, stop_.get_token());
     } catch (const std::bad_alloc&) {
-      // Who asks makes it, or is told that there is no memory.
+      // As above.
     }
     state.reset();
     lock.Lock();
