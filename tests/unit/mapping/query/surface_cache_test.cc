@@ -214,7 +214,7 @@ TEST(SurfaceCache, WhatEachStateLeavesBehindIsBounded) {
   testing::AddThing(map);
   SurfaceCache cache(kPlenty);
   std::size_t least = kPlenty, most = 0;
-  for (int n = 0; n < 200; ++n) {
+  for (int n = 0; n < 60; ++n) {
     const auto ball = testing::Ball({0, 0, 0}, 0.3 + 0.01 * (n % 2));
     testing::ObserveBand(*map.FindMutable(SubmapId(1)), ball, testing::CubeAt({0, 0, 0}, 0.5));
     AskEverywhere(cache, map.Publish(n));
