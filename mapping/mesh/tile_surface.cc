@@ -59,7 +59,7 @@ Flags8 Load8(const std::uint8_t* flags) {
   std::memcpy(&eight, flags, sizeof(eight));
   return eight;
 }
-constexpr int kWords = (kSide + 7) / 8;  ///< for a row and a little more
+constexpr std::size_t kWords = (kSide + 7) / 8;  ///< for a row and a little more
 
 /// Room for a tile and what is around it, which a thread keeps: to clear what a surface touched of it takes a tenth of
 /// clearing all.

@@ -38,6 +38,7 @@ SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slot_of) {
   origin_m_ = box_m_.center();
   const float rounding_m = static_cast<float>(1e-6 * box_m_.sizes().norm());
   std::vector<Eigen::AlignedBox3f> boxes;
+  boxes.reserve(boxes_m.size());
   for (const Eigen::AlignedBox3d& box : boxes_m) {
     boxes.emplace_back((box.min() - origin_m_).cast<float>() - Eigen::Vector3f::Constant(rounding_m),
                        (box.max() - origin_m_).cast<float>() + Eigen::Vector3f::Constant(rounding_m));
@@ -65,20 +66,21 @@ void SubmapSurface::PrepareUsedSince(std::uint64_t time, const Submap& submap, c
 
 void SubmapSurface::AppendChanges(const SubmapSurface& before, std::vector<Eigen::AlignedBox3d>& boxes_m) const {
   auto was = before.by_index_.begin(), is = by_index_.begin();
-  while (was != before.by_index_.end() || is != by_index_.end()) {
-    const Tile* old_tile = was == before.by_index_.end() ? nullptr : &before.tiles_[*was];
-    const Tile* new_tile = is == by_index_.end() ? nullptr : &tiles_[*is];
-    if (new_tile == nullptr || (old_tile != nullptr && old_tile->index < new_tile->index)) {
-      boxes_m.push_back(old_tile->box_m);
+  while (was != before.by_index_.end() && is != by_index_.end()) {
+    const Tile &old_tile = before.tiles_[*was], &new_tile = tiles_[*is];
+    if (old_tile.index < new_tile.index) {
+      boxes_m.push_back(old_tile.box_m);
       ++was;
-    } else if (old_tile == nullptr || new_tile->index < old_tile->index) {
-      boxes_m.push_back(new_tile->box_m);
+    } else if (new_tile.index < old_tile.index) {
+      boxes_m.push_back(new_tile.box_m);
       ++is;
     } else {
-      if (old_tile->slot != new_tile->slot) boxes_m.push_back(old_tile->box_m.merged(new_tile->box_m));
+      if (old_tile.slot != new_tile.slot) boxes_m.push_back(old_tile.box_m.merged(new_tile.box_m));
       ++was, ++is;
     }
   }
+  for (; was != before.by_index_.end(); ++was) boxes_m.push_back(before.tiles_[*was].box_m);
+  for (; is != by_index_.end(); ++is) boxes_m.push_back(tiles_[*is].box_m);
 }
 
 }  // namespace dhpmap

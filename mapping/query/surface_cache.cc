@@ -20,8 +20,8 @@ std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> s
 
 }  // namespace
 
-MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger,
-                         const MapSurfaces* before)
+MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts,
+                         const std::shared_ptr<SurfaceLedger>& ledger, const MapSurfaces* before)
     : state_(state),
       voxel_size_m_(state.info().config.voxel_size_m),
       parts_(std::move(parts)),

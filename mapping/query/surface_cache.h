@@ -30,7 +30,7 @@ class MapSurfaces {
   };
   /// `state` outlives this; `ledger`: see CellSlots. With those of an earlier state of the map, though that be gone,
   /// the index costs little more than what has changed since, and near fields go on where nothing has.
-  MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, std::shared_ptr<SurfaceLedger> ledger,
+  MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, const std::shared_ptr<SurfaceLedger>& ledger,
               const MapSurfaces* before = nullptr);
 
   [[nodiscard]] const MapSnapshot& state() const { return state_; }

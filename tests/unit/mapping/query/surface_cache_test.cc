@@ -73,7 +73,7 @@ TEST(SurfaceCache, OnlyTilesThatTouchAChangeAreMadeAgain) {
   SurfaceCache cache(kPlenty);
   const auto ask_along = [&](const std::shared_ptr<const MapSnapshot>& state) {
     const DistanceQuery query(cache.Of(state), {});
-    for (double y = 0; y < 14.2; y += 0.1) (void)query.At({0.2, y, 0.2});
+    for (int i = 0; i < 142; ++i) (void)query.At({0.2, 0.1 * i, 0.2});
   };
   ask_along(map.Publish(0));
   const auto all = map.published();
@@ -230,6 +230,7 @@ TEST(SurfaceCache, ThreadsMayAskWhileOthersMakeAndEvict) {
   const double truth = AskEverywhere(plenty, map.Publish(0));
   SurfaceCache cache(plenty.bytes() / 2);
   std::vector<std::jthread> threads;
+  threads.reserve(4);
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&] {
       for (int n = 0; n < 3; ++n) EXPECT_EQ(AskEverywhere(cache, map.published()), truth);

@@ -176,6 +176,7 @@ inline std::vector<Eigen::Vector3d> RandomPoints(int count, double half_m, unsig
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-half_m, half_m);
   std::vector<Eigen::Vector3d> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) points.emplace_back(unit(random), unit(random), unit(random));
   return points;
 }
