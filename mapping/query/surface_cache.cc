@@ -188,9 +188,8 @@ SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, TileInd
   const auto fits = [&](const Slot& slot) { return slot != nullptr && slot->IsOf(around, tile, voxel_size_m); };
   {
     const MutexLock lock(mutex_);
-    if (const auto known = slots_.find(centre.get()); known != slots_.end() && fits(known->second.value)) {
-      return known->second.value;
-    }
+    const auto known = slots_.find(centre.get());
+    if (known != slots_.end() && !known->second.key.expired() && fits(known->second.value)) return known->second.value;
   }
   Slot slot = before == nullptr ? nullptr : before->SlotAt(tile);
   if (!fits(slot)) {
@@ -199,7 +198,8 @@ SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, TileInd
   }
   const MutexLock lock(mutex_);
   Known<BlockTile, TileSurfaceSlot>& known = slots_[centre.get()];
-  if (!fits(known.value)) known = {centre, std::move(slot)};  // else somebody else has been here
+  const bool is_there = !known.key.expired() && fits(known.value);  // somebody else has been here
+  if (!is_there) known = {centre, std::move(slot)};
   return known.value;
 }
 
