@@ -150,8 +150,10 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<cons
   std::shared_ptr<const MapSurfaces> made = Make(*state, before.get());
   const MutexLock lock(mutex_);
   if (slots_.size() + submaps_.size() > sweep_at_) Sweep();
-  states_.insert_or_assign(state.get(), Known<MapSnapshot, MapSurfaces>{state, made});
-  latest_[state->info().name] = made;
+  if (asked_.contains(state->info().name)) {  // else it was forgotten meanwhile
+    states_.insert_or_assign(state.get(), Known<MapSnapshot, MapSurfaces>{state, made});
+    latest_[state->info().name] = made;
+  }
   return HoldBoth(state, std::move(made));
 }
 

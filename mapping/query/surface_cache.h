@@ -113,9 +113,8 @@ class SurfaceCache {
   const std::size_t limit_bytes_;
   const std::shared_ptr<SurfaceLedger> ledger_ = std::make_shared<SurfaceLedger>();
   mutable Mutex mutex_;
-  std::unordered_map<const BlockTile*, Known<BlockTile, TileSurfaceSlot>> slots_
-      DHPMAP_GUARDED_BY(mutex_);  // by the
-                                  // tile in the middle
+  using SlotsByTile = std::unordered_map<const BlockTile*, Known<BlockTile, TileSurfaceSlot>>;
+  SlotsByTile slots_ DHPMAP_GUARDED_BY(mutex_);  // by the tile in the middle
   std::unordered_map<const Submap*, Known<Submap, SubmapSurface>> submaps_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<const MapSnapshot*, Known<MapSnapshot, MapSurfaces>> states_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<std::string, std::shared_ptr<const MapSurfaces>> latest_ DHPMAP_GUARDED_BY(mutex_);  // by map

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/distance_lookup.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <vector>
 
 #include "server/app/point_pieces.h"
@@ -24,8 +22,9 @@ Status LookUpDistances(const MapView& view, SurfaceCache& cache, const DistanceQ
       if (stop.stop_requested()) return;
       std::vector<Eigen::Vector3d> points_map;
       points_map.reserve(piece.size());
-      for (const std::uint32_t i : piece)
+      for (const std::uint32_t i : piece) {
         points_map.push_back(is_map_frame ? batch[i] : question.T_map_query * batch[i]);
+      }
       std::vector<SurfaceDistance> of_piece(piece.size());
       query.At(points_map, of_piece);
       for (std::size_t k = 0; k < piece.size(); ++k) answers[piece[k]] = of_piece[k];

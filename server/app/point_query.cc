@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/point_query.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <vector>
 
 #include "server/app/point_pieces.h"

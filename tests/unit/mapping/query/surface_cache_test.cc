@@ -64,12 +64,17 @@ TEST(SurfaceCache, WrittenVoxelsChangeTheSurfaceInTheNewStateOnly) {
   EXPECT_NEAR(DistanceQuery(cache.Of(before), {}).At(p).distance_m, 0.29, 1e-3);
 }
 
-TEST(SurfaceCache, OnlyTilesThatTouchAChangeAreMadeAgain) {
+/// A wall along y from the origin, as submap 1. Tiles are 1.6 m long.
+Map WallAlongY(double length_m) {
   Map map(testing::SceneInfo());
   const auto wall = [](const Eigen::Vector3d& p) { return p.x() - 0.01; };
-  // Nine tiles long.
   testing::ObserveBand(testing::AddThing(map), wall,
-                       Eigen::AlignedBox3d(Eigen::Vector3d(-0.3, 0, 0), Eigen::Vector3d(0.3, 14.2, 0.5)));
+                       Eigen::AlignedBox3d(Eigen::Vector3d(-0.3, 0, 0), Eigen::Vector3d(0.3, length_m, 0.5)));
+  return map;
+}
+
+TEST(SurfaceCache, OnlyTilesThatTouchAChangeAreMadeAgain) {
+  Map map = WallAlongY(14.2);
   SurfaceCache cache(kPlenty);
   const auto ask_along = [&](const std::shared_ptr<const MapSnapshot>& state) {
     const DistanceQuery query(cache.Of(state), {});
@@ -110,11 +115,7 @@ TEST(SurfaceCache, WhatShowsTheSameIsNotMadeAgain) {
 }
 
 TEST(SurfaceCache, AChangeBeyondTheReachOfATilesCellsLeavesItsSurface) {
-  Map map(testing::SceneInfo());
-  const auto wall = [](const Eigen::Vector3d& p) { return p.x() - 0.01; };
-  // Two tiles along y, the second begins at 1.6 m.
-  testing::ObserveBand(testing::AddThing(map), wall,
-                       Eigen::AlignedBox3d(Eigen::Vector3d(-0.3, 0, 0), Eigen::Vector3d(0.3, 3.2, 0.5)));
+  Map map = WallAlongY(3.2);
   SurfaceCache cache(kPlenty);
   const auto slots = [&] {
     const auto surfaces = cache.Of(map.published());
@@ -207,6 +208,22 @@ TEST(SurfaceCache, ForgetsAMapThatIsClosedOnceItIsTold) {
   cache.Forget("another");
   cache.Forget(testing::SceneInfo().name);
   EXPECT_EQ(cache.bytes() + cache.cell_bytes(), 0u);
+}
+
+TEST(SurfaceCache, WhoIsStillAskingOfAMapThatIsForgottenLeavesNothingBehind) {
+  for (int round = 0; round < 20; ++round) {
+    SurfaceCache cache(kPlenty);
+    std::string name;
+    {
+      Map map = testing::FurnishedRoom();
+      name = map.info().name;
+      const auto state = map.Publish(0);
+      const std::jthread asker([&] { (void)DistanceQuery(cache.Of(state), {}).At({0.5, 0.8, 1.1}); });
+      cache.Forget(name);
+    }
+    cache.Forget(name);
+    EXPECT_EQ(cache.bytes() + cache.cell_bytes(), 0u);
+  }
 }
 
 TEST(SurfaceCache, WhatEachStateLeavesBehindIsBounded) {
