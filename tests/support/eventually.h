@@ -7,10 +7,13 @@
 
 namespace dhpmap::testing {
 
-/// Waits until it holds; false after a time that only what hangs needs, in a sanitizer's build on a busy machine, too.
-/// Sleeps between looks: who spins keeps a core from the nice threads that it may be waiting for.
+/// A time that only what hangs needs, in a sanitizer's build on a busy machine, too.
+inline constexpr std::chrono::minutes kPatience{3};
+
+/// Waits until it holds; false after kPatience. Sleeps between looks: who spins keeps a core from the nice threads that
+/// it may be waiting for.
 inline bool Eventually(const std::function<bool()>& holds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(3);
+  const auto end = std::chrono::steady_clock::now() + kPatience;
   while (!holds()) {
     if (std::chrono::steady_clock::now() > end) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -5,6 +5,8 @@
 
 #include <condition_variable>
 
+#include "tests/support/eventually.h"
+
 namespace dhpmap::gateway {
 namespace {
 
@@ -153,13 +155,13 @@ void CannedServer::Set(const std::string& method, CannedAnswer answer) {
 
 HeardCall CannedServer::WaitForCall(std::size_t number) {
   std::unique_lock lock(impl_->mutex);
-  impl_->changed.wait_for(lock, std::chrono::seconds(5), [&] { return impl_->heard.size() >= number; });
+  impl_->changed.wait_for(lock, testing::kPatience, [&] { return impl_->heard.size() >= number; });
   return impl_->heard.empty() ? HeardCall{} : impl_->heard.back();
 }
 
 bool CannedServer::WaitForCancel() {
   std::unique_lock lock(impl_->mutex);
-  return impl_->changed.wait_for(lock, std::chrono::seconds(5), [&] { return impl_->num_cancelled > 0; });
+  return impl_->changed.wait_for(lock, testing::kPatience, [&] { return impl_->num_cancelled > 0; });
 }
 
 std::size_t CannedServer::num_calls() {

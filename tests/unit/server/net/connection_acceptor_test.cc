@@ -15,10 +15,12 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/eventually.h"
+
 namespace dhpmap::net {
 namespace {
 
-constexpr int kPatience_ms = 10'000;
+constexpr int kPatience_ms = std::chrono::milliseconds(testing::kPatience).count();
 
 /// Owns the sockets it is handed.
 class Taken {
@@ -33,7 +35,7 @@ class Taken {
   }
   bool WaitFor(std::size_t count) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::milliseconds(kPatience_ms), [&] { return sockets_.size() >= count; });
+    return changed_.wait_for(lock, testing::kPatience, [&] { return sockets_.size() >= count; });
   }
   std::size_t size() {
     const std::lock_guard lock(mutex_);
