@@ -72,8 +72,8 @@ class BoxTree {
   void VisitWhere(Predicate&& may_hold, Visitor&& visit) const;
 
   /// Calls limit = visit(leaf) for leaves that the ray from `origin` along `direction` (finite, of unit length)
-  /// meets within `limit`, those it enters first mostly first. The visitor may lower the limit. One that is missed by a
-  /// hundredth of a millimetre may be visited.
+  /// meets within `limit`, those it enters first mostly first. The visitor may lower the limit, below 0 to end it. One
+  /// that is missed by a hundredth of a millimetre may be visited.
   template <typename Visitor>
   void VisitAlong(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float limit, Visitor&& visit) const;
 
@@ -84,6 +84,24 @@ class BoxTree {
   typedef float Float4 __attribute__((vector_size(16), may_alias));
   typedef std::int32_t Int4 __attribute__((vector_size(16), may_alias));
   typedef std::uint64_t Words2 __attribute__((vector_size(16), may_alias));
+  DHPMAP_ALWAYS_INLINE static unsigned Folded(const Int4& lanes) {
+    const Words2 words = reinterpret_cast<const Words2&>(lanes);
+    const std::uint64_t folded = words[0] | words[1];
+    return static_cast<unsigned>((folded | folded >> 32) & 0xF);
+  }
+  /// A ray, its direction turned into one by each coordinate, none infinite.
+  struct Along {
+    Eigen::Vector3f origin, inverse;
+    float margin;  ///< for rounding
+
+    Along(const Eigen::Vector3f& from, const Eigen::Vector3f& direction)
+        : origin(from), margin(1e-5f * (1 + from.cwiseAbs().maxCoeff())) {
+      constexpr float kLeast = 1e-12f;
+      for (int axis = 0; axis < 3; ++axis) {
+        inverse[axis] = 1 / (std::abs(direction[axis]) > kLeast ? direction[axis] : kLeast);
+      }
+    }
+  };
   /// The boxes of eight children side by side. Those of children that are not there are inside out, at infinity.
   struct alignas(32) Node {
     float low[3][kLanes];
@@ -121,12 +139,12 @@ class BoxTree {
           overlap &= *reinterpret_cast<const Float4*>(low[axis] + first) <= to;
           overlap &= *reinterpret_cast<const Float4*>(high[axis] + first) >= from;
         }
-        const Words2 words = reinterpret_cast<const Words2&>(overlap);
-        const std::uint64_t folded = words[0] | words[1];
-        lanes |= static_cast<unsigned>((folded | folded >> 32) & 0xF) << first;
+        lanes |= Folded(overlap) << first;
       }
       return lanes;
     }
+    /// Where a ray enters the children's boxes, if it does within `limit`: those have a bit.
+    DHPMAP_ALWAYS_INLINE unsigned ChildrenAlong(const Along& ray, float limit, float (&enter)[kLanes]) const;
   };
   struct Pending {
     std::uint32_t node;
@@ -157,6 +175,28 @@ class BoxTree {
   std::array<std::uint32_t, 11> first_node_{};  ///< of each level; the children of level 0 are leaves
   std::uint32_t height_ = 0;
 };
+
+unsigned BoxTree::Node::ChildrenAlong(const Along& ray, float limit, float (&enter)[kLanes]) const {
+  unsigned lanes = 0;
+  for (std::size_t first = 0; first < kLanes; first += 4) {
+    Float4 entered = {}, left = Float4{} + limit;
+    Int4 met = {1, 2, 4, 8};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& from = *reinterpret_cast<const Float4*>(low[axis] + first);
+      const auto& to = *reinterpret_cast<const Float4*>(high[axis] + first);
+      const Float4 a = (from - ray.margin - ray.origin[axis]) * ray.inverse[axis];
+      const Float4 b = (to + ray.margin - ray.origin[axis]) * ray.inverse[axis];
+      const Float4 near = a < b ? a : b, far = a < b ? b : a;
+      entered = near > entered ? near : entered;
+      left = far < left ? far : left;
+      met &= from <= to;  // is there
+    }
+    met &= entered <= left;
+    std::memcpy(enter + first, &entered, sizeof(entered));
+    lanes |= Folded(met) << first;
+  }
+  return lanes;
+}
 
 template <typename Choice, typename Visitor>
 void BoxTree::Descend(Choice&& lanes_of, Visitor&& visit) const {
@@ -199,13 +239,7 @@ template <typename Visitor>
 void BoxTree::VisitAlong(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float limit,
                          Visitor&& visit) const {
   if (nodes_.empty()) return;
-  constexpr float kRounding = 1e-5f;
-  const float margin = kRounding * (1 + origin.cwiseAbs().maxCoeff());
-  Eigen::Vector3f inverse;
-  for (int axis = 0; axis < 3; ++axis) {
-    constexpr float kLeast = 1e-12f;  // so that nothing is infinite or not a number
-    inverse[axis] = 1 / (std::abs(direction[axis]) > kLeast ? direction[axis] : kLeast);
-  }
+  const Along ray(origin, direction);
   struct Entered {
     float at;
     Pending what;
@@ -217,22 +251,14 @@ void BoxTree::VisitAlong(const Eigen::Vector3f& origin, const Eigen::Vector3f& d
     const Entered here = pending[--num_pending];
     if (here.at > limit) continue;
     const Node& node = nodes_[first_node_[here.what.level] + here.what.node];
+    float enter[kLanes];
     std::array<Entered, kLanes> children;  // the one entered last first
     std::size_t num_children = 0;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (node.low[0][lane] > node.high[0][lane]) continue;  // not there
-      float enter = 0, leave = limit;
-      for (int axis = 0; axis < 3; ++axis) {
-        const float a = (node.low[axis][lane] - margin - origin[axis]) * inverse[axis];
-        const float b = (node.high[axis][lane] + margin - origin[axis]) * inverse[axis];
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-      }
-      if (!(enter <= leave)) continue;
+    for (unsigned lanes = node.ChildrenAlong(ray, limit, enter); lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       std::size_t at = num_children++;
-      for (; at > 0 && children[at - 1].at < enter; --at) children[at] = children[at - 1];
-      const auto child = static_cast<std::uint32_t>(kLanes * here.what.node + lane);
-      children[at] = {enter, {child, here.what.level - 1}};
+      for (; at > 0 && children[at - 1].at < enter[lane]; --at) children[at] = children[at - 1];
+      children[at] = {enter[lane], {static_cast<std::uint32_t>(kLanes) * here.what.node + lane, here.what.level - 1}};
     }
     if (here.what.level > 0) {
       for (std::size_t i = 0; i < num_children; ++i) pending[num_pending++] = children[i];

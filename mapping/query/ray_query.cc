@@ -42,7 +42,47 @@ Eigen::Vector3f InverseOf(const Eigen::Vector3d& direction) {
   return inverse;
 }
 
+/// Calls visit(along_m, triangle) for triangles of a submap that the ray meets within `limit_m`, in no order to rely
+/// on; it returns the limit from then on, below 0 to end it.
+template <typename Visitor>
+void VisitMet(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, double limit_m, Visitor&& visit) {
+  const SubmapIndex::Entry& entry = surfaces.index().entries()[number];
+  const Submap& submap = entry.submap();
+  const SubmapSurface& surface = surfaces.surface(number);
+  const Eigen::Vector3d origin = entry.ToSubmap(ray.origin_m);
+  const Eigen::Vector3d direction = submap.info().T_map_submap.linear().transpose() * ray.direction;
+  const Eigen::Vector3f inverse = InverseOf(direction);
+  const auto limit = [&limit_m] { return static_cast<float>(limit_m); };
+  surface.tree().VisitAlong(surface.InTree(origin), direction.cast<float>(), limit(), [&](std::size_t tile) {
+    const TriangleTree& triangles = surface.Surface(submap, tile);
+    const Eigen::Vector3d in_tile = surface.InTileExactly(origin, tile);
+    const auto margin_m = static_cast<float>(1e-5 * (1 + in_tile.cwiseAbs().maxCoeff()));  // for rounding
+    triangles.tree().VisitAlong(in_tile.cast<float>(), direction.cast<float>(), limit(), [&](std::size_t i) {
+      const std::size_t first = i * TrianglePacket::kLanes;
+      const std::size_t count = std::min(TrianglePacket::kLanes, triangles.num_triangles() - first);
+      unsigned met = triangles.packet(i).Along(in_tile.cast<float>(), inverse, margin_m, limit());
+      for (met &= (1u << count) - 1; met != 0; met &= met - 1) {
+        const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(met));
+        const TriangleCorners triangle = triangles.triangle(k);
+        const double along_m = MeetingOf(triangle, in_tile, direction);
+        if (along_m <= limit_m) limit_m = visit(along_m, triangle);
+      }
+      return limit();
+    });
+    return limit();
+  });
+}
+
 }  // namespace
+
+bool MeetsSubmap(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, double limit_m) {
+  bool is_met = false;
+  VisitMet(surfaces, number, ray, limit_m, [&is_met](double, const TriangleCorners&) {
+    is_met = true;
+    return -1.0;
+  });
+  return is_met;
+}
 
 RayQuery::RayQuery(std::shared_ptr<const MapSurfaces> surfaces, RayOptions options)
     : world_(std::move(surfaces), options.scope), options_(std::move(options)) {}
@@ -64,33 +104,13 @@ RayHit RayQuery::FirstHit(const Ray& ray) const {
   index.tree().VisitAlong(index.InTree(ray.origin_m), ray.direction.cast<float>(), limit(), [&](std::size_t position) {
     const std::size_t number = index.tree().items()[position];
     if (!world_.Holds(number)) return limit();
-    const SubmapIndex::Entry& entry = index.entries()[number];
-    const Submap& submap = entry.submap();
-    const SubmapSurface& surface = surfaces.surface(number);
-    const Transform& T_map_submap = submap.info().T_map_submap;
-    const Eigen::Vector3d origin = entry.ToSubmap(ray.origin_m);
-    const Eigen::Vector3d direction = T_map_submap.linear().transpose() * ray.direction;
-    const Eigen::Vector3f inverse = InverseOf(direction);
-    surface.tree().VisitAlong(surface.InTree(origin), direction.cast<float>(), limit(), [&](std::size_t tile) {
-      const TriangleTree& triangles = surface.Surface(submap, tile);
-      const Eigen::Vector3d in_tile = surface.InTileExactly(origin, tile);
-      const auto margin_m = static_cast<float>(1e-5 * (1 + in_tile.cwiseAbs().maxCoeff()));  // for rounding
-      triangles.tree().VisitAlong(in_tile.cast<float>(), direction.cast<float>(), limit(), [&](std::size_t i) {
-        const std::size_t first = i * TrianglePacket::kLanes;
-        const std::size_t count = std::min(TrianglePacket::kLanes, triangles.num_triangles() - first);
-        unsigned met = triangles.packet(i).Along(in_tile.cast<float>(), inverse, margin_m, limit());
-        for (met &= (1u << count) - 1; met != 0; met &= met - 1) {
-          const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(met));
-          const TriangleCorners t = triangles.triangle(k);
-          const double along_m = MeetingOf(t, in_tile, direction);
-          if (along_m >= hit.distance_m && !(hit.submap == nullptr && along_m == hit.distance_m)) continue;
-          hit.submap = &submap.info();
-          hit.distance_m = along_m;
-          hit.normal = T_map_submap.linear() * (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized().cast<double>();
-        }
-        return limit();
-      });
-      return limit();
+    const SubmapInfo& info = index.entries()[number].submap().info();
+    VisitMet(surfaces, number, ray, hit.distance_m, [&](double along_m, const TriangleCorners& t) {
+      if (hit.submap != nullptr && along_m == hit.distance_m) return hit.distance_m;
+      hit.submap = &info;
+      hit.distance_m = along_m;
+      hit.normal = info.T_map_submap.linear() * (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized().cast<double>();
+      return hit.distance_m;
     });
     return limit();
   });

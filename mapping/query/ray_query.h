@@ -31,6 +31,9 @@ struct RayOptions {
   QueryScope scope;              ///< padding has no meaning here
 };
 
+/// Whether a ray meets the surface of one submap within a finite limit.
+bool MeetsSubmap(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, double limit_m);
+
 /// Rays through a state of a map, to the same surfaces that distances are measured to, seen from either side.
 /// Immutable, thread-safe.
 class RayQuery {

@@ -100,26 +100,27 @@ class Judge {
 
   double EnclosureOf(const Subject& subject, const Body& object) {
     static const std::vector<Eigen::Vector3d> directions = AllAround();
-    RayOptions options{.max_distance_m = object.box_m.diagonal().norm(), .unknown_is_free = true};
-    options.scope.submaps = std::vector{object.id()};
-    const RayQuery rays(std::shared_ptr<const MapSurfaces>(std::shared_ptr<const void>(), &surfaces_), options);
-    int num_met = 0, num_cast = 0;
-    const auto share_met_from = [&](std::size_t first, std::size_t step) {
+    const double limit_m = object.box_m.diagonal().norm();
+    // Ends with a share below `least` once that is all it can be.
+    const auto share_met_from = [&](std::size_t first, std::size_t step, double least) {
+      const std::size_t num_points = (subject.points_m.size() - first + step - 1) / step;
+      const auto num_rays = static_cast<double>(num_points * directions.size());
+      double num_met = num_rays;  // at most
       for (std::size_t i = first; i < subject.points_m.size(); i += step) {
         for (const Eigen::Vector3d& direction : directions) {
           const Ray ray{question_.T_map_query * subject.points_m[i], question_.T_map_query.linear() * direction};
-          num_met += rays.Cast(ray).submap != nullptr;
-          ++num_cast;
+          if (MeetsSubmap(surfaces_, object.number, ray, limit_m)) continue;
+          if (--num_met < least * num_rays) return num_met / num_rays;
         }
       }
-      return num_cast == 0 ? 0 : static_cast<double>(num_met) / num_cast;
+      return num_met / num_rays;
     };
+    if (subject.points_m.empty()) return 0;
     // A wall's box holds all that stands in the room. A few points tell that it is far from being around them.
     const std::size_t step = std::max<std::size_t>(1, subject.points_m.size() / kMostEnclosed);
-    const double of_few = share_met_from(step / 2, kFewEnclosed * step);
-    if (of_few < 0.75 * question_.rules.least_enclosure) return of_few;
-    num_met = num_cast = 0;
-    return share_met_from(0, step);
+    const double least = question_.rules.least_enclosure;
+    const double of_few = share_met_from(step / 2, kFewEnclosed * step, 0.75 * least);
+    return of_few < 0.75 * least ? of_few : share_met_from(0, step, least);
   }
 
  private:

@@ -80,6 +80,24 @@ TEST(RayQuery, EqualsBruteForceOverAllTriangles) {
   ExpectEqualsBruteForce(map, {.max_distance_m = 1.5});
 }
 
+TEST(MeetsSubmap, SaysWhetherARayToThatSubmapAloneHitsIt) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(std::size_t{1} << 30);
+  const auto surfaces = cache.Of(map.Publish(0));
+  int num_met = 0;
+  for (std::size_t number = 0; number < surfaces->index().entries().size(); ++number) {
+    RayOptions options{.max_distance_m = 1.5};
+    options.scope.submaps = std::vector{surfaces->index().entries()[number].submap().id()};
+    const RayQuery alone(surfaces, options);
+    for (const Ray& ray : RandomRays(150, 2.2, 22)) {
+      const bool is_met = MeetsSubmap(*surfaces, number, ray, options.max_distance_m);
+      EXPECT_EQ(is_met, alone.Cast(ray).submap != nullptr);
+      num_met += is_met;
+    }
+  }
+  EXPECT_GT(num_met, 30);
+}
+
 TEST(RayQuery, EqualsBruteForceWhereObjectsAreMovedClonedAndLeftOut) {
   Map map = testing::FurnishedRoom();
   std::mt19937 random(31);
