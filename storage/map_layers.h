@@ -11,7 +11,11 @@
 
 namespace dhpmap {
 
-// The layers of a map that belong to none of its objects: free space.
+// The layers of a map that belong to none of its objects: free space, and what objects have left.
+
+struct MapLayers {
+  std::shared_ptr<const FreeSpace> free_space, vacated;
+};
 
 /// Writes the tiles that differ, within the caller's transaction. FAILED_PRECONDITION if the stored ones, of which
 /// there are `num_stored`, are not those of `before`.
@@ -20,7 +24,6 @@ Status WriteMapLayers(sqlite::Database& database, std::int64_t map_key, std::int
 
 /// Reads the tiles of a map, whose row says that it has `num_tiles`. DATA_LOSS naming the tile if one is damaged or
 /// missing, FAILED_PRECONDITION for those of a later version's layer.
-Result<std::shared_ptr<const FreeSpace>> ReadMapLayers(sqlite::Database& database, std::int64_t map_key,
-                                                       std::int64_t num_tiles);
+Result<MapLayers> ReadMapLayers(sqlite::Database& database, std::int64_t map_key, std::int64_t num_tiles);
 
 }  // namespace dhpmap

@@ -18,8 +18,10 @@ Status NoSuchMap(const std::string& name) {
 
 StoredMap Describe(const MapSnapshot& snapshot) {
   StoredMap map{.info = snapshot.info(), .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size())};
-  for (const FreeTileEntry& entry : snapshot.free_space()->tiles()) {
-    map.blob_bytes += static_cast<std::int64_t>(entry.tile->MemoryBytes());
+  for (const FreeSpace* layer : {snapshot.free_space().get(), snapshot.vacated().get()}) {
+    for (const FreeTileEntry& entry : layer->tiles()) {
+      map.blob_bytes += static_cast<std::int64_t>(entry.tile->MemoryBytes());
+    }
   }
   for (const auto& submap : snapshot.submaps()) {
     for (const BlockEntry& entry : submap->blocks().entries()) {

@@ -136,10 +136,10 @@ Result<std::shared_ptr<const MapSnapshot>> ReadSnapshot(sqlite::Database& databa
   DHPMAP_ASSIGN_OR_RETURN(MapRow map, ReadMap(database, name));
   Result<std::vector<std::shared_ptr<const Submap>>> submaps = ReadSubmapsWithBlocks(database, map, pool);
   if (!submaps.ok()) return Damaged(name, submaps.status());
-  Result<std::shared_ptr<const FreeSpace>> free_space = ReadMapLayers(database, map.key, map.num_tiles);
-  if (!free_space.ok()) return Damaged(name, free_space.status());
+  Result<MapLayers> layers = ReadMapLayers(database, map.key, map.num_tiles);
+  if (!layers.ok()) return Damaged(name, layers.status());
   return std::make_shared<const MapSnapshot>(std::move(map.info), std::move(submaps).value(),
-                                             std::move(free_space).value());
+                                             std::move(layers->free_space), std::move(layers->vacated));
 }
 
 }  // namespace dhpmap

@@ -35,14 +35,19 @@ Status ValidateMapName(const std::string& name) {
       .WithViolation("map", "1 to 63 of a-z 0-9 . _ -, the first a letter or digit");
 }
 
-MapSnapshot::MapSnapshot(MapInfo info, SubmapList submaps, std::shared_ptr<const FreeSpace> free_space)
+MapSnapshot::MapSnapshot(MapInfo info, SubmapList submaps, std::shared_ptr<const FreeSpace> free_space,
+                         std::shared_ptr<const FreeSpace> vacated)
     : info_(std::move(info)),
       submaps_(std::move(submaps)),
-      free_space_(free_space != nullptr ? std::move(free_space) : std::make_shared<const FreeSpace>()) {}
+      free_space_(free_space != nullptr ? std::move(free_space) : std::make_shared<const FreeSpace>()),
+      vacated_(vacated != nullptr ? std::move(vacated) : std::make_shared<const FreeSpace>()) {}
 
 const Submap* MapSnapshot::Find(SubmapId id) const { return FindIn(submaps_, id); }
 
-Map::Map(MapInfo info) : info_(std::move(info)), free_space_(std::make_shared<FreeSpace>(generation_)) {
+Map::Map(MapInfo info)
+    : info_(std::move(info)),
+      free_space_(std::make_shared<FreeSpace>(generation_)),
+      vacated_(std::make_shared<FreeSpace>(generation_)) {
   SubmapInfo unknown;
   unknown.id = kUnknownSubmap;
   unknown.display_name = "unknown";
@@ -55,11 +60,12 @@ Map::Map(std::shared_ptr<const MapSnapshot> snapshot)
     : info_(snapshot->info()),
       submaps_(snapshot->submaps()),
       free_space_(snapshot->free_space()),
+      vacated_(snapshot->vacated()),
       published_(std::move(snapshot)),
       changed_(false) {
   // Blocks of the snapshot carry older generations, of this process or 0: start above them all.
   for (const auto& submap : submaps_) generation_ = std::max(generation_, submap->generation() + 1);
-  generation_ = std::max(generation_, free_space_->generation() + 1);
+  generation_ = std::max({generation_, free_space_->generation() + 1, vacated_->generation() + 1});
 }
 
 MapInfo& Map::mutable_info() {
@@ -120,14 +126,14 @@ bool Map::Remove(SubmapId id) {
   return true;
 }
 
-FreeSpace& Map::mutable_free_space() {
+FreeSpace& Map::Writable(std::shared_ptr<const FreeSpace>& layer) {
   changed_ = true;
-  if (free_space_->generation() != generation_) {
-    auto copy = std::make_shared<FreeSpace>(*free_space_);
+  if (layer->generation() != generation_) {
+    auto copy = std::make_shared<FreeSpace>(*layer);
     copy->set_generation(generation_);
-    free_space_ = std::move(copy);
+    layer = std::move(copy);
   }
-  return const_cast<FreeSpace&>(*free_space_);  // made by this generation: no snapshot holds it
+  return const_cast<FreeSpace&>(*layer);  // made by this generation: no snapshot holds it
 }
 
 std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
@@ -139,7 +145,7 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
       const_cast<Submap&>(*submap).mutable_info().revision = info_.revision;  // not shared before this publish
     }
   }
-  published_ = std::make_shared<MapSnapshot>(info_, submaps_, free_space_);
+  published_ = std::make_shared<MapSnapshot>(info_, submaps_, free_space_, vacated_);
   ++generation_;
   changed_ = false;
   return published_;
@@ -152,7 +158,8 @@ Map Map::Fork() {
     const_cast<Submap&>(*submap).ShareBlocks();         // made by this generation: no snapshot holds it
     submap = std::make_shared<const Submap>(*submap);
   }
-  fork.free_space_ = FreezeFreeSpace();
+  fork.free_space_ = Frozen(free_space_);
+  fork.vacated_ = Frozen(vacated_);
   return fork;
 }
 
@@ -164,13 +171,13 @@ std::shared_ptr<const MapSnapshot> Map::Freeze() {
     }
     frozen.push_back(std::make_shared<const Submap>(*submap));
   }
-  return std::make_shared<const MapSnapshot>(info_, std::move(frozen), FreezeFreeSpace());
+  return std::make_shared<const MapSnapshot>(info_, std::move(frozen), Frozen(free_space_), Frozen(vacated_));
 }
 
-std::shared_ptr<const FreeSpace> Map::FreezeFreeSpace() {
-  if (free_space_->generation() != generation_) return free_space_;  // copied before it is written to
-  const_cast<FreeSpace&>(*free_space_).ShareTiles();                 // made by this generation: no snapshot holds it
-  return std::make_shared<const FreeSpace>(*free_space_);
+std::shared_ptr<const FreeSpace> Map::Frozen(const std::shared_ptr<const FreeSpace>& layer) const {
+  if (layer->generation() != generation_) return layer;  // copied before it is written to
+  const_cast<FreeSpace&>(*layer).ShareTiles();           // made by this generation: no snapshot holds it
+  return std::make_shared<const FreeSpace>(*layer);
 }
 
 std::vector<SubmapChange> DiffSnapshots(const MapSnapshot* before, const MapSnapshot& after) {

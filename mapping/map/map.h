@@ -37,9 +37,10 @@ Status ValidateMapName(const std::string& name);
 /// A map at one revision: immutable, shared by readers, the store and the change feed. Thread-safe.
 class MapSnapshot {
  public:
-  /// Without `free_space` nothing is known to be free.
+  /// Without `free_space` nothing is known to be free, without `vacated` nothing was left.
   MapSnapshot(MapInfo info, std::vector<std::shared_ptr<const Submap>> submaps,
-              std::shared_ptr<const FreeSpace> free_space = nullptr);
+              std::shared_ptr<const FreeSpace> free_space = nullptr,
+              std::shared_ptr<const FreeSpace> vacated = nullptr);
 
   [[nodiscard]] const MapInfo& info() const { return info_; }
   [[nodiscard]] std::int64_t revision() const { return info_.revision; }
@@ -49,11 +50,15 @@ class MapSnapshot {
   [[nodiscard]] const Submap* Find(SubmapId id) const;
   /// What sensors have looked through. Never null; snapshots of the same state share it.
   [[nodiscard]] const std::shared_ptr<const FreeSpace>& free_space() const { return free_space_; }
+  /// Where objects were that an edit has moved or deleted, and nobody has looked through. A layer of the same kind: its
+  /// voxels are those that an object left, its stamps are of the free space at that time. What is seen there since
+  /// counts before it. Never null.
+  [[nodiscard]] const std::shared_ptr<const FreeSpace>& vacated() const { return vacated_; }
 
  private:
   MapInfo info_;
   std::vector<std::shared_ptr<const Submap>> submaps_;
-  std::shared_ptr<const FreeSpace> free_space_;
+  std::shared_ptr<const FreeSpace> free_space_, vacated_;
 };
 
 /// The writer's map. Publishes immutable snapshots; what it then changes, it copies first, one submap row, one tile and
@@ -84,7 +89,10 @@ class Map {
 
   [[nodiscard]] const FreeSpace& free_space() const { return *free_space_; }
   /// The layer for writing. Valid until the next Publish.
-  [[nodiscard]] FreeSpace& mutable_free_space();
+  [[nodiscard]] FreeSpace& mutable_free_space() { return Writable(free_space_); }
+  /// See MapSnapshot.
+  [[nodiscard]] const FreeSpace& vacated() const { return *vacated_; }
+  [[nodiscard]] FreeSpace& mutable_vacated() { return Writable(vacated_); }
 
   /// The present state as a snapshot. A new revision if anything was written since the last one, else the same
   /// snapshot.
@@ -101,19 +109,21 @@ class Map {
 
  private:
   [[nodiscard]] std::size_t Position(SubmapId id) const;
-  /// The layer as it is now, which nobody writes to any more.
-  [[nodiscard]] std::shared_ptr<const FreeSpace> FreezeFreeSpace();
+  /// A layer for writing, copied if a snapshot may hold it.
+  [[nodiscard]] FreeSpace& Writable(std::shared_ptr<const FreeSpace>& layer);
+  /// A layer as it is now, which nobody writes to any more.
+  [[nodiscard]] std::shared_ptr<const FreeSpace> Frozen(const std::shared_ptr<const FreeSpace>& layer) const;
 
   MapInfo info_;
+  std::uint64_t generation_ = 1;  ///< before the layers, which start with it
   std::vector<std::shared_ptr<const Submap>> submaps_;
-  std::shared_ptr<const FreeSpace> free_space_;  ///< never null
+  std::shared_ptr<const FreeSpace> free_space_, vacated_;  ///< never null
   std::shared_ptr<const MapSnapshot> published_;
-  std::uint64_t generation_ = 1;
   bool changed_ = true;
 };
 
-/// What a reader of `before` must be told to hold `after`: the store and the change feed work from this. The free-space
-/// layer has a difference of its own, see DiffFreeSpace.
+/// What a reader of `before` must be told to hold `after`: the store and the change feed work from this. The layers of
+/// space have a difference of their own, see DiffFreeSpace.
 struct SubmapChange {
   SubmapId id;
   const Submap* after = nullptr;  ///< null: the submap was removed

@@ -67,12 +67,17 @@ const BlockMark* SubmapMarks::Find(BlockIndex index) const {
   return tile != nullptr ? tile->Find(CellOf(index)) : nullptr;
 }
 
-StateMarks::StateMarks(const MapSnapshot& state, const StateMarks* before) : info_(state.info()) {
+StateMarks::StateMarks(const MapSnapshot& state, const StateMarks* before)
+    : info_(state.info()), free_space_(MarksOf(*state.free_space())), vacated_(MarksOf(*state.vacated())) {
   for (const auto& submap : state.submaps()) submaps_[submap->id()] = MarkSubmap(submap, before);
-  free_tiles_.reserve(state.free_space()->tiles().size());
-  for (const FreeTileEntry& entry : state.free_space()->tiles()) free_tiles_.push_back({entry.index, entry.tile});
-  std::sort(free_tiles_.begin(), free_tiles_.end(),
-            [](const FreeTileMark& a, const FreeTileMark& b) { return a.index < b.index; });
+}
+
+StateMarks::LayerMarks StateMarks::MarksOf(const FreeSpace& layer) {
+  LayerMarks marks;
+  marks.reserve(layer.tiles().size());
+  for (const FreeTileEntry& entry : layer.tiles()) marks.push_back({entry.index, entry.tile});
+  std::sort(marks.begin(), marks.end(), [](const FreeTileMark& a, const FreeTileMark& b) { return a.index < b.index; });
+  return marks;
 }
 
 const SubmapMarks* StateMarks::Find(SubmapId id) const {
@@ -98,22 +103,29 @@ std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnaps
   return changes;
 }
 
-FreeSpaceChange DiffFreeSpace(const StateMarks& before, const FreeSpace& after) {
+FreeSpaceChange StateMarks::Diff(const LayerMarks& before, const FreeSpace& after) {
   FreeSpaceChange change;
   const auto find = [&before](TileIndex index) {
-    const auto& marks = before.free_tiles_;
-    const auto found = std::lower_bound(marks.begin(), marks.end(), index,
+    const auto found = std::lower_bound(before.begin(), before.end(), index,
                                         [](const auto& mark, TileIndex wanted) { return mark.index < wanted; });
-    return found != marks.end() && found->index == index ? &*found : nullptr;
+    return found != before.end() && found->index == index ? &*found : nullptr;
   };
   for (const FreeTileEntry& entry : after.tiles()) {
     const auto* old = find(entry.index);
     if (old == nullptr || !IsSamePart(old->tile, entry.tile)) change.written.push_back(&entry);
   }
-  for (const auto& old : before.free_tiles_) {
+  for (const FreeTileMark& old : before) {
     if (after.FindEntry(old.index) == nullptr) change.erased.push_back(old.index);
   }
   return change;
+}
+
+FreeSpaceChange DiffFreeSpace(const StateMarks& before, const FreeSpace& after) {
+  return StateMarks::Diff(before.free_space_, after);
+}
+
+FreeSpaceChange DiffVacated(const StateMarks& before, const FreeSpace& after) {
+  return StateMarks::Diff(before.vacated_, after);
 }
 
 }  // namespace dhpmap

@@ -80,18 +80,23 @@ class StateMarks {
 
  private:
   friend FreeSpaceChange DiffFreeSpace(const StateMarks& before, const FreeSpace& after);
+  friend FreeSpaceChange DiffVacated(const StateMarks& before, const FreeSpace& after);
   struct FreeTileMark {
     TileIndex index;
     std::weak_ptr<const FreeTile> tile;
   };
+  using LayerMarks = std::vector<FreeTileMark>;  ///< by ascending index
+  static LayerMarks MarksOf(const FreeSpace& layer);
+  static FreeSpaceChange Diff(const LayerMarks& before, const FreeSpace& after);
 
   MapInfo info_;
   std::map<SubmapId, std::shared_ptr<const SubmapMarks>> submaps_;
-  std::vector<FreeTileMark> free_tiles_;  ///< by ascending index
+  LayerMarks free_space_, vacated_;
 };
 
 /// As DiffSnapshots: what was written since the marks were made. Costs some bytes a tile, and more only for what was.
 std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnapshot& after);
 FreeSpaceChange DiffFreeSpace(const StateMarks& before, const FreeSpace& after);
+FreeSpaceChange DiffVacated(const StateMarks& before, const FreeSpace& after);
 
 }  // namespace dhpmap

@@ -39,6 +39,9 @@ struct QueryScope {
   SurfacePadding padding;
   /// What was last looked through so long before the newest look at the map is not known to be free.
   std::optional<double> max_free_age_s;
+  /// Whether what objects have left that an edit has moved or deleted (MapSnapshot::vacated) is free, as long as nobody
+  /// has seen anything there.
+  bool vacated_is_free = false;
 
   /// Whether every submap is there.
   [[nodiscard]] bool IsAll() const {

@@ -2,6 +2,7 @@
 #include "mapping/query/query_world.h"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <map>
 #include <utility>
@@ -30,7 +31,8 @@ QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryS
   if (!scope.IsAll()) {
     for (const SubmapIndex::Entry& entry : entries) is_held_.push_back(scope.Holds(entry.submap().info()));
   }
-  takes_all_ = scope.IsAll() && !scope.max_free_age_s;
+  if (scope.vacated_is_free) with_vacated_ = WithVacated();
+  takes_all_ = scope.IsAll() && !scope.max_free_age_s && with_vacated_.empty();
   for (std::size_t number = 0; number < entries.size() && !scope.attached.empty(); ++number) {
     const SubmapId id = entries[number].submap().id();
     if (std::find(scope.attached.begin(), scope.attached.end(), id) != scope.attached.end()) {
@@ -50,6 +52,24 @@ QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryS
     is_held[number] = true;
   }
   for (auto& [padding_m, is_held] : by_padding) grown_.push_back({padding_m, std::move(is_held)});
+}
+
+FreeSpace QueryWorld::WithVacated() const {
+  const auto add = [](const FreeTile& tile, TileIndex index, FreeSpace& sum) {
+    FreeBlocks blocks{.full = tile.full(), .mixed = tile.mixed()};
+    for (std::uint64_t cells = blocks.mixed; cells != 0; cells &= cells - 1) {
+      const int cell = std::countr_zero(cells);
+      blocks.masks[static_cast<std::size_t>(cell)] = tile.MaskOf(cell);
+    }
+    sum.Add(index, blocks, tile.last_seen_ns());
+  };
+  FreeSpace sum;
+  for (const FreeTileEntry& entry : surfaces_->state().vacated()->tiles()) {
+    if (entry.tile->last_seen_ns() < oldest_ns_) continue;
+    add(*entry.tile, entry.index, sum);
+    if (const FreeTile* seen = FindLookedThrough(entry.index); seen != nullptr) add(*seen, entry.index, sum);
+  }
+  return sum;
 }
 
 bool QueryWorld::IsObserved(VoxelIndex voxel) const {

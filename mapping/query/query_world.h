@@ -47,15 +47,16 @@ class QueryWorld {
     return 0;
   }
 
-  /// Whether sensors have looked through a voxel of the map's grid, and lately enough.
+  /// Whether sensors have looked through a voxel of the map's grid, and lately enough; or something has left it, if
+  /// that is free.
   [[nodiscard]] bool IsFree(VoxelIndex voxel) const {
     const FreeTile* tile = FindFreeTile(TileOf(BlockOf(voxel)));
     return tile != nullptr && tile->IsFree(CellOf(BlockOf(voxel)), LinearIndex(voxel));
   }
   /// What of a tile is free, if that is late enough; null: nothing.
   [[nodiscard]] const FreeTile* FindFreeTile(TileIndex index) const {
-    const FreeTile* tile = free_space_->Find(index);
-    return tile != nullptr && tile->last_seen_ns() >= oldest_ns_ ? tile : nullptr;
+    if (const FreeTile* tile = with_vacated_.Find(index); tile != nullptr) return tile;
+    return FindLookedThrough(index);
   }
   /// Whether a submap that is there has observed what is at the voxel's centre, or something that is attached was
   /// there.
@@ -69,8 +70,13 @@ class QueryWorld {
   }
   /// The same of all voxels of a block.
   [[nodiscard]] FreeMask FreeVoxels(BlockIndex block) const {
-    const FreeTile* tile = free_space_->Find(TileOf(block));
-    return tile != nullptr && tile->last_seen_ns() >= oldest_ns_ ? tile->MaskOf(CellOf(block)) : FreeMask{};
+    const FreeTile* tile = FindFreeTile(TileOf(block));
+    return tile != nullptr ? tile->MaskOf(CellOf(block)) : FreeMask{};
+  }
+  /// Those that sensors have looked through, lately enough.
+  [[nodiscard]] FreeMask LookedThrough(BlockIndex block) const {
+    const FreeTile* tile = FindLookedThrough(TileOf(block));
+    return tile != nullptr ? tile->MaskOf(CellOf(block)) : FreeMask{};
   }
   /// Whether a place within the reach of the grid is free, or a submap that is there has observed it. `nearest`: of the
   /// surfaces.
@@ -84,8 +90,16 @@ class QueryWorld {
   /// Whether a place was left by something that is attached: where that observed something, or behind its surface.
   [[nodiscard]] bool IsLeft(const Eigen::Vector3d& p_map) const;
 
+  [[nodiscard]] const FreeTile* FindLookedThrough(TileIndex index) const {
+    const FreeTile* tile = free_space_->Find(index);
+    return tile != nullptr && tile->last_seen_ns() >= oldest_ns_ ? tile : nullptr;
+  }
+  /// The tiles of which something was left, with what was looked through.
+  [[nodiscard]] FreeSpace WithVacated() const;
+
   std::shared_ptr<const MapSurfaces> surfaces_;
   const FreeSpace* free_space_;
+  FreeSpace with_vacated_;  ///< instead of those of free_space_; by the scope
   std::int64_t oldest_ns_ = std::numeric_limits<std::int64_t>::min();  ///< of looks that count
   std::vector<bool> is_held_;                                          ///< by the scope; empty: all are
   bool takes_all_ = false;                                             ///< submaps and looks

@@ -33,7 +33,8 @@ class VoxelStates::Maker {
       : surfaces_(world.surfaces()),
         index_(index),
         with_objects_(with_objects),
-        looked_through_(world.FreeVoxels(index)) {}
+        looked_through_(world.LookedThrough(index)),
+        free_(world.FreeVoxels(index)) {}
 
   void Ask(std::uint32_t number) {
     const SubmapIndex::Entry& entry = surfaces_.index().entries()[number];
@@ -54,7 +55,7 @@ class VoxelStates::Maker {
 
   Block Finish() {
     for (std::size_t z = 0; z < block_.free.size(); ++z) {
-      block_.free[z] = (looked_through_[z] | in_front_[z]) & ~block_.occupied[z];
+      block_.free[z] = (free_[z] | in_front_[z]) & ~block_.occupied[z];
     }
     return std::move(block_);
   }
@@ -80,7 +81,7 @@ class VoxelStates::Maker {
   const MapSurfaces& surfaces_;
   const BlockIndex index_;
   const bool with_objects_;
-  const FreeMask looked_through_;
+  const FreeMask looked_through_, free_;
   FreeMask in_front_{};
   std::array<float, kBlockVoxels> nearest_m_;  // set once anything is occupied
   Block block_;

@@ -2,6 +2,7 @@
 #include "server/app/submap_edits.h"
 
 #include "mapping/base/grid_reach.h"
+#include "mapping/space/vacated_space.h"
 #include "server/app/etag.h"
 
 namespace dhpmap {
@@ -97,6 +98,7 @@ Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::strin
 Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch) {
   DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
   DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
+  if (checked.T_map_submap) NoteVacated(*submap, map);
   const bool changes_anything = checked.T_map_submap || checked.class_id || checked.display_name;
   if (changes_anything) Apply(checked, *map.FindMutable(id));
   return Status::Ok();
@@ -113,7 +115,8 @@ Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, con
 }
 
 Status DeleteSubmap(Map& map, SubmapId id, const std::string& etag) {
-  DHPMAP_RETURN_IF_ERROR(FindEditable(map, id, etag).status());
+  DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
+  NoteVacated(*submap, map);
   map.Remove(id);
   return Status::Ok();
 }

@@ -30,7 +30,7 @@ struct SubmapPatch {
 
 // Each edit either does all it says or returns an error and has changed nothing: NOT_FOUND for a submap that is not
 // there, FAILED_PRECONDITION for the unknown submap, ABORTED for an etag (where not empty) that is not the present one.
-// None touches voxels.
+// None touches voxels of an object; what one leaves that is moved or deleted is noted in the map (NoteVacated).
 
 /// The submap an edit may work on, under the conditions above.
 Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag);

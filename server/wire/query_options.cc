@@ -133,6 +133,7 @@ Result<QueryScope> ScopeFromProto(const v1::QueryOptions& options, const MapSnap
     if (!(options.max_age_s() >= 0)) return BadOption("BAD_FILTER", "options.max_age_s", "is not 0 or more");
     scope.max_free_age_s = options.max_age_s();
   }
+  scope.vacated_is_free = options.vacated() == v1::Vacated::FREE;
   return scope;
 }
 
@@ -151,6 +152,10 @@ Status CheckTaken(const v1::QueryOptions& options, TakenOptions taken) {
   }
   if (options.ignored_contacts_size() > 0 && !taken.carries) return NotTaken("options.ignored_contacts");
   if (options.has_max_age_s() && !taken.max_age) return NotTaken("options.max_age_s");
+  if (!v1::Vacated::Policy_IsValid(options.vacated())) {
+    return BadOption("BAD_FILTER", "options.vacated", "is none of those there are");
+  }
+  if (options.vacated() != v1::Vacated::POLICY_UNSPECIFIED && !taken.vacated) return NotTaken("options.vacated");
   if (options.has_tolerance_vox() && !taken.tolerance) return NotTaken("options.tolerance_vox");
   return Status::Ok();
 }

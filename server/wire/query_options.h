@@ -14,15 +14,18 @@ struct TakenOptions {
   bool padding = false;
   bool attached = false;  ///< leaves the world
   bool max_age = false;
+  bool vacated = false;
   bool occupied = false;   ///< unknown space may be
   bool tolerance = false;  ///< of distances
   bool carries = false;    ///< there is a robot: poses of what is attached, and contacts to be ignored
 };
-inline constexpr TakenOptions kDistanceOptions{.padding = true, .attached = true, .max_age = true, .tolerance = true};
-inline constexpr TakenOptions kRayOptions{.attached = true, .max_age = true};
-inline constexpr TakenOptions kBodyOptions{.padding = true, .attached = true, .max_age = true, .occupied = true};
+inline constexpr TakenOptions kDistanceOptions{
+    .padding = true, .attached = true, .max_age = true, .vacated = true, .tolerance = true};
+inline constexpr TakenOptions kRayOptions{.attached = true, .max_age = true, .vacated = true};
+inline constexpr TakenOptions kBodyOptions{
+    .padding = true, .attached = true, .max_age = true, .vacated = true, .occupied = true};
 inline constexpr TakenOptions kTrajectoryOptions{
-    .padding = true, .attached = true, .max_age = true, .occupied = true, .carries = true};
+    .padding = true, .attached = true, .max_age = true, .vacated = true, .occupied = true, .carries = true};
 
 /// What a request's options mean for a state of a map. INVALID_ARGUMENT for a distance, pose, name, policy or length of
 /// a list that is not usable, or an option that is not taken; NOT_FOUND for a submap that is not there; each names the

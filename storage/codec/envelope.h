@@ -9,7 +9,13 @@ namespace dhpmap {
 
 /// First byte of a blob: which layer (high half), and the version of its codec (low half). Kept in files: numbers are
 /// never reused.
-enum class BlobKind : std::uint8_t { kTsdfV1 = 0x11, kLabelsV1 = 0x21, kFreeV1 = 0x31, kGoneV1 = 0x41 };
+enum class BlobKind : std::uint8_t {
+  kTsdfV1 = 0x11,
+  kLabelsV1 = 0x21,
+  kFreeV1 = 0x31,
+  kGoneV1 = 0x41,
+  kVacatedV1 = 0x51
+};
 
 /// What a codec puts into a blob. Noise goes into `plain`: compressing it would only cost time and Huffman tables.
 struct Payload {

@@ -11,7 +11,7 @@ BlockIndex KeyOf(TileIndex index) { return {index.x, index.y, index.z}; }
 
 }  // namespace
 
-Bytes EncodeFreeTile(const FreeTile& tile, TileIndex index) {
+Bytes EncodeFreeTile(BlobKind kind, const FreeTile& tile, TileIndex index) {
   Payload payload;
   ByteWriter(payload.plain).PutU64(static_cast<std::uint64_t>(tile.last_seen_ns()));
   ByteWriter writer(payload.packable);
@@ -20,12 +20,12 @@ Bytes EncodeFreeTile(const FreeTile& tile, TileIndex index) {
   for (const FreeMask& mask : tile.masks()) {
     for (const std::uint64_t layer : mask) writer.PutU64(layer);
   }
-  return Seal(BlobKind::kFreeV1, KeyOf(index), payload);
+  return Seal(kind, KeyOf(index), payload);
 }
 
-Status DecodeFreeTile(ByteView blob, TileIndex index, FreeTile& tile) {
+Status DecodeFreeTile(BlobKind kind, ByteView blob, TileIndex index, FreeTile& tile) {
   Payload payload;
-  DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kFreeV1, KeyOf(index), blob, payload));
+  DHPMAP_RETURN_IF_ERROR(Unseal(kind, KeyOf(index), blob, payload));
   ByteReader stamp(payload.plain), reader(payload.packable);
   const auto last_seen_ns = static_cast<std::int64_t>(stamp.GetU64());
   FreeBlocks blocks;
@@ -44,7 +44,7 @@ Status DecodeFreeTile(ByteView blob, TileIndex index, FreeTile& tile) {
   tile.set_last_seen_ns(last_seen_ns);
   // A mask of all or nothing, or of a block that is free anyway, would have been written otherwise.
   if (tile.empty() || tile.full() != blocks.full || tile.mixed() != blocks.mixed) {
-    return DataLoss("is no tile of free space");
+    return DataLoss("is no tile of voxels");
   }
   return Status::Ok();
 }

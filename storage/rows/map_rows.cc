@@ -9,6 +9,7 @@
 #include "storage/rows/config_rows.h"
 #include "storage/rows/map_checksum_v1.h"
 #include "storage/rows/session_rows.h"
+#include "storage/rows/tile_rows.h"
 
 namespace dhpmap {
 namespace {
@@ -133,7 +134,7 @@ Status ForEachIntactMap(Database& database, Change&& change) {
 MapRow RowOf(const MapSnapshot& snapshot) {
   return {.info = snapshot.info(),
           .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size()),
-          .num_tiles = static_cast<std::int64_t>(snapshot.free_space()->tiles().size()),
+          .num_tiles = NumTilesOf(snapshot),
           .seal = {}};
 }
 

@@ -8,9 +8,14 @@ namespace dhpmap {
 using sqlite::Database;
 using sqlite::Statement;
 
+std::int64_t NumTilesOf(const MapSnapshot& map) {
+  return static_cast<std::int64_t>(map.free_space()->tiles().size() + map.vacated()->tiles().size());
+}
+
 std::string TileName(std::int64_t layer, TileIndex index) {
-  std::string name =
-      layer == static_cast<std::int64_t>(MapLayer::kFree) ? "free-space" : "layer " + std::to_string(layer);
+  std::string name = "layer " + std::to_string(layer);
+  if (layer == static_cast<std::int64_t>(MapLayer::kFree)) name = "free-space";
+  if (layer == static_cast<std::int64_t>(MapLayer::kVacated)) name = "vacated";
   name.append(" tile (").append(std::to_string(index.x)).append(", ");
   return name.append(std::to_string(index.y)).append(", ").append(std::to_string(index.z)).append(")");
 }

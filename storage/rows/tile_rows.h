@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "mapping/map/free_space.h"
+#include "mapping/map/map.h"
 #include "storage/codec/bytes.h"
 #include "storage/rows/block_rows.h"
 #include "storage/sqlite/database.h"
@@ -12,7 +12,10 @@
 namespace dhpmap {
 
 /// Layers of a map, as in column map_tiles.layer: the high half of the first byte of their blobs. Kept in files.
-enum class MapLayer : std::int64_t { kFree = 3 };
+enum class MapLayer : std::int64_t { kFree = 3, kVacated = 5 };  // 4: of objects
+
+/// Tiles of all layers of a map.
+std::int64_t NumTilesOf(const MapSnapshot& map);
 
 /// "free-space tile (1, -2, 0)", for messages.
 std::string TileName(std::int64_t layer, TileIndex index);

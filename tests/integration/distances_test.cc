@@ -144,6 +144,25 @@ TEST_F(DistancesTest, FollowAnObjectThatIsMovedOrExcluded) {
   EXPECT_NE(Ask().results(0).instance_id(), before.instance_id());
 }
 
+TEST_F(DistancesTest, TheInsideOfAnObjectThatIsDeletedIsUnknownUnlessItIsToBeFree) {
+  AddPoint(0, 0, 0.4);  // the centre of the ball
+  const v1::DistanceResult before = Ask().results(0);
+  EXPECT_EQ(before.status(), v1::UNKNOWN);
+  v1::DeleteSubmapRequest deletion;
+  deletion.set_name(before.submap());
+  v1::DeleteSubmapResponse deleted;
+  grpc::ClientContext context;
+  ASSERT_TRUE(server.submaps->DeleteSubmap(&context, deletion, &deleted).ok());
+  EXPECT_EQ(Ask().results(0).status(), v1::UNKNOWN);
+  request.mutable_options()->set_vacated(v1::Vacated::FREE);
+  const v1::DistanceResult after = Ask().results(0);
+  EXPECT_EQ(after.status(), v1::OK);
+  EXPECT_GT(after.distance_m(), 0.2);
+  EXPECT_NE(after.submap(), before.submap());
+  request.mutable_options()->set_vacated(v1::Vacated::UNKNOWN);
+  EXPECT_EQ(Ask().results(0).status(), v1::UNKNOWN);
+}
+
 TEST_F(DistancesTest, RaysMeetTheSceneThroughBothDoors) {
   v1::CastRaysRequest rays;
   rays.set_map("maps/room");

@@ -72,6 +72,7 @@ AssertionResult MapsAreEqual(const MapSnapshot& a, const MapSnapshot& b, double 
   }
   if (a.info().num_frames != b.info().num_frames) return AssertionFailure() << "frame counts differ";
   if (AssertionResult same = FreeSpacesAreEqual(*a.free_space(), *b.free_space()); !same) return same;
+  if (AssertionResult same = FreeSpacesAreEqual(*a.vacated(), *b.vacated()); !same) return same << " (vacated)";
   for (std::size_t s = 0; s < a.submaps().size(); ++s) {
     const Submap& left = *a.submaps()[s];
     const Submap& right = *b.submaps()[s];

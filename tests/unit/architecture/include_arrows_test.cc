@@ -72,7 +72,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
         "state_marks.h", "submap.h",          "tsdf_block.h",      "voxel_answer.h",   "voxel_average.h"}},
       {"mapping/sensor", {"frame.h", "frame_reach.h", "image_codec.h", "lidar_projection.h", "pinhole_camera.h"}},
       {"mapping/fusion", {"band_size.h", "bundler.h", "grid_ray.h", "integrator.h", "segment_parts.h"}},
-      {"mapping/space", {"free_space_finder.h", "presence.h"}},
+      {"mapping/space", {"free_space_finder.h", "presence.h", "vacated_space.h"}},
       {"mapping/tracking", {"activity.h", "tracker.h", "visibility.h"}},
       {"mapping/refinement", {"adopt_refinement.h", "refine_map.h"}},
       {"mapping/query",

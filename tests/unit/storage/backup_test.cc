@@ -43,7 +43,8 @@ class BackupTest : public SqliteStoreTest {
   static std::shared_ptr<const MapSnapshot> OfHistory(std::uint64_t history_id, const MapSnapshot& snapshot) {
     MapInfo info = snapshot.info();
     info.history_id = history_id;
-    return std::make_shared<const MapSnapshot>(std::move(info), snapshot.submaps(), snapshot.free_space());
+    return std::make_shared<const MapSnapshot>(std::move(info), snapshot.submaps(), snapshot.free_space(),
+                                               snapshot.vacated());
   }
   int NumFiles() const {
     return static_cast<int>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator{}));

@@ -226,25 +226,27 @@ FreeTile SomeFreeTile(std::uint32_t seed) {
 }
 
 Status DecodeFree(ByteView blob, BlockIndex index, FreeTile& tile) {
-  return DecodeFreeTile(blob, {index.x, index.y, index.z}, tile);
+  return DecodeFreeTile(BlobKind::kFreeV1, blob, {index.x, index.y, index.z}, tile);
 }
 constexpr TileIndex kTile{kIndex.x, kIndex.y, kIndex.z};
 
 TEST(FreeCodec, RoundTripIsExactAndWholeBlocksCostABit) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     FreeTile back;
-    ASSERT_TRUE(DecodeFreeTile(EncodeFreeTile(SomeFreeTile(seed), kTile), kTile, back).ok());
+    ASSERT_TRUE(
+        DecodeFreeTile(BlobKind::kFreeV1, EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(seed), kTile), kTile, back)
+            .ok());
     EXPECT_EQ(back, SomeFreeTile(seed));
   }
   FreeBlocks all;
   all.full = ~std::uint64_t{0};
   FreeTile tile;
   tile.Add(all);
-  EXPECT_LT(EncodeFreeTile(tile, kTile).size(), 40u);
+  EXPECT_LT(EncodeFreeTile(BlobKind::kFreeV1, tile, kTile).size(), 40u);
 }
 
 TEST(FreeCodec, EveryFlippedOrMissingByteIsDataLoss) {
-  ExpectDamageIsSeen<FreeTile>(EncodeFreeTile(SomeFreeTile(1), kTile), DecodeFree);
+  ExpectDamageIsSeen<FreeTile>(EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(1), kTile), DecodeFree);
 }
 
 TEST(GoneCodec, RoundTripIsExact) {
@@ -315,7 +317,8 @@ TEST(TsdfCodec, ForgedPayloadsAreHarmless) {
 
 TEST(FreeCodec, ForgedPayloadsAreHarmless) {
   Payload payload;
-  ASSERT_TRUE(Unseal(BlobKind::kFreeV1, kIndex, EncodeFreeTile(SomeFreeTile(2), kTile), payload).ok());
+  ASSERT_TRUE(
+      Unseal(BlobKind::kFreeV1, kIndex, EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(2), kTile), payload).ok());
   ExpectForgeriesAreHarmless<FreeTile>(BlobKind::kFreeV1, payload, DecodeFree);
   const auto refused = [&](std::initializer_list<std::uint64_t> words) {
     Payload forged{.packable = {}, .plain = Bytes(8)};

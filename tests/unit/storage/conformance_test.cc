@@ -45,7 +45,7 @@ class MapStoreTest : public ::testing::TestWithParam<Kind> {
     auto map = std::make_unique<Map>(generator_.Info(name));
     generator_.AddBlocks(*map->FindMutable(kUnknownSubmap), 2);
     for (int n = 0; n < 3; ++n) generator_.AddSubmap(*map, 4);
-    for (int n = 0; n < 3; ++n) generator_.AddFreeSpace(*map);
+    for (int n = 0; n < 3; ++n) generator_.AddVoxels(map->mutable_free_space());
     const Status created = store_->CreateMap(*map->Publish(11));
     EXPECT_TRUE(created.ok()) << created.ToString();
     return map;

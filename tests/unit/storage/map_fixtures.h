@@ -116,17 +116,17 @@ class MapGenerator {
     return submap;
   }
 
-  /// Whole blocks and parts of blocks of a tile that were looked through.
-  void AddFreeSpace(Map& map) {
+  /// Whole blocks and parts of blocks of a tile.
+  void AddVoxels(FreeSpace& layer) {
     FreeBlocks seen;
     for (int n = 1 + Below(3); n > 0; --n) seen.full |= std::uint64_t{1} << Below(64);
     for (int n = Below(4); n > 0; --n) {
       const auto cell = static_cast<std::size_t>(Below(64));
       seen.mixed |= ~seen.full & std::uint64_t{1} << cell;
-      for (std::uint64_t& layer : seen.masks[cell]) layer = std::uint64_t{random_()} << Below(33);
+      for (std::uint64_t& word : seen.masks[cell]) word = std::uint64_t{random_()} << Below(33);
     }
     const TileIndex index{Below(4) - 2, Below(3) - 2, Below(2)};
-    map.mutable_free_space().Add(index, seen, 1'600'000'000'000'000'000 + Below(1 << 30));
+    layer.Add(index, seen, 1'600'000'000'000'000'000 + Below(1 << 30));
   }
 
   Transform Pose() {
@@ -142,7 +142,8 @@ class MapGenerator {
     info.num_frames += 1;
     info.sessions.Set({"run" + std::to_string(info.num_frames % 3), info.num_frames, 5 + info.num_frames});
     for (int n = 1 + Below(4); n > 0; --n) ChangeOnce(map);
-    for (int n = Below(3); n > 0; --n) AddFreeSpace(map);
+    for (int n = Below(3); n > 0; --n) AddVoxels(map.mutable_free_space());
+    for (int n = Below(2); n > 0; --n) AddVoxels(map.mutable_vacated());
     if (Below(8) == 0 && !map.free_space().empty()) {
       map.mutable_free_space().Erase(map.free_space().tiles().front().index);
     }
@@ -213,6 +214,15 @@ inline void ExpectSameInfo(const SubmapInfo& expected, const SubmapInfo& actual)
 }
 
 /// Equal, with distances within the store's contract of truncation / 4096.
+inline void ExpectSameVoxels(const FreeSpace& expected, const FreeSpace& actual) {
+  ASSERT_EQ(expected.tiles().size(), actual.tiles().size());
+  for (const FreeTileEntry& entry : expected.tiles()) {
+    const FreeTile* found = actual.Find(entry.index);
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(*entry.tile, *found);
+  }
+}
+
 inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual) {
   const MapInfo &e = expected.info(), &a = actual.info();
   EXPECT_EQ(e.name, a.name);
@@ -226,12 +236,8 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
   EXPECT_EQ(e.create_time_ns, a.create_time_ns);
   EXPECT_EQ(e.update_time_ns, a.update_time_ns);
   EXPECT_EQ(e.sessions, a.sessions);
-  ASSERT_EQ(expected.free_space()->tiles().size(), actual.free_space()->tiles().size());
-  for (const FreeTileEntry& entry : expected.free_space()->tiles()) {
-    const FreeTile* found = actual.free_space()->Find(entry.index);
-    ASSERT_NE(found, nullptr);
-    EXPECT_EQ(*entry.tile, *found);
-  }
+  ExpectSameVoxels(*expected.free_space(), *actual.free_space());
+  ExpectSameVoxels(*expected.vacated(), *actual.vacated());
   ASSERT_EQ(expected.submaps().size(), actual.submaps().size());
   for (std::size_t s = 0; s < expected.submaps().size(); ++s) {
     const Submap &one = *expected.submaps()[s], &other = *actual.submaps()[s];

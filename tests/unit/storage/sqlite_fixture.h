@@ -37,7 +37,7 @@ class SqliteStoreTest : public ::testing::Test {
   std::unique_ptr<Map> CreateSample(const std::string& name) {
     auto map = std::make_unique<Map>(generator_.Info(name));
     for (int n = 0; n < 3; ++n) generator_.AddSubmap(*map, 8);
-    for (int n = 0; n < 3; ++n) generator_.AddFreeSpace(*map);
+    for (int n = 0; n < 3; ++n) generator_.AddVoxels(map->mutable_free_space());
     const Status created = store_->CreateMap(*map->Publish(11));
     EXPECT_TRUE(created.ok()) << created.ToString();
     return map;

@@ -192,7 +192,13 @@ TEST(DiffFreeSpace, NamesTheTilesThatAreNotTheSame) {
 }
 
 /// A map's free space is copied on write, goes back with a fork, and makes a revision when it changes.
-TEST(MapFreeSpace, GoesWithSnapshotsForksAndFrozenStatesAndNoneOfThemChanges) {
+/// A layer of a map, by its ways in.
+struct Layer {
+  FreeSpace& (*of_writer)(Map&);
+  const FreeSpace& (*of_state)(const MapSnapshot&);
+};
+
+void ExpectGoesWithStates(const Layer& layer) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     std::mt19937 random(seed);
     MapInfo info;
@@ -200,17 +206,17 @@ TEST(MapFreeSpace, GoesWithSnapshotsForksAndFrozenStatesAndNoneOfThemChanges) {
     Map map(info);
     std::vector<std::pair<std::shared_ptr<const MapSnapshot>, Naive>> history;
     for (int step = 0; step < 100; ++step) {
-      const Naive now = ContentOf(map.free_space());
+      const Naive now = ContentOf(layer.of_state(*map.Freeze()));
       switch (random() % 5) {
         case 0: history.emplace_back(map.Publish(step), now); break;
         case 1: history.emplace_back(map.Freeze(), now); break;
         case 2: {
           Map before = map.Fork();
-          map.mutable_free_space().Add({0, 0, 0}, RandomBlocks(random), step);
-          EXPECT_EQ(ContentOf(before.free_space()), now);
+          layer.of_writer(map).Add({0, 0, 0}, RandomBlocks(random), step);
+          EXPECT_EQ(ContentOf(layer.of_state(*before.Freeze())), now);
           if (random() % 2 == 0) {
-            before.mutable_free_space().Add({1, 0, 0}, RandomBlocks(random), step);
-            history.emplace_back(map.Freeze(), ContentOf(map.free_space()));
+            layer.of_writer(before).Add({1, 0, 0}, RandomBlocks(random), step);
+            history.emplace_back(map.Freeze(), ContentOf(layer.of_state(*map.Freeze())));
             map = std::move(before);
           }
           break;
@@ -221,12 +227,21 @@ TEST(MapFreeSpace, GoesWithSnapshotsForksAndFrozenStatesAndNoneOfThemChanges) {
           map = Map(snapshot);  // as after a restart
           break;
         }
-        default:
-          map.mutable_free_space().Add({static_cast<std::int32_t>(random() % 2), 0, 0}, RandomBlocks(random), step);
+        default: layer.of_writer(map).Add({static_cast<std::int32_t>(random() % 2), 0, 0}, RandomBlocks(random), step);
       }
     }
-    for (const auto& [snapshot, content] : history) EXPECT_EQ(ContentOf(*snapshot->free_space()), content);
+    for (const auto& [snapshot, content] : history) EXPECT_EQ(ContentOf(layer.of_state(*snapshot)), content);
   }
+}
+
+TEST(MapFreeSpace, GoesWithSnapshotsForksAndFrozenStatesAndNoneOfThemChanges) {
+  ExpectGoesWithStates({[](Map& map) -> FreeSpace& { return map.mutable_free_space(); },
+                        [](const MapSnapshot& state) -> const FreeSpace& { return *state.free_space(); }});
+}
+
+TEST(MapVacated, GoesWithSnapshotsForksAndFrozenStatesAndNoneOfThemChanges) {
+  ExpectGoesWithStates({[](Map& map) -> FreeSpace& { return map.mutable_vacated(); },
+                        [](const MapSnapshot& state) -> const FreeSpace& { return *state.vacated(); }});
 }
 
 TEST(MapFreeSpace, ARevisionIsMadeOfWhatIsWritten) {

@@ -116,7 +116,8 @@ void Change(std::mt19937& random, Map& map) {
     case 8: {
       FreeBlocks seen;
       seen.full = 1;
-      map.mutable_free_space().Add({block.x, 0, block.z}, seen, static_cast<std::int64_t>(random()));
+      FreeSpace& layer = random() % 2 == 0 ? map.mutable_free_space() : map.mutable_vacated();
+      layer.Add({block.x, 0, block.z}, seen, static_cast<std::int64_t>(random()));
       break;
     }
     default: map.FindMutable(id)->MutableTsdf(block).weight[3] = 1;
@@ -138,6 +139,8 @@ TEST(StateMarks, TellTheDifferenceOfTwoStatesAsTheStatesThemselvesDo) {
       const FreeSpaceChange free_told = DiffFreeSpace(marks, *after->free_space());
       ASSERT_EQ(free_told.written, free.written);
       ASSERT_EQ(free_told.erased.size(), free.erased.size());
+      ASSERT_EQ(DiffVacated(marks, *after->vacated()).written,
+                DiffFreeSpace(before->vacated().get(), *after->vacated()).written);
       if (step % 3 == 0) continue;  // later states are compared with this one, too
       marks = StateMarks(*after, step % 2 == 0 ? &marks : nullptr);
       before = after;

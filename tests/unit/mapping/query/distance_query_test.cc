@@ -318,6 +318,37 @@ TEST(DistanceQuery, FreeSpaceThatIsTooOldIsUnknown) {
   EXPECT_EQ(status(old, 1e300), DistanceStatus::kOk);
 }
 
+TEST(DistanceQuery, WhatAnObjectHasLeftIsFreeIfAskedForUntilSomethingIsSeenThere) {
+  Map map(testing::SceneInfo());
+  testing::ObserveBand(testing::AddThing(map), testing::Ball({0.2, 0.2, 2}, 0.5), testing::CubeAt({0.2, 0.2, 2}, 0.7));
+  FreeBlocks left;
+  left.full = ~std::uint64_t{0};
+  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  map.mutable_vacated().Add({0, 0, 0}, left, 50 * kSecond_ns);
+  FreeBlocks seen;
+  seen.full = 1;
+  map.mutable_free_space().Add({0, 0, 0}, seen, 100 * kSecond_ns);
+  const auto ask = [&](const Eigen::Vector3d& p, bool vacated_is_free, std::optional<double> max_age_s = {}) {
+    DistanceOptions options;
+    options.scope.vacated_is_free = vacated_is_free;
+    options.scope.max_free_age_s = max_age_s;
+    return QueryOf(map, options).At(p);
+  };
+  const Eigen::Vector3d vacated(0.9, 0.9, 0.9), looked_through(0.1, 0.1, 0.1), never(0.2, 0.2, 1.9),
+      band(0.2, 0.2, 1.6);
+  EXPECT_EQ(ask(vacated, false).status, DistanceStatus::kUnknown);
+  EXPECT_EQ(ask(vacated, true).status, DistanceStatus::kOk);
+  EXPECT_GT(ask(vacated, true).distance_m, 0.5);
+  EXPECT_EQ(ask(vacated, true, 49).status, DistanceStatus::kUnknown) << "too old";
+  EXPECT_EQ(ask(vacated, true, 51).status, DistanceStatus::kOk);
+  EXPECT_EQ(ask(looked_through, true, 49).status, DistanceStatus::kOk) << "in the same tile, but seen since";
+  EXPECT_EQ(ask(never, true).status, DistanceStatus::kUnknown);
+  // Where a surface has been seen since, that counts.
+  map.mutable_vacated().Add({0, 0, 1}, left, 50 * kSecond_ns);
+  EXPECT_LT(ask(band, true).distance_m, 0);
+  EXPECT_NEAR(ask(band, true).distance_m, ask(band, false).distance_m, 1e-6);
+}
+
 TEST(DistanceQuery, OfAnEmptyMapIsClamped) {
   Map map(testing::SceneInfo());
   EXPECT_EQ(QueryOf(map).At({0, 0, 0}).status, DistanceStatus::kClamped);

@@ -43,6 +43,7 @@ struct Told {
 Told Look(const MapSnapshot& map, const Eigen::Vector3d& p_map, const QueryScope& scope) {
   const Eigen::Vector3d centre = VoxelCentre(VoxelAt(p_map, kSceneVoxel_m), kSceneVoxel_m);
   const bool is_seen_through = map.free_space()->IsFree(VoxelAt(p_map, kSceneVoxel_m));
+  const bool is_left = scope.vacated_is_free && map.vacated()->IsFree(VoxelAt(p_map, kSceneVoxel_m));
   bool is_in_front = false;
   Told told;
   for (const auto& submap : map.submaps()) {
@@ -55,7 +56,7 @@ Told Look(const MapSnapshot& map, const Eigen::Vector3d& p_map, const QueryScope
     else if (distance_vox >= -0.5005 || !is_seen_through) told.submaps.push_back(submap->id());
   }
   if (!told.submaps.empty()) told.state = VoxelState::kOccupied;
-  else if (is_in_front || is_seen_through) told.state = VoxelState::kFree;
+  else if (is_in_front || is_seen_through || is_left) told.state = VoxelState::kFree;
   return told;
 }
 
@@ -157,6 +158,19 @@ TEST(OccupancySlice, EqualsBruteForceInAFrameAndWhereObjectsAreMovedClonedAndLef
   EXPECT_GT(counts.at(kFreeCell), 50);
   EXPECT_GT(counts.at(kOccupiedCell), 50);
   EXPECT_GT(counts.at(kUnknownCell), 50);
+}
+
+TEST(OccupancySlice, EqualsBruteForceWhereSomethingWasLeft) {
+  Map map = RoomSeenThrough();
+  FreeBlocks left;  // on both sides of surfaces, too
+  left.full = 0x0FF0F00F3CC3A55Aull;
+  for (int n = 0; n < 8; ++n) map.mutable_vacated().Add({(n & 1) - 1, (n >> 1 & 1) - 1, (n >> 2) - 1}, left, 0);
+  SliceOptions options = WholeRoom(-0.3, 0.2);
+  const auto counts = ExpectEqualsBruteForce(map, options);
+  options.scope.vacated_is_free = true;
+  const auto counts_if_free = ExpectEqualsBruteForce(map, options);
+  EXPECT_GT(counts_if_free.at(kFreeCell), counts.at(kFreeCell));
+  EXPECT_EQ(counts_if_free.at(kOccupiedCell), counts.at(kOccupiedCell)) << "what is seen counts before it";
 }
 
 TEST(OccupancySlice, AnythingInTheBandOccupiesACellAndAShareFreesIt) {

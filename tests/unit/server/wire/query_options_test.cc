@@ -49,6 +49,7 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   options.set_max_age_s(60);
   options.set_min_revision(3);
   options.set_tolerance_vox(0.6);
+  options.set_vacated(v1::Vacated::FREE);
   const auto question = QueryOptionsFromProto(options, *Home(), kDistanceOptions);
   ASSERT_TRUE(question.ok());
   EXPECT_TRUE(question->options.unknown_is_free);
@@ -64,6 +65,7 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   EXPECT_EQ(question->options.scope.attached, std::vector<SubmapId>{SubmapId(1)});
   EXPECT_EQ(question->options.scope.max_free_age_s, 60);
   EXPECT_EQ(question->options.tolerance_vox, 0.6);
+  EXPECT_TRUE(question->options.scope.vacated_is_free);
 }
 
 TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
@@ -123,6 +125,7 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
        "options.attached[1].submap", "BAD_FILTER"},
       {[](auto& o) { o.set_max_age_s(-1); }, "options.max_age_s", "BAD_FILTER"},
       {[](auto& o) { o.set_max_age_s(NAN); }, "options.max_age_s", "BAD_FILTER"},
+      {[](auto& o) { o.set_vacated(static_cast<v1::Vacated::Policy>(7)); }, "options.vacated", "BAD_FILTER"},
       {[](auto& o) { o.set_tolerance_vox(-0.1); }, "options.tolerance_vox", "BAD_FILTER"},
       {[](auto& o) { o.set_tolerance_vox(NAN); }, "options.tolerance_vox", "BAD_FILTER"},
       {[](auto& o) { o.set_min_revision(-1); }, "options.min_revision", "BAD_FILTER"},
@@ -155,6 +158,7 @@ TEST(QueryOptionsFromProto, RefusesWhatTheQueryHasNoUseFor) {
       {[](auto& o) { o.mutable_padding(); }, "options.padding", false},
       {[](auto& o) { o.add_attached()->set_submap("maps/home/submaps/1"); }, "options.attached", true},
       {[](auto& o) { o.set_max_age_s(1); }, "options.max_age_s", true},
+      {[](auto& o) { o.set_vacated(v1::Vacated::UNKNOWN); }, "options.vacated", true},
       {[](auto& o) { o.set_tolerance_vox(0); }, "options.tolerance_vox", false},
   };
   for (const Case& c : cases) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+
+/// Notes in the map's layer what an object is about to leave (MapSnapshot::vacated), before an edit moves or deletes
+/// it: voxels that it observed, and for a thing also those in the box around its surface that nobody has seen and that
+/// are reached from behind its surface through nothing but such voxels, so its inside. What was looked through, or what
+/// another object shows, is left out. Nothing, if it is not where it was seen: somebody has put it there
+/// (SubmapInfo::is_placed), or its voxels are not the map's.
+/// Costs some 0.3 us a block of the object, and up to 10 ns a voxel of a thing's box; no inside of boxes above 2
+/// million voxels.
+void NoteVacated(const Submap& leaving, Map& map);
+
+}  // namespace dhpmap
