@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <new>
 #include <random>
 #include <utility>
 #include <vector>
@@ -242,6 +244,23 @@ TEST(MapFreeSpace, GoesWithSnapshotsForksAndFrozenStatesAndNoneOfThemChanges) {
 TEST(MapVacated, GoesWithSnapshotsForksAndFrozenStatesAndNoneOfThemChanges) {
   ExpectGoesWithStates({[](Map& map) -> FreeSpace& { return map.mutable_vacated(); },
                         [](const MapSnapshot& state) -> const FreeSpace& { return *state.vacated(); }});
+}
+
+TEST(MapFreeSpace, OfANewMapIsCopiedBeforeItIsWrittenToWhateverWasInItsMemory) {
+  // As if its memory held the generation that comes after the first Publish.
+  alignas(Map) std::array<std::byte, sizeof(Map)> memory;
+  for (std::size_t at = 0; at < memory.size(); ++at) {
+    *static_cast<volatile std::byte*>(&memory[at]) = static_cast<std::byte>(at % sizeof(std::uint64_t) == 0 ? 2 : 0);
+  }
+  Map* map = new (memory.data()) Map(MapInfo{});
+  const auto first = map->Publish(1);
+  FreeBlocks seen;
+  seen.full = 1;
+  map->mutable_free_space().Add({0, 0, 0}, seen, 0);
+  map->mutable_vacated().Add({0, 0, 0}, seen, 0);
+  EXPECT_TRUE(first->free_space()->empty());
+  EXPECT_TRUE(first->vacated()->empty());
+  map->~Map();
 }
 
 TEST(MapFreeSpace, ARevisionIsMadeOfWhatIsWritten) {
