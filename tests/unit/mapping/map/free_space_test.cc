@@ -39,7 +39,7 @@ class Naive {
  private:
   static std::size_t BitOf(int cell, int linear) { return static_cast<std::size_t>(cell * kBlockVoxels + linear); }
 
-  std::map<TileIndex, std::bitset<kTileBlocks * kBlockVoxels>> tiles_;  // none without a voxel
+  std::map<TileIndex, std::bitset<std::size_t{kTileBlocks} * kBlockVoxels>> tiles_;  // none without a voxel
 };
 
 Naive ContentOf(const FreeSpace& space) {
