@@ -12,9 +12,8 @@ namespace dhpmap {
 /// A tile of voxels as a blob, see FORMAT.md. Equal tiles give equal bytes. `tile` is not empty.
 Bytes EncodeFreeTile(BlobKind kind, const FreeTile& tile, TileIndex index);
 
-/// The tile exactly as it was encoded. DATA_LOSS for anything that EncodeFreeTile did not make of this kind for
-/// this index,
-/// FAILED_PRECONDITION for a later version of it. Messages go on after "it".
+/// The tile exactly as it was encoded. DATA_LOSS for anything that EncodeFreeTile did not make of this kind for this
+/// index, FAILED_PRECONDITION for a later version of it. Messages go on after "it".
 Status DecodeFreeTile(BlobKind kind, ByteView blob, TileIndex index, FreeTile& tile);
 
 }  // namespace dhpmap

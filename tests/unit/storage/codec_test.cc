@@ -245,6 +245,16 @@ TEST(FreeCodec, RoundTripIsExactAndWholeBlocksCostABit) {
   EXPECT_LT(EncodeFreeTile(BlobKind::kFreeV1, tile, kTile).size(), 40u);
 }
 
+TEST(FreeCodec, ATileOfOneLayerIsNoneOfTheOther) {
+  FreeTile tile;
+  const Bytes free = EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(3), kTile);
+  const Bytes vacated = EncodeFreeTile(BlobKind::kVacatedV1, SomeFreeTile(3), kTile);
+  EXPECT_TRUE(DecodeFreeTile(BlobKind::kVacatedV1, vacated, kTile, tile).ok());
+  EXPECT_EQ(tile, SomeFreeTile(3));
+  EXPECT_EQ(DecodeFreeTile(BlobKind::kVacatedV1, free, kTile, tile).code(), StatusCode::kDataLoss);
+  EXPECT_EQ(DecodeFreeTile(BlobKind::kFreeV1, vacated, kTile, tile).code(), StatusCode::kDataLoss);
+}
+
 TEST(FreeCodec, EveryFlippedOrMissingByteIsDataLoss) {
   ExpectDamageIsSeen<FreeTile>(EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(1), kTile), DecodeFree);
 }

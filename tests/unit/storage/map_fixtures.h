@@ -213,7 +213,6 @@ inline void ExpectSameInfo(const SubmapInfo& expected, const SubmapInfo& actual)
   EXPECT_EQ(expected.revision, actual.revision);
 }
 
-/// Equal, with distances within the store's contract of truncation / 4096.
 inline void ExpectSameVoxels(const FreeSpace& expected, const FreeSpace& actual) {
   ASSERT_EQ(expected.tiles().size(), actual.tiles().size());
   for (const FreeTileEntry& entry : expected.tiles()) {
@@ -223,6 +222,7 @@ inline void ExpectSameVoxels(const FreeSpace& expected, const FreeSpace& actual)
   }
 }
 
+/// Equal, with distances within the store's contract of truncation / 4096.
 inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual) {
   const MapInfo &e = expected.info(), &a = actual.info();
   EXPECT_EQ(e.name, a.name);

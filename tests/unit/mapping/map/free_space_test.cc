@@ -193,8 +193,9 @@ TEST(DiffFreeSpace, NamesTheTilesThatAreNotTheSame) {
   EXPECT_EQ(change.erased, (std::vector<TileIndex>{{0, 0, 0}}));
 }
 
-/// A map's free space is copied on write, goes back with a fork, and makes a revision when it changes.
-/// A layer of a map, by its ways in.
+// The layers of a map are copied on write, go back with a fork, and make a revision when they change.
+
+/// One of them, by its ways in.
 struct Layer {
   FreeSpace& (*of_writer)(Map&);
   const FreeSpace& (*of_state)(const MapSnapshot&);
