@@ -40,10 +40,10 @@ struct DistanceOptions {
 };
 
 /// Distances to the zero surface of a state of a map: the nearest point of all submaps' surfaces (ExtractTileSurface),
-/// each at its pose and grown by its padding. Exact to 1e-5 of the distance, by rounding, unless a tolerance allows for
-/// more: then |distance + padding| is never too short, and too long by no more than NearField::kTolerance_vox voxels
-/// and no more than a share of NearField::kShare; the nearest point, gradient and submap are those of that point of a
-/// surface. Within() and AnyCloserThan() are always exact. Immutable, thread-safe.
+/// each at its pose and grown by its padding. Exact to 1e-5 of the distance and 1e-4 voxels, by rounding, unless a
+/// tolerance allows for more: then |distance + padding| is never too short, and too long by no more than
+/// NearField::kTolerance_vox voxels and no more than a share of NearField::kShare; the nearest point, gradient and
+/// submap are those of that point of a surface. Within() and AnyCloserThan() are always exact. Immutable, thread-safe.
 class DistanceQuery {
  public:
   DistanceQuery(std::shared_ptr<const MapSurfaces> surfaces, DistanceOptions options);

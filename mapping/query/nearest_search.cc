@@ -16,8 +16,8 @@
 namespace dhpmap {
 namespace {
 
-/// A micrometre or so more than the distance itself, for rounding.
-float WithRounding(float distance2) { return distance2 * (1 + 2e-5f) + 1e-9f; }
+/// Rounding of a tile's coordinates, in floats, as a share of how wide it is: some ten units in the last place.
+constexpr double kCoordinateRounding = 2e-6;
 
 /// A triangle's say on the side of those to whom `point` of it is nearest: its angle there (Baerentzen and Aanaes,
 /// Signed distance computation using the angle weighted pseudonormal, 2005).
@@ -41,8 +41,16 @@ constexpr float kRounding = 1 - 1e-5f;
 }  // namespace
 
 NearestSearch::NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held)
-    : surfaces_(surfaces), is_held_(is_held) {
+    : surfaces_(surfaces),
+      is_held_(is_held),
+      rounding_m_(static_cast<float>(kCoordinateRounding * kTileSide * kBlockSide *
+                                     surfaces.state().info().config.voxel_size_m)) {
   touches_.reserve(8);
+}
+
+/// (d + r)^2, r being the rounding of the coordinates, and 1e-5 more: near a surface r is most of it.
+float NearestSearch::WithRounding(float distance2) const {
+  return distance2 * (1 + 2e-5f) + (2 * std::sqrt(distance2) + rounding_m_) * rounding_m_;
 }
 
 void NearestSearch::Begin(const Eigen::Vector3d& p_map, double limit_m) {
@@ -290,12 +298,13 @@ bool NearestSearch::VisitNode() {
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       if (distance2[lane] > limit2_) continue;
-      if (WithRounding(distance2[lane]) < best2_) touches_.clear();
+      const float as_near2 = WithRounding(distance2[lane]);
+      if (as_near2 < best2_) touches_.clear();
       touches_.push_back({tile_, kLanes * here.node + lane});
       if (stops_at_any_) return true;
       if (distance2[lane] >= best2_) continue;
       best2_ = distance2[lane];
-      limit2_ = WithRounding(distance2[lane]);
+      limit2_ = as_near2;
     }
   }
   while (num_nodes_ > 0 && nodes_[num_nodes_ - 1].distance2 > limit2_) --num_nodes_;
@@ -318,12 +327,20 @@ NearestSurface NearestSearch::Found() {
       return std::tie(a.tile.number, a.tile.tile, a.position) < std::tie(b.tile.number, b.tile.tile, b.position);
     });
   }
-  float side = 0, least2 = std::numeric_limits<float>::infinity();
+  // Measured again, and not to the last bit as it was: the nearest of them counts for this, so that there is one.
+  float least2 = std::numeric_limits<float>::infinity();
+  for (const Touch& touch : touches_) {
+    const Eigen::Vector3f point = NearestPointOf(touch.tile.triangles->triangle(touch.position), touch.tile.p);
+    least2 = std::min(least2, (touch.tile.p - point).squaredNorm());
+  }
+  const float most2 = std::max(limit2_, WithRounding(least2));
+  float side = 0;
+  least2 = std::numeric_limits<float>::infinity();
   for (const Touch& touch : touches_) {
     const TriangleCorners triangle = touch.tile.triangles->triangle(touch.position);
     const Eigen::Vector3f point = NearestPointOf(triangle, touch.tile.p), away = touch.tile.p - point;
     const float distance2 = away.squaredNorm();
-    if (distance2 > limit2_) continue;  // was as near as the nearest of that time
+    if (distance2 > most2) continue;  // was as near as the nearest of that time
     const Eigen::Vector3f normal = NormalOf(triangle);
     side += AngleAt(triangle, point) * normal.dot(away);
     if (distance2 >= least2) continue;

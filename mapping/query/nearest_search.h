@@ -30,10 +30,12 @@ class NearestSearch {
   /// `is_held` says by number which submaps count; empty: all. Both outlive this.
   NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held);
 
-  /// `p_map`: finite, metres of the map frame; `limit_m`: finite. Exact to 1e-5 of the distance, by rounding.
+  /// `p_map`: finite, metres of the map frame; `limit_m`: finite. Exact to 1e-5 of the distance and 1e-4 voxels, by
+  /// rounding.
   [[nodiscard]] NearestSurface Find(const Eigen::Vector3d& p_map, double limit_m);
 
-  /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that may count, too. Ends at the first.
+  /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that and
+  /// 1e-4 voxels may count, too. Ends at the first.
   [[nodiscard]] bool IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m);
 
   // Find in steps. What a step will look at has been fetched by the one before, so who has several searches, and goes
@@ -80,6 +82,8 @@ class NearestSearch {
     std::uint32_t position;
   };
 
+  /// Of a squared distance, that within which another may be the same one.
+  [[nodiscard]] float WithRounding(float distance2) const;
   void Begin(const Eigen::Vector3d& p_map, double limit_m);
   [[nodiscard]] bool Holds(std::size_t number) const { return sees_all_ || is_held_.empty() || is_held_[number]; }
 
@@ -107,6 +111,7 @@ class NearestSearch {
 
   const MapSurfaces& surfaces_;
   const std::vector<bool>& is_held_;
+  float rounding_m_;  ///< of coordinates
   Eigen::Vector3d p_map_ = Eigen::Vector3d::Zero();
   double limit_m_ = 0;
   Stage stage_ = Stage::kDone;

@@ -108,6 +108,48 @@ TEST(DistanceQuery, EqualsTheScene) {
   }
 }
 
+TEST(DistanceQuery, FindsASurfaceThatIsMillimetresAwayHoweverLargeTilesAre) {
+  // A tilted plane in voxels of 0.2 m: where a tile is 6.4 m wide, coordinates are rounded by what counts near it.
+  constexpr double kVoxel_m = 0.2;
+  MapInfo info = testing::SceneInfo();
+  info.config.voxel_size_m = kVoxel_m;
+  info.config.truncation_m = 2 * kVoxel_m;
+  Map map(info);
+  Submap& submap = map.Create(
+      {.panoptic = Panoptic::kStuff, .class_id = ClassId(1), .voxel_size_m = kVoxel_m, .truncation_m = 2 * kVoxel_m});
+  const Eigen::Vector3d normal = Eigen::Vector3d(0.21, -0.13, 0.97).normalized();
+  constexpr int kHalf_vox = 32;
+  for (int y = -kHalf_vox; y < kHalf_vox; ++y) {
+    for (int x = -kHalf_vox; x < kHalf_vox; ++x) {
+      const int middle = static_cast<int>(std::floor(-(normal.x() * x + normal.y() * y) / normal.z()));
+      for (int z = middle - 2; z <= middle + 2; ++z) {
+        TsdfBlock& block = submap.MutableTsdf(BlockOf({x, y, z}));
+        const auto i = static_cast<std::size_t>(LinearIndex({x, y, z}));
+        block.distance_m[i] = static_cast<float>(normal.dot(VoxelCentre({x, y, z}, kVoxel_m)));
+        block.weight[i] = 1;
+      }
+    }
+  }
+  submap.UpdateBoundingSphere();
+  const DistanceQuery query = QueryOf(map);
+  constexpr double kAside_m = 0.02;
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  std::vector<Eigen::Vector3d> points = testing::RandomPoints(20000, 1, 7);
+  for (Eigen::Vector3d& p : points) p = 4 * (p.x() * u + p.y() * v) + kAside_m * p.z() * normal;
+  std::vector<SurfaceDistance> batch(points.size());
+  query.At(points, batch);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double truth_m = normal.dot(points[i]);
+    for (const SurfaceDistance& answer : {query.At(points[i]), batch[i]}) {
+      ASSERT_NE(answer.submap, nullptr) << points[i].transpose();
+      ASSERT_NEAR(std::abs(answer.distance_m), std::abs(truth_m), 1e-4 * kVoxel_m);
+      if (std::abs(truth_m) > 5e-4 * kVoxel_m) {
+        ASSERT_EQ(answer.distance_m < 0, truth_m < 0) << truth_m;
+      }
+    }
+  }
+}
+
 TEST(DistanceQuery, TellsTheSideAlsoAtSharpEdgesAndCorners) {
   // Nearest to most points around a slim pyramid is an edge or a corner.
   Map map(testing::SceneInfo());
