@@ -187,6 +187,7 @@ Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block) {
     voxel.classes.clear();
     voxel.instances.clear();
     if (!ReadVoxel(planes[kForm][n++], first, reader, voxel)) return DataLoss("holds a malformed voxel");
+    if (!voxel.classes.empty() && voxel.classes.back().id >= kMaxInPlane) return DataLoss("holds a class that none is");
     block.Set(site.linear, voxel);
   }
   if (reader.remaining() != 0) return DataLoss("is longer than its voxels need");

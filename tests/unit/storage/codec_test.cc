@@ -350,6 +350,21 @@ TEST(LabelCodec, ForgedPayloadsAreHarmless) {
   ExpectForgeriesAreHarmless<LabelBlock>(BlobKind::kLabelsV1, payload, DecodeLabelBlock);
 }
 
+TEST(LabelCodec, AClassThatNoneCanHaveIsDataLoss) {
+  // 65,535 marks voxels in overflow lists: taken for a class it would point beyond them.
+  LabelBlock block;
+  block.AddObservation(0, ClassId(5));
+  Payload payload;
+  ASSERT_TRUE(Unseal(BlobKind::kLabelsV1, kIndex, EncodeLabelBlock(block, kIndex), payload).ok());
+  std::uint8_t& class_code = payload.packable[kBlockVoxels / 8 + 1];  // zigzag, low byte
+  ASSERT_EQ(class_code, 10);
+  class_code = 8;
+  ASSERT_TRUE(DecodeLabelBlock(Seal(BlobKind::kLabelsV1, kIndex, payload), kIndex, block).ok());
+  EXPECT_EQ(block.BestClass(0).id, 4u);
+  class_code = 1;
+  EXPECT_EQ(DecodeLabelBlock(Seal(BlobKind::kLabelsV1, kIndex, payload), kIndex, block).code(), StatusCode::kDataLoss);
+}
+
 TEST(Envelope, AnUnknownKindIsAPreconditionNotALoss) {
   TsdfBlock block;
   const Bytes blob = Seal(static_cast<BlobKind>(0x12), kIndex, {.packable = {1, 2, 3}, .plain = {4}});
