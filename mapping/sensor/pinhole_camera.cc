@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/sensor/pinhole_camera.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace dhpmap {
 
@@ -23,6 +25,17 @@ Status PinholeCamera::Validate() const {
   check_focal_length("fy_px", fy_px);
   check_finite("cx_px", cx_px);
   check_finite("cy_px", cy_px);
+  const auto check_slope = [&bad](const char* field, double centre_px, int size_px, double focal_px) {
+    const double aside_px = std::max(std::abs(centre_px), std::abs(size_px - 1 - centre_px));
+    if (aside_px > kMostSlope * focal_px) {
+      bad.AddViolation(field,
+                       std::to_string(focal_px) + " is so short that pixels look more than 1e6 aside for 1 ahead");
+    }
+  };
+  if (bad.violations().empty()) {
+    check_slope("fx_px", cx_px, width_px, fx_px);
+    check_slope("fy_px", cy_px, height_px, fy_px);
+  }
   return bad.violations().empty() ? Status::Ok() : bad;
 }
 

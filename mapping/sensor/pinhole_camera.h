@@ -16,7 +16,10 @@ struct PinholeCamera {
   double cy_px = 0;
 
   [[nodiscard]] int num_pixels() const { return width_px * height_px; }
-  /// INVALID_ARGUMENT unless sizes are 1..16384, focal lengths positive and all values finite.
+  /// Above it what a pixel sees lies beside the camera, and coordinates grow beyond all numbers.
+  static constexpr double kMostSlope = 1e6;
+  /// INVALID_ARGUMENT unless sizes are 1..16384, focal lengths positive, all values finite, and no pixel looks more
+  /// than kMostSlope aside for 1 ahead.
   [[nodiscard]] Status Validate() const;
 };
 

@@ -165,6 +165,19 @@ TEST(PinholeCamera, NamesEveryBadField) {
   EXPECT_TRUE((PinholeCamera{640, 480, 320, 320, 320, 240}).Validate().ok());
 }
 
+TEST(PinholeCamera, RefusesPixelsThatLookAsideWithoutEnd) {
+  const auto fields = [](double focal_px, double centre_px) {
+    return Fields(PinholeCamera{640, 480, focal_px, focal_px, centre_px, 240}.Validate());
+  };
+  using List = std::vector<std::string>;
+  EXPECT_EQ(fields(1e-300, 320), (List{"fx_px", "fy_px"}));
+  EXPECT_EQ(fields(5e-324, 320), (List{"fx_px", "fy_px"}));
+  EXPECT_EQ(fields(320, 1e300), (List{"fx_px"}));
+  EXPECT_EQ(fields(320, -1e300), (List{"fx_px"}));
+  EXPECT_EQ(fields(3.3e-4, 320), List{}) << "320 px / 3.3e-4 px is less than 1e6";
+  EXPECT_EQ(fields(3.1e-4, 320), (List{"fx_px"}));
+}
+
 TEST(CheckFrameIsOnGrid, NamesTheFieldTheLimitAndWhatToDo) {
   PanopticFrame frame = GoodCameraFrame();
   EXPECT_TRUE(CheckFrameIsOnGrid(frame, 0.002).ok());
