@@ -8,8 +8,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <optional>
+#include <string>
+#include <system_error>
 
 #include "mapping/base/utf8.h"
 #include "server/json/base64.h"
@@ -50,9 +53,13 @@ std::optional<T> ParseReal(std::string_view text) {
   if (text == "-Infinity") return -std::numeric_limits<T>::infinity();
   if (text.find_first_of("nN") != std::string_view::npos) return std::nullopt;  // from_chars takes "nan" and "inf"
   if (const auto value = ParseExactly<T>(text)) return value;
-  // from_chars reports what is too small as out of range; it is zero, near enough.
-  const auto wide = ParseExactly<long double>(text);
-  if (wide && std::abs(*wide) < 1) return static_cast<T>(*wide);
+  // What is too small counts as out of range; it is zero, near enough. Not asked of from_chars for a long double, which
+  // looks behind the end of the text (GCC 12).
+  double wide = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), wide);
+  if (error == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) wide = std::strtod(std::string(text).c_str(), nullptr);
+  if (std::abs(wide) < 1) return static_cast<T>(wide);
   return std::nullopt;
 }
 

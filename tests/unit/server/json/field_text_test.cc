@@ -48,6 +48,32 @@ TEST(FieldText, NamesTheFirstPartOfAPathThatDoesNotExist) {
   }
 }
 
+TEST(FieldText, LooksAtNothingBehindTheEndOfANumber) {
+  // In memory that ends with the text: AddressSanitizer sees who looks farther.
+  for (const std::string text : {"", "-", "1e", "+1", "nonsense", "1.5x", "1e400", "-1e400", "--1", ".", "1e-", "e5"}) {
+    const std::vector<char> exact(text.begin(), text.end());
+    Everything message;
+    const auto& field = *FindField(*Everything::descriptor(), "real_double");
+    EXPECT_NE(SetScalarFromText(field, {exact.data(), exact.size()}, &message), "") << text;
+  }
+}
+
+TEST(FieldText, WhatIsTooSmallIsZeroAndWhatIsTooLargeIsRefused) {
+  Everything message;
+  for (const char* name : {"real", "real_double"}) {
+    message.set_real(1), message.set_real_double(1);
+    EXPECT_TRUE(Set(name, "-4.9e-5000", &message).ok());
+    EXPECT_TRUE(Set(name, "0." + std::string(400, '0') + "1", &message).ok());
+    EXPECT_FALSE(Set(name, "4.9e5000", &message).ok());
+    EXPECT_FALSE(Set(name, "1" + std::string(400, '0'), &message).ok());
+  }
+  EXPECT_EQ(message.real(), 1);
+  EXPECT_EQ(message.real_double(), 0);
+  EXPECT_TRUE(Set("real", "1e-60", &message).ok());
+  EXPECT_EQ(message.real(), 0);
+  EXPECT_FALSE(Set("real", "1e60", &message).ok());
+}
+
 struct Good {
   const char* name;
   const char* text;
