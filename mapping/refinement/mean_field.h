@@ -17,7 +17,7 @@ struct LabelLayout {
   /// all bits set.
   struct Part {
     int vector;
-    std::array<std::int32_t, 8> mask;
+    alignas(32) std::array<std::int32_t, 8> mask;  ///< as clang reads it, whatever a type's alignment says
   };
   struct Kind {
     std::size_t begin, end;  ///< labels
