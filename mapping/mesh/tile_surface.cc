@@ -27,7 +27,7 @@ constexpr int Position(int x, int y, int z) {
   return (x + kMargin) + kSide * (y + kMargin) + kSide * kSide * (z + kMargin);
 }
 
-enum Flag : std::uint8_t { kHasValue = 1, kInside = 2, kObserved = 4 };
+enum Flag : std::uint8_t { kHasValue = 1, kInside = 2, kObserved = 4, kContradicted = 8 };
 
 /// The other voxels around one.
 struct Neighbour {
@@ -139,6 +139,8 @@ class TileWindow {
           const int linear = LinearIndex({x, y, z});
           if (block.Shows(linear)) {
             Set(row + offset.x * kBlockSide + x, block.tsdf->distance_m[static_cast<std::size_t>(linear)], kObserved);
+          } else if (block.IsContradicted(linear)) {
+            flags_[static_cast<std::size_t>(row + offset.x * kBlockSide + x)] = kContradicted;
           }
         }
       }
@@ -187,7 +189,7 @@ class TileWindow {
     }
   }
 
-  /// What a voxel expects at those around it that are not observed.
+  /// What a voxel expects at those around it that are not observed, and where nobody has seen that it is otherwise.
   void SpreadFrom(int from) {
     const float here_m = At(from);
     Eigen::Vector3f slope;
@@ -195,7 +197,7 @@ class TileWindow {
     for (const Neighbour& neighbour : Neighbours()) {
       const int to = from + neighbour.step;
       const auto t = static_cast<std::size_t>(to);
-      if ((flags_[t] & kObserved) != 0) continue;
+      if ((flags_[t] & (kObserved | kContradicted)) != 0) continue;
       if (weight_[t] == 0) room_.reached.push_back(to);
       sum_m_[t] += neighbour.nearness * (here_m + slope.dot(neighbour.offset_vox));
       weight_[t] += neighbour.nearness;

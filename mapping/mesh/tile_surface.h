@@ -25,9 +25,9 @@ TileBlocks FindBlocks(const TileNeighbourhood& around, TileIndex tile);
 /// The part of a submap's zero surface that belongs to one of its tiles, relative to the tile's corner of least
 /// coordinates (TileCorner), along the axes of the submap's frame. Marching cubes as in a mesh of the submap alone, but
 /// the surface reaches one voxel over the border of what is observed, where values are extrapolated from the observed
-/// voxels around: so the surfaces of neighbours that label management has made exclusive close, whatever becomes of
-/// either. It depends on the submap's own voxels only. A cell with an observed corner belongs to the tile of the first
-/// of these, so each is in exactly one tile.
+/// voxels around, but not where a sensor has looked through (GoneBlock): so the surfaces of neighbours that label
+/// management has made exclusive close, whatever becomes of either. It depends on the submap's own voxels only. A cell
+/// with an observed corner belongs to the tile of the first of these, so each is in exactly one tile.
 std::vector<SurfaceTriangle> ExtractTileSurface(const TileBlocks& blocks, double voxel_size_m);
 
 /// In metres of the submap frame.

@@ -270,6 +270,7 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);
   RefinementReport report = RefineMap(map, *pool, last_refined.get(), is_cancelled);
   if (is_cancelled && is_cancelled()) return std::nullopt;
+  if (map.info().config.space.gone) UpdatePresenceOfAll(map);  // of what was given to others, nothing is left to see
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
     report.num_bytes_dropped = DropVoxelLabels(map);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -32,6 +33,20 @@ struct CellBatch {
 struct BallBatch {
   std::array<float, kLanes> x{}, y{}, z{}, radius{};
 };
+
+/// What a place is to be scaled by to lie nearer to the sensor by `by_vox`, in the same direction.
+inline float ScaleToNearer(float x, float y, float z, float by_vox) {
+  const float range = std::sqrt(x * x + y * y + z * z);
+  return range > by_vox ? 1 - by_vox / range : 0.0f;
+}
+inline CellBatch Nearer(const CellBatch& cells, float by_vox) {
+  CellBatch nearer = cells;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float scale = ScaleToNearer(cells.x[i], cells.y[i], cells.z[i], by_vox);
+    nearer.x[i] *= scale, nearer.y[i] *= scale, nearer.z[i] *= scale;
+  }
+  return nearer;
+}
 
 /// The eight halves-by-axis of a cell whose centre is given, x fastest, then y, then z.
 inline CellBatch ChildrenOf(CellSize size, float x, float y, float z) {

@@ -63,7 +63,7 @@ std::vector<SubmapId> FreeSpaceFinder::Scratch::Look(const View& view, const Pan
   ListTiles(view, origin, tiles);
   if (map.info().config.space.free) AddFree(view, frame.stamp_ns, map, pool, stop);
   if (!map.info().config.space.gone) return {};
-  return gone.Look(view, origin, tiles, {eye_m, frame.stamp_ns}, map, pool, stop);
+  return gone.Look(view, origin, {eye_m, frame.stamp_ns}, map, pool, stop);
 }
 
 template <typename View>

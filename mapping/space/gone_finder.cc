@@ -25,31 +25,53 @@ void GoneFinder::AddJob(const Submap& submap, const BlockTile& tile) {
   ++num_jobs_;
 }
 
-void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, std::span<const TileToLook> tiles,
-                          const Map& map) {
+void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Map& map) {
   num_jobs_ = 0;
   in_view_ = {};
-  in_view_.Reserve(tiles.size());
-  for (std::size_t i = 0; i < tiles.size(); ++i) in_view_.Set(tiles[i].index, static_cast<std::uint32_t>(i));
+  in_view_.Reserve(tiles_.size());
+  for (std::size_t i = 0; i < tiles_.size(); ++i) in_view_.Set(tiles_[i].index, static_cast<std::uint32_t>(i));
   for (const auto& submap : map.submaps()) {
     if (submap->info().is_placed || !IsOnMapGrid(submap->info(), map.info().config)) continue;
     if (!MayReach(reach, origin, submap->bounding_sphere(), submap->info().voxel_size_m)) continue;
     const BlockTable& blocks = submap->blocks();
-    if (blocks.tiles().size() <= tiles.size()) {
+    if (blocks.tiles().size() <= tiles_.size()) {
       for (const TileEntry& entry : blocks.tiles()) {
         if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(*submap, *entry.tile);
       }
     } else {  // a wall may go on and on
-      for (const TileToLook& tile : tiles) {
+      for (const TileToLook& tile : tiles_) {
         if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(*submap, *entry->tile);
       }
     }
   }
 }
 
+void GoneFinder::AddUp() {
+  at_ = {};
+  together_.clear();
+  for (std::size_t i = 0; i < num_jobs_; ++i) {
+    for (const ContradictedBlock& block : jobs_[i].found) {
+      std::uint32_t at = at_.Find(block.index);
+      if (at == IndexMap<BlockIndex>::kNone) {
+        at = static_cast<std::uint32_t>(together_.size());
+        at_.Set(block.index, at);
+        together_.push_back(0);
+      }
+      together_[at] += block.num_in_all;
+    }
+  }
+}
+
+bool GoneFinder::IsEnough(const ContradictedBlock& block) const {
+  if (block.num_voxels >= kLeastVoxels) return true;
+  return block.num_voxels > 0 && together_[at_.Find(block.index)] >= kLeastTogether;
+}
+
 std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
+  AddUp();
   std::vector<SubmapId> changed;
   for (std::size_t i = 0; i < num_jobs_; ++i) {
+    std::erase_if(jobs_[i].found, [&](const ContradictedBlock& block) { return !IsEnough(block); });
     if (jobs_[i].found.empty()) continue;
     Submap& submap = *map.FindMutable(jobs_[i].id);
     int num_became = 0;

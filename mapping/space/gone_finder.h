@@ -21,12 +21,15 @@ namespace dhpmap {
 /// Thread-compatible.
 class GoneFinder {
  public:
-  /// `tiles`: those that the view does not hide. Returns the submaps of which voxels became contradicted, by ascending
+  /// Returns the submaps of which voxels became contradicted, by ascending
   /// id. The outcome does not depend on the number of threads. Throws Stopped soon after `stop` is requested.
   template <typename View>
-  std::vector<SubmapId> Look(const View& view, const GridOrigin& origin, std::span<const TileToLook> tiles,
-                             const Viewpoint& from, Map& map, ThreadPool& pool, const std::stop_token& stop = {}) {
-    ListJobs(view.Reach(), origin, tiles, map);
+  std::vector<SubmapId> Look(const View& view, const GridOrigin& origin, const Viewpoint& from, Map& map,
+                             ThreadPool& pool, const std::stop_token& stop = {}) {
+    const MapConfig& config = map.info().config;
+    const float farther_by_vox = GoneLook<View>::FartherBy_vox(config.voxel_size_m, config.truncation_m);
+    ListTiles(view, origin, tiles_, farther_by_vox);
+    ListJobs(view.Reach().GrownBy(farther_by_vox), origin, map);
     pool.ParallelFor(num_jobs_, [&](std::size_t i) {
       ThrowIfStopped(stop);
       Job& job = jobs_[i];
@@ -38,6 +41,12 @@ class GoneFinder {
   }
 
  private:
+  /// A frame that sees past fewer voxels of a block says nothing: noise strikes single ones, what leaves takes dozens.
+  static constexpr int kLeastVoxels = 8;
+  /// Unless so many of the block, in all submaps, are gone or seen past: voxels at the border of what leaves belong to
+  /// other submaps, a few to each.
+  static constexpr int kLeastTogether = 12;
+
   struct Job {
     SubmapId id;
     // Until the map is written to:
@@ -47,13 +56,18 @@ class GoneFinder {
   };
 
   /// The tiles of submaps that are in view.
-  void ListJobs(const Box& reach, const GridOrigin& origin, std::span<const TileToLook> tiles, const Map& map);
+  void ListJobs(const Box& reach, const GridOrigin& origin, const Map& map);
   void AddJob(const Submap& submap, const BlockTile& tile);
+  void AddUp();
+  [[nodiscard]] bool IsEnough(const ContradictedBlock& block) const;
   std::vector<SubmapId> Count(const Viewpoint& from, Map& map);
 
-  IndexMap<TileIndex> in_view_;
-  std::vector<Job> jobs_;  ///< beyond num_jobs_ they are kept for their memory
+  std::vector<TileToLook> tiles_;  ///< in view
+  IndexMap<TileIndex> in_view_;    ///< the same
+  std::vector<Job> jobs_;          ///< beyond num_jobs_ they are kept for their memory
   std::size_t num_jobs_ = 0;
+  IndexMap<BlockIndex> at_;  ///< in `together_`
+  std::vector<int> together_;
 };
 
 }  // namespace dhpmap

@@ -16,20 +16,32 @@
 
 namespace dhpmap {
 
-/// The voxels of a block that a look contradicts.
+/// What a look says of a block of a submap.
 struct ContradictedBlock {
   BlockIndex index;
-  VoxelMask voxels{};
+  VoxelMask voxels{};  ///< that it contradicts
+  int num_voxels = 0;  ///< of them
+  int num_in_all = 0;  ///< and those that were contradicted before
 };
 
 /// Looks at one tile of a submap for surfaces that the view looks through.
 ///
 /// A voxel says that there is a surface within its distance. So it is contradicted if every pixel that a ball of that
-/// radius, and half a voxel more, may cover sees farther than the ball and the truncation: as long as the surface is
-/// there, either it or something before it is seen in one of these pixels. `View` is CameraView or LidarView.
+/// radius, and half a voxel more, may cover sees farther than the ball and kMargin_vox: as long as the surface is
+/// there, either it or something before it is seen in one of these pixels. `View` is CameraView or LidarView, which
+/// keep the truncation before what they see; to ask for less, cells and balls are moved nearer to the sensor.
 template <typename View>
 class GoneLook {
  public:
+  /// The voxel's own size, by which its ball is larger.
+  static constexpr float kSlack_vox = 0.5f;
+  /// So far behind must be what is seen instead: what a thing stood on is seen right under its foot.
+  static constexpr float kMargin_vox = 1.5f;
+  /// By what balls may lie farther than the view says; centres of balls, of which none is smaller, as much less.
+  static float FartherBy_vox(double voxel_size_m, double truncation_m, float least_radius_vox = kSlack_vox) {
+    return std::max(0.0f, static_cast<float>(truncation_m / voxel_size_m) - kMargin_vox - least_radius_vox);
+  }
+
   /// `truncation_m`: of the submap; what is farther from its surface says nothing of one.
   GoneLook(const View& view, const GridOrigin& origin, const Viewpoint& from, double voxel_size_m, double truncation_m,
            std::vector<ContradictedBlock>& found)
@@ -39,6 +51,8 @@ class GoneLook {
         voxels_per_m_(static_cast<float>(1 / voxel_size_m)),
         // What carving leaves is no surface.
         most_m_(static_cast<float>(0.999 * truncation_m)),
+        balls_farther_by_vox_(FartherBy_vox(voxel_size_m, truncation_m, 0)),
+        farther_by_vox_(FartherBy_vox(voxel_size_m, truncation_m)),
         found_(found) {}
 
   void Look(const BlockTile& tile) {
@@ -48,7 +62,7 @@ class GoneLook {
     std::size_t count = 0;
     const auto flush = [&] {
       CellSights sights;
-      view_.Classify(batch, sights);
+      view_.Classify(Nearer(batch, farther_by_vox_), sights);
       for (std::size_t i = 0; i < count; ++i) {
         if (sights[i] != CellSight::kHidden) LookAtBlock(*entries[i], batch.x[i], batch.y[i], batch.z[i]);
       }
@@ -67,32 +81,32 @@ class GoneLook {
   }
 
  private:
-  /// The voxel's own size.
-  static constexpr float kSlack_vox = 0.5f;
-  /// A frame that sees past fewer voxels of a block says nothing: noise strikes single ones, what leaves takes dozens.
-  static constexpr int kLeastVoxels = 8;
+  /// Behind a surface of which a part is gone, what is seen is not inside of anything.
+  static constexpr float kInside_vox = 0.75f;
 
   /// `x`, `y`, `z`: the block's centre.
   void LookAtBlock(const BlockEntry& entry, float x, float y, float z) {
     const CellBatch octants = ChildrenOf(CellSize::kBlock, x, y, z);
     CellSights sights;
-    view_.Classify(octants, sights);
+    view_.Classify(Nearer(octants, farther_by_vox_), sights);
     contradicted_ = {.index = entry.index};
+    const int num_before = entry.gone != nullptr ? CountOf(entry.gone->Contradicted()) : 0;
+    is_open_ = num_before > 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (sights[i] != CellSight::kHidden) LookAtOctant(entry, i, octants.x[i], octants.y[i], octants.z[i]);
     }
     if (num_balls_ > 0) Decide();
-    const VoxelMask& mask = contradicted_.voxels;
-    const int count = std::accumulate(mask.begin(), mask.end(), 0,
-                                      [](int sum, std::uint64_t word) { return sum + std::popcount(word); });
-    if (count >= kLeastVoxels) found_.push_back(contradicted_);
+    contradicted_.num_voxels = CountOf(contradicted_.voxels);
+    contradicted_.num_in_all = contradicted_.num_voxels + num_before;
+    if (contradicted_.num_in_all > 0) found_.push_back(contradicted_);
   }
 
   /// Of the octant's voxels, those before the limit of their own pixel may be contradicted.
   void LookAtOctant(const BlockEntry& entry, std::size_t octant, float x, float y, float z) {
     constexpr float kToFirst = -HalfSpanOf(CellSize::kOctant);
     alignas(64) std::array<std::uint8_t, kOctantVoxels> is_before;
-    view_.Test(x + kToFirst, y + kToFirst, z + kToFirst, is_before);
+    const float scale = ScaleToNearer(x, y, z, farther_by_vox_);
+    view_.Test(scale * x + kToFirst, scale * y + kToFirst, scale * z + kToFirst, is_before);
     const TsdfBlock& tsdf = *entry.tsdf;
     const int first = LinearIndex({(octant & 1) != 0 ? kOctantSide : 0, (octant & 2) != 0 ? kOctantSide : 0,
                                    (octant & 4) != 0 ? kOctantSide : 0});
@@ -117,10 +131,16 @@ class GoneLook {
       balls_.x[num_balls_] = x + kToFirst + static_cast<float>(dx);
       balls_.y[num_balls_] = y + kToFirst + static_cast<float>(dy);
       balls_.z[num_balls_] = z + kToFirst + static_cast<float>(dz);
-      balls_.radius[num_balls_] = std::abs(distance_m) * voxels_per_m_ + kSlack_vox;
+      balls_.radius[num_balls_] =
+          is_open_ && distance_m < 0 ? kInside_vox : std::abs(distance_m) * voxels_per_m_ + kSlack_vox;
       linear_[num_balls_] = linear;
       if (++num_balls_ == kLanes) Decide();
     }
+  }
+
+  static int CountOf(const VoxelMask& mask) {
+    return std::accumulate(mask.begin(), mask.end(), 0,
+                           [](int sum, std::uint64_t word) { return sum + std::popcount(word); });
   }
 
   static bool HasAny(const std::uint8_t* eight) {
@@ -131,6 +151,10 @@ class GoneLook {
 
   void Decide() {
     std::array<bool, kLanes> is_past;
+    for (std::size_t i = 0; i < num_balls_; ++i) {  // with all of each: it covers the same pixels
+      const float scale = ScaleToNearer(balls_.x[i], balls_.y[i], balls_.z[i], balls_farther_by_vox_);
+      balls_.x[i] *= scale, balls_.y[i] *= scale, balls_.z[i] *= scale, balls_.radius[i] *= scale;
+    }
     view_.LookPast(balls_, is_past);
     for (std::size_t i = 0; i < num_balls_; ++i) {
       if (!is_past[i]) continue;
@@ -142,12 +166,13 @@ class GoneLook {
   const View& view_;
   const GridOrigin& origin_;
   const Viewpoint& from_;
-  const float voxels_per_m_, most_m_;
+  const float voxels_per_m_, most_m_, balls_farther_by_vox_, farther_by_vox_;
   std::vector<ContradictedBlock>& found_;
   ContradictedBlock contradicted_;
   BallBatch balls_;
   std::array<int, kLanes> linear_{};
   std::size_t num_balls_ = 0;
+  bool is_open_ = false;  ///< of the block, something is gone already
 };
 
 }  // namespace dhpmap

@@ -15,6 +15,11 @@ struct LookOptions {
 /// In voxels from the sensor, along the axes of the map's grid. Empty if `least` is above `most` somewhere.
 struct Box {
   Eigen::Vector3d least_vox = Eigen::Vector3d::Ones(), most_vox = -Eigen::Vector3d::Ones();
+
+  [[nodiscard]] Box GrownBy(double by_vox) const {
+    if (!(least_vox.array() <= most_vox.array()).any()) return *this;
+    return {least_vox - Eigen::Vector3d::Constant(by_vox), most_vox + Eigen::Vector3d::Constant(by_vox)};
+  }
 };
 
 }  // namespace dhpmap

@@ -35,12 +35,13 @@ struct TileRange {
   static std::int32_t TileOf(std::int32_t voxel) { return voxel >> (kBlockSideLog2 + kTileSideLog2); }
 };
 
-/// Tests all tiles within the view's reach, eight at a time, and lists those that are not hidden.
+/// Tests all tiles within the view's reach, eight at a time, and lists those that are not hidden, or would not be if
+/// the view said to see farther by `farther_by_vox`.
 template <typename View>
-void ListTiles(const View& view, const GridOrigin& origin, std::vector<TileToLook>& tiles) {
+void ListTiles(const View& view, const GridOrigin& origin, std::vector<TileToLook>& tiles, float farther_by_vox = 0) {
   constexpr int kSide = SideOf(CellSize::kTile);
   tiles.clear();
-  const Box box = view.Reach();
+  const Box box = view.Reach().GrownBy(farther_by_vox);
   if (!(box.least_vox.array() <= box.most_vox.array()).any()) return;
   const auto range = [&](int axis, std::int32_t voxel) {
     return TileRange(box.least_vox[axis], box.most_vox[axis], voxel, origin.offset_vox[axis]);
@@ -52,7 +53,7 @@ void ListTiles(const View& view, const GridOrigin& origin, std::vector<TileToLoo
   std::size_t num_in_batch = 0;
   const auto flush = [&] {
     CellSights sights;
-    view.Classify(batch, sights);
+    view.Classify(Nearer(batch, farther_by_vox), sights);
     for (std::size_t i = 0; i < num_in_batch; ++i) {
       if (sights[i] == CellSight::kHidden) continue;
       tiles.push_back({indices[i], sights[i], batch.x[i], batch.y[i], batch.z[i]});

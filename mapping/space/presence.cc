@@ -21,7 +21,9 @@ void LeaveIfGone(SubmapId id, Map& map) {
   if (info.panoptic != Panoptic::kThing || info.is_placed || info.activity == Activity::kActive) return;
   if (!HasGone(*submap)) return;
   const SurfaceVoxels voxels = CountSurfaceVoxels(*submap);
-  if (static_cast<double>(voxels.contradicted) <= kAbsentShare * static_cast<double>(voxels.all)) return;
+  const auto all = static_cast<double>(voxels.all);
+  const bool is_most_gone = static_cast<double>(voxels.contradicted) > kAbsentShare * all;
+  if (!is_most_gone && static_cast<double>(voxels.doubted_unseen) <= kAbsentShareUnseen * all) return;
   map.FindMutable(id)->mutable_info().presence = Presence::kAbsent;
 }
 
@@ -31,11 +33,13 @@ SurfaceVoxels CountSurfaceVoxels(const Submap& submap) {
   const auto near_m = static_cast<float>(submap.info().voxel_size_m);
   SurfaceVoxels voxels;
   for (const BlockEntry& entry : submap.blocks().entries()) {
+    const bool is_unseen = entry.gone != nullptr && entry.gone->last().stamp_ns > submap.info().last_observed_ns;
     for (int linear = 0; entry.tsdf != nullptr && linear < kBlockVoxels; ++linear) {
       if (!entry.tsdf->IsObserved(linear)) continue;
       if (std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) >= near_m) continue;
       ++voxels.all;
       voxels.contradicted += entry.IsContradicted(linear);
+      voxels.doubted_unseen += is_unseen && entry.gone->Count(linear) >= 2;
     }
   }
   return voxels;

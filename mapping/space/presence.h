@@ -11,10 +11,14 @@ namespace dhpmap {
 
 /// A thing of whose surface more is contradicted, and which has settled, is absent.
 inline constexpr double kAbsentShare = 0.6;
+/// The same of one that nobody has seen since sensors looked through it: what they did not look at goes with the rest.
+inline constexpr double kAbsentShareUnseen = 0.25;
 
 /// Voxels of a submap within a voxel of its surface.
 struct SurfaceVoxels {
   std::int64_t all = 0, contradicted = 0;
+  /// Looked through at least twice, in blocks that were so after the submap was last observed.
+  std::int64_t doubted_unseen = 0;
 };
 SurfaceVoxels CountSurfaceVoxels(const Submap& submap);
 

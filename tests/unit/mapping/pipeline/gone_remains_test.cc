@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is left of things that are gone, in analytic scenes: nothing.
+#include <gtest/gtest.h>
+
+#include "mapping/space/presence.h"
+#include "tests/unit/mapping/pipeline/gone_scene.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::Box;
+using testing::Chair;
+using testing::EmptyRoom;
+using testing::FindThing;
+using testing::Info;
+using testing::kChair;
+using testing::kDoor;
+using testing::PointsOf;
+using testing::Scene;
+using testing::Session;
+using testing::Solid;
+using testing::With;
+using testing::WithSurface;
+
+TEST(GoneRemains, NothingIsLeftOfTheFootOfWhatStoodOnTheFloor) {
+  const Solid plinth = Box(kDoor, {1.7, 0.2, 0.3}, {0.25, 0.25, 0.3});  // stuff: never absent as a whole
+  for (const double truncation_m : {0.08, 0.16}) {
+    MapInfo info = Info();
+    info.config.truncation_m = truncation_m;
+    Session session(info);
+    session.Walk(With(EmptyRoom(), plinth), 12);
+    std::vector<Eigen::Vector3d> foot;
+    for (const Eigen::Vector3d& p : PointsOf(plinth)) {
+      if (p.z() > 0.13 && p.z() < 0.25) foot.push_back(p);
+    }
+    foot = WithSurface(session.Now(), foot);
+    ASSERT_GT(foot.size(), 10u);
+    session.Walk(EmptyRoom(), 14);
+    EXPECT_EQ(WithSurface(session.Now(), foot).size(), 0u) << truncation_m;
+  }
+}
+
+TEST(GoneRemains, FragmentsOfOtherObjectsGoWithWhatTheyStuckTo) {
+  // Spots of another class, one or two voxels wide and one to a block: alone they would be too few to count.
+  Scene scene = With(EmptyRoom(), Chair());
+  std::vector<Eigen::Vector3d> spots;
+  for (const double y : {0.06, 0.34}) {
+    for (const double z : {0.16, 0.48, 0.66}) {
+      spots.emplace_back(1.45, y, z);
+      scene.solids.push_back(Box(kDoor, {1.455, y, z}, {0.01, 0.02, 0.02}));
+    }
+  }
+  MapInfo info = Info();
+  info.config.tracking.min_points_stuff = 1;
+  Session session(info);
+  session.Walk(scene, 12);
+  const auto before = session.Now();
+  EXPECT_EQ(WithSurface(before, spots).size(), spots.size());
+  const auto of_spots = [](const MapSnapshot& map) {
+    SurfaceVoxels voxels;
+    for (const auto& submap : map.submaps()) {
+      if (submap->info().class_id == kDoor) voxels = CountSurfaceVoxels(*submap);
+    }
+    return voxels;
+  };
+  ASSERT_GT(of_spots(*before).all, 6);
+  ASSERT_LT(of_spots(*before).all, 60);
+  session.Walk(EmptyRoom(), 14);
+  EXPECT_EQ(of_spots(*session.Now()).contradicted, of_spots(*session.Now()).all);
+  EXPECT_EQ(WithSurface(session.Now(), spots).size(), 0u);
+}
+
+/// A board that hides the lower part of where the chair is.
+Scene WithBoard(const Scene& scene) { return With(scene, Box(kDoor, {1.2, 0.2, 0.35}, {0.03, 1.2, 0.35})); }
+
+TEST(GoneRemains, AThingNobodySeesAnyLongerIsAbsentWhenAPartOfItsPlaceIsLookedThrough) {
+  Session session;
+  session.Walk(With(EmptyRoom(), Chair()), 12);
+  const SubmapId id = FindThing(*session.Now(), kChair)->id();
+  session.Walk(WithBoard(EmptyRoom()), 14);
+  const auto after = session.Now();
+  const SurfaceVoxels voxels = CountSurfaceVoxels(*after->Find(id));
+  EXPECT_LT(static_cast<double>(voxels.contradicted), kAbsentShare * static_cast<double>(voxels.all));
+  EXPECT_TRUE(after->Find(id)->IsAbsent());
+}
+
+TEST(GoneRemains, AThingOfWhichAPartIsGoneIsThereWhileTheRestIsSeen) {
+  Session session;
+  session.Walk(With(EmptyRoom(), Chair()), 12);
+  const SubmapId id = FindThing(*session.Now(), kChair)->id();
+  const Solid low = Box(kChair, {1.7, 0.2, 0.25}, {0.25, 0.25, 0.25});
+  session.Walk(With(EmptyRoom(), low), 14);
+  const auto after = session.Now();
+  const SurfaceVoxels voxels = CountSurfaceVoxels(*after->Find(id));
+  EXPECT_GT(static_cast<double>(voxels.contradicted), kAbsentShareUnseen * static_cast<double>(voxels.all));
+  EXPECT_FALSE(after->Find(id)->IsAbsent());
+}
+
+}  // namespace
+}  // namespace dhpmap
