@@ -92,6 +92,7 @@ void CheckLidar(const PanopticFrame& frame, const LidarData& data, Status& bad) 
   const std::size_t num_points = data.points_m.size();
   CheckCount(data.color.size(), num_points, true, "lidar.color", bad);
   CheckCount(data.segments.size(), num_points, true, "lidar.segments", bad);
+  CheckCount(data.is_hidden.size(), num_points, true, "lidar.is_hidden", bad);
   const auto first_bad =
       std::find_if(data.points_m.begin(), data.points_m.end(), [](const Eigen::Vector3f& p) { return !p.allFinite(); });
   if (first_bad != data.points_m.end()) {

@@ -35,6 +35,8 @@ struct LidarData {
   std::vector<Eigen::Vector3f> points_m;
   std::vector<Color> color;             ///< N, or empty = grey
   std::vector<std::uint32_t> segments;  ///< N, or empty = nothing is labelled
+  /// N, or empty = none known: 1 for points whose segment was read off an image that shows something before them.
+  std::vector<std::uint8_t> is_hidden;
 };
 
 /// One posed frame with its panoptic segmentation (input of paper Fig. 2). Exactly one of camera and lidar is set.

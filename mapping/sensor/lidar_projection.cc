@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
+
+#include "mapping/sensor/camera_occlusion.h"
 
 namespace dhpmap {
 namespace {
@@ -32,6 +35,7 @@ Status Check(const LidarCamera& camera, const Image<Color>& color, const Image<s
   const std::size_t n = scan.points_m.size();
   if (!scan.color.empty() && scan.color.size() != n) bad.AddViolation("scan.color", "is not one a point");
   if (!scan.segments.empty() && scan.segments.size() != n) bad.AddViolation("scan.segments", "is not one a point");
+  if (!scan.is_hidden.empty() && scan.is_hidden.size() != n) bad.AddViolation("scan.is_hidden", "is not one a point");
   if (!bad.violations().empty()) return bad;
   DHPMAP_RETURN_IF_ERROR(CheckSize(camera, color, "color"));
   return CheckSize(camera, segments, "segments");
@@ -50,6 +54,21 @@ Color Sample(const Image<Color>& image, double u, double v) {
   return {mix(c00.r, c10.r, c01.r, c11.r), mix(c00.g, c10.g, c01.g, c11.g), mix(c00.b, c10.b, c01.b, c11.b)};
 }
 
+/// Whatever the scan has of a point goes to an earlier place.
+void MovePoint(std::size_t from, std::size_t to, LidarData& scan) {
+  scan.points_m[to] = scan.points_m[from];
+  if (!scan.color.empty()) scan.color[to] = scan.color[from];
+  if (!scan.segments.empty()) scan.segments[to] = scan.segments[from];
+  if (!scan.is_hidden.empty()) scan.is_hidden[to] = scan.is_hidden[from];
+}
+
+void Truncate(std::size_t num_points, LidarData& scan) {
+  scan.points_m.resize(num_points);
+  if (!scan.color.empty()) scan.color.resize(num_points);
+  if (!scan.segments.empty()) scan.segments.resize(num_points);
+  if (!scan.is_hidden.empty()) scan.is_hidden.resize(num_points);
+}
+
 }  // namespace
 
 Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& color, const Image<std::uint32_t>& segments,
@@ -57,31 +76,30 @@ Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& colo
   DHPMAP_RETURN_IF_ERROR(Check(camera, color, segments, scan));
   const bool has_color = color.width_px > 0, has_segments = segments.width_px > 0;
   const std::size_t num_points = scan.points_m.size();
-  const bool keep_color = has_color || !scan.color.empty(), keep_segments = has_segments || !scan.segments.empty();
   if (has_color) scan.color.resize(num_points);
   if (has_segments) scan.segments.resize(num_points);
+  if (has_segments) scan.is_hidden.clear();
 
   std::size_t kept = 0;
+  std::vector<ProjectedPoint> labelled;
+  if (has_segments) labelled.reserve(num_points);
   for (std::size_t i = 0; i < num_points; ++i) {
     const Eigen::Vector3d q = camera.P_image_lidar * scan.points_m[i].cast<double>().homogeneous();
     if (!(q.z() > 0)) continue;
     const double u = q.x() / q.z(), v = q.y() / q.z();
     // All four neighbours lie in the image; written so that NaN fails.
     if (!(u >= 0 && v >= 0 && std::ceil(u) < camera.width_px && std::ceil(v) < camera.height_px)) continue;
-    scan.points_m[kept] = scan.points_m[i];
+    MovePoint(i, kept, scan);
     if (has_color) scan.color[kept] = Sample(color, u, v);
-    else if (keep_color) scan.color[kept] = scan.color[i];
     if (has_segments) {
       scan.segments[kept] =
           segments.pixels[static_cast<std::size_t>(v) * segments.width_px + static_cast<std::size_t>(u)];
-    } else if (keep_segments) {
-      scan.segments[kept] = scan.segments[i];
+      labelled.push_back({static_cast<float>(u), static_cast<float>(v), static_cast<float>(q.z())});
     }
     ++kept;
   }
-  scan.points_m.resize(kept);
-  if (keep_color) scan.color.resize(kept);
-  if (keep_segments) scan.segments.resize(kept);
+  Truncate(kept, scan);
+  if (has_segments) scan.is_hidden = FindHiddenPoints(labelled, camera.width_px, camera.height_px);
   return Status::Ok();
 }
 

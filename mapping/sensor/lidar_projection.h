@@ -18,7 +18,8 @@ struct LidarCamera {
 
 /// Gives LiDAR points colour (bilinear) and segment ids (nearest pixel) from the images of a camera. Points behind the
 /// camera or outside the image are dropped, in place, with their colour and ids. Either image may be empty (0 x 0), and
-/// then leaves what the points had; an image whose size is not the camera's is INVALID_ARGUMENT.
+/// then leaves what the points had; an image whose size is not the camera's is INVALID_ARGUMENT. Where ids come from
+/// the image, `scan.is_hidden` says which points the camera does not see: their ids are those of what is before them.
 Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& color, const Image<std::uint32_t>& segments,
                              LidarData& scan);
 

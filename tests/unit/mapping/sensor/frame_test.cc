@@ -111,6 +111,11 @@ TEST(ValidateFrame, RefusesLidarScansThatDoNotFit) {
   frame = GoodLidarFrame();
   frame.lidar->segments[0] = 3;
   EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.segments"});
+  frame = GoodLidarFrame();
+  frame.lidar->is_hidden = {0, 1};
+  EXPECT_TRUE(Validate(frame).ok());
+  frame.lidar->is_hidden = {1};
+  EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"lidar.is_hidden"});
 }
 
 TEST(ValidateFrame, NamesEveryViolationAtOnce) {

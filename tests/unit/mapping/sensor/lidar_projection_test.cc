@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <vector>
 
 namespace dhpmap {
 namespace {
@@ -76,6 +78,58 @@ TEST(ProjectImagesOntoScan, EmptyImagesLeaveWhatThePointsHad) {
   EXPECT_EQ(scan.segments, (std::vector<std::uint32_t>{12}));
 }
 
+/// A post of near points in the middle of 320 x 240 pixels before a far wall, and points behind the camera.
+LidarData PostBeforeAWall() {
+  LidarData scan;
+  for (int v = 0; v < 60; ++v) {
+    for (int u = 0; u < 80; ++u) {
+      const float y = 0.05f * static_cast<float>(40 - u), z = 0.05f * static_cast<float>(30 - v);
+      scan.points_m.emplace_back(-5.0f, y, z);
+      scan.points_m.emplace_back(20.0f, 5 * y, 5 * z);
+      if (std::abs(u - 40) < 10) scan.points_m.emplace_back(4.1f, y + 0.02f, z);
+    }
+  }
+  return scan;
+}
+
+LidarCamera WideCamera() {
+  Eigen::Matrix<double, 3, 4> P;
+  P << 160, -320, 0, 0, 120, 0, -320, 0, 1, 0, 0, 0;
+  return {P, 320, 240};
+}
+
+TEST(ProjectImagesOntoScan, FlagsPointsThatTakeTheIdOfWhatIsBeforeThem) {
+  LidarData scan = PostBeforeAWall();
+  const Image<std::uint32_t> ids{320, 240, std::vector<std::uint32_t>(320 * 240, 7)};
+  ASSERT_TRUE(ProjectImagesOntoScan(WideCamera(), {}, ids, scan).ok());
+  ASSERT_EQ(scan.is_hidden.size(), scan.points_m.size());
+  int num_inside = 0;
+  for (std::size_t i = 0; i < scan.points_m.size(); ++i) {
+    const Eigen::Vector3f& p = scan.points_m[i];
+    const float u_px = 160 - 320 * p.y() / p.x();
+    const bool is_behind = p.x() > 10 && std::abs(u_px - 160) < 25 && std::abs(p.z()) < 6;
+    const bool is_seen = p.x() < 10 || std::abs(u_px - 160) > 45;
+    if (is_behind || is_seen) {
+      EXPECT_EQ(scan.is_hidden[i], is_behind) << p.transpose();
+    }
+    num_inside += is_behind;
+  }
+  EXPECT_GT(num_inside, 500);
+}
+
+TEST(ProjectImagesOntoScan, WithoutAnImageOfIdsFlagsAreThoseThatWereThere) {
+  LidarData scan = PostBeforeAWall();
+  const Image<Color> grey{320, 240, std::vector<Color>(320 * 240, Color{})};
+  ASSERT_TRUE(ProjectImagesOntoScan(WideCamera(), grey, {}, scan).ok());
+  EXPECT_TRUE(scan.is_hidden.empty()) << "ids of points that were labelled one by one are not the image's";
+
+  LidarData flagged;
+  flagged.points_m = {{-2, 0, 0}, PointAt(2, 1), PointAt(3, 1)};
+  flagged.is_hidden = {0, 1, 0};
+  ASSERT_TRUE(ProjectImagesOntoScan(ForwardCamera(), {}, {}, flagged).ok());
+  EXPECT_EQ(flagged.is_hidden, (std::vector<std::uint8_t>{1, 0}));
+}
+
 TEST(ProjectImagesOntoScan, RefusesWhatDoesNotFitAndLeavesTheScan) {
   LidarData scan;
   scan.points_m = {{-2, 0, 0}};
@@ -98,6 +152,9 @@ TEST(ProjectImagesOntoScan, RefusesWhatDoesNotFitAndLeavesTheScan) {
   bad.width_px = 0;
   EXPECT_FALSE(ProjectImagesOntoScan(bad, {}, {}, scan).ok());
 
+  scan.is_hidden = {1, 0};
+  EXPECT_FALSE(ProjectImagesOntoScan(ForwardCamera(), {}, {}, scan).ok());
+  scan.is_hidden.clear();
   scan.segments = {1, 2};
   EXPECT_FALSE(ProjectImagesOntoScan(ForwardCamera(), {}, {}, scan).ok());
   EXPECT_EQ(scan.points_m.size(), 1u);
