@@ -2,7 +2,10 @@
 #include "clients/evaluator/recording.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+
+#include "mapping/sensor/hidden_things.h"
 
 namespace dhpmap::evaluator {
 namespace {
@@ -17,7 +20,8 @@ std::size_t BytesOf(const PanopticFrame& frame) {
   if (frame.camera)
     bytes += BytesOf(frame.camera->depth_m) + BytesOf(frame.camera->color) + BytesOf(frame.camera->segments);
   if (frame.lidar)
-    bytes += BytesOf(frame.lidar->points_m) + BytesOf(frame.lidar->color) + BytesOf(frame.lidar->segments);
+    bytes += BytesOf(frame.lidar->points_m) + BytesOf(frame.lidar->color) + BytesOf(frame.lidar->segments) +
+             BytesOf(frame.lidar->is_hidden);
   return bytes;
 }
 
@@ -26,13 +30,17 @@ std::size_t BytesOf(const PanopticFrame& frame) {
 Result<Recording> Recording::Open(const std::string& directory, const std::string& format, LabelSource labels,
                                   std::size_t num_frames, std::size_t cache_bytes) {
   DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<Dataset> dataset, OpenDataset(directory, format, labels));
+  DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(dataset->label_classes()));
   const std::size_t available = dataset->num_frames();
-  return Recording(std::move(dataset), num_frames == 0 ? available : std::min(num_frames, available), cache_bytes);
+  return Recording(std::move(dataset), std::move(label_set),
+                   num_frames == 0 ? available : std::min(num_frames, available), cache_bytes);
 }
 
 Result<PanopticFrame> Recording::Decode(std::size_t index) {
   DHPMAP_ASSIGN_OR_RETURN(const DatasetFrame raw, dataset_->Read(index));
-  return DecodeFrame(raw, dataset_->has_persistent_ids());
+  DHPMAP_ASSIGN_OR_RETURN(PanopticFrame frame, DecodeFrame(raw, dataset_->has_persistent_ids()));
+  std::optional<PanopticFrame> changed = WithoutHiddenThings(frame, label_set_);
+  return changed ? *std::move(changed) : std::move(frame);
 }
 
 Status Recording::ForEach(const std::function<Status(const PanopticFrame&)>& use) {

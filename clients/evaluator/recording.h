@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clients/datasets/dataset.h"
@@ -12,7 +13,8 @@
 namespace dhpmap::evaluator {
 
 /// The frames of a data set, decoded. Keeps what fits into the cache for the next system and decodes the rest
-/// again. Frames that cannot be read are left out, the same ones for every system. Thread-compatible.
+/// again. Frames that cannot be read are left out, the same ones for every system. What MapBuilder forgets of hidden
+/// points (see WithoutHiddenThings) is forgotten here, so that every system has it. Thread-compatible.
 class Recording {
  public:
   /// The first `num_frames` frames (0 = all), of which up to `cache_bytes` are kept decoded.
@@ -31,11 +33,15 @@ class Recording {
   Status ForEach(const std::function<Status(const PanopticFrame&)>& use);
 
  private:
-  Recording(std::unique_ptr<Dataset> dataset, std::size_t num_frames, std::size_t cache_bytes)
-      : dataset_(std::move(dataset)), num_frames_(num_frames), cache_bytes_(cache_bytes) {}
+  Recording(std::unique_ptr<Dataset> dataset, LabelSet label_set, std::size_t num_frames, std::size_t cache_bytes)
+      : dataset_(std::move(dataset)),
+        label_set_(std::move(label_set)),
+        num_frames_(num_frames),
+        cache_bytes_(cache_bytes) {}
   Result<PanopticFrame> Decode(std::size_t index);
 
   std::unique_ptr<Dataset> dataset_;
+  LabelSet label_set_;
   std::size_t num_frames_ = 0, cache_bytes_ = 0;
   std::vector<PanopticFrame> cached_;   ///< the first readable frames
   std::size_t num_cached_indices_ = 0;  ///< of the data set, that they cover

@@ -17,6 +17,7 @@
 #include "mapping/pipeline/frame_fusion.h"
 #include "mapping/pipeline/stage_clock.h"
 #include "mapping/sensor/frame_reach.h"
+#include "mapping/sensor/hidden_things.h"
 #include "mapping/space/free_space_finder.h"
 #include "mapping/space/presence.h"
 #include "mapping/tracking/activity.h"
@@ -248,7 +249,8 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
   try {
     DHPMAP_RETURN_IF_ERROR(impl_->CheckFrame(frame));
     before = impl_->map.Fork();
-    return impl_->IntegrateChecked(frame, stop);
+    const std::optional<PanopticFrame> changed = WithoutHiddenThings(frame, *impl_->map.info().label_set);
+    return impl_->IntegrateChecked(changed ? *changed : frame, stop);
   } catch (const Stopped&) {
     if (before) impl_->GoBackTo(*std::move(before));
     return Cancelled("the frame was given up: the map is as it was");

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/evaluator/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "clients/evaluator/class_map.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap::evaluator {
+namespace {
+
+using dhpmap::testing::SharedDataDir;
+
+std::vector<PanopticFrame> FramesOf(const std::string& folder, LabelSource labels) {
+  auto recording = Recording::Open(folder, kAnyFormat, labels, 0, std::size_t{1} << 30);
+  std::vector<PanopticFrame> frames;
+  const auto keep = [&frames](const PanopticFrame& frame) {
+    frames.push_back(frame);
+    return Status::Ok();
+  };
+  EXPECT_TRUE(recording.ok() && recording->ForEach(keep).ok());
+  return frames;
+}
+
+std::map<std::uint32_t, std::uint32_t> ClassesOf(const PanopticFrame& frame) {
+  std::map<std::uint32_t, std::uint32_t> classes;
+  for (const SegmentInfo& segment : frame.segments) {
+    if (segment.class_id) classes[segment.id.value] = segment.class_id->value;
+  }
+  return classes;
+}
+
+struct Tally {
+  int num_points = 0, num_right = 0, num_kept = 0;
+};
+
+/// Of points that the camera does not see and that have a thing's segment: how many the ground truth agrees with, and
+/// how many still have it in the recording.
+Tally HiddenThings(const std::string& folder) {
+  const auto dataset = OpenDataset(folder, kAnyFormat, LabelSource::kPredicted).value();
+  const auto recorded = FramesOf(folder, LabelSource::kPredicted), truth = FramesOf(folder, LabelSource::kGroundTruth);
+  const ClassMap class_map = ClassMap::Read(folder + "/evaluation_classes.csv").value();
+  Tally tally;
+  for (std::size_t f = 0; f < dataset->num_frames(); ++f) {
+    const PanopticFrame frame = DecodeFrame(dataset->Read(f).value(), false).value();
+    auto predicted = ClassesOf(frame), real = ClassesOf(truth[f]);
+    for (std::size_t i = 0; i < frame.lidar->points_m.size(); ++i) {
+      const std::int16_t label = class_map.OfPrediction(predicted[frame.lidar->segments[i]]);
+      const std::int16_t right = class_map.OfTruth(real[truth[f].lidar->segments[i]]);
+      if (frame.lidar->is_hidden[i] == 0 || label < 0 || right < 0) continue;
+      if (!class_map.classes()[static_cast<std::size_t>(label)].is_thing) continue;
+      tally.num_points += 1;
+      tally.num_right += label == right;
+      tally.num_kept += recorded[f].lidar->segments[i] != 0;
+    }
+  }
+  return tally;
+}
+
+TEST(Recording, ForgetsLabelsOfHiddenThingsWhichAreWrong) {
+  const auto data = SharedDataDir();
+  if (data.empty()) GTEST_SKIP() << "no shared data";
+  for (const char* sequence : {"00", "07"}) {
+    const Tally tally = HiddenThings((data / "kitti/sequences" / sequence).string());
+    EXPECT_GT(tally.num_points, 1000);
+    EXPECT_LT(tally.num_right, tally.num_points / 20);
+    EXPECT_EQ(tally.num_kept, 0);
+  }
+}
+
+TEST(Recording, OfTheGroundTruthHasNoHiddenPoints) {
+  const auto data = SharedDataDir();
+  if (data.empty()) GTEST_SKIP() << "no shared data";
+  for (const PanopticFrame& frame : FramesOf((data / "kitti/sequences/07").string(), LabelSource::kGroundTruth)) {
+    EXPECT_TRUE(frame.lidar->is_hidden.empty()) << "its labels are the points' own";
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap::evaluator
