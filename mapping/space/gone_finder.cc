@@ -4,6 +4,9 @@
 namespace dhpmap {
 namespace {
 
+/// A tile of which nothing has been looked through so far is looked at every so many frames: most of a map stays.
+constexpr std::uint64_t kTurns = 3;
+
 /// Whether any part of the sphere, of a submap on the map's grid, lies within a box around the sensor.
 bool MayReach(const Box& reach, const GridOrigin& origin, const BoundingSphere& sphere, double voxel_size_m) {
   if (sphere.IsEmpty()) return false;
@@ -15,9 +18,23 @@ bool MayReach(const Box& reach, const GridOrigin& origin, const BoundingSphere& 
          !(center_vox - radius_vox > reach.most_vox.array()).any();
 }
 
+/// Neighbours have different ones.
+bool IsItsTurn(TileIndex tile, std::uint64_t num_frames) {
+  const auto sum =
+      static_cast<std::uint32_t>(tile.x) + static_cast<std::uint32_t>(tile.y) + static_cast<std::uint32_t>(tile.z);
+  return (sum + num_frames) % kTurns == 0;
+}
+
+bool HasCounts(const BlockTile& tile) {
+  return std::any_of(tile.entries().begin(), tile.entries().end(),
+                     [](const BlockEntry& entry) { return entry.gone != nullptr; });
+}
+
 }  // namespace
 
-void GoneFinder::AddJob(const Submap& submap, const BlockTile& tile) {
+void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t num_frames) {
+  const BlockTile& tile = *entry.tile;
+  if (!IsItsTurn(entry.index, num_frames) && !HasCounts(tile)) return;
   if (num_jobs_ == jobs_.size()) jobs_.emplace_back();
   jobs_[num_jobs_].id = submap.id();
   jobs_[num_jobs_].submap = &submap;
@@ -30,17 +47,18 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Map&
   in_view_ = {};
   in_view_.Reserve(tiles_.size());
   for (std::size_t i = 0; i < tiles_.size(); ++i) in_view_.Set(tiles_[i].index, static_cast<std::uint32_t>(i));
+  const auto num_frames = static_cast<std::uint64_t>(map.info().num_frames);
   for (const auto& submap : map.submaps()) {
     if (submap->info().is_placed || !IsOnMapGrid(submap->info(), map.info().config)) continue;
     if (!MayReach(reach, origin, submap->bounding_sphere(), submap->info().voxel_size_m)) continue;
     const BlockTable& blocks = submap->blocks();
     if (blocks.tiles().size() <= tiles_.size()) {
       for (const TileEntry& entry : blocks.tiles()) {
-        if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(*submap, *entry.tile);
+        if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(*submap, entry, num_frames);
       }
     } else {  // a wall may go on and on
       for (const TileToLook& tile : tiles_) {
-        if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(*submap, *entry->tile);
+        if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(*submap, *entry, num_frames);
       }
     }
   }

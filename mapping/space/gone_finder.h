@@ -16,8 +16,9 @@
 
 namespace dhpmap {
 
-/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Those that somebody has put where
-/// they are, and those on another grid than the map's, which were moved, are left alone. Keeps its buffers.
+/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number of
+/// the frame, until something of them is counted. Submaps that somebody has put where they are, and those on another
+/// grid than the map's, which were moved, are left alone. Keeps its buffers.
 /// Thread-compatible.
 class GoneFinder {
  public:
@@ -57,7 +58,7 @@ class GoneFinder {
 
   /// The tiles of submaps that are in view.
   void ListJobs(const Box& reach, const GridOrigin& origin, const Map& map);
-  void AddJob(const Submap& submap, const BlockTile& tile);
+  void AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t num_frames);
   void AddUp();
   [[nodiscard]] bool IsEnough(const ContradictedBlock& block) const;
   std::vector<SubmapId> Count(const Viewpoint& from, Map& map);
