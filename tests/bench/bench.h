@@ -25,12 +25,12 @@ Status RunFusionBench(const FusionBenchOptions& options);
 
 struct GeometryCheckOptions {
   std::string directory;
-  int hold_out_every = 10;
+  int hold_out_every = 10;  ///< 0: all frames are mapped, and all are asked
   int pixel_step = 7;
-  double voxel_size_m = 0.04;
-  double truncation_m = 0.08;
+  double voxel_size_m = 0, truncation_m = 0;  ///< 0: the preset's
 };
-/// Maps all frames but every n-th, then compares the surface along the rays of the frames held out with their depth.
+/// Maps all frames but every n-th, then compares the surface with what the frames held out have measured: along the
+/// rays of depth images, by brute force over all triangles for points of scans. And how flat it is where it should be.
 Status RunGeometryCheck(const GeometryCheckOptions& options);
 
 struct CrfBenchOptions {

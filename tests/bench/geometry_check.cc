@@ -5,10 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "mapping/mesh/map_mesh.h"
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/query/point_lookup.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/frames.h"
+#include "tests/bench/mesh_judge.h"
 
 namespace dhpmap::bench {
 namespace {
@@ -126,6 +128,51 @@ void CheckFrame(const PanopticFrame& frame, int pixel_step, const MapSnapshot& m
   }
 }
 
+void Print(const char* what, const std::vector<double>& values, double scale, const char* unit, std::size_t num_asked) {
+  const Summary summary = Summarize(values);
+  double rms = 0;
+  for (const double value : values) rms += value * value / static_cast<double>(values.size());
+  rms = std::sqrt(rms);
+  std::printf("%s: median %.2f %s, mean %.2f, rms %.2f, 95 %% below %.2f (%.2f %% of %zu)\n", what,
+              scale * summary.median, unit, scale * summary.mean, scale * rms, scale * summary.p95,
+              100.0 * static_cast<double>(values.size()) / static_cast<double>(num_asked), num_asked);
+}
+
+void PrintErrors(const Errors& errors) {
+  const auto percent = [&](std::size_t n) {
+    return 100.0 * static_cast<double>(n) / static_cast<double>(errors.num_rays);
+  };
+  std::printf("%zu rays of held-out frames, depth %g to %g m\n", errors.num_rays, kMinDepth_m, kMaxDepth_m);
+  Print("measured point to surface", errors.surface_m, 1e3, "mm", errors.num_rays);
+  Print("along the ray, measured to mapped", errors.along_ray_m, 1e3, "mm", errors.num_rays);
+  std::printf(
+      "not mapped by any fused frame %.2f %%, stopped over %g m early %.2f %%, went through a mapped surface %.2f %%\n",
+      percent(errors.num_unmapped), kThrough_m, percent(errors.num_early), percent(errors.num_through));
+}
+
+/// What is in range of a scan, in the map.
+void AddPoints(const PanopticFrame& frame, const IntegrationConfig& config, std::vector<Eigen::Vector3f>& points_m) {
+  for (const Eigen::Vector3f& p_sensor : frame.lidar->points_m) {
+    const double range_m = p_sensor.cast<double>().norm();
+    if (range_m < config.min_range_m || range_m > config.max_range_m) continue;
+    points_m.emplace_back((frame.T_map_sensor * p_sensor.cast<double>()).cast<float>());
+  }
+}
+
+void JudgeMesh(const Mesh& mesh, const std::vector<Eigen::Vector3f>& points_m, double voxel_size_m) {
+  if (!points_m.empty()) {
+    const PointsToMesh measured = MeasurePoints(points_m, mesh, 2 * voxel_size_m);
+    Print("sensor's points to the nearest triangle", measured.distances_m, 1e3, "mm", points_m.size());
+    std::printf("without a surface within 2 voxels: %.2f %%\n",
+                100.0 * static_cast<double>(measured.num_without) / static_cast<double>(points_m.size()));
+  }
+  // Wide enough to see a ripple, and to have a wall's plane in spite of it.
+  const Roughness rough = MeasureRoughness(mesh, 12 * voxel_size_m, voxel_size_m / 4);
+  std::printf("%zu triangles, %zu cubes of 12 voxels with something flat\n", mesh.triangles.size(), rough.num_cubes);
+  Print("triangles to a flat place's plane", rough.angles_deg, 1, "degrees", mesh.triangles.size());
+  Print("vertices off it", rough.off_plane_m, 1e3, "mm", 3 * mesh.triangles.size());
+}
+
 }  // namespace
 
 Status RunGeometryCheck(const GeometryCheckOptions& options) {
@@ -133,38 +180,31 @@ Status RunGeometryCheck(const GeometryCheckOptions& options) {
   MapInfo info;
   info.name = "geometry";
   DHPMAP_RETURN_IF_ERROR(ApplyPreset(loaded.dataset->preset(), info.config));
-  info.config.voxel_size_m = options.voxel_size_m;
-  info.config.truncation_m = options.truncation_m;
+  if (options.voxel_size_m > 0) info.config.voxel_size_m = options.voxel_size_m;
+  if (options.truncation_m > 0) info.config.truncation_m = options.truncation_m;
   DHPMAP_RETURN_IF_ERROR(info.config.Validate());
   DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(loaded.dataset->label_classes()));
   info.label_set = std::make_shared<LabelSet>(std::move(label_set));
 
   MapBuilder builder(info, 0);
-  const auto is_held_out = [&](std::size_t i) { return i % static_cast<std::size_t>(options.hold_out_every) == 0; };
+  const auto every = static_cast<std::size_t>(options.hold_out_every);
+  const auto is_held_out = [every](std::size_t i) { return every != 0 && i % every == 0; };
   for (std::size_t i = 0; i < loaded.frames.size(); ++i) {
     if (!is_held_out(i)) DHPMAP_RETURN_IF_ERROR(builder.Integrate(loaded.frames[i]).status());
   }
   const auto map = builder.map().Publish(0);
   const PointLookup lookup(map);
   Errors errors;
+  std::vector<Eigen::Vector3f> points_m;
   for (std::size_t i = 0; i < loaded.frames.size(); ++i) {
-    if (is_held_out(i) && loaded.frames[i].camera)
-      CheckFrame(loaded.frames[i], options.pixel_step, *map, lookup, errors);
+    const PanopticFrame& frame = loaded.frames[i];
+    if (every != 0 && !is_held_out(i)) continue;
+    if (frame.camera) CheckFrame(frame, options.pixel_step, *map, lookup, errors);
+    if (frame.lidar) AddPoints(frame, info.config.integration, points_m);
   }
-  const auto percent = [&](std::size_t n) {
-    return 100.0 * static_cast<double>(n) / static_cast<double>(errors.num_rays);
-  };
-  const auto print = [&](const char* what, const std::vector<double>& values) {
-    const Summary summary = Summarize(values);
-    std::printf("%s: median %.2f mm, mean %.2f mm, 95 %% below %.2f mm (%.2f %% of the rays)\n", what,
-                1e3 * summary.median, 1e3 * summary.mean, 1e3 * summary.p95, percent(values.size()));
-  };
-  std::printf("%zu rays of held-out frames, depth %g to %g m\n", errors.num_rays, kMinDepth_m, kMaxDepth_m);
-  print("measured point to surface", errors.surface_m);
-  print("along the ray, measured to mapped", errors.along_ray_m);
-  std::printf(
-      "not mapped by any fused frame %.2f %%, stopped over %g m early %.2f %%, went through a mapped surface %.2f %%\n",
-      percent(errors.num_unmapped), kThrough_m, percent(errors.num_early), percent(errors.num_through));
+  if (errors.num_rays > 0) PrintErrors(errors);
+  ThreadPool pool(0);
+  JudgeMesh(ExtractMapMesh(*map, MeshColoring::kSensor, pool), points_m, info.config.voxel_size_m);
   return Status::Ok();
 }
 

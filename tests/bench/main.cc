@@ -26,12 +26,13 @@ int main(int argc, char** argv) {
   fusion_command->add_flag("!--no-gone", fusion.gone, "Do not look for what is no longer there");
 
   dhpmap::bench::GeometryCheckOptions geometry;
-  CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against depth images that were held out");
+  CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against frames that were held out");
   geometry_command->add_option("directory", geometry.directory, "Data set with ground truth")->required();
-  geometry_command->add_option("--hold-out", geometry.hold_out_every, "Hold out every n-th frame")
+  geometry_command
+      ->add_option("--hold-out", geometry.hold_out_every, "Hold out every n-th frame, 0 = ask those that are mapped")
       ->capture_default_str();
-  geometry_command->add_option("--voxel", geometry.voxel_size_m, "Voxel size in m")->capture_default_str();
-  geometry_command->add_option("--truncation", geometry.truncation_m, "Truncation in m")->capture_default_str();
+  geometry_command->add_option("--voxel", geometry.voxel_size_m, "Voxel size in m, 0 = the preset's");
+  geometry_command->add_option("--truncation", geometry.truncation_m, "Truncation in m, 0 = the preset's");
 
   dhpmap::bench::CrfBenchOptions crf;
   CLI::App* crf_command = app.add_subcommand("crf", "Time and memory of the dense CRF on many surface voxels");
