@@ -6,6 +6,8 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "mapping/fusion/ray_band.h"
+
 namespace dhpmap {
 namespace {
 
@@ -36,9 +38,11 @@ Mask BlocksAround(const BundleCell& cell, const SegmentBundles& segment, const R
   Mask mask;
   for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
     const Eigen::Vector3f end_m = segment.bundles[b].weighted_sum_m / segment.bundles[b].weight;
-    const float share = truncation_m / end_m.norm();
-    const Eigen::Vector3f from_vox = origin.offset_vox + end_m * (std::max(1 - share, 0.0f) * voxels_per_m);
-    const Eigen::Vector3f to_vox = origin.offset_vox + end_m * ((1 + share) * voxels_per_m);
+    const float range_m = end_m.norm();
+    const Eigen::Vector3f direction = end_m / range_m;
+    const RayBand band(segment.bundles[b].plane, direction, range_m, truncation_m, 1 / voxels_per_m);
+    const Eigen::Vector3f from_vox = origin.offset_vox + direction * (band.from_m * voxels_per_m);
+    const Eigen::Vector3f to_vox = origin.offset_vox + direction * (band.to_m * voxels_per_m);
     const BlockRange x(from_vox.x(), to_vox.x(), origin.voxel.x, cell.block.x);
     const BlockRange y(from_vox.y(), to_vox.y(), origin.voxel.y, cell.block.y);
     const BlockRange z(from_vox.z(), to_vox.z(), origin.voxel.z, cell.block.z);

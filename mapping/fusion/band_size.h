@@ -14,7 +14,7 @@ namespace dhpmap {
 inline constexpr std::size_t kMaxBlocksAFrame = std::size_t{1} << 17;
 
 /// Upper bound of the blocks that IntegrateSegment touches for these segments, which go into different submaps: the
-/// blocks around the part of each ray within +-truncation_m of its end. Stops counting somewhere above `enough`. Does
+/// blocks around the part of each ray that is walked (RayBand). Stops counting somewhere above `enough`. Does
 /// not look closer than 27 blocks a cell where that is already at most `enough`, so it costs next to nothing then.
 std::size_t CountBandBlocks(std::span<const SegmentBundles> segments, const RayOrigin& origin, double voxel_size_m,
                             double truncation_m, std::size_t enough);

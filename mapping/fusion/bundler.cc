@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "mapping/fusion/point_kernel.h"
+#include "mapping/fusion/tangent_planes.h"
 
 namespace dhpmap {
 namespace {
@@ -222,7 +223,7 @@ void Bundler::CollectLidarRuns(const LidarData& data, const Grid& grid) {
   });
 }
 
-void Bundler::SortRunsBySegment(const PanopticFrame& frame) {
+void Bundler::SortRunsBySegment(const PanopticFrame& frame, double voxel_size_m) {
   // Position in segments_: 0 for points of no known object, then 1 + row of the table.
   std::unordered_map<std::uint32_t, std::uint32_t> position_of;
   for (std::size_t row = 0; row < frame.segments.size(); ++row) {
@@ -264,8 +265,10 @@ void Bundler::SortRunsBySegment(const PanopticFrame& frame) {
     segments_[num_segments++].row = static_cast<int>(position) - 1;
   }
   segments_.resize(num_segments);
-  pool_.ParallelFor(num_segments,
-                    [&](std::size_t s) { BuildSegment(ranges[s].first, ranges[s].second, segments_[s]); });
+  pool_.ParallelFor(num_segments, [&](std::size_t s) {
+    BuildSegment(ranges[s].first, ranges[s].second, segments_[s]);
+    FitTangentPlanes(voxel_size_m, frame.lidar ? PointSpacing::kScan : PointSpacing::kDense, segments_[s]);
+  });
 }
 
 void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& segment) {
@@ -312,7 +315,7 @@ std::vector<SegmentBundles>& Bundler::BundleFrame(const PanopticFrame& frame, co
   } else {
     CollectLidarRuns(*frame.lidar, grid);
   }
-  SortRunsBySegment(frame);
+  SortRunsBySegment(frame, voxel_size_m);
   return segments_;
 }
 

@@ -17,6 +17,14 @@ namespace dhpmap {
 
 struct RowPoints;
 
+/// The surface where a bundle ends: what lies at p, relative to the sensor's origin and along the axes of the grid, is
+/// normal * p + offset_m before it (negative: behind).
+struct TangentPlane {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, towards the sensor
+  float offset_m = 0;                                ///< of the sensor
+  float before_m = 0, behind_m = 0;                  ///< how far along the ray, about the end, it was seen
+};
+
 /// The points of one segment that end in the same voxel, to be traced as one ray (paper II-C). Positions are relative
 /// to the sensor's origin, along the axes of the grid.
 struct Bundle {
@@ -24,6 +32,7 @@ struct Bundle {
   float weight = 0;
   Eigen::Vector3f weighted_color = Eigen::Vector3f::Zero();
   std::uint32_t num_points = 0;
+  TangentPlane plane;        ///< see FitTangentPlanes
   std::uint16_t linear = 0;  ///< its end voxel, in the cell's block
 };
 
@@ -77,7 +86,7 @@ class Bundler {
                          std::vector<Run>& runs);
   void CollectCameraRuns(const DepthCameraData& data, const Grid& grid);
   void CollectLidarRuns(const LidarData& data, const Grid& grid);
-  void SortRunsBySegment(const PanopticFrame& frame);
+  void SortRunsBySegment(const PanopticFrame& frame, double voxel_size_m);
   void BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& segment);
 
   IntegrationConfig config_;

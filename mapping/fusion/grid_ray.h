@@ -23,8 +23,8 @@ class GridRay {
       const float d = direction[axis];
       const float start_vox = offset_vox[axis] + from_m * voxels_per_m * d;
       const float end_vox = offset_vox[axis] + to_m * voxels_per_m * d;
-      index_[axis] = static_cast<int>(std::floor(start_vox));
-      num_voxels_ += std::abs(static_cast<int>(std::floor(end_vox)) - index_[axis]);
+      index_[axis] = Floor(start_vox);
+      num_voxels_ += std::abs(Floor(end_vox) - index_[axis]);
       step_[axis] = d < 0 ? -1 : 1;
       const float to_border_vox =
           d < 0 ? start_vox - static_cast<float>(index_[axis]) : static_cast<float>(index_[axis] + 1) - start_vox;
@@ -42,14 +42,31 @@ class GridRay {
   /// The voxel centre's distance from the origin, measured along the ray.
   [[nodiscard]] float CentreAlongRay_m() const { return centre_along_m_; }
 
-  void Next() {
+  /// The centre of the voxel it is in, from the sensor's origin.
+  [[nodiscard]] Eigen::Vector3f Centre_m(const Eigen::Vector3f& offset_vox, float voxel_size_m) const {
+    const Eigen::Vector3f corner_vox(static_cast<float>(index_[0]), static_cast<float>(index_[1]),
+                                     static_cast<float>(index_[2]));
+    return (corner_vox + Eigen::Vector3f::Constant(0.5f) - offset_vox) * voxel_size_m;
+  }
+  /// -1 or 1: which way it goes along an axis.
+  [[nodiscard]] int Sense(int axis) const { return step_[axis]; }
+
+  /// Returns the axis along which it went on.
+  int Next() {
     const int axis = t_next_[0] < t_next_[1] ? (t_next_[0] < t_next_[2] ? 0 : 2) : (t_next_[1] < t_next_[2] ? 1 : 2);
     index_[axis] += step_[axis];
     t_next_[axis] += t_step_[axis];
     centre_along_m_ += along_step_m_[axis];
+    return axis;
   }
 
  private:
+  /// std::floor within int, without a call or SSE4.1.
+  static int Floor(float value) {
+    const int truncated = static_cast<int>(value);
+    return truncated - static_cast<int>(value < static_cast<float>(truncated));
+  }
+
   VoxelIndex base_;
   int index_[3];
   int step_[3];
@@ -58,6 +75,24 @@ class GridRay {
   float along_step_m_[3];
   float centre_along_m_ = 0;
   int num_voxels_ = 1;
+};
+
+/// How far the centre of the voxel that a ray is in lies before a plane, kept up step by step.
+class DistanceToPlane {
+ public:
+  DistanceToPlane(const GridRay& ray, const Eigen::Vector3f& offset_vox, float voxel_size_m,
+                  const Eigen::Vector3f& normal, float offset_m)
+      : distance_m_(normal.dot(ray.Centre_m(offset_vox, voxel_size_m)) + offset_m) {
+    for (int axis = 0; axis < 3; ++axis) {
+      step_m_[axis] = normal[axis] * static_cast<float>(ray.Sense(axis)) * voxel_size_m;
+    }
+  }
+  void GoOn(int axis) { distance_m_ += step_m_[axis]; }
+  [[nodiscard]] float distance_m() const { return distance_m_; }
+
+ private:
+  float distance_m_;
+  float step_m_[3];
 };
 
 }  // namespace dhpmap

@@ -8,10 +8,14 @@
 
 #include "mapping/base/stopped.h"
 #include "mapping/fusion/grid_ray.h"
+#include "mapping/fusion/ray_band.h"
 #include "mapping/map/voxel_average.h"
 
 namespace dhpmap {
 namespace {
+
+/// The centre of a voxel that a ray crosses is at most so far from it.
+constexpr float kHalfDiagonal_vox = 0.87f;
 
 /// What one submap stores where one block of a ray's neighbourhood lies.
 struct Neighbour {
@@ -63,6 +67,7 @@ class Neighbourhood {
 struct UpdateRule {
   float truncation_m;
   float dropoff_start_m;  ///< behind the surface, where the weight starts to fade; the truncation if it never does
+  float fade_per_m;       ///< of the weight from there on; 0 where it never does: it is gone at once
   float max_weight;
 };
 
@@ -70,7 +75,7 @@ struct UpdateRule {
 bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const UpdateRule& rule, TsdfBlock& block,
                  std::size_t i) {
   if (-sdf_m > rule.dropoff_start_m) {
-    weight *= (rule.truncation_m + sdf_m) / (rule.truncation_m - rule.dropoff_start_m);
+    weight *= (rule.truncation_m + sdf_m) * rule.fade_per_m;
   }
   const float old_weight = block.weight[i];
   const float sum = old_weight + weight;
@@ -113,7 +118,9 @@ UpdateRule MakeRule(const IntegrationConfig& config, const Submap& submap) {
   const auto truncation_m = static_cast<float>(submap.info().truncation_m);
   const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
   const bool fades = config.weight_dropoff && truncation_m > voxel_size_m * 1.001f;
-  return {truncation_m, fades ? voxel_size_m : truncation_m, static_cast<float>(config.max_weight)};
+  const float dropoff_start_m = fades ? voxel_size_m : truncation_m;
+  const float fade_per_m = fades ? 1 / (truncation_m - dropoff_start_m) : 0.0f;
+  return {truncation_m, dropoff_start_m, fade_per_m, static_cast<float>(config.max_weight)};
 }
 
 const TsdfBlock* TsdfAt(const Submap& submap, BlockIndex index) {
@@ -133,6 +140,7 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
   const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
   Neighbourhood neighbourhood(segment, class_id.has_value(), submap);
   std::int64_t num_updates = 0;
+  std::uint64_t num_labelled = 0;
 
   for (const BundleCell& cell : segment.cells) {
     ThrowIfStopped(stop);
@@ -144,11 +152,12 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
       const float range_m = end_m.norm();
       const Eigen::Vector3f direction = end_m / range_m;
 
-      GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m, std::max(range_m - rule.truncation_m, 0.0f),
-                  range_m + rule.truncation_m);
+      const RayBand band(bundle.plane, direction, range_m, rule.truncation_m, voxel_size_m);
+      GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m, band.from_m, band.to_m);
+      DistanceToPlane across(ray, origin.offset_vox, voxel_size_m, bundle.plane.normal, bundle.plane.offset_m);
       BlockIndex block = BlockOf(ray.voxel());
       Neighbour* here = &neighbourhood.At(block);
-      for (int step = ray.num_voxels(); step > 0; --step, ray.Next()) {
+      for (int step = ray.num_voxels(); step > 0; --step, across.GoOn(ray.Next())) {
         const VoxelIndex voxel = ray.voxel();
         if (const BlockIndex now = BlockOf(voxel); now != block) {
           block = now;
@@ -159,20 +168,25 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
           const bool ends_here = block == cell.block && linear == bundle.linear;
           if (!ends_here) continue;
         }
-        const float sdf_m = range_m - ray.CentreAlongRay_m();
+        const float along_m = ray.CentreAlongRay_m();
+        if (along_m >= band.to_m) continue;
+        const float sdf_m = across.distance_m();
         const bool is_doubted = here->gone != nullptr && here->gone->Count(static_cast<int>(linear)) != 0;
         const bool is_updated = is_doubted
                                     ? ObserveAnew(sdf_m, bundle.weight, color, rule, block, linear, *here, submap)
                                     : UpdateVoxel(sdf_m, bundle.weight, color, rule, *here->tsdf, linear);
         if (!is_updated) continue;
         ++num_updates;
-        if (class_id) here->labels->AddObservation(static_cast<int>(linear), *class_id);
+        const float before_m = range_m - along_m;
+        if (!class_id || before_m <= -rule.truncation_m ||
+            before_m > rule.truncation_m + kHalfDiagonal_vox * voxel_size_m)
+          continue;
+        here->labels->AddObservation(static_cast<int>(linear), *class_id);
+        ++num_labelled;
       }
     }
   }
-  if (class_id && num_updates > 0) {
-    submap.AddClassObservations(*class_id, static_cast<std::uint64_t>(num_updates));
-  }
+  if (num_labelled > 0) submap.AddClassObservations(*class_id, num_labelled);
   return num_updates;
 }
 

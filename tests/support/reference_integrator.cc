@@ -38,7 +38,8 @@ double LengthInside(const Eigen::Vector3d& a, const Eigen::Vector3d& b, VoxelInd
 
 }  // namespace
 
-void IntegrateSlowly(const PanopticFrame& frame, const MapConfig& config, ReferenceMap& map) {
+void IntegrateSlowly(const PanopticFrame& frame, const MapConfig& config, const PlaneOfVoxel& planes,
+                     ReferenceMap& map) {
   const double size = config.voxel_size_m, tau = config.truncation_m;
   const Eigen::Vector3d origin = frame.T_map_sensor.translation();
   const PinholeCamera& camera = frame.camera->camera;
@@ -62,6 +63,7 @@ void IntegrateSlowly(const PanopticFrame& frame, const MapConfig& config, Refere
     const Eigen::Vector3d end = bundle.weighted_sum / bundle.weight;
     const double range = (end - origin).norm();
     const Eigen::Vector3d direction = (end - origin) / range;
+    const TangentPlane& plane = planes.at(end_voxel);
     const Eigen::Vector3d a = origin + std::max(0.0, range - tau) * direction, b = origin + (range + tau) * direction;
     const VoxelIndex low = VoxelAt(a.cwiseMin(b), size), high = VoxelAt(a.cwiseMax(b), size);
     for (int x = low.x; x <= high.x; ++x) {
@@ -70,7 +72,9 @@ void IntegrateSlowly(const PanopticFrame& frame, const MapConfig& config, Refere
           const VoxelIndex voxel{x, y, z};
           if (LengthInside(a, b, voxel, size) <= 1e-4 * size) continue;  // a mere touch: rounding decides
           if (voxel != end_voxel && bundles.count(voxel) > 0) continue;
-          const double sdf = range - (VoxelCentre(voxel, size) - origin).dot(direction);
+          const Eigen::Vector3d centre = VoxelCentre(voxel, size) - origin;
+          if (direction.dot(centre) >= range + tau) continue;  // beyond the band's end
+          const double sdf = plane.normal.cast<double>().dot(centre) + plane.offset_m;
           double weight = bundle.weight;
           if (config.integration.weight_dropoff && sdf < -size) weight *= (tau + sdf) / (tau - size);
           if (weight <= 0) continue;
@@ -78,7 +82,7 @@ void IntegrateSlowly(const PanopticFrame& frame, const MapConfig& config, Refere
           const double sum = stored.weight + weight;
           stored.distance_m = (stored.distance_m * stored.weight + std::clamp(sdf, -tau, tau) * weight) / sum;
           stored.weight = std::min(sum, config.integration.max_weight);
-          ++stored.num_observations;
+          if (range - centre.dot(direction) > -tau) ++stored.num_observations;
         }
       }
     }

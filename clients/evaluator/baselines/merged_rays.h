@@ -36,7 +36,7 @@ class MergedRays {
   std::vector<std::size_t> first_label_;  // of each bundle, and the end
 };
 
-/// Shows the labels of each ray to every voxel that IntegrateSegment updates with that ray.
+/// Shows the labels of each ray to every voxel that IntegrateSegment labels with that ray.
 void ObserveLabels(const MergedRays& rays, const RayOrigin& origin, const MapConfig& config, SemanticLayer& layer);
 
 }  // namespace dhpmap::evaluator

@@ -69,6 +69,18 @@ TEST(CountBandBlocks, IsNeverLessThanWhatIsTouched) {
   }
 }
 
+TEST(CountBandBlocks, CountsRaysThatAreWalkedOn) {
+  // A road that is grazed: rays go through several blocks.
+  PanopticFrame frame;
+  frame.lidar.emplace();
+  for (float x_m = 1.5f; x_m < 4.5f; x_m += 0.05f) {
+    for (float y_m = -2; y_m < 2; y_m += 0.008f) frame.lidar->points_m.emplace_back(x_m, y_m, -0.3f);
+  }
+  const Counted counted = Count(frame);
+  ASSERT_LT(counted.touched, counted.shortcut);
+  EXPECT_GE(CountUpTo(frame, counted.shortcut - 1), counted.touched);
+}
+
 TEST(CountBandBlocks, IsNotMuchMoreThanWhatIsTouched) {
   // Just below the shortcut, so that every ray is looked at.
   const PanopticFrame frame = Noise(1.0, 5.0);

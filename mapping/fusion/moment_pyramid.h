@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/plane_fit.h"
+
+namespace dhpmap {
+
+/// What planes are fitted to, for the bundles of a segment: moments of cubes of 2, 4 and 8 voxels a side (level 1 to 3)
+/// in each of its blocks. The coarser ones are summed when first asked for; the same sums
+/// whenever that is. Not thread-safe.
+class MomentPyramid {
+ public:
+  static constexpr int kNumLevels = 3;
+  explicit MomentPyramid(const SegmentBundles& segment);
+
+  /// Cube of a cell's block, x fastest; null if nothing ends there.
+  const PlaneMoments* Find(std::size_t cell, int level, std::size_t cube);
+
+ private:
+  static constexpr int kCubesASide = kBlockSide / 2;
+  static constexpr std::uint8_t kNotSummed = 255;
+  struct Block {
+    std::array<std::uint8_t, kCubesASide * kCubesASide * kCubesASide>
+        slot{};                                           ///< 1 + place from first_cube, 0 = nothing
+    std::array<std::uint8_t, 8> coarse_slot{kNotSummed};  ///< the same from first_coarse, where that of the block lies
+    std::uint32_t first_cube = 0, first_coarse = 0;
+  };
+  void SumUp(Block& block);
+
+  std::vector<Block> blocks_;
+  std::vector<PlaneMoments> cubes_, coarse_;
+};
+
+}  // namespace dhpmap
