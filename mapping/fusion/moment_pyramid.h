@@ -19,7 +19,7 @@ class MomentPyramid {
   static constexpr int kNumLevels = 3;
   explicit MomentPyramid(const SegmentBundles& segment);
 
-  /// Cube of a cell's block, x fastest; null if nothing ends there.
+  /// Cube of a cell's block, x fastest; null if nothing ends there. Stays where it is.
   const PlaneMoments* Find(std::size_t cell, int level, std::size_t cube);
 
  private:
