@@ -24,6 +24,13 @@ Truth::Truth(Mesh mesh, ClassMap classes, Protocol protocol)
       labels_(TruthLabels(samples_, classes_)),
       nearest_(samples_.positions_m) {}
 
+Truth::Truth(SurfaceSamples points, ClassMap classes, Protocol protocol)
+    : classes_(std::move(classes)),
+      protocol_(std::move(protocol)),
+      samples_(std::move(points)),
+      labels_(TruthLabels(samples_, classes_)),
+      nearest_(samples_.positions_m) {}
+
 Scores Evaluate(const Truth& truth, const LabelledSurface& surface, bool has_instances, ThreadPool& pool,
                 std::vector<ElementLabel>* labels) {
   const Protocol& protocol = truth.protocol();
@@ -49,7 +56,9 @@ Scores Evaluate(const Truth& truth, const LabelledSurface& surface, bool has_ins
     }
   }
   MeasureToTriangles(truth.samples().positions_m, surface.mesh, predicted, from_truth);
-  MeasureToTriangles(predicted.positions_m, truth.mesh(), truth.samples(), from_predicted);
+  if (!truth.mesh().triangles.empty()) {
+    MeasureToTriangles(predicted.positions_m, truth.mesh(), truth.samples(), from_predicted);
+  }
   scores.geometry = ScoreGeometry(from_predicted, from_truth, protocol.geometry);
   if (labels != nullptr) *labels = std::move(predicted_labels);
   return scores;

@@ -30,11 +30,14 @@ Protocol ProtocolFor(double voxel_size_m);
 /// A data set's truth, which systems are compared with. Refers to itself: neither copied nor moved.
 class Truth {
  public:
+  /// The surface of a map.
   Truth(Mesh mesh, ClassMap classes, Protocol protocol);
+  /// Points alone (see TruthPoints): there is no surface between them to measure to.
+  Truth(SurfaceSamples points, ClassMap classes, Protocol protocol);
   Truth(const Truth&) = delete;
   Truth& operator=(const Truth&) = delete;
 
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< empty if the truth is points
   [[nodiscard]] const SurfaceSamples& samples() const { return samples_; }
   [[nodiscard]] const std::vector<ElementLabel>& labels() const { return labels_; }
   [[nodiscard]] const NearestSample& nearest() const { return nearest_; }

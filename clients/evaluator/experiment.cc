@@ -6,6 +6,7 @@
 #include "clients/evaluator/dhp_system.h"
 #include "clients/evaluator/recording.h"
 #include "clients/evaluator/systems.h"
+#include "clients/evaluator/truth_points.h"
 
 namespace dhpmap::evaluator {
 namespace {
@@ -17,8 +18,12 @@ Result<std::shared_ptr<const LabelSet>> MakeLabelSet(const std::vector<LabelClas
   return std::make_shared<const LabelSet>(std::move(label_set));
 }
 
-Status Map(MappingSystem& system, Recording& recording) {
-  DHPMAP_RETURN_IF_ERROR(recording.ForEach([&system](const PanopticFrame& frame) { return system.Integrate(frame); }));
+/// `points`, if not null, gets the frames, too.
+Status Map(MappingSystem& system, Recording& recording, TruthPoints* points = nullptr) {
+  DHPMAP_RETURN_IF_ERROR(recording.ForEach([&](const PanopticFrame& frame) {
+    if (points != nullptr) points->Add(frame);
+    return system.Integrate(frame);
+  }));
   system.Finish();
   return Status::Ok();
 }
@@ -58,10 +63,14 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
   SystemSetup truth_setup{experiment.config, nullptr, options.num_threads};
   DHPMAP_ASSIGN_OR_RETURN(truth_setup.label_set, MakeLabelSet(truth_recording.label_classes()));
   auto truth_system = MakeTruthMap(truth_setup);
-  DHPMAP_RETURN_IF_ERROR(Map(*truth_system, truth_recording));
+  TruthPoints points(experiment.config.integration);
+  DHPMAP_RETURN_IF_ERROR(Map(*truth_system, truth_recording, &points));
   const Truth truth(truth_system->Surface().mesh, experiment.classes, experiment.protocol);
   truth_system.reset();
   experiment.num_truth_samples = static_cast<std::int64_t>(truth.samples().size());
+  const Truth truth_points(points.Elements(), experiment.classes, experiment.protocol);
+  points = TruthPoints(experiment.config.integration);  // its memory
+  experiment.num_truth_points = static_cast<std::int64_t>(truth_points.samples().size());
 
   SystemSetup setup{experiment.config, nullptr, options.num_threads};
   DHPMAP_ASSIGN_OR_RETURN(setup.label_set, MakeLabelSet(recording.label_classes()));
@@ -70,9 +79,12 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
     DHPMAP_ASSIGN_OR_RETURN(const std::unique_ptr<MappingSystem> system, MakeSystem(name, setup));
     DHPMAP_RETURN_IF_ERROR(Map(*system, recording));
     std::vector<ElementLabel> labels;
-    Scores scores = Evaluate(truth, system->Surface(), system->has_instances(), pool, &labels);
-    scores.system = name;
-    scores.times = system->times();
+    const LabelledSurface surface = system->Surface();
+    Scores scores = Evaluate(truth, surface, system->has_instances(), pool, &labels);
+    Scores on_points = Evaluate(truth_points, surface, system->has_instances(), pool, nullptr);
+    scores.system = on_points.system = name;
+    scores.times = on_points.times = system->times();
+    experiment.on_points.push_back(std::move(on_points));
     if (visit) DHPMAP_RETURN_IF_ERROR(visit(truth, scores, labels));
     experiment.num_frames = scores.times.num_frames;
     experiment.systems.push_back(std::move(scores));

@@ -31,14 +31,16 @@ struct Experiment {
   ClassMap classes;
   Protocol protocol;
   std::int64_t num_truth_samples = 0;
-  std::vector<Scores> systems;
+  std::vector<Scores> systems;  ///< against the map of the ground truth's labels
+  std::int64_t num_truth_points = 0;
+  std::vector<Scores> on_points;  ///< the same systems, against the ground truth's own points (TruthPoints)
 };
 
 /// Called after each system, before its map is freed.
 using SystemVisitor = std::function<Status(const Truth&, const Scores&, const std::vector<ElementLabel>& labels)>;
 
 /// Builds the map of the ground truth's labels with the same fusion (see MakeTruthMap), then each system's map of the
-/// same frames, and compares them. `visit` may be empty.
+/// same frames, and compares them; and with the ground truth's own points. `visit` gets the former; it may be empty.
 Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemVisitor& visit);
 
 /// The preset of a data set with the settings on top; INVALID_ARGUMENT for unknown keys and values out of range.

@@ -95,8 +95,11 @@ json ToJson(const Scores& s, const ClassMap& classes) {
 json ToJson(const Experiment& experiment) {
   json config = json::object();
   for (const auto& [key, value] : ConfigToText(experiment.config)) config[key] = value;
-  json systems = json::array();
-  for (const Scores& scores : experiment.systems) systems.push_back(ToJson(scores, experiment.classes));
+  const auto list = [&experiment](const std::vector<Scores>& all) {
+    json systems = json::array();
+    for (const Scores& scores : all) systems.push_back(ToJson(scores, experiment.classes));
+    return systems;
+  };
   return {{"data_set", experiment.directory},
           {"preset", experiment.preset},
           {"labels", experiment.labels},
@@ -106,7 +109,9 @@ json ToJson(const Experiment& experiment) {
           {"protocol", ToJson(experiment.protocol)},
           {"class_map", ToJson(experiment.classes)},
           {"num_truth_samples", experiment.num_truth_samples},
-          {"systems", std::move(systems)}};
+          {"systems", list(experiment.systems)},
+          {"num_truth_points", experiment.num_truth_points},
+          {"systems_on_points", list(experiment.on_points)}};
 }
 
 }  // namespace dhpmap::evaluator

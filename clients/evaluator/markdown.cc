@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "clients/evaluator/truth_points.h"
+
 namespace dhpmap::evaluator {
 namespace {
 
@@ -68,11 +70,15 @@ std::string ProtocolText(const Experiment& experiment) {
       << " frames";
   if (experiment.num_skipped > 0) out << " (" << experiment.num_skipped << " could not be read)";
   out << ", voxels of " << Decimals(experiment.config.voxel_size_m, 3) << " m.\n\n"
-      << "- Truth: map of the ground truth's labels by the same fusion, each place the object's that was seen there "
-         "most; "
+      << "- Truth of the first table: what the sensor measured, with the data set's labels; "
+      << experiment.num_truth_points << " elements, one a cell of " << Decimals(TruthPoints::kCameraCell_m, 2)
+      << " m (depth images) or " << Decimals(TruthPoints::kScanCell_m, 2) << " m (scans).\n"
+      << "- Truth of the second: map of the ground truth's labels by the same fusion, each place the object's that was "
+         "seen there most; "
       << experiment.num_truth_samples << " samples of its triangles, one every " << Decimals(p.spacing_m, 3)
-      << " m squared, each with the label of the nearest sample of the system's surface within "
-      << Decimals(p.d_match_m, 3) << " m, else none.\n"
+      << " m squared.\n"
+      << "- An element has the label of the nearest sample of the system's surface within " << Decimals(p.d_match_m, 3)
+      << " m, else none.\n"
       << "- Segments match above IoU 0.5; unmatched ones below " << p.min_elements << " samples are ignored.\n"
       << "- Geometry: distance of each sample to the triangle of the other surface's nearest sample; F-score at "
       << Decimals(p.geometry.threshold_m, 3) << " m; accuracy ignores distances above "
@@ -90,14 +96,17 @@ std::string ProtocolText(const Experiment& experiment) {
   return out.str();
 }
 
-std::string ScoreTable(const Experiment& experiment) {
+namespace {
+
+std::string TableOf(const std::vector<Scores>& systems, const Protocol& protocol) {
   std::vector<std::string> header{"system", "PQ", "SQ", "RQ", "PQ things", "PQ stuff", "mIoU", "accuracy", "answered"};
-  for (const double iou : experiment.protocol.precision_ious) header.push_back("mAP-" + Decimals(iou, 1));
-  for (const char* name : {"Acc. m", "Comp. m", "C-L1 m", "F-score %", "ms/frame", "refine ms/frame", "finish s"}) {
+  for (const double iou : protocol.precision_ious) header.push_back("mAP-" + Decimals(iou, 1));
+  for (const char* name : {"Acc. m", "Comp. m", "C-L1 m", "precision %", "recall %", "F-score %", "ms/frame",
+                           "refine ms/frame", "finish s"}) {
     header.emplace_back(name);
   }
   MarkdownTable table(header);
-  for (const Scores& s : experiment.systems) {
+  for (const Scores& s : systems) {
     const PanopticScore& p = s.panoptics;
     const double num_elements = std::max<double>(1, static_cast<double>(s.semantics.num_elements));
     std::vector<std::string> row{s.system,
@@ -109,13 +118,15 @@ std::string ScoreTable(const Experiment& experiment) {
                                  Decimals(s.semantics.mean_iou, 3),
                                  Decimals(s.semantics.accuracy, 3),
                                  Decimals(static_cast<double>(s.semantics.num_answered) / num_elements, 3)};
-    for (std::size_t i = 0; i < experiment.protocol.precision_ious.size(); ++i) {
+    for (std::size_t i = 0; i < protocol.precision_ious.size(); ++i) {
       row.push_back(i < s.precisions.size() ? Decimals(s.precisions[i].mean, 3) : "-");
     }
     for (const double metres : {s.geometry.accuracy_m, s.geometry.completion_m, s.geometry.chamfer_l1_m()}) {
       row.push_back(Decimals(metres, 4));
     }
-    row.push_back(Decimals(100 * s.geometry.f_score(), 2));
+    for (const double share : {s.geometry.precision, s.geometry.recall, s.geometry.f_score()}) {
+      row.push_back(Decimals(100 * share, 2));
+    }
     row.push_back(MeanPerFrame_ms(s.times, s.times.integrate_s));
     row.push_back(MeanPerFrame_ms(s.times, s.times.refine_s));
     row.push_back(Decimals(s.times.finish_s, 2));
@@ -123,6 +134,11 @@ std::string ScoreTable(const Experiment& experiment) {
   }
   return table.Text();
 }
+
+}  // namespace
+
+std::string ScoreTable(const Experiment& experiment) { return TableOf(experiment.systems, experiment.protocol); }
+std::string PointsTable(const Experiment& experiment) { return TableOf(experiment.on_points, experiment.protocol); }
 
 std::string ClassTable(const Experiment& experiment) {
   std::vector<std::string> header{"class", "samples"};

@@ -27,8 +27,10 @@ std::string Decimals(double value, int decimals);
 
 /// What was compared and how: data set, thresholds, class map.
 std::string ProtocolText(const Experiment& experiment);
-/// One row a system, all scores.
+/// One row a system, all scores against the map of the ground truth's labels.
 std::string ScoreTable(const Experiment& experiment);
+/// The same against the ground truth's own points.
+std::string PointsTable(const Experiment& experiment);
 /// One row a class: IoU and PQ of each system.
 std::string ClassTable(const Experiment& experiment);
 

@@ -29,7 +29,9 @@ std::size_t BytesOf(const PanopticFrame& frame) {
 
 Result<Recording> Recording::Open(const std::string& directory, const std::string& format, LabelSource labels,
                                   std::size_t num_frames, std::size_t cache_bytes) {
-  DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<Dataset> dataset, OpenDataset(directory, format, labels));
+  // Only the truth leaves out what moves: a system is not told what does.
+  const DatasetOptions options{.drop_moving_points = labels == LabelSource::kGroundTruth};
+  DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<Dataset> dataset, OpenDataset(directory, format, labels, options));
   DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(dataset->label_classes()));
   const std::size_t available = dataset->num_frames();
   return Recording(std::move(dataset), std::move(label_set),

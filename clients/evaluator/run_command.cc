@@ -33,7 +33,8 @@ Status Run(RunOptions& options) {
     return options.pictures.empty() ? Status::Ok() : DrawPictures(truth, scores, labels, options.pictures);
   };
   DHPMAP_ASSIGN_OR_RETURN(const Experiment experiment, RunExperiment(wanted, draw));
-  const std::string text = ProtocolText(experiment) + "\n" + ScoreTable(experiment) + "\n" + ClassTable(experiment);
+  const std::string text = ProtocolText(experiment) + "\n" + PointsTable(experiment) + "\n" + ScoreTable(experiment) +
+                           "\n" + ClassTable(experiment);
   std::cout << text;
   if (!options.markdown.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.markdown, text));
   if (!options.json.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.json, ToJson(experiment).dump(1) + "\n"));
@@ -46,7 +47,7 @@ void AddRunCommand(CLI::App& app, Status& status) {
   auto options = std::make_shared<RunOptions>();
   ExperimentOptions& wanted = options->experiment;
   wanted.systems = {"dhp_no_refine", "dhp"};
-  CLI::App& command = *app.add_subcommand("run", "Compare maps of one data set with the map of its ground truth");
+  CLI::App& command = *app.add_subcommand("run", "Compare maps of one data set with its ground truth");
   command.add_option("DATASET_DIR", wanted.directory, "Data set with ground truth labels")->required();
   command.add_option("--labels", options->labels, "Labels the systems map: predicted or groundtruth")
       ->capture_default_str();

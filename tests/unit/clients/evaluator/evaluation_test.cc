@@ -8,6 +8,7 @@
 
 #include "clients/evaluator/dhp_system.h"
 #include "clients/evaluator/systems.h"
+#include "clients/evaluator/truth_points.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::evaluator {
@@ -121,6 +122,24 @@ TEST_F(EvaluationTest, SwappedThingClassesAreWorthNothing) {
   EXPECT_DOUBLE_EQ(scores.semantics.mean_iou, 1.0 / 3);
   EXPECT_DOUBLE_EQ(scores.panoptics.all.pq, 1.0 / 3);
   EXPECT_DOUBLE_EQ(scores.geometry.f_score(), 1);
+}
+
+TEST_F(EvaluationTest, AgainstPointsASurfaceWhereThereIsNoneCostsPrecision) {
+  TruthPoints points{MapSetup().config.integration};
+  for (const PanopticFrame& frame : frames_) points.Add(frame);
+  const Truth truth(points.Elements(), *ClassMap::Same(MapSetup().label_set->classes()), truth_->protocol());
+  const Scores right = Evaluate(truth, truth_surface_, true, pool_, nullptr);
+  EXPECT_GT(right.semantics.accuracy, 0.98);
+  EXPECT_GT(right.panoptics.all.pq, 0.95);
+  EXPECT_GT(right.geometry.recall, 0.99);
+  EXPECT_GT(right.geometry.precision, 0.85) << "between the pixels of a small camera are gaps";
+  LabelledSurface doubled = truth_surface_;  // and once more, a metre above
+  const auto num_vertices = static_cast<std::uint32_t>(doubled.mesh.vertices_m.size());
+  AppendMesh(truth_surface_.mesh, doubled.mesh);
+  for (std::size_t i = num_vertices; i < doubled.mesh.vertices_m.size(); ++i) doubled.mesh.vertices_m[i].z() += 1;
+  const Scores wrong = Evaluate(truth, doubled, true, pool_, nullptr);
+  EXPECT_EQ(wrong.geometry.recall, right.geometry.recall);
+  EXPECT_NEAR(wrong.geometry.precision, right.geometry.precision / 2, 0.02);
 }
 
 TEST_F(EvaluationTest, HalfASurfaceHasHalfTheRecall) {

@@ -70,6 +70,18 @@ TEST_F(ExperimentTest, RunsEverySystemOnPredictions) {
     EXPECT_EQ(scores.times.num_frames, 6) << scores.system;
   }
   EXPECT_GT(experiment->systems.back().panoptics.all.pq, 0.9);
+  EXPECT_GT(experiment->num_truth_points, 1000);
+  ASSERT_EQ(experiment->on_points.size(), experiment->systems.size());
+  for (std::size_t i = 0; i < experiment->systems.size(); ++i) {
+    const Scores& on_map = experiment->systems[i];
+    const Scores& on_points = experiment->on_points[i];
+    EXPECT_EQ(on_points.system, on_map.system);
+    EXPECT_EQ(on_points.semantics.num_elements, experiment->num_truth_points) << "the scene has no unlabelled points";
+    EXPECT_NEAR(on_points.semantics.accuracy, on_map.semantics.accuracy, 0.05) << on_map.system;
+    EXPECT_GT(on_points.geometry.recall, 0.9) << on_map.system;
+    EXPECT_NE(on_points.geometry.chamfer_l1_m(), on_map.geometry.chamfer_l1_m());
+  }
+  EXPECT_EQ(experiment->on_points.back().panoptics.matches.size(), experiment->systems.back().panoptics.matches.size());
 }
 
 TEST_F(ExperimentTest, TakesFirstFramesAndSettings) {
@@ -118,6 +130,8 @@ TEST_F(ExperimentTest, LosesNothingInJson) {
   EXPECT_EQ(json["config"]["voxel_size_m"], "0.04");
   EXPECT_EQ(json["config"].size(), ConfigToText(experiment->config).size());
   EXPECT_EQ(json["class_map"].size(), experiment->classes.classes().size());
+  EXPECT_EQ(json["num_truth_points"], experiment->num_truth_points);
+  EXPECT_EQ(json["systems_on_points"].size(), json["systems"].size());
   const nlohmann::json& dhp = json["systems"][1];
   const Scores& scores = experiment->systems[1];
   EXPECT_EQ(dhp["panoptic"]["all"]["pq"], scores.panoptics.all.pq);
@@ -142,7 +156,7 @@ TEST_F(ExperimentTest, PrintsThresholdsClassMapAndEverySystem) {
   for (const char* part : {"0.080 m", "0.050 m", "30 samples", "predicted labels", "6 frames"}) {
     EXPECT_NE(protocol.find(part), std::string::npos) << part << " in " << protocol;
   }
-  for (const std::string& table : {ScoreTable(*experiment), ClassTable(*experiment)}) {
+  for (const std::string& table : {PointsTable(*experiment), ScoreTable(*experiment), ClassTable(*experiment)}) {
     EXPECT_NE(table.find("votes"), std::string::npos);
     EXPECT_NE(table.find("dhp"), std::string::npos);
   }

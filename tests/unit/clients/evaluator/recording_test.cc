@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -34,6 +35,16 @@ std::map<std::uint32_t, std::uint32_t> ClassesOf(const PanopticFrame& frame) {
   return classes;
 }
 
+/// Segments by point: the ground truth's scans leave out what moves.
+std::map<std::array<float, 3>, std::uint32_t> SegmentsByPoint(const LidarData& scan) {
+  std::map<std::array<float, 3>, std::uint32_t> segments;
+  for (std::size_t i = 0; i < scan.points_m.size(); ++i) {
+    const Eigen::Vector3f& p = scan.points_m[i];
+    segments[{p.x(), p.y(), p.z()}] = scan.segments[i];
+  }
+  return segments;
+}
+
 struct Tally {
   int num_points = 0, num_right = 0, num_kept = 0;
 };
@@ -41,16 +52,19 @@ struct Tally {
 /// Of points that the camera does not see and that have a thing's segment: how many the ground truth agrees with, and
 /// how many still have it in the recording.
 Tally HiddenThings(const std::string& folder) {
-  const auto dataset = OpenDataset(folder, kAnyFormat, LabelSource::kPredicted).value();
+  const auto dataset = OpenDataset(folder, kAnyFormat, LabelSource::kPredicted, {.drop_moving_points = false}).value();
   const auto recorded = FramesOf(folder, LabelSource::kPredicted), truth = FramesOf(folder, LabelSource::kGroundTruth);
   const ClassMap class_map = ClassMap::Read(folder + "/evaluation_classes.csv").value();
   Tally tally;
   for (std::size_t f = 0; f < dataset->num_frames(); ++f) {
     const PanopticFrame frame = DecodeFrame(dataset->Read(f).value(), false).value();
     auto predicted = ClassesOf(frame), real = ClassesOf(truth[f]);
+    auto true_segments = SegmentsByPoint(*truth[f].lidar);
+    EXPECT_EQ(recorded[f].lidar->points_m.size(), frame.lidar->points_m.size());
     for (std::size_t i = 0; i < frame.lidar->points_m.size(); ++i) {
+      const Eigen::Vector3f& p = frame.lidar->points_m[i];
       const std::int16_t label = class_map.OfPrediction(predicted[frame.lidar->segments[i]]);
-      const std::int16_t right = class_map.OfTruth(real[truth[f].lidar->segments[i]]);
+      const std::int16_t right = class_map.OfTruth(real[true_segments[{p.x(), p.y(), p.z()}]]);
       if (frame.lidar->is_hidden[i] == 0 || label < 0 || right < 0) continue;
       if (!class_map.classes()[static_cast<std::size_t>(label)].is_thing) continue;
       tally.num_points += 1;
