@@ -126,7 +126,10 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithBlocks(sqlite:
 }
 
 Status Damaged(const std::string& name, const Status& status) {
-  return Status(status.code(), "map '" + name + "': " + status.message()).WithReason("DAMAGED_MAP");
+  Status named(status.code(), "map '" + name + "': " + status.message());
+  // What is refused here as not to be understood is of a version to come; all else is damage, or its cause.
+  return status.code() == StatusCode::kFailedPrecondition ? named.WithReason("NEWER_LAYER")
+                                                          : named.WithReason("DAMAGED_MAP");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "clients/cli/connection.h"
 #include "clients/cli/output_file.h"
+#include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
 
@@ -15,7 +16,8 @@ namespace {
 struct GridCommand {
   std::string map, file;
   std::vector<double> box_m;
-  double resolution_m = 0.05, max_distance_m = 3;
+  double resolution_m = 0.05;
+  QueryFlags query;
 };
 
 /// Head of a .npy file, version 1.0, of little-endian floats, z slowest: its length is a multiple of 64.
@@ -42,7 +44,7 @@ ExitCode RunGrid(const Session& session, const GridCommand& command) {
   high.set_y(command.box_m[4]);
   high.set_z(command.box_m[5]);
   request.set_resolution_m(command.resolution_m);
-  request.mutable_options()->set_max_distance_m(command.max_distance_m);
+  *request.mutable_options() = ToProto(command.query, command.map);
   auto file = OutputFile::Open(command.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
   grpc::ClientContext context;
@@ -77,7 +79,7 @@ void AddGridCommand(CLI::App& query, Session& session) {
   grid->add_option("map", command->map, "Name of the map")->required();
   grid->add_option("--box", command->box_m, "MIN_X MIN_Y MIN_Z MAX_X MAX_Y MAX_Z in m")->expected(6)->required();
   grid->add_option("--resolution", command->resolution_m, "From node to node, in m")->capture_default_str();
-  grid->add_option("--max-distance", command->max_distance_m, "How far to look, in m")->capture_default_str();
+  AddQueryFlags(*grid, command->query);
   grid->add_option("--out", command->file, "FILE.npy, - for stdout")->required();
   grid->callback([command, &session] { session.exit_code = RunGrid(session, *command); });
 }

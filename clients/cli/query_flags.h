@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,21 @@ namespace dhpmap {
 struct Session;
 
 /// What a query takes as the world, as far as the command line says so.
-struct QueryFlags {
-  double max_distance_m = 3;
+struct WorldFlags {
   std::vector<std::int64_t> excluded_submaps;
   std::vector<std::string> excluded_class_names, class_names;
+  std::optional<double> max_age_s;
+  bool vacated_is_free = false;
+};
+/// The same of one that looks so far.
+struct QueryFlags {
+  WorldFlags world;
+  double max_distance_m = 3;
 };
 
+void AddWorldFlags(CLI::App& command, WorldFlags& flags);
 void AddQueryFlags(CLI::App& command, QueryFlags& flags);
+v1::QueryOptions ToProto(const WorldFlags& flags, const std::string& map);
 v1::QueryOptions ToProto(const QueryFlags& flags, const std::string& map);
 
 /// Adds `collisions` and `trajectory` to `dhpmap query`.

@@ -6,6 +6,7 @@
 
 #include "clients/cli/connection.h"
 #include "clients/cli/output_file.h"
+#include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
 
@@ -16,8 +17,7 @@ struct SliceCommand {
   std::string map, file;
   double min_z_m = 0.1, max_z_m = 1.5, resolution_m = 0, free_share = 0.3;
   std::vector<double> area_m;
-  std::vector<std::int64_t> excluded_submaps;
-  std::vector<std::string> excluded_class_names, class_names;
+  WorldFlags world;
 };
 
 v1::GetOccupancySliceRequest ToRequest(const SliceCommand& command) {
@@ -33,11 +33,7 @@ v1::GetOccupancySliceRequest ToRequest(const SliceCommand& command) {
     request.mutable_area()->set_max_x_m(command.area_m[2]);
     request.mutable_area()->set_max_y_m(command.area_m[3]);
   }
-  v1::QueryOptions& options = *request.mutable_options();
-  for (const std::int64_t id : command.excluded_submaps) options.add_excluded_submaps(SubmapName(command.map, id));
-  options.mutable_excluded_class_names()->Assign(command.excluded_class_names.begin(),
-                                                 command.excluded_class_names.end());
-  options.mutable_class_names()->Assign(command.class_names.begin(), command.class_names.end());
+  *request.mutable_options() = ToProto(command.world, command.map);
   return request;
 }
 
@@ -91,9 +87,7 @@ void AddSliceCommand(CLI::App& query, Session& session) {
   slice->add_option("--resolution", options->resolution_m, "Side of a cell, in m; default: the voxels'");
   slice->add_option("--free-share", options->free_share, "Share of free voxels that makes a cell free")
       ->capture_default_str();
-  slice->add_option("--exclude-submap", options->excluded_submaps, "Ids of objects to leave out");
-  slice->add_option("--exclude-class", options->excluded_class_names, "Names of classes to leave out");
-  slice->add_option("--class", options->class_names, "Names of the only classes to look at");
+  AddWorldFlags(*slice, options->world);
   slice->callback([options, &session] { session.exit_code = RunSlice(session, *options); });
 }
 

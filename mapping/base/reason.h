@@ -59,6 +59,7 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"BAD_MESH_REQUEST", StatusCode::kInvalidArgument, "a mesh is asked for in a form that is not known"},
     // The store.
     {"DAMAGED_MAP", StatusCode::kOk, "a stored map cannot be read: DATA_LOSS, or the code of the cause"},
+    {"NEWER_LAYER", StatusCode::kFailedPrecondition, "a stored map has a layer or an encoding of a newer version"},
     {"NEWER_CONFIG", StatusCode::kFailedPrecondition, "a stored map's config is of a newer version"},
     {"STALE_REVISION", StatusCode::kFailedPrecondition, "a commit starts from another revision than the one stored"},
     {"STALE_STATE", StatusCode::kFailedPrecondition, "a commit starts from another state than the one stored"},

@@ -81,6 +81,8 @@ TEST_F(CommandLine, QueriesDistancesWithAndWithoutObjects) {
   EXPECT_EQ(with({"--exclude-submap", "99999"}).exit_code, 3);
   EXPECT_EQ(with({"--exclude-class", "spoon"}).exit_code, 2);
   EXPECT_EQ(with({"--max-distance", "-1"}).exit_code, 2);
+  EXPECT_NE(with({"--max-age-s", "3600", "--vacated-free"}).out.find("Ball"), std::string::npos);
+  EXPECT_EQ(with({"--max-age-s", "-1"}).exit_code, 2) << "the flag reaches the server";
   EXPECT_NE(with({"--tolerance-vox", "0.5"}).out.find("Ball"), std::string::npos);
   EXPECT_EQ(with({"--tolerance-vox", "-1"}).exit_code, 2);
 }

@@ -55,6 +55,8 @@ TEST_F(SqliteStoreTest, AFlippedByteInATileNamesTheLayerAndATileOfALaterVersionI
   const Status later = store_->LoadMap("other").status();
   EXPECT_EQ(later.code(), StatusCode::kFailedPrecondition) << later.ToString();
   EXPECT_NE(later.message().find("layer 9 tile ("), std::string::npos) << later.ToString();
+  EXPECT_EQ(later.reason(), Reason("NEWER_LAYER"));
+  EXPECT_EQ(loaded.reason(), Reason("DAMAGED_MAP"));
 }
 
 TEST_F(SqliteStoreTest, AnyOtherChangeOfWhatAMapConsistsOfIsDataLoss) {
