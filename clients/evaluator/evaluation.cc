@@ -2,6 +2,7 @@
 #include "clients/evaluator/evaluation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "clients/evaluator/triangle_distance.h"
@@ -13,6 +14,13 @@ Protocol ProtocolFor(double voxel_size_m) {
   protocol.spacing_m = 0.5 * voxel_size_m;
   protocol.d_match_m = 2 * voxel_size_m;
   protocol.geometry.threshold_m = std::max(0.05, voxel_size_m);
+  return protocol;
+}
+
+Protocol ProtocolForElements(Protocol protocol, double cell_m) {
+  const double share = protocol.spacing_m / cell_m;
+  protocol.min_elements =
+      std::max<std::int64_t>(1, std::llround(share * share * static_cast<double>(protocol.min_elements)));
   return protocol;
 }
 

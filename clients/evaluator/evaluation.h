@@ -27,6 +27,9 @@ struct Protocol {
 /// Samples every half voxel, labels from up to two voxels away, F-score at one voxel but at least 5 cm.
 Protocol ProtocolFor(double voxel_size_m);
 
+/// The same for a truth of one element a cell: segments are ignored below the same area.
+Protocol ProtocolForElements(Protocol protocol, double cell_m);
+
 /// A data set's truth, which systems are compared with. Refers to itself: neither copied nor moved.
 class Truth {
  public:

@@ -68,7 +68,8 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
   const Truth truth(truth_system->Surface().mesh, experiment.classes, experiment.protocol);
   truth_system.reset();
   experiment.num_truth_samples = static_cast<std::int64_t>(truth.samples().size());
-  const Truth truth_points(points.Elements(), experiment.classes, experiment.protocol);
+  experiment.points_protocol = ProtocolForElements(experiment.protocol, points.cell_m());
+  const Truth truth_points(points.Elements(), experiment.classes, experiment.points_protocol);
   points = TruthPoints(experiment.config.integration);  // its memory
   experiment.num_truth_points = static_cast<std::int64_t>(truth_points.samples().size());
 

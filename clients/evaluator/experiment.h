@@ -32,6 +32,7 @@ struct Experiment {
   Protocol protocol;
   std::int64_t num_truth_samples = 0;
   std::vector<Scores> systems;  ///< against the map of the ground truth's labels
+  Protocol points_protocol;
   std::int64_t num_truth_points = 0;
   std::vector<Scores> on_points;  ///< the same systems, against the ground truth's own points (TruthPoints)
 };

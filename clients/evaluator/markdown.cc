@@ -79,8 +79,10 @@ std::string ProtocolText(const Experiment& experiment) {
       << " m squared.\n"
       << "- An element has the label of the nearest sample of the system's surface within " << Decimals(p.d_match_m, 3)
       << " m, else none.\n"
-      << "- Segments match above IoU 0.5; unmatched ones below " << p.min_elements << " samples are ignored.\n"
-      << "- Geometry: distance of each sample to the triangle of the other surface's nearest sample; F-score at "
+      << "- Segments match above IoU 0.5; unmatched ones below " << experiment.points_protocol.min_elements
+      << " elements, in the second table " << p.min_elements << " samples, are ignored.\n"
+      << "- Geometry: distance of each element to the triangle of the system's nearest sample; of each of those to the "
+         "nearest element, gaps between points included, in the second table to the nearest triangle; F-score at "
       << Decimals(p.geometry.threshold_m, 3) << " m; accuracy ignores distances above "
       << Decimals(p.geometry.accuracy_truncation_m, 2) << " m, completion clips them at "
       << Decimals(p.geometry.completion_truncation_m, 2) << " m.\n"

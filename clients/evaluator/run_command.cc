@@ -34,7 +34,7 @@ Status Run(RunOptions& options) {
   };
   DHPMAP_ASSIGN_OR_RETURN(const Experiment experiment, RunExperiment(wanted, draw));
   const std::string text = ProtocolText(experiment) + "\n" + PointsTable(experiment) + "\n" + ScoreTable(experiment) +
-                           "\n" + ClassTable(experiment);
+                           "\n" + "Classes of the second table:\n\n" + ClassTable(experiment);
   std::cout << text;
   if (!options.markdown.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.markdown, text));
   if (!options.json.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.json, ToJson(experiment).dump(1) + "\n"));

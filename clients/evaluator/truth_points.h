@@ -28,6 +28,9 @@ class TruthPoints {
   /// A frame with the ground truth's labels, whose ids mean the same object in every frame; of one kind of sensor.
   void Add(const PanopticFrame& frame);
 
+  /// Of the kind of sensor that was added.
+  [[nodiscard]] double cell_m() const { return cell_m_; }
+
   /// By cell, in ascending order: the label that most of its points have, the smaller class and instance of equals, at
   /// their mean. Instance and class 0: not labelled. `triangles` is empty.
   [[nodiscard]] SurfaceSamples Elements() const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "mapping/fusion/band_size.h"
 #include "mapping/fusion/point_kernel.h"
 #include "mapping/fusion/tangent_planes.h"
 
@@ -265,8 +266,12 @@ void Bundler::SortRunsBySegment(const PanopticFrame& frame, double voxel_size_m)
     segments_[num_segments++].row = static_cast<int>(position) - 1;
   }
   segments_.resize(num_segments);
+  pool_.ParallelFor(num_segments,
+                    [&](std::size_t s) { BuildSegment(ranges[s].first, ranges[s].second, segments_[s]); });
+  std::size_t num_cells = 0;
+  for (const SegmentBundles& segment : segments_) num_cells += segment.cells.size();
+  if (num_cells > kMaxBlocksAFrame) return;  // will be refused
   pool_.ParallelFor(num_segments, [&](std::size_t s) {
-    BuildSegment(ranges[s].first, ranges[s].second, segments_[s]);
     FitTangentPlanes(voxel_size_m, frame.lidar ? PointSpacing::kScan : PointSpacing::kDense, segments_[s]);
   });
 }
@@ -304,6 +309,11 @@ void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& s
     bundle.weighted_color += run.weighted_color;
     bundle.num_points += run.num_points;
     segment.num_points += run.num_points;
+  }
+  for (Bundle& bundle : segment.bundles) {
+    // Points on all sides of the sensor cancel: in the voxel that it stands in any direction will do.
+    const float least = kLeastDepth_m * bundle.weight;
+    if (!(bundle.weighted_sum_m.squaredNorm() >= least * least)) bundle.weighted_sum_m = {least, 0, 0};
   }
 }
 

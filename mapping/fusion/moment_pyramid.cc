@@ -43,7 +43,6 @@ const PlaneMoments* MomentPyramid::Find(std::size_t cell, int level, std::size_t
 }
 
 void MomentPyramid::SumUp(Block& block) {
-  if (coarse_.empty()) coarse_.reserve(9 * blocks_.size());  // as many as there can be: what Find gave out stays
   block.first_coarse = static_cast<std::uint32_t>(coarse_.size());
   block.coarse_slot.fill(0);
   coarse_.emplace_back();

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <deque>
 #include <vector>
 
 #include "mapping/fusion/bundler.h"
@@ -34,7 +34,8 @@ class MomentPyramid {
   void SumUp(Block& block);
 
   std::vector<Block> blocks_;
-  std::vector<PlaneMoments> cubes_, coarse_;
+  std::vector<PlaneMoments> cubes_;
+  std::deque<PlaneMoments> coarse_;  ///< which stay where they are while more are summed up
 };
 
 }  // namespace dhpmap

@@ -80,6 +80,9 @@ Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& colo
   if (has_segments) scan.segments.resize(num_points);
   if (has_segments) scan.is_hidden.clear();
 
+  // P may have any scale: the third row of K * R is a unit vector.
+  const double scale = camera.P_image_lidar.row(2).head<3>().stableNorm();
+  const double metres = scale > 0 ? 1 / scale : 0;
   std::size_t kept = 0;
   std::vector<ProjectedPoint> labelled;
   if (has_segments) labelled.reserve(num_points);
@@ -94,7 +97,7 @@ Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& colo
     if (has_segments) {
       scan.segments[kept] =
           segments.pixels[static_cast<std::size_t>(v) * segments.width_px + static_cast<std::size_t>(u)];
-      labelled.push_back({static_cast<float>(u), static_cast<float>(v), static_cast<float>(q.z())});
+      labelled.push_back({static_cast<float>(u), static_cast<float>(v), static_cast<float>(q.z() * metres)});
     }
     ++kept;
   }

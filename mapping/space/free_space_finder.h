@@ -33,7 +33,7 @@ class FreeSpaceFinder {
   /// The frame must be valid (ValidateFrame) and on the map's grid (CheckFrameIsOnGrid). The outcome has the same bits
   /// for any number of threads, and for any order of frames but for the tiles' stamps. If it throws, for want of
   /// memory, or Stopped soon after `stop` is requested, a part may have been added: see Map::Fork.
-  /// Returns the submaps of which voxels became contradicted, by ascending id.
+  /// Returns the submaps of which voxels were counted as looked through, by ascending id.
   std::vector<SubmapId> Look(const PanopticFrame& frame, Map& map, ThreadPool& pool, const std::stop_token& stop = {});
 
  private:

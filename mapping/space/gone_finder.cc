@@ -4,7 +4,7 @@
 namespace dhpmap {
 namespace {
 
-/// A tile of which nothing has been looked through so far is looked at every so many frames: most of a map stays.
+/// A tile of which nothing has been looked through so far is looked at in one of so many frames: most of a map stays.
 constexpr std::uint64_t kTurns = 3;
 
 /// Whether any part of the sphere, of a submap on the map's grid, lies within a box around the sensor.
@@ -18,11 +18,19 @@ bool MayReach(const Box& reach, const GridOrigin& origin, const BoundingSphere& 
          !(center_vox - radius_vox > reach.most_vox.array()).any();
 }
 
-/// Neighbours have different ones.
-bool IsItsTurn(TileIndex tile, std::uint64_t num_frames) {
-  const auto sum =
-      static_cast<std::uint32_t>(tile.x) + static_cast<std::uint32_t>(tile.y) + static_cast<std::uint32_t>(tile.z);
-  return (sum + num_frames) % kTurns == 0;
+/// Sum of a number's digits to the base kTurns. Of kTurns frames in a row that begin at a multiple of it each has
+/// another remainder, and so have, in the long run, those of every sensor where several send in turn.
+std::uint64_t DigitSum(std::uint64_t number) {
+  std::uint64_t sum = 0;
+  for (; number > 0; number /= kTurns) sum += number % kTurns;
+  return sum;
+}
+
+/// `turn`: the frame's. Neighbours have different ones.
+bool IsItsTurn(TileIndex tile, std::uint64_t turn) {
+  constexpr auto kMost = static_cast<std::int64_t>(kTurns);
+  const std::int64_t place = (std::int64_t{tile.x} + tile.y + tile.z) % kMost + kMost;  // positive
+  return (static_cast<std::uint64_t>(place) + turn) % kTurns == 0;
 }
 
 bool HasCounts(const BlockTile& tile) {
@@ -32,9 +40,9 @@ bool HasCounts(const BlockTile& tile) {
 
 }  // namespace
 
-void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t num_frames) {
+void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t turn) {
   const BlockTile& tile = *entry.tile;
-  if (!IsItsTurn(entry.index, num_frames) && !HasCounts(tile)) return;
+  if (!IsItsTurn(entry.index, turn) && !HasCounts(tile)) return;
   if (num_jobs_ == jobs_.size()) jobs_.emplace_back();
   jobs_[num_jobs_].id = submap.id();
   jobs_[num_jobs_].submap = &submap;
@@ -47,18 +55,18 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Map&
   in_view_ = {};
   in_view_.Reserve(tiles_.size());
   for (std::size_t i = 0; i < tiles_.size(); ++i) in_view_.Set(tiles_[i].index, static_cast<std::uint32_t>(i));
-  const auto num_frames = static_cast<std::uint64_t>(map.info().num_frames);
+  const std::uint64_t turn = DigitSum(static_cast<std::uint64_t>(map.info().num_frames));
   for (const auto& submap : map.submaps()) {
     if (submap->info().is_placed || !IsOnMapGrid(submap->info(), map.info().config)) continue;
     if (!MayReach(reach, origin, submap->bounding_sphere(), submap->info().voxel_size_m)) continue;
     const BlockTable& blocks = submap->blocks();
     if (blocks.tiles().size() <= tiles_.size()) {
       for (const TileEntry& entry : blocks.tiles()) {
-        if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(*submap, entry, num_frames);
+        if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(*submap, entry, turn);
       }
     } else {  // a wall may go on and on
       for (const TileToLook& tile : tiles_) {
-        if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(*submap, *entry, num_frames);
+        if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(*submap, *entry, turn);
       }
     }
   }
@@ -96,8 +104,7 @@ std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
     for (const ContradictedBlock& block : jobs_[i].found) {
       num_became += submap.MutableGone(block.index).Raise(block.voxels, from);
     }
-    if (num_became == 0) continue;
-    submap.mutable_info().last_contradicted_ns = from.stamp_ns;
+    if (num_became > 0) submap.mutable_info().last_contradicted_ns = from.stamp_ns;
     if (changed.empty() || changed.back() != submap.id()) changed.push_back(submap.id());
   }
   return changed;

@@ -16,14 +16,13 @@
 
 namespace dhpmap {
 
-/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number of
-/// the frame, until something of them is counted. Submaps that somebody has put where they are, and those on another
-/// grid than the map's, which were moved, are left alone. Keeps its buffers.
-/// Thread-compatible.
+/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number
+/// of the frame, until something of them is counted. Submaps that somebody has put where they are, and those on
+/// another grid than the map's, which were moved, are left alone. Keeps its buffers. Thread-compatible.
 class GoneFinder {
  public:
-  /// Returns the submaps of which voxels became contradicted, by ascending
-  /// id. The outcome does not depend on the number of threads. Throws Stopped soon after `stop` is requested.
+  /// Returns the submaps of which voxels were counted, by ascending id. The outcome does not depend on the number of
+  /// threads. Throws Stopped soon after `stop` is requested.
   template <typename View>
   std::vector<SubmapId> Look(const View& view, const GridOrigin& origin, const Viewpoint& from, Map& map,
                              ThreadPool& pool, const std::stop_token& stop = {}) {
@@ -58,7 +57,7 @@ class GoneFinder {
 
   /// The tiles of submaps that are in view.
   void ListJobs(const Box& reach, const GridOrigin& origin, const Map& map);
-  void AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t num_frames);
+  void AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t turn);
   void AddUp();
   [[nodiscard]] bool IsEnough(const ContradictedBlock& block) const;
   std::vector<SubmapId> Count(const Viewpoint& from, Map& map);

@@ -27,14 +27,15 @@ struct ContradictedBlock {
 /// Looks at one tile of a submap for surfaces that the view looks through.
 ///
 /// A voxel says that there is a surface within its distance. So it is contradicted if every pixel that a ball of that
-/// radius, and half a voxel more, may cover sees farther than the ball and kMargin_vox: as long as the surface is
+/// radius, and kSlack_vox more, may cover sees farther than the ball and kMargin_vox, or the truncation if that is
+/// less: as long as the surface is
 /// there, either it or something before it is seen in one of these pixels. `View` is CameraView or LidarView, which
 /// keep the truncation before what they see; to ask for less, cells and balls are moved nearer to the sensor.
 template <typename View>
 class GoneLook {
  public:
-  /// The voxel's own size, by which its ball is larger.
-  static constexpr float kSlack_vox = 0.5f;
+  /// The voxel's own half, and a little for planes that go on beyond an edge, by which its ball is larger.
+  static constexpr float kSlack_vox = 0.6f;
   /// So far behind must be what is seen instead: what a thing stood on is seen right under its foot.
   static constexpr float kMargin_vox = 1.5f;
   /// By what balls may lie farther than the view says; centres of balls, of which none is smaller, as much less.
@@ -101,7 +102,7 @@ class GoneLook {
     if (contradicted_.num_in_all > 0) found_.push_back(contradicted_);
   }
 
-  /// Of the octant's voxels, those before the limit of their own pixel may be contradicted.
+  /// Of the octant's voxels, those before the limit of their own pixel, or one beside it, may be contradicted.
   void LookAtOctant(const BlockEntry& entry, std::size_t octant, float x, float y, float z) {
     constexpr float kToFirst = -HalfSpanOf(CellSize::kOctant);
     alignas(64) std::array<std::uint8_t, kOctantVoxels> is_before;

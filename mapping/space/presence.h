@@ -23,7 +23,7 @@ struct SurfaceVoxels {
 SurfaceVoxels CountSurfaceVoxels(const Submap& submap);
 
 /// Says after a frame which things are absent, and which have come back. `observed`: the submaps with a segment in it;
-/// `doubted`: those of which voxels became contradicted, or which settled. The others stay as they were.
+/// `doubted`: those of which voxels were counted as looked through, or which settled. The others stay as they were.
 ///
 /// An absent thing that is seen again is present at once: to wait until it was seen from all around would keep an
 /// obstacle out of the answers. If it was matched by its place, all of it is taken to be there again (Submap::DropGone)

@@ -249,6 +249,23 @@ TEST_F(BundlerTest, LeavesOutWhatIsNoReturnOrOutOfRange) {
   EXPECT_EQ(segments[0].num_points, 2);
 }
 
+TEST_F(BundlerTest, PointsOnAllSidesOfTheSensorStillEndSomewhere) {
+  PanopticFrame frame;
+  frame.lidar.emplace().points_m = {{0.2f, 0, 0}, {-0.2f, 0, 0}, {0, 0.2f, 0}, {0, -0.2f, 0}};
+  Transform pose = Transform::Identity();
+  pose.translation() = Eigen::Vector3d(0.25, 0.25, 0.25);
+  Bundler near({.min_range_m = 0.1, .max_range_m = 10.0}, pool_);
+  const auto& segments = near.BundleFrame(frame, pose, 0.5);
+  ASSERT_EQ(segments.size(), 1u);
+  ASSERT_EQ(segments[0].bundles.size(), 1u);
+  const Bundle& bundle = segments[0].bundles[0];
+  EXPECT_EQ(bundle.num_points, 4u);
+  const float range_m = (bundle.weighted_sum_m / bundle.weight).norm();
+  EXPECT_GT(range_m, 0.0f);
+  EXPECT_LT(range_m, 0.01f);
+  EXPECT_TRUE(bundle.plane.normal.allFinite());
+}
+
 TEST_F(BundlerTest, KeepsNothingOfTheFrameBefore) {
   (void)bundler_.BundleFrame(NoisyLidarFrame(9000, SomePose()), SomePose(), kVoxel_m);
   const PanopticFrame small = NoisyCameraFrame(20, 17, SomePose());

@@ -2,6 +2,8 @@
 // What is left of things that are gone, in analytic scenes: nothing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mapping/space/presence.h"
 #include "tests/unit/mapping/pipeline/gone_scene.h"
 
@@ -16,6 +18,7 @@ using testing::Info;
 using testing::kChair;
 using testing::kDoor;
 using testing::PointsOf;
+using testing::ShareWithSurface;
 using testing::Scene;
 using testing::Session;
 using testing::Solid;
@@ -68,6 +71,46 @@ TEST(GoneRemains, FragmentsOfOtherObjectsGoWithWhatTheyStuckTo) {
   session.Walk(EmptyRoom(), 14);
   EXPECT_EQ(of_spots(*session.Now()).contradicted, of_spots(*session.Now()).all);
   EXPECT_EQ(WithSurface(session.Now(), spots).size(), 0u);
+}
+
+TEST(GoneRemains, SensorsThatTakeTurnsHideNothingFromEachOther) {
+  // Three cameras, of which one sees the chair: its frames are always the first, second or third of three.
+  for (int place = 0; place < 3; ++place) {
+    Session session;
+    const auto walk = [&](const Scene& scene, int first, int last) {
+      for (int i = first; i < last; ++i) {
+        for (int camera = 0; camera < 3; ++camera) {
+          PanopticFrame frame = WalkFrame(scene, i);
+          if (camera != place) {
+            std::fill(frame.camera->depth_m.begin(), frame.camera->depth_m.end(), 0.0f);
+            std::fill(frame.camera->segments.begin(), frame.camera->segments.end(), 0u);
+          }
+          session.Take(frame);
+        }
+      }
+    };
+    walk(With(EmptyRoom(), Chair()), 0, 12);
+    const auto chair = WithSurface(session.Now(), PointsOf(Chair()));
+    ASSERT_GT(chair.size(), 100u);
+    walk(EmptyRoom(), 12, 36);
+    EXPECT_LE(ShareWithSurface(session.Now(), chair), 0.05) << place;
+  }
+}
+
+TEST(GoneRemains, PresenceIsTheSameBeforeAndAfterTheEndOfMapping) {
+  Session session;
+  session.Walk(With(EmptyRoom(), Chair()), 12);
+  const SubmapId id = FindThing(*session.Now(), kChair)->id();
+  for (int i = 0; i < 16; ++i) {
+    session.Walk(EmptyRoom(), 1);
+    const bool is_settled = session.map().Find(id)->info().activity == Activity::kInactive;
+    const bool is_absent = session.map().Find(id)->IsAbsent();
+    UpdatePresenceOfAll(session.map());
+    if (is_settled) {
+      EXPECT_EQ(session.map().Find(id)->IsAbsent(), is_absent) << i;
+    }
+  }
+  EXPECT_TRUE(session.map().Find(id)->IsAbsent());
 }
 
 /// A board that hides the lower part of where the chair is.

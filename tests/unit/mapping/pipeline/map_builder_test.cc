@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "mapping/query/point_lookup.h"
@@ -194,6 +195,28 @@ TEST(MapBuilder, SphereEnclosesEveryObservedVoxel) {
         if (!entry.tsdf->IsObserved(i)) continue;
         const Eigen::Vector3d centre = VoxelCentre(VoxelIn(entry.index, i), submap->info().voxel_size_m);
         ASSERT_TRUE(submap->bounding_sphere().Contains(centre));
+      }
+    }
+  }
+}
+
+TEST(MapBuilder, PointsOnAllSidesOfTheSensorLeaveNoNonsense) {
+  MapInfo info;
+  info.name = "m";
+  info.label_set = testing::MakeLabelSet(1, 1);
+  info.config.voxel_size_m = 0.5;
+  info.config.truncation_m = 1.0;
+  MapBuilder builder(info, 1);
+  PanopticFrame frame;
+  frame.T_map_sensor.translation() = Eigen::Vector3d(-1.25, 0.25, 0.25);
+  frame.lidar.emplace().points_m = {{0.2f, 0, 0}, {-0.2f, 0, 0}};  // their mean is where the sensor stands
+  ASSERT_TRUE(builder.Integrate(frame).ok());
+  ASSERT_FALSE(builder.map().submaps().empty());
+  for (const auto& submap : builder.map().submaps()) {
+    EXPECT_LT(submap->bounding_sphere().radius_m, 5);
+    for (const BlockEntry& entry : submap->blocks().entries()) {
+      for (int i = 0; entry.tsdf != nullptr && i < kBlockVoxels; ++i) {
+        EXPECT_TRUE(std::isfinite(entry.tsdf->distance_m[static_cast<std::size_t>(i)]));
       }
     }
   }

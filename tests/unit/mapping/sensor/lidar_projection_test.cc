@@ -98,6 +98,19 @@ LidarCamera WideCamera() {
   return {P, 320, 240};
 }
 
+TEST(ProjectImagesOntoScan, FlagsTheSamePointsWhateverTheScaleOfTheCamerasMatrix) {
+  const Image<std::uint32_t> ids{320, 240, std::vector<std::uint32_t>(320 * 240, 7)};
+  LidarData plain = PostBeforeAWall();
+  ASSERT_TRUE(ProjectImagesOntoScan(WideCamera(), {}, ids, plain).ok());
+  for (const double scale : {1e-3, 1e3, 1e30}) {
+    LidarCamera camera = WideCamera();
+    camera.P_image_lidar *= scale;
+    LidarData scan = PostBeforeAWall();
+    ASSERT_TRUE(ProjectImagesOntoScan(camera, {}, ids, scan).ok());
+    EXPECT_EQ(scan.is_hidden, plain.is_hidden) << scale;
+  }
+}
+
 TEST(ProjectImagesOntoScan, FlagsPointsThatTakeTheIdOfWhatIsBeforeThem) {
   LidarData scan = PostBeforeAWall();
   const Image<std::uint32_t> ids{320, 240, std::vector<std::uint32_t>(320 * 240, 7)};
