@@ -23,7 +23,7 @@ class MomentPyramid {
   const PlaneMoments* Find(std::size_t cell, int level, std::size_t cube);
 
  private:
-  static constexpr int kCubesASide = kBlockSide / 2;
+  static constexpr std::size_t kCubesASide = kBlockSide / 2;
   static constexpr std::uint8_t kNotSummed = 255;
   struct Block {
     std::array<std::uint8_t, kCubesASide * kCubesASide * kCubesASide>

@@ -132,7 +132,7 @@ class BlockPlanes {
 TangentPlane PlaneFor(const Eigen::Vector3f& end_m, const PlaneFit& fit, PointSpacing spacing, float voxel_size_m) {
   const float range_m = end_m.norm();
   const Eigen::Vector3f direction = end_m / range_m;
-  const TangentPlane across_ray{.normal = -direction, .offset_m = range_m};
+  TangentPlane across_ray{.normal = -direction, .offset_m = range_m};
   if (fit.outcome != PlaneFit::Outcome::kPlane) return across_ray;
   const float towards = -fit.normal.dot(direction), cosine = std::abs(towards);
   if (cosine < kLeastCosine) return across_ray;

@@ -66,7 +66,9 @@ std::optional<double> FirstSurface(const MapSnapshot& map, const Eigen::Vector3d
     const double step_m = submap->info().voxel_size_m / 4;
     const double end_m = std::min(nearest_m + half_m, first.value_or(max_m));
     std::optional<double> before;
-    for (double t = std::max(0.05, nearest_m - half_m); t < end_m; t += step_m) {
+    const double begin_m = std::max(0.05, nearest_m - half_m);
+    for (int step = 0; begin_m + step * step_m < end_m; ++step) {
+      const double t = begin_m + step * step_m;
       const std::optional<Sample> sample =
           SampleAt(*submap, submap->info().T_map_submap.inverse() * (origin + t * direction));
       if (sample && before && *before > 0 && sample->distance_m <= 0) {

@@ -44,9 +44,10 @@ PanopticFrame ScanOfRoad() {
   constexpr double kHeight_m = 1.73;
   PanopticFrame frame;
   LidarData& data = frame.lidar.emplace();
-  for (double down = 3; down < 24; down += 0.42) {
-    for (double turn = -40; turn < 40; turn += 0.17) {
-      const double slope = down * std::numbers::pi / 180, angle = turn * std::numbers::pi / 180;
+  for (int row = 0; row < 50; ++row) {
+    for (int column = 0; column < 471; ++column) {
+      const double slope = (3 + 0.42 * row) * std::numbers::pi / 180;
+      const double angle = (-40 + 0.17 * column) * std::numbers::pi / 180;
       const double ahead_m = kHeight_m / std::tan(slope);
       data.points_m.emplace_back(
           Eigen::Vector3d(ahead_m * std::cos(angle), ahead_m * std::sin(angle), -kHeight_m).cast<float>());
@@ -217,6 +218,7 @@ TEST(TangentPlanes, OfALonePointAndALineAreAcrossTheRay) {
   ASSERT_EQ(point.size(), 1u);
   EXPECT_TRUE(IsAcrossRay(point[0].bundles[0]));
   std::vector<Eigen::Vector3f> line_m;
+  line_m.reserve(200);
   for (int i = 0; i < 200; ++i) line_m.emplace_back(2, -1 + 0.01f * static_cast<float>(i), -0.5f);
   const std::vector<SegmentBundles> line = BundlesOf(ScanOf(line_m));
   ASSERT_GT(line[0].bundles.size(), 40u);

@@ -28,7 +28,7 @@ inline Solid Box(ClassId of, const Eigen::Vector3d& center_m, const Eigen::Vecto
 
 /// A room that is open towards -x, with a wall at x = 3 and one at y = 2.
 inline Scene EmptyRoom() {
-  const auto face = [](ClassId of, Eigen::Vector3d point, Eigen::Vector3d normal) {
+  const auto face = [](ClassId of, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     return Solid{.shape = Solid::Shape::kHalfSpace, .center_m = point, .size_m = normal, .segment = of.value};
   };
   return {{face(kFloor, {0, 0, 0}, {0, 0, 1}), face(kWall, {3, 0, 0}, {-1, 0, 0}), face(kWall, {0, 2, 0}, {0, -1, 0})}};
@@ -151,7 +151,7 @@ inline std::vector<Eigen::Vector3d> PointsOf(const Solid& box) {
 }
 
 /// Of the points, those that have a surface within a voxel; by distance queries, which know surfaces only.
-inline std::vector<Eigen::Vector3d> WithSurface(std::shared_ptr<const MapSnapshot> map,
+inline std::vector<Eigen::Vector3d> WithSurface(const std::shared_ptr<const MapSnapshot>& map,
                                                 const std::vector<Eigen::Vector3d>& points) {
   SurfaceCache cache(std::size_t{1} << 28);
   const DistanceQuery query(cache.Of(map), {.max_distance_m = 1.0});
@@ -162,7 +162,8 @@ inline std::vector<Eigen::Vector3d> WithSurface(std::shared_ptr<const MapSnapsho
   return found;
 }
 
-inline double ShareWithSurface(std::shared_ptr<const MapSnapshot> map, const std::vector<Eigen::Vector3d>& points) {
+inline double ShareWithSurface(const std::shared_ptr<const MapSnapshot>& map,
+                               const std::vector<Eigen::Vector3d>& points) {
   return static_cast<double>(WithSurface(map, points).size()) / static_cast<double>(points.size());
 }
 

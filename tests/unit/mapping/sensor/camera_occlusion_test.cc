@@ -65,7 +65,8 @@ Scan ScanOf(const std::vector<Box>& boxes, const Scanner& scanner, const Camera&
   Scan scan;
   for (int row = 0; row < scanner.num_rows; ++row) {
     const double elevation = (scanner.top_deg - row * scanner.row_deg) * kDegree;
-    for (double azimuth = -50.01 * kDegree; azimuth < 50 * kDegree; azimuth += scanner.column_deg * kDegree) {
+    for (int column = 0; - 50.01 + column * scanner.column_deg < 50; ++column) {
+      const double azimuth = (-50.01 + column * scanner.column_deg) * kDegree;
       const Eigen::Vector3d ray(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                                 std::sin(elevation));
       const double range_m = Cast(boxes, scanner.eye_m, ray);
@@ -208,6 +209,7 @@ TEST(FindHiddenPoints, TheOrderOfPointsDoesNotMatter) {
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), std::mt19937(7));
   std::vector<ProjectedPoint> shuffled;
+  shuffled.reserve(order.size());
   for (const std::size_t i : order) shuffled.push_back(scan.points[i]);
   const auto again = FindHiddenPoints(shuffled, kWidth_px, kHeight_px);
   ASSERT_GT(std::count(again.begin(), again.end(), 1), 100);
@@ -217,6 +219,7 @@ TEST(FindHiddenPoints, TheOrderOfPointsDoesNotMatter) {
 TEST(FindHiddenPoints, TakesNoPointsASingleRowAndASmallImage) {
   EXPECT_TRUE(FindHiddenPoints({}, kWidth_px, kHeight_px).empty());
   std::vector<ProjectedPoint> row;
+  row.reserve(9);
   for (int u = 0; u < 8; ++u) row.push_back({static_cast<float>(u), 1, u % 2 == 0 ? 2.0f : 9.0f});
   EXPECT_EQ(FindHiddenPoints(row, 8, 4), std::vector<std::uint8_t>(8, 0));
   row.push_back({7, 3, 9});
