@@ -110,6 +110,7 @@ json ToJson(const Experiment& experiment) {
           {"class_map", ToJson(experiment.classes)},
           {"num_truth_samples", experiment.num_truth_samples},
           {"systems", list(experiment.systems)},
+          {"points_protocol", ToJson(experiment.points_protocol)},
           {"num_truth_points", experiment.num_truth_points},
           {"systems_on_points", list(experiment.on_points)}};
 }

@@ -34,8 +34,8 @@ class NearestSearch {
   /// rounding.
   [[nodiscard]] NearestSurface Find(const Eigen::Vector3d& p_map, double limit_m);
 
-  /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that and
-  /// 1e-4 voxels may count, too. Ends at the first.
+  /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that and 1e-4 voxels may count, too. Ends
+  /// at the first.
   [[nodiscard]] bool IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m);
 
   // Find in steps. What a step will look at has been fetched by the one before, so who has several searches, and goes

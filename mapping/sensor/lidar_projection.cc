@@ -54,6 +54,9 @@ Color Sample(const Image<Color>& image, double u, double v) {
   return {mix(c00.r, c10.r, c01.r, c11.r), mix(c00.g, c10.g, c01.g, c11.g), mix(c00.b, c10.b, c01.b, c11.b)};
 }
 
+/// Beyond it all is as far.
+constexpr double kFarthest_m = 1e9;
+
 /// Whatever the scan has of a point goes to an earlier place.
 void MovePoint(std::size_t from, std::size_t to, LidarData& scan) {
   scan.points_m[to] = scan.points_m[from];
@@ -97,7 +100,8 @@ Status ProjectImagesOntoScan(const LidarCamera& camera, const Image<Color>& colo
     if (has_segments) {
       scan.segments[kept] =
           segments.pixels[static_cast<std::size_t>(v) * segments.width_px + static_cast<std::size_t>(u)];
-      labelled.push_back({static_cast<float>(u), static_cast<float>(v), static_cast<float>(q.z() * metres)});
+      labelled.push_back(
+          {static_cast<float>(u), static_cast<float>(v), static_cast<float>(std::min(q.z() * metres, kFarthest_m))});
     }
     ++kept;
   }
