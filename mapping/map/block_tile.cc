@@ -25,7 +25,7 @@ bool BlockTile::Erase(int cell) {
 std::size_t BlockTile::MemoryBytes() const {
   std::size_t bytes = sizeof(*this) + entries_.capacity() * sizeof(BlockEntry);
   for (const BlockEntry& entry : entries_) {
-    if (entry.tsdf) bytes += sizeof(TsdfBlock);
+    if (entry.tsdf) bytes += entry.tsdf->MemoryBytes();
     if (entry.labels) bytes += entry.labels->MemoryBytes();
     if (entry.gone) bytes += entry.gone->MemoryBytes();
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "mapping/base/grid.h"
@@ -22,6 +23,7 @@ struct TsdfBlock {
   [[nodiscard]] bool IsObserved(int linear) const { return weight[linear] >= kMinObservedWeight; }
   [[nodiscard]] bool HasObservedVoxel() const;
   [[nodiscard]] int NumObservedVoxels() const;
+  [[nodiscard]] std::size_t MemoryBytes() const { return sizeof(*this); }
 };
 
 }  // namespace dhpmap

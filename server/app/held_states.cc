@@ -20,7 +20,7 @@ constexpr int kMostShareOfACore = 25;  // a look is this many times shorter than
 
 template <typename Layer>
 std::size_t BytesIfGone(const std::shared_ptr<const Layer>& layer, const std::shared_ptr<const Layer>* later) {
-  return layer == nullptr || (later != nullptr && layer == *later) ? 0 : sizeof(Layer);
+  return layer == nullptr || (later != nullptr && layer == *later) ? 0 : layer->MemoryBytes();
 }
 
 std::size_t BytesNotIn(const BlockTile& before, const BlockTile* later) {

@@ -10,7 +10,8 @@
 namespace dhpmap {
 namespace {
 
-constexpr std::size_t kBlock_bytes = sizeof(TsdfBlock) + sizeof(LabelBlock);
+/// With what the layers hold outside of themselves: of labels nearly all.
+const std::size_t kBlock_bytes = TsdfBlock().MemoryBytes() + LabelBlock().MemoryBytes();
 constexpr SubmapId kThing{1}, kOther{2};
 
 /// A map of two submaps of 10 blocks, each with TSDF and labels.
