@@ -56,6 +56,7 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
   experiment.preset = recording.preset();
   experiment.labels = options.labels == LabelSource::kPredicted ? "predicted" : "groundtruth";
   DHPMAP_ASSIGN_OR_RETURN(experiment.config, ConfigFor(recording.preset(), options.settings));
+  recording.set_min_score(experiment.config.tracking.min_score);
   DHPMAP_ASSIGN_OR_RETURN(experiment.classes,
                           ReadClasses(options, truth_recording.label_classes(), recording.label_classes()));
   experiment.protocol = ProtocolFor(experiment.config.voxel_size_m);

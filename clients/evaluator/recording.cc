@@ -42,7 +42,11 @@ Result<PanopticFrame> Recording::Decode(std::size_t index) {
   DHPMAP_ASSIGN_OR_RETURN(const DatasetFrame raw, dataset_->Read(index));
   DHPMAP_ASSIGN_OR_RETURN(PanopticFrame frame, DecodeFrame(raw, dataset_->has_persistent_ids()));
   std::optional<PanopticFrame> changed = WithoutHiddenThings(frame, label_set_);
-  return changed ? *std::move(changed) : std::move(frame);
+  if (changed) frame = *std::move(changed);
+  for (SegmentInfo& segment : frame.segments) {
+    if (segment.IsDoubtful(min_score_)) segment.class_id.reset();
+  }
+  return frame;
 }
 
 Status Recording::ForEach(const std::function<Status(const PanopticFrame&)>& use) {

@@ -14,13 +14,16 @@ namespace dhpmap::evaluator {
 
 /// The frames of a data set, decoded. Keeps what fits into the cache for the next system and decodes the rest
 /// again. Frames that cannot be read are left out, the same ones for every system. What MapBuilder forgets of hidden
-/// points (see WithoutHiddenThings) is forgotten here, so that every system has it. Thread-compatible.
+/// points (see WithoutHiddenThings) and of segments of a small score is forgotten here, so that every system has it.
+/// Thread-compatible.
 class Recording {
  public:
   /// The first `num_frames` frames (0 = all), of which up to `cache_bytes` are kept decoded.
   static Result<Recording> Open(const std::string& directory, const std::string& format, LabelSource labels,
                                 std::size_t num_frames, std::size_t cache_bytes);
 
+  /// TrackingConfig::min_score; before the first ForEach.
+  void set_min_score(double min_score) { min_score_ = min_score; }
   [[nodiscard]] const std::vector<LabelClass>& label_classes() const { return dataset_->label_classes(); }
   [[nodiscard]] std::string preset() const { return dataset_->preset(); }
   [[nodiscard]] std::size_t num_frames() const { return num_frames_; }
@@ -42,6 +45,7 @@ class Recording {
 
   std::unique_ptr<Dataset> dataset_;
   LabelSet label_set_;
+  double min_score_ = 0;
   std::size_t num_frames_ = 0, cache_bytes_ = 0;
   std::vector<PanopticFrame> cached_;   ///< the first readable frames
   std::size_t num_cached_indices_ = 0;  ///< of the data set, that they cover

@@ -28,6 +28,7 @@ struct TrackingConfig {
   double iou_threshold = 0.12;        ///< a segment joins a submap only above this IoU
   double depth_tolerance_vox = 1.0;   ///< a point hits a submap where |distance| is below this
   bool match_requires_class = false;  ///< things only match submaps of their own class
+  double min_score = 0;         ///< segments of a smaller score are geometry only; those without one (0) always count
   int split_gap_vox = 5;        ///< parts of a thing's segment that lie farther apart are matched one by one; 0 = never
   int min_points_stuff = 1000;  ///< points that a new background submap needs in one frame
   int min_points_small = 60;    ///< the same for things, by the size of their class
@@ -105,6 +106,8 @@ void VisitFields(Config& c, Visitor&& visit) {
         "a point hits a submap where |distance| is below this");
   visit("tracking.match_requires_class", c.tracking.match_requires_class, 0.0, 1.0,
         "things only match submaps of their own class");
+  visit("tracking.min_score", c.tracking.min_score, 0.0, 1.0,
+        "segments of a smaller score are geometry only; those without one always count");
   visit("tracking.split_gap_vox", c.tracking.split_gap_vox, 0.0, 1000.0,
         "parts of a thing's segment farther apart are matched one by one; 0 = never");
   visit("tracking.min_points_stuff", c.tracking.min_points_stuff, 1.0, 1e9, "points a new background submap needs");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,9 @@ constexpr int kCrfTileSide = 8;  // blocks; with 12 PQ is the same within 0.004,
 /// Of tiles under way. Some 80 voxels a block and 0.5 kB a voxel make 50 MB of it, on machines of many cores more. The
 /// sample apartment's largest tile has 1,178 blocks.
 constexpr std::size_t kMostBlocksAtOnce = 1400, kMostBlocksAThread = 500;
-constexpr float kPriorCount = 1;  // observations that an unobserved voxel is given, spread over all channels
+/// Observations that a label is given which a voxel has not seen. Of .03 to .5 all are within a thousandth on the house
+/// and two KITTI excerpts, and this is not below any on two apartments.
+constexpr float kPriorCount = 0.2f;
 
 /// A voxel that takes part: where it is stored.
 struct Member {
@@ -124,26 +127,23 @@ void AssignChannels(std::span<const HeldBlock> blocks, Problem& problem) {
   problem.instances.Assign(problem.neighbours);
 }
 
-/// The unary terms of paper eq. (3): turns counts into energies, -log of their shares. What was not seen has the prior
-/// alone.
-void ToEnergies(std::span<float> counts) {
-  float total = kPriorCount;
-  for (const float count : counts) total += count;
-  const float prior = kPriorCount / static_cast<float>(counts.size());
-  const float unseen = -std::log(prior / total);  // most labels, at most voxels
-  for (float& value : counts) value = value == 0 ? unseen : -std::log((value + prior) / total);
-}
+/// The unary term of paper eq. (3): -log of a label's share of the counts, but for a constant a voxel.
+float EnergyOf(std::uint32_t count) { return -std::log1p(static_cast<float>(count) / kPriorCount); }
 
+/// Labels that do not occur within reach of a voxel are impossible there, so that a crowd elsewhere in the tile says
+/// nothing about it; one that does, and that it has not seen, has the prior alone.
 template <typename Kind>
 void FillUnaries(std::span<const HeldBlock> blocks, const LabelChannels& channels, Problem& problem) {
   const auto num_channels = static_cast<std::size_t>(channels.num_channels());
   problem.values.assign(problem.members.size() * num_channels, 0.0f);
   for (std::size_t p = 0; p < problem.members.size(); ++p) {
     const auto& [b, linear] = problem.members[p];
+    const std::uint32_t place = problem.place_numbers.Find(blocks[b].index);
     const std::span<float> row(problem.values.data() + p * num_channels, num_channels);
-    Kind::Visit(blocks[b], linear,
-                [&](LabelCount seen) { row[channels.ChannelOf(seen.id)] = static_cast<float>(seen.count); });
-    ToEnergies(row);
+    for (std::uint32_t c = 0; c < num_channels; ++c) {
+      if (channels.LabelAt(place, c) == LabelChannels::kNone) row[c] = std::numeric_limits<float>::infinity();
+    }
+    Kind::Visit(blocks[b], linear, [&](LabelCount seen) { row[channels.ChannelOf(seen.id)] = EnergyOf(seen.count); });
   }
 }
 

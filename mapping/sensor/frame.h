@@ -20,6 +20,9 @@ struct SegmentInfo {
   /// Empty: the object is not known; its points go to the unknown submap.
   std::optional<ClassId> class_id;
   float score = 0.0f;  ///< 0..1, 0 where the network gives none
+
+  /// The network itself gives it less than `min_score`.
+  [[nodiscard]] bool IsDoubtful(double min_score) const { return score > 0 && static_cast<double>(score) < min_score; }
 };
 
 /// Images of one depth camera, registered to each other: same size, row-major, width * height values.

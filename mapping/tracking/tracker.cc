@@ -218,7 +218,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (segments[s].row < 0) continue;
     const SegmentInfo& segment = frame.segments[static_cast<std::size_t>(segments[s].row)];
-    if (!segment.class_id) continue;
+    if (!segment.class_id || segment.IsDoubtful(config_.tracking.min_score)) continue;
     classes[s] = label_set.Find(*segment.class_id);
     if (classes[s]->panoptic == Panoptic::kStuff) {
       if (const Submap* stuff = FindStuff(map, classes[s]->id)) assignments[s].submap = stuff->id();

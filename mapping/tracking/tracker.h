@@ -34,6 +34,7 @@ struct OverlapTable {
 ///     touches one that did (a split segment);
 ///     a voxel that was looked through (GoneBlock) is matched by segments of the thing's own class only, as is a thing
 ///     that is absent: it has come back;
+///   - what the network itself doubts (tracking.min_score) goes to the unknown submap;
 ///   - what is left makes a new submap if it is large enough, else goes to the unknown submap.
 /// Ties are broken by submap id, then by table row. Thread-compatible.
 class Tracker {

@@ -16,8 +16,9 @@ namespace {
 
 using dhpmap::testing::SharedDataDir;
 
-std::vector<PanopticFrame> FramesOf(const std::string& folder, LabelSource labels) {
+std::vector<PanopticFrame> FramesOf(const std::string& folder, LabelSource labels, double min_score = 0) {
   auto recording = Recording::Open(folder, kAnyFormat, labels, 0, std::size_t{1} << 30);
+  if (recording.ok()) recording->set_min_score(min_score);
   std::vector<PanopticFrame> frames;
   const auto keep = [&frames](const PanopticFrame& frame) {
     frames.push_back(frame);
@@ -84,6 +85,28 @@ TEST(Recording, ForgetsLabelsOfHiddenThingsWhichAreWrong) {
     EXPECT_LT(tally.num_right, tally.num_points / 20);
     EXPECT_EQ(tally.num_kept, 0);
   }
+}
+
+/// Segments that say what they are, although the network gives them less.
+int NumBelow(float score, const std::vector<PanopticFrame>& frames) {
+  int number = 0;
+  for (const PanopticFrame& frame : frames) {
+    for (const SegmentInfo& segment : frame.segments) {
+      number += segment.class_id && segment.score > 0 && segment.score < score;
+    }
+  }
+  return number;
+}
+
+TEST(Recording, ForgetsWhatTheNetworkDoubtsForEverySystem) {
+  const auto data = SharedDataDir();
+  if (data.empty()) GTEST_SKIP() << "no shared data";
+  const std::string folder = (data / "kitti/sequences/00").string();
+  EXPECT_GT(NumBelow(0.6f, FramesOf(folder, LabelSource::kPredicted)), 50);
+  const auto frames = FramesOf(folder, LabelSource::kPredicted, 0.6);
+  EXPECT_EQ(NumBelow(0.6f, frames), 0);
+  EXPECT_GT(NumBelow(2.0f, frames), 10);
+  EXPECT_FALSE(ClassesOf(frames.front()).empty());
 }
 
 TEST(Recording, OfTheGroundTruthHasNoHiddenPoints) {

@@ -128,6 +128,25 @@ TEST(RefineLabels, ClassesFollowTheirNeighboursToo) {
   });
 }
 
+TEST(RefineLabels, ACrowdElsewhereInTheTileChangesNothing) {
+  Map map = Slab(0.2, false), crowded = Slab(0.2, false);
+  for (std::uint32_t i = 0; i < 30; ++i) {  // in one block, so that each needs a channel of its own
+    Submap& submap = AddSubmap(crowded);
+    Put(submap, {-20, 4, 50 + static_cast<int>(i % 6)}, 0.0f, 1.0f, {{{1, 1}}, {{0, 1}}});
+  }
+  ThreadPool pool(2);
+  RefineLabels(AllIds(map), map, pool);
+  RefineLabels(AllIds(crowded), crowded, pool);
+  std::set<std::pair<VoxelIndex, SubmapId>> alone, beside;
+  ForEachVoxel(map, [&](const Submap& submap, const BlockEntry& entry, int i) {
+    alone.emplace(VoxelIn(entry.index, i), submap.id());
+  });
+  ForEachVoxel(crowded, [&](const Submap& submap, const BlockEntry& entry, int i) {
+    if (entry.index.z < 6) beside.emplace(VoxelIn(entry.index, i), submap.id());
+  });
+  EXPECT_EQ(alone, beside);
+}
+
 TEST(RefineLabels, DoesNotTouchSubmapsThatAreNotNamed) {
   Map map = Slab(0.2, false);
   const auto before = map.Publish(0);

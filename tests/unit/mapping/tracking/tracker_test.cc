@@ -179,6 +179,22 @@ TEST_F(TrackerTest, SmallSegmentsGoToTheUnknownSubmap) {
   EXPECT_FALSE(assignments[0].is_new);
 }
 
+TEST_F(TrackerTest, WhatTheNetworkDoubtsIsGeometryOnly) {
+  map_.mutable_info().config.tracking.min_score = 0.6;
+  PanopticFrame frame = FrameOf(TwoBoxes());
+  frame.segments[0].score = 0.59f;
+  frame.segments[1].score = 0.6f;
+  const auto first = Feed(frame);  // the wall has no score
+  EXPECT_EQ(first[0].submap, kUnknownSubmap);
+  EXPECT_TRUE(first[1].is_new);
+  EXPECT_TRUE(first[2].is_new);
+  frame.segments[0].score = 0.9f;
+  frame.segments[1].score = 0.1f;  // nor does it say what an object is that is already there
+  const auto second = Feed(frame);
+  EXPECT_TRUE(second[0].is_new);
+  EXPECT_EQ(second[1].submap, kUnknownSubmap);
+}
+
 TEST_F(TrackerTest, ThingThatIsNotSeenAgainDissolvesAndItsGeometryStays) {
   const auto first = Feed(FrameOf(TwoBoxes()));
   const auto count_observed = [this] {
