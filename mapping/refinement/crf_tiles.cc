@@ -25,13 +25,34 @@ struct FirstChoice {
   }
 };
 
+/// Whether a list of counts has two labels in front: what is around the voxel may choose either.
+class Lead {
+ public:
+  void operator()(LabelCount seen) {
+    is_tied_ = seen.count == most_ || (is_tied_ && seen.count < most_);
+    most_ = std::max(most_, seen.count);
+  }
+  [[nodiscard]] bool is_tied() const { return is_tied_; }
+
+ private:
+  std::uint32_t most_ = 0;
+  bool is_tied_ = false;
+};
+
+bool IsTied(const LabelBlock& labels, int linear) {
+  Lead classes, instances;
+  labels.VisitClasses(linear, [&](LabelCount seen) { classes(seen); });
+  labels.VisitInstances(linear, [&](LabelCount seen) { instances(seen); });
+  return classes.is_tied() || instances.is_tied();
+}
+
 FirstChoice ChoiceOf(const HeldBlock& block) {
   FirstChoice choice;
   const LabelBlock& labels = *block.entry->labels;
   for (int i = 0; i < kBlockVoxels && !choice.is_disputed; ++i) {
     if (!block.entry->Shows(i) || labels.IsEmpty(i)) continue;
     const std::uint32_t instance = labels.BestInstance(i).id;
-    choice.Add({.class_id = labels.BestClass(i).id, .instance = instance == 0 ? block.holder.value : instance});
+    choice.Add({.is_disputed = IsTied(labels, i), .class_id = labels.BestClass(i).id, .instance = instance == 0 ? block.holder.value : instance});
   }
   return choice;
 }

@@ -173,7 +173,18 @@ TEST(RefineLabels, ACancelledRunEnds) {
   EXPECT_EQ(RefineLabels(AllIds(map), map, pool, nullptr, [] { return true; }).num_voxels, 0);
 }
 
-/// First choices (class, instance) of all voxels within `rim` blocks: the obvious way.
+/// Those of a list that nothing was seen more often than.
+std::vector<std::uint32_t> Foremost(const std::vector<LabelCount>& counts) {
+  std::uint32_t most = 0;
+  for (const LabelCount& seen : counts) most = std::max(most, seen.count);
+  std::vector<std::uint32_t> ids;
+  for (const LabelCount& seen : counts) {
+    if (seen.count == most) ids.push_back(seen.id);
+  }
+  return ids;
+}
+
+/// First choices (class, instance) of all voxels within `rim` blocks, ties included: the obvious way.
 std::set<std::pair<std::uint32_t, std::uint32_t>> ChoicesAround(std::span<const HeldBlock> blocks, BlockIndex at,
                                                                 int rim) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> choices;
@@ -182,8 +193,12 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> ChoicesAround(std::span<const 
         std::max({std::abs(block.index.x - at.x), std::abs(block.index.y - at.y), std::abs(block.index.z - at.z)});
     for (int i = 0; i < kBlockVoxels && distance <= rim; ++i) {
       if (!block.entry->tsdf->IsObserved(i) || block.entry->labels->IsEmpty(i)) continue;
-      const std::uint32_t instance = block.entry->labels->BestInstance(i).id;
-      choices.emplace(block.entry->labels->BestClass(i).id, instance == 0 ? block.holder.value : instance);
+      const LabelHistograms seen = block.entry->labels->Get(i);
+      for (const std::uint32_t class_id : Foremost(seen.classes)) {
+        for (const std::uint32_t id : Foremost(seen.instances)) {
+          choices.emplace(class_id, id == 0 ? block.holder.value : id);
+        }
+      }
     }
   }
   return choices;
@@ -207,6 +222,28 @@ TEST_P(ManagedMaps, AreCutIntoTilesOfJustTheBlocksInDisputeAndWhatIsAround) {
   for (std::uint32_t b = 0; b < blocks.size(); ++b) {
     EXPECT_EQ(inside[b], ChoicesAround(blocks, blocks[b].index, 1).size() > 1 ? 1 : 0);
   }
+}
+
+TEST(CutTiles, ATieIsADispute) {
+  Map map = Slab(0.0, false);
+  const VoxelIndex far{-20, 12, 0};
+  LabelBlock& labels = map.FindMutable(SubmapId(1))->MutableLabels(BlockOf(far));
+  ThreadPool pool(1);
+  const auto is_solved = [&] {
+    const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
+    for (const CrfTile& tile : CutTiles(blocks, 1, 1, pool)) {
+      for (const std::uint32_t b : tile.inner) {
+        if (blocks[b].index == BlockOf(far)) return true;
+      }
+    }
+    return false;
+  };
+  labels.Set(LinearIndex(far), {{{1, 5}, {2, 4}}, {{0, 9}}});
+  EXPECT_FALSE(is_solved());
+  labels.Set(LinearIndex(far), {{{1, 5}, {2, 5}}, {{0, 10}}});
+  EXPECT_TRUE(is_solved());
+  labels.Set(LinearIndex(far), {{{1, 10}}, {{0, 5}, {2, 5}}});
+  EXPECT_TRUE(is_solved());
 }
 
 TEST(CutTiles, LeavesOutWhatNobodyDisputes) {
