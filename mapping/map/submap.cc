@@ -129,7 +129,7 @@ void Submap::AddClassObservations(ClassId c, std::uint64_t count) {
                              [](const ClassTotal& entry, ClassId wanted) { return entry.id < wanted; });
   if (it == totals.end() || it->id != c) it = totals.insert(it, {c, 0});
   it->count += count;
-  if (info_.class_is_fixed) return;
+  if (info_.class_is_fixed || info_.panoptic == Panoptic::kStuff) return;
   const auto best = std::max_element(totals.begin(), totals.end(),
                                      [](const ClassTotal& x, const ClassTotal& y) { return x.count < y.count; });
   info_.class_id = best->id;

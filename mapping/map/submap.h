@@ -33,7 +33,8 @@ struct ClassTotal {
 struct SubmapInfo {
   SubmapId id;
   Panoptic panoptic = Panoptic::kUnknown;
-  /// Most frequent class of class_counts, unless class_is_fixed. Meaningless while panoptic is kUnknown.
+  /// Of a thing the most frequent class of class_counts, unless class_is_fixed; of a background the one it was made
+  /// for. Meaningless while panoptic is kUnknown.
   ClassId class_id;
   /// Set by a user's relabelling; fusion then leaves class_id alone.
   bool class_is_fixed = false;
@@ -108,7 +109,8 @@ class Submap {
   /// For a loaded map, whose sphere is in its row.
   void set_bounding_sphere(const BoundingSphere& sphere) { sphere_ = sphere; }
 
-  /// Adds observations of a class and, unless the class is fixed, re-elects class_id (ties: the smaller id).
+  /// Adds observations of a class and re-elects the class_id of a thing (ties: the smaller id), unless it is fixed. A
+  /// background keeps the class that it was made for, whatever it is given: there is one for each.
   void AddClassObservations(ClassId c, std::uint64_t count);
 
   /// Called by Map when this copy starts to be written in a new generation.

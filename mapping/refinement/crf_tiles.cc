@@ -52,7 +52,9 @@ FirstChoice ChoiceOf(const HeldBlock& block) {
   for (int i = 0; i < kBlockVoxels && !choice.is_disputed; ++i) {
     if (!block.entry->Shows(i) || labels.IsEmpty(i)) continue;
     const std::uint32_t instance = labels.BestInstance(i).id;
-    choice.Add({.is_disputed = IsTied(labels, i), .class_id = labels.BestClass(i).id, .instance = instance == 0 ? block.holder.value : instance});
+    choice.Add({.is_disputed = IsTied(labels, i),
+                .class_id = labels.BestClass(i).id,
+                .instance = instance == 0 ? block.holder.value : instance});
   }
   return choice;
 }

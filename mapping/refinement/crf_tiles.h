@@ -42,8 +42,8 @@ struct CrfTile {
 
 /// Cuts the blocks into cubes of `side` blocks; what lies within `rim` blocks of an inner block is in its tile, too.
 /// Blocks are left out where nothing is in dispute: if all voxels within `rim` blocks have the same first choice of
-/// class and instance, and no other is seen as often by any of them, then it gets the largest message everywhere and stays
-/// the first choice. Largest tiles first.
+/// class and instance, and none has seen another as often, then it gets the largest message everywhere and stays the
+/// first choice. Largest tiles first.
 std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim, ThreadPool& pool);
 
 /// Leaves out tiles of which no block, rim included, was written since `before`.

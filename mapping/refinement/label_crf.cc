@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "mapping/refinement/dense_crf.h"
 #include "mapping/refinement/label_channels.h"
 #include "mapping/refinement/label_management.h"
+#include "mapping/refinement/submap_labels.h"
 #include "mapping/refinement/voxel_merge.h"
 
 namespace dhpmap {
@@ -264,10 +266,13 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
   homes.reserve(all.size());
   for (const Change& change : all)
     homes.emplace_back(blocks[change.member.block].index, blocks[change.member.block].holder);
+  std::set<SubmapId> changed;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [index, holder] = homes[i];
     Apply(all[i], holder, map.FindMutable(holder)->MutableLabels(index));
+    changed.insert(holder);
   }
+  for (const SubmapId id : changed) RecomputeSubmapLabels(*map.FindMutable(id));
   MoveForeignVoxels(ids, map, pool);
   return report;
 }

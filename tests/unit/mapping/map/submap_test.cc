@@ -158,5 +158,14 @@ TEST(Submap, ElectsTheMostSeenClassUnlessItIsFixed) {
   EXPECT_EQ(submap.info().ClassConfidence(), 0.0f);
 }
 
+TEST(Submap, ABackgroundKeepsTheClassThatItWasMadeFor) {
+  Submap submap = EmptySubmap();
+  submap.mutable_info().panoptic = Panoptic::kStuff;
+  submap.mutable_info().class_id = ClassId(8);
+  submap.AddClassObservations(ClassId(2), 3);
+  EXPECT_EQ(submap.info().class_id, ClassId(8)) << "or there would soon be two of one class";
+  EXPECT_EQ(submap.info().class_counts, (std::vector<ClassTotal>{{ClassId(2), 3}}));
+}
+
 }  // namespace
 }  // namespace dhpmap

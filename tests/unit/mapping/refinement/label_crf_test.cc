@@ -10,6 +10,7 @@
 
 #include "mapping/refinement/crf_tiles.h"
 #include "mapping/refinement/label_management.h"
+#include "mapping/refinement/submap_labels.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/mapping/refinement/random_map.h"
 
@@ -56,6 +57,16 @@ TEST_P(ManagedMaps, LeaveNothingForLabelManagementAfterwards) {
   const auto refined = map_.Publish(0);
   ManageLabels(AllIds(map_), map_, pool_);
   EXPECT_EQ(map_.Publish(0), refined);
+}
+
+TEST_P(ManagedMaps, HaveTheTotalsOfTheirVoxels) {
+  for (const SubmapId id : AllIds(map_)) RecomputeSubmapLabels(*map_.FindMutable(id));
+  EXPECT_GT(RefineLabels(AllIds(map_), map_, pool_).num_changed_classes, 0);
+  Map counted(map_.Freeze());
+  for (const SubmapId id : AllIds(counted)) RecomputeSubmapLabels(*counted.FindMutable(id));
+  for (const auto& submap : map_.submaps()) {
+    EXPECT_EQ(submap->info().class_counts, counted.Find(submap->id())->info().class_counts);
+  }
 }
 
 TEST_P(ManagedMaps, AreRefinedTheSameByAnyNumberOfThreads) {
