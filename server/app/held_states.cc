@@ -111,7 +111,7 @@ HeldStates::~HeldStates() {
 std::unique_ptr<HeldStates::Hold> HeldStates::TryHold(State state, LetGo let_go) {
   {
     const MutexLock lock(mutex_);
-    if (bytes_ > limit_bytes_ / 4) return nullptr;
+    if (bytes_ > limit_bytes_ / 2) return nullptr;
   }
   return Add(std::make_shared<Held>(std::move(state), std::move(let_go)));
 }

@@ -43,7 +43,7 @@ class HeldStates {
   HeldStates(const HeldStates&) = delete;
   HeldStates& operator=(const HeldStates&) = delete;
 
-  /// Null if older states have taken a quarter of the budget: those who hold them shall come to an end first.
+  /// Null if older states have taken half of the budget: those who hold them shall come to an end first.
   std::unique_ptr<Hold> TryHold(State state, LetGo let_go) DHPMAP_EXCLUDES(mutex_);
   /// For what ends soon of its own.
   std::unique_ptr<Hold> TakeHold(State state) DHPMAP_EXCLUDES(mutex_);

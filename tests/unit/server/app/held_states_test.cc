@@ -131,10 +131,11 @@ TEST_F(HeldStatesTest, NoMoreAreTakenWhileOlderOnesHoldMuch) {
   Write(kOther, 0, 10);
   Now();
   EXPECT_EQ(BlocksHeld(), 20u);
-  EXPECT_NE(states_.TryHold(Now(), {}), nullptr);
+  Write(kOther, 20, 40);
   const auto newest = states_.TakeHold(Now());
+  EXPECT_NE(states_.TryHold(Now(), {}), nullptr);
   Close();
-  EXPECT_EQ(BlocksHeld(), 40u);
+  EXPECT_EQ(BlocksHeld(), 60u);
   EXPECT_EQ(states_.TryHold(Now(), {}), nullptr);
 }
 
