@@ -2,61 +2,13 @@
 #include "mapping/tracking/tracker.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
-#include <string>
-
-#include "mapping/map/map_grid.h"
-#include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
 namespace {
 
-/// A thing that a segment may match, on the map's grid or moved away from it.
-struct Candidate {
-  const Submap* submap;
-  ClassId class_id;
-  BoundingSphere sphere_map;
-  bool is_on_map_grid;
-  float tolerance_m;
-};
-
-/// Where an object was and is no longer, something of its class may be it come back; anything else is not.
-bool MayReturn(const Candidate& candidate, std::optional<ClassId> class_id) { return class_id == candidate.class_id; }
-
-bool IsHit(const BlockEntry& entry, int linear, bool may_return, float tolerance_m) {
-  return (may_return ? entry.tsdf->IsObserved(linear) : entry.Shows(linear)) &&
-         std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) < tolerance_m;
-}
-
-/// Points of the cell that hit a candidate on the same grid: exact, since all points of a bundle share its voxel.
-std::int64_t CountAlignedHits(const SegmentBundles& segment, const BundleCell& cell, const Candidate& candidate,
-                              bool may_return) {
-  const BlockEntry* entry = candidate.submap->blocks().Find(cell.block);
-  if (entry == nullptr || entry->tsdf == nullptr) return 0;
-  std::int64_t hits = 0;
-  for (std::uint32_t b = 0; b < cell.num_bundles; ++b) {
-    const Bundle& bundle = segment.bundles[cell.first_bundle + b];
-    if (IsHit(*entry, bundle.linear, may_return, candidate.tolerance_m)) hits += bundle.num_points;
-  }
-  return hits;
-}
-
-/// The same for a candidate with a pose or voxel size of its own: each bundle stands at its mean point.
-std::int64_t CountMovedHits(const SegmentBundles& segment, const BundleCell& cell, const Candidate& candidate,
-                            bool may_return, const Eigen::Vector3d& sensor_map) {
-  const Transform T_submap_map = candidate.submap->info().T_map_submap.inverse();
-  std::int64_t hits = 0;
-  for (std::uint32_t b = 0; b < cell.num_bundles; ++b) {
-    const Bundle& bundle = segment.bundles[cell.first_bundle + b];
-    const Eigen::Vector3d p_map = sensor_map + (bundle.weighted_sum_m / bundle.weight).cast<double>();
-    const VoxelIndex voxel = VoxelAt(T_submap_map * p_map, candidate.submap->info().voxel_size_m);
-    const BlockEntry* entry = candidate.submap->blocks().Find(BlockOf(voxel));
-    if (entry == nullptr || entry->tsdf == nullptr) continue;
-    if (IsHit(*entry, LinearIndex(voxel), may_return, candidate.tolerance_m)) hits += bundle.num_points;
-  }
-  return hits;
-}
+/// Of the largest part of its segment: a smaller one makes no object.
+constexpr double kLeastShareOfPart = 0.1;
 
 const Submap* FindStuff(const Map& map, ClassId class_id) {
   for (const auto& submap : map.submaps()) {
@@ -72,13 +24,20 @@ const Submap* FindTrack(const Map& map, std::uint32_t track_id) {
   return nullptr;
 }
 
-}  // namespace
-
-double OverlapTable::Iou(std::size_t segment, std::size_t candidate, std::int64_t num_segment_points) const {
-  const std::int64_t shared = hits[segment][candidate];
-  const std::int64_t all = candidate_hits[candidate] + num_segment_points - shared;
-  return all > 0 ? static_cast<double>(shared) / static_cast<double>(all) : 0.0;
+/// What bleeds over the border of a mask onto what is behind it is a part of few points, or lies on a thing that is
+/// there already: it is no object of its own. If it is one after all, other frames will tell. Parts of a segment follow
+/// each other, the largest first.
+bool IsMaskBorder(const std::vector<SegmentBundles>& segments, std::size_t s, const OverlapTable& overlaps) {
+  std::size_t first = s;
+  while (first > 0 && segments[first - 1].row == segments[s].row) --first;
+  if (first == s) return false;
+  const auto num_points = static_cast<double>(segments[s].num_points);
+  if (num_points < kLeastShareOfPart * static_cast<double>(segments[first].num_points)) return true;
+  const std::vector<std::int64_t>& hits = overlaps.hits[s];
+  return std::any_of(hits.begin(), hits.end(), [&](std::int64_t n) { return 2 * n >= segments[s].num_points; });
 }
+
+}  // namespace
 
 bool Touch(const SegmentBundles& a, const SegmentBundles& b) {
   for (const BundleCell& cell : a.cells) {
@@ -91,48 +50,6 @@ bool Touch(const SegmentBundles& a, const SegmentBundles& b) {
     }
   }
   return false;
-}
-
-OverlapTable Tracker::CountOverlaps(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
-                                    const Map& map) {
-  std::vector<Candidate> candidates;
-  OverlapTable table;
-  for (const auto& submap : map.submaps()) {
-    const SubmapInfo& info = submap->info();
-    const BoundingSphere sphere = submap->BoundingSphereInMap();
-    if (info.panoptic != Panoptic::kThing || !MayBeInView(frame, config_.integration.max_range_m, sphere)) continue;
-    const bool on_grid = IsOnMapGrid(info, config_);
-    candidates.push_back({submap.get(), info.class_id, sphere, on_grid,
-                          static_cast<float>(config_.tracking.depth_tolerance_vox * info.voxel_size_m)});
-    table.candidates.push_back(info.id);
-  }
-
-  const Eigen::Vector3d sensor_map = frame.T_map_sensor.translation();
-  const double cell_side_m = kBlockSide * config_.voxel_size_m;
-  const double cell_radius_m = std::sqrt(3.0) / 2 * cell_side_m;
-  table.hits.assign(segments.size(), std::vector<std::int64_t>(candidates.size(), 0));
-  pool_.ParallelFor(segments.size(), [&](std::size_t s) {
-    std::optional<ClassId> class_id;
-    if (segments[s].row >= 0) class_id = frame.segments[static_cast<std::size_t>(segments[s].row)].class_id;
-    for (const BundleCell& cell : segments[s].cells) {
-      const Eigen::Vector3d center =
-          BlockCorner(cell.block, config_.voxel_size_m) + Eigen::Vector3d::Constant(cell_side_m / 2);
-      for (std::size_t c = 0; c < candidates.size(); ++c) {
-        const Candidate& candidate = candidates[c];
-        if (!candidate.sphere_map.Intersects({center, cell_radius_m})) continue;
-        const bool may_return = MayReturn(candidate, class_id);
-        if (candidate.submap->IsAbsent() && !may_return) continue;
-        table.hits[s][c] += candidate.is_on_map_grid
-                                ? CountAlignedHits(segments[s], cell, candidate, may_return)
-                                : CountMovedHits(segments[s], cell, candidate, may_return, sensor_map);
-      }
-    }
-  });
-  table.candidate_hits.assign(candidates.size(), 0);
-  for (const auto& row : table.hits) {
-    for (std::size_t c = 0; c < row.size(); ++c) table.candidate_hits[c] += row[c];
-  }
-  return table;
 }
 
 void Tracker::MatchThings(const std::vector<SegmentBundles>& segments, const std::vector<bool>& is_open,
@@ -228,8 +145,10 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
       is_open[s] = true;
     }
   }
+  OverlapTable overlaps;
   if (std::find(is_open.begin(), is_open.end(), true) != is_open.end()) {
-    MatchThings(segments, is_open, frame, CountOverlaps(frame, segments, map), map, assignments);
+    overlaps = CountOverlaps(frame, segments, map, pool_);
+    MatchThings(segments, is_open, frame, overlaps, map, assignments);
   }
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (classes[s] == nullptr || assignments[s].submap != kUnknownSubmap) continue;
@@ -242,6 +161,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
         continue;
       }
     }
+    if (is_open[s] && IsMaskBorder(segments, s, overlaps)) continue;
     assignments[s] = {CreateSubmap(frame, segment, *classes[s], map), true, 0};
   }
   return assignments;

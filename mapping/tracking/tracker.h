@@ -8,6 +8,7 @@
 #include "mapping/fusion/bundler.h"
 #include "mapping/map/map.h"
 #include "mapping/sensor/frame.h"
+#include "mapping/tracking/overlap_table.h"
 
 namespace dhpmap {
 
@@ -18,24 +19,15 @@ struct Assignment {
   float iou = 0;        ///< of the match; 0 where none was computed
 };
 
-/// Overlap of a frame's segments with the map's things (paper II-B; algorithm.md 1): n_hits[segment][candidate] points.
-struct OverlapTable {
-  std::vector<SubmapId> candidates;             ///< ascending
-  std::vector<std::vector<std::int64_t>> hits;  ///< one row a segment, one column a candidate
-  /// hits / (points of the whole frame that hit the candidate + points of the segment - hits).
-  [[nodiscard]] double Iou(std::size_t segment, std::size_t candidate, std::int64_t num_segment_points) const;
-  std::vector<std::int64_t> candidate_hits;  ///< sum of each column
-};
-
 /// Spatial submap id tracker (paper II-B): finds the submap of every segment of a frame, or makes one.
 ///   - persistent ids: the thing with that track id;
 ///   - background: the one submap of its class;
 ///   - things: matched with thing submaps by IoU, best first, one to one; a second segment may join a submap only if it
 ///     touches one that did (a split segment);
-///     a voxel that was looked through (GoneBlock) is matched by segments of the thing's own class only, as is a thing
-///     that is absent: it has come back;
+///     what counts as overlap: CountOverlaps;
 ///   - what the network itself doubts (tracking.min_score) goes to the unknown submap;
-///   - what is left makes a new submap if it is large enough, else goes to the unknown submap.
+///   - what is left makes a new submap if it is large enough and no mere border of a mask, else goes to the unknown
+///     submap.
 /// Ties are broken by submap id, then by table row. Thread-compatible.
 class Tracker {
  public:
@@ -43,10 +35,6 @@ class Tracker {
 
   /// One assignment a segment of `segments` (see Bundler), on the map's grid. Creates submaps in `map`.
   std::vector<Assignment> Assign(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, Map& map);
-
-  /// The hits of every segment on every thing that may be in view; for tests and for Assign.
-  [[nodiscard]] OverlapTable CountOverlaps(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
-                                           const Map& map);
 
  private:
   void MatchThings(const std::vector<SegmentBundles>& segments, const std::vector<bool>& is_open,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "mapping/base/status.h"
 
@@ -55,6 +56,16 @@ struct ChangeBenchOptions {
 /// Maps a double walk of dhpmap-simulate --change: how much of what is gone still has a surface, how much of what was
 /// moved has one at its new place, and whether anything else has lost its own.
 Status RunChangeBench(const ChangeBenchOptions& options);
+
+struct FrayBenchOptions {
+  std::vector<std::string> directories;  ///< mapped one after the other into one map; of one place
+  std::vector<std::string> settings;     ///< key=value of the map's configuration, on top of the preset
+  std::size_t num_frames = 0;            ///< of each
+  int num_threads = 2;
+  bool list = false;  ///< all things, by the true object that most of each lies on
+};
+/// How many things a map lists for how many true ones, and how well they fit, after one or more recordings of a place.
+Status RunFrayBench(const FrayBenchOptions& options);
 
 struct QueryBenchOptions {
   std::string directory;

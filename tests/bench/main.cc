@@ -65,11 +65,21 @@ int main(int argc, char** argv) {
   change_command->add_flag("--carving", change.carving, "Clear free space too");
   change_command->add_flag("!--no-gone", change.gone, "Do not look for what is no longer there");
 
+  dhpmap::bench::FrayBenchOptions fray;
+  CLI::App* fray_command =
+      app.add_subcommand("fray", "How many things are listed a true one, recording after recording");
+  fray_command->add_option("directories", fray.directories, "Data sets of one place with ground truth")->required();
+  fray_command->add_option("--set", fray.settings, "key=value of the map's configuration, on top of the preset");
+  fray_command->add_option("--frames", fray.num_frames, "Frames of each, 0 = all");
+  fray_command->add_option("--threads", fray.num_threads, "Threads, 0 = one a core")->capture_default_str();
+  fray_command->add_flag("--list", fray.list, "List the things by the true object that they lie on");
+
   CLI11_PARSE(app, argc, argv);
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
                                 : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
                                 : change_command->parsed()   ? dhpmap::bench::RunChangeBench(change)
+                                : fray_command->parsed()     ? dhpmap::bench::RunFrayBench(fray)
                                                              : dhpmap::bench::RunCrfBench(crf);
   if (!status.ok()) std::fprintf(stderr, "dhpmap-bench: %s\n", status.ToString().c_str());
   return status.ok() ? 0 : 1;

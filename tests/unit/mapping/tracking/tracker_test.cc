@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
 #include "mapping/fusion/integrator.h"
+#include "mapping/fusion/segment_parts.h"
 #include "mapping/tracking/activity.h"
 #include "mapping/tracking/visibility.h"
 #include "tests/support/scenes.h"
@@ -97,9 +99,8 @@ TEST_F(TrackerTest, OverlapCountsAreThoseOfAPointByPointTest) {
   const PanopticFrame frame = FrameOf(TwoBoxes());
   Feed(frame);
   const MapConfig& config = map_.info().config;
-  Tracker tracker(config, pool_);
   const auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, config.voxel_size_m);
-  const OverlapTable table = tracker.CountOverlaps(frame, segments, map_);
+  const OverlapTable table = CountOverlaps(frame, segments, map_, pool_);
   ASSERT_EQ(table.candidates.size(), 2u);
   const PinholeCamera& camera = frame.camera->camera;
   for (std::size_t s = 0; s < segments.size(); ++s) {
@@ -127,6 +128,90 @@ TEST_F(TrackerTest, OverlapCountsAreThoseOfAPointByPointTest) {
                   0.01 * static_cast<double>(hits) + 2);
     }
   }
+}
+
+TEST_F(TrackerTest, PointsCountForTheThingThatWasObservedMostThere) {
+  const PanopticFrame frame = FrameOf(TwoBoxes());
+  const SubmapId box = Feed(frame)[0].submap;
+  Feed(frame);
+  const auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, map_.info().config.voxel_size_m);
+  const std::int64_t hits_alone = CountOverlaps(frame, segments, map_, pool_).candidate_hits[0];
+  ASSERT_GT(hits_alone, 100);
+
+  // Another thing has the same surface, seen half as often: it is no part of what is in view.
+  const SubmapId smear = map_.Clone(box)->id();
+  std::vector<BlockIndex> blocks;
+  for (const BlockEntry& entry : map_.Find(smear)->blocks().entries()) blocks.push_back(entry.index);
+  const auto scale_weights = [&](float factor) {
+    for (const BlockIndex index : blocks) {
+      for (float& weight : map_.FindMutable(smear)->MutableTsdf(index).weight) weight *= factor;
+    }
+  };
+  scale_weights(0.5f);
+  const OverlapTable less = CountOverlaps(frame, segments, map_, pool_);
+  ASSERT_EQ(less.candidates, (std::vector<SubmapId>{box, SubmapId(box.value + 1), smear}));
+  EXPECT_EQ(less.candidate_hits[0], hits_alone);
+  EXPECT_EQ(less.candidate_hits[2], 0);
+
+  // Of equals, the older; and seen more often, it takes all.
+  scale_weights(2.0f);
+  EXPECT_EQ(CountOverlaps(frame, segments, map_, pool_).candidate_hits[0], hits_alone);
+  scale_weights(2.0f);
+  const OverlapTable more = CountOverlaps(frame, segments, map_, pool_);
+  EXPECT_EQ(more.candidate_hits[0], 0);
+  EXPECT_EQ(more.candidate_hits[2], hits_alone);
+}
+
+TEST_F(TrackerTest, BorderOfAMaskOnWhatIsBehindItMakesNoObject) {
+  // Columns of the wall beside the first box belong to its mask.
+  const auto with_border = [](int num_columns) {
+    PanopticFrame frame = FrameOf(TwoBoxes());
+    const auto width = static_cast<std::size_t>(frame.camera->camera.width_px);
+    std::vector<std::uint32_t>& segments = frame.camera->segments;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const std::size_t row_begin = i - i % width;
+      const bool is_beside = std::find(segments.begin() + static_cast<std::ptrdiff_t>(row_begin),
+                                       segments.begin() + static_cast<std::ptrdiff_t>(row_begin + width),
+                                       1u) != segments.begin() + static_cast<std::ptrdiff_t>(row_begin + width);
+      if (is_beside && segments[i] == 3 && static_cast<int>(i % width) < num_columns) segments[i] = 1;
+    }
+    return frame;
+  };
+  map_.mutable_info().config.tracking.min_points_medium = 10;
+  const auto num_new = [&](const PanopticFrame& frame) {
+    auto segments = bundler_.BundleFrame(frame, frame.T_map_sensor, map_.info().config.voxel_size_m);
+    SplitIntoParts({true, true, false}, map_.info().config.tracking.split_gap_vox, segments);
+    Map map = map_.Fork();
+    const auto assignments = Tracker(map.info().config, pool_).Assign(frame, segments, map);
+    return std::count_if(assignments.begin(), assignments.end(), [](const Assignment& a) { return a.is_new; });
+  };
+  EXPECT_EQ(num_new(with_border(1)), 3);
+  EXPECT_EQ(num_new(with_border(10)), 4);  // two parked cars may be one mask, too
+}
+
+TEST_F(TrackerTest, PartOfASegmentThatLiesOnAnotherThingMakesNoObject) {
+  map_.mutable_info().config.tracking.min_points_medium = 10;
+  map_.mutable_info().config.tracking.iou_threshold = 0.5;
+  Feed(FrameOf(TwoBoxes()));
+  // The outer columns of the first box belong to the mask of the second one.
+  PanopticFrame frame = FrameOf(TwoBoxes());
+  const auto width = static_cast<std::size_t>(frame.camera->camera.width_px);
+  std::vector<std::uint32_t>& pixels = frame.camera->segments;
+  const bool is_left = std::find(pixels.begin(), pixels.end(), 1u) < std::find(pixels.begin(), pixels.end(), 2u);
+  for (std::size_t row = 0; row < pixels.size(); row += width) {
+    for (int taken = 0, i = 0; i < static_cast<int>(width) && taken < 5; ++i) {
+      std::uint32_t& pixel =
+          pixels[row + (is_left ? static_cast<std::size_t>(i) : width - 1 - static_cast<std::size_t>(i))];
+      if (pixel == 1) pixel = 2, ++taken;
+    }
+  }
+  auto segments = bundler_.BundleFrame(frame, frame.T_map_sensor, map_.info().config.voxel_size_m);
+  SplitIntoParts({true, true, false}, map_.info().config.tracking.split_gap_vox, segments);
+  const auto assignments = Tracker(map_.info().config, pool_).Assign(frame, segments, map_);
+  const auto part = std::find_if(segments.rbegin(), segments.rend(), [](const auto& p) { return p.row == 1; });
+  EXPECT_EQ(part->num_points, 145);
+  EXPECT_EQ(assignments[static_cast<std::size_t>(segments.rend() - part) - 1].submap, kUnknownSubmap);
+  for (const Assignment& assignment : assignments) EXPECT_FALSE(assignment.is_new);
 }
 
 TEST_F(TrackerTest, TwoThatDoNotTouchNeverShareASubmap) {
