@@ -43,6 +43,7 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"BAD_SESSION", StatusCode::kInvalidArgument, "the name of a session is malformed, or changes within a stream"},
     // Objects and edits.
     {"SUBMAP_NOT_FOUND", StatusCode::kNotFound, "the map has no submap of this id"},
+    {"MERGED_INTO", StatusCode::kNotFound, "the submap is a part of another now, which the metadata name as `into`"},
     {"UNKNOWN_SUBMAP", StatusCode::kFailedPrecondition, "the submap of unknown objects cannot be edited"},
     {"ETAG_MISMATCH", StatusCode::kAborted, "the etag given is not the present one"},
     {"BAD_EDIT", StatusCode::kInvalidArgument, "an edit has bad fields"},

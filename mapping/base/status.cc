@@ -41,6 +41,11 @@ Status&& Status::WithViolation(std::string field, std::string description) && {
   return std::move(*this);
 }
 
+Status&& Status::WithMetadata(std::string key, std::string value) && {
+  metadata_.emplace_back(std::move(key), std::move(value));
+  return std::move(*this);
+}
+
 void Status::AddViolation(std::string field, std::string description) {
   violations_.push_back({std::move(field), std::move(description)});
 }

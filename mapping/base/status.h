@@ -32,11 +32,14 @@ class [[nodiscard]] Status {
   /// Machine-readable cause, or none.
   [[nodiscard]] Reason reason() const { return reason_; }
   [[nodiscard]] const std::vector<FieldViolation>& violations() const { return violations_; }
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& metadata() const { return metadata_; }
 
   /// The table of reasons allows the reason to come with this code.
   Status& WithReason(Reason reason) &;
   Status&& WithReason(Reason reason) &&;
   Status&& WithViolation(std::string field, std::string description) &&;
+  /// What the reason means here: google.rpc.ErrorInfo.metadata.
+  Status&& WithMetadata(std::string key, std::string value) &&;
   void AddViolation(std::string field, std::string description);
 
   /// "INVALID_ARGUMENT: message [field: description; ...]" for logs and terminals.
@@ -47,6 +50,7 @@ class [[nodiscard]] Status {
   std::string message_;
   Reason reason_;
   std::vector<FieldViolation> violations_;
+  std::vector<std::pair<std::string, std::string>> metadata_;
 };
 
 Status InvalidArgument(std::string message);

@@ -106,6 +106,24 @@ void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
   MoveToOverflow(linear) = histograms;
 }
 
+bool LabelBlock::HasSeenInstance(std::uint32_t instance) const {
+  return std::any_of(overflow_.begin(), overflow_.end(), [instance](const LabelHistograms& entry) {
+    return std::any_of(entry.instances.begin(), entry.instances.end(),
+                       [instance](const LabelCount& seen) { return seen.id == instance; });
+  });
+}
+
+void LabelBlock::RenameInstance(std::uint32_t from, std::uint32_t to) {
+  for (LabelHistograms& entry : overflow_) {
+    const auto found = std::find_if(entry.instances.begin(), entry.instances.end(),
+                                    [from](const LabelCount& seen) { return seen.id == from; });
+    if (found == entry.instances.end()) continue;
+    const LabelCount renamed{to, found->count};
+    entry.instances.erase(found);
+    entry.instances = SumCounts(entry.instances, std::vector<LabelCount>{renamed});
+  }
+}
+
 bool LabelBlock::IsEmpty(int linear) const {
   return cells_[linear].class_a != kOverflow && cells_[linear].count_a == 0;
 }

@@ -61,6 +61,11 @@ class LabelBlock {
   void Set(int linear, const LabelHistograms& histograms);
   void Clear(int linear) { Set(linear, {}); }
 
+  /// Whether some voxel has seen the instance, which is not 0. Quick: few voxels have seen another than their own.
+  [[nodiscard]] bool HasSeenInstance(std::uint32_t instance) const;
+  /// What was seen of instance `from`, not 0, was `to`, 0 for the own one: their counts are added up.
+  void RenameInstance(std::uint32_t from, std::uint32_t to);
+
   [[nodiscard]] bool IsEmpty(int linear) const;
   [[nodiscard]] LabelHistograms Get(int linear) const;
 

@@ -123,6 +123,7 @@ bool Map::Remove(SubmapId id) {
   if (id == kUnknownSubmap || position == submaps_.size() || submaps_[position]->id() != id) return false;
   changed_ = true;
   submaps_.erase(submaps_.begin() + static_cast<std::ptrdiff_t>(position));
+  info_.pairs.Remove(id);
   return true;
 }
 

@@ -10,6 +10,8 @@
 #include "mapping/labels/label_set.h"
 #include "mapping/map/free_space.h"
 #include "mapping/map/map_config.h"
+#include "mapping/map/merged_ids.h"
+#include "mapping/map/object_pairs.h"
 #include "mapping/map/session_marks.h"
 #include "mapping/map/submap.h"
 
@@ -30,6 +32,8 @@ struct MapInfo {
   std::int64_t create_time_ns = 0;  ///< UTC
   std::int64_t update_time_ns = 0;  ///< UTC
   SessionMarks sessions;            ///< of the frames fused so far
+  MergedIds merged;                 ///< submaps that became parts of others
+  ObjectPairs pairs;                ///< what is known of whether two submaps are one object
 };
 
 Status ValidateMapName(const std::string& name);
@@ -84,7 +88,7 @@ class Map {
   Submap& Create(SubmapInfo info);
   /// Adds a copy of a submap under the next id, sharing its blocks; null if there is none. See also Submap.
   Submap* Clone(SubmapId id);
-  /// The unknown submap cannot be removed. Returns whether it was there.
+  /// The unknown submap cannot be removed. Returns whether it was there. What was known of its pairs is forgotten.
   bool Remove(SubmapId id);
 
   [[nodiscard]] const FreeSpace& free_space() const { return *free_space_; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <new>
 #include <string>
 #include <utility>
@@ -13,6 +14,8 @@
 #include "mapping/fusion/band_size.h"
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/segment_parts.h"
+#include "mapping/objects/object_care.h"
+#include "mapping/objects/pair_evidence.h"
 #include "mapping/pipeline/background_refinement.h"
 #include "mapping/pipeline/frame_fusion.h"
 #include "mapping/pipeline/stage_clock.h"
@@ -25,6 +28,9 @@
 
 namespace dhpmap {
 namespace {
+
+/// That are moved at a turn of refinement beyond one pair: a frame waits some 0.1 ms for each.
+constexpr std::size_t kMergedBlocksATurn = 32;
 
 /// Which rows of the frame's table are things.
 std::vector<bool> ThingRows(const PanopticFrame& frame, const LabelSet& label_set) {
@@ -62,7 +68,8 @@ struct MapBuilder::Impl {
               std::vector<SubmapId> contradicted, FrameReport& report);
   void Refine(FrameReport& report);
 
-  std::optional<RefinementReport> RefineOnTheSide();
+  void CareForObjects(FrameReport& report);
+  std::optional<RefinementReport> RefineOnTheSide(FrameReport& frame_report);
   RefinementReport TakeOver(const BackgroundRefinement::Outcome& outcome);
   void PruneEmptyBlocks();
   std::optional<RefinementReport> Finish(const std::function<bool()>& is_cancelled);
@@ -108,8 +115,9 @@ Status MapBuilder::Impl::CheckSize(const PanopticFrame& frame, const std::vector
   const std::size_t num_blocks =
       CountBandBlocks(segments, origin, config.voxel_size_m, config.truncation_m, kMaxBlocksAFrame);
   if (num_blocks <= kMaxBlocksAFrame) return Status::Ok();
-  return ResourceExhausted("the frame touches more than " + std::to_string(kMaxBlocksAFrame) +
-                           " blocks of the map: use larger voxels, a shorter range, or smaller frames")
+  return ResourceExhausted(std::string("the frame touches more than ")
+                               .append(std::to_string(kMaxBlocksAFrame))
+                               .append(" blocks of the map: use larger voxels, a shorter range, or smaller frames"))
       .WithReason("FRAME_TOO_LARGE");
 }
 
@@ -117,6 +125,7 @@ std::vector<Assignment> MapBuilder::Impl::Associate(const PanopticFrame& frame,
                                                     const std::vector<SegmentBundles>& segments, FrameReport& report) {
   const StageClock clock(report.track_s);
   std::vector<Assignment> assignments = tracker.Assign(frame, segments, map);
+  NotePairs(segments, tracker.overlaps(), map);
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const bool is_unknown = assignments[s].submap == kUnknownSubmap;
     if (is_unknown) report.num_unknown_points += segments[s].num_points;
@@ -161,7 +170,7 @@ void MapBuilder::Impl::Settle(const PanopticFrame& frame, const std::vector<Assi
 
 void MapBuilder::Impl::Refine(FrameReport& report) {
   const StageClock clock(report.refine_s);
-  report.refinement = RefineOnTheSide();
+  report.refinement = RefineOnTheSide(report);
 }
 
 RefinementReport MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome& outcome) {
@@ -172,9 +181,15 @@ RefinementReport MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome&
   return report;
 }
 
+/// Only while no refinement is under way, which would go on with the objects of before.
+void MapBuilder::Impl::CareForObjects(FrameReport& report) {
+  report.num_merged += MergePairs(map, kMergedBlocksATurn);
+  report.num_dissolved += DissolveRemnants(map);
+}
+
 /// Turns come by the number of frames in the map, not in this session: so a map that was saved and loaded in between
 /// is refined at the same frames. Returns what was taken over, if anything was.
-std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide() {
+std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide(FrameReport& frame_report) {
   const MapConfig& config = map.info().config;
   const RefinementConfig& refine = config.refinement;
   if (refine.every_frames == 0 || !(refine.management || refine.crf)) return std::nullopt;
@@ -185,6 +200,7 @@ std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide() {
     if (const auto outcome = refinement.Take()) report = TakeOver(*outcome);
     is_overdue = false;
   }
+  if (is_turn && !refinement.IsUnderWay()) CareForObjects(frame_report);
   if ((is_turn || is_waiting) && !refinement.IsUnderWay()) {
     auto slot = slots ? RefinementSlots::TryTake(slots) : std::nullopt;
     is_waiting = slots && !slot;
@@ -270,12 +286,14 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   GiveBackFreeMemory();  // what was under way had a state of the map of its own
   DeactivateAll(map);
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);
+  MergePairs(map, std::numeric_limits<std::size_t>::max());
   RefinementReport report = RefineMap(map, *pool, last_refined.get(), is_cancelled);
   if (is_cancelled && is_cancelled()) return std::nullopt;
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);  // of what was given to others, nothing is left to see
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
     report.num_bytes_dropped = DropVoxelLabels(map);
   }
+  DissolveRemnants(map);
   PruneEmptyBlocks();
   GiveBackFreeMemory();
   last_refined = std::make_shared<const StateMarks>(*map.Freeze());

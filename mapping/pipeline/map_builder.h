@@ -23,7 +23,8 @@ struct FrameReport {
   int num_segments = 0;                 ///< of the frame's table, with at least one point
   int num_matched = 0;                  ///< segments associated with a submap there was
   int num_created = 0;                  ///< new submaps
-  int num_dissolved = 0;                ///< unconfirmed submaps that went into the unknown submap
+  int num_dissolved = 0;                ///< submaps of wrong frames that went into the unknown submap
+  int num_merged = 0;                   ///< submaps that became a part of another
   std::int64_t num_voxels_updated = 0;
   // Wall time by stage; of refinement only what the frame had to wait for: freezing, taking over.
   double bundle_s = 0, track_s = 0, fuse_s = 0, free_s = 0, activity_s = 0, refine_s = 0;

@@ -145,10 +145,10 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
       is_open[s] = true;
     }
   }
-  OverlapTable overlaps;
+  overlaps_ = {};
   if (std::find(is_open.begin(), is_open.end(), true) != is_open.end()) {
-    overlaps = CountOverlaps(frame, segments, map, pool_);
-    MatchThings(segments, is_open, frame, overlaps, map, assignments);
+    overlaps_ = CountOverlaps(frame, segments, map, pool_);
+    MatchThings(segments, is_open, frame, overlaps_, map, assignments);
   }
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (classes[s] == nullptr || assignments[s].submap != kUnknownSubmap) continue;
@@ -161,7 +161,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
         continue;
       }
     }
-    if (is_open[s] && IsMaskBorder(segments, s, overlaps)) continue;
+    if (is_open[s] && IsMaskBorder(segments, s, overlaps_)) continue;
     assignments[s] = {CreateSubmap(frame, segment, *classes[s], map), true, 0};
   }
   return assignments;

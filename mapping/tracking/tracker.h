@@ -36,6 +36,9 @@ class Tracker {
   /// One assignment a segment of `segments` (see Bundler), on the map's grid. Creates submaps in `map`.
   std::vector<Assignment> Assign(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, Map& map);
 
+  /// What the last Assign has matched by; empty if there was nothing to match.
+  [[nodiscard]] const OverlapTable& overlaps() const { return overlaps_; }
+
  private:
   void MatchThings(const std::vector<SegmentBundles>& segments, const std::vector<bool>& is_open,
                    const PanopticFrame& frame, const OverlapTable& overlaps, const Map& map,
@@ -46,6 +49,7 @@ class Tracker {
 
   MapConfig config_;
   ThreadPool& pool_;
+  OverlapTable overlaps_;
 };
 
 /// True if a bundle of `a` ends in or beside (26 neighbours) a voxel in which one of `b` ends.

@@ -49,7 +49,7 @@ std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request) {
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                             const std::stop_token& stop) {
   const Submap* submap = request.submap ? map->Find(*request.submap) : nullptr;
-  if (request.submap && submap == nullptr) return NoSuchSubmap(*request.submap);
+  if (request.submap && submap == nullptr) return NoSuchSubmap(map->info(), *request.submap);
   const std::int64_t revision = map->revision();
   MeshStream mesh(std::move(map), submap, request.coloring, stop);
   if (stop.stop_requested()) return Cancelled("nobody waits for the mesh any longer");

@@ -79,14 +79,18 @@ void Apply(const SubmapPatch& patch, Submap& submap) {
 
 }  // namespace
 
-Status NoSuchSubmap(SubmapId id) {
-  return NotFound("submap " + std::to_string(id.value) + " does not exist").WithReason("SUBMAP_NOT_FOUND");
+Status NoSuchSubmap(const MapInfo& map, SubmapId id) {
+  const std::string which = "submap " + std::to_string(id.value);
+  const std::optional<SubmapId> into = map.merged.Into(id);
+  if (!into) return NotFound(which + " does not exist").WithReason("SUBMAP_NOT_FOUND");
+  const std::string other = "maps/" + map.name + "/submaps/" + std::to_string(into->value);
+  return NotFound(which + " is a part of " + other + " now").WithReason("MERGED_INTO").WithMetadata("into", other);
 }
 
 Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag) {
   const Submap* submap = map.Find(id);
   const std::string which = "submap " + std::to_string(id.value);
-  if (submap == nullptr) return NoSuchSubmap(id);
+  if (submap == nullptr) return NoSuchSubmap(map.info(), id);
   if (id == kUnknownSubmap) {
     return FailedPrecondition("submap 0 holds the geometry of unknown objects and cannot be edited")
         .WithReason("UNKNOWN_SUBMAP");

@@ -11,8 +11,8 @@
 
 namespace dhpmap {
 
-/// NOT_FOUND.
-Status NoSuchSubmap(SubmapId id);
+/// NOT_FOUND, with reason MERGED_INTO and the other's name if the submap is a part of another now.
+Status NoSuchSubmap(const MapInfo& map, SubmapId id);
 
 /// Single numbers of a pose; what is empty stays.
 struct PoseChange {

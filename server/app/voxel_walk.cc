@@ -16,7 +16,7 @@ Result<VoxelWalk> VoxelWalk::Begin(std::shared_ptr<const MapSnapshot> snapshot, 
         .WithViolation("max_abs_distance_m", "must be finite and 0 or more");
   }
   const Submap* found = snapshot->Find(submap);
-  if (found == nullptr) return NoSuchSubmap(submap);
+  if (found == nullptr) return NoSuchSubmap(snapshot->info(), submap);
   return VoxelWalk(std::move(snapshot), *found, max_abs_distance_m);
 }
 

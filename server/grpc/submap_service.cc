@@ -57,7 +57,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
       const Submap* submap = view->snapshot().Find(name.submap);
-      if (submap == nullptr) return NoSuchSubmap(name.submap);
+      if (submap == nullptr) return NoSuchSubmap(view->snapshot().info(), name.submap);
       response->set_revision(view->snapshot().revision());
       *response->mutable_submap() = ToProto(*submap, *view);
       return Status::Ok();
@@ -109,7 +109,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
           DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
           DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
           const auto state = OnlySubmap(view->snapshot(), name.submap);
-          if (state == nullptr) return NoSuchSubmap(name.submap);
+          if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), name.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
           DHPMAP_ASSIGN_OR_RETURN(VoxelWalk walk, VoxelWalk::Begin(state, name.submap, request->max_abs_distance_m()));
           return Stream::Next([chunks = VoxelChunks(std::move(walk))](v1::StreamSubmapVoxelsResponse& message) mutable {
@@ -129,7 +129,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
           DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
           auto state = view->shared_snapshot();
           if (wanted.submap) state = OnlySubmap(*state, *wanted.submap);
-          if (state == nullptr) return NoSuchSubmap(*wanted.submap);
+          if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), *wanted.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
           if (!keeps.room.Grow(BytesOfExport(*state, wanted))) return TooManyBytes();
           DHPMAP_ASSIGN_OR_RETURN(MeshFile file, ExportMesh(std::move(state), wanted, stop));

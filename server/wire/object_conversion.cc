@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mapping/map/display_name.h"
+#include "server/app/submap_edits.h"
 #include "server/wire/query_options.h"
 #include "server/wire/submap_conversion.h"
 #include "server/wire/types/pose_conversion.h"
@@ -81,9 +82,7 @@ Result<SubmapId> SubjectFromProto(const std::string& name, const MapSnapshot& ma
   DHPMAP_ASSIGN_OR_RETURN(const SubmapName parsed, ParseSubmapName(name, "submap"));
   if (parsed.map != map.info().name) return BadQuestion("submap", "is a submap of another map");
   if (map.Find(parsed.submap) == nullptr) {
-    return NotFound("there is no submap " + std::to_string(parsed.submap.value))
-        .WithReason("SUBMAP_NOT_FOUND")
-        .WithViolation("submap", "is not there");
+    return NoSuchSubmap(map.info(), parsed.submap).WithViolation("submap", "is not there");
   }
   return parsed.submap;
 }

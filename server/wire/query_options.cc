@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "server/app/submap_edits.h"
 #include "server/wire/types/pose_conversion.h"
 #include "server/wire/types/resource_names.h"
 
@@ -32,9 +33,7 @@ Result<SubmapId> SubmapFromProto(const std::string& name, const std::string& fie
   DHPMAP_ASSIGN_OR_RETURN(const SubmapName parsed, ParseSubmapName(name, field));
   if (parsed.map != map.info().name) return BadOption("BAD_FILTER", field, "is a submap of another map");
   if (map.Find(parsed.submap) == nullptr) {
-    return NotFound("there is no submap " + std::to_string(parsed.submap.value))
-        .WithReason("SUBMAP_NOT_FOUND")
-        .WithViolation(field, "is not there");
+    return NoSuchSubmap(map.info(), parsed.submap).WithViolation(field, "is not there");
   }
   return parsed.submap;
 }

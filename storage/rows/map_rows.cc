@@ -8,6 +8,7 @@
 #include "storage/rows/class_rows.h"
 #include "storage/rows/config_rows.h"
 #include "storage/rows/map_checksum_v1.h"
+#include "storage/rows/object_rows.h"
 #include "storage/rows/session_rows.h"
 #include "storage/rows/tile_rows.h"
 
@@ -29,13 +30,18 @@ Status Damaged(const std::string& name, const std::string& what) {
 }
 
 /// The version that map rows are sealed with now: it stands for the columns of their parts, too.
-int SealVersion() { return std::max({Maps().version(), Classes().version(), Sessions().version()}); }
+int SealVersion() {
+  return std::max(
+      {Maps().version(), Classes().version(), Sessions().version(), MergedTable().version(), PairTable().version()});
+}
 
 /// What stands in other tables.
 struct MapParts {
   std::vector<ConfigRow> config;
   std::vector<ClassRow> classes;
   std::vector<SessionRow> sessions;
+  std::vector<MergedRow> merged;
+  std::vector<PairRow> pairs;
 };
 
 Result<MapParts> ReadParts(Database& database, std::int64_t map_key) {
@@ -43,6 +49,8 @@ Result<MapParts> ReadParts(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(parts.config, ReadConfigRows(database, map_key));
   DHPMAP_ASSIGN_OR_RETURN(parts.classes, ReadClassRows(database, map_key));
   DHPMAP_ASSIGN_OR_RETURN(parts.sessions, ReadSessionRows(database, map_key));
+  DHPMAP_ASSIGN_OR_RETURN(parts.merged, ReadMergedRows(database, map_key));
+  DHPMAP_ASSIGN_OR_RETURN(parts.pairs, ReadPairRows(database, map_key));
   return parts;
 }
 
@@ -50,6 +58,8 @@ void SealParts(MapRow& row, const MapParts& parts) {
   row.config_checksum = ConfigChecksum(parts.config);
   row.classes_checksum = ClassesChecksum(parts.classes, SealVersion());
   row.sessions_checksum = SessionsChecksum(parts.sessions, SealVersion());
+  row.merged_checksum = MergedChecksum(parts.merged, SealVersion());
+  row.pairs_checksum = PairsChecksum(parts.pairs, SealVersion());
 }
 
 /// With the checksums of its parts as they are in it.
@@ -59,6 +69,8 @@ void SealRow(MapRow& row) { row.seal = {SealVersion(), Maps().Checksum(row, Seal
 Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
   const int version = row.seal.version;
   // What came with a later version has nothing to cover it.
+  const bool has_objects = !parts.merged.empty() || !parts.pairs.empty();
+  if (version < 5 && (has_objects || row.merged_checksum != 0 || row.pairs_checksum != 0)) return false;
   if (version < 4 && row.num_tiles != 0) return false;
   if (version < 3 && (!parts.sessions.empty() || row.sessions_checksum != 0)) return false;
   if (version == 1) {
@@ -68,10 +80,12 @@ Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
   return version >= 2 && version <= SealVersion() && row.config_checksum == ConfigChecksum(parts.config) &&
          row.classes_checksum == ClassesChecksum(parts.classes, version) &&
          (version < 3 || row.sessions_checksum == SessionsChecksum(parts.sessions, version)) &&
+         (version < 5 || (row.merged_checksum == MergedChecksum(parts.merged, version) &&
+                          row.pairs_checksum == PairsChecksum(parts.pairs, version))) &&
          row.seal.checksum == Maps().Checksum(row, version);
 }
 
-/// Reads config, label set and sessions into `row`, and checks them all.
+/// Reads config, label set, sessions and what is known of objects into `row`, and checks them all.
 Status ReadInfo(Database& database, MapRow& row) {
   DHPMAP_ASSIGN_OR_RETURN(const MapParts parts, ReadParts(database, row.key));
   DHPMAP_ASSIGN_OR_RETURN(const bool is_intact, IsIntact(row, parts));
@@ -79,6 +93,8 @@ Status ReadInfo(Database& database, MapRow& row) {
   DHPMAP_ASSIGN_OR_RETURN(row.info.config, ConfigOf(parts.config));
   DHPMAP_ASSIGN_OR_RETURN(row.info.label_set, LabelSetOf(parts.classes));
   DHPMAP_ASSIGN_OR_RETURN(row.info.sessions, SessionMarksOf(parts.sessions));
+  DHPMAP_ASSIGN_OR_RETURN(row.info.merged, MergedIdsOf(parts.merged));
+  DHPMAP_ASSIGN_OR_RETURN(row.info.pairs, ObjectPairsOf(parts.pairs));
   return Status::Ok();
 }
 
@@ -98,6 +114,25 @@ Status Rewrite(Database& database, MapRow& row) {
   DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteTask));
   Maps().BindChanges(row, update);
   return update.Bind(row.key).Run();
+}
+
+/// Writes what is known of objects, with the checksums of it, where it differs from `before`.
+Status UpdateObjects(Database& database, const MapRow& head, const MapInfo& before, MapRow& row) {
+  const bool is_older = head.seal.version < SealVersion();
+  const bool is_new = head.seal.version == 0;  // nothing is stored yet, whatever `before` says
+  row.merged_checksum = head.merged_checksum;
+  row.pairs_checksum = head.pairs_checksum;
+  if (is_older || row.info.merged != before.merged) {
+    DHPMAP_ASSIGN_OR_RETURN(const auto merged,
+                            WriteMergedRows(database, head.key, is_new ? MergedIds() : before.merged, row.info.merged));
+    row.merged_checksum = MergedChecksum(merged, SealVersion());
+  }
+  if (is_older || row.info.pairs != before.pairs) {
+    DHPMAP_ASSIGN_OR_RETURN(const auto pairs,
+                            WritePairRows(database, head.key, is_new ? ObjectPairs() : before.pairs, row.info.pairs));
+    row.pairs_checksum = PairsChecksum(pairs, SealVersion());
+  }
+  return Status::Ok();
 }
 
 /// Numbers beyond the marks, and the revisions between noted as lost.
@@ -209,6 +244,7 @@ Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, 
     DHPMAP_ASSIGN_OR_RETURN(const auto sessions, WriteSessionRows(database, head.key, stored, info.sessions));
     row.sessions_checksum = SessionsChecksum(sessions, SealVersion());
   }
+  DHPMAP_RETURN_IF_ERROR(UpdateObjects(database, head, before, row));
   SealRow(row);
   DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteTask));
   Maps().BindChanges(row, update);

@@ -12,9 +12,9 @@
 
 namespace dhpmap {
 
-// Rows of maps, map_config, label_classes and feed_sessions <-> MapInfo. A map's row is sealed by a checksum that
-// covers the others by checksums of their own, of what is stored in them; readers answer DATA_LOSS where one does not
-// match.
+// Rows of maps, map_config, label_classes, feed_sessions, merged_ids and object_pairs <-> MapInfo. A map's row is
+// sealed by a checksum that covers the others by checksums of their own, of what is stored in them; readers answer
+// DATA_LOSS where one does not match.
 
 struct MapRow {
   std::int64_t key = 0;
@@ -26,6 +26,8 @@ struct MapRow {
   std::uint32_t sessions_checksum = 0;
   std::int64_t num_tiles = 0;   ///< rows of map_tiles
   std::int64_t tile_bytes = 0;  ///< size of their blobs, for statistics
+  std::uint32_t merged_checksum = 0;
+  std::uint32_t pairs_checksum = 0;
   RowSeal seal;
 };
 
@@ -54,6 +56,8 @@ std::vector<Column<Row>> MapColumns() {
       MakeColumn<Row>("history_id", kAlways, 3, DHPMAP_MEMBER(info.history_id)),
       MakeColumn<Row>("num_tiles", kAlways, 4, DHPMAP_MEMBER(num_tiles)),
       MakeColumn<Row>("tile_bytes", kElsewhere, 0, DHPMAP_MEMBER(tile_bytes)),
+      MakeColumn<Row>("merged_checksum", kAlways, 5, DHPMAP_MEMBER(merged_checksum)),
+      MakeColumn<Row>("pairs_checksum", kAlways, 5, DHPMAP_MEMBER(pairs_checksum)),
   };
 }
 const Table<MapRow>& Maps();

@@ -10,6 +10,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[2]},  // 0003_sessions_and_history.sql
       {.sql = SchemaSql()[3]},  // 0004_map_tiles.sql
       {.sql = SchemaSql()[4]},  // 0005_gone.sql
+      {.sql = SchemaSql()[5]},  // 0006_objects.sql
   };
   return steps;
 }

@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <functional>
+#include <future>
 #include <string>
 
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
+#include "mapping/objects/merge_submaps.h"
 #include "tests/integration/test_server.h"
 
 namespace dhpmap::testing {
@@ -208,6 +210,42 @@ TEST_F(EditTest, ErrorsCarryTheirReasonAndFields) {
   google::rpc::BadRequest bad;
   ASSERT_TRUE(details.details(1).UnpackTo(&bad));
   EXPECT_EQ(bad.field_violations(0).field(), "class_id");
+}
+
+TEST_F(EditTest, WhatIsAPartOfAnotherIsAnsweredWithItsNameOverARestart) {
+  std::promise<bool> merged;
+  const auto session = server.registry().OpenSession("room");
+  ASSERT_TRUE(session.ok());
+  const SubmapId from(static_cast<std::uint32_t>(box.instance_id())),
+      into(static_cast<std::uint32_t>(ball.instance_id()));
+  (*session)->Edit(
+      [&](Map& map) -> Result<SubmapId> {
+        if (!CanMerge(map, from, into)) return NotFound("they cannot be merged");
+        MergeSubmaps(from, into, map);
+        return into;
+      },
+      [&merged](const Result<EditOutcome>& outcome) { merged.set_value(outcome.ok()); });
+  ASSERT_TRUE(merged.get_future().get());
+
+  const auto expect_merged = [&](v1::SubmapService::Stub& submaps) {
+    v1::GetSubmapRequest request;
+    request.set_name(box.name());
+    v1::GetSubmapResponse response;
+    grpc::ClientContext context;
+    const grpc::Status got = submaps.GetSubmap(&context, request, &response);
+    EXPECT_EQ(got.error_code(), grpc::NOT_FOUND);
+    google::rpc::Status details;
+    google::rpc::ErrorInfo info;
+    ASSERT_TRUE(details.ParseFromString(got.error_details()) && details.details_size() == 1);
+    ASSERT_TRUE(details.details(0).UnpackTo(&info));
+    EXPECT_EQ(info.reason(), "MERGED_INTO");
+    EXPECT_EQ(info.metadata().at("into"), ball.name());
+  };
+  expect_merged(*server.submaps);
+  EXPECT_EQ(Get(ball.name()).instance_id(), ball.instance_id());
+  ASSERT_TRUE(server.Stop().ok());
+  TestServer again(*store);
+  expect_merged(*again.submaps);
 }
 
 TEST_F(EditTest, ListsAreFiltered) {

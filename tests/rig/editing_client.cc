@@ -110,7 +110,7 @@ bool EditingClient::Copy(const FedMap& map, const ReadState& read, bool with_eta
   if (!id) return true;
   v1::CloneSubmapResponse response;
   const Outcome outcome = server.Ask(
-      "CloneSubmap", {"SUBMAP_NOT_FOUND", "ETAG_MISMATCH"},
+      "CloneSubmap", {"SUBMAP_NOT_FOUND", "MERGED_INTO", "ETAG_MISMATCH"},
       [&](grpc::ClientContext* context) { return server.submaps->CloneSubmap(context, request, &response); });
   if (outcome.fate == Fate::kAnswered) Remember(map.history, response.submap());
   return Settle(*id, outcome, &response.submap(), response.revision());
@@ -140,7 +140,7 @@ bool EditingClient::Update(const FedMap& map, const ReadState& read, bool with_e
   if (!id) return true;
   v1::UpdateSubmapResponse response;
   const Outcome outcome = server.Ask(
-      "UpdateSubmap", {"SUBMAP_NOT_FOUND", "ETAG_MISMATCH"},
+      "UpdateSubmap", {"SUBMAP_NOT_FOUND", "MERGED_INTO", "ETAG_MISMATCH"},
       [&](grpc::ClientContext* context) { return server.submaps->UpdateSubmap(context, request, &response); });
   if (outcome.fate == Fate::kAnswered) Remember(map.history, response.submap());
   return Settle(*id, outcome, &response.submap(), response.revision());
@@ -156,7 +156,7 @@ bool EditingClient::Delete(const FedMap& map, const ReadState& read, bool with_e
   if (!id) return true;
   v1::DeleteSubmapResponse response;
   const Outcome outcome = server.Ask(
-      "DeleteSubmap", {"SUBMAP_NOT_FOUND", "ETAG_MISMATCH"},
+      "DeleteSubmap", {"SUBMAP_NOT_FOUND", "MERGED_INTO", "ETAG_MISMATCH"},
       [&](grpc::ClientContext* context) { return server.submaps->DeleteSubmap(context, request, &response); });
   return Settle(*id, outcome, nullptr, response.revision());
 }

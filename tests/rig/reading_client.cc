@@ -56,7 +56,7 @@ bool ReadingClient::ReadAll(const FedMap& map, Connection& server) {
 Outcome ReadingClient::Get(const std::string& name, Connection& server, v1::GetSubmapResponse& response) {
   v1::GetSubmapRequest request;
   request.set_name(name);
-  return server.Ask("GetSubmap", {"SUBMAP_NOT_FOUND"}, [&](grpc::ClientContext* context) {
+  return server.Ask("GetSubmap", {"SUBMAP_NOT_FOUND", "MERGED_INTO"}, [&](grpc::ClientContext* context) {
     return server.submaps->GetSubmap(context, request, &response);
   });
 }
@@ -126,7 +126,7 @@ bool ReadingClient::ReadVoxels(const FedMap& map, Connection& server) {
     num_voxels += part.distance_m_size();
     digest += DigestOf(part);
   }
-  const Outcome streamed = server.Judge("StreamSubmapVoxels", {"SUBMAP_NOT_FOUND"}, stream->Finish());
+  const Outcome streamed = server.Judge("StreamSubmapVoxels", {"SUBMAP_NOT_FOUND", "MERGED_INTO"}, stream->Finish());
   if (streamed.fate != Fate::kAnswered) return streamed.fate == Fate::kRefused;
   v1::GetSubmapResponse after;
   const Outcome got = Get(before.name(), server, after);

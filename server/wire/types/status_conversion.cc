@@ -14,6 +14,7 @@ google::rpc::Status ToProto(const Status& status) {
     google::rpc::ErrorInfo info;
     info.set_reason(std::string(status.reason().name()));
     info.set_domain("dhpmap");
+    for (const auto& [key, value] : status.metadata()) (*info.mutable_metadata())[key] = ToValidUtf8(value);
     proto.add_details()->PackFrom(info);
   }
   if (!status.violations().empty()) {

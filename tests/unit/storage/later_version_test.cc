@@ -5,6 +5,7 @@
 #include "storage/rows/class_rows.h"
 #include "storage/rows/config_rows.h"
 #include "storage/rows/map_rows.h"
+#include "storage/rows/object_rows.h"
 #include "storage/rows/session_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/schema/migrate.h"
@@ -268,6 +269,8 @@ TEST_F(LaterVersionTest, EveryColumnOfATableIsInItsListWithItsType) {
   ExpectListsAllColumnsOf(database, ConfigTable());
   ExpectListsAllColumnsOf(database, Classes());
   ExpectListsAllColumnsOf(database, Sessions());
+  ExpectListsAllColumnsOf(database, MergedTable());
+  ExpectListsAllColumnsOf(database, PairTable());
   ExpectListsAllColumnsOf(database, Submaps());
 }
 

@@ -33,6 +33,11 @@ class MapGenerator {
     info.create_time_ns = 1'700'000'000'123'456'789;
     info.sessions.Set({"robot-1:" + name, -7, 1'700'000'000'000'000'021});
     info.sessions.Set({"Robot.2", 4'000'000'000'123, 1'700'000'000'000'000'022});
+    info.merged.Add(SubmapId(77), SubmapId(3));
+    info.merged.Add(SubmapId(4'000'000'000u), SubmapId(1));
+    info.pairs.AddEvidence(SubmapId(2), SubmapId(1), 1 + Below(40), -120, 120);
+    info.pairs.AddEvidence(SubmapId(4), SubmapId(2), -1 - Below(40), -120, 120);
+    info.pairs.SetVerdict(SubmapId(4), SubmapId(2), PairVerdict::kMustBeTwo);
     auto labels = LabelSet::Create({{ClassId(1), "chair", Panoptic::kThing, SizeClass::kSmall, {1, 2, 3}},
                                     {ClassId(9), "wall", Panoptic::kStuff, SizeClass::kLarge, {255, 254, 0}}});
     info.label_set = std::make_shared<const LabelSet>(std::move(labels).value());
@@ -140,6 +145,8 @@ class MapGenerator {
   void Change(Map& map) {
     MapInfo& info = map.mutable_info();
     info.num_frames += 1;
+    info.pairs.AddEvidence(SubmapId(1), SubmapId(2 + static_cast<std::uint32_t>(Below(3))), Below(9) - 4, -120, 120);
+    if (Below(4) == 0) info.merged.Add(SubmapId(1000 + static_cast<std::uint32_t>(info.num_frames)), SubmapId(1));
     info.sessions.Set({"run" + std::to_string(info.num_frames % 3), info.num_frames, 5 + info.num_frames});
     for (int n = 1 + Below(4); n > 0; --n) ChangeOnce(map);
     for (int n = Below(3); n > 0; --n) AddVoxels(map.mutable_free_space());
@@ -236,6 +243,8 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
   EXPECT_EQ(e.create_time_ns, a.create_time_ns);
   EXPECT_EQ(e.update_time_ns, a.update_time_ns);
   EXPECT_EQ(e.sessions, a.sessions);
+  EXPECT_EQ(e.merged, a.merged);
+  EXPECT_EQ(e.pairs, a.pairs);
   ExpectSameVoxels(*expected.free_space(), *actual.free_space());
   ExpectSameVoxels(*expected.vacated(), *actual.vacated());
   ASSERT_EQ(expected.submaps().size(), actual.submaps().size());

@@ -143,6 +143,13 @@ std::string TextOf(const MapSnapshot& map) {
     text += Line("class %d '%s' panoptic %d size %d color %d %d %d", c.id.value, c.name.c_str(),
                  static_cast<int>(c.panoptic), static_cast<int>(c.size), c.color.r, c.color.g, c.color.b);
   }
+  for (const MergedId& entry : info.merged.list()) {
+    text += Line("merged %u into %u", entry.merged.value, entry.into.value);
+  }
+  for (const ObjectPair& pair : info.pairs.pairs()) {
+    text += Line("pair %u %u verdict %d evidence %d", pair.first.value, pair.second.value,
+                 static_cast<int>(pair.verdict), pair.evidence);
+  }
   for (const auto& submap : map.submaps()) text += RowText(*submap) + BlocksText(*submap);
   return text;
 }

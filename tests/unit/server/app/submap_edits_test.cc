@@ -38,6 +38,16 @@ class SubmapEditsTest : public ::testing::Test {
   std::shared_ptr<const MapSnapshot> snapshot;
 };
 
+TEST_F(SubmapEditsTest, WhatIsAPartOfAnotherIsNotFoundAndNamesTheOther) {
+  map.mutable_info().name = "m";
+  map.mutable_info().merged.Add(SubmapId(7), thing);
+  const Status status = DeleteSubmap(map, SubmapId(7), "");
+  EXPECT_EQ(status.code(), StatusCode::kNotFound);
+  EXPECT_EQ(status.reason(), Reason("MERGED_INTO"));
+  EXPECT_EQ(status.metadata(), (std::vector<std::pair<std::string, std::string>>{{"into", "maps/m/submaps/1"}}));
+  EXPECT_EQ(DeleteSubmap(map, SubmapId(8), "").reason(), Reason("SUBMAP_NOT_FOUND"));
+}
+
 TEST_F(SubmapEditsTest, ARefusedEditIsNoNewRevision) {
   SubmapPatch bad_pose{.T_map_submap = Transform::Identity()};
   bad_pose.T_map_submap->translation().x() = std::numeric_limits<double>::quiet_NaN();

@@ -27,6 +27,15 @@ TEST(StatusToProto, CarriesReasonAndViolations) {
   EXPECT_EQ(ToProto(Internal("x")).details_size(), 0);
 }
 
+TEST(StatusToProto, CarriesWhatTheReasonMeansAsMetadata) {
+  const google::rpc::Status proto =
+      ToProto(NotFound("m").WithReason("MERGED_INTO").WithMetadata("into", "maps/m/submaps/3"));
+  google::rpc::ErrorInfo info;
+  ASSERT_TRUE(proto.details(0).UnpackTo(&info));
+  ASSERT_EQ(info.metadata_size(), 1);
+  EXPECT_EQ(info.metadata().at("into"), "maps/m/submaps/3");
+}
+
 TEST(StatusToProto, WhatIsNotUtf8IsCleaned) {
   const google::rpc::Status proto = ToProto(InvalidArgument("a\xFF").WithViolation("b\xFF", "c\xFF"));
   EXPECT_EQ(proto.message(), "a?");
