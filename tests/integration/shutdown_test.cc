@@ -68,7 +68,8 @@ class Shutdown : public ::testing::Test {
       num_fused += answer.outcome() == v1::FUSED;
       if (!answer.error_message().empty()) last_error_ = answer.error_message();
     }
-    (void)stream->Finish();
+    const grpc::Status status = stream->Finish();
+    if (!status.ok() && last_error_.empty()) last_error_ = status.error_message();
     return num_fused;
   }
 
