@@ -28,6 +28,7 @@ Lane::Lane(const LaneOptions& options) : options_(options) {
     threads_.emplace_back([this] {
       NameThisThread(options_.name);
       MakeThisThreadNicer(options_.niceness);
+      (void)TakeTurns(options_.turns);
       Loop();
     });
   }

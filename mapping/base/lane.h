@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
+#include "mapping/base/this_thread.h"
 
 namespace dhpmap {
 
@@ -37,6 +38,7 @@ struct LaneOptions {
   int num_threads = 1;
   std::size_t max_waiting = 1024;  ///< tasks that no thread has begun
   int niceness = 0;                ///< of its threads, above that of the process: 10 leaves the cores to others
+  Turns turns = Turns::kOrdinary;
 };
 
 /// Threads for work of one kind, in the order it came, so that no kind waits for another, and none holds up the few

@@ -78,6 +78,7 @@ void ThreadPool::Close(Loop& loop) {
 
 void ThreadPool::WorkerLoop() {
   NameThisThread("pool");
+  (void)TakeTurns(Turns::kOrdinary);  // whoever made the pool
   const MutexLock lock(mutex_);
   while (true) {
     while (!stopping_ && open_.empty()) work_ready_.Wait(mutex_);

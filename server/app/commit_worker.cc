@@ -105,6 +105,7 @@ void CommitWorker::Stop() {
 
 void CommitWorker::Loop() {
   NameThisThread("map-commit");
+  (void)TakeTurns(Turns::kOrdinary);  // a quick thread may have begun it
   const auto retry = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(retry_s_));
   const MutexLock lock(mutex_);
   while (true) {

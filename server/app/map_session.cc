@@ -241,6 +241,7 @@ void MapSession::Post(Job job) {
 
 void MapSession::WriterLoop() {
   NameThisThread("map-writer");
+  (void)TakeTurns(Turns::kOrdinary);  // a quick thread has begun it
   MutexLock lock(mutex_);
   while (!stopping_) {
     const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !jobs_.empty(); };

@@ -79,8 +79,8 @@ struct GrpcServer::Impl {
         context{registry, lanes, options, observer, held},
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams, query_streams)),
-        lanes{.quick = Lane({.name = "quick", .num_threads = options.num_threads, .max_waiting = kMaxWaiting}),
-              .answers = Lane({.name = "answers"}),
+        lanes{.quick = Lane({.name = "quick", .num_threads = options.num_threads, .max_waiting = kMaxWaiting, .turns = Turns::kShort}),
+              .answers = Lane({.name = "answers", .turns = Turns::kShort}),
               .bulk = Lane({.name = "bulk",
                             .num_threads = BulkThreads(options),
                             .max_waiting = kMaxWaiting,
@@ -147,7 +147,9 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   builder.SetMaxReceiveMessageSize(static_cast<int>(std::min(options.max_message_bytes, kMost)));
   LimitConnections(options, builder);
   for (const auto& service : impl->services) builder.RegisterService(service.get());
+  (void)TakeTurns(Turns::kShort);  // gRPC's threads, and those that they start
   impl->server = builder.BuildAndStart();
+  (void)TakeTurns(Turns::kOrdinary);
   if (impl->server == nullptr || impl->port == 0) {
     return Unavailable("cannot listen for gRPC on " + options.address + ": in use, or not an address of this machine")
         .WithReason("CANNOT_BIND");

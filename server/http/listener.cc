@@ -332,6 +332,7 @@ Result<std::unique_ptr<Listener>> Listener::Start(const ListenerOptions& options
   for (int i = 0; i < options.num_threads; ++i) {
     impl->threads.emplace_back([io = &impl->io] {
       NameThisThread("http");
+      (void)TakeTurns(Turns::kShort);
       io->run();
     });
   }

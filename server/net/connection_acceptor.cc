@@ -146,6 +146,7 @@ struct ConnectionAcceptor::Impl {
 
 void ConnectionAcceptor::Impl::Run() {
   NameThisThread("accept");
+  (void)TakeTurns(Turns::kShort);
   std::vector<pollfd> waiting;
   for (const Descriptor& listener : listeners)
     waiting.push_back({.fd = listener.get(), .events = POLLIN, .revents = 0});

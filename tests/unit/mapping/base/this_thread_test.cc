@@ -4,13 +4,24 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <array>
+#include <cstdint>
 #include <thread>
 
 namespace dhpmap {
 namespace {
 
 int Niceness() { return getpriority(PRIO_PROCESS, 0); }
+
+/// As the kernel has it: the seventh field of what sched_getattr(2) fills in is at byte 24.
+std::uint64_t Turn_ns() {
+  std::array<std::uint64_t, 6> attributes{};
+  EXPECT_EQ(syscall(SYS_sched_getattr, 0, attributes.data(), sizeof attributes, 0), 0);
+  return attributes[3];
+}
 
 TEST(ThisThread, IsNicerAloneAndSoIsWhatItStarts) {
   const int before = Niceness();
@@ -33,6 +44,22 @@ TEST(ThisThread, IsNeverLessNice) {
     EXPECT_EQ(Niceness(), before);
     MakeThisThreadNicer(0);
     EXPECT_EQ(Niceness(), before);
+  }).join();
+}
+
+TEST(ThisThread, TakesShortTurnsAndSoDoesWhatItStartsUntilItSaysOtherwise) {
+  std::thread([] {
+    MakeThisThreadNicer(1);
+    const int before = Niceness();
+    if (!TakeTurns(Turns::kShort)) GTEST_SKIP() << "this kernel has ordinary turns only";
+    EXPECT_EQ(Niceness(), before);
+    std::thread([before] {
+      EXPECT_EQ(Turn_ns(), 100'000u);
+      EXPECT_EQ(Niceness(), before);
+      EXPECT_TRUE(TakeTurns(Turns::kOrdinary));
+      EXPECT_GT(Turn_ns(), 100'000u);
+    }).join();
+    EXPECT_EQ(Turn_ns(), 100'000u);
   }).join();
 }
 
