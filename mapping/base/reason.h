@@ -48,6 +48,10 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"ETAG_MISMATCH", StatusCode::kAborted, "the etag given is not the present one"},
     {"BAD_EDIT", StatusCode::kInvalidArgument, "an edit has bad fields"},
     {"BAD_UPDATE_MASK", StatusCode::kInvalidArgument, "an update mask names fields that do not exist or cannot change"},
+    {"EDITED_SINCE", StatusCode::kAborted, "an object was edited after the revision that the caller knows"},
+    {"NOT_MERGEABLE", StatusCode::kFailedPrecondition, "the submaps are not things, or not on one grid"},
+    {"NOTHING_TO_SPLIT", StatusCode::kFailedPrecondition, "a split would leave one of its parts without a voxel"},
+    {"NOT_A_THING", StatusCode::kFailedPrecondition, "what is asked for can be done to things only"},
     {"TOO_MANY_EDITS", StatusCode::kResourceExhausted, "the queue of edits of the map is full: try again later"},
     {"NOT_STORED", StatusCode::kOk, "what was asked for could not be stored; the code is that of the failure"},
     // Lists.

@@ -62,6 +62,8 @@ struct SubmapInfo {
   std::uint32_t track_id = 0;
   /// Map revision that last changed anything of this submap.
   std::int64_t revision = 0;
+  /// Map revision of the last edit or merge of this submap; 0: only frames and refinement have changed it.
+  std::int64_t edited_revision = 0;
 
   /// Share of the counts that went to class_id.
   [[nodiscard]] float ClassConfidence() const;

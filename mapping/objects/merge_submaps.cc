@@ -111,6 +111,7 @@ void MergeSubmaps(SubmapId from, SubmapId into, Map& map) {
     if (entry.tsdf != nullptr || entry.labels != nullptr) MergeOneBlock(entry, max_weight, whole);
   }
   MergeRows(part.info(), whole.mutable_info());
+  whole.mutable_info().edited_revision = map.info().revision + 1;
   for (const ClassTotal& total : part.info().class_counts) whole.AddClassObservations(total.id, total.count);
   RenameEverywhere(from, into, map);
   RecomputeSubmapLabels(whole);

@@ -116,14 +116,15 @@ FeedProgress MapSession::ProgressOf(const std::shared_ptr<Feed>& feed) const {
           .commit_status = commits_.last_outcome()};
 }
 
-void MapSession::Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done) {
-  auto run = [this, change = std::move(change), done] { done(EditNow(change)); };
+void MapSession::Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done,
+                      EditMode mode) {
+  auto run = [this, change = std::move(change), done, mode] { done(EditNow(change, mode)); };
   Post({.run = std::move(run),
         .refuse = [done = std::move(done)](const Status& status) { done(status); },
         .is_edit = true});
 }
 
-Result<EditOutcome> MapSession::EditNow(const std::function<Result<SubmapId>(Map&)>& change) {
+Result<EditOutcome> MapSession::EditNow(const std::function<Result<SubmapId>(Map&)>& change, EditMode mode) {
   // First what is fused: revisions and etags of what the change meets are then those of its present state, and what is
   // dropped if the store fails is the change alone.
   Publish();
@@ -134,6 +135,10 @@ Result<EditOutcome> MapSession::EditNow(const std::function<Result<SubmapId>(Map
   if (!submap.ok()) {
     map = Map(before);  // it may have stopped half-way
     return submap.status();
+  }
+  if (mode == EditMode::kTryOnly) {
+    map = Map(before);
+    return EditOutcome{.view = View(), .submap = *submap};
   }
   auto after = map.Publish(options_.now_ns());
   if (const Status stored = commits_.CommitUnseen(after); !stored.ok()) {

@@ -64,7 +64,11 @@ struct FeedProgress {
   Status commit_status;  ///< why the store is behind, if the last commit failed
 };
 
-/// A state that holds an edit, and the submap that was edited (or made).
+/// Whether an edit is to be made, or only to be tried: then everything is checked and told, and nothing changes.
+enum class EditMode { kMake, kTryOnly };
+
+/// A state that holds an edit (of one that was only tried: the state that it met), and the submap that was edited, or
+/// made.
 struct EditOutcome {
   std::shared_ptr<const MapView> view;
   SubmapId submap;
@@ -118,7 +122,8 @@ class MapSession {
   /// from it the map is as it was. The new state is committed with a full sync before anybody sees it. If the
   /// store fails, the change has not happened: `done` gets the store's error, and nothing of it is seen or stored
   /// later.
-  void Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done);
+  void Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done,
+            EditMode mode = EditMode::kMake);
 
   /// Publishes and commits everything that was handed in before, with a full sync: what a feeder hears at its end is
   /// true after a power cut, too.
@@ -161,7 +166,7 @@ class MapSession {
   FrameOutcome IntegrateNow(const std::shared_ptr<Feed>& feed, std::int64_t sequence, Result<PanopticFrame> frame);
   Result<FrameReport> Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame);
   Result<RefinementReport> FinishNow(const std::stop_token& stop);
-  Result<EditOutcome> EditNow(const std::function<Result<SubmapId>(Map&)>& change);
+  Result<EditOutcome> EditNow(const std::function<Result<SubmapId>(Map&)>& change, EditMode mode);
   std::shared_ptr<const MapView> Publish();
   std::shared_ptr<const MapView> Show(std::shared_ptr<const MapSnapshot> snapshot);
   Status CommitPublished();

@@ -64,8 +64,9 @@ Result<SubmapPatch> Checked(const Map& map, const Submap& submap, SubmapPatch pa
   return patch;
 }
 
-void Apply(const SubmapPatch& patch, Submap& submap) {
+void Apply(const SubmapPatch& patch, const MapInfo& map, Submap& submap) {
   SubmapInfo& info = submap.mutable_info();
+  info.edited_revision = map.revision + 1;
   if (patch.T_map_submap) {
     info.T_map_submap = *patch.T_map_submap;
     Place(submap);
@@ -104,7 +105,7 @@ Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapP
   DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
   if (checked.T_map_submap) NoteVacated(*submap, map);
   const bool changes_anything = checked.T_map_submap || checked.class_id || checked.display_name;
-  if (changes_anything) Apply(checked, *map.FindMutable(id));
+  if (changes_anything) Apply(checked, map.info(), *map.FindMutable(id));
   return Status::Ok();
 }
 
@@ -112,7 +113,7 @@ Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, con
   DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
   DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
   Submap* copy = map.Clone(id);
-  Apply(checked, *copy);
+  Apply(checked, map.info(), *copy);
   Place(*copy);
   copy->mutable_info().is_confirmed = true;  // somebody asked for it: not to be dissolved as something seen wrongly
   return copy->id();

@@ -65,6 +65,7 @@ std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& c
   services.push_back(MakeMapService(context));
   services.push_back(MakeMappingService(context, streams));
   services.push_back(MakeSubmapService(context));
+  services.push_back(MakeEditService(context));
   services.push_back(MakeQueryService(context, query_streams));
   return services;
 }
@@ -104,7 +105,7 @@ struct GrpcServer::Impl {
 namespace {
 
 constexpr std::array kServiceNames = {"", "dhpmap.v1.MapService", "dhpmap.v1.MappingService", "dhpmap.v1.SubmapService",
-                                      "dhpmap.v1.QueryService"};
+                                      "dhpmap.v1.EditService", "dhpmap.v1.QueryService"};
 
 /// gRPC's own accepting ends for good when file descriptors run out, and takes any number of connections. So TCP
 /// connections are accepted by us and handed to it.

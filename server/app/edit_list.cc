@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/edit_list.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mapping/objects/merge_submaps.h"
+#include "mapping/objects/split_submap.h"
+#include "mapping/space/vacated_space.h"
+
+namespace dhpmap {
+namespace {
+
+std::string Named(SubmapId id) { return "submap " + std::to_string(id.value); }
+
+class Application {
+ public:
+  Application(const EditList& list, Map& map) : list_(list), map_(map) {}
+
+  Result<std::vector<EditResult>> Run() {
+    for (std::size_t i = 0; i < list_.edits.size(); ++i) {
+      Result<EditResult> result = Apply(list_.edits[i]);
+      if (!result.ok()) return WithPlace(result.status(), i);
+      for (auto* ids : {&result->changed, &result->created, &result->removed}) {
+        std::sort(ids->begin(), ids->end());
+        ids->erase(std::unique(ids->begin(), ids->end()), ids->end());
+      }
+      for (const auto* ids : {&result->changed, &result->created}) NoteEdited(*ids);
+      results_.push_back(std::move(result).value());
+    }
+    return std::move(results_);
+  }
+
+ private:
+  /// The error of one edit as that of the list.
+  static Status WithPlace(const Status& error, std::size_t i) {
+    const std::string place = "edits[" + std::to_string(i) + "]";
+    Status placed(error.code(), place + ": " + error.message());
+    placed.WithReason(error.reason());
+    for (const auto& [field, description] : error.violations()) placed.AddViolation(place + "." + field, description);
+    for (const auto& [key, value] : error.metadata()) {
+      Status with = std::move(placed).WithMetadata(key, value);
+      placed = std::move(with);
+    }
+    return placed;
+  }
+
+  void NoteEdited(const std::vector<SubmapId>& ids) {
+    for (const SubmapId id : ids) {
+      if (Submap* submap = map_.FindMutable(id)) submap->mutable_info().edited_revision = map_.info().revision + 1;
+    }
+  }
+
+  Result<SubmapId> Resolve(const EditTarget& target) const {
+    if (const auto* id = std::get_if<SubmapId>(&target)) return *id;
+    const std::size_t edit = std::get<EarlierResult>(target).edit;
+    const std::string name = "#" + std::to_string(edit);
+    if (edit >= results_.size()) {
+      return InvalidArgument(name + " is no edit before this one").WithReason("BAD_EDIT");
+    }
+    if (results_[edit].created.empty()) {
+      return InvalidArgument("edit " + name + " made no object").WithReason("BAD_EDIT");
+    }
+    return results_[edit].created.front();
+  }
+
+  /// An object that the edit may work on.
+  Result<SubmapId> Editable(const EditTarget& target, const std::string& etag) const {
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Resolve(target));
+    DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map_, id, etag));
+    const SubmapInfo& info = submap->info();
+    const bool is_from_before = std::holds_alternative<SubmapId>(target);
+    const bool is_of_this_list = info.edited_revision > map_.info().revision;
+    if (list_.expected_revision > 0 && is_from_before && !is_of_this_list &&
+        info.edited_revision > list_.expected_revision) {
+      return Aborted(Named(id) + " was edited in revision " + std::to_string(info.edited_revision) + ", after " +
+                     std::to_string(list_.expected_revision))
+          .WithReason("EDITED_SINCE");
+    }
+    return id;
+  }
+
+  Result<EditResult> Apply(const Edit& edit) {
+    if (const auto* clear = std::get_if<ClearEdit>(&edit.action)) return Clear(edit, *clear);
+    if (!edit.target) return InvalidArgument("it names no object").WithReason("BAD_EDIT");
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Editable(*edit.target, edit.etag));
+    struct Visitor {
+      Application& self;
+      SubmapId id;
+      Result<EditResult> operator()(const PatchEdit& patch) const { return self.Patch(id, patch); }
+      Result<EditResult> operator()(const CloneEdit& clone) const { return self.Clone(id, clone); }
+      Result<EditResult> operator()(const DeleteEdit&) const { return self.Delete(id); }
+      Result<EditResult> operator()(const MergeEdit& merge) const { return self.Merge(id, merge); }
+      Result<EditResult> operator()(const SplitEdit& split) const { return self.Split(id, split); }
+      Result<EditResult> operator()(const PresenceEdit& presence) const { return self.SetPresence(id, presence); }
+      Result<EditResult> operator()(const ClearEdit&) const { return Internal("handled above"); }
+    };
+    return std::visit(Visitor{*this, id}, edit.action);
+  }
+
+  Result<EditResult> Patch(SubmapId id, const PatchEdit& edit) {
+    DHPMAP_RETURN_IF_ERROR(PatchSubmap(map_, id, {}, edit.patch));
+    return EditResult{.changed = {id}, .created = {}, .removed = {}};
+  }
+
+  Result<EditResult> Clone(SubmapId id, const CloneEdit& edit) {
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId copy, CloneSubmap(map_, id, {}, edit.patch));
+    return EditResult{.changed = {}, .created = {copy}, .removed = {}};
+  }
+
+  Result<EditResult> Delete(SubmapId id) {
+    DHPMAP_RETURN_IF_ERROR(DeleteSubmap(map_, id, {}));
+    return EditResult{.changed = {}, .created = {}, .removed = {id}};
+  }
+
+  Result<EditResult> Merge(SubmapId into, const MergeEdit& edit) {
+    if (edit.others.empty()) return InvalidArgument("it names nothing to merge").WithReason("BAD_EDIT");
+    EditResult result{.changed = {into}, .created = {}, .removed = {}};
+    for (const EditTarget& other : edit.others) {
+      DHPMAP_ASSIGN_OR_RETURN(const SubmapId from, Editable(other, {}));
+      if (!CanMerge(map_, from, into)) {
+        return FailedPrecondition(Named(from) + " cannot become a part of " + Named(into) +
+                                  ": both must be things, and neither moved against the other")
+            .WithReason("NOT_MERGEABLE");
+      }
+      MergeSubmaps(from, into, map_);
+      result.removed.push_back(from);
+    }
+    return result;
+  }
+
+  Result<EditResult> Split(SubmapId id, const SplitEdit& edit) {
+    const Submap& submap = *map_.Find(id);
+    if (submap.info().panoptic != Panoptic::kThing) {
+      return FailedPrecondition(Named(id) + " is a background: there is one of each class").WithReason("NOT_A_THING");
+    }
+    EditResult result{.changed = {id}, .created = {}, .removed = {}};
+    const Transform T_map_submap = submap.info().T_map_submap;
+    if (const auto* parts = std::get_if<SplitByParts>(&edit.by)) {
+      result.created = SplitIntoConnectedParts(id, parts->least_voxels, parts->most_parts, map_);
+    } else if (const auto* by_box = std::get_if<SplitByBox>(&edit.by)) {
+      const auto in_box = [&](const Eigen::Vector3d& p_m) { return by_box->box_m.contains(T_map_submap * p_m); };
+      if (const auto part = SplitSubmap(id, in_box, map_)) result.created.push_back(*part);
+    } else {
+      const auto& plane = std::get<SplitByPlane>(edit.by);
+      const auto is_before = [&](const Eigen::Vector3d& p_m) {
+        return plane.normal.dot(T_map_submap * p_m - plane.point_m) > 0;
+      };
+      if (const auto part = SplitSubmap(id, is_before, map_)) result.created.push_back(*part);
+    }
+    if (result.created.empty()) {
+      return FailedPrecondition(Named(id) + " would stay as it is: there are no two parts of it")
+          .WithReason("NOTHING_TO_SPLIT");
+    }
+    for (const SubmapId part : result.created) result.num_voxels += NumObserved(*map_.Find(part));
+    return result;
+  }
+
+  static std::int64_t NumObserved(const Submap& submap) {
+    std::int64_t num_voxels = 0;
+    for (const BlockEntry& entry : submap.blocks().entries()) {
+      if (entry.tsdf != nullptr) num_voxels += entry.tsdf->NumObservedVoxels();
+    }
+    return num_voxels;
+  }
+
+  Result<EditResult> Clear(const Edit& edit, const ClearEdit& clear) {
+    std::optional<SubmapId> only;
+    if (edit.target) {
+      DHPMAP_ASSIGN_OR_RETURN(only, Editable(*edit.target, edit.etag));
+    }
+    const auto is_meant = [&](const SubmapInfo& info) {
+      if (only) return info.id == *only;
+      if (clear.classes.empty()) return true;
+      return info.panoptic != Panoptic::kUnknown &&
+             std::find(clear.classes.begin(), clear.classes.end(), info.class_id) != clear.classes.end();
+    };
+    ClearedRegion cleared = ClearRegion(clear.region, is_meant, map_);
+    std::erase_if(cleared.changed, [&](SubmapId id) { return map_.Find(id) == nullptr; });
+    return EditResult{.changed = std::move(cleared.changed),
+                      .created = {},
+                      .removed = std::move(cleared.removed),
+                      .num_voxels = cleared.num_voxels};
+  }
+
+  Result<EditResult> SetPresence(SubmapId id, const PresenceEdit& edit) {
+    if (map_.Find(id)->info().panoptic != Panoptic::kThing) {
+      return FailedPrecondition(Named(id) + " is a background, which is never absent").WithReason("NOT_A_THING");
+    }
+    Submap& submap = *map_.FindMutable(id);
+    submap.mutable_info().presence = edit.presence;
+    if (edit.presence == Presence::kPresent) submap.DropGone();
+    return EditResult{.changed = {id}, .created = {}, .removed = {}};
+  }
+
+  const EditList& list_;
+  Map& map_;
+  std::vector<EditResult> results_;
+};
+
+}  // namespace
+
+Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map) {
+  if (list.edits.empty()) return InvalidArgument("there is no edit").WithReason("BAD_EDIT");
+  if (list.edits.size() > kMaxEdits) {
+    return InvalidArgument("there are more than " + std::to_string(kMaxEdits) + " edits").WithReason("BAD_EDIT");
+  }
+  if (list.expected_revision > map.info().revision) {
+    return Aborted("the map is at revision " + std::to_string(map.info().revision) + ", not yet at " +
+                   std::to_string(list.expected_revision))
+        .WithReason("EDITED_SINCE");
+  }
+  return Application(list, map).Run();
+}
+
+}  // namespace dhpmap

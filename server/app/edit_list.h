@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mapping/base/result.h"
+#include "mapping/map/map.h"
+#include "mapping/objects/clear_region.h"
+#include "server/app/submap_edits.h"
+
+namespace dhpmap {
+
+inline constexpr std::size_t kMaxEdits = 1000;
+inline constexpr std::size_t kMaxParts = 64;
+
+/// Of another edit of the list, which comes before: the first object that it made.
+struct EarlierResult {
+  std::size_t edit = 0;
+};
+/// An object by its id, or by what made it.
+using EditTarget = std::variant<SubmapId, EarlierResult>;
+
+/// Pose, class or name.
+struct PatchEdit {
+  SubmapPatch patch;
+};
+/// A copy, at the place and with the name given, or those of the original.
+struct CloneEdit {
+  SubmapPatch patch;
+};
+struct DeleteEdit {};
+/// Makes other things parts of the target, which keeps its id.
+struct MergeEdit {
+  std::vector<EditTarget> others;
+};
+/// What lies in the box becomes an object of its own.
+struct SplitByBox {
+  Eigen::AlignedBox3d box_m;  ///< map frame
+};
+/// What lies on the side that the normal points to becomes one.
+struct SplitByPlane {
+  Eigen::Vector3d point_m = Eigen::Vector3d::Zero();  ///< map frame
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of any length but zero
+};
+/// Each connected part but the largest becomes one.
+struct SplitByParts {
+  std::size_t least_voxels = 16;  ///< smaller parts stay
+  std::size_t most_parts = kMaxParts;
+};
+struct SplitEdit {
+  std::variant<SplitByBox, SplitByPlane, SplitByParts> by;
+};
+/// Without a target: of all submaps of these classes, or of all if there are none.
+struct ClearEdit {
+  Region region;
+  std::vector<ClassId> classes;
+};
+struct PresenceEdit {
+  Presence presence = Presence::kAbsent;
+};
+
+struct Edit {
+  std::optional<EditTarget> target;  ///< only a ClearEdit may be without
+  std::string etag;                  ///< of the target's state before the list; empty: whatever it is
+  std::variant<PatchEdit, CloneEdit, DeleteEdit, MergeEdit, SplitEdit, ClearEdit, PresenceEdit> action;
+};
+
+struct EditList {
+  std::vector<Edit> edits;
+  /// ABORTED, reason EDITED_SINCE, if an edit or a merge has changed one of the objects named after this revision;
+  /// frames do not count. 0: whatever was done.
+  std::int64_t expected_revision = 0;
+};
+
+/// What became of one edit.
+struct EditResult {
+  std::vector<SubmapId> changed;  ///< objects that are there, in ascending order
+  std::vector<SubmapId> created;
+  std::vector<SubmapId> removed;
+  std::int64_t num_voxels = 0;  ///< that changed hands, or were cleared
+};
+
+/// Applies the edits in their order: all of them, or, with an error, none is to be kept (the map may be half changed
+/// then). The error names the edit: "edits[2]: ...". NOT_FOUND, FAILED_PRECONDITION and ABORTED as for single edits
+/// (submap_edits.h); INVALID_ARGUMENT for an empty list, for more than kMaxEdits, and for what makes no sense;
+/// FAILED_PRECONDITION, by reason: NOT_MERGEABLE (not things, or not on one grid), NOTHING_TO_SPLIT, NOT_A_THING.
+/// Moves, clones, names and classes touch rows only, all else the blocks of the objects named.
+Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map);
+
+}  // namespace dhpmap

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/wire/edit_conversion.h"
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "server/wire/types/pose_conversion.h"
+#include "server/wire/types/resource_names.h"
+
+namespace dhpmap {
+namespace {
+
+/// Reads the edits of one list; what is wrong is noted with its place.
+class Reader {
+ public:
+  Reader(const std::string& map, const LabelSet& label_set) : map_(map), label_set_(label_set) {}
+
+  Edit Read(const v1::Edit& proto, std::size_t index) {
+    place_ = "edits[" + std::to_string(index) + "]";
+    Edit edit;
+    if (!proto.submap().empty()) edit.target = Target(proto.submap(), "submap");
+    else if (!proto.has_clear()) Bad("submap", "is missing");
+    edit.etag = proto.etag();
+    switch (proto.edit_case()) {
+      case v1::Edit::kMove: edit.action = PatchEdit{Move(proto.move())}; break;
+      case v1::Edit::kClone: edit.action = CloneEdit{Clone(proto.clone())}; break;
+      case v1::Edit::kDelete: edit.action = DeleteEdit{}; break;
+      case v1::Edit::kRelabel: edit.action = PatchEdit{Relabel(proto.relabel())}; break;
+      case v1::Edit::kRename: edit.action = PatchEdit{Rename(proto.rename())}; break;
+      case v1::Edit::kMerge: edit.action = Merge(proto.merge()); break;
+      case v1::Edit::kSplit: edit.action = Split(proto.split()); break;
+      case v1::Edit::kClear: edit.action = Clear(proto.clear()); break;
+      case v1::Edit::kSetPresence: edit.action = SetPresence(proto.set_presence()); break;
+      case v1::Edit::EDIT_NOT_SET: Bad("edit", "says nothing to do"); break;
+    }
+    return edit;
+  }
+
+  [[nodiscard]] const Status& bad() const { return bad_; }
+
+ private:
+  void Bad(const std::string& field, std::string what) { bad_.AddViolation(place_ + "." + field, std::move(what)); }
+
+  EditTarget Target(const std::string& name, const std::string& field) {
+    if (name.starts_with('#')) {
+      EarlierResult earlier;
+      const char* end = name.data() + name.size();
+      const auto [stop, error] = std::from_chars(name.data() + 1, end, earlier.edit);
+      if (error == std::errc() && stop == end) return earlier;
+      Bad(field, "'" + name + "' is no number of an edit");
+      return SubmapId();
+    }
+    const Result<SubmapName> parsed = ParseSubmapName(name, field);
+    if (!parsed.ok()) {
+      for (const FieldViolation& violation : parsed.status().violations()) Bad(field, violation.description);
+      return SubmapId();
+    }
+    if (parsed->map != map_) Bad(field, "'" + name + "' is of another map");
+    return parsed->submap;
+  }
+
+  std::optional<Transform> PoseOf(const v1::Pose& proto, const std::string& field) {
+    const Result<Transform> T = TransformFromProto(proto, place_ + "." + field);
+    if (T.ok()) return *T;
+    for (const FieldViolation& violation : T.status().violations()) {
+      bad_.AddViolation(violation.field, violation.description);
+    }
+    return std::nullopt;
+  }
+
+  SubmapPatch Move(const v1::MoveEdit& proto) {
+    SubmapPatch patch;
+    if (proto.has_map_from_submap()) patch.T_map_submap = PoseOf(proto.map_from_submap(), "move.map_from_submap");
+    else Bad("move.map_from_submap", "is missing");
+    return patch;
+  }
+
+  SubmapPatch Clone(const v1::CloneEdit& proto) {
+    SubmapPatch patch;
+    if (proto.has_map_from_submap()) patch.T_map_submap = PoseOf(proto.map_from_submap(), "clone.map_from_submap");
+    if (!proto.display_name().empty()) patch.display_name = proto.display_name();
+    return patch;
+  }
+
+  SubmapPatch Relabel(const v1::RelabelEdit& proto) {
+    SubmapPatch patch;
+    if (proto.has_class_id() == !proto.class_name().empty()) {
+      Bad("relabel", "takes either class_id or class_name");
+    } else if (!proto.has_class_id()) {
+      patch.class_id = ClassOf(proto.class_name(), "relabel.class_name");
+    } else if (proto.class_id() < 0 || static_cast<std::uint32_t>(proto.class_id()) > kMaxClassId) {
+      Bad("relabel.class_id", std::to_string(proto.class_id()) + " is not within 0 and 65534");
+    } else {
+      patch.class_id = ClassId(static_cast<std::uint16_t>(proto.class_id()));
+    }
+    return patch;
+  }
+
+  static SubmapPatch Rename(const v1::RenameEdit& proto) {
+    SubmapPatch patch;
+    patch.display_name = proto.display_name();
+    return patch;
+  }
+
+  MergeEdit Merge(const v1::MergeEdit& proto) {
+    MergeEdit merge;
+    if (proto.others().empty()) Bad("merge.others", "is empty");
+    for (const std::string& other : proto.others()) merge.others.push_back(Target(other, "merge.others"));
+    return merge;
+  }
+
+  SplitEdit Split(const v1::SplitEdit& proto) {
+    switch (proto.by_case()) {
+      case v1::SplitEdit::kBox: return {SplitByBox{BoxOf(proto.box(), "split.box")}};
+      case v1::SplitEdit::kPlane: {
+        const SplitByPlane plane{VectorFromProto(proto.plane().point_m()), VectorFromProto(proto.plane().normal())};
+        if (!plane.point_m.allFinite()) Bad("split.plane.point_m", "is not finite");
+        if (!plane.normal.allFinite() || plane.normal.isZero(0))
+          Bad("split.plane.normal", "must be finite and not zero");
+        return {plane};
+      }
+      case v1::SplitEdit::kParts: {
+        SplitByParts parts;
+        if (proto.parts().min_voxels() < 0) Bad("split.parts.min_voxels", "is negative");
+        else if (proto.parts().min_voxels() > 0)
+          parts.least_voxels = static_cast<std::size_t>(proto.parts().min_voxels());
+        return {parts};
+      }
+      case v1::SplitEdit::BY_NOT_SET: Bad("split", "says nothing to split by"); break;
+    }
+    return {};
+  }
+
+  ClearEdit Clear(const v1::ClearEdit& proto) {
+    ClearEdit clear;
+    if (proto.has_box()) {
+      clear.region = BoxOf(proto.box(), "clear.box");
+    } else if (proto.has_sphere()) {
+      const BoundingSphere sphere{VectorFromProto(proto.sphere().center_m()), proto.sphere().radius_m()};
+      if (!sphere.center_m.allFinite() || !std::isfinite(sphere.radius_m) || sphere.radius_m <= 0) {
+        Bad("clear.sphere", "must be finite, with a radius_m above 0");
+      }
+      clear.region = sphere;
+    } else {
+      Bad("clear", "says no region");
+    }
+    for (const std::string& name : proto.class_names()) {
+      if (const auto id = ClassOf(name, "clear.class_names")) clear.classes.push_back(*id);
+    }
+    return clear;
+  }
+
+  PresenceEdit SetPresence(const v1::PresenceEdit& proto) {
+    if (proto.presence() != v1::PRESENT && proto.presence() != v1::ABSENT) {
+      Bad("set_presence.presence", "must be PRESENT or ABSENT");
+    }
+    return {proto.presence() == v1::ABSENT ? Presence::kAbsent : Presence::kPresent};
+  }
+
+  Eigen::AlignedBox3d BoxOf(const v1::Box& proto, const std::string& field) {
+    const Eigen::AlignedBox3d box(VectorFromProto(proto.min_m()), VectorFromProto(proto.max_m()));
+    const bool is_finite = box.min().allFinite() && box.max().allFinite();
+    if (!is_finite || (box.min().array() > box.max().array()).any()) {
+      Bad(field, "must be finite, with min_m below max_m");
+    }
+    return box;
+  }
+
+  std::optional<ClassId> ClassOf(const std::string& name, const std::string& field) {
+    for (const LabelClass& label_class : label_set_.classes()) {
+      if (label_class.name == name) return label_class.id;
+    }
+    Bad(field, "'" + name + "' is no class of the map's label set");
+    return std::nullopt;
+  }
+
+  const std::string& map_;
+  const LabelSet& label_set_;
+  std::string place_;
+  Status bad_ = InvalidArgument("the edits are not usable").WithReason("BAD_EDIT");
+};
+
+}  // namespace
+
+Result<EditList> EditListFromProto(const v1::ApplyEditsRequest& request, const std::string& map,
+                                   const LabelSet& label_set) {
+  EditList list{.edits = {}, .expected_revision = request.expected_revision()};
+  Reader reader(map, label_set);
+  for (const v1::Edit& edit : request.edits()) {
+    if (list.edits.size() > kMaxEdits) break;  // refused as they are
+    list.edits.push_back(reader.Read(edit, list.edits.size()));
+  }
+  if (!reader.bad().violations().empty()) return reader.bad();
+  return list;
+}
+
+v1::EditResult ToProto(const EditResult& result, const std::string& map) {
+  v1::EditResult proto;
+  for (const SubmapId id : result.changed) proto.add_changed(SubmapResourceName(map, id));
+  for (const SubmapId id : result.created) proto.add_created(SubmapResourceName(map, id));
+  for (const SubmapId id : result.removed) proto.add_removed(SubmapResourceName(map, id));
+  proto.set_num_voxels(result.num_voxels);
+  return proto;
+}
+
+}  // namespace dhpmap

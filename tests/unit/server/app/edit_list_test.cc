@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/edit_list.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "server/app/etag.h"
+#include "tests/support/map_equality.h"
+#include "tests/support/scenes.h"
+#include "tests/support/status_reason.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::ReasonOf;
+
+/// A map with things that are rows of blocks along x, each at a y of its own.
+class EditListTest : public ::testing::Test {
+ protected:
+  EditListTest() {
+    for (int n = 0; n < 4; ++n) things_.push_back(AddRow(n));
+    map_.Publish(1);
+  }
+
+  SubmapId AddRow(int n) {
+    SubmapInfo info;
+    info.panoptic = Panoptic::kThing;
+    info.class_id = ClassId(1);
+    info.voxel_size_m = map_.info().config.voxel_size_m;
+    info.truncation_m = map_.info().config.truncation_m;
+    info.activity = Activity::kInactive;
+    Submap& submap = map_.Create(std::move(info));
+    for (int x = 0; x < 3; ++x) {
+      for (int i = 0; i < kBlockVoxels; ++i) {
+        submap.MutableTsdf({x, n, 0}).weight[static_cast<std::size_t>(i)] = 1.0f + static_cast<float>(i % 3);
+        submap.MutableLabels({x, n, 0}).AddObservation(i, ClassId(1));
+      }
+    }
+    submap.AddClassObservations(ClassId(1), 3 * kBlockVoxels);
+    submap.UpdateBoundingSphere();
+    return submap.id();
+  }
+
+  static MapInfo Info() {
+    MapInfo info;
+    info.name = "m";
+    info.label_set = testing::MakeLabelSet(3, 1);
+    return info;
+  }
+  [[nodiscard]] double block_m() const { return kBlockSide * map_.info().config.voxel_size_m; }
+
+  static Edit On(EditTarget target, decltype(Edit::action) action) {
+    return {.target = target, .etag = {}, .action = std::move(action)};
+  }
+  static PatchEdit Rename(const std::string& name) {
+    SubmapPatch patch;
+    patch.display_name = name;
+    return {patch};
+  }
+  [[nodiscard]] SplitEdit SplitAfterBlocks(int n) const {
+    return {SplitByPlane{Eigen::Vector3d(n * block_m(), 0, 0), Eigen::Vector3d(2, 0, 0)}};
+  }
+
+  Map map_{Info()};
+  std::vector<SubmapId> things_;
+};
+
+TEST_F(EditListTest, LaterEditsWorkOnWhatEarlierOnesMade) {
+  EditList list;
+  list.edits.push_back(On(things_[0], CloneEdit{}));
+  list.edits.push_back(On(EarlierResult{0}, SplitAfterBlocks(1)));
+  list.edits.push_back(On(EarlierResult{1}, Rename("right")));
+  list.edits.push_back(On(EarlierResult{0}, MergeEdit{{EarlierResult{1}}}));
+  const auto results = ApplyEdits(list, map_);
+  ASSERT_TRUE(results.ok()) << results.status().ToString();
+  ASSERT_EQ(results->size(), 4u);
+  const SubmapId copy = results->at(0).created.at(0), part = results->at(1).created.at(0);
+  EXPECT_EQ(results->at(1).num_voxels, 2 * kBlockVoxels);
+  EXPECT_EQ(results->at(3).changed, std::vector<SubmapId>{copy});
+  EXPECT_EQ(results->at(3).removed, std::vector<SubmapId>{part});
+  EXPECT_EQ(map_.info().merged.Into(part), copy);
+  EXPECT_EQ(map_.Find(copy)->blocks().size(), 3u);
+  EXPECT_EQ(map_.Find(copy)->info().display_name, "right");
+}
+
+TEST_F(EditListTest, AnErrorNamesItsEdit) {
+  EditList list;
+  list.edits.push_back(On(things_[0], DeleteEdit{}));
+  list.edits.push_back(On(things_[0], Rename("gone")));
+  const auto results = ApplyEdits(list, map_);
+  EXPECT_EQ(results.status().code(), StatusCode::kNotFound);
+  EXPECT_TRUE(results.status().message().starts_with("edits[1]: ")) << results.status().message();
+}
+
+TEST_F(EditListTest, WhatWasMergedInTheListIsNamedByTheError) {
+  EditList list;
+  list.edits.push_back(On(things_[0], MergeEdit{{things_[1]}}));
+  list.edits.push_back(On(things_[1], Rename("part")));
+  const auto results = ApplyEdits(list, map_);
+  EXPECT_EQ(ReasonOf(results.status()), "MERGED_INTO");
+  ASSERT_EQ(results.status().metadata().size(), 1u);
+  EXPECT_EQ(results.status().metadata()[0].second, "maps/m/submaps/" + std::to_string(things_[0].value));
+}
+
+TEST_F(EditListTest, EtagsAreThoseOfBeforeTheList) {
+  const std::string etag = EtagOf(*map_.Find(things_[0]), map_.info());
+  EditList list;
+  for (int i = 0; i < 2; ++i) {
+    list.edits.push_back(On(things_[0], Rename("n" + std::to_string(i))));
+    list.edits.back().etag = etag;
+  }
+  EXPECT_TRUE(ApplyEdits(list, map_).ok());
+  map_.Publish(2);
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
+}
+
+TEST_F(EditListTest, ExpectedRevisionSeesEditsAndNotFrames) {
+  const std::int64_t known = map_.info().revision;
+  map_.FindMutable(things_[0])->MutableTsdf({0, 0, 0}).weight[0] = 9;  // as a frame does
+  map_.Publish(2);
+  EditList list{.edits = {}, .expected_revision = known};
+  list.edits.push_back(On(things_[0], Rename("first")));
+  ASSERT_TRUE(ApplyEdits(list, map_).ok());
+  map_.Publish(3);
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
+  list.edits[0].target = things_[1];
+  EXPECT_TRUE(ApplyEdits(list, map_).ok()) << "another object was edited, not this one";
+  list.edits.push_back(On(things_[1], Rename("twice in one list")));
+  map_.Publish(4);
+  list.expected_revision = map_.info().revision;
+  EXPECT_TRUE(ApplyEdits(list, map_).ok());
+  list.expected_revision = map_.info().revision + 10;
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
+}
+
+TEST_F(EditListTest, MergesCountAsEditsOfWhatIsLeft) {
+  const std::int64_t known = map_.info().revision;
+  EditList merge;
+  merge.edits.push_back(On(things_[0], MergeEdit{{things_[1]}}));
+  ASSERT_TRUE(ApplyEdits(merge, map_).ok());
+  map_.Publish(2);
+  EditList list{.edits = {}, .expected_revision = known};
+  list.edits.push_back(On(things_[0], Rename("x")));
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
+}
+
+TEST_F(EditListTest, WhatMakesNoSenseIsRefused) {
+  const auto reason_of = [this](Edit edit) {
+    EditList list;
+    list.edits.push_back(std::move(edit));
+    return ReasonOf(ApplyEdits(list, map_).status());
+  };
+  EXPECT_EQ(ReasonOf(ApplyEdits({}, map_).status()), "BAD_EDIT");
+  EXPECT_EQ(reason_of(On(EarlierResult{0}, DeleteEdit{})), "BAD_EDIT");
+  EXPECT_EQ(reason_of({.target = {}, .etag = {}, .action = DeleteEdit{}}), "BAD_EDIT");
+  EXPECT_EQ(reason_of(On(things_[0], MergeEdit{})), "BAD_EDIT");
+  EXPECT_EQ(reason_of(On(things_[0], MergeEdit{{things_[0]}})), "NOT_MERGEABLE");
+  EXPECT_EQ(reason_of(On(kUnknownSubmap, DeleteEdit{})), "UNKNOWN_SUBMAP");
+  EXPECT_EQ(reason_of(On(SubmapId(999), DeleteEdit{})), "SUBMAP_NOT_FOUND");
+  EXPECT_EQ(reason_of(On(things_[0], SplitAfterBlocks(9))), "NOTHING_TO_SPLIT");
+  EXPECT_EQ(reason_of(On(things_[0], SplitEdit{SplitByParts{}})), "NOTHING_TO_SPLIT");
+}
+
+TEST_F(EditListTest, ABackgroundIsNeitherSplitNorAbsent) {
+  SubmapInfo info;
+  info.panoptic = Panoptic::kStuff;
+  info.class_id = ClassId(4);
+  info.voxel_size_m = map_.info().config.voxel_size_m;
+  const SubmapId floor = map_.Create(std::move(info)).id();
+  for (const decltype(Edit::action)& action : {decltype(Edit::action)(SplitAfterBlocks(1)), {PresenceEdit{}}}) {
+    EditList list;
+    list.edits.push_back(On(floor, action));
+    EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "NOT_A_THING");
+  }
+}
+
+TEST_F(EditListTest, AnObjectIsAbsentUntilSomebodySaysOtherwise) {
+  EditList list;
+  list.edits.push_back(On(things_[0], PresenceEdit{Presence::kAbsent}));
+  ASSERT_TRUE(ApplyEdits(list, map_).ok());
+  EXPECT_TRUE(map_.Find(things_[0])->IsAbsent());
+  list.edits[0].action = PresenceEdit{Presence::kPresent};
+  ASSERT_TRUE(ApplyEdits(list, map_).ok());
+  EXPECT_FALSE(map_.Find(things_[0])->IsAbsent());
+}
+
+TEST_F(EditListTest, ARegionIsClearedOfAllOrOfOneObject) {
+  const BoundingSphere everything{Eigen::Vector3d::Zero(), 100.0};
+  EditList list;
+  list.edits.push_back(On(things_[1], ClearEdit{everything, {}}));
+  auto results = ApplyEdits(list, map_);
+  ASSERT_TRUE(results.ok());
+  EXPECT_EQ(results->at(0).removed, std::vector<SubmapId>{things_[1]});
+  EXPECT_EQ(results->at(0).num_voxels, 3 * kBlockVoxels);
+  list.edits[0] = {.target = {}, .etag = {}, .action = ClearEdit{everything, {ClassId(2)}}};
+  results = ApplyEdits(list, map_);
+  ASSERT_TRUE(results.ok());
+  EXPECT_EQ(results->at(0).num_voxels, 0);
+  list.edits[0] = {.target = {}, .etag = {}, .action = ClearEdit{everything, {}}};
+  results = ApplyEdits(list, map_);
+  ASSERT_TRUE(results.ok());
+  EXPECT_EQ(results->at(0).removed.size(), 3u);
+}
+
+/// Sum over all things of what was observed of each place.
+double TotalWeight(const Map& map) {
+  double total = 0;
+  for (const auto& submap : map.submaps()) {
+    for (const BlockEntry& entry : submap->blocks().entries()) {
+      for (const float weight : entry.tsdf->weight) total += weight;
+    }
+  }
+  return total;
+}
+
+TEST_F(EditListTest, RandomSplitsAndMergesLoseNoObservation) {
+  const double total = TotalWeight(map_);
+  const std::size_t num_things = things_.size();
+  std::mt19937 random(3);
+  std::vector<std::pair<SubmapId, SubmapId>> split;  // what was cut off, and from what
+  for (int step = 0; step < 60; ++step) {
+    EditList list;
+    if (split.empty() || random() % 2 == 0) {
+      const SubmapId of = things_[random() % things_.size()];
+      const double at_m = block_m() * (0.2 + 2.6 * static_cast<double>(random() % 1000) / 1000);
+      list.edits.push_back(On(of, SplitEdit{SplitByPlane{Eigen::Vector3d(at_m, 0, 0), Eigen::Vector3d::UnitX()}}));
+      const auto results = ApplyEdits(list, map_);
+      if (results.ok()) split.emplace_back(results->at(0).created.at(0), of);
+      else EXPECT_EQ(ReasonOf(results.status()), "NOTHING_TO_SPLIT");
+    } else {
+      const auto [part, of] = split.back();
+      split.pop_back();
+      list.edits.push_back(On(of, MergeEdit{{part}}));
+      ASSERT_TRUE(ApplyEdits(list, map_).ok());
+    }
+    EXPECT_NEAR(TotalWeight(map_), total, 1e-6 * total);
+    if (step % 7 == 0) map_.Publish(step);
+  }
+  while (!split.empty()) {
+    EditList list;
+    list.edits.push_back(On(split.back().second, MergeEdit{{split.back().first}}));
+    ASSERT_TRUE(ApplyEdits(list, map_).ok());
+    split.pop_back();
+  }
+  EXPECT_EQ(map_.submaps().size(), num_things + 1);
+  for (const SubmapId id : things_) {
+    ASSERT_EQ(map_.Find(id)->info().class_counts.size(), 1u);
+    EXPECT_EQ(map_.Find(id)->info().class_counts[0].count, 3u * kBlockVoxels);
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap
