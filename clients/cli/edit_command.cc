@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap edit move|clone|delete|relabel|rename.
+// dhpmap edit move|clone|delete|relabel|rename|merge|split|clear|absent|present|apply.
+#include <google/protobuf/util/json_util.h>
+
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
 #include "clients/cli/new_map.h"
+#include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
 
 namespace dhpmap {
@@ -15,6 +20,11 @@ struct EditOptions {
   std::string map, text;
   std::int64_t id = 0;
   std::vector<double> to_m, by_m, rotation;
+  std::vector<std::int64_t> others;
+  std::vector<double> box_m, sphere_m, plane;
+  std::vector<std::string> classes;
+  int min_voxels = 0;
+  bool only_try = false;
   [[nodiscard]] std::string name() const { return SubmapName(map, id); }
   [[nodiscard]] bool has_pose() const { return !to_m.empty() || !by_m.empty() || !rotation.empty(); }
 };
@@ -124,6 +134,115 @@ ExitCode RunRename(const Session& session, const EditOptions& options) {
   return Update(session, *Submaps(session), submap, "display_name", "renamed " + options.name());
 }
 
+void SetVector(v1::Vector3& out, const double* values) {
+  out.set_x(values[0]);
+  out.set_y(values[1]);
+  out.set_z(values[2]);
+}
+
+void SetBox(v1::Box& out, const std::vector<double>& values) {
+  SetVector(*out.mutable_min_m(), values.data());
+  SetVector(*out.mutable_max_m(), values.data() + 3);
+}
+
+void PrintNames(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
+  if (names.empty()) return;
+  std::cout << " " << what;
+  for (const std::string& name : names) std::cout << " " << name.substr(name.rfind('/') + 1);
+}
+
+/// One line an edit: what changed, was created and removed, by instance id.
+ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const EditOptions& options) {
+  request.set_map(MapName(options.map));
+  request.set_validate_only(request.validate_only() || options.only_try);
+  grpc::ClientContext context;
+  v1::ApplyEditsResponse response;
+  const grpc::Status status = v1::EditService::NewStub(Connect(session))->ApplyEdits(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) {
+    PrintJson(response);
+    return ExitCode::kOk;
+  }
+  for (const v1::EditResult& result : response.results()) {
+    std::cout << (request.validate_only() ? "would be:" : "done:");
+    PrintNames("changed", result.changed());
+    PrintNames("created", result.created());
+    PrintNames("removed", result.removed());
+    if (result.num_voxels() > 0) std::cout << ", " << result.num_voxels() << " voxels";
+    std::cout << "\n";
+  }
+  std::cout << "revision " << response.revision() << "\n";
+  return ExitCode::kOk;
+}
+
+/// A list of one edit, on the object that the options name, if they name one.
+v1::ApplyEditsRequest One(const EditOptions& options, v1::Edit*& edit) {
+  v1::ApplyEditsRequest request;
+  edit = request.add_edits();
+  if (options.id > 0) edit->set_submap(options.name());
+  return request;
+}
+
+ExitCode RunMerge(const Session& session, const EditOptions& options) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  for (const std::int64_t other : options.others) edit->mutable_merge()->add_others(SubmapName(options.map, other));
+  return RunEdits(session, std::move(request), options);
+}
+
+ExitCode RunSplit(const Session& session, const EditOptions& options) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  v1::SplitEdit& split = *edit->mutable_split();
+  if (!options.box_m.empty()) SetBox(*split.mutable_box(), options.box_m);
+  else if (options.plane.empty()) split.mutable_parts()->set_min_voxels(options.min_voxels);
+  else {
+    SetVector(*split.mutable_plane()->mutable_point_m(), options.plane.data());
+    SetVector(*split.mutable_plane()->mutable_normal(), options.plane.data() + 3);
+  }
+  return RunEdits(session, std::move(request), options);
+}
+
+ExitCode RunClear(const Session& session, const EditOptions& options) {
+  if (options.box_m.empty() == options.sphere_m.empty()) {
+    return ReportLocalError("say where: --box or --sphere", ExitCode::kUsage);
+  }
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  v1::ClearEdit& clear = *edit->mutable_clear();
+  if (!options.box_m.empty()) SetBox(*clear.mutable_box(), options.box_m);
+  else {
+    SetVector(*clear.mutable_sphere()->mutable_center_m(), options.sphere_m.data());
+    clear.mutable_sphere()->set_radius_m(options.sphere_m[3]);
+  }
+  for (const std::string& name : options.classes) clear.add_class_names(name);
+  return RunEdits(session, std::move(request), options);
+}
+
+template <v1::Presence presence>
+ExitCode RunSetPresence(const Session& session, const EditOptions& options) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  edit->mutable_set_presence()->set_presence(presence);
+  return RunEdits(session, std::move(request), options);
+}
+
+/// A list of edits from a file of JSON, an ApplyEditsRequest whose map may be left out.
+ExitCode RunApply(const Session& session, const EditOptions& options) {
+  std::ostringstream text;
+  if (options.text == "-") {
+    text << std::cin.rdbuf();
+  } else {
+    std::ifstream file(options.text);
+    if (!file) return ReportLocalError("cannot read " + options.text, ExitCode::kLocalFile);
+    text << file.rdbuf();
+  }
+  v1::ApplyEditsRequest request;
+  const auto parsed = google::protobuf::util::JsonStringToMessage(text.str(), &request);
+  if (!parsed.ok()) return ReportLocalError(options.text + ": " + parsed.ToString(), ExitCode::kLocalFile);
+  return RunEdits(session, std::move(request), options);
+}
+
 /// A command on one object.
 CLI::App* AddEdit(CLI::App& edit, const char* name, const char* what, const std::shared_ptr<EditOptions>& options,
                   Session& session, ExitCode (*run)(const Session&, const EditOptions&)) {
@@ -141,10 +260,37 @@ void AddPoseOptions(CLI::App& command, EditOptions& options) {
   command.add_option("--rotation", options.rotation, "New rotation as quaternion X Y Z W")->expected(4);
 }
 
+void AddTryOption(CLI::App& command, EditOptions& options) {
+  command.add_flag("--try", options.only_try, "Say what would become of it, and change nothing");
+}
+
+void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
+  CLI::App* merge = AddEdit(edit, "merge", "Make other things parts of it", options, session, RunMerge);
+  merge->add_option("others", options->others, "Instance ids of the others")->required();
+  CLI::App* split =
+      AddEdit(edit, "split", "Make its connected parts objects of their own, or what lies in a box or before a plane",
+              options, session, RunSplit);
+  CLI::Option* box =
+      split->add_option("--box", options->box_m, "What lies in the box X Y Z to X Y Z (metres)")->expected(6);
+  split->add_option("--plane", options->plane, "What lies beyond the point X Y Z along the normal X Y Z")
+      ->expected(6)
+      ->excludes(box);
+  split->add_option("--min-voxels", options->min_voxels, "Smaller connected parts stay [16]");
+  CLI::App* clear = edit.add_subcommand("clear", "Forget what was observed within a region");
+  clear->add_option("map", options->map, "Name of the map")->required();
+  clear->add_option("--id", options->id, "Of this object only");
+  clear->add_option("--class", options->classes, "Of objects of this class only; may be repeated")
+      ->allow_extra_args(false);
+  clear->add_option("--box", options->box_m, "The box X Y Z to X Y Z (metres)")->expected(6);
+  clear->add_option("--sphere", options->sphere_m, "The sphere X Y Z RADIUS (metres)")->expected(4);
+  clear->callback([options, &session] { session.exit_code = RunClear(session, *options); });
+  for (CLI::App* command : {merge, split, clear}) AddTryOption(*command, *options);
+}
+
 }  // namespace
 
 void AddEditCommands(CLI::App& app, Session& session) {
-  CLI::App* edit = app.add_subcommand("edit", "Change one object of a map");
+  CLI::App* edit = app.add_subcommand("edit", "Change objects of a map");
   edit->require_subcommand(1);
   auto options = std::make_shared<EditOptions>();
   AddPoseOptions(*AddEdit(*edit, "move", "Change its pose", options, session, RunMove), *options);
@@ -158,6 +304,14 @@ void AddEditCommands(CLI::App& app, Session& session) {
   AddEdit(*edit, "rename", "Give it a display name", options, session, RunRename)
       ->add_option("name", options->text, "The new display name")
       ->required();
+  AddRegionCommands(*edit, options, session);
+  AddEdit(*edit, "absent", "It is no longer there", options, session, RunSetPresence<v1::ABSENT>);
+  AddEdit(*edit, "present", "It is there again", options, session, RunSetPresence<v1::PRESENT>);
+  CLI::App* apply = edit->add_subcommand("apply", "Apply a list of edits as one: all of them or none");
+  apply->add_option("map", options->map, "Name of the map")->required();
+  apply->add_option("file", options->text, "JSON as of :applyEdits over REST; - reads standard input")->required();
+  AddTryOption(*apply, *options);
+  apply->callback([options, &session] { session.exit_code = RunApply(session, *options); });
 }
 
 }  // namespace dhpmap

@@ -34,7 +34,7 @@ class Application {
  private:
   /// The error of one edit as that of the list.
   static Status WithPlace(const Status& error, std::size_t i) {
-    const std::string place = "edits[" + std::to_string(i) + "]";
+    const std::string place = std::string("edits[").append(std::to_string(i)).append("]");
     Status placed(error.code(), place + ": " + error.message());
     placed.WithReason(error.reason());
     for (const auto& [field, description] : error.violations()) placed.AddViolation(place + "." + field, description);
@@ -54,7 +54,7 @@ class Application {
   Result<SubmapId> Resolve(const EditTarget& target) const {
     if (const auto* id = std::get_if<SubmapId>(&target)) return *id;
     const std::size_t edit = std::get<EarlierResult>(target).edit;
-    const std::string name = "#" + std::to_string(edit);
+    const std::string name = std::string("#").append(std::to_string(edit));
     if (edit >= results_.size()) {
       return InvalidArgument(name + " is no edit before this one").WithReason("BAD_EDIT");
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "server/wire/types/label_conversion.h"
 #include "server/wire/types/pose_conversion.h"
 #include "server/wire/types/resource_names.h"
 
@@ -17,7 +18,7 @@ class Reader {
   Reader(const std::string& map, const LabelSet& label_set) : map_(map), label_set_(label_set) {}
 
   Edit Read(const v1::Edit& proto, std::size_t index) {
-    place_ = "edits[" + std::to_string(index) + "]";
+    place_ = std::string("edits[").append(std::to_string(index)).append("]");
     Edit edit;
     if (!proto.submap().empty()) edit.target = Target(proto.submap(), "submap");
     else if (!proto.has_clear()) Bad("submap", "is missing");
@@ -89,10 +90,11 @@ class Reader {
       Bad("relabel", "takes either class_id or class_name");
     } else if (!proto.has_class_id()) {
       patch.class_id = ClassOf(proto.class_name(), "relabel.class_name");
-    } else if (proto.class_id() < 0 || static_cast<std::uint32_t>(proto.class_id()) > kMaxClassId) {
-      Bad("relabel.class_id", std::to_string(proto.class_id()) + " is not within 0 and 65534");
     } else {
-      patch.class_id = ClassId(static_cast<std::uint16_t>(proto.class_id()));
+      patch.class_id = ClassIdFromProto(proto.class_id());
+      if (!patch.class_id) {
+        Bad("relabel.class_id", std::to_string(proto.class_id()) + " is not within 0 and 65534");
+      }
     }
     return patch;
   }

@@ -22,15 +22,13 @@ namespace {
 using google::protobuf::FieldMask;
 using google::protobuf::util::FieldMaskUtil;
 
-constexpr std::uint32_t kMaxClassId = 65534;
-
 /// Classes named by id and by name; a list that is not given passes all.
 std::optional<std::vector<ClassId>> ClassesFromProto(const v1::ListSubmapsRequest& request, const LabelSet& label_set,
                                                      Status& bad) {
   if (request.class_ids().empty() && request.class_names().empty()) return std::nullopt;
   std::set<ClassId> by_id, by_name;
   for (const int id : request.class_ids()) {
-    if (id >= 0 && static_cast<std::uint32_t>(id) <= kMaxClassId) by_id.insert(ClassId(static_cast<std::uint16_t>(id)));
+    if (const auto class_id = ClassIdFromProto(id)) by_id.insert(*class_id);
     else bad.AddViolation("class_ids", std::to_string(id) + " is not within 0 and 65534");
   }
   for (const std::string& name : request.class_names()) {
@@ -196,10 +194,9 @@ Result<SubmapPatch> PatchFromProto(const v1::UpdateSubmapRequest& request) {
   SubmapPatch patch;
   if (Covers(mask, "display_name")) patch.display_name = submap.display_name();
   if (Covers(mask, "class_id")) {
-    if (submap.class_id() < 0 || static_cast<std::uint32_t>(submap.class_id()) > kMaxClassId) {
+    patch.class_id = ClassIdFromProto(submap.class_id());
+    if (!patch.class_id) {
       bad.AddViolation("class_id", std::to_string(submap.class_id()) + " is not within 0 and 65534");
-    } else {
-      patch.class_id = ClassId(static_cast<std::uint16_t>(submap.class_id()));
     }
   }
   if (TouchesPose(mask)) AddPose(submap.map_from_submap(), mask, patch, bad);

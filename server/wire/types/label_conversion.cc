@@ -57,6 +57,12 @@ Result<LabelSet> InWireTerms(Result<LabelSet> label_set) {
 
 }  // namespace
 
+std::optional<ClassId> ClassIdFromProto(std::int64_t id) {
+  constexpr std::int64_t kMaxClassId = 65534;
+  if (id < 0 || id > kMaxClassId) return std::nullopt;
+  return ClassId(static_cast<std::uint16_t>(id));
+}
+
 Result<LabelSet> LabelSetFromProto(const google::protobuf::RepeatedPtrField<v1::LabelClass>& classes) {
   Status bad = InvalidArgument("the label set is not usable").WithReason("BAD_LABEL_SET");
   std::vector<LabelClass> result;

@@ -3,7 +3,11 @@
 
 #include <google/protobuf/repeated_ptr_field.h>
 
+#include <cstdint>
+#include <optional>
+
 #include "dhpmap/v1/types.pb.h"
+#include "mapping/base/ids.h"
 #include "mapping/base/result.h"
 #include "mapping/labels/label_set.h"
 
@@ -12,6 +16,9 @@ namespace dhpmap {
 v1::PanopticKind ToProto(Panoptic panoptic);
 v1::Color ToProto(Color color);
 v1::LabelClass ToProto(const LabelClass& label_class);
+
+/// Nothing for a number that no class can have.
+std::optional<ClassId> ClassIdFromProto(std::int64_t id);
 
 /// INVALID_ARGUMENT naming every bad class.
 Result<LabelSet> LabelSetFromProto(const google::protobuf::RepeatedPtrField<v1::LabelClass>& classes);

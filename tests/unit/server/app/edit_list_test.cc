@@ -6,14 +6,12 @@
 #include <random>
 
 #include "server/app/etag.h"
-#include "tests/support/map_equality.h"
 #include "tests/support/scenes.h"
-#include "tests/support/status_reason.h"
 
 namespace dhpmap {
 namespace {
 
-using testing::ReasonOf;
+std::string_view ReasonOf(const Status& status) { return status.reason().name(); }
 
 /// A map with things that are rows of blocks along x, each at a y of its own.
 class EditListTest : public ::testing::Test {

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "dhpmap/v1/edit_service.grpc.pb.h"
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "tests/integration/test_server.h"
+#include "tests/support/status_reason.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// One mapped room, with a copy of its ball beside it.
+class ApplyEditsTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    grpc::ClientContext create;
+    v1::CreateMapResponse response;
+    ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &response).ok());
+    ASSERT_TRUE(Feed(server, "room", 0, 12).status.ok());
+    for (const v1::Submap& submap : List()) {
+      if (submap.class_id() == 1) ball = submap.name();
+      if (submap.class_id() == 2) box = submap.name();
+      if (submap.class_id() == 3) floor = submap.name();
+    }
+    ASSERT_FALSE(ball.empty() || box.empty() || floor.empty());
+  }
+
+  std::vector<v1::Submap> List() {
+    grpc::ClientContext context;
+    v1::ListSubmapsRequest request;
+    request.set_parent("maps/room");
+    v1::ListSubmapsResponse response;
+    EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &response).ok());
+    return {response.submaps().begin(), response.submaps().end()};
+  }
+  std::int64_t Revision() { return (*store->LoadMap("room"))->revision(); }
+
+  v1::ApplyEditsResponse Apply(v1::ApplyEditsRequest request) {
+    if (request.map().empty()) request.set_map("maps/room");
+    grpc::ClientContext context;
+    v1::ApplyEditsResponse response;
+    status = edits->ApplyEdits(&context, request, &response);
+    return response;
+  }
+  static v1::Edit& Add(v1::ApplyEditsRequest& request, const std::string& submap) {
+    v1::Edit& edit = *request.add_edits();
+    edit.set_submap(submap);
+    return edit;
+  }
+  /// Clones the ball, splits the clone across its middle and names the cut-off half.
+  v1::ApplyEditsRequest CloneAndSplit() {
+    v1::ApplyEditsRequest request;
+    Add(request, ball).mutable_clone()->mutable_map_from_submap()->mutable_translation_m()->set_y(4);
+    v1::Plane& plane = *Add(request, "#0").mutable_split()->mutable_plane();
+    plane.mutable_normal()->set_x(1);
+    Add(request, "#1").mutable_rename()->set_display_name("half");
+    return request;
+  }
+
+  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  TestServer server{*store};
+  std::unique_ptr<v1::EditService::Stub> edits = v1::EditService::NewStub(server.channel());
+  grpc::Status status;
+  std::string ball, box, floor;
+};
+
+TEST_F(ApplyEditsTest, AListIsOneRevisionThatIsStored) {
+  const std::int64_t before = Revision();
+  const std::size_t num_submaps = List().size();
+  const v1::ApplyEditsResponse response = Apply(CloneAndSplit());
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_EQ(response.revision(), before + 1);
+  EXPECT_EQ(Revision(), before + 1);
+  ASSERT_EQ(response.results_size(), 3);
+  ASSERT_EQ(response.results(1).created_size(), 1);
+  EXPECT_GT(response.results(1).num_voxels(), 10);
+  EXPECT_EQ(List().size(), num_submaps + 2);
+  grpc::ClientContext context;
+  v1::GetSubmapRequest get;
+  get.set_name(response.results(1).created(0));
+  v1::GetSubmapResponse half;
+  ASSERT_TRUE(server.submaps->GetSubmap(&context, get, &half).ok());
+  EXPECT_EQ(half.submap().display_name(), "half");
+  EXPECT_GT(half.submap().bounding_sphere().center_m().y(), 3) << "the copy was moved before it was split";
+  EXPECT_GT(half.submap().bounding_sphere().center_m().x(), 0);
+}
+
+TEST_F(ApplyEditsTest, AListThatFailsChangesNothing) {
+  const std::int64_t before = Revision();
+  v1::ApplyEditsRequest request = CloneAndSplit();
+  Add(request, "maps/room/submaps/999").mutable_delete_();
+  Apply(request);
+  EXPECT_EQ(status.error_code(), grpc::NOT_FOUND);
+  EXPECT_TRUE(status.error_message().starts_with("edits[3]: ")) << status.error_message();
+  EXPECT_EQ(Revision(), before);
+  const v1::ApplyEditsResponse after = Apply(CloneAndSplit());
+  EXPECT_EQ(after.revision(), before + 1);
+}
+
+TEST_F(ApplyEditsTest, ValidatingOnlyTellsTheSameAndChangesNothing) {
+  const std::int64_t before = Revision();
+  v1::ApplyEditsRequest request = CloneAndSplit();
+  request.set_validate_only(true);
+  const v1::ApplyEditsResponse tried = Apply(request);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_EQ(tried.revision(), before);
+  EXPECT_EQ(Revision(), before);
+  request.set_validate_only(false);
+  v1::ApplyEditsResponse made = Apply(request);
+  EXPECT_EQ(made.revision(), before + 1);
+  ASSERT_EQ(tried.results_size(), made.results_size());
+  for (int i = 0; i < made.results_size(); ++i) {
+    EXPECT_EQ(tried.results(i).SerializeAsString(), made.results(i).SerializeAsString());
+  }
+}
+
+TEST_F(ApplyEditsTest, OfTwoWhoEditWhatTheyKnowOneIsToldThatTheOtherWasFirst) {
+  const std::int64_t known = Revision();
+  std::vector<std::future<grpc::Status>> answers;
+  for (int i = 0; i < 2; ++i) {
+    answers.push_back(std::async(std::launch::async, [&, i] {
+      v1::ApplyEditsRequest request;
+      request.set_map("maps/room");
+      request.set_expected_revision(known);
+      Add(request, ball).mutable_rename()->set_display_name("of " + std::to_string(i));
+      grpc::ClientContext context;
+      v1::ApplyEditsResponse response;
+      return edits->ApplyEdits(&context, request, &response);
+    }));
+  }
+  const grpc::Status first = answers[0].get(), second = answers[1].get();
+  EXPECT_NE(first.ok(), second.ok());
+  EXPECT_EQ(ReasonOf(first.ok() ? second : first), "EDITED_SINCE");
+}
+
+TEST_F(ApplyEditsTest, FramesDoNotCountAsEdits) {
+  const std::int64_t known = Revision();
+  ASSERT_TRUE(Feed(server, "room", 12, 24).status.ok());
+  v1::ApplyEditsRequest request;
+  request.set_expected_revision(known);
+  Add(request, ball).mutable_rename()->set_display_name("still the ball");
+  Apply(request);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+}
+
+TEST_F(ApplyEditsTest, WhatWasClearedIsUnknownAndComesBackWhenItIsSeen) {
+  v1::ApplyEditsRequest request;
+  v1::Edit& edit = *request.add_edits();
+  edit.mutable_clear()->mutable_sphere()->set_radius_m(50);
+  const v1::ApplyEditsResponse cleared = Apply(request);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_GE(cleared.results(0).removed_size(), 3);
+  EXPECT_EQ(List().size(), 1u) << "the unknown submap stays";
+  ASSERT_TRUE(Feed(server, "room", 0, 24).status.ok());
+  EXPECT_GE(List().size(), 4u);
+}
+
+TEST_F(ApplyEditsTest, FieldsThatAreNotUsableAreNamedAllTogether) {
+  v1::ApplyEditsRequest request;
+  Add(request, ball);
+  Add(request, "#x").mutable_delete_();
+  Add(request, "maps/other/submaps/1").mutable_delete_();
+  Add(request, ball).mutable_split()->mutable_plane();
+  Add(request, ball).mutable_merge();
+  Add(request, ball).mutable_relabel();
+  request.add_edits()->mutable_clear()->add_class_names("unicorn");
+  request.add_edits()->mutable_delete_();
+  Add(request, ball).mutable_move()->mutable_map_from_submap()->mutable_translation_m()->set_x(std::nan(""));
+  Apply(request);
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(ReasonOf(status), "BAD_EDIT");
+  google::rpc::Status proto;
+  ASSERT_TRUE(proto.ParseFromString(status.error_details()));
+  std::string fields;
+  for (const auto& detail : proto.details()) {
+    google::rpc::BadRequest bad;
+    if (!detail.UnpackTo(&bad)) continue;
+    for (const auto& violation : bad.field_violations()) fields += violation.field() + " ";
+  }
+  for (const char* field : {"edits[0].edit ", "edits[1].submap ", "edits[2].submap ", "edits[3].split.plane.normal ",
+                            "edits[4].merge.others ", "edits[5].relabel ", "edits[6].clear ",
+                            "edits[6].clear.class_names ", "edits[7].submap ", "edits[8].move.map_from_submap"}) {
+    EXPECT_NE(fields.find(field), std::string::npos) << field << " is not in " << fields;
+  }
+}
+
+TEST_F(ApplyEditsTest, TooManyEditsAreRefused) {
+  v1::ApplyEditsRequest request;
+  Apply(request);
+  EXPECT_EQ(ReasonOf(status), "BAD_EDIT");
+  for (int i = 0; i < 1001; ++i) Add(request, ball).mutable_rename()->set_display_name("n");
+  Apply(request);
+  EXPECT_EQ(ReasonOf(status), "BAD_EDIT");
+  request.mutable_edits()->RemoveLast();
+  Apply(request);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+}
+
+}  // namespace
+}  // namespace dhpmap::testing
