@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -30,7 +31,7 @@ struct StoredMap {
   std::int64_t num_submaps = 0;
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
-  std::int64_t blob_bytes = 0;   ///< size of the encoded blocks and tiles
+  std::int64_t blob_bytes = 0;   ///< size of the encoded tiles; what a clone shares counts for each
   LostRevisions lost_revisions;  ///< see MapStore::Reserve
   /// From ListMaps: why the map cannot be read; then of all else only info.name is valid.
   Status damage;
@@ -87,6 +88,8 @@ class MapStore {
 struct SqliteStoreOptions {
   bool read_only = false;
   int busy_timeout_ms = 5000;
+  /// Hears, while it is opened, what is brought up to date of an older database and how much is left; may be empty.
+  std::function<void(const std::string& message)> on_progress;
 };
 
 /// Opens or creates a database file. DATA_LOSS if it is damaged or no database; FAILED_PRECONDITION, by reason:

@@ -28,6 +28,51 @@ std::shared_ptr<const SubmapMarks> MarkSubmap(const std::shared_ptr<const Submap
   return std::make_shared<const SubmapMarks>(submap, old->second.get());
 }
 
+const BlockMark kNoBlock{};
+
+void CompareBlock(const BlockMark& before, const BlockEntry& after, TileChange& change) {
+  ForEachLayer(
+      [&change](BlockLayer layer, const auto& old, const auto& now) {
+        const auto i = static_cast<std::size_t>(layer);
+        change.num_before[i] += WasThere(old);
+        change.num_after[i] += now != nullptr;
+        change.is_written[i] = change.is_written[i] || !IsSamePart(old, now);
+      },
+      before, after);
+}
+
+/// Either may be null.
+TileChange CompareTile(TileIndex index, const TileMarks* before, std::shared_ptr<const BlockTile> after) {
+  TileChange change{.index = index, .after = after, .is_written = {}, .num_before = {}, .num_after = {}};
+  for (const BlockEntry& entry : after != nullptr ? after->entries() : std::span<const BlockEntry>()) {
+    const BlockMark* old = before != nullptr ? before->Find(CellOf(entry.index)) : nullptr;
+    CompareBlock(old != nullptr ? *old : kNoBlock, entry, change);
+  }
+  for (const BlockMark& old : before != nullptr ? std::span(before->blocks) : std::span<const BlockMark>()) {
+    if (after == nullptr || after->Find(CellOf(old.index)) == nullptr) CompareBlock(old, BlockEntry(), change);
+  }
+  return change;
+}
+
+/// `before` may be null.
+SubmapTileChange DiffTilesOf(const SubmapMarks* before, const Submap& after) {
+  SubmapTileChange change{.id = after.id(), .after = &after, .is_new = before == nullptr, .tiles = {}};
+  const auto compare = [&change](TileIndex index, const TileMarks* old, std::shared_ptr<const BlockTile> now) {
+    TileChange tile = CompareTile(index, old, std::move(now));
+    if (std::find(tile.is_written.begin(), tile.is_written.end(), true) == tile.is_written.end()) return;
+    change.tiles.push_back(std::move(tile));
+  };
+  for (const TileEntry& entry : after.blocks().tiles()) {
+    const TileMarks* old = before != nullptr ? before->FindTile(entry.index) : nullptr;
+    if (old == nullptr || !old->IsOf(entry)) compare(entry.index, old, entry.tile);
+  }
+  if (before == nullptr) return change;
+  for (const auto& old : before->tiles()) {
+    if (after.blocks().FindTile(old->index) == nullptr) compare(old->index, old.get(), nullptr);
+  }
+  return change;
+}
+
 }  // namespace
 
 bool BlockMark::IsOf(const BlockEntry& entry) const {
@@ -99,6 +144,18 @@ std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnaps
   }
   for (const auto& [id, old] : before.submaps()) {
     if (after.Find(id) == nullptr) changes.push_back({.id = id});
+  }
+  return changes;
+}
+
+std::vector<SubmapTileChange> DiffTiles(const StateMarks& before, const MapSnapshot& after) {
+  std::vector<SubmapTileChange> changes;
+  for (const auto& submap : after.submaps()) {
+    const SubmapMarks* old = before.Find(submap->id());
+    if (old == nullptr || !old->IsOf(submap)) changes.push_back(DiffTilesOf(old, *submap));
+  }
+  for (const auto& [id, old] : before.submaps()) {
+    if (after.Find(id) == nullptr) changes.push_back({.id = id, .after = nullptr, .is_new = false, .tiles = {}});
   }
   return changes;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
@@ -93,6 +95,24 @@ class StateMarks {
   std::map<SubmapId, std::shared_ptr<const SubmapMarks>> submaps_;
   LayerMarks free_space_, vacated_;
 };
+
+/// What was written of a tile of a submap, by layer.
+struct TileChange {
+  TileIndex index;
+  std::shared_ptr<const BlockTile> after;  ///< null: the tile is no longer there
+  std::array<bool, kNumBlockLayers> is_written{};
+  std::array<std::int32_t, kNumBlockLayers> num_before{};  ///< blocks that had each layer
+  std::array<std::int32_t, kNumBlockLayers> num_after{};
+};
+
+/// What was written of a submap, tile by tile: what a store of tiles works from.
+struct SubmapTileChange {
+  SubmapId id;
+  const Submap* after = nullptr;  ///< null: the submap was removed
+  bool is_new = false;
+  std::vector<TileChange> tiles;  ///< those of which some layer was written
+};
+std::vector<SubmapTileChange> DiffTiles(const StateMarks& before, const MapSnapshot& after);
 
 /// As DiffSnapshots: what was written since the marks were made. Costs some bytes a tile, and more only for what was.
 std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnapshot& after);
