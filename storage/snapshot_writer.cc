@@ -39,7 +39,11 @@ class Writer {
       : submaps_(std::move(submaps)), tiles_(std::move(tiles)), store_(store), pool_(pool) {}
 
   Result<WrittenTiles> Write(std::int64_t map_key, const std::vector<SubmapTileChange>& changes) {
+    for (const SubmapTileChange& change : changes) {  // first, while what they are copies of is as it was
+      if (change.copy_of) DHPMAP_RETURN_IF_ERROR(WriteSubmap(map_key, change));
+    }
     for (const SubmapTileChange& change : changes) {
+      if (change.copy_of) continue;
       DHPMAP_RETURN_IF_ERROR(change.after ? WriteSubmap(map_key, change) : RemoveSubmap(map_key, change.id));
     }
     DHPMAP_RETURN_IF_ERROR(Flush());
@@ -60,14 +64,17 @@ class Writer {
 
   Status RemoveSubmap(std::int64_t map_key, SubmapId id) {
     DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> stored, submaps_.Find(map_key, id));
-    return stored ? submaps_.Erase(stored->key) : NotTheStateBefore(id);
+    if (!stored) return NotTheStateBefore(id);
+    tiles_.NoteDeadBlobs();
+    return submaps_.Erase(stored->key);
   }
 
   Status WriteSubmap(std::int64_t map_key, const SubmapTileChange& change) {
     DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> stored, submaps_.Find(map_key, change.id));
     if (stored.has_value() == change.is_new) return NotTheStateBefore(change.id);
-    DHPMAP_ASSIGN_OR_RETURN(Target target,
-                            stored ? TargetOf(*change.after, *stored) : NewTarget(map_key, *change.after));
+    DHPMAP_ASSIGN_OR_RETURN(const Target target, stored           ? TargetOf(*change.after, *stored)
+                                                 : change.copy_of ? CopiedTarget(map_key, change)
+                                                                  : NewTarget(map_key, *change.after));
     targets_.push_back(target);
     for (const TileChange& tile : change.tiles) DHPMAP_RETURN_IF_ERROR(WriteTile(change, tile));
     return Status::Ok();
@@ -89,10 +96,22 @@ class Writer {
     return Target{&submap, key, {}, {}};
   }
 
+  /// A new one, with the tiles that its original has in the store.
+  Result<Target> CopiedTarget(std::int64_t map_key, const SubmapTileChange& change) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> original,
+                            submaps_.Find(map_key, *change.copy_of));
+    if (!original) return NotTheStateBefore(*change.copy_of);
+    DHPMAP_ASSIGN_OR_RETURN(Target target, TargetOf(*change.after, *original));
+    DHPMAP_ASSIGN_OR_RETURN(const Target copy, NewTarget(map_key, *change.after));
+    target.key = copy.key;
+    DHPMAP_RETURN_IF_ERROR(tiles_.Copy(original->key, target.key));
+    return target;
+  }
+
   Status WriteTile(const SubmapTileChange& submap, const TileChange& change) {
     Target& target = targets_.back();
     StoredLayers stored{};
-    if (!submap.is_new) {
+    if (!submap.is_new || submap.copy_of) {
       DHPMAP_ASSIGN_OR_RETURN(stored, tiles_.Find(target.key, change.index));
     }
     if (change.after != nullptr && encoding_.contains(change.after.get())) DHPMAP_RETURN_IF_ERROR(Flush());

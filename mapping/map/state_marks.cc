@@ -23,7 +23,9 @@ std::shared_ptr<const TileMarks> MarkTile(const TileEntry& entry) {
 std::shared_ptr<const SubmapMarks> MarkSubmap(const std::shared_ptr<const Submap>& submap, const StateMarks* before) {
   if (before == nullptr) return std::make_shared<const SubmapMarks>(submap, nullptr);
   const auto old = before->submaps().find(submap->id());
-  if (old == before->submaps().end()) return std::make_shared<const SubmapMarks>(submap, nullptr);
+  if (old == before->submaps().end()) {
+    return std::make_shared<const SubmapMarks>(submap, before->FindOriginalOf(*submap));
+  }
   if (old->second->IsOf(submap)) return old->second;
   return std::make_shared<const SubmapMarks>(submap, old->second.get());
 }
@@ -56,7 +58,7 @@ TileChange CompareTile(TileIndex index, const TileMarks* before, std::shared_ptr
 
 /// `before` may be null.
 SubmapTileChange DiffTilesOf(const SubmapMarks* before, const Submap& after) {
-  SubmapTileChange change{.id = after.id(), .after = &after, .is_new = before == nullptr, .tiles = {}};
+  SubmapTileChange change{.id = after.id(), .after = &after};
   const auto compare = [&change](TileIndex index, const TileMarks* old, std::shared_ptr<const BlockTile> now) {
     TileChange tile = CompareTile(index, old, std::move(now));
     if (std::find(tile.is_written.begin(), tile.is_written.end(), true) == tile.is_written.end()) return;
@@ -130,6 +132,17 @@ const SubmapMarks* StateMarks::Find(SubmapId id) const {
   return found != submaps_.end() ? found->second.get() : nullptr;
 }
 
+const SubmapMarks* StateMarks::FindOriginalOf(const Submap& copy) const {
+  const std::span<const TileEntry> tiles = copy.blocks().tiles();
+  if (tiles.empty()) return nullptr;
+  const TileEntry& probe = tiles[tiles.size() / 2];
+  for (const auto& [id, marks] : submaps_) {
+    const TileMarks* tile = marks->FindTile(probe.index);
+    if (tile != nullptr && tile->IsOf(probe)) return marks.get();
+  }
+  return nullptr;
+}
+
 bool StateMarks::Has(SubmapId submap, const BlockEntry& entry) const {
   const SubmapMarks* marks = Find(submap);
   const BlockMark* mark = marks != nullptr ? marks->Find(entry.index) : nullptr;
@@ -152,10 +165,14 @@ std::vector<SubmapTileChange> DiffTiles(const StateMarks& before, const MapSnaps
   std::vector<SubmapTileChange> changes;
   for (const auto& submap : after.submaps()) {
     const SubmapMarks* old = before.Find(submap->id());
-    if (old == nullptr || !old->IsOf(submap)) changes.push_back(DiffTilesOf(old, *submap));
+    if (old != nullptr && old->IsOf(submap)) continue;
+    const SubmapMarks* original = old == nullptr ? before.FindOriginalOf(*submap) : nullptr;
+    SubmapTileChange& change = changes.emplace_back(DiffTilesOf(old != nullptr ? old : original, *submap));
+    change.is_new = old == nullptr;
+    if (original != nullptr) change.copy_of = original->info().id;
   }
   for (const auto& [id, old] : before.submaps()) {
-    if (after.Find(id) == nullptr) changes.push_back({.id = id, .after = nullptr, .is_new = false, .tiles = {}});
+    if (after.Find(id) == nullptr) changes.push_back({.id = id});
   }
   return changes;
 }

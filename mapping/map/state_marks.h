@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -77,6 +78,8 @@ class StateMarks {
   [[nodiscard]] const std::map<SubmapId, std::shared_ptr<const SubmapMarks>>& submaps() const { return submaps_; }
   /// Null if there was no such submap.
   [[nodiscard]] const SubmapMarks* Find(SubmapId id) const;
+  /// A submap of which another is a copy, as far as its tiles tell; null if there is none.
+  [[nodiscard]] const SubmapMarks* FindOriginalOf(const Submap& copy) const;
   /// Whether the submap had this block, with these very layers.
   [[nodiscard]] bool Has(SubmapId submap, const BlockEntry& entry) const;
 
@@ -110,7 +113,8 @@ struct SubmapTileChange {
   SubmapId id;
   const Submap* after = nullptr;  ///< null: the submap was removed
   bool is_new = false;
-  std::vector<TileChange> tiles;  ///< those of which some layer was written
+  std::optional<SubmapId> copy_of;  ///< of one that is new: what it was cloned from, which `tiles` compare it with
+  std::vector<TileChange> tiles;    ///< those of which some layer was written
 };
 std::vector<SubmapTileChange> DiffTiles(const StateMarks& before, const MapSnapshot& after);
 

@@ -81,6 +81,12 @@ Result<TileRows> TileRows::Prepare(Database& database) {
       {&rows.share_,
        "INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, 1) ON CONFLICT (blob_key) DO UPDATE SET num_more = "
        "num_more + 1"},
+      {&rows.copy_,
+       "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key) SELECT ?, x, y, z, layer, blob_key FROM tiles WHERE "
+       "owner_key = ?"},
+      {&rows.share_copied_,
+       "INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, 1 FROM tiles WHERE owner_key = ? ON CONFLICT "
+       "(blob_key) DO UPDATE SET num_more = num_more + 1"},
       {&rows.insert_, "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key) VALUES (?, ?, ?, ?, ?, ?)"},
       {&rows.update_, "UPDATE tiles SET blob_key = ? WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
       {&rows.erase_, "DELETE FROM tiles WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
@@ -89,6 +95,7 @@ Result<TileRows> TileRows::Prepare(Database& database) {
     DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(text.sql, kWriteTask));
     text.statement->emplace(std::move(statement));
   }
+  DHPMAP_ASSIGN_OR_RETURN(rows.may_have_dead_, HasDeadBlobs(database));
   return rows;
 }
 
@@ -136,9 +143,17 @@ Result<std::optional<StoredBlob>> TileRows::Share(std::int64_t blob_key) {
   blob.num_blocks = columns.Int();
   blob.bytes = columns.Int();
   find_blob_->Reset();
-  DHPMAP_RETURN_IF_ERROR(revive_->Bind(blob_key).Run());
-  if (database_->NumChanges() == 0) DHPMAP_RETURN_IF_ERROR(share_->Bind(blob_key).Run());  // somebody refers to it
+  if (may_have_dead_) {
+    DHPMAP_RETURN_IF_ERROR(revive_->Bind(blob_key).Run());
+    if (database_->NumChanges() > 0) return std::optional<StoredBlob>(blob);  // nobody else refers to it
+  }
+  DHPMAP_RETURN_IF_ERROR(share_->Bind(blob_key).Run());
   return std::optional<StoredBlob>(blob);
+}
+
+Status TileRows::Copy(std::int64_t from_owner_key, std::int64_t to_owner_key) {
+  DHPMAP_RETURN_IF_ERROR(copy_->Bind(to_owner_key).Bind(from_owner_key).Run());
+  return share_copied_->Bind(to_owner_key).Run();
 }
 
 Status TileRows::Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
@@ -146,6 +161,7 @@ Status TileRows::Put(std::int64_t owner_key, TileIndex index, std::int64_t layer
   totals.Add(index, layer, after);
   if (before.key == 0) return BindIndex(insert_->Bind(owner_key), index).Bind(layer).Bind(after.key).Run();
   totals.Remove(index, layer, before);
+  may_have_dead_ = true;
   return BindIndex(update_->Bind(after.key).Bind(owner_key), index).Bind(layer).Run();
 }
 
@@ -153,6 +169,7 @@ Status TileRows::Erase(std::int64_t owner_key, TileIndex index, std::int64_t lay
                        TileTotals& totals) {
   if (before.key == 0) return Status::Ok();
   totals.Remove(index, layer, before);
+  may_have_dead_ = true;
   return BindIndex(erase_->Bind(owner_key), index).Bind(layer).Run();
 }
 

@@ -51,9 +51,14 @@ class TileRows {
 
   /// A new blob, to be referred to by one row.
   Result<StoredBlob> Insert(ByteView blob, std::int64_t num_blocks);
+  /// To be called when rows of this transaction have left blobs in another way.
+  void NoteDeadBlobs() { may_have_dead_ = true; }
+
   /// A blob that is there, to be referred to by one row more; nothing if it is there no longer.
   Result<std::optional<StoredBlob>> Share(std::int64_t blob_key);
 
+  /// Adds rows for an owner that has none yet, which refer to the same blobs as those of another.
+  Status Copy(std::int64_t from_owner_key, std::int64_t to_owner_key);
   /// Adds the row, or has it refer to another blob.
   Status Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
              const StoredBlob& after, TileTotals& totals);
@@ -64,7 +69,9 @@ class TileRows {
   explicit TileRows(sqlite::Database& database) : database_(&database) {}
   using OptionalStatement = std::optional<sqlite::Statement>;
   sqlite::Database* database_;
-  OptionalStatement find_, count_, insert_blob_, find_blob_, revive_, share_, insert_, update_, erase_;
+  bool may_have_dead_ = true;  ///< some blob may be among the dead
+  OptionalStatement find_, count_, insert_blob_, find_blob_, revive_, share_, copy_, share_copied_, insert_, update_,
+      erase_;
 };
 
 /// Reads the rows of an owner with their blobs, by ascending tile, then layer.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap_storage_bench DATASET [predicted|groundtruth|none] [FRAMES] [DATABASE]: maps a data set in process, commits
 // after every frame as a server does, and reports sizes and rates of codec and store, what tiles write beyond the
-// blocks that changed, and what a clone and a move of its largest object cost.
+// blocks that changed, and what a clone and a move of an object of a million voxels cost.
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -145,8 +146,12 @@ void Count(const MapSnapshot& before, const MapSnapshot& after, Written& written
   }
 }
 
+/// Once what is no longer needed is collected.
 std::int64_t UsedBytes(const std::string& path) {
   auto database = Must(sqlite::Database::Open(path, sqlite::OpenMode::kReadOnly, 1000));
+  while (Must(database.QueryInt("SELECT count(*) FROM dead_blobs", "measure")) > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
   constexpr std::int64_t kPageBytes = 4096;
   return kPageBytes * (Must(database.QueryInt("PRAGMA page_count", "measure")) -
                        Must(database.QueryInt("PRAGMA freelist_count", "measure")));
@@ -156,12 +161,16 @@ std::int64_t UsedBytes(const std::string& path) {
 template <typename Change>
 void MeasureEdit(const char* what, MapStore& store, const std::string& path, Map& map, Change&& change) {
   constexpr int kTimes = 40;
-  const Submap* largest = map.submaps()[0].get();
+  constexpr double kWantedBlocks = 1e6 / kBlockVoxels;
+  const auto off = [](const Submap& submap) {
+    return std::abs(static_cast<double>(submap.blocks().size()) - kWantedBlocks);
+  };
+  const Submap* subject = map.submaps()[0].get();
   for (const auto& submap : map.submaps()) {
-    if (submap->blocks().size() > largest->blocks().size()) largest = submap.get();
+    if (off(*submap) < off(*subject)) subject = submap.get();
   }
-  const SubmapId id = largest->id();
-  const std::size_t num_blocks = largest->blocks().size(), num_tiles = largest->blocks().tiles().size();
+  const SubmapId id = subject->id();
+  const std::size_t num_blocks = subject->blocks().size(), num_tiles = subject->blocks().tiles().size();
   StateMarks marks(*map.published());
   const std::int64_t bytes_before = UsedBytes(path);
   std::vector<double> times_ms, cpu_ms;
@@ -263,7 +272,6 @@ int Run(int argc, char** argv) {
   const double delete_s = SecondsSince(begin);
   std::int64_t num_blocks = 0;
   for (const auto& submap : committed->submaps()) num_blocks += static_cast<std::int64_t>(submap->blocks().size());
-  std::this_thread::sleep_for(std::chrono::seconds(2));  // so that what is no longer needed is collected
   const double used = static_cast<double>(UsedBytes(path));
   std::printf("%.1f MB in use in the file, %.3f B an allocated voxel\n", used / 1e6,
               used / static_cast<double>(num_blocks) / kBlockVoxels);

@@ -123,6 +123,20 @@ TEST_F(TilesTest, AnObjectThatIsWrittenAndClonedInOneCommitIsStoredOnce) {
   EXPECT_EQ(NewestBlob(), newest + 1);
 }
 
+TEST_F(TilesTest, AnObjectMayBeClonedWrittenAndRemovedInOneCommit) {
+  Open();
+  const auto map = CreateSample("house");
+  const std::int64_t newest = NewestBlob();
+  const SubmapId clone = map->Clone(SubmapId(2))->id();
+  const BlockIndex block = map->Find(clone)->blocks().entries().front().index;
+  map->FindMutable(clone)->MutableLabels(block).AddObservation(0, ClassId(9));
+  map->FindMutable(SubmapId(2))->MutableTsdf(block).weight[0] += 1;
+  map->Clone(clone);
+  map->Remove(SubmapId(2));
+  Commit(*map);
+  EXPECT_EQ(NewestBlob(), newest + 1) << "the labels of the clone and its clone";
+}
+
 TEST_F(TilesTest, BlobsAreDeletedWhenTheLastOfTheirObjectsHasGone) {
   Open();
   const auto map = CreateSample("house");

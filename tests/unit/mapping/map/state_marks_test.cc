@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "mapping/map/diff_submap.h"
+
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 // GCC's sanitizers have it, but Debian packs no header that declares it.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT(bugprone-reserved-identifier)
@@ -182,6 +184,7 @@ std::array<std::int32_t, kNumBlockLayers> NumBlocks(const Submap* submap, TileIn
 TEST(StateMarks, TellTheDifferenceTileByTileAsBlockByBlock) {
   std::mt19937 random(8);
   Map map = RowOfBlocks(10);
+  int num_clones = 0;
   for (int round = 0; round < 60; ++round) {
     const auto before = map.Publish(round);
     const StateMarks marks(*before);
@@ -191,18 +194,23 @@ TEST(StateMarks, TellTheDifferenceTileByTileAsBlockByBlock) {
     const std::vector<SubmapTileChange> tiles = DiffTiles(marks, *after);
     ASSERT_EQ(tiles.size(), blocks.size());
     for (std::size_t i = 0; i < tiles.size(); ++i) {
+      // A clone is compared with what it was cloned from.
+      const Submap* old = before->Find(tiles[i].copy_of.value_or(tiles[i].id));
+      num_clones += tiles[i].copy_of.has_value();
+      EXPECT_TRUE(!tiles[i].copy_of || (tiles[i].is_new && old != nullptr));
       EXPECT_EQ(tiles[i].id, blocks[i].id);
       EXPECT_EQ(tiles[i].after, blocks[i].after);
       EXPECT_EQ(tiles[i].is_new, blocks[i].is_new);
       LayersOfTiles written;
       for (const TileChange& tile : tiles[i].tiles) {
         written[tile.index] = tile.is_written;
-        EXPECT_EQ(tile.num_before, NumBlocks(before->Find(tiles[i].id), tile.index));
+        EXPECT_EQ(tile.num_before, NumBlocks(old, tile.index));
         EXPECT_EQ(tile.num_after, NumBlocks(tiles[i].after, tile.index));
       }
-      EXPECT_EQ(written, WrittenLayers(blocks[i]));
+      EXPECT_EQ(written, WrittenLayers(tiles[i].after != nullptr ? DiffSubmap(old, *tiles[i].after) : SubmapChange()));
     }
   }
+  EXPECT_GT(num_clones, 5);
 }
 
 TEST(StoredKey, IsOfOneStoreAndOfOneState) {
