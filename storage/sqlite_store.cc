@@ -23,6 +23,7 @@
 #include "storage/sqlite/free_pages.h"
 #include "storage/sqlite/transaction.h"
 #include "storage/store.h"
+#include "storage/verify.h"
 
 namespace dhpmap {
 namespace {
@@ -144,6 +145,16 @@ class SqliteStore final : public MapStore {
 
   Status Reserve(const std::string& name, const NumberMarks& marks) override {
     return Write(Durability::kFull, [&](Writer& writer) { return SetMarks(writer.database, name, marks); });
+  }
+
+  Result<VerifyReport> VerifyMap(const std::string& name, bool repair, const std::stop_token& stop) override {
+    DHPMAP_ASSIGN_OR_RETURN(Verification found,
+                            Read<Verification>([&](Database& database) { return VerifyRows(database, name, stop); }));
+    if (repair && found.report.num_faults > 0) {
+      DHPMAP_RETURN_IF_ERROR(
+          Write(Durability::kFull, [&](Writer& writer) { return RepairRows(writer.database, name, found); }));
+    }
+    return std::move(found.report);
   }
 
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) override {

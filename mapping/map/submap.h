@@ -99,6 +99,8 @@ class Submap {
   void PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone);
   /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
   void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) { blocks_.PutTile(index, std::move(tile)); }
+  /// Puts the layers that `block` has in place, beside those that are there.
+  void AddLayers(const BlockEntry& block);
   /// Begins anew: nothing of it was looked through.
   void DropGone();
   bool EraseBlock(BlockIndex index) { return blocks_.Erase(index, generation_); }

@@ -257,6 +257,12 @@ Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, 
   return update.Bind(head.key).Run();
 }
 
+Status WriteRepairedMap(Database& database, MapRow& row) {
+  ++row.info.revision;
+  RaiseMarks(row);
+  return Rewrite(database, row);
+}
+
 Status SetMarks(Database& database, const std::string& name, const NumberMarks& marks) {
   DHPMAP_ASSIGN_OR_RETURN(MapRow row, ReadMap(database, name));
   row.marks = marks;

@@ -80,6 +80,8 @@ Result<MapRow> InsertMap(sqlite::Database& database, const MapSnapshot& snapshot
 /// `tiles`: those of `after` as they are stored.
 Status UpdateMap(sqlite::Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after,
                  const TileTotals& tiles);
+/// Writes a row that was read and changed, as the revision after it.
+Status WriteRepairedMap(sqlite::Database& database, MapRow& row);
 /// See MapStore::Reserve.
 Status SetMarks(sqlite::Database& database, const std::string& name, const NumberMarks& marks);
 /// Takes every map whose marks are above its numbers beyond them, and notes the revisions that are left out. Leaves

@@ -20,7 +20,7 @@ const Table<SubmapRow>& Submaps() {
   return table;
 }
 
-Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_key) {
+Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_key, std::vector<SubmapRow>* damaged) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
                           database.Prepare(Submaps().Select("WHERE map_key = ? ORDER BY submap_id"), kReadTask));
   select.Bind(map_key);
@@ -30,6 +30,10 @@ Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_
     if (!has_row) return rows;
     SubmapRow row;
     if (!Submaps().Read(select, row) || !Submaps().IsIntact(row, row.seal)) {
+      if (damaged != nullptr) {
+        damaged->push_back(std::move(row));
+        continue;
+      }
       return DataLoss("submap " + std::to_string(row.info.id.value) + ": its row has a wrong checksum");
     }
     rows.push_back(std::move(row));

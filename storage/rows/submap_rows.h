@@ -66,8 +66,10 @@ std::vector<Column<Row>> SubmapColumns() {
 }
 const Table<SubmapRow>& Submaps();
 
-/// The rows of a map, by ascending submap id. DATA_LOSS, naming the submap, where a row does not match its checksum.
-Result<std::vector<SubmapRow>> ReadSubmaps(sqlite::Database& database, std::int64_t map_key);
+/// The rows of a map, by ascending submap id. DATA_LOSS, naming the submap, where a row does not match its checksum;
+/// where `damaged` is not null, such rows are added to it instead.
+Result<std::vector<SubmapRow>> ReadSubmaps(sqlite::Database& database, std::int64_t map_key,
+                                           std::vector<SubmapRow>* damaged = nullptr);
 
 /// Writes submap rows and their boxes. One for each transaction.
 class SubmapRowWriter {

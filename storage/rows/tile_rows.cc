@@ -176,7 +176,8 @@ Status TileRows::Erase(std::int64_t owner_key, TileIndex index, std::int64_t lay
 Result<TileRowReader> TileRowReader::Prepare(Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
-      database.Prepare("SELECT x, y, z, layer, tiles.blob_key, tile_blobs.blob_key IS NULL, num_more IS NOT NULL, blob "
+      database.Prepare("SELECT x, y, z, layer, tiles.blob_key, tile_blobs.blob_key IS NULL, num_more IS NOT NULL, "
+                       "ifnull(num_blocks, 0), blob "
                        "FROM tiles LEFT JOIN tile_blobs USING (blob_key) LEFT JOIN shared_blobs USING (blob_key) "
                        "WHERE owner_key = ? ORDER BY owner_key, x, y, z, layer",
                        kReadTask));
@@ -191,6 +192,7 @@ TileRowReader::Row TileRowReader::Current() const {
   row.blob_key = columns.Int();
   row.is_missing = columns.Int() != 0;
   row.is_shared = columns.Int() != 0;
+  row.num_blocks = columns.Int();
   row.blob = columns.Blob();
   return row;
 }

@@ -81,6 +81,7 @@ class TileRowReader {
     TileIndex index;
     std::int64_t layer = 0;
     std::int64_t blob_key = 0;
+    std::int64_t num_blocks = 0;
     bool is_missing = false;  ///< there is no such blob
     bool is_shared = false;   ///< other rows refer to it, too
     ByteView blob;            ///< lives as long as the visit
