@@ -15,7 +15,9 @@ std::shared_ptr<const TileMarks> MarkTile(const TileEntry& entry) {
   marks->tile = entry.tile;
   marks->blocks.reserve(entry.tile->entries().size());
   for (const BlockEntry& block : entry.tile->entries()) {
-    marks->blocks.push_back({.index = block.index, .tsdf = block.tsdf, .labels = block.labels, .gone = block.gone});
+    BlockMark& mark = marks->blocks.emplace_back();
+    mark.index = block.index;
+    ForEachLayer([](BlockLayer, const auto& layer, auto& name) { name = layer; }, block, mark);
   }
   return marks;
 }
@@ -78,7 +80,11 @@ SubmapTileChange DiffTilesOf(const SubmapMarks* before, const Submap& after) {
 }  // namespace
 
 bool BlockMark::IsOf(const BlockEntry& entry) const {
-  return IsSamePart(tsdf, entry.tsdf) && IsSamePart(labels, entry.labels) && IsSamePart(gone, entry.gone);
+  bool is_same = true;
+  ForEachLayer(
+      [&is_same](BlockLayer, const auto& name, const auto& layer) { is_same = is_same && IsSamePart(name, layer); },
+      *this, entry);
+  return is_same;
 }
 
 bool TileMarks::IsOf(const TileEntry& entry) const { return IsSamePart(tile, entry.tile); }
