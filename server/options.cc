@@ -32,7 +32,8 @@ LogOptions LogOptionsOf(const ServerConfig& config) {
 }
 
 SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
-  return {.busy_timeout_ms = config.store.busy_timeout_ms};
+  return {.busy_timeout_ms = config.store.busy_timeout_ms,
+          .on_progress = [](const std::string& message) { LogInfo(message); }};
 }
 
 SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
+#include "storage/schema/migrate.h"
 #include "storage/sqlite/database.h"
 #include "storage/store.h"
 
 namespace dhpmap {
 
-/// Opens the connection that writes, creating or migrating the database. Errors as OpenSqliteStore.
-Result<sqlite::Database> OpenWriter(const std::string& path, int busy_timeout_ms);
+/// Opens the connection that writes, creating or migrating the database. `progress` hears of what takes long.
+/// Errors as OpenSqliteStore.
+Result<sqlite::Database> OpenWriter(const std::string& path, int busy_timeout_ms, const SchemaProgress& progress = {});
 
 /// A connection to the database of a writer, to copy its log into the file. It never waits for others.
 Result<sqlite::Database> OpenForLog(const std::string& path);

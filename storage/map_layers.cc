@@ -5,73 +5,83 @@
 #include <utility>
 
 #include "storage/codec/free_codec.h"
-#include "storage/rows/tile_rows.h"
+#include "storage/tiles/tile_name.h"
 
 namespace dhpmap {
 namespace {
 
-Status AddBytes(sqlite::Database& database, std::int64_t map_key, std::int64_t bytes) {
-  DHPMAP_ASSIGN_OR_RETURN(
-      sqlite::Statement update,
-      database.Prepare("UPDATE maps SET tile_bytes = tile_bytes + ? WHERE map_key = ?", "write the map"));
-  return update.Bind(bytes).Bind(map_key).Run();
+std::string NameOf(std::int64_t layer, TileIndex index) {
+  switch (layer) {
+    case LayerNumber(BlobKind::kFreeV1): return NameOfTile("free-space", index);
+    case LayerNumber(BlobKind::kVacatedV1): return NameOfTile("vacated", index);
+    default: return NameOfTile("layer " + std::to_string(layer), index);
+  }
 }
 
-/// Adds to `sum` what changes in the store.
-Status WriteLayer(sqlite::Database& database, std::int64_t map_key, MapLayer layer, BlobKind kind,
-                  const FreeSpaceChange& change, BlockDelta& sum) {
-  if (change.empty()) return Status::Ok();
-  DHPMAP_ASSIGN_OR_RETURN(TileRowWriter rows, TileRowWriter::Prepare(database, map_key, layer));
-  const auto count = [&sum](const BlockDelta& delta) {
-    sum.rows += delta.rows;
-    sum.bytes += delta.bytes;
-  };
+Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const FreeSpaceChange& change,
+                  TileTotals& totals) {
+  const std::size_t layer = LayerNumber(kind);
   for (const TileIndex index : change.erased) {
-    DHPMAP_ASSIGN_OR_RETURN(const BlockDelta delta, rows.Erase(index));
-    count(delta);
+    DHPMAP_ASSIGN_OR_RETURN(const StoredLayers stored, rows.Find(owner_key, index));
+    DHPMAP_RETURN_IF_ERROR(rows.Erase(owner_key, index, LayerNumber(kind), stored[layer], totals));
   }
   for (const FreeTileEntry* entry : change.written) {
-    DHPMAP_ASSIGN_OR_RETURN(const BlockDelta delta,
-                            rows.Write(entry->index, EncodeFreeTile(kind, *entry->tile, entry->index)));
-    count(delta);
+    DHPMAP_ASSIGN_OR_RETURN(const StoredLayers stored, rows.Find(owner_key, entry->index));
+    constexpr std::int64_t kNoBlocks = 0;
+    DHPMAP_ASSIGN_OR_RETURN(const StoredBlob blob,
+                            rows.Insert(EncodeFreeTile(kind, *entry->tile, entry->index), kNoBlocks));
+    DHPMAP_RETURN_IF_ERROR(rows.Put(owner_key, entry->index, LayerNumber(kind), stored[layer], blob, totals));
   }
   return Status::Ok();
 }
 
 }  // namespace
 
-Status WriteMapLayers(sqlite::Database& database, std::int64_t map_key, std::int64_t num_stored,
-                      const StateMarks& before, const MapSnapshot& after) {
-  BlockDelta sum{.rows = num_stored, .bytes = 0};
-  DHPMAP_RETURN_IF_ERROR(WriteLayer(database, map_key, MapLayer::kFree, BlobKind::kFreeV1,
-                                    DiffFreeSpace(before, *after.free_space()), sum));
-  DHPMAP_RETURN_IF_ERROR(WriteLayer(database, map_key, MapLayer::kVacated, BlobKind::kVacatedV1,
-                                    DiffVacated(before, *after.vacated()), sum));
-  if (sum.rows != NumTilesOf(after)) {
-    return FailedPrecondition("the store holds another state of the free space than the one the commit starts from")
-        .WithReason("STALE_STATE");
+Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head, const StateMarks& before,
+                                  const MapSnapshot& after) {
+  TileTotals totals = head.tiles;
+  const std::int64_t owner_key = OwnerOfMap(head.key);
+  const FreeSpaceChange free = DiffFreeSpace(before, *after.free_space());
+  const FreeSpaceChange vacated = DiffVacated(before, *after.vacated());
+  if (!free.empty() || !vacated.empty() || !head.CoversTiles()) {
+    DHPMAP_ASSIGN_OR_RETURN(TileRows rows, TileRows::Prepare(database));
+    if (!head.CoversTiles()) {
+      DHPMAP_ASSIGN_OR_RETURN(totals, rows.Count(owner_key));
+    }
+    DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kFreeV1, free, totals));
+    DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kVacatedV1, vacated, totals));
   }
-  return sum.bytes == 0 ? Status::Ok() : AddBytes(database, map_key, sum.bytes);
+  if (totals.num_rows ==
+      static_cast<std::int64_t>(after.free_space()->tiles().size() + after.vacated()->tiles().size())) {
+    return totals;
+  }
+  return FailedPrecondition("the store holds another state of the free space than the one the commit starts from")
+      .WithReason("STALE_STATE");
 }
 
-Result<MapLayers> ReadMapLayers(sqlite::Database& database, std::int64_t map_key, std::int64_t num_tiles) {
+Result<MapLayers> ReadMapLayers(sqlite::Database& database, const MapRow& map) {
   DHPMAP_ASSIGN_OR_RETURN(TileRowReader rows, TileRowReader::Prepare(database));
   const auto free_space = std::make_shared<FreeSpace>(), vacated = std::make_shared<FreeSpace>();
-  std::int64_t num_read = 0;
-  DHPMAP_RETURN_IF_ERROR(rows.ForEach(map_key, [&](std::int64_t layer, TileIndex index, ByteView blob) -> Status {
-    ++num_read;
-    const bool is_free = layer == static_cast<std::int64_t>(MapLayer::kFree);
-    if (!is_free && layer != static_cast<std::int64_t>(MapLayer::kVacated)) {
-      return FailedPrecondition(TileName(layer, index) + " is of a layer unknown to this version");
+  TileTotals totals;
+  DHPMAP_RETURN_IF_ERROR(rows.ForEach(OwnerOfMap(map.key), [&](const TileRowReader::Row& row) -> Status {
+    totals.Add(row.index, row.layer, {.key = row.blob_key});
+    const bool is_free = row.layer == LayerNumber(BlobKind::kFreeV1);
+    if (!is_free && row.layer != LayerNumber(BlobKind::kVacatedV1)) {
+      return FailedPrecondition(NameOf(row.layer, row.index) + " is of a layer unknown to this version");
     }
+    if (row.is_missing) return DataLoss(NameOf(row.layer, row.index) + " is missing");
     auto tile = std::make_shared<FreeTile>();
-    const Status decoded = DecodeFreeTile(is_free ? BlobKind::kFreeV1 : BlobKind::kVacatedV1, blob, index, *tile);
-    if (!decoded.ok()) return {decoded.code(), TileName(layer, index) + " " + decoded.message()};
-    (is_free ? free_space : vacated)->Put(index, std::move(tile));
+    const Status decoded =
+        DecodeFreeTile(is_free ? BlobKind::kFreeV1 : BlobKind::kVacatedV1, row.blob, row.index, *tile);
+    if (!decoded.ok()) return {decoded.code(), NameOf(row.layer, row.index) + " " + decoded.message()};
+    (is_free ? free_space : vacated)->Put(row.index, std::move(tile));
     return Status::Ok();
   }));
-  if (num_read == num_tiles) return MapLayers{free_space, vacated};
-  return DataLoss("has " + std::to_string(num_read) + " tiles, not " + std::to_string(num_tiles));
+  if (totals.num_rows != map.tiles.num_rows) {
+    return DataLoss("has " + std::to_string(totals.num_rows) + " tiles, not " + std::to_string(map.tiles.num_rows));
+  }
+  if (map.CoversTiles() && totals.sum != map.tiles.sum) return DataLoss("has other tiles than were stored");
+  return MapLayers{free_space, vacated};
 }
 
 }  // namespace dhpmap

@@ -7,6 +7,7 @@
 #include "mapping/map/free_space.h"
 #include "mapping/map/map.h"
 #include "mapping/map/state_marks.h"
+#include "storage/rows/map_rows.h"
 #include "storage/sqlite/database.h"
 
 namespace dhpmap {
@@ -17,13 +18,13 @@ struct MapLayers {
   std::shared_ptr<const FreeSpace> free_space, vacated;
 };
 
-/// Writes the tiles that differ, within the caller's transaction. FAILED_PRECONDITION if the stored ones, of which
-/// there are `num_stored`, are not those of `before`.
-Status WriteMapLayers(sqlite::Database& database, std::int64_t map_key, std::int64_t num_stored,
-                      const StateMarks& before, const MapSnapshot& after);
+/// Writes the tiles that differ, within the caller's transaction. Returns the totals of all that are there then.
+/// FAILED_PRECONDITION if the stored ones, which `head` tells of, are not those of `before`.
+Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head, const StateMarks& before,
+                                  const MapSnapshot& after);
 
-/// Reads the tiles of a map, whose row says that it has `num_tiles`. DATA_LOSS naming the tile if one is damaged or
+/// Reads the tiles of a map and compares them with what its row says. DATA_LOSS naming the tile if one is damaged or
 /// missing, FAILED_PRECONDITION for those of a later version's layer.
-Result<MapLayers> ReadMapLayers(sqlite::Database& database, std::int64_t map_key, std::int64_t num_tiles);
+Result<MapLayers> ReadMapLayers(sqlite::Database& database, const MapRow& map);
 
 }  // namespace dhpmap

@@ -86,6 +86,19 @@ class MemoryStore final : public MapStore {
     return maps_.contains(name) ? Status::Ok() : NoSuchMap(name);
   }
 
+  /// What is in memory is as it was given.
+  Result<VerifyReport> VerifyMap(const std::string& name, bool, const std::stop_token&) override {
+    DHPMAP_ASSIGN_OR_RETURN(const SnapshotPtr snapshot, LoadMap(name));
+    VerifyReport report;
+    report.revision = snapshot->revision();
+    report.num_submaps = static_cast<std::int64_t>(snapshot->submaps().size());
+    for (const auto& submap : snapshot->submaps()) {
+      report.num_tiles += static_cast<std::int64_t>(submap->blocks().tiles().size());
+      report.num_blocks += static_cast<std::int64_t>(submap->blocks().size());
+    }
+    return report;
+  }
+
  private:
   Mutex mutex_;
   std::map<std::string, SnapshotPtr> maps_ DHPMAP_GUARDED_BY(mutex_);

@@ -1,126 +1,141 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/snapshot_reader.h"
 
+#include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
-#include "storage/codec/gone_codec.h"
-#include "storage/codec/label_codec.h"
-#include "storage/codec/tsdf_codec.h"
 #include "storage/map_layers.h"
-#include "storage/rows/block_rows.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
+#include "storage/rows/tile_rows.h"
+#include "storage/tiles/object_layers.h"
 
 namespace dhpmap {
 namespace {
 
 /// Bounds the memory for blobs not yet decoded: some 1 MB.
-constexpr std::size_t kBlocksABatch = 1024;
+constexpr std::size_t kTilesABatch = 128;
 
-/// One blob, and what it decodes to.
+/// Under which keys a tile's layers are stored; 0 where it has none.
+using TileKeys = std::array<std::int64_t, kNumBlockLayers>;
+
+/// The blobs of one tile, and what they decode to.
 struct Job {
-  BlockIndex index;
-  Bytes blob;
-  std::shared_ptr<TsdfBlock> tsdf;
-  std::shared_ptr<LabelBlock> labels;
-  std::shared_ptr<GoneBlock> gone;
+  TileIndex index;
+  TileKeys keys{};
+  std::array<Bytes, kNumBlockLayers> blobs;
+  bool is_shared = false;  ///< another submap may have the very same tile
+  std::shared_ptr<const BlockTile> tile;
+  const ObjectLayer* failed = nullptr;
   Status status;
 };
 
-/// Layers are not made by make_shared: StateMarks would keep their memory.
-void Decode(Layer layer, Job& job) {
-  switch (layer) {
-    case Layer::kTsdf:
-      job.tsdf.reset(new TsdfBlock());
-      job.status = DecodeTsdfBlock(job.blob, job.index, *job.tsdf);
-      break;
-    case Layer::kLabels:
-      job.labels.reset(new LabelBlock());
-      job.status = DecodeLabelBlock(job.blob, job.index, *job.labels);
-      break;
-    case Layer::kGone:
-      job.gone = std::make_shared<GoneBlock>();
-      job.status = DecodeGoneBlock(job.blob, job.index, *job.gone);
-      break;
+void Decode(Job& job, std::uint16_t store) {
+  auto tile = std::make_shared<BlockTile>();
+  for (const ObjectLayer& layer : ObjectLayers()) {
+    const auto i = static_cast<std::size_t>(layer.layer);
+    if (job.keys[i] == 0) continue;
+    job.status = layer.decode(job.blobs[i], job.index, *tile);
+    if (!job.status.ok()) {
+      job.failed = &layer;
+      return;
+    }
+    tile->stored(layer.layer).Set(store, job.keys[i]);
   }
+  job.tile = std::move(tile);
 }
 
-/// Fills one layer of one submap.
-class LayerReader {
+class SubmapReader {
  public:
-  LayerReader(Layer layer, BlockRowReader& rows, ThreadPool& pool, Submap& submap)
-      : layer_(layer), rows_(rows), pool_(pool), submap_(submap) {}
+  SubmapReader(TileRowReader& rows, std::uint16_t store, ThreadPool& pool) : rows_(rows), store_(store), pool_(pool) {}
 
-  Status Read(std::int64_t submap_key, std::int64_t num_expected) {
-    Status first_error;
-    std::int64_t num_blocks = 0;
-    DHPMAP_RETURN_IF_ERROR(rows_.ForEach(submap_key, [&](BlockIndex index, ByteView blob) {
-      ++num_blocks;
-      if (!first_error.ok()) return;
-      jobs_.push_back({.index = index,
-                       .blob = Bytes(blob.begin(), blob.end()),
-                       .tsdf = {},
-                       .labels = {},
-                       .gone = {},
-                       .status = {}});
-      if (jobs_.size() == kBlocksABatch) first_error = DecodeBatch();
+  Result<std::shared_ptr<const Submap>> Read(const SubmapRow& row) {
+    constexpr std::uint64_t kOlderThanAnyWriter = 0;
+    auto submap = std::make_shared<Submap>(row.info, kOlderThanAnyWriter);
+    submap->set_bounding_sphere(row.sphere);
+    TileTotals totals;
+    DHPMAP_RETURN_IF_ERROR(rows_.ForEach(row.key, [&](const TileRowReader::Row& tile) -> Status {
+      totals.Add(tile.index, tile.layer, {.key = tile.blob_key});
+      return Take(tile, *submap);
     }));
-    DHPMAP_RETURN_IF_ERROR(first_error);
-    DHPMAP_RETURN_IF_ERROR(DecodeBatch());
-    if (num_blocks == num_expected) return Status::Ok();
-    return DataLoss("submap " + std::to_string(submap_.id().value) + ": has " + std::to_string(num_blocks) + " " +
-                    std::string(LayerName(layer_)) + " blocks, not " + std::to_string(num_expected));
+    DHPMAP_RETURN_IF_ERROR(DecodeBatch(*submap));
+    DHPMAP_RETURN_IF_ERROR(CheckCounts(row, *submap));
+    if (row.CoversTiles() && totals.sum != row.tiles_sum) {
+      return DataLoss("submap " + std::to_string(row.info.id.value) + ": has other tiles than were stored");
+    }
+    return std::shared_ptr<const Submap>(std::move(submap));
   }
 
  private:
-  Status DecodeBatch() {
-    pool_.ParallelFor(jobs_.size(), [this](std::size_t i) { Decode(layer_, jobs_[i]); });
+  Status Take(const TileRowReader::Row& row, Submap& submap) {
+    const ObjectLayer* layer = FindObjectLayer(row.layer);
+    const std::uint32_t id = submap.id().value;
+    if (layer == nullptr) {
+      return FailedPrecondition(TileName(id, row.layer, row.index) + " is of a layer unknown to this version");
+    }
+    if (row.is_missing) return DataLoss(TileName(id, row.layer, row.index) + " is missing");
+    if (jobs_.empty() || jobs_.back().index != row.index) {
+      if (jobs_.size() == kTilesABatch) DHPMAP_RETURN_IF_ERROR(DecodeBatch(submap));
+      jobs_.emplace_back().index = row.index;
+    }
+    Job& job = jobs_.back();
+    const auto i = static_cast<std::size_t>(layer->layer);
+    job.keys[i] = row.blob_key;
+    job.blobs[i].assign(row.blob.begin(), row.blob.end());
+    job.is_shared = job.is_shared || row.is_shared;
+    return Status::Ok();
+  }
+
+  Status DecodeBatch(Submap& submap) {
+    for (Job& job : jobs_) {
+      const auto known = job.is_shared ? shared_.find(job.keys) : shared_.end();
+      if (known != shared_.end()) job.tile = known->second;
+    }
+    pool_.ParallelFor(jobs_.size(), [this](std::size_t i) {
+      if (jobs_[i].tile == nullptr) Decode(jobs_[i], store_);
+    });
     for (Job& job : jobs_) {
       if (!job.status.ok()) {
-        return {job.status.code(), BlockName(submap_.id().value, layer_, job.index) + " " + job.status.message()};
+        return {job.status.code(),
+                TileName(submap.id().value, job.failed->number, job.index) + " " + job.status.message()};
       }
-      Put(job);
+      if (job.is_shared) shared_.emplace(job.keys, job.tile);
+      submap.PutTile(job.index, std::move(job.tile));
     }
     jobs_.clear();
     return Status::Ok();
   }
 
-  void Put(Job& job) {
-    const BlockEntry* entry = submap_.blocks().Find(job.index);
-    switch (layer_) {
-      case Layer::kTsdf: submap_.PutBlock(job.index, std::move(job.tsdf), nullptr); break;
-      case Layer::kLabels: submap_.PutBlock(job.index, entry ? entry->tsdf : nullptr, std::move(job.labels)); break;
-      case Layer::kGone: submap_.PutGone(job.index, std::move(job.gone)); break;
+  static Status CheckCounts(const SubmapRow& row, const Submap& submap) {
+    const SubmapCounts counts = CountBlocks(submap);
+    for (const ObjectLayer& layer : ObjectLayers()) {
+      if (layer.count == nullptr || counts.*layer.count == row.counts.*layer.count) continue;
+      return DataLoss("submap " + std::to_string(row.info.id.value) + ": has " + std::to_string(counts.*layer.count) +
+                      " " + std::string(layer.name) + " blocks, not " + std::to_string(row.counts.*layer.count));
     }
+    return Status::Ok();
   }
 
-  Layer layer_;
-  BlockRowReader& rows_;
+  TileRowReader& rows_;
+  const std::uint16_t store_;
   ThreadPool& pool_;
-  Submap& submap_;
   std::vector<Job> jobs_;
+  std::map<TileKeys, std::shared_ptr<const BlockTile>> shared_;  ///< clones share them in memory, too
 };
 
-Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithBlocks(sqlite::Database& database, const MapRow& map,
-                                                                         ThreadPool& pool) {
+Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::Database& database, const MapRow& map,
+                                                                        std::uint16_t store, ThreadPool& pool) {
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> rows, ReadSubmaps(database, map.key));
   if (static_cast<std::int64_t>(rows.size()) != map.num_submaps) {
     return DataLoss("has " + std::to_string(rows.size()) + " submaps, not " + std::to_string(map.num_submaps));
   }
-  DHPMAP_ASSIGN_OR_RETURN(BlockRowReader tsdf, BlockRowReader::Prepare(database, Layer::kTsdf));
-  DHPMAP_ASSIGN_OR_RETURN(BlockRowReader labels, BlockRowReader::Prepare(database, Layer::kLabels));
-  DHPMAP_ASSIGN_OR_RETURN(BlockRowReader gone, BlockRowReader::Prepare(database, Layer::kGone));
+  DHPMAP_ASSIGN_OR_RETURN(TileRowReader tiles, TileRowReader::Prepare(database));
+  SubmapReader reader(tiles, store, pool);
   std::vector<std::shared_ptr<const Submap>> submaps;
   for (const SubmapRow& row : rows) {
-    constexpr std::uint64_t kOlderThanAnyWriter = 0;
-    auto submap = std::make_shared<Submap>(row.info, kOlderThanAnyWriter);
-    submap->set_bounding_sphere(row.sphere);
-    DHPMAP_RETURN_IF_ERROR(LayerReader(Layer::kTsdf, tsdf, pool, *submap).Read(row.key, row.counts.num_tsdf_blocks));
-    DHPMAP_RETURN_IF_ERROR(
-        LayerReader(Layer::kLabels, labels, pool, *submap).Read(row.key, row.counts.num_label_blocks));
-    DHPMAP_RETURN_IF_ERROR(LayerReader(Layer::kGone, gone, pool, *submap).Read(row.key, row.counts.num_gone_blocks));
-    submaps.push_back(std::move(submap));
+    DHPMAP_ASSIGN_OR_RETURN(submaps.emplace_back(), reader.Read(row));
   }
   return submaps;
 }
@@ -135,11 +150,11 @@ Status Damaged(const std::string& name, const Status& status) {
 }  // namespace
 
 Result<std::shared_ptr<const MapSnapshot>> ReadSnapshot(sqlite::Database& database, const std::string& name,
-                                                        ThreadPool& pool) {
+                                                        std::uint16_t store, ThreadPool& pool) {
   DHPMAP_ASSIGN_OR_RETURN(MapRow map, ReadMap(database, name));
-  Result<std::vector<std::shared_ptr<const Submap>>> submaps = ReadSubmapsWithBlocks(database, map, pool);
+  Result<std::vector<std::shared_ptr<const Submap>>> submaps = ReadSubmapsWithTiles(database, map, store, pool);
   if (!submaps.ok()) return Damaged(name, submaps.status());
-  Result<MapLayers> layers = ReadMapLayers(database, map.key, map.num_tiles);
+  Result<MapLayers> layers = ReadMapLayers(database, map);
   if (!layers.ok()) return Damaged(name, layers.status());
   return std::make_shared<const MapSnapshot>(std::move(map.info), std::move(submaps).value(),
                                              std::move(layers->free_space), std::move(layers->vacated));

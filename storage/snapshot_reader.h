@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -10,9 +11,9 @@
 
 namespace dhpmap {
 
-/// Reads a whole map within the caller's transaction; decodes on `pool`. NOT_FOUND; DATA_LOSS naming map, submap and
-/// block where something is damaged or missing.
+/// Reads a whole map within the caller's transaction; decodes on `pool`. Its tiles know that they are in `store`.
+/// NOT_FOUND; DATA_LOSS naming map, submap, layer and tile where something is damaged or missing.
 Result<std::shared_ptr<const MapSnapshot>> ReadSnapshot(sqlite::Database& database, const std::string& name,
-                                                        ThreadPool& pool);
+                                                        std::uint16_t store, ThreadPool& pool);
 
 }  // namespace dhpmap

@@ -3,56 +3,56 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
-#include "storage/codec/gone_codec.h"
-#include "storage/codec/label_codec.h"
-#include "storage/codec/tsdf_codec.h"
-#include "storage/rows/block_rows.h"
 #include "storage/rows/submap_rows.h"
+#include "storage/rows/tile_rows.h"
+#include "storage/tiles/object_layers.h"
 
 namespace dhpmap {
 namespace {
 
-/// Bounds the memory for encoded blocks: some 1 MB.
-constexpr std::size_t kBlocksABatch = 1024;
+/// Bounds the memory for encoded tiles: some 1 MB.
+constexpr std::size_t kTilesABatch = 256;
 
 /// One submap with rows to write.
 struct Target {
   const Submap* submap = nullptr;
   std::int64_t key = 0;
-  bool is_new = false;
   SubmapCounts counts;  ///< as stored, kept up to date with what is written
+  TileTotals tiles;     ///< likewise, of the bytes and the sum
 };
 
-/// One block to write.
+/// One layer of one tile to encode.
 struct Job {
   std::size_t target = 0;
-  Layer layer = Layer::kTsdf;
-  const BlockEntry* entry = nullptr;
+  const TileChange* change = nullptr;
+  const ObjectLayer* layer = nullptr;
+  StoredBlob before;
 };
 
 class Writer {
  public:
-  Writer(SubmapRowWriter submaps, BlockRowWriter tsdf, BlockRowWriter labels, BlockRowWriter gone, ThreadPool& pool)
-      : submaps_(std::move(submaps)),
-        tsdf_(std::move(tsdf)),
-        labels_(std::move(labels)),
-        gone_(std::move(gone)),
-        pool_(pool) {}
+  Writer(SubmapRowWriter submaps, TileRows tiles, std::uint16_t store, ThreadPool& pool)
+      : submaps_(std::move(submaps)), tiles_(std::move(tiles)), store_(store), pool_(pool) {}
 
-  Status Write(std::int64_t map_key, const std::vector<SubmapChange>& changes) {
-    for (const SubmapChange& change : changes) {
-      DHPMAP_RETURN_IF_ERROR(change.after ? WriteRow(map_key, change) : RemoveSubmap(map_key, change.id));
+  Result<WrittenTiles> Write(std::int64_t map_key, const std::vector<SubmapTileChange>& changes) {
+    for (const SubmapTileChange& change : changes) {  // first, while what they are copies of is as it was
+      if (change.copy_of) DHPMAP_RETURN_IF_ERROR(WriteSubmap(map_key, change));
     }
-    for (std::size_t begin = 0; begin < jobs_.size(); begin += kBlocksABatch) {
-      const std::size_t end = std::min(jobs_.size(), begin + kBlocksABatch);
-      DHPMAP_RETURN_IF_ERROR(WriteBatch(std::span(jobs_).subspan(begin, end - begin)));
+    for (const SubmapTileChange& change : changes) {
+      if (change.copy_of) continue;
+      DHPMAP_RETURN_IF_ERROR(change.after ? WriteSubmap(map_key, change) : RemoveSubmap(map_key, change.id));
     }
-    for (const Target& target : targets_) DHPMAP_RETURN_IF_ERROR(Finish(target));
-    return Status::Ok();
+    DHPMAP_RETURN_IF_ERROR(Flush());
+    for (const Target& target : targets_) {
+      SubmapCounts counts = target.counts;
+      counts.blob_bytes = target.tiles.bytes;
+      DHPMAP_RETURN_IF_ERROR(submaps_.Write(map_key, *target.submap, counts, target.tiles.sum).status());
+    }
+    return std::move(written_);
   }
 
  private:
@@ -64,99 +64,142 @@ class Writer {
 
   Status RemoveSubmap(std::int64_t map_key, SubmapId id) {
     DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> stored, submaps_.Find(map_key, id));
-    return stored ? submaps_.Erase(stored->key) : NotTheStateBefore(id);
+    if (!stored) return NotTheStateBefore(id);
+    tiles_.NoteDeadBlobs();
+    return submaps_.Erase(stored->key);
   }
 
-  /// Writes the row, deletes what is gone, and lists the blocks to write.
-  Status WriteRow(std::int64_t map_key, const SubmapChange& change) {
+  Status WriteSubmap(std::int64_t map_key, const SubmapTileChange& change) {
     DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> stored, submaps_.Find(map_key, change.id));
     if (stored.has_value() == change.is_new) return NotTheStateBefore(change.id);
-    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key, submaps_.Write(map_key, *change.after));
-    Target target{change.after, key, change.is_new, stored ? stored->counts : SubmapCounts{}};
-    for (const BlockIndex index : change.erased_tsdf) DHPMAP_RETURN_IF_ERROR(Erase(target, Layer::kTsdf, index));
-    for (const BlockIndex index : change.erased_labels) DHPMAP_RETURN_IF_ERROR(Erase(target, Layer::kLabels, index));
-    for (const BlockIndex index : change.erased_gone) DHPMAP_RETURN_IF_ERROR(Erase(target, Layer::kGone, index));
-    for (const BlockEntry* entry : change.written_tsdf) jobs_.push_back({targets_.size(), Layer::kTsdf, entry});
-    for (const BlockEntry* entry : change.written_labels) jobs_.push_back({targets_.size(), Layer::kLabels, entry});
-    for (const BlockEntry* entry : change.written_gone) jobs_.push_back({targets_.size(), Layer::kGone, entry});
+    DHPMAP_ASSIGN_OR_RETURN(const Target target, stored           ? TargetOf(*change.after, *stored)
+                                                 : change.copy_of ? CopiedTarget(map_key, change)
+                                                                  : NewTarget(map_key, *change.after));
     targets_.push_back(target);
+    for (const TileChange& tile : change.tiles) DHPMAP_RETURN_IF_ERROR(WriteTile(change, tile));
     return Status::Ok();
   }
 
-  Status WriteBatch(std::span<const Job> jobs) {
-    std::vector<Bytes> blobs(jobs.size());
-    pool_.ParallelFor(jobs.size(), [&](std::size_t i) { blobs[i] = Encode(jobs[i]); });
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-      Target& target = targets_[jobs[i].target];
-      DHPMAP_ASSIGN_OR_RETURN(const BlockDelta delta,
-                              RowsOf(jobs[i].layer).Write(target.key, jobs[i].entry->index, blobs[i], target.is_new));
-      Count(target, jobs[i].layer, delta);
+  Result<Target> TargetOf(const Submap& submap, const SubmapRowWriter::Stored& stored) {
+    Target target{&submap, stored.key, stored.counts, {}};
+    target.tiles.bytes = stored.counts.blob_bytes;
+    target.tiles.sum = stored.tiles_sum;
+    if (stored.covers_tiles) return target;
+    DHPMAP_ASSIGN_OR_RETURN(const TileTotals totals, tiles_.Count(stored.key));
+    target.tiles.sum = totals.sum;
+    return target;
+  }
+
+  /// The row is needed for its key; what it says of its tiles follows.
+  Result<Target> NewTarget(std::int64_t map_key, const Submap& submap) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key, submaps_.Write(map_key, submap, {}, 0));
+    return Target{&submap, key, {}, {}};
+  }
+
+  /// A new one, with the tiles that its original has in the store.
+  Result<Target> CopiedTarget(std::int64_t map_key, const SubmapTileChange& change) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> original,
+                            submaps_.Find(map_key, *change.copy_of));
+    if (!original) return NotTheStateBefore(*change.copy_of);
+    DHPMAP_ASSIGN_OR_RETURN(Target target, TargetOf(*change.after, *original));
+    DHPMAP_ASSIGN_OR_RETURN(const Target copy, NewTarget(map_key, *change.after));
+    target.key = copy.key;
+    DHPMAP_RETURN_IF_ERROR(tiles_.Copy(original->key, target.key));
+    return target;
+  }
+
+  Status WriteTile(const SubmapTileChange& submap, const TileChange& change) {
+    Target& target = targets_.back();
+    StoredLayers stored{};
+    if (!submap.is_new || submap.copy_of) {
+      DHPMAP_ASSIGN_OR_RETURN(stored, tiles_.Find(target.key, change.index));
+    }
+    if (change.after != nullptr && encoding_.contains(change.after.get())) DHPMAP_RETURN_IF_ERROR(Flush());
+    for (const ObjectLayer& layer : ObjectLayers()) {
+      const auto i = static_cast<std::size_t>(layer.layer);
+      const StoredBlob& before = stored[layer.number];
+      if (before.num_blocks != change.num_before[i]) return NotTheStateBefore(submap.id);
+      if (layer.count != nullptr) target.counts.*layer.count += change.num_after[i] - change.num_before[i];
+      DHPMAP_RETURN_IF_ERROR(WriteLayer(target, change, layer, before));
     }
     return Status::Ok();
   }
 
-  [[nodiscard]] Bytes Encode(const Job& job) const {
-    const BlockEntry& entry = *job.entry;
-    switch (job.layer) {
-      case Layer::kTsdf: break;
-      case Layer::kLabels: return EncodeLabelBlock(*entry.labels, entry.index);
-      case Layer::kGone: return EncodeGoneBlock(*entry.gone, entry.index);
+  Status WriteLayer(Target& target, const TileChange& change, const ObjectLayer& layer, const StoredBlob& before) {
+    const auto i = static_cast<std::size_t>(layer.layer);
+    if (change.num_after[i] == 0) {
+      return tiles_.Erase(target.key, change.index, layer.number, before, target.tiles);
     }
-    return EncodeTsdfBlock(*entry.tsdf, entry.index, targets_[job.target].submap->info().truncation_m);
+    if (!change.is_written[i]) {  // its blob goes on to be that of the tile in memory
+      written_.Note(*change.after, layer.layer, before.key);
+      return Status::Ok();
+    }
+    DHPMAP_ASSIGN_OR_RETURN(const std::optional<StoredBlob> known, FindStored(*change.after, layer.layer));
+    if (!known) {
+      jobs_.push_back({targets_.size() - 1, &change, &layer, before});
+      encoding_.insert(change.after.get());
+      return jobs_.size() < kTilesABatch ? Status::Ok() : Flush();
+    }
+    return Put(target, change, layer, before, *known);
   }
 
-  Status Erase(Target& target, Layer layer, BlockIndex index) {
-    DHPMAP_ASSIGN_OR_RETURN(const BlockDelta delta, RowsOf(layer).Erase(target.key, index));
-    Count(target, layer, delta);
+  /// What the store has of a tile in memory already.
+  Result<std::optional<StoredBlob>> FindStored(const BlockTile& tile, BlockLayer layer) {
+    std::int64_t key = written_.Find(tile, layer);
+    if (key == 0) key = tile.stored(layer).In(store_);
+    if (key == 0) return std::optional<StoredBlob>();
+    return tiles_.Share(key);
+  }
+
+  Status Put(Target& target, const TileChange& change, const ObjectLayer& layer, const StoredBlob& before,
+             const StoredBlob& blob) {
+    written_.Note(*change.after, layer.layer, blob.key);
+    return tiles_.Put(target.key, change.index, layer.number, before, blob, target.tiles);
+  }
+
+  /// Encodes and writes what is waiting for it.
+  Status Flush() {
+    std::vector<Bytes> blobs(jobs_.size());
+    pool_.ParallelFor(jobs_.size(), [&](std::size_t i) {
+      const Job& job = jobs_[i];
+      blobs[i] = job.layer->encode(*job.change->after, job.change->index, targets_[job.target].submap->info());
+    });
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      const std::int64_t num_blocks = job.change->num_after[static_cast<std::size_t>(job.layer->layer)];
+      DHPMAP_ASSIGN_OR_RETURN(const StoredBlob blob, tiles_.Insert(blobs[i], num_blocks));
+      DHPMAP_RETURN_IF_ERROR(Put(targets_[job.target], *job.change, *job.layer, job.before, blob));
+    }
+    jobs_.clear();
+    encoding_.clear();
     return Status::Ok();
-  }
-
-  static void Count(Target& target, Layer layer, BlockDelta delta) {
-    SubmapCounts& counts = target.counts;
-    switch (layer) {
-      case Layer::kTsdf: counts.num_tsdf_blocks += delta.rows; break;
-      case Layer::kLabels: counts.num_label_blocks += delta.rows; break;
-      case Layer::kGone: counts.num_gone_blocks += delta.rows; break;
-    }
-    counts.blob_bytes += delta.bytes;
-  }
-
-  /// The rows there are now must be the blocks that the submap has.
-  Status Finish(const Target& target) {
-    const SubmapCounts wanted = CountBlocks(*target.submap);
-    if (target.counts.num_tsdf_blocks != wanted.num_tsdf_blocks ||
-        target.counts.num_label_blocks != wanted.num_label_blocks ||
-        target.counts.num_gone_blocks != wanted.num_gone_blocks) {
-      return NotTheStateBefore(target.submap->id());
-    }
-    return submaps_.SetBlobBytes(target.key, target.counts.blob_bytes);
-  }
-
-  BlockRowWriter& RowsOf(Layer layer) {
-    switch (layer) {
-      case Layer::kTsdf: break;
-      case Layer::kLabels: return labels_;
-      case Layer::kGone: return gone_;
-    }
-    return tsdf_;
   }
 
   SubmapRowWriter submaps_;
-  BlockRowWriter tsdf_, labels_, gone_;
+  TileRows tiles_;
+  const std::uint16_t store_;
   ThreadPool& pool_;
   std::vector<Target> targets_;
   std::vector<Job> jobs_;
+  std::unordered_set<const BlockTile*> encoding_;  ///< tiles of the jobs
+  WrittenTiles written_;
 };
 
 }  // namespace
 
-Status WriteChanges(sqlite::Database& database, std::int64_t map_key, const std::vector<SubmapChange>& changes,
-                    ThreadPool& pool) {
+void WrittenTiles::TellTiles(std::uint16_t store) const {
+  for (const auto& [tile, keys] : keys_) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (keys[i] != 0) tile->stored(static_cast<BlockLayer>(i)).Set(store, keys[i]);
+    }
+  }
+}
+
+Result<WrittenTiles> WriteChanges(sqlite::Database& database, std::int64_t map_key,
+                                  const std::vector<SubmapTileChange>& changes, std::uint16_t store, ThreadPool& pool) {
   DHPMAP_ASSIGN_OR_RETURN(SubmapRowWriter submaps, SubmapRowWriter::Prepare(database));
-  DHPMAP_ASSIGN_OR_RETURN(BlockRowWriter tsdf, BlockRowWriter::Prepare(database, Layer::kTsdf));
-  DHPMAP_ASSIGN_OR_RETURN(BlockRowWriter labels, BlockRowWriter::Prepare(database, Layer::kLabels));
-  DHPMAP_ASSIGN_OR_RETURN(BlockRowWriter gone, BlockRowWriter::Prepare(database, Layer::kGone));
-  return Writer(std::move(submaps), std::move(tsdf), std::move(labels), std::move(gone), pool).Write(map_key, changes);
+  DHPMAP_ASSIGN_OR_RETURN(TileRows tiles, TileRows::Prepare(database));
+  return Writer(std::move(submaps), std::move(tiles), store, pool).Write(map_key, changes);
 }
 
 }  // namespace dhpmap

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mapping/base/this_thread.h"
+#include "storage/rows/tile_rows.h"
 #include "storage/sqlite/free_pages.h"
 
 namespace dhpmap {
@@ -17,7 +18,7 @@ using std::chrono::milliseconds;
 
 // SQLite looks for each page of the file's end in the list of free ones, so a page takes longer the more are free:
 // from 10 us with a hundred MB to 100 us with a GB.
-constexpr std::int64_t kMinPagesAStep = 8, kMaxPagesAStep = 512;
+constexpr std::int64_t kMinAStep = 8, kMaxAStep = 512;
 constexpr milliseconds kShortStep{5}, kLongStep{15};
 constexpr milliseconds kRetry{1000};
 
@@ -31,7 +32,8 @@ SpaceReclaimer::SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t
     : writer_(std::move(writer)),
       num_spare_pages_(num_spare_pages),
       log_(std::move(log)),
-      num_pages_a_step_(kMinPagesAStep) {}
+      num_pages_a_step_(kMinAStep),
+      num_blobs_a_step_(kMinAStep) {}
 
 SpaceReclaimer::~SpaceReclaimer() {
   std::thread thread;
@@ -44,8 +46,8 @@ SpaceReclaimer::~SpaceReclaimer() {
   if (thread.joinable()) thread.join();
 }
 
-void SpaceReclaimer::Notice(std::int64_t num_free_pages) {
-  if (num_free_pages <= num_spare_pages_) return;
+void SpaceReclaimer::Notice(std::int64_t num_free_pages, bool has_dead_blobs) {
+  if (num_free_pages <= num_spare_pages_ && !has_dead_blobs) return;
   const MutexLock lock(mutex_);
   has_work_ = true;
   wake_.NotifyAll();
@@ -78,21 +80,38 @@ void SpaceReclaimer::Loop() {
 
 SpaceReclaimer::Progress SpaceReclaimer::Step() {
   if (num_pages_in_log_ >= kMaxPagesInLog) return EmptyLog(Progress::kMore);
-  std::int64_t num_pages = 0;
-  Clock::time_point begin;
-  const Status given_back = writer_.write([&](sqlite::Database& database) -> Status {
-    begin = Clock::now();
-    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_free, sqlite::NumFreePages(database));
-    num_pages = std::clamp<std::int64_t>(num_free - num_spare_pages_, 0, num_pages_a_step_);
-    return num_pages == 0 ? Status::Ok() : sqlite::GiveBackPages(database, num_pages);
+  Work work;
+  const Status done = writer_.write([&](sqlite::Database& database) -> Status {
+    DHPMAP_ASSIGN_OR_RETURN(work, CollectOrGiveBack(database));
+    return Status::Ok();
   });
-  if (!given_back.ok()) return EmptyLog(Progress::kBlocked);  // on a full disk, what the log takes is missing
-  if (num_pages == 0) return num_pages_in_log_ == 0 ? Progress::kDone : EmptyLog(Progress::kDone);
-  num_pages_in_log_ += num_pages;
-  const Clock::duration took = Clock::now() - begin;
-  if (took > kLongStep) num_pages_a_step_ = std::max(kMinPagesAStep, num_pages_a_step_ / 2);
-  if (took < kShortStep) num_pages_a_step_ = std::min(kMaxPagesAStep, num_pages_a_step_ * 2);
+  if (!done.ok()) return EmptyLog(Progress::kBlocked);  // on a full disk, what the log takes is missing
+  if (work.num_blobs > 0) return Progress::kMore;
+  if (work.num_pages == 0) return num_pages_in_log_ == 0 ? Progress::kDone : EmptyLog(Progress::kDone);
+  num_pages_in_log_ += work.num_pages;
   return Progress::kMore;
+}
+
+Result<SpaceReclaimer::Work> SpaceReclaimer::CollectOrGiveBack(sqlite::Database& database) {
+  const Clock::time_point begin = Clock::now();
+  Work work;
+  DHPMAP_ASSIGN_OR_RETURN(work.num_blobs, CollectDeadBlobs(database, num_blobs_a_step_));
+  if (work.num_blobs > 0) {
+    Adapt(num_blobs_a_step_, Clock::now() - begin);
+    return work;
+  }
+  if (num_spare_pages_ == kKeepAll) return work;
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_free, sqlite::NumFreePages(database));
+  work.num_pages = std::clamp<std::int64_t>(num_free - num_spare_pages_, 0, num_pages_a_step_);
+  if (work.num_pages == 0) return work;
+  DHPMAP_RETURN_IF_ERROR(sqlite::GiveBackPages(database, work.num_pages));
+  Adapt(num_pages_a_step_, Clock::now() - begin);
+  return work;
+}
+
+void SpaceReclaimer::Adapt(std::int64_t& num_a_step, Clock::duration took) {
+  if (took > kLongStep) num_a_step = std::max(kMinAStep, num_a_step / 2);
+  if (took < kShortStep) num_a_step = std::min(kMaxAStep, num_a_step * 2);
 }
 
 SpaceReclaimer::Progress SpaceReclaimer::EmptyLog(Progress then) {

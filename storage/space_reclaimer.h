@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <thread>
 
 #include "mapping/base/mutex.h"
@@ -10,8 +12,9 @@
 
 namespace dhpmap {
 
-/// Gives back to the file system what was deleted, in steps of some milliseconds between which commits go on, each a
-/// transaction of its own: after a kill the next one goes on. Begins a thread when there is something to do.
+/// Deletes blobs that nothing refers to any more, then gives back to the file system what was deleted: in steps of some
+/// milliseconds between which commits go on, each a transaction of its own, so after a kill the next one goes on.
+/// Begins a thread when there is something to do.
 class SpaceReclaimer {
  public:
   /// How it gets at the connection that writes. Both wait for a commit that runs and keep others waiting.
@@ -22,16 +25,18 @@ class SpaceReclaimer {
     std::function<Status(const std::function<Status()>&)> hold;
   };
 
-  /// Free pages up to `num_spare_pages` stay, for what is stored next. `log` is a connection of its own to the same
-  /// database that never waits for others. All that is given here outlives it.
+  static constexpr std::int64_t kKeepAll = std::numeric_limits<std::int64_t>::max();
+
+  /// Free pages up to `num_spare_pages` stay, for what is stored next; kKeepAll where the file cannot shrink. `log` is
+  /// a connection of its own to the same database that never waits for others. All that is given here outlives it.
   SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t num_spare_pages);
   /// After the step that is being done.
   ~SpaceReclaimer();
   SpaceReclaimer(const SpaceReclaimer&) = delete;
   SpaceReclaimer& operator=(const SpaceReclaimer&) = delete;
 
-  /// To be told of a commit's free pages. Thread-safe; may be called from within `writer.write`.
-  void Notice(std::int64_t num_free_pages);
+  /// To be told of what a commit left to do. Thread-safe; may be called from within `writer.write`.
+  void Notice(std::int64_t num_free_pages, bool has_dead_blobs);
 
   enum class Progress {
     kMore,
@@ -42,6 +47,14 @@ class SpaceReclaimer {
   Progress Step();
 
  private:
+  struct Work {
+    std::int64_t num_blobs = 0;  ///< deleted
+    std::int64_t num_pages = 0;  ///< given back
+  };
+  Result<Work> CollectOrGiveBack(sqlite::Database& database);
+  /// What is done a step follows from how long it takes.
+  static void Adapt(std::int64_t& num_a_step, std::chrono::steady_clock::duration took);
+
   void Loop();
   Progress EmptyLog(Progress then);
 
@@ -50,7 +63,7 @@ class SpaceReclaimer {
 
   // Of whoever steps.
   sqlite::Database log_;
-  std::int64_t num_pages_a_step_;
+  std::int64_t num_pages_a_step_, num_blobs_a_step_;
   std::int64_t num_pages_in_log_ = 0;
 
   Mutex mutex_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -21,6 +23,7 @@
 #include "storage/sqlite/free_pages.h"
 #include "storage/sqlite/transaction.h"
 #include "storage/store.h"
+#include "storage/verify.h"
 
 namespace dhpmap {
 namespace {
@@ -33,6 +36,13 @@ constexpr int kMaxThreads = 2;
 
 /// Free pages that stay in the file for what is stored next: 4 MB.
 constexpr std::int64_t kNumSparePages = 1024;
+
+/// Names the store to tiles in memory; 0, which is none, once there were too many in this process.
+std::uint16_t NextStoreNumber() {
+  static std::atomic<std::uint32_t> last = 0;
+  const std::uint32_t number = last.fetch_add(1) + 1;
+  return std::in_range<std::uint16_t>(number) ? static_cast<std::uint16_t>(number) : std::uint16_t{0};
+}
 
 int NumThreads() { return std::min(kMaxThreads, std::max(1, static_cast<int>(std::thread::hardware_concurrency()))); }
 
@@ -58,7 +68,7 @@ Result<StoredMap> Describe(Database& database, const std::string& name) {
   sqlite::Columns columns(sums);
   map.num_tsdf_blocks = columns.Int();
   map.num_label_blocks = columns.Int();
-  map.blob_bytes = columns.Int() + row.tile_bytes;
+  map.blob_bytes = columns.Int() + row.tiles.bytes;
   DHPMAP_ASSIGN_OR_RETURN(map.lost_revisions, ReadLostRevisions(database, row.key));
   return map;
 }
@@ -100,28 +110,33 @@ class SqliteStore final : public MapStore {
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
     return Read<std::shared_ptr<const MapSnapshot>>([&](Database& database) {
       ThreadPool pool(NumThreads());
-      return ReadSnapshot(database, name, pool);
+      return ReadSnapshot(database, name, number_, pool);
     });
   }
 
   Status CreateMap(const MapSnapshot& snapshot) override {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(snapshot.info().name));
-    return Write(Durability::kFull, [&](Writer& writer) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const std::int64_t map_key, InsertMap(writer.database, snapshot));
-      DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, map_key, 0, StateMarks(), snapshot));
-      return WriteChanges(writer.database, map_key, DiffSnapshots(StateMarks(), snapshot), writer.pool);
+    WrittenTiles written;
+    const Status done = Write(Durability::kFull, [&](Writer& writer) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, InsertMap(writer.database, snapshot));
+      DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, snapshot.info(), StateMarks(), snapshot));
+      return Status::Ok();
     });
+    if (done.ok()) written.TellTiles(number_);
+    return done;
   }
 
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
-    return Write(durability, [&](Writer& writer) -> Status {
+    WrittenTiles written;
+    const Status done = Write(durability, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
       DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
-      DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, before.info(), after));
-      DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, head.key, head.num_tiles, before, after));
-      return WriteChanges(writer.database, head.key, DiffSnapshots(before, after), writer.pool);
+      DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after));
+      return Status::Ok();
     });
+    if (done.ok()) written.TellTiles(number_);
+    return done;
   }
 
   Status DeleteMap(const std::string& name) override {
@@ -130,6 +145,16 @@ class SqliteStore final : public MapStore {
 
   Status Reserve(const std::string& name, const NumberMarks& marks) override {
     return Write(Durability::kFull, [&](Writer& writer) { return SetMarks(writer.database, name, marks); });
+  }
+
+  Result<VerifyReport> VerifyMap(const std::string& name, bool repair, const std::stop_token& stop) override {
+    DHPMAP_ASSIGN_OR_RETURN(Verification found,
+                            Read<Verification>([&](Database& database) { return VerifyRows(database, name, stop); }));
+    if (repair && found.report.num_faults > 0) {
+      DHPMAP_RETURN_IF_ERROR(
+          Write(Durability::kFull, [&](Writer& writer) { return RepairRows(writer.database, name, found); }));
+    }
+    return std::move(found.report);
   }
 
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) override {
@@ -141,7 +166,6 @@ class SqliteStore final : public MapStore {
   Status GiveSpaceBack() {
     const MutexLock lock(writer_mutex_);
     DHPMAP_ASSIGN_OR_RETURN(const bool is_allowed, sqlite::AllowsGivingBack(writer_->database));
-    if (!is_allowed) return Status::Ok();
     DHPMAP_ASSIGN_OR_RETURN(Database log, OpenForLog(path_));
     const auto write = [this](const std::function<Status(Database&)>& body) {
       return Write(Durability::kNormal, [&](Writer& writer) { return body(writer.database); });
@@ -150,7 +174,8 @@ class SqliteStore final : public MapStore {
       const MutexLock held(writer_mutex_);
       return body();
     };
-    reclaimer_ = std::make_unique<SpaceReclaimer>(SpaceReclaimer::Writer{write, hold}, std::move(log), kNumSparePages);
+    reclaimer_ = std::make_unique<SpaceReclaimer>(SpaceReclaimer::Writer{write, hold}, std::move(log),
+                                                  is_allowed ? kNumSparePages : SpaceReclaimer::kKeepAll);
     return Status::Ok();
   }
 
@@ -185,8 +210,17 @@ class SqliteStore final : public MapStore {
     writer_->database.ReleaseMemory();
     if (reclaimer_ == nullptr) return Status::Ok();
     const Result<std::int64_t> num_free_pages = sqlite::NumFreePages(writer_->database);
-    if (num_free_pages.ok()) reclaimer_->Notice(*num_free_pages);
+    const Result<bool> has_dead_blobs = HasDeadBlobs(writer_->database);
+    if (num_free_pages.ok() && has_dead_blobs.ok()) reclaimer_->Notice(*num_free_pages, *has_dead_blobs);
     return Status::Ok();
+  }
+
+  /// Writes what differs between two states of the map that `head` is the row of.
+  Result<WrittenTiles> WriteState(Writer& writer, const MapRow& head, const MapInfo& info_before,
+                                  const StateMarks& before, const MapSnapshot& after) {
+    DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles, WriteMapLayers(writer.database, head, before, after));
+    DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, info_before, after, tiles));
+    return WriteChanges(writer.database, head.key, DiffTiles(before, after), number_, writer.pool);
   }
 
   /// In WAL mode, synchronous = FULL syncs the log at each commit, and with it all commits before.
@@ -199,10 +233,11 @@ class SqliteStore final : public MapStore {
   }
 
   const std::string path_;
+  const std::uint16_t number_ = NextStoreNumber();
   Mutex writer_mutex_;
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
-  std::unique_ptr<SpaceReclaimer> reclaimer_;  // last, as it uses all others; null: the file keeps its free space
+  std::unique_ptr<SpaceReclaimer> reclaimer_;  // last, as it uses all others; null: read-only
 };
 
 }  // namespace
@@ -214,7 +249,7 @@ Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const
     return std::unique_ptr<MapStore>(std::make_unique<SqliteStore>(nullptr, path, mode, timeout_ms));
   }
   DHPMAP_ASSIGN_OR_RETURN(FileLock lock, FileLock::Acquire(path));
-  DHPMAP_ASSIGN_OR_RETURN(Database database, OpenWriter(path, timeout_ms));
+  DHPMAP_ASSIGN_OR_RETURN(Database database, OpenWriter(path, timeout_ms, options.on_progress));
   RemoveUnfinishedBackups(path);
   auto writer = std::make_unique<Writer>(std::move(lock), std::move(database));
   auto store = std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, timeout_ms);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -30,10 +31,40 @@ struct StoredMap {
   std::int64_t num_submaps = 0;
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
-  std::int64_t blob_bytes = 0;   ///< size of the encoded blocks and tiles
+  std::int64_t blob_bytes = 0;   ///< size of the encoded tiles; what a clone shares counts for each
   LostRevisions lost_revisions;  ///< see MapStore::Reserve
   /// From ListMaps: why the map cannot be read; then of all else only info.name is valid.
   Status damage;
+};
+
+/// Something that is wrong with a stored map, and where.
+struct MapFault {
+  enum class Kind {
+    kRow,        ///< a row has a wrong checksum
+    kBlob,       ///< a tile is missing or damaged
+    kCount,      ///< a row says of its tiles what is not so
+    kBounds,     ///< a sphere or box does not contain what it should
+    kReference,  ///< blobs belong to nothing, or to others than is noted: of the whole store
+  };
+  Kind kind = Kind::kRow;
+  std::string place;  ///< "submap 3: tsdf tile (1, -2, 0)"
+  std::string what;   ///< goes on after the place
+};
+
+struct VerifyReport {
+  static constexpr std::size_t kMaxFaults = 1000;
+
+  std::int64_t revision = 0;  ///< that was looked at; after a repair, the one that it made
+  std::int64_t num_submaps = 0;
+  std::int64_t num_tiles = 0;   ///< layers of tiles that were read
+  std::int64_t num_blocks = 0;  ///< layers of blocks in them
+  std::int64_t blob_bytes = 0;
+  /// Voxels that more than one settled object shows, where nobody has moved any: none once all is refined. -1: the map
+  /// is too large to tell.
+  std::int64_t num_shared_voxels = 0;
+  std::int64_t num_faults = 0;
+  std::vector<MapFault> faults;  ///< the first of them
+  bool is_repaired = false;      ///< what could not be read was dropped; the faults tell what
 };
 
 /// A copy of a whole store, as a file of its own. Thread-compatible.
@@ -76,6 +107,14 @@ class MapStore {
   /// its lost ones. Commits raise the marks to what they store.
   virtual Status Reserve(const std::string& name, const NumberMarks& marks) = 0;
 
+  /// Looks through everything that is stored of a map, while commits go on. With `repair`, which the caller asks for
+  /// only while nobody has the map open: drops what cannot be read and keeps the rest, as a new revision; nothing is
+  /// changed where nothing is wrong. NOT_FOUND, CANCELLED; FAILED_PRECONDITION for a map of a later version; with
+  /// `repair`, DATA_LOSS if the map's own row is damaged, by which the rest is understood.
+  virtual Result<VerifyReport> VerifyMap(const std::string&, bool /*repair*/, const std::stop_token&) {
+    return FailedPrecondition("this store has nothing to look through").WithReason("NOT_A_FILE");
+  }
+
   /// One state of all maps, as committed, while commits go on. Whoever opens it for writing gives its maps new
   /// histories. Takes as much space as the store until it is let go of.
   /// CANCELLED; FAILED_PRECONDITION, reason NOT_A_FILE, for a store that has none.
@@ -87,6 +126,8 @@ class MapStore {
 struct SqliteStoreOptions {
   bool read_only = false;
   int busy_timeout_ms = 5000;
+  /// Hears, while it is opened, what is brought up to date of an older database and how much is left; may be empty.
+  std::function<void(const std::string& message)> on_progress;
 };
 
 /// Opens or creates a database file. DATA_LOSS if it is damaged or no database; FAILED_PRECONDITION, by reason:

@@ -45,6 +45,7 @@ void AddSubmapsCommand(CLI::App& app, Session& session);
 void AddQueryCommands(CLI::App& app, Session& session);
 void AddEditCommands(CLI::App& app, Session& session);
 void AddBackupCommand(CLI::App& app, Session& session);
+void AddVerifyCommand(CLI::App& app, Session& session);
 void AddExportCommands(CLI::App& app, Session& session);
 // Likewise, subcommands of `query`.
 void AddGridCommand(CLI::App& query, Session& session);

@@ -32,6 +32,13 @@ BlockEntry& BlockTable::FindOrInsert(BlockIndex index, std::uint64_t generation)
   return entry;
 }
 
+void BlockTable::PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) {
+  constexpr std::uint64_t kOlderThanAnyWriter = 0;
+  num_blocks_ += tile->entries().size();
+  numbers_.Set(index, static_cast<std::uint32_t>(tiles_.size()));
+  tiles_.push_back({index, std::move(tile), kOlderThanAnyWriter});
+}
+
 bool BlockTable::Erase(BlockIndex index, std::uint64_t generation) {
   if (Find(index) == nullptr) return false;
   const TileIndex tile_index = TileOf(index);

@@ -48,6 +48,8 @@ class BlockTable {
 
   /// Finds the entry or adds one without layers. Invalidates pointers to entries.
   BlockEntry& FindOrInsert(BlockIndex index, std::uint64_t generation);
+  /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
+  void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile);
   /// Returns whether it was there. Invalidates pointers to entries.
   bool Erase(BlockIndex index, std::uint64_t generation);
   /// Calls visit(BlockEntry&) for all blocks; it leaves every index as it is.

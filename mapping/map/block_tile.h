@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <bit>
 #include <compare>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "mapping/base/grid.h"
 #include "mapping/map/gone_block.h"
 #include "mapping/map/label_block.h"
+#include "mapping/map/stored_key.h"
 #include "mapping/map/tsdf_block.h"
 
 namespace dhpmap {
@@ -32,6 +34,19 @@ struct BlockEntry {
   /// Whether a voxel says something of a surface: it was observed, and not contradicted since. Needs a TSDF.
   [[nodiscard]] bool Shows(int linear) const { return tsdf->IsObserved(linear) && !IsContradicted(linear); }
 };
+
+/// The layers of a block.
+enum class BlockLayer : std::uint8_t { kTsdf, kLabels, kGone };
+inline constexpr std::size_t kNumBlockLayers = 3;
+
+/// The one list of them: calls visit(layer, part...) for each layer, with what each of `blocks` has of it: a
+/// BlockEntry, or anything else with members of these names.
+template <typename Visitor, typename... Blocks>
+void ForEachLayer(Visitor&& visit, Blocks&... blocks) {
+  visit(BlockLayer::kTsdf, blocks.tsdf...);
+  visit(BlockLayer::kLabels, blocks.labels...);
+  visit(BlockLayer::kGone, blocks.gone...);
+}
 
 // A tile is a cube of 4 x 4 x 4 blocks: what is copied when a writer goes on from a published state. Surfaces fill some
 // 10 to 20 blocks of one.
@@ -76,6 +91,9 @@ class BlockTile {
   /// Returns whether it was there.
   bool Erase(int cell);
 
+  /// Where a store has a layer of all blocks. Meaningful while nobody writes to the tile.
+  [[nodiscard]] const StoredKey& stored(BlockLayer layer) const { return stored_[static_cast<std::size_t>(layer)]; }
+
   [[nodiscard]] std::size_t MemoryBytes() const;
 
  private:
@@ -85,6 +103,7 @@ class BlockTile {
 
   std::uint64_t cells_ = 0;  ///< bit c: there is a block at cell c
   std::vector<BlockEntry> entries_;
+  std::array<StoredKey, kNumBlockLayers> stored_;
 };
 static_assert(kTileBlocks <= 64, "one bit a block");
 

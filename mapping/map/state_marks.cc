@@ -15,7 +15,9 @@ std::shared_ptr<const TileMarks> MarkTile(const TileEntry& entry) {
   marks->tile = entry.tile;
   marks->blocks.reserve(entry.tile->entries().size());
   for (const BlockEntry& block : entry.tile->entries()) {
-    marks->blocks.push_back({.index = block.index, .tsdf = block.tsdf, .labels = block.labels, .gone = block.gone});
+    BlockMark& mark = marks->blocks.emplace_back();
+    mark.index = block.index;
+    ForEachLayer([](BlockLayer, const auto& layer, auto& name) { name = layer; }, block, mark);
   }
   return marks;
 }
@@ -23,15 +25,66 @@ std::shared_ptr<const TileMarks> MarkTile(const TileEntry& entry) {
 std::shared_ptr<const SubmapMarks> MarkSubmap(const std::shared_ptr<const Submap>& submap, const StateMarks* before) {
   if (before == nullptr) return std::make_shared<const SubmapMarks>(submap, nullptr);
   const auto old = before->submaps().find(submap->id());
-  if (old == before->submaps().end()) return std::make_shared<const SubmapMarks>(submap, nullptr);
+  if (old == before->submaps().end()) {
+    return std::make_shared<const SubmapMarks>(submap, before->FindOriginalOf(*submap));
+  }
   if (old->second->IsOf(submap)) return old->second;
   return std::make_shared<const SubmapMarks>(submap, old->second.get());
+}
+
+const BlockMark kNoBlock{};
+
+void CompareBlock(const BlockMark& before, const BlockEntry& after, TileChange& change) {
+  ForEachLayer(
+      [&change](BlockLayer layer, const auto& old, const auto& now) {
+        const auto i = static_cast<std::size_t>(layer);
+        change.num_before[i] += WasThere(old);
+        change.num_after[i] += now != nullptr;
+        change.is_written[i] = change.is_written[i] || !IsSamePart(old, now);
+      },
+      before, after);
+}
+
+/// Either may be null.
+TileChange CompareTile(TileIndex index, const TileMarks* before, std::shared_ptr<const BlockTile> after) {
+  TileChange change{.index = index, .after = after, .is_written = {}, .num_before = {}, .num_after = {}};
+  for (const BlockEntry& entry : after != nullptr ? after->entries() : std::span<const BlockEntry>()) {
+    const BlockMark* old = before != nullptr ? before->Find(CellOf(entry.index)) : nullptr;
+    CompareBlock(old != nullptr ? *old : kNoBlock, entry, change);
+  }
+  for (const BlockMark& old : before != nullptr ? std::span(before->blocks) : std::span<const BlockMark>()) {
+    if (after == nullptr || after->Find(CellOf(old.index)) == nullptr) CompareBlock(old, BlockEntry(), change);
+  }
+  return change;
+}
+
+/// `before` may be null.
+SubmapTileChange DiffTilesOf(const SubmapMarks* before, const Submap& after) {
+  SubmapTileChange change{.id = after.id(), .after = &after};
+  const auto compare = [&change](TileIndex index, const TileMarks* old, std::shared_ptr<const BlockTile> now) {
+    TileChange tile = CompareTile(index, old, std::move(now));
+    if (std::find(tile.is_written.begin(), tile.is_written.end(), true) == tile.is_written.end()) return;
+    change.tiles.push_back(std::move(tile));
+  };
+  for (const TileEntry& entry : after.blocks().tiles()) {
+    const TileMarks* old = before != nullptr ? before->FindTile(entry.index) : nullptr;
+    if (old == nullptr || !old->IsOf(entry)) compare(entry.index, old, entry.tile);
+  }
+  if (before == nullptr) return change;
+  for (const auto& old : before->tiles()) {
+    if (after.blocks().FindTile(old->index) == nullptr) compare(old->index, old.get(), nullptr);
+  }
+  return change;
 }
 
 }  // namespace
 
 bool BlockMark::IsOf(const BlockEntry& entry) const {
-  return IsSamePart(tsdf, entry.tsdf) && IsSamePart(labels, entry.labels) && IsSamePart(gone, entry.gone);
+  bool is_same = true;
+  ForEachLayer(
+      [&is_same](BlockLayer, const auto& name, const auto& layer) { is_same = is_same && IsSamePart(name, layer); },
+      *this, entry);
+  return is_same;
 }
 
 bool TileMarks::IsOf(const TileEntry& entry) const { return IsSamePart(tile, entry.tile); }
@@ -85,6 +138,17 @@ const SubmapMarks* StateMarks::Find(SubmapId id) const {
   return found != submaps_.end() ? found->second.get() : nullptr;
 }
 
+const SubmapMarks* StateMarks::FindOriginalOf(const Submap& copy) const {
+  const std::span<const TileEntry> tiles = copy.blocks().tiles();
+  if (tiles.empty()) return nullptr;
+  const TileEntry& probe = tiles[tiles.size() / 2];
+  for (const auto& [id, marks] : submaps_) {
+    const TileMarks* tile = marks->FindTile(probe.index);
+    if (tile != nullptr && tile->IsOf(probe)) return marks.get();
+  }
+  return nullptr;
+}
+
 bool StateMarks::Has(SubmapId submap, const BlockEntry& entry) const {
   const SubmapMarks* marks = Find(submap);
   const BlockMark* mark = marks != nullptr ? marks->Find(entry.index) : nullptr;
@@ -96,6 +160,22 @@ std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnaps
   for (const auto& submap : after.submaps()) {
     const SubmapMarks* old = before.Find(submap->id());
     if (old == nullptr || !old->IsOf(submap)) changes.push_back(DiffSubmap(old, *submap));
+  }
+  for (const auto& [id, old] : before.submaps()) {
+    if (after.Find(id) == nullptr) changes.push_back({.id = id});
+  }
+  return changes;
+}
+
+std::vector<SubmapTileChange> DiffTiles(const StateMarks& before, const MapSnapshot& after) {
+  std::vector<SubmapTileChange> changes;
+  for (const auto& submap : after.submaps()) {
+    const SubmapMarks* old = before.Find(submap->id());
+    if (old != nullptr && old->IsOf(submap)) continue;
+    const SubmapMarks* original = old == nullptr ? before.FindOriginalOf(*submap) : nullptr;
+    SubmapTileChange& change = changes.emplace_back(DiffTilesOf(old != nullptr ? old : original, *submap));
+    change.is_new = old == nullptr;
+    if (original != nullptr) change.copy_of = original->info().id;
   }
   for (const auto& [id, old] : before.submaps()) {
     if (after.Find(id) == nullptr) changes.push_back({.id = id});

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -75,6 +78,8 @@ class StateMarks {
   [[nodiscard]] const std::map<SubmapId, std::shared_ptr<const SubmapMarks>>& submaps() const { return submaps_; }
   /// Null if there was no such submap.
   [[nodiscard]] const SubmapMarks* Find(SubmapId id) const;
+  /// A submap of which another is a copy, as far as its tiles tell; null if there is none.
+  [[nodiscard]] const SubmapMarks* FindOriginalOf(const Submap& copy) const;
   /// Whether the submap had this block, with these very layers.
   [[nodiscard]] bool Has(SubmapId submap, const BlockEntry& entry) const;
 
@@ -93,6 +98,25 @@ class StateMarks {
   std::map<SubmapId, std::shared_ptr<const SubmapMarks>> submaps_;
   LayerMarks free_space_, vacated_;
 };
+
+/// What was written of a tile of a submap, by layer.
+struct TileChange {
+  TileIndex index;
+  std::shared_ptr<const BlockTile> after;  ///< null: the tile is no longer there
+  std::array<bool, kNumBlockLayers> is_written{};
+  std::array<std::int32_t, kNumBlockLayers> num_before{};  ///< blocks that had each layer
+  std::array<std::int32_t, kNumBlockLayers> num_after{};
+};
+
+/// What was written of a submap, tile by tile: what a store of tiles works from.
+struct SubmapTileChange {
+  SubmapId id;
+  const Submap* after = nullptr;  ///< null: the submap was removed
+  bool is_new = false;
+  std::optional<SubmapId> copy_of;  ///< of one that is new: what it was cloned from, which `tiles` compare it with
+  std::vector<TileChange> tiles;    ///< those of which some layer was written
+};
+std::vector<SubmapTileChange> DiffTiles(const StateMarks& before, const MapSnapshot& after);
 
 /// As DiffSnapshots: what was written since the marks were made. Costs some bytes a tile, and more only for what was.
 std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnapshot& after);

@@ -70,6 +70,14 @@ void Submap::PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone) {
   entry.owns_gone = false;
 }
 
+void Submap::AddLayers(const BlockEntry& block) {
+  ForEachLayer(
+      [](BlockLayer, const auto& given, auto& layer) {
+        if (given != nullptr) layer = given;
+      },
+      block, blocks_.FindOrInsert(block.index, generation_));
+}
+
 void Submap::DropGone() {
   std::vector<BlockIndex> marked;
   for (const BlockEntry& entry : blocks_.entries()) {

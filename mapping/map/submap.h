@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mapping/base/ids.h"
@@ -97,6 +99,10 @@ class Submap {
   void PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf, std::shared_ptr<const LabelBlock> labels);
   /// Null: nothing of the block was looked through. Only where there is a block.
   void PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone);
+  /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
+  void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) { blocks_.PutTile(index, std::move(tile)); }
+  /// Puts the layers that `block` has in place, beside those that are there.
+  void AddLayers(const BlockEntry& block);
   /// Begins anew: nothing of it was looked through.
   void DropGone();
   bool EraseBlock(BlockIndex index) { return blocks_.Erase(index, generation_); }

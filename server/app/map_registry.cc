@@ -175,6 +175,26 @@ std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& sta
   return present->info().history_id == state.info().history_id ? present : nullptr;
 }
 
+Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, const std::stop_token& stop) {
+  constexpr bool kRepair = true;
+  const auto entry = FindEntry(name);
+  if (entry == nullptr) return NoSuchMap(name);
+  if (!repair) return store_.VerifyMap(name, !kRepair, stop);
+  const MutexLock busy(entry->busy);  // nobody opens it meanwhile
+  bool is_open = false;
+  {
+    const MutexLock lock(mutex_);
+    if (!entry->exists) return NoSuchMap(name);
+    is_open = entry->session != nullptr;
+  }
+  DHPMAP_ASSIGN_OR_RETURN(VerifyReport report, store_.VerifyMap(name, !is_open, stop));
+  if (!report.is_repaired) return report;
+  DHPMAP_ASSIGN_OR_RETURN(StoredMap map, store_.GetMap(name));
+  const MutexLock lock(mutex_);
+  entry->stored = {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = {}};
+  return report;
+}
+
 Result<std::int64_t> MapRegistry::DiskBytes(const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(const StoredMap map, store_.GetMap(name));
   return map.blob_bytes;

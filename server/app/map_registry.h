@@ -63,6 +63,8 @@ class MapRegistry {
   [[nodiscard]] std::size_t surface_bytes() const { return surfaces_.bytes() + surfaces_.cell_bytes(); }
   /// See MapStore::Backup.
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) { return store_.Backup(stop); }
+  /// See MapStore::VerifyMap. Repairs nothing of a map that is open: all of it could be read.
+  Result<VerifyReport> Verify(const std::string& name, bool repair, const std::stop_token& stop);
   /// Bytes of encoded blocks in the store.
   Result<std::int64_t> DiskBytes(const std::string& name);
   [[nodiscard]] std::vector<std::shared_ptr<MapSession>> OpenSessions() const;

@@ -103,6 +103,17 @@ class MapService final : public v1::MapService::CallbackService {
         });
   }
 
+  grpc::ServerUnaryReactor* VerifyMap(grpc::CallbackServerContext*, const v1::VerifyMapRequest* request,
+                                      v1::VerifyMapResponse* response) override {
+    return RunBulk(
+        context_, {"MapService/VerifyMap", request, response}, 0, [=, this](const std::stop_token& stop) -> Status {
+          DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
+          DHPMAP_ASSIGN_OR_RETURN(const VerifyReport report, context_.registry.Verify(name, request->repair(), stop));
+          *response = ToProto(report);
+          return Status::Ok();
+        });
+  }
+
   grpc::ServerUnaryReactor* GetMapStats(grpc::CallbackServerContext*, const v1::GetMapStatsRequest* request,
                                         v1::GetMapStatsResponse* response) override {
     return RunBulk(context_, {"MapService/GetMapStats", request, response}, 0,

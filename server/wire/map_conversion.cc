@@ -78,6 +78,17 @@ void Collect(const Status& status, const std::string& prefix, Status& bad) {
   }
 }
 
+v1::VerifyMapResponse::Fault::Kind KindOf(MapFault::Kind kind) {
+  switch (kind) {
+    case MapFault::Kind::kRow: return v1::VerifyMapResponse::Fault::ROW;
+    case MapFault::Kind::kBlob: return v1::VerifyMapResponse::Fault::BLOB;
+    case MapFault::Kind::kCount: return v1::VerifyMapResponse::Fault::COUNT;
+    case MapFault::Kind::kBounds: return v1::VerifyMapResponse::Fault::BOUNDS;
+    case MapFault::Kind::kReference: return v1::VerifyMapResponse::Fault::REFERENCE;
+  }
+  return v1::VerifyMapResponse::Fault::KIND_UNSPECIFIED;
+}
+
 }  // namespace
 
 Status MergeConfig(const v1::MapConfig& proto, MapConfig& config) {
@@ -168,6 +179,25 @@ v1::GetMapStatsResponse ToProto(const MapReport& report) {
   if (num_allocated > 0) {
     proto.set_memory_bytes_per_allocated_voxel(static_cast<double>(stats.memory_bytes) /
                                                static_cast<double>(num_allocated));
+  }
+  return proto;
+}
+
+v1::VerifyMapResponse ToProto(const VerifyReport& report) {
+  v1::VerifyMapResponse proto;
+  proto.set_revision(report.revision);
+  proto.set_num_submaps(report.num_submaps);
+  proto.set_num_tiles(report.num_tiles);
+  proto.set_num_blocks(report.num_blocks);
+  proto.set_blob_bytes(report.blob_bytes);
+  proto.set_num_shared_voxels(report.num_shared_voxels);
+  proto.set_num_faults(report.num_faults);
+  proto.set_repaired(report.is_repaired);
+  for (const MapFault& fault : report.faults) {
+    v1::VerifyMapResponse::Fault& added = *proto.add_faults();
+    added.set_kind(KindOf(fault.kind));
+    added.set_place(fault.place);
+    added.set_what(fault.what);
   }
   return proto;
 }

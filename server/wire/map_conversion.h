@@ -24,5 +24,6 @@ v1::Map ToProto(const MapSummary& map);
 /// INVALID_ARGUMENT if the mask names another field than display_name, name and etag.
 Result<MapPatch> PatchFromProto(const v1::UpdateMapRequest& request);
 v1::GetMapStatsResponse ToProto(const MapReport& report);
+v1::VerifyMapResponse ToProto(const VerifyReport& report);
 
 }  // namespace dhpmap

@@ -17,8 +17,9 @@ enum class Packing : std::uint8_t { kStored = 0, kZstd = 1 };
 constexpr std::size_t kChecksumBytes = 4;
 constexpr std::size_t kLeastBytes = 3 + kChecksumBytes;  // kind, packing, length of the plain part
 constexpr int kZstdLevel = 1;
-// What a packed part may grow to. Seal stores what would grow more, so only a forged length can ask for more memory.
-constexpr std::size_t kFreeGrowthBytes = 64 * 1024;
+// What a packed part may grow to: a tile of the simplest blocks. Seal stores what would grow more, so only a forged
+// length can ask for more memory.
+constexpr std::size_t kFreeGrowthBytes = 512 * 1024;
 constexpr std::size_t kMaxGrowth = 64;
 
 struct ContextDeleter {
@@ -97,12 +98,6 @@ Bytes Seal(BlobKind kind, BlockIndex index, const Payload& payload) {
   return blob;
 }
 
-namespace {
-
-int LayerOf(std::uint8_t kind) { return kind >> 4; }
-
-}  // namespace
-
 Status Unseal(BlobKind kind, BlockIndex index, ByteView blob, Payload& payload) {
   payload.packable.clear();
   payload.plain.clear();
@@ -113,7 +108,9 @@ Status Unseal(BlobKind kind, BlockIndex index, ByteView blob, Payload& payload) 
   }
   ByteReader reader(sealed);
   const std::uint8_t stored_kind = reader.GetU8();
-  if (LayerOf(stored_kind) != LayerOf(static_cast<std::uint8_t>(kind))) return DataLoss("is a blob of another layer");
+  if (LayerNumber(static_cast<BlobKind>(stored_kind)) != LayerNumber(kind)) {
+    return DataLoss("is a blob of another layer");
+  }
   if (stored_kind != static_cast<std::uint8_t>(kind)) {
     return FailedPrecondition("is of codec " + std::to_string(stored_kind) + ", unknown to this version");
   }

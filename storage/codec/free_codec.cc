@@ -4,13 +4,6 @@
 #include <bit>
 
 namespace dhpmap {
-namespace {
-
-/// Checksums of blobs cover an index of three numbers; what it counts is the layer's own matter.
-BlockIndex KeyOf(TileIndex index) { return {index.x, index.y, index.z}; }
-
-}  // namespace
-
 Bytes EncodeFreeTile(BlobKind kind, const FreeTile& tile, TileIndex index) {
   Payload payload;
   ByteWriter(payload.plain).PutU64(static_cast<std::uint64_t>(tile.last_seen_ns()));
@@ -20,12 +13,12 @@ Bytes EncodeFreeTile(BlobKind kind, const FreeTile& tile, TileIndex index) {
   for (const FreeMask& mask : tile.masks()) {
     for (const std::uint64_t layer : mask) writer.PutU64(layer);
   }
-  return Seal(kind, KeyOf(index), payload);
+  return Seal(kind, SealIndexOf(index), payload);
 }
 
 Status DecodeFreeTile(BlobKind kind, ByteView blob, TileIndex index, FreeTile& tile) {
   Payload payload;
-  DHPMAP_RETURN_IF_ERROR(Unseal(kind, KeyOf(index), blob, payload));
+  DHPMAP_RETURN_IF_ERROR(Unseal(kind, SealIndexOf(index), blob, payload));
   ByteReader stamp(payload.plain), reader(payload.packable);
   const auto last_seen_ns = static_cast<std::int64_t>(stamp.GetU64());
   FreeBlocks blocks;

@@ -4,14 +4,19 @@
 #include "mapping/base/status.h"
 #include "mapping/map/gone_block.h"
 #include "storage/codec/bytes.h"
+#include "storage/codec/tile_blocks.h"
 
 namespace dhpmap {
 
-/// What was looked through of a block as a blob, see FORMAT.md. Equal blocks give equal bytes. `block` is not empty.
-Bytes EncodeGoneBlock(const GoneBlock& block, BlockIndex index);
+/// What was looked through of a tile's blocks, of which there are some, as a blob, see FORMAT.md. Equal blocks give
+/// equal bytes. None is empty. Thread-safe.
+Bytes EncodeGoneTile(const LayerBlocks<GoneBlock>& blocks, TileIndex index);
 
-/// The block exactly as it was encoded. DATA_LOSS for anything that EncodeGoneBlock did not make for this index,
-/// FAILED_PRECONDITION for a later version of it. Messages go on after "it".
+/// Fills `blocks`, whatever they were, exactly as they were encoded. Errors as Unseal.
+Status DecodeGoneTile(ByteView blob, TileIndex index, LayerBlocks<GoneBlock>& blocks);
+
+// One block, as schemas 5 and 6 stored it: with the same promises.
+Bytes EncodeGoneBlock(const GoneBlock& block, BlockIndex index);
 Status DecodeGoneBlock(ByteView blob, BlockIndex index, GoneBlock& block);
 
 }  // namespace dhpmap

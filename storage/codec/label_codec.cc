@@ -22,7 +22,16 @@ constexpr std::uint8_t kLong = 0x7F;
 constexpr std::uint8_t kOtherInstances = 0x80;
 constexpr std::uint32_t kMaxInPlane = 0xFFFF;
 
-using Planes = std::array<std::array<std::uint8_t, kBlockVoxels>, kNumPlanes>;
+/// Planes and varints of a block, or of the blocks of a tile one after the other, as they grow.
+struct Buffer {
+  std::array<Bytes, kNumPlanes> planes;
+  Bytes rest;
+
+  void Clear() {
+    for (Bytes& plane : planes) plane.clear();
+    rest.clear();
+  }
+};
 
 std::uint64_t Total(const std::vector<LabelCount>& counts) {
   std::uint64_t total = 0;
@@ -114,22 +123,20 @@ bool ReadVoxel(std::uint8_t form, LabelCount first, ByteReader& rest, LabelHisto
   return true;
 }
 
-}  // namespace
-
-Bytes EncodeLabelBlock(const LabelBlock& block, BlockIndex index) {
+VoxelBits LabelledVoxels(const LabelBlock& block) {
   VoxelBits mask{};
   for (int i = 0; i < kBlockVoxels; ++i) {
     if (!block.IsEmpty(i)) MaskVoxel(mask, i);
   }
-  const VoxelWalk walk(mask);
-  const std::size_t count = walk.sites().size();
+  return mask;
+}
 
-  Planes planes;
+void WriteBlock(const LabelBlock& block, const VoxelWalk& walk, Buffer& buffer) {
   VoxelWalk::Grid class_grid{}, count_grid{};
-  Bytes rest;
-  ByteWriter rest_writer(rest);
+  ByteWriter rest(buffer.rest);
   HistogramReader reader(block);
-  std::size_t n = 0;
+  std::size_t n = buffer.planes[kForm].size();
+  for (Bytes& plane : buffer.planes) plane.resize(n + walk.sites().size());
   for (const auto& site : walk.sites()) {
     const LabelHistograms& voxel = reader.Read(site.linear);
     const std::uint8_t form = FormOf(voxel);
@@ -138,26 +145,58 @@ Bytes EncodeLabelBlock(const LabelBlock& block, BlockIndex index) {
     count_grid[site.cell] = static_cast<std::int32_t>(first.count);
     const std::uint16_t class_code = ZigZag16(class_grid[site.cell] - VoxelWalk::PredictNear(class_grid, site));
     const std::uint16_t count_code = ZigZag16(count_grid[site.cell] - VoxelWalk::PredictNear(count_grid, site));
-    planes[kForm][n] = form;
-    planes[kClass0][n] = static_cast<std::uint8_t>(class_code);
-    planes[kClass1][n] = static_cast<std::uint8_t>(class_code >> 8);
-    planes[kCount0][n] = static_cast<std::uint8_t>(count_code);
-    planes[kCount1][n] = static_cast<std::uint8_t>(count_code >> 8);
+    buffer.planes[kForm][n] = form;
+    buffer.planes[kClass0][n] = static_cast<std::uint8_t>(class_code);
+    buffer.planes[kClass1][n] = static_cast<std::uint8_t>(class_code >> 8);
+    buffer.planes[kCount0][n] = static_cast<std::uint8_t>(count_code);
+    buffer.planes[kCount1][n] = static_cast<std::uint8_t>(count_code >> 8);
     ++n;
     if (form == kLong) {
-      PutSized(voxel.classes, rest_writer);
+      PutSized(voxel.classes, rest);
     } else {
-      PutCounts(std::span(voxel.classes).subspan(1), first.id, rest_writer);
+      PutCounts(std::span(voxel.classes).subspan(1), first.id, rest);
     }
-    if (form & kOtherInstances || form == kLong) PutSized(voxel.instances, rest_writer);
+    if (form & kOtherInstances || form == kLong) PutSized(voxel.instances, rest);
   }
+}
 
+void Append(const Buffer& buffer, ByteWriter& writer) {
+  for (const Bytes& plane : buffer.planes) writer.PutBytes(plane);
+  writer.PutBytes(buffer.rest);
+}
+
+/// Reads an empty block from its part of the planes, and takes its varints from `rest`.
+Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumPlanes>& planes, ByteReader& rest,
+                 LabelBlock& block) {
+  VoxelWalk::Grid class_grid{}, count_grid{};
+  LabelHistograms voxel;
+  std::size_t n = 0;
+  for (const auto& site : walk.sites()) {
+    const auto read = [&](VoxelWalk::Grid& grid, Plane low) {
+      const std::int32_t difference = UnZigZag(planes[low][n] | (planes[low + 1][n] << 8));
+      grid[site.cell] = static_cast<std::uint16_t>(grid[site.near] + difference);
+      return static_cast<std::uint32_t>(grid[site.cell]);
+    };
+    const LabelCount first{.id = read(class_grid, kClass0), .count = read(count_grid, kCount0)};
+    voxel.classes.clear();
+    voxel.instances.clear();
+    if (!ReadVoxel(planes[kForm][n++], first, rest, voxel)) return DataLoss("holds a malformed voxel");
+    if (!voxel.classes.empty() && voxel.classes.back().id >= kMaxInPlane) return DataLoss("holds a class that none is");
+    block.Set(site.linear, voxel);
+  }
+  return Status::Ok();
+}
+
+}  // namespace
+
+Bytes EncodeLabelBlock(const LabelBlock& block, BlockIndex index) {
+  const VoxelBits mask = LabelledVoxels(block);
+  Buffer buffer;
+  WriteBlock(block, VoxelWalk(mask), buffer);
   Payload payload;
-  payload.packable.reserve(mask.size() + kNumPlanes * count + rest.size());
   ByteWriter writer(payload.packable);
   writer.PutBytes(mask);
-  for (const auto& plane : planes) writer.PutBytes({plane.data(), count});
-  writer.PutBytes(rest);
+  Append(buffer, writer);
   return Seal(BlobKind::kLabelsV1, index, payload);
 }
 
@@ -172,23 +211,47 @@ Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block) {
   std::array<ByteView, kNumPlanes> planes;
   for (ByteView& plane : planes) plane = reader.GetBytes(walk.sites().size());
   if (!reader.ok()) return DataLoss("is not as long as its voxels need");
-
   block = LabelBlock{};
-  VoxelWalk::Grid class_grid{}, count_grid{};
-  LabelHistograms voxel;
-  std::size_t n = 0;
-  for (const auto& site : walk.sites()) {
-    const auto read = [&](VoxelWalk::Grid& grid, Plane low) {
-      const std::int32_t difference = UnZigZag(planes[low][n] | (planes[low + 1][n] << 8));
-      grid[site.cell] = static_cast<std::uint16_t>(grid[site.near] + difference);
-      return static_cast<std::uint32_t>(grid[site.cell]);
-    };
-    const LabelCount first{.id = read(class_grid, kClass0), .count = read(count_grid, kCount0)};
-    voxel.classes.clear();
-    voxel.instances.clear();
-    if (!ReadVoxel(planes[kForm][n++], first, reader, voxel)) return DataLoss("holds a malformed voxel");
-    if (!voxel.classes.empty() && voxel.classes.back().id >= kMaxInPlane) return DataLoss("holds a class that none is");
-    block.Set(site.linear, voxel);
+  DHPMAP_RETURN_IF_ERROR(ReadBlock(walk, planes, reader, block));
+  if (reader.remaining() != 0) return DataLoss("is longer than its voxels need");
+  return Status::Ok();
+}
+
+Bytes EncodeLabelTile(const LayerBlocks<LabelBlock>& blocks, TileIndex index) {
+  thread_local Buffer buffer;
+  buffer.Clear();
+  Payload payload;
+  ByteWriter writer(payload.packable);
+  writer.PutU64(CellsOf(blocks));
+  for (const auto& [cell, block] : blocks) {
+    const VoxelBits mask = LabelledVoxels(*block);
+    writer.PutBytes(mask);
+    WriteBlock(*block, VoxelWalk(mask), buffer);
+  }
+  Append(buffer, writer);
+  return Seal(BlobKind::kLabelsTile, SealIndexOf(index), payload);
+}
+
+Status DecodeLabelTile(ByteView blob, TileIndex index, LayerBlocks<LabelBlock>& blocks) {
+  blocks.clear();
+  thread_local Payload payload;
+  DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kLabelsTile, SealIndexOf(index), blob, payload));
+  ByteReader reader(payload.packable);
+  const std::uint64_t cells = reader.GetU64();
+  const ByteView masks = reader.GetBytes(sizeof(VoxelBits) * static_cast<std::size_t>(std::popcount(cells)));
+  if (!reader.ok() || cells == 0 || !payload.plain.empty()) return DataLoss("has a malformed header");
+  const std::size_t num_voxels = NumMasked(masks);
+  std::array<ByteView, kNumPlanes> planes;
+  for (ByteView& plane : planes) plane = reader.GetBytes(num_voxels);
+  if (!reader.ok()) return DataLoss("is not as long as its voxels need");
+  for (std::size_t n = 0; const int cell : CellsIn(cells)) {
+    VoxelBits mask{};
+    ByteReader(masks.subspan(sizeof(VoxelBits) * n++, sizeof(VoxelBits))).GetInto(mask);
+    const VoxelWalk walk(mask);
+    auto block = std::shared_ptr<LabelBlock>(new LabelBlock());  // not make_shared: StateMarks would keep its memory
+    DHPMAP_RETURN_IF_ERROR(ReadBlock(walk, planes, reader, *block));
+    blocks.push_back({cell, std::move(block)});
+    for (ByteView& plane : planes) plane = plane.subspan(walk.sites().size());
   }
   if (reader.remaining() != 0) return DataLoss("is longer than its voxels need");
   return Status::Ok();

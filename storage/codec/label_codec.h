@@ -4,14 +4,20 @@
 #include "mapping/base/status.h"
 #include "mapping/map/label_block.h"
 #include "storage/codec/bytes.h"
+#include "storage/codec/tile_blocks.h"
 
 namespace dhpmap {
 
-/// Encodes a label block without loss, and the same counts always as the same bytes. Id 0 of an instance list stays
-/// "the submap that holds this voxel". `index` goes into the checksum. Thread-safe.
-Bytes EncodeLabelBlock(const LabelBlock& block, BlockIndex index);
+/// Encodes the labels of a tile's blocks, of which there are some, without loss, and the same counts always as the same
+/// bytes. Id 0 of an instance list stays "the submap that holds this voxel". `index` goes into the checksum.
+/// Thread-safe.
+Bytes EncodeLabelTile(const LayerBlocks<LabelBlock>& blocks, TileIndex index);
 
-/// Fills `block`, whatever it held. Errors as Unseal.
+/// Fills `blocks`, whatever they were. Errors as Unseal.
+Status DecodeLabelTile(ByteView blob, TileIndex index, LayerBlocks<LabelBlock>& blocks);
+
+// One block, as schemas 1 to 6 stored it: with the same promises.
+Bytes EncodeLabelBlock(const LabelBlock& block, BlockIndex index);
 Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block);
 
 }  // namespace dhpmap

@@ -17,7 +17,11 @@ namespace {
 // planes. Plain part: the other planes, then, if exact, the distances as floats. Planes hold one byte a masked voxel.
 enum Plane { kDistance0, kDistance1, kWeight0, kWeight1, kWeight2, kGreen, kRed, kBlue, kNumPlanes };
 
-using Planes = std::array<std::array<std::uint8_t, kBlockVoxels>, kNumPlanes>;
+/// Where each plane of a block begins.
+template <typename Byte>
+using PlanesAt = std::array<Byte*, kNumPlanes>;
+using Planes = PlanesAt<std::uint8_t>;
+using ReadPlanes = PlanesAt<const std::uint8_t>;
 
 constexpr double kStepsPerTruncation = 8192;
 constexpr std::int32_t kMaxDistanceSteps = 32767;
@@ -61,7 +65,7 @@ VoxelBits ObservedVoxels(const TsdfBlock& block) {
   return mask;
 }
 
-void WriteDistances(const TsdfBlock& block, const VoxelWalk& walk, float step_m, Planes& planes) {
+void WriteDistances(const TsdfBlock& block, const VoxelWalk& walk, float step_m, const Planes& planes) {
   VoxelWalk::Grid grid{};
   const double steps_per_m = 1.0 / static_cast<double>(step_m);
   std::size_t n = 0;
@@ -76,7 +80,7 @@ void WriteDistances(const TsdfBlock& block, const VoxelWalk& walk, float step_m,
   }
 }
 
-void ReadDistances(const VoxelWalk& walk, float step_m, const Planes& planes, TsdfBlock& block) {
+void ReadDistances(const VoxelWalk& walk, float step_m, const ReadPlanes& planes, TsdfBlock& block) {
   VoxelWalk::Grid grid{};
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {
@@ -88,7 +92,7 @@ void ReadDistances(const VoxelWalk& walk, float step_m, const Planes& planes, Ts
   }
 }
 
-void WriteWeights(const TsdfBlock& block, const VoxelWalk& walk, Planes& planes) {
+void WriteWeights(const TsdfBlock& block, const VoxelWalk& walk, const Planes& planes) {
   VoxelWalk::Grid grid{};
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {
@@ -104,7 +108,7 @@ void WriteWeights(const TsdfBlock& block, const VoxelWalk& walk, Planes& planes)
   }
 }
 
-bool ReadWeights(const VoxelWalk& walk, const Planes& planes, TsdfBlock& block) {
+bool ReadWeights(const VoxelWalk& walk, const ReadPlanes& planes, TsdfBlock& block) {
   VoxelWalk::Grid grid{};
   bool all_observed = true;
   std::size_t n = 0;
@@ -121,7 +125,7 @@ bool ReadWeights(const VoxelWalk& walk, const Planes& planes, TsdfBlock& block) 
 
 constexpr std::array<std::uint8_t Color::*, 3> kChannels = {&Color::g, &Color::r, &Color::b};
 
-void WriteColors(const TsdfBlock& block, const VoxelWalk& walk, Planes& planes) {
+void WriteColors(const TsdfBlock& block, const VoxelWalk& walk, const Planes& planes) {
   for (std::size_t channel = 0; channel < kChannels.size(); ++channel) {
     VoxelWalk::Grid grid{};
     std::size_t n = 0;
@@ -134,7 +138,7 @@ void WriteColors(const TsdfBlock& block, const VoxelWalk& walk, Planes& planes) 
   }
 }
 
-void ReadColors(const VoxelWalk& walk, const Planes& planes, TsdfBlock& block) {
+void ReadColors(const VoxelWalk& walk, const ReadPlanes& planes, TsdfBlock& block) {
   for (std::size_t channel = 0; channel < kChannels.size(); ++channel) {
     VoxelWalk::Grid grid{};
     std::size_t n = 0;
@@ -154,7 +158,69 @@ bool IsPackable(ByteView plane) {
   for (const std::uint8_t byte : plane) ++histogram[byte];
   std::size_t equal_pairs = 0;
   for (const std::uint32_t count : histogram) equal_pairs += static_cast<std::size_t>(count) * count;
-  return (equal_pairs - plane.size()) * kRandomValues > kGain * plane.size() * plane.size();
+  return !plane.empty() && (equal_pairs - plane.size()) * kRandomValues > kGain * plane.size() * plane.size();
+}
+
+/// Planes of a block, or of the blocks of a tile one after the other, as they grow.
+class PlaneBuffer {
+ public:
+  /// Room for `count` voxels more in each plane.
+  Planes Extend(std::size_t count) {
+    Planes at;
+    for (std::size_t p = 0; p < kNumPlanes; ++p) {
+      const std::size_t size = bytes_[p].size();
+      bytes_[p].resize(size + count);
+      at[p] = bytes_[p].data() + size;
+    }
+    return at;
+  }
+  /// Takes back what was said of distances that are kept exactly.
+  void DropDistances(std::size_t count) {
+    for (const Plane p : {kDistance0, kDistance1}) bytes_[p].resize(bytes_[p].size() - count);
+  }
+  void Clear() {
+    for (Bytes& plane : bytes_) plane.clear();
+  }
+  const Bytes& operator[](int plane) const { return bytes_[static_cast<std::size_t>(plane)]; }
+
+ private:
+  std::array<Bytes, kNumPlanes> bytes_;
+};
+
+/// Appends the planes of a block; without distances if `step_m` is 0.
+void WritePlanes(const TsdfBlock& block, const VoxelWalk& walk, float step_m, PlaneBuffer& buffer) {
+  const std::size_t count = walk.sites().size();
+  const Planes planes = buffer.Extend(count);
+  if (step_m > 0) WriteDistances(block, walk, step_m, planes);
+  else buffer.DropDistances(count);
+  WriteWeights(block, walk, planes);
+  WriteColors(block, walk, planes);
+}
+
+/// Which planes go into the packable part.
+std::uint8_t PackablePlanes(const PlaneBuffer& planes) {
+  std::uint8_t packable = 0;
+  for (int p = 0; p < kNumPlanes; ++p) {
+    if (IsPackable(planes[p])) packable |= static_cast<std::uint8_t>(1u << p);
+  }
+  return packable;
+}
+
+void PutExactDistances(const TsdfBlock& block, const VoxelWalk& walk, ByteWriter& writer) {
+  for (const auto& site : walk.sites()) writer.PutF32(block.distance_m[site.linear]);
+}
+
+/// Reads a block of zeros; distances follow from `exact` if `step_m` is 0.
+Status ReadPlanesInto(const VoxelWalk& walk, float step_m, const ReadPlanes& planes, ByteReader& exact,
+                      TsdfBlock& block) {
+  if (!ReadWeights(walk, planes, block)) return DataLoss("holds a voxel without weight");
+  ReadColors(walk, planes, block);
+  if (step_m > 0) {
+    ReadDistances(walk, step_m, planes, block);
+  } else {
+    for (const auto& site : walk.sites()) block.distance_m[site.linear] = exact.GetF32();
+  }
+  return Status::Ok();
 }
 
 }  // namespace
@@ -163,32 +229,17 @@ Bytes EncodeTsdfBlock(const TsdfBlock& block, BlockIndex index, double truncatio
   const VoxelBits mask = ObservedVoxels(block);
   const VoxelWalk walk(mask);
   const float step_m = DistanceStep(block, walk, truncation_m);
-  const std::size_t count = walk.sites().size();
-
-  Planes planes;
-  if (step_m > 0) WriteDistances(block, walk, step_m, planes);
-  WriteWeights(block, walk, planes);
-  WriteColors(block, walk, planes);
-
-  const int first_plane = step_m > 0 ? kDistance0 : kWeight0;
-  std::uint8_t packable = 0;
-  for (int p = first_plane; p < kNumPlanes; ++p) {
-    if (IsPackable({planes[p].data(), count})) packable |= static_cast<std::uint8_t>(1u << p);
-  }
+  PlaneBuffer planes;
+  WritePlanes(block, walk, step_m, planes);
+  const std::uint8_t packable = PackablePlanes(planes);
 
   Payload payload;
-  payload.packable.reserve(mask.size() + kNumPlanes * count + 8);
-  payload.plain.reserve(kNumPlanes * count);
   ByteWriter packed(payload.packable), plain(payload.plain);
   packed.PutF32(step_m);
   packed.PutU8(packable);
   packed.PutBytes(mask);
-  for (int p = first_plane; p < kNumPlanes; ++p) {
-    ((packable >> p) & 1u ? packed : plain).PutBytes({planes[p].data(), count});
-  }
-  if (step_m == 0) {
-    for (const auto& site : walk.sites()) plain.PutF32(block.distance_m[site.linear]);
-  }
+  for (int p = 0; p < kNumPlanes; ++p) ((packable >> p) & 1u ? packed : plain).PutBytes(planes[p]);
+  if (step_m == 0) PutExactDistances(block, walk, plain);
   return Seal(BlobKind::kTsdfV1, index, payload);
 }
 
@@ -204,22 +255,88 @@ Status DecodeTsdfBlock(ByteView blob, BlockIndex index, TsdfBlock& block) {
   const VoxelWalk walk(mask);
   const std::size_t count = walk.sites().size();
 
-  Planes planes;
+  ReadPlanes planes{};
   for (int p = step_m > 0 ? kDistance0 : kWeight0; p < kNumPlanes; ++p) {
-    ((packable >> p) & 1u ? packed : plain).GetInto({planes[p].data(), count});
+    planes[static_cast<std::size_t>(p)] = ((packable >> p) & 1u ? packed : plain).GetBytes(count).data();
   }
   const std::size_t exact_bytes = step_m > 0 ? 0 : count * sizeof(float);
   if (!packed.ok() || !plain.ok() || packed.remaining() != 0 || plain.remaining() != exact_bytes) {
     return DataLoss("is not as long as its voxels need");
   }
-
   block = TsdfBlock{};
-  if (!ReadWeights(walk, planes, block)) return DataLoss("holds a voxel without weight");
-  ReadColors(walk, planes, block);
-  if (step_m > 0) {
-    ReadDistances(walk, step_m, planes, block);
-  } else {
-    for (const auto& site : walk.sites()) block.distance_m[site.linear] = plain.GetF32();
+  return ReadPlanesInto(walk, step_m, planes, plain, block);
+}
+
+Bytes EncodeTsdfTile(const LayerBlocks<TsdfBlock>& blocks, TileIndex index, double truncation_m) {
+  thread_local PlaneBuffer planes;
+  planes.Clear();
+  Bytes masks;
+  Payload payload;
+  ByteWriter mask_writer(masks), packed(payload.packable), plain(payload.plain);
+  Bytes exact_distances;
+  ByteWriter exact_writer(exact_distances);
+  std::uint64_t exact = 0;
+  float step_m = 0;
+  for (const auto& [cell, block] : blocks) {
+    const VoxelBits mask = ObservedVoxels(*block);
+    mask_writer.PutBytes(mask);
+    const VoxelWalk walk(mask);
+    const float step_of_block_m = DistanceStep(*block, walk, truncation_m);
+    WritePlanes(*block, walk, step_of_block_m, planes);
+    if (step_of_block_m > 0) {
+      step_m = step_of_block_m;  // of all that have one: it follows from the truncation
+    } else {
+      exact |= std::uint64_t{1} << cell;
+      PutExactDistances(*block, walk, exact_writer);
+    }
+  }
+  const std::uint8_t packable = PackablePlanes(planes);
+  packed.PutU64(CellsOf(blocks));
+  packed.PutU64(exact);
+  packed.PutF32(step_m);
+  packed.PutU8(packable);
+  packed.PutBytes(masks);
+  for (int p = 0; p < kNumPlanes; ++p) ((packable >> p) & 1u ? packed : plain).PutBytes(planes[p]);
+  plain.PutBytes(exact_distances);
+  return Seal(BlobKind::kTsdfTile, SealIndexOf(index), payload);
+}
+
+Status DecodeTsdfTile(ByteView blob, TileIndex index, LayerBlocks<TsdfBlock>& blocks) {
+  blocks.clear();
+  thread_local Payload payload;
+  DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kTsdfTile, SealIndexOf(index), blob, payload));
+  ByteReader packed(payload.packable), plain(payload.plain);
+  const std::uint64_t cells = packed.GetU64(), exact = packed.GetU64();
+  const float step_m = packed.GetF32();
+  const std::uint8_t packable = packed.GetU8();
+  const ByteView masks = packed.GetBytes(sizeof(VoxelBits) * static_cast<std::size_t>(std::popcount(cells)));
+  if (!packed.ok() || cells == 0 || (exact & ~cells) != 0 || !(step_m >= 0) || std::isinf(step_m) ||
+      (step_m == 0) != (exact == cells)) {
+    return DataLoss("has a malformed header");
+  }
+  std::size_t num_voxels = 0, num_exact = 0;
+  for (std::size_t n = 0; const int cell : CellsIn(cells)) {
+    const std::size_t count = NumMasked(masks.subspan(sizeof(VoxelBits) * n++, sizeof(VoxelBits)));
+    num_voxels += count;
+    if ((exact >> cell) & 1u) num_exact += count;
+  }
+  ReadPlanes planes{};
+  for (int p = 0; p < kNumPlanes; ++p) {
+    const std::size_t count = p < kWeight0 ? num_voxels - num_exact : num_voxels;
+    planes[static_cast<std::size_t>(p)] = ((packable >> p) & 1u ? packed : plain).GetBytes(count).data();
+  }
+  if (!packed.ok() || !plain.ok() || packed.remaining() != 0 || plain.remaining() != num_exact * sizeof(float)) {
+    return DataLoss("is not as long as its voxels need");
+  }
+  for (std::size_t n = 0; const int cell : CellsIn(cells)) {
+    VoxelBits mask{};
+    ByteReader(masks.subspan(sizeof(VoxelBits) * n++, sizeof(VoxelBits))).GetInto(mask);
+    const VoxelWalk walk(mask);
+    const bool is_exact = (exact >> cell) & 1u;
+    auto block = std::shared_ptr<TsdfBlock>(new TsdfBlock());  // not make_shared: StateMarks would keep its memory
+    DHPMAP_RETURN_IF_ERROR(ReadPlanesInto(walk, is_exact ? 0 : step_m, planes, plain, *block));
+    blocks.push_back({cell, std::move(block)});
+    for (std::size_t p = is_exact ? kWeight0 : kDistance0; p < kNumPlanes; ++p) planes[p] += walk.sites().size();
   }
   return Status::Ok();
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -17,6 +19,13 @@ inline void MaskVoxel(VoxelBits& mask, int linear) {
   mask[linear / 8] |= static_cast<std::uint8_t>(1u << (linear % 8));
 }
 inline bool IsMasked(const VoxelBits& mask, int linear) { return (mask[linear / 8] >> (linear % 8)) & 1u; }
+
+/// `mask`: the bytes of a VoxelBits.
+inline std::size_t NumMasked(ByteView mask) {
+  std::size_t count = 0;
+  for (const std::uint8_t byte : mask) count += static_cast<std::size_t>(std::popcount(byte));
+  return count;
+}
 
 /// Walks the masked voxels in order and predicts each value from those before it, for the writer and the reader alike:
 /// what is stored are the small differences. Values live in a grid with a border, so that neighbours need no checks.

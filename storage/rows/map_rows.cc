@@ -10,7 +10,6 @@
 #include "storage/rows/map_checksum_v1.h"
 #include "storage/rows/object_rows.h"
 #include "storage/rows/session_rows.h"
-#include "storage/rows/tile_rows.h"
 
 namespace dhpmap {
 namespace {
@@ -71,7 +70,8 @@ Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
   // What came with a later version has nothing to cover it.
   const bool has_objects = !parts.merged.empty() || !parts.pairs.empty();
   if (version < 5 && (has_objects || row.merged_checksum != 0 || row.pairs_checksum != 0)) return false;
-  if (version < 4 && row.num_tiles != 0) return false;
+  if (version < 6 && row.tiles.sum != 0) return false;
+  if (version < 4 && row.tiles.num_rows != 0) return false;
   if (version < 3 && (!parts.sessions.empty() || row.sessions_checksum != 0)) return false;
   if (version == 1) {
     DHPMAP_ASSIGN_OR_RETURN(const std::uint32_t checksum, MapChecksumV1(row, parts.config, parts.classes));
@@ -109,6 +109,11 @@ Status Rewrite(Database& database, MapRow& row) {
   if (row.seal.version != SealVersion()) {
     DHPMAP_ASSIGN_OR_RETURN(const MapParts parts, ReadParts(database, row.key));
     SealParts(row, parts);
+  }
+  if (!row.CoversTiles()) {
+    DHPMAP_ASSIGN_OR_RETURN(TileRows tiles, TileRows::Prepare(database));
+    DHPMAP_ASSIGN_OR_RETURN(const TileTotals stored, tiles.Count(OwnerOfMap(row.key)));
+    row.tiles.sum = stored.sum;  // their number stays what it was sealed with
   }
   SealRow(row);
   DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteTask));
@@ -169,7 +174,7 @@ Status ForEachIntactMap(Database& database, Change&& change) {
 MapRow RowOf(const MapSnapshot& snapshot) {
   return {.info = snapshot.info(),
           .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size()),
-          .num_tiles = NumTilesOf(snapshot),
+          .tiles = {},
           .seal = {}};
 }
 
@@ -207,22 +212,23 @@ Result<std::vector<std::string>> ReadMapNames(Database& database) {
   }
 }
 
-Result<std::int64_t> InsertMap(Database& database, const MapSnapshot& snapshot) {
+Result<MapRow> InsertMap(Database& database, const MapSnapshot& snapshot) {
   MapRow row = RowOf(snapshot);
   DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Maps().Insert(), kWriteTask));
-  Maps().BindAll(row, insert);  // its key is needed for the parts, and their checksums for the row: sealed below
+  Maps().BindAll(row, insert);  // its key is needed for all else, and that for the row: sealed when it is updated
   const Status inserted = insert.Run();
   if (inserted.code() == StatusCode::kAlreadyExists) {
     return AlreadyExists("there is already a map '" + row.info.name + "'").WithReason("MAP_EXISTS");
   }
   DHPMAP_RETURN_IF_ERROR(inserted);
   row.key = database.LastInsertRowId();
-  DHPMAP_RETURN_IF_ERROR(UpdateMap(database, row, row.info, snapshot));
-  return row.key;
+  return row;
 }
 
-Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after) {
+Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after,
+                 const TileTotals& tiles) {
   MapRow row = RowOf(after);
+  row.tiles = tiles;
   const MapInfo& info = row.info;
   row.config_checksum = head.config_checksum;
   row.classes_checksum = head.classes_checksum;
@@ -249,6 +255,12 @@ Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, 
   DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteTask));
   Maps().BindChanges(row, update);
   return update.Bind(head.key).Run();
+}
+
+Status WriteRepairedMap(Database& database, MapRow& row) {
+  ++row.info.revision;
+  RaiseMarks(row);
+  return Rewrite(database, row);
 }
 
 Status SetMarks(Database& database, const std::string& name, const NumberMarks& marks) {

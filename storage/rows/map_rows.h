@@ -7,6 +7,7 @@
 
 #include "mapping/map/map.h"
 #include "storage/rows/table.h"
+#include "storage/rows/tile_rows.h"
 #include "storage/sqlite/database.h"
 #include "storage/store.h"
 
@@ -24,11 +25,13 @@ struct MapRow {
   std::uint32_t classes_checksum = 0;
   NumberMarks marks;
   std::uint32_t sessions_checksum = 0;
-  std::int64_t num_tiles = 0;   ///< rows of map_tiles
-  std::int64_t tile_bytes = 0;  ///< size of their blobs, for statistics
+  TileTotals tiles;  ///< of the layers that belong to the map itself
   std::uint32_t merged_checksum = 0;
   std::uint32_t pairs_checksum = 0;
   RowSeal seal;
+
+  /// Whether it says what its rows in tiles are; those that schema 6 and before sealed only count them.
+  [[nodiscard]] bool CoversTiles() const { return seal.version >= 6; }
 };
 
 /// The columns of table maps. `Row` is a MapRow, or derived from it. The order of those that a released version of the
@@ -54,10 +57,11 @@ std::vector<Column<Row>> MapColumns() {
       MakeColumn<Row>("submap_id_mark", kAlways, 2, DHPMAP_MEMBER(marks.next_submap_id)),
       MakeColumn<Row>("sessions_checksum", kAlways, 3, DHPMAP_MEMBER(sessions_checksum)),
       MakeColumn<Row>("history_id", kAlways, 3, DHPMAP_MEMBER(info.history_id)),
-      MakeColumn<Row>("num_tiles", kAlways, 4, DHPMAP_MEMBER(num_tiles)),
-      MakeColumn<Row>("tile_bytes", kElsewhere, 0, DHPMAP_MEMBER(tile_bytes)),
+      MakeColumn<Row>("num_tiles", kAlways, 4, DHPMAP_MEMBER(tiles.num_rows)),
+      MakeColumn<Row>("tile_bytes", kAlways, 0, DHPMAP_MEMBER(tiles.bytes)),
       MakeColumn<Row>("merged_checksum", kAlways, 5, DHPMAP_MEMBER(merged_checksum)),
       MakeColumn<Row>("pairs_checksum", kAlways, 5, DHPMAP_MEMBER(pairs_checksum)),
+      MakeColumn<Row>("tiles_sum", kAlways, 6, DHPMAP_MEMBER(tiles.sum)),
   };
 }
 const Table<MapRow>& Maps();
@@ -70,10 +74,14 @@ Result<std::vector<std::string>> ReadMapNames(sqlite::Database& database);
 /// from.
 Result<MapRow> ReadMapHead(sqlite::Database& database, const std::string& name);
 
-/// Returns the new map's key. ALREADY_EXISTS if the name is taken.
-Result<std::int64_t> InsertMap(sqlite::Database& database, const MapSnapshot& snapshot);
+/// Adds a row with what identifies a map; UpdateMap fills it. Returns it. ALREADY_EXISTS if the name is taken.
+Result<MapRow> InsertMap(sqlite::Database& database, const MapSnapshot& snapshot);
 /// Writes config, label set and sessions only where they differ from `before`, or were sealed by an older version.
-Status UpdateMap(sqlite::Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after);
+/// `tiles`: those of `after` as they are stored.
+Status UpdateMap(sqlite::Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after,
+                 const TileTotals& tiles);
+/// Writes a row that was read and changed, as the revision after it.
+Status WriteRepairedMap(sqlite::Database& database, MapRow& row);
 /// See MapStore::Reserve.
 Status SetMarks(sqlite::Database& database, const std::string& name, const NumberMarks& marks);
 /// Takes every map whose marks are above its numbers beyond them, and notes the revisions that are left out. Leaves

@@ -20,17 +20,7 @@ const Table<SubmapRow>& Submaps() {
   return table;
 }
 
-SubmapCounts CountBlocks(const Submap& submap) {
-  SubmapCounts counts;
-  for (const BlockEntry& entry : submap.blocks().entries()) {
-    counts.num_tsdf_blocks += entry.tsdf != nullptr;
-    counts.num_label_blocks += entry.labels != nullptr;
-    counts.num_gone_blocks += entry.gone != nullptr;
-  }
-  return counts;
-}
-
-Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_key) {
+Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_key, std::vector<SubmapRow>* damaged) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
                           database.Prepare(Submaps().Select("WHERE map_key = ? ORDER BY submap_id"), kReadTask));
   select.Bind(map_key);
@@ -40,29 +30,28 @@ Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_
     if (!has_row) return rows;
     SubmapRow row;
     if (!Submaps().Read(select, row) || !Submaps().IsIntact(row, row.seal)) {
+      if (damaged != nullptr) {
+        damaged->push_back(std::move(row));
+        continue;
+      }
       return DataLoss("submap " + std::to_string(row.info.id.value) + ": its row has a wrong checksum");
     }
     rows.push_back(std::move(row));
   }
 }
 
-SubmapRowWriter::SubmapRowWriter(Statement find, Statement upsert, Statement set_bytes, Statement erase,
-                                 Statement write_box, Statement erase_box)
+SubmapRowWriter::SubmapRowWriter(Statement find, Statement upsert, Statement erase, Statement write_box,
+                                 Statement erase_box)
     : find_(std::move(find)),
       upsert_(std::move(upsert)),
-      set_bytes_(std::move(set_bytes)),
       erase_(std::move(erase)),
       write_box_(std::move(write_box)),
       erase_box_(std::move(erase_box)) {}
 
 Result<SubmapRowWriter> SubmapRowWriter::Prepare(Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(Statement find,
-                          database.Prepare("SELECT submap_key, num_tsdf_blocks, num_label_blocks, num_gone_blocks, "
-                                           "blob_bytes FROM submaps WHERE map_key = ? AND submap_id = ?",
-                                           kWriteTask));
+                          database.Prepare(Submaps().Select("WHERE map_key = ? AND submap_id = ?"), kWriteTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Submaps().Upsert() + " RETURNING submap_key", kWriteTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement set_bytes,
-                          database.Prepare("UPDATE submaps SET blob_bytes = ? WHERE submap_key = ?", kWriteTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase,
                           database.Prepare("DELETE FROM submaps WHERE submap_key = ?", "delete a submap"));
   DHPMAP_ASSIGN_OR_RETURN(
@@ -72,29 +61,26 @@ Result<SubmapRowWriter> SubmapRowWriter::Prepare(Database& database) {
                        kWriteTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase_box,
                           database.Prepare("DELETE FROM submap_boxes WHERE submap_key = ?", kWriteTask));
-  return SubmapRowWriter(std::move(find), std::move(upsert), std::move(set_bytes), std::move(erase),
-                         std::move(write_box), std::move(erase_box));
+  return SubmapRowWriter(std::move(find), std::move(upsert), std::move(erase), std::move(write_box),
+                         std::move(erase_box));
 }
 
 Result<std::optional<SubmapRowWriter::Stored>> SubmapRowWriter::Find(std::int64_t map_key, SubmapId id) {
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, find_.Bind(map_key).Bind(id.value).Step());
   if (!has_row) return std::optional<Stored>();
-  sqlite::Columns columns(find_);
-  Stored stored;
-  stored.key = columns.Int();
-  stored.counts.num_tsdf_blocks = columns.Int();
-  stored.counts.num_label_blocks = columns.Int();
-  stored.counts.num_gone_blocks = columns.Int();
-  stored.counts.blob_bytes = columns.Int();
+  SubmapRow row;
+  (void)Submaps().Read(find_, row);  // a damaged row is written anew, as the state in memory is whole
   find_.Reset();
-  return std::optional<Stored>(stored);
+  return std::optional<Stored>({row.key, row.counts, row.tiles_sum, row.CoversTiles()});
 }
 
-Result<std::int64_t> SubmapRowWriter::Write(std::int64_t map_key, const Submap& submap) {
+Result<std::int64_t> SubmapRowWriter::Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
+                                            std::int64_t tiles_sum) {
   SubmapRow row{.map_key = map_key,
                 .info = submap.info(),
                 .sphere = submap.bounding_sphere(),
-                .counts = CountBlocks(submap),
+                .counts = counts,
+                .tiles_sum = tiles_sum,
                 .seal = {}};
   row.seal = Submaps().SealOf(row);
   Submaps().BindAll(row, upsert_);
@@ -113,10 +99,6 @@ Status SubmapRowWriter::WriteBox(std::int64_t map_key, std::int64_t submap_key, 
     write_box_.Bind(in_map.center_m[axis] - in_map.radius_m).Bind(in_map.center_m[axis] + in_map.radius_m);
   }
   return write_box_.Bind(map_key).Run();
-}
-
-Status SubmapRowWriter::SetBlobBytes(std::int64_t submap_key, std::int64_t blob_bytes) {
-  return set_bytes_.Bind(blob_bytes).Bind(submap_key).Run();
 }
 
 Status SubmapRowWriter::Erase(std::int64_t submap_key) { return erase_.Bind(submap_key).Run(); }

@@ -7,18 +7,9 @@
 #include "mapping/map/submap.h"
 #include "storage/rows/table.h"
 #include "storage/sqlite/database.h"
+#include "storage/tiles/object_layers.h"
 
 namespace dhpmap {
-
-/// How many blocks of each layer a submap has, and the size of their blobs.
-struct SubmapCounts {
-  std::int64_t num_tsdf_blocks = 0;
-  std::int64_t num_label_blocks = 0;
-  std::int64_t num_gone_blocks = 0;
-  std::int64_t blob_bytes = 0;
-};
-/// Of a submap in memory; leaves blob_bytes at 0.
-SubmapCounts CountBlocks(const Submap& submap);
 
 struct SubmapRow {
   std::int64_t key = 0;
@@ -26,7 +17,11 @@ struct SubmapRow {
   SubmapInfo info;
   BoundingSphere sphere;
   SubmapCounts counts;
+  std::int64_t tiles_sum = 0;  ///< see TileTotals
   RowSeal seal;
+
+  /// Whether it says what its rows in tiles are; those that schema 6 and before sealed only count them.
+  [[nodiscard]] bool CoversTiles() const { return seal.version >= 3; }
 };
 
 /// The columns of table submaps. `Row` is a SubmapRow, or derived from it. Version 1 of the checksum covers the columns
@@ -36,7 +31,7 @@ std::vector<Column<Row>> SubmapColumns() {
   using enum Written;
   return {
       MakeColumn<Row>("submap_key", kElsewhere, 0, DHPMAP_MEMBER(key)),
-      MakeColumn<Row>("blob_bytes", kElsewhere, 0, DHPMAP_MEMBER(counts.blob_bytes)),
+      MakeColumn<Row>("blob_bytes", kAlways, 0, DHPMAP_MEMBER(counts.blob_bytes)),
       MakeColumn<Row>("checksum_version", kAlways, 0, DHPMAP_MEMBER(seal.version)),
       MakeColumn<Row>("checksum", kAlways, 0, DHPMAP_MEMBER(seal.checksum)),
       MakeColumn<Row>("map_key", kOnce, 1, DHPMAP_MEMBER(map_key)),
@@ -66,14 +61,17 @@ std::vector<Column<Row>> SubmapColumns() {
       MakeColumn<Row>("presence", kAlways, 2, DHPMAP_MEMBER(info.presence)),
       MakeColumn<Row>("last_contradicted_ns", kAlways, 2, DHPMAP_MEMBER(info.last_contradicted_ns)),
       MakeColumn<Row>("is_placed", kAlways, 2, DHPMAP_MEMBER(info.is_placed)),
+      MakeColumn<Row>("tiles_sum", kAlways, 3, DHPMAP_MEMBER(tiles_sum)),
   };
 }
 const Table<SubmapRow>& Submaps();
 
-/// The rows of a map, by ascending submap id. DATA_LOSS, naming the submap, where a row does not match its checksum.
-Result<std::vector<SubmapRow>> ReadSubmaps(sqlite::Database& database, std::int64_t map_key);
+/// The rows of a map, by ascending submap id. DATA_LOSS, naming the submap, where a row does not match its checksum;
+/// where `damaged` is not null, such rows are added to it instead.
+Result<std::vector<SubmapRow>> ReadSubmaps(sqlite::Database& database, std::int64_t map_key,
+                                           std::vector<SubmapRow>* damaged = nullptr);
 
-/// Writes submap rows, their boxes, and their counts. One for each transaction.
+/// Writes submap rows and their boxes. One for each transaction.
 class SubmapRowWriter {
  public:
   static Result<SubmapRowWriter> Prepare(sqlite::Database& database);
@@ -81,21 +79,23 @@ class SubmapRowWriter {
   struct Stored {
     std::int64_t key = 0;
     SubmapCounts counts;
+    std::int64_t tiles_sum = 0;
+    bool covers_tiles = false;  ///< tiles_sum is right
   };
   /// Nothing if the map has no such submap.
   Result<std::optional<Stored>> Find(std::int64_t map_key, SubmapId id);
 
-  /// Adds or replaces a row, with the number of blocks that `submap` has. Returns its key.
-  Result<std::int64_t> Write(std::int64_t map_key, const Submap& submap);
-  Status SetBlobBytes(std::int64_t submap_key, std::int64_t blob_bytes);
-  /// With its blocks.
+  /// Adds or replaces a row. Returns its key.
+  Result<std::int64_t> Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
+                             std::int64_t tiles_sum);
+  /// With its tiles.
   Status Erase(std::int64_t submap_key);
 
  private:
-  SubmapRowWriter(sqlite::Statement find, sqlite::Statement upsert, sqlite::Statement set_bytes,
-                  sqlite::Statement erase, sqlite::Statement write_box, sqlite::Statement erase_box);
+  SubmapRowWriter(sqlite::Statement find, sqlite::Statement upsert, sqlite::Statement erase,
+                  sqlite::Statement write_box, sqlite::Statement erase_box);
   Status WriteBox(std::int64_t map_key, std::int64_t submap_key, const BoundingSphere& in_map);
-  sqlite::Statement find_, upsert_, set_bytes_, erase_, write_box_, erase_box_;
+  sqlite::Statement find_, upsert_, erase_, write_box_, erase_box_;
 };
 
 }  // namespace dhpmap

@@ -1,89 +1,214 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/rows/tile_rows.h"
 
+#include <initializer_list>
+#include <string>
 #include <utility>
 
 namespace dhpmap {
+namespace {
 
+using sqlite::Columns;
 using sqlite::Database;
 using sqlite::Statement;
 
-std::int64_t NumTilesOf(const MapSnapshot& map) {
-  return static_cast<std::int64_t>(map.free_space()->tiles().size() + map.vacated()->tiles().size());
+constexpr char kReadTask[] = "read the tiles";
+constexpr char kWriteTask[] = "write a tile";
+constexpr char kCollectTask[] = "collect what is no longer needed";
+
+/// The finalizer of SplitMix64: each bit of the outcome depends on all of `word`.
+std::uint64_t Mix(std::uint64_t word) {
+  word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9u;
+  word = (word ^ (word >> 27)) * 0x94D049BB133111EBu;
+  return word ^ (word >> 31);
 }
 
-std::string TileName(std::int64_t layer, TileIndex index) {
-  std::string name = "layer " + std::to_string(layer);
-  if (layer == static_cast<std::int64_t>(MapLayer::kFree)) name = "free-space";
-  if (layer == static_cast<std::int64_t>(MapLayer::kVacated)) name = "vacated";
-  name.append(" tile (").append(std::to_string(index.x)).append(", ");
-  return name.append(std::to_string(index.y)).append(", ").append(std::to_string(index.z)).append(")");
-}
-
-TileRowWriter::TileRowWriter(std::int64_t map_key, MapLayer layer, Statement find, Statement insert, Statement update,
-                             Statement erase)
-    : map_key_(map_key),
-      layer_(static_cast<std::int64_t>(layer)),
-      find_(std::move(find)),
-      insert_(std::move(insert)),
-      update_(std::move(update)),
-      erase_(std::move(erase)) {}
-
-Result<TileRowWriter> TileRowWriter::Prepare(Database& database, std::int64_t map_key, MapLayer layer) {
-  constexpr char kTask[] = "write a tile";
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement find,
-      database.Prepare(
-          "SELECT tile_key, length(blob) FROM map_tiles WHERE map_key = ? AND layer = ? AND x = ? AND y = ? "
-          "AND z = ?",
-          kTask));
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement insert,
-      database.Prepare("INSERT INTO map_tiles (map_key, layer, x, y, z, blob) VALUES (?, ?, ?, ?, ?, ?)", kTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement update,
-                          database.Prepare("UPDATE map_tiles SET blob = ? WHERE tile_key = ?", kTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase,
-                          database.Prepare("DELETE FROM map_tiles WHERE tile_key = ?", "delete a tile"));
-  return TileRowWriter(map_key, layer, std::move(find), std::move(insert), std::move(update), std::move(erase));
-}
-
-Result<TileRowWriter::Stored> TileRowWriter::Find(TileIndex index) {
-  find_.Bind(map_key_).Bind(layer_).Bind(index.x).Bind(index.y).Bind(index.z);
-  DHPMAP_ASSIGN_OR_RETURN(const bool has_row, find_.Step());
-  if (!has_row) return Stored{};
-  sqlite::Columns columns(find_);
-  Stored stored;
-  stored.key = columns.Int();
-  stored.bytes = columns.Int();
-  find_.Reset();
-  return stored;
-}
-
-Result<BlockDelta> TileRowWriter::Write(TileIndex index, ByteView blob) {
-  const auto bytes = static_cast<std::int64_t>(blob.size());
-  DHPMAP_ASSIGN_OR_RETURN(const Stored stored, Find(index));
-  if (stored.key != 0) {
-    DHPMAP_RETURN_IF_ERROR(update_.Bind(blob).Bind(stored.key).Run());
-    return BlockDelta{0, bytes - stored.bytes};
+/// Sums of these tell sets of rows apart. Not the checksum of blobs: it is linear, so errors could cancel out.
+std::uint64_t HashOf(TileIndex index, std::int64_t layer, std::int64_t blob_key) {
+  std::uint64_t hash = 0;
+  for (const std::int64_t value :
+       {std::int64_t{index.x}, std::int64_t{index.y}, std::int64_t{index.z}, layer, blob_key}) {
+    hash = Mix(hash + 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(value));
   }
-  DHPMAP_RETURN_IF_ERROR(
-      insert_.Bind(map_key_).Bind(layer_).Bind(index.x).Bind(index.y).Bind(index.z).Bind(blob).Run());
-  return BlockDelta{1, bytes};
+  return hash;
 }
 
-Result<BlockDelta> TileRowWriter::Erase(TileIndex index) {
-  DHPMAP_ASSIGN_OR_RETURN(const Stored stored, Find(index));
-  if (stored.key == 0) return BlockDelta{};
-  DHPMAP_RETURN_IF_ERROR(erase_.Bind(stored.key).Run());
-  return BlockDelta{-1, -stored.bytes};
+void Advance(std::int64_t& sum, std::uint64_t by) {
+  sum = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) + by);
+}
+
+TileIndex IndexFrom(Columns& columns) {
+  TileIndex index;
+  for (std::int32_t* coordinate : {&index.x, &index.y, &index.z})
+    *coordinate = static_cast<std::int32_t>(columns.Int());
+  return index;
+}
+
+Statement& BindIndex(Statement& statement, TileIndex index) {
+  return statement.Bind(index.x).Bind(index.y).Bind(index.z);
+}
+
+}  // namespace
+
+void TileTotals::Add(TileIndex index, std::int64_t layer, const StoredBlob& blob) {
+  ++num_rows;
+  bytes += blob.bytes;
+  Advance(sum, HashOf(index, layer, blob.key));
+}
+
+void TileTotals::Remove(TileIndex index, std::int64_t layer, const StoredBlob& blob) {
+  --num_rows;
+  bytes -= blob.bytes;
+  Advance(sum, ~HashOf(index, layer, blob.key) + 1);
+}
+
+Result<TileRows> TileRows::Prepare(Database& database) {
+  TileRows rows(database);
+  struct Text {
+    OptionalStatement* statement;
+    const char* sql;
+  };
+  const std::initializer_list<Text> texts = {
+      {&rows.find_,
+       "SELECT layer, blob_key, ifnull(num_blocks, 0), ifnull(length(blob), 0) FROM tiles LEFT JOIN tile_blobs "
+       "USING (blob_key) WHERE owner_key = ? AND x = ? AND y = ? AND z = ?"},
+      {&rows.count_,
+       "SELECT x, y, z, layer, blob_key, ifnull(length(blob), 0) FROM tiles LEFT JOIN tile_blobs USING (blob_key) "
+       "WHERE owner_key = ?"},
+      {&rows.insert_blob_, "INSERT INTO tile_blobs (num_blocks, blob) VALUES (?, ?)"},
+      {&rows.find_blob_, "SELECT num_blocks, length(blob) FROM tile_blobs WHERE blob_key = ?"},
+      {&rows.revive_, "DELETE FROM dead_blobs WHERE blob_key = ?"},
+      {&rows.share_,
+       "INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, 1) ON CONFLICT (blob_key) DO UPDATE SET num_more = "
+       "num_more + 1"},
+      {&rows.copy_,
+       "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key) SELECT ?, x, y, z, layer, blob_key FROM tiles WHERE "
+       "owner_key = ?"},
+      {&rows.share_copied_,
+       "INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, 1 FROM tiles WHERE owner_key = ? ON CONFLICT "
+       "(blob_key) DO UPDATE SET num_more = num_more + 1"},
+      {&rows.insert_, "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key) VALUES (?, ?, ?, ?, ?, ?)"},
+      {&rows.update_, "UPDATE tiles SET blob_key = ? WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
+      {&rows.erase_, "DELETE FROM tiles WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
+  };
+  for (const Text& text : texts) {
+    DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(text.sql, kWriteTask));
+    text.statement->emplace(std::move(statement));
+  }
+  DHPMAP_ASSIGN_OR_RETURN(rows.may_have_dead_, HasDeadBlobs(database));
+  return rows;
+}
+
+Result<StoredLayers> TileRows::Find(std::int64_t owner_key, TileIndex index) {
+  StoredLayers layers{};
+  BindIndex(find_->Bind(owner_key), index);
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, find_->Step());
+    if (!has_row) return layers;
+    Columns columns(*find_);
+    const auto layer = static_cast<std::uint64_t>(columns.Int());
+    if (layer >= layers.size()) continue;  // of no layer: seen when the map is read
+    layers[layer].key = columns.Int();
+    layers[layer].num_blocks = columns.Int();
+    layers[layer].bytes = columns.Int();
+  }
+}
+
+Result<TileTotals> TileRows::Count(std::int64_t owner_key) {
+  TileTotals totals;
+  count_->Bind(owner_key);
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, count_->Step());
+    if (!has_row) return totals;
+    Columns columns(*count_);
+    const TileIndex index = IndexFrom(columns);
+    const std::int64_t layer = columns.Int();
+    StoredBlob blob;
+    blob.key = columns.Int();
+    blob.bytes = columns.Int();
+    totals.Add(index, layer, blob);
+  }
+}
+
+Result<StoredBlob> TileRows::Insert(ByteView blob, std::int64_t num_blocks) {
+  DHPMAP_RETURN_IF_ERROR(insert_blob_->Bind(num_blocks).Bind(blob).Run());
+  return StoredBlob{database_->LastInsertRowId(), num_blocks, static_cast<std::int64_t>(blob.size())};
+}
+
+Result<std::optional<StoredBlob>> TileRows::Share(std::int64_t blob_key) {
+  DHPMAP_ASSIGN_OR_RETURN(const bool is_there, find_blob_->Bind(blob_key).Step());
+  if (!is_there) return std::optional<StoredBlob>();
+  Columns columns(*find_blob_);
+  StoredBlob blob{.key = blob_key};
+  blob.num_blocks = columns.Int();
+  blob.bytes = columns.Int();
+  find_blob_->Reset();
+  if (may_have_dead_) {
+    DHPMAP_RETURN_IF_ERROR(revive_->Bind(blob_key).Run());
+    if (database_->NumChanges() > 0) return std::optional<StoredBlob>(blob);  // nobody else refers to it
+  }
+  DHPMAP_RETURN_IF_ERROR(share_->Bind(blob_key).Run());
+  return std::optional<StoredBlob>(blob);
+}
+
+Status TileRows::Copy(std::int64_t from_owner_key, std::int64_t to_owner_key) {
+  DHPMAP_RETURN_IF_ERROR(copy_->Bind(to_owner_key).Bind(from_owner_key).Run());
+  return share_copied_->Bind(to_owner_key).Run();
+}
+
+Status TileRows::Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
+                     const StoredBlob& after, TileTotals& totals) {
+  totals.Add(index, layer, after);
+  if (before.key == 0) return BindIndex(insert_->Bind(owner_key), index).Bind(layer).Bind(after.key).Run();
+  totals.Remove(index, layer, before);
+  may_have_dead_ = true;
+  return BindIndex(update_->Bind(after.key).Bind(owner_key), index).Bind(layer).Run();
+}
+
+Status TileRows::Erase(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
+                       TileTotals& totals) {
+  if (before.key == 0) return Status::Ok();
+  totals.Remove(index, layer, before);
+  may_have_dead_ = true;
+  return BindIndex(erase_->Bind(owner_key), index).Bind(layer).Run();
 }
 
 Result<TileRowReader> TileRowReader::Prepare(Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
-      database.Prepare("SELECT layer, x, y, z, blob FROM map_tiles WHERE map_key = ? ORDER BY layer, x, y, z",
-                       "read the tiles"));
+      database.Prepare("SELECT x, y, z, layer, tiles.blob_key, tile_blobs.blob_key IS NULL, num_more IS NOT NULL, "
+                       "ifnull(num_blocks, 0), blob "
+                       "FROM tiles LEFT JOIN tile_blobs USING (blob_key) LEFT JOIN shared_blobs USING (blob_key) "
+                       "WHERE owner_key = ? ORDER BY owner_key, x, y, z, layer",
+                       kReadTask));
   return TileRowReader(std::move(select));
+}
+
+TileRowReader::Row TileRowReader::Current() const {
+  Columns columns(select_);
+  Row row;
+  row.index = IndexFrom(columns);
+  row.layer = columns.Int();
+  row.blob_key = columns.Int();
+  row.is_missing = columns.Int() != 0;
+  row.is_shared = columns.Int() != 0;
+  row.num_blocks = columns.Int();
+  row.blob = columns.Blob();
+  return row;
+}
+
+Result<std::int64_t> CollectDeadBlobs(Database& database, std::int64_t max_blobs) {
+  const std::string some =
+      "(SELECT blob_key FROM dead_blobs ORDER BY blob_key LIMIT " + std::to_string(max_blobs) + ")";
+  DHPMAP_RETURN_IF_ERROR(database.Execute("DELETE FROM tile_blobs WHERE blob_key IN " + some, kCollectTask));
+  DHPMAP_RETURN_IF_ERROR(database.Execute("DELETE FROM dead_blobs WHERE blob_key IN " + some, kCollectTask));
+  return database.NumChanges();
+}
+
+Result<bool> HasDeadBlobs(Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t has,
+                          database.QueryInt("SELECT EXISTS (SELECT 1 FROM dead_blobs)", kCollectTask));
+  return has != 0;
 }
 
 }  // namespace dhpmap

@@ -1,75 +1,117 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <string>
+#include <optional>
 
-#include "mapping/map/map.h"
+#include "mapping/map/block_table.h"
 #include "storage/codec/bytes.h"
-#include "storage/rows/block_rows.h"
 #include "storage/sqlite/database.h"
 
 namespace dhpmap {
 
-/// Layers of a map, as in column map_tiles.layer: the high half of the first byte of their blobs. Kept in files.
-enum class MapLayer : std::int64_t { kFree = 3, kVacated = 5 };  // 4: of objects
+// Rows of tiles, and the blobs they refer to. A blob is written once, under a key that is never given out again, and
+// may be referred to by several rows. When the last one leaves it, a trigger puts it among the dead: see
+// CollectDeadBlobs.
 
-/// Tiles of all layers of a map.
-std::int64_t NumTilesOf(const MapSnapshot& map);
+/// Whose tiles: column tiles.owner_key. Of an object its submap_key.
+constexpr std::int64_t OwnerOfMap(std::int64_t map_key) { return -map_key; }
 
-/// "free-space tile (1, -2, 0)", for messages.
-std::string TileName(std::int64_t layer, TileIndex index);
-
-/// Writes the tiles of one layer of a map. One for each transaction.
-class TileRowWriter {
- public:
-  static Result<TileRowWriter> Prepare(sqlite::Database& database, std::int64_t map_key, MapLayer layer);
-
-  /// Adds or replaces a tile.
-  Result<BlockDelta> Write(TileIndex index, ByteView blob);
-  /// Nothing happens if there is no such tile.
-  Result<BlockDelta> Erase(TileIndex index);
-
- private:
-  struct Stored {
-    std::int64_t key = 0;
-    std::int64_t bytes = 0;
-  };
-  TileRowWriter(std::int64_t map_key, MapLayer layer, sqlite::Statement find, sqlite::Statement insert,
-                sqlite::Statement update, sqlite::Statement erase);
-  /// Key 0 if there is none.
-  Result<Stored> Find(TileIndex index);
-
-  std::int64_t map_key_, layer_;
-  sqlite::Statement find_, insert_, update_, erase_;
+/// What a row of a tile refers to.
+struct StoredBlob {
+  std::int64_t key = 0;         ///< 0: there is no row
+  std::int64_t num_blocks = 0;  ///< that the blob holds; 0 for layers of maps
+  std::int64_t bytes = 0;
 };
 
-/// Reads all tiles of a map, of all layers, by ascending index.
+inline constexpr std::size_t kNumLayerNumbers = 16;  ///< a layer's number is half a byte
+/// The rows of a tile, by the number of the layer.
+using StoredLayers = std::array<StoredBlob, kNumLayerNumbers>;
+
+/// Of all rows of an owner, kept up to date with what changes. `sum` covers which rows there are and what they refer
+/// to: the order of rows does not matter, so it follows a commit at the cost of what was written.
+struct TileTotals {
+  std::int64_t num_rows = 0;
+  std::int64_t bytes = 0;
+  std::int64_t sum = 0;  ///< as in columns tiles_sum, see FORMAT.md
+
+  void Add(TileIndex index, std::int64_t layer, const StoredBlob& blob);
+  void Remove(TileIndex index, std::int64_t layer, const StoredBlob& blob);
+};
+
+/// Writes rows and blobs. One for each transaction.
+class TileRows {
+ public:
+  static Result<TileRows> Prepare(sqlite::Database& database);
+
+  Result<StoredLayers> Find(std::int64_t owner_key, TileIndex index);
+  /// Of all rows that are there: for an owner whose totals nobody has kept.
+  Result<TileTotals> Count(std::int64_t owner_key);
+
+  /// A new blob, to be referred to by one row.
+  Result<StoredBlob> Insert(ByteView blob, std::int64_t num_blocks);
+  /// To be called when rows of this transaction have left blobs in another way.
+  void NoteDeadBlobs() { may_have_dead_ = true; }
+
+  /// A blob that is there, to be referred to by one row more; nothing if it is there no longer.
+  Result<std::optional<StoredBlob>> Share(std::int64_t blob_key);
+
+  /// Adds rows for an owner that has none yet, which refer to the same blobs as those of another.
+  Status Copy(std::int64_t from_owner_key, std::int64_t to_owner_key);
+  /// Adds the row, or has it refer to another blob.
+  Status Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
+             const StoredBlob& after, TileTotals& totals);
+  Status Erase(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
+               TileTotals& totals);
+
+ private:
+  explicit TileRows(sqlite::Database& database) : database_(&database) {}
+  using OptionalStatement = std::optional<sqlite::Statement>;
+  sqlite::Database* database_;
+  bool may_have_dead_ = true;  ///< some blob may be among the dead
+  OptionalStatement find_, count_, insert_blob_, find_blob_, revive_, share_, copy_, share_copied_, insert_, update_,
+      erase_;
+};
+
+/// Reads the rows of an owner with their blobs, by ascending tile, then layer.
 class TileRowReader {
  public:
+  struct Row {
+    TileIndex index;
+    std::int64_t layer = 0;
+    std::int64_t blob_key = 0;
+    std::int64_t num_blocks = 0;
+    bool is_missing = false;  ///< there is no such blob
+    bool is_shared = false;   ///< other rows refer to it, too
+    ByteView blob;            ///< lives as long as the visit
+  };
+
   static Result<TileRowReader> Prepare(sqlite::Database& database);
 
-  /// Calls visit(std::int64_t layer, TileIndex, ByteView blob), which returns a Status; the view lives as long as the
-  /// call. Ends with the first error.
+  /// Calls visit(const Row&), which returns a Status; ends with the first error.
   template <typename Visitor>
-  Status ForEach(std::int64_t map_key, Visitor&& visit) {
-    select_.Bind(map_key);
+  Status ForEach(std::int64_t owner_key, Visitor&& visit) {
+    select_.Bind(owner_key);
     for (;;) {
       DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select_.Step());
       if (!has_row) return Status::Ok();
-      sqlite::Columns columns(select_);
-      const std::int64_t layer = columns.Int();
-      TileIndex index;
-      for (std::int32_t* coordinate : {&index.x, &index.y, &index.z}) {
-        *coordinate = static_cast<std::int32_t>(columns.Int());
-      }
-      DHPMAP_RETURN_IF_ERROR(visit(layer, index, columns.Blob()));
+      const Status visited = visit(Current());
+      if (visited.ok()) continue;
+      select_.Reset();
+      return visited;
     }
   }
 
  private:
   explicit TileRowReader(sqlite::Statement select) : select_(std::move(select)) {}
+  [[nodiscard]] Row Current() const;
   sqlite::Statement select_;
 };
+
+/// Deletes up to `max_blobs` blobs that no row refers to any more, within the caller's transaction. Returns how many.
+/// States in memory may still name their keys: whoever wants to refer to one again asks Share first.
+Result<std::int64_t> CollectDeadBlobs(sqlite::Database& database, std::int64_t max_blobs);
+Result<bool> HasDeadBlobs(sqlite::Database& database);
 
 }  // namespace dhpmap

@@ -15,6 +15,9 @@ Status NotOurs() {
   return FailedPrecondition("the database file belongs to another application").WithReason("FOREIGN_DATABASE");
 }
 
+/// Some 20 MB.
+constexpr std::int64_t kPartsATransaction = 4096;
+
 struct SchemaObject {
   std::string type, name, sql;
 };
@@ -30,6 +33,30 @@ Status Do(const SchemaStep& step, std::int64_t number, sqlite::Database& databas
                                               "; PRAGMA user_version = " + std::to_string(number + 1),
                                           "mark the database as ours"));
   return transaction.Commit();
+}
+
+/// What a step left to do, part by part.
+Status DoWork(const SchemaWork& work, sqlite::Database& database, const SchemaProgress& progress) {
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool is_left, work.is_left(database));
+    if (!is_left) return Status::Ok();
+    DHPMAP_ASSIGN_OR_RETURN(sqlite::Transaction transaction, sqlite::Transaction::BeginWrite(database));
+    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_left, work.do_some(database, kPartsATransaction));
+    DHPMAP_RETURN_IF_ERROR(transaction.Commit());
+    if (num_left > 0 && progress) {
+      progress("bringing the database up to date: " + std::to_string(num_left) + " " + work.unit + " left");
+    }
+  }
+}
+
+/// Whether a step that was done has left work.
+Result<bool> HasWorkLeft(SchemaSteps done, sqlite::Database& database) {
+  for (const SchemaStep& step : done) {
+    if (step.work == nullptr) continue;
+    DHPMAP_ASSIGN_OR_RETURN(const bool is_left, step.work->is_left(database));
+    if (is_left) return true;
+  }
+  return false;
 }
 
 /// What an empty database has after all steps.
@@ -85,13 +112,16 @@ Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps)
   } else {
     DHPMAP_RETURN_IF_ERROR(CheckObjects(database, ReferenceObjects(done)));
   }
-  return version < VersionOf(steps) ? SchemaState::kOlder : SchemaState::kCurrent;
+  DHPMAP_ASSIGN_OR_RETURN(const bool has_work_left, HasWorkLeft(done, database));
+  return version < VersionOf(steps) || has_work_left ? SchemaState::kOlder : SchemaState::kCurrent;
 }
 
-Status MigrateSchema(sqlite::Database& database, SchemaSteps steps) {
+Status MigrateSchema(sqlite::Database& database, SchemaSteps steps, const SchemaProgress& progress) {
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
-  for (std::int64_t number = version; number < VersionOf(steps); ++number) {
-    DHPMAP_RETURN_IF_ERROR(Do(steps[static_cast<std::size_t>(number)], number, database));
+  for (std::int64_t number = 0; number < VersionOf(steps); ++number) {
+    const SchemaStep& step = steps[static_cast<std::size_t>(number)];
+    if (number >= version) DHPMAP_RETURN_IF_ERROR(Do(step, number, database));
+    if (step.work != nullptr) DHPMAP_RETURN_IF_ERROR(DoWork(*step.work, database, progress));
   }
   return Status::Ok();
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
 
 #include "mapping/base/result.h"
 #include "storage/schema/steps.h"
@@ -18,8 +20,12 @@ enum class SchemaState { kEmpty, kOlder, kCurrent };
 /// application's, or newer.
 Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps = ReleasedSteps());
 
-/// Does the steps that an empty or older database lacks, each in one transaction: after a failure or a crash it is of
-/// the schema of the last step that was done, and the next call goes on from there.
-Status MigrateSchema(sqlite::Database& database, SchemaSteps steps = ReleasedSteps());
+/// Hears of work that takes long: what it is at, in words for an operator's log.
+using SchemaProgress = std::function<void(const std::string& message)>;
+
+/// Does the steps that an empty or older database lacks, each in one transaction, and after each its work, in as many
+/// as that needs: after a failure or a crash the next call goes on from there.
+Status MigrateSchema(sqlite::Database& database, SchemaSteps steps = ReleasedSteps(),
+                     const SchemaProgress& progress = {});
 
 }  // namespace dhpmap

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/schema/steps.h"
 
+#include "storage/schema/bundle_blocks.h"
+
 namespace dhpmap {
 
 SchemaSteps ReleasedSteps() {
   static const SchemaStep steps[] = {
-      {.sql = SchemaSql()[0]},  // 0001_init.sql
-      {.sql = SchemaSql()[1]},  // 0002_checksum_versions.sql
-      {.sql = SchemaSql()[2]},  // 0003_sessions_and_history.sql
-      {.sql = SchemaSql()[3]},  // 0004_map_tiles.sql
-      {.sql = SchemaSql()[4]},  // 0005_gone.sql
-      {.sql = SchemaSql()[5]},  // 0006_objects.sql
+      {.sql = SchemaSql()[0]},                          // 0001_init.sql
+      {.sql = SchemaSql()[1]},                          // 0002_checksum_versions.sql
+      {.sql = SchemaSql()[2]},                          // 0003_sessions_and_history.sql
+      {.sql = SchemaSql()[3]},                          // 0004_map_tiles.sql
+      {.sql = SchemaSql()[4]},                          // 0005_gone.sql
+      {.sql = SchemaSql()[5]},                          // 0006_objects.sql
+      {.sql = SchemaSql()[6], .work = &kBundleBlocks},  // 0007_tiles.sql
   };
   return steps;
 }

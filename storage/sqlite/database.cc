@@ -89,6 +89,8 @@ bool Database::InTransaction() const { return sqlite3_get_autocommit(database_.g
 
 std::int64_t Database::LastInsertRowId() const { return sqlite3_last_insert_rowid(database_.get()); }
 
+std::int64_t Database::NumChanges() const { return sqlite3_changes64(database_.get()); }
+
 void Database::SetCheckpointOnClose(bool on) {
   sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, on ? 0 : 1, nullptr);
 }

@@ -44,6 +44,8 @@ class Database {
   [[nodiscard]] bool IsReadOnly() const;
   [[nodiscard]] bool InTransaction() const;
   [[nodiscard]] std::int64_t LastInsertRowId() const;
+  /// Rows that the last INSERT, UPDATE or DELETE changed, without what triggers did.
+  [[nodiscard]] std::int64_t NumChanges() const;
   /// Off: closing leaves the write-ahead log as it is. On by default.
   void SetCheckpointOnClose(bool on);
 

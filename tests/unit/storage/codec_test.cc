@@ -367,7 +367,7 @@ TEST(LabelCodec, AClassThatNoneCanHaveIsDataLoss) {
 
 TEST(Envelope, AnUnknownKindIsAPreconditionNotALoss) {
   TsdfBlock block;
-  const Bytes blob = Seal(static_cast<BlobKind>(0x12), kIndex, {.packable = {1, 2, 3}, .plain = {4}});
+  const Bytes blob = Seal(static_cast<BlobKind>(0x13), kIndex, {.packable = {1, 2, 3}, .plain = {4}});
   EXPECT_EQ(DecodeTsdfBlock(blob, kIndex, block).code(), StatusCode::kFailedPrecondition);
   LabelBlock labels;
   EXPECT_EQ(DecodeLabelBlock(blob, kIndex, labels).code(), StatusCode::kDataLoss) << "of another layer";

@@ -14,34 +14,33 @@ using testing::SqliteStoreTest;
 
 // Writing.
 
-TEST_F(SqliteStoreTest, OnlyChangedBlocksAreWritten) {
+TEST_F(SqliteStoreTest, OnlyChangedLayersOfTilesAreWritten) {
   Open();
   const auto map = CreateSample("house");
   Tamper(
       "CREATE TABLE written (what TEXT);"
-      "CREATE TRIGGER a AFTER INSERT ON tsdf_blocks BEGIN INSERT INTO written VALUES ('tsdf'); END;"
-      "CREATE TRIGGER b AFTER UPDATE ON tsdf_blocks BEGIN INSERT INTO written VALUES ('tsdf'); END;"
-      "CREATE TRIGGER c AFTER INSERT ON label_blocks BEGIN INSERT INTO written VALUES ('label'); END;"
-      "CREATE TRIGGER d AFTER UPDATE ON label_blocks BEGIN INSERT INTO written VALUES ('label'); END;"
-      "CREATE TRIGGER h AFTER INSERT ON gone_blocks BEGIN INSERT INTO written VALUES ('gone'); END;"
-      "CREATE TRIGGER i AFTER UPDATE ON gone_blocks BEGIN INSERT INTO written VALUES ('gone'); END;"
-      "CREATE TRIGGER f AFTER INSERT ON map_tiles BEGIN INSERT INTO written VALUES ('tile'); END;"
-      "CREATE TRIGGER g AFTER UPDATE ON map_tiles BEGIN INSERT INTO written VALUES ('tile'); END;"
+      "CREATE TRIGGER a AFTER INSERT ON tile_blobs BEGIN INSERT INTO written VALUES (hex(substr(NEW.blob, 1, 1))); END;"
+      "CREATE TRIGGER b AFTER UPDATE ON tile_blobs BEGIN INSERT INTO written VALUES ('update'); END;"
+      "CREATE TRIGGER c AFTER INSERT ON tiles BEGIN INSERT INTO written VALUES ('row'); END;"
+      "CREATE TRIGGER d AFTER UPDATE ON tiles BEGIN INSERT INTO written VALUES ('row'); END;"
       "CREATE TRIGGER e AFTER UPDATE OF pose ON submaps BEGIN INSERT INTO written VALUES ('submap'); END;");
+  const auto num_written = [this](const std::string& what) {
+    return Query("SELECT count(*) FROM written WHERE what = '" + what + "'");
+  };
   const auto before = map->published();
   Submap& submap = *map->FindMutable(SubmapId(2));
-  ASSERT_GT(submap.blocks().size(), 2u);
-  const BlockIndex first = submap.blocks().entries().front().index,
-                   second = std::next(submap.blocks().entries().begin())->index;
+  const std::span<const TileEntry> tiles = submap.blocks().tiles();
+  ASSERT_GT(tiles.size(), 2u);
+  const BlockIndex first = tiles[0].tile->entries().front().index, second = tiles[1].tile->entries().front().index;
   submap.MutableTsdf(first).weight[0] += 1;
   submap.MutableTsdf(second).weight[0] += 1;
   submap.MutableLabels(second).AddObservation(0, ClassId(9));
   map->FindMutable(SubmapId(3))->mutable_info().T_map_submap.translation().x() = 4;
   ASSERT_TRUE(store_->Commit(*before, *map->Publish(20), Durability::kNormal).ok());
-  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tsdf'"), 2);
-  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'label'"), 1);
-  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'submap'"), 2);
-  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tile'"), 0);
+  EXPECT_EQ(num_written("12"), 2) << "TSDF";
+  EXPECT_EQ(num_written("22"), 1) << "labels";
+  EXPECT_EQ(num_written("row"), 3);
+  EXPECT_EQ(num_written("submap"), 2);
   ExpectStored(*map->published());
 
   for (const std::uint64_t blocks : {5u, 2u}) {
@@ -51,8 +50,9 @@ TEST_F(SqliteStoreTest, OnlyChangedBlocksAreWritten) {
     map->mutable_free_space().Add({50, 0, 0}, seen, 7);
     ASSERT_TRUE(store_->Commit(*last, *map->Publish(21), Durability::kNormal).ok());
   }
-  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tile'"), 2) << "one added, then that one changed";
-  EXPECT_EQ(Query("SELECT count(*) FROM written WHERE what = 'tsdf'"), 2);
+  EXPECT_EQ(num_written("31"), 2) << "one added, then that one changed";
+  EXPECT_EQ(num_written("12"), 2);
+  EXPECT_EQ(num_written("update"), 0) << "a blob is never written again";
   ExpectStored(*map->published());
 }
 
@@ -63,20 +63,17 @@ TEST_F(SqliteStoreTest, KeepsTotalsAndBoxesInStep) {
     const auto before = map->published();
     generator_.Change(*map);
     ASSERT_TRUE(store_->Commit(*before, *map->Publish(step), Durability::kNormal).ok());
-    EXPECT_EQ(store_->GetMap("house")->blob_bytes, Query("SELECT (SELECT total(length(blob)) FROM tsdf_blocks) + "
-                                                         "(SELECT total(length(blob)) FROM label_blocks) + "
-                                                         "(SELECT total(length(blob)) FROM gone_blocks) + "
-                                                         "(SELECT total(length(blob)) FROM map_tiles)"));
+    EXPECT_EQ(store_->GetMap("house")->blob_bytes,
+              Query("SELECT total(length(blob)) FROM tiles JOIN tile_blobs USING (blob_key)"));
     std::int64_t num_spheres = 0;
     for (const auto& submap : map->submaps()) num_spheres += !submap->bounding_sphere().IsEmpty();
     EXPECT_EQ(Query("SELECT count(*) FROM submap_boxes"), num_spheres);
   }
   ASSERT_TRUE(store_->DeleteMap("house").ok());
-  EXPECT_EQ(
-      Query("SELECT (SELECT count(*) FROM submaps) + (SELECT count(*) FROM tsdf_blocks) + (SELECT count(*) FROM "
-            "label_blocks) + (SELECT count(*) FROM submap_boxes) + (SELECT count(*) FROM map_config) + (SELECT "
-            "count(*) FROM feed_sessions) + (SELECT count(*) FROM map_tiles) + (SELECT count(*) FROM gone_blocks)"),
-      0);
+  EXPECT_EQ(Query("SELECT (SELECT count(*) FROM submaps) + (SELECT count(*) FROM tiles) + (SELECT count(*) FROM "
+                  "shared_blobs) + (SELECT count(*) FROM submap_boxes) + (SELECT count(*) FROM map_config) + (SELECT "
+                  "count(*) FROM feed_sessions)"),
+            0);
 }
 
 TEST_F(SqliteStoreTest, ABoxEnclosesItsSphereInTheMapFrame) {
@@ -104,7 +101,7 @@ TEST_F(SqliteStoreTest, AFailedWriteLeavesTheOldStateAndAWorkingStore) {
   const auto before = map->published();
   // Fails at the last of many rows.
   Tamper(
-      "CREATE TRIGGER stop BEFORE UPDATE OF blob_bytes ON submaps WHEN NEW.blob_bytes > 5000 BEGIN SELECT RAISE(ABORT, "
+      "CREATE TRIGGER stop BEFORE UPDATE OF blob_bytes ON submaps WHEN NEW.blob_bytes > 4000 BEGIN SELECT RAISE(ABORT, "
       "'no'); END");
   generator_.AddBlocks(*map->FindMutable(SubmapId(1)), 10);
   generator_.AddSubmap(*map, 20);

@@ -16,20 +16,19 @@ using testing::SqliteStoreTest;
 
 // Damage inside.
 
-TEST_F(SqliteStoreTest, AFlippedByteInABlobNamesTheBlockAndLeavesOtherMapsAlone) {
+TEST_F(SqliteStoreTest, AFlippedByteInABlobNamesTheTileAndLeavesOtherMapsAlone) {
   Open();
   const auto map = CreateSample("house");
   const auto other = CreateSample("other");
   store_ = nullptr;
   Tamper(
-      "UPDATE label_blocks SET blob = CAST(substr(blob, 1, 40) || x'5A' || substr(blob, 42) AS BLOB) WHERE submap_key "
-      "= "
-      "(SELECT submap_key FROM submaps JOIN maps USING (map_key) WHERE name = 'house' AND submap_id = 2) "
-      "AND block_key = (SELECT min(block_key) FROM label_blocks b WHERE b.submap_key = label_blocks.submap_key)");
+      "UPDATE tile_blobs SET blob = CAST(substr(blob, 1, 40) || x'5A' || substr(blob, 42) AS BLOB) WHERE blob_key = "
+      "(SELECT min(blob_key) FROM tiles WHERE layer = 2 AND owner_key = "
+      "(SELECT submap_key FROM submaps JOIN maps USING (map_key) WHERE name = 'house' AND submap_id = 2))");
   Open();
   const Status loaded = store_->LoadMap("house").status();
   EXPECT_EQ(loaded.code(), StatusCode::kDataLoss);
-  for (const char* part : {"map 'house'", "submap 2", "label block ("}) {
+  for (const char* part : {"map 'house'", "submap 2", "label tile ("}) {
     EXPECT_NE(loaded.message().find(part), std::string::npos) << loaded.ToString();
   }
   ExpectDiscreet(loaded, Path());
@@ -42,9 +41,14 @@ TEST_F(SqliteStoreTest, AFlippedByteInATileNamesTheLayerAndATileOfALaterVersionI
   Open();
   CreateSample("house");
   CreateSample("other");
+  CreateSample("third");
   store_ = nullptr;
-  Tamper("UPDATE map_tiles SET blob = CAST(substr(blob, 1, 9) || x'5A' || substr(blob, 11) AS BLOB) WHERE map_key = 1");
-  Tamper("UPDATE map_tiles SET layer = 9 WHERE map_key = 2");
+  Tamper(
+      "UPDATE tile_blobs SET blob = CAST(substr(blob, 1, 9) || x'5A' || substr(blob, 11) AS BLOB) WHERE blob_key IN "
+      "(SELECT blob_key FROM tiles WHERE owner_key = -1)");
+  Tamper("UPDATE tiles SET layer = 9 WHERE owner_key = -2");
+  Tamper(
+      "UPDATE tiles SET layer = 9 WHERE layer = 4 AND owner_key IN (SELECT submap_key FROM submaps WHERE map_key = 3)");
   Open();
   const Status loaded = store_->LoadMap("house").status();
   EXPECT_EQ(loaded.code(), StatusCode::kDataLoss) << loaded.ToString();
@@ -52,11 +56,13 @@ TEST_F(SqliteStoreTest, AFlippedByteInATileNamesTheLayerAndATileOfALaterVersionI
     EXPECT_NE(loaded.message().find(part), std::string::npos) << loaded.ToString();
   }
   ExpectDiscreet(loaded, Path());
-  const Status later = store_->LoadMap("other").status();
-  EXPECT_EQ(later.code(), StatusCode::kFailedPrecondition) << later.ToString();
-  EXPECT_NE(later.message().find("layer 9 tile ("), std::string::npos) << later.ToString();
-  EXPECT_EQ(later.reason(), Reason("NEWER_LAYER"));
   EXPECT_EQ(loaded.reason(), Reason("DAMAGED_MAP"));
+  for (const char* name : {"other", "third"}) {
+    const Status later = store_->LoadMap(name).status();
+    EXPECT_EQ(later.code(), StatusCode::kFailedPrecondition) << later.ToString();
+    EXPECT_NE(later.message().find("layer 9 tile ("), std::string::npos) << later.ToString();
+    EXPECT_EQ(later.reason(), Reason("NEWER_LAYER"));
+  }
 }
 
 TEST_F(SqliteStoreTest, AnyOtherChangeOfWhatAMapConsistsOfIsDataLoss) {
@@ -76,15 +82,19 @@ TEST_F(SqliteStoreTest, AnyOtherChangeOfWhatAMapConsistsOfIsDataLoss) {
       "UPDATE submaps SET track_id = 12345",
       "UPDATE submaps SET submap_id = submap_id + 50 WHERE submap_id > 1",
       "DELETE FROM submaps WHERE submap_key = " + submap,
-      "DELETE FROM tsdf_blocks WHERE block_key = (SELECT max(block_key) FROM tsdf_blocks)",
-      "UPDATE tsdf_blocks SET x = x + 1000",
-      "UPDATE tsdf_blocks SET blob = x''",
-      "UPDATE label_blocks SET submap_key = " + submap + " WHERE block_key = (SELECT min(block_key) FROM label_blocks)",
-      "UPDATE label_blocks SET blob = (SELECT blob FROM tsdf_blocks LIMIT 1)",
-      "DELETE FROM map_tiles WHERE tile_key = (SELECT max(tile_key) FROM map_tiles)",
-      "UPDATE map_tiles SET z = z + 1000",
-      "UPDATE map_tiles SET blob = x''",
-      "UPDATE map_tiles SET blob = (SELECT blob FROM tsdf_blocks LIMIT 1)",
+      "DELETE FROM tiles WHERE blob_key = (SELECT max(blob_key) FROM tiles WHERE layer = 1)",
+      "DELETE FROM tiles WHERE owner_key = -1 AND blob_key = (SELECT max(blob_key) FROM tiles WHERE owner_key = -1)",
+      "DELETE FROM tile_blobs WHERE blob_key = (SELECT max(blob_key) FROM tiles WHERE layer = 1)",
+      "DELETE FROM tile_blobs WHERE blob_key = (SELECT max(blob_key) FROM tiles WHERE layer = 3)",
+      "UPDATE tiles SET x = x + 1000",
+      "UPDATE tiles SET z = z + 1000 WHERE layer = 3",
+      "UPDATE OR REPLACE tiles SET owner_key = " + submap +
+          " WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE layer = 2)",
+      "UPDATE tiles SET blob_key = (SELECT min(blob_key) FROM tile_blobs) WHERE owner_key > 0",
+      "UPDATE tile_blobs SET blob = x''",
+      "UPDATE tile_blobs SET blob = x'' WHERE blob_key IN (SELECT blob_key FROM tiles WHERE layer = 3)",
+      "UPDATE submaps SET tiles_sum = tiles_sum + 1",
+      "UPDATE maps SET tiles_sum = tiles_sum + 1",
       "UPDATE maps SET num_tiles = num_tiles - 1",
   };
   for (const std::string& change : changes) {
@@ -159,7 +169,7 @@ TEST_F(SqliteStoreTest, AFileThatIsTruncatedInTheMiddleOfAReadIsATypedError) {
   ReaderPool readers(Path(), OpenMode::kReadOnly, 1000);
   auto lease = readers.Borrow();
   ASSERT_TRUE(lease.ok());
-  auto blobs = (**lease).Prepare("SELECT blob FROM tsdf_blocks ORDER BY block_key", "read the blocks");
+  auto blobs = (**lease).Prepare("SELECT blob FROM tile_blobs ORDER BY blob_key", "read the tiles");
   ASSERT_TRUE(*blobs->Step());
   fs::resize_file(Path(), 8192);
   const Status status = blobs->Run();

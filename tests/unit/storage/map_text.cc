@@ -119,15 +119,31 @@ std::string RowText(const Submap& submap) {
   return text + "\n";
 }
 
+/// Its tiles by their first block, whatever order they were loaded in.
+std::vector<const BlockTile*> SortedTiles(const Submap& submap) {
+  const auto first_block = [](const BlockTile& tile) {
+    BlockIndex first = tile.entries().front().index;
+    for (const BlockEntry& entry : tile.entries()) first = std::min(first, entry.index);
+    return first;
+  };
+  std::vector<const BlockTile*> tiles;
+  for (const TileEntry& entry : submap.blocks().tiles()) tiles.push_back(entry.tile.get());
+  std::sort(tiles.begin(), tiles.end(),
+            [&](const BlockTile* a, const BlockTile* b) { return first_block(*a) < first_block(*b); });
+  return tiles;
+}
+
 std::string BlocksText(const Submap& submap) {
   std::string text;
   int num_in_full = kBlocksInFull;
-  for (const BlockEntry& entry : submap.blocks().entries()) {
-    const int num_voxels = num_in_full-- > 0 ? kVoxelsInFull : 0;
-    text += Line("  block %d %d %d", entry.index.x, entry.index.y, entry.index.z);
-    if (entry.tsdf) text += TextOf(*entry.tsdf, num_voxels);
-    if (entry.labels) text += TextOf(*entry.labels, num_voxels);
-    if (entry.gone) text += TextOf(*entry.gone);
+  for (const BlockTile* tile : SortedTiles(submap)) {
+    for (const BlockEntry& entry : tile->entries()) {
+      const int num_voxels = num_in_full-- > 0 ? kVoxelsInFull : 0;
+      text += Line("  block %d %d %d", entry.index.x, entry.index.y, entry.index.z);
+      if (entry.tsdf) text += TextOf(*entry.tsdf, num_voxels);
+      if (entry.labels) text += TextOf(*entry.labels, num_voxels);
+      if (entry.gone) text += TextOf(*entry.gone);
+    }
   }
   return text;
 }

@@ -71,7 +71,7 @@ TEST_F(SqliteStoreTest, MarksItsFiles) {
 }
 
 TEST_F(SqliteStoreTest, AMissingTableOrTriggerIsDataLoss) {
-  for (const char* damage : {"DROP TRIGGER submaps_delete_box", "DROP TABLE label_blocks"}) {
+  for (const char* damage : {"DROP TRIGGER submaps_delete_box", "DROP TABLE tiles"}) {
     fs::remove(Path());
     Open();
     store_ = nullptr;

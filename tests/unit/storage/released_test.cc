@@ -3,8 +3,9 @@
 #include <map>
 #include <sstream>
 
-#include "storage/rows/submap_rows.h"
+#include "storage/schema/bundle_blocks.h"
 #include "storage/schema/migrate.h"
+#include "storage/tiles/object_layers.h"
 #include "tests/support/places.h"
 #include "tests/unit/storage/map_text.h"
 #include "tests/unit/storage/sqlite_fixture.h"
@@ -114,6 +115,59 @@ TEST_P(ReleasedDatabaseTest, HoldsWhatWasWrittenAndTakesMore) {
   ExpectAllOfIt();
 }
 
+int num_parts_before_the_kill = 0;
+
+/// The work of step 7 in parts of one tile, until the process is killed.
+const SchemaWork kKilledWork = {.is_left = kBundleBlocks.is_left,
+                                .do_some = [](sqlite::Database& database, std::int64_t) -> Result<std::int64_t> {
+                                  if (num_parts_before_the_kill-- == 0) return Unavailable("killed");
+                                  return kBundleBlocks.do_some(database, 1);
+                                },
+                                .unit = "submaps"};
+
+TEST_P(ReleasedDatabaseTest, BringingItUpToDateGoesOnWhereItWasKilled) {
+  if (GetParam() >= 7) GTEST_SKIP() << "has tiles already";
+  const std::string given = Path() + ".given";
+  fs::copy_file(Path(), given);
+  for (const int num_parts : {0, 1, 5, 20}) {
+    SCOPED_TRACE("after " + std::to_string(num_parts) + " parts");
+    fs::copy_file(given, Path(), fs::copy_options::overwrite_existing);
+    std::vector<SchemaStep> steps(ReleasedSteps().begin(), ReleasedSteps().begin() + 7);
+    steps.back().work = &kKilledWork;
+    num_parts_before_the_kill = num_parts;
+    {
+      auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadWrite, 1000);
+      ASSERT_TRUE(database.ok());
+      EXPECT_EQ(MigrateSchema(*database, steps).code(), StatusCode::kUnavailable);
+      EXPECT_EQ(InspectSchema(*database).value(), SchemaState::kOlder);
+    }
+    EXPECT_EQ(Query("PRAGMA user_version"), 7) << "no older version may write to it meanwhile";
+    EXPECT_EQ(Query("SELECT count(*) FROM tiles"), num_parts);
+    EXPECT_EQ(TryOpen(true).reason(), Reason("OLDER_SCHEMA"));
+    Open();
+    ExpectAllOfIt();
+    store_ = nullptr;
+    EXPECT_EQ(Query("SELECT count(*) FROM sqlite_schema WHERE name LIKE '%_blocks' OR name = 'map_tiles'"), 0);
+  }
+}
+
+int NumLeft(const std::string& message) { return std::stoi(message.substr(message.find(": ") + 2)); }
+
+TEST_P(ReleasedDatabaseTest, TellsHowFarBringingItUpToDateHasCome) {
+  if (GetParam() >= 7) GTEST_SKIP() << "has tiles already";
+  num_parts_before_the_kill = -1;  // never
+  std::vector<SchemaStep> steps(ReleasedSteps().begin(), ReleasedSteps().begin() + 7);
+  steps.back().work = &kKilledWork;
+  std::vector<std::string> messages;
+  auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadWrite, 1000);
+  ASSERT_TRUE(MigrateSchema(*database, steps, [&](const std::string& message) { messages.push_back(message); }).ok());
+  ASSERT_GT(messages.size(), 3u);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    EXPECT_TRUE(messages[i].starts_with("bringing the database up to date: ")) << messages[i];
+    EXPECT_LE(NumLeft(messages[i]), NumLeft(messages[i == 0 ? 0 : i - 1]));
+  }
+}
+
 TEST_P(ReleasedDatabaseTest, DamageInItIsStillSeen) {
   Open();
   store_ = nullptr;
@@ -121,9 +175,11 @@ TEST_P(ReleasedDatabaseTest, DamageInItIsStillSeen) {
        {"UPDATE maps SET num_frames = num_frames + 1", "UPDATE submaps SET activity = 1 - activity",
         "UPDATE map_config SET value = '0.5' WHERE key = 'voxel_size_m'",
         "DELETE FROM map_config WHERE key = 'truncation_m'", "UPDATE label_classes SET size = 1 - (size > 0)",
-        "UPDATE maps SET checksum_version = checksum_version + 1", "UPDATE submaps SET checksum_version = 3",
+        "UPDATE maps SET checksum_version = checksum_version + 1", "UPDATE submaps SET checksum_version = 9",
         "INSERT INTO feed_sessions SELECT map_key, 'robot', 5, 6 FROM maps", "UPDATE maps SET sessions_checksum = 1",
-        "UPDATE maps SET num_tiles = num_tiles + 1", "INSERT INTO merged_ids SELECT map_key, 5, 1 FROM maps",
+        "UPDATE maps SET num_tiles = num_tiles + 1", "UPDATE maps SET tiles_sum = tiles_sum + 1",
+        "DELETE FROM tiles WHERE layer = 1", "DELETE FROM tile_blobs",
+        "INSERT INTO merged_ids SELECT map_key, 5, 1 FROM maps",
         "INSERT INTO object_pairs SELECT map_key, 1, 2, 1, 0 FROM maps", "UPDATE maps SET pairs_checksum = 1"}) {
     const std::string intact = Path() + ".intact";
     if (!fs::exists(intact)) fs::copy_file(Path(), intact);

@@ -98,12 +98,12 @@ int Run(int argc, char** argv) {
 
   // Grows commit by commit among the other's, as mapping makes it.
   Map house(generator.Info("house"));
-  const SubmapId id = generator.AddSubmap(house, 60).id();
+  generator.AddSubmap(house, 60);
   Must(store.CreateMap(*house.Publish(1)));
   Beside(committer, [&] {
     for (std::int64_t n = 2; Megabytes(path) < wanted_mb; ++n) {
       const auto before = house.published();
-      for (int i = 0; i < 20; ++i) house.Clone(id);
+      for (int i = 0; i < 20; ++i) generator.AddSubmap(house, 60);
       Must(store.Commit(*before, *house.Publish(n), Durability::kNormal));
     }
   });

@@ -64,11 +64,10 @@ class SteppedReclaimer {
 
 class SpaceReclaimerTest : public SqliteStoreTest {
  protected:
-  /// Copies of one object, some 30 KB each.
+  /// Objects of some 30 KB each.
   std::unique_ptr<Map> CreateMap(const std::string& name, int num_objects) {
     auto map = std::make_unique<Map>(generator_.Info(name));
-    const SubmapId id = generator_.AddSubmap(*map, 30).id();
-    for (int n = 1; n < num_objects; ++n) map->Clone(id);
+    for (int n = 0; n < num_objects; ++n) generator_.AddSubmap(*map, 30);
     const Status created = store_->CreateMap(*map->Publish(11));
     EXPECT_TRUE(created.ok()) << created.ToString();
     return map;
@@ -166,12 +165,12 @@ TEST_F(SpaceReclaimerTest, AReaderKeepsItsStateAndTheFileIsCutWhenItHasGone) {
   {
     auto reading = Transaction::BeginRead(*reader);
     ASSERT_TRUE(reading.ok());
-    const std::int64_t num_blocks = reader->QueryInt("SELECT count(*) FROM tsdf_blocks", "look").value();
-    ASSERT_GT(num_blocks, 300);
+    const std::int64_t num_blobs = reader->QueryInt("SELECT count(*) FROM tile_blobs", "look").value();
+    ASSERT_GT(num_blobs, 300);
     Tamper("PRAGMA foreign_keys = ON; DELETE FROM maps");
     EXPECT_EQ(reclaimer.Run(), Progress::kBlocked);
     EXPECT_EQ(FileBytes(), bytes_before);
-    EXPECT_EQ(reader->QueryInt("SELECT count(*) FROM tsdf_blocks", "look").value(), num_blocks);
+    EXPECT_EQ(reader->QueryInt("SELECT count(*) FROM tile_blobs", "look").value(), num_blobs);
     EXPECT_EQ(
         reader->QueryInt("SELECT count(*) FROM pragma_integrity_check WHERE integrity_check = 'ok'", "look").value(),
         1);
@@ -179,7 +178,7 @@ TEST_F(SpaceReclaimerTest, AReaderKeepsItsStateAndTheFileIsCutWhenItHasGone) {
   EXPECT_EQ(reclaimer.Run(), Progress::kDone);
   EXPECT_LT(FileBytes(), bytes_before / 4);
   EXPECT_EQ(LogBytes(), 0);
-  EXPECT_EQ(reader->QueryInt("SELECT count(*) FROM tsdf_blocks", "look").value(), 0);
+  EXPECT_EQ(reader->QueryInt("SELECT count(*) FROM tile_blobs", "look").value(), 0);
 }
 
 /// A file with much to give back and a map that stays, to be copied for each fault.

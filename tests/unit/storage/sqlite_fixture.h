@@ -72,7 +72,7 @@ class SqliteStoreTest : public ::testing::Test {
 /// No status that may reach a client shows a path or SQL.
 inline void ExpectDiscreet(const Status& status, const std::string& path) {
   EXPECT_EQ(status.ToString().find(path), std::string::npos) << status.ToString();
-  for (const char* word : {"SELECT", "INSERT", "UPDATE", "PRAGMA", "tsdf_blocks"}) {
+  for (const char* word : {"SELECT", "INSERT", "UPDATE", "PRAGMA", "tile_blobs"}) {
     EXPECT_EQ(status.ToString().find(word), std::string::npos) << status.ToString();
   }
 }

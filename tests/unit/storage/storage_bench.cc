@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap_storage_bench DATASET [predicted|groundtruth|none] [FRAMES] [DATABASE]: maps a data set in process, commits
-// after every frame as a server does, and reports sizes and rates of codec and store.
+// after every frame as a server does, and reports sizes and rates of codec and store, what tiles write beyond the
+// blocks that changed, and what a clone and a move of an object of a million voxels cost.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "clients/datasets/dataset.h"
 #include "mapping/pipeline/map_builder.h"
-#include "storage/codec/label_codec.h"
-#include "storage/codec/tsdf_codec.h"
+#include "storage/sqlite/database.h"
 #include "storage/store.h"
+#include "storage/tiles/object_layers.h"
 #include "tests/bench/cpu_time.h"
 #include "tests/support/scenes.h"
 
@@ -36,53 +43,155 @@ void Must(const Status& status) {
   std::exit(1);
 }
 
-void Report(const char* what, std::size_t num_blocks, std::size_t num_voxels, std::size_t bytes, std::size_t raw_bytes,
-            double encode_s, double decode_s) {
-  const auto blocks = static_cast<double>(num_blocks);
-  std::printf(
-      "%-6s %7zu blocks %7.1f B/block %6.3f B/voxel %6.2f B/seen voxel  encode %5.1f us %6.0f MB/s  decode %5.1f us "
-      "%6.0f MB/s\n",
-      what, num_blocks, static_cast<double>(bytes) / blocks, static_cast<double>(bytes) / blocks / kBlockVoxels,
-      static_cast<double>(bytes) / static_cast<double>(num_voxels), 1e6 * encode_s / blocks,
-      static_cast<double>(raw_bytes) / encode_s / 1e6, 1e6 * decode_s / blocks,
-      static_cast<double>(raw_bytes) / decode_s / 1e6);
+std::int64_t NumBlocks(const BlockTile& tile, BlockLayer wanted) {
+  std::int64_t count = 0;
+  for (const BlockEntry& entry : tile.entries()) {
+    ForEachLayer([&](BlockLayer layer, const auto& block) { count += layer == wanted && block != nullptr; }, entry);
+  }
+  return count;
 }
 
-/// One thread; rates are of the blocks as they are in memory.
+/// Of one layer, over all tiles of a map.
+struct CodecSums {
+  std::int64_t num_tiles = 0, num_blocks = 0, bytes = 0;
+  double encode_s = 0, decode_s = 0;
+};
+
+/// One thread.
 void MeasureCodecs(const MapSnapshot& map) {
-  std::size_t num_tsdf = 0, num_observed = 0, tsdf_bytes = 0, num_labels = 0, num_labelled = 0, label_bytes = 0,
-              label_raw = 0;
-  double tsdf_encode_s = 0, tsdf_decode_s = 0, label_encode_s = 0, label_decode_s = 0;
-  TsdfBlock tsdf;
-  LabelBlock labels;
+  std::array<CodecSums, kNumBlockLayers> sums{};
   for (const auto& submap : map.submaps()) {
-    for (const BlockEntry& entry : submap->blocks().entries()) {
-      if (entry.tsdf) {
+    for (const TileEntry& entry : submap->blocks().tiles()) {
+      for (const ObjectLayer& layer : ObjectLayers()) {
+        CodecSums& sum = sums[static_cast<std::size_t>(layer.layer)];
+        const std::int64_t num_blocks = NumBlocks(*entry.tile, layer.layer);
+        if (num_blocks == 0) continue;
         double begin = bench::ThreadCpu_s();
-        const Bytes blob = EncodeTsdfBlock(*entry.tsdf, entry.index, submap->info().truncation_m);
-        tsdf_encode_s += bench::ThreadCpu_s() - begin;
+        const Bytes blob = layer.encode(*entry.tile, entry.index, submap->info());
+        sum.encode_s += bench::ThreadCpu_s() - begin;
+        BlockTile tile;
         begin = bench::ThreadCpu_s();
-        Must(DecodeTsdfBlock(blob, entry.index, tsdf));
-        tsdf_decode_s += bench::ThreadCpu_s() - begin;
-        ++num_tsdf, tsdf_bytes += blob.size();
-        num_observed += static_cast<std::size_t>(entry.tsdf->NumObservedVoxels());
-      }
-      if (entry.labels) {
-        double begin = bench::ThreadCpu_s();
-        const Bytes blob = EncodeLabelBlock(*entry.labels, entry.index);
-        label_encode_s += bench::ThreadCpu_s() - begin;
-        begin = bench::ThreadCpu_s();
-        Must(DecodeLabelBlock(blob, entry.index, labels));
-        label_decode_s += bench::ThreadCpu_s() - begin;
-        ++num_labels, label_bytes += blob.size(), label_raw += entry.labels->MemoryBytes();
-        for (int i = 0; i < kBlockVoxels; ++i) num_labelled += !entry.labels->IsEmpty(i);
+        Must(layer.decode(blob, entry.index, tile));
+        sum.decode_s += bench::ThreadCpu_s() - begin;
+        sum.num_tiles += 1;
+        sum.num_blocks += num_blocks;
+        sum.bytes += static_cast<std::int64_t>(blob.size());
       }
     }
   }
-  Report("tsdf", num_tsdf, num_observed, tsdf_bytes, num_tsdf * sizeof(TsdfBlock), tsdf_encode_s, tsdf_decode_s);
-  if (num_labels > 0) {
-    Report("labels", num_labels, num_labelled, label_bytes, label_raw, label_encode_s, label_decode_s);
+  for (const ObjectLayer& layer : ObjectLayers()) {
+    const CodecSums& sum = sums[static_cast<std::size_t>(layer.layer)];
+    if (sum.num_tiles == 0) continue;
+    const auto tiles = static_cast<double>(sum.num_tiles), blocks = static_cast<double>(sum.num_blocks);
+    const auto bytes = static_cast<double>(sum.bytes);
+    std::printf(
+        "%-6s %6lld tiles of %.1f blocks, %.0f B/tile, %.1f B/block, %.3f B/voxel; encode %.0f us a tile, %.1f a "
+        "block; "
+        "decode %.0f us a tile, %.1f a block\n",
+        std::string(layer.name).c_str(), static_cast<long long>(sum.num_tiles), blocks / tiles, bytes / tiles,
+        bytes / blocks, bytes / blocks / kBlockVoxels, 1e6 * sum.encode_s / tiles, 1e6 * sum.encode_s / blocks,
+        1e6 * sum.decode_s / tiles, 1e6 * sum.decode_s / blocks);
   }
+}
+
+/// Bytes of what commits wrote, and what they would have in tiles of other sizes.
+struct Written {
+  std::size_t block_bytes = 0;  ///< the blocks that changed, one by one
+  std::size_t cube_bytes = 0;   ///< the cubes of 2^3 blocks around them
+  std::size_t tile_bytes = 0;   ///< their tiles
+
+  [[nodiscard]] double Amplification(std::size_t bytes) const {
+    return static_cast<double>(bytes) / static_cast<double>(block_bytes);
+  }
+};
+
+/// The blocks of a tile that lie in one of its cubes of 2^3; `cube` is of one of its blocks.
+BlockTile CubeOf(const BlockTile& tile, BlockIndex cube) {
+  BlockTile part;
+  for (const BlockEntry& entry : tile.entries()) {
+    const BlockIndex b = entry.index;
+    if ((b.x >> 1) == cube.x && (b.y >> 1) == cube.y && (b.z >> 1) == cube.z) part.FindOrInsert(b) = entry;
+  }
+  return part;
+}
+
+void Count(const MapSnapshot& before, const MapSnapshot& after, Written& written) {
+  for (const SubmapTileChange& change : DiffTiles(before, after)) {
+    for (const TileChange& tile : change.tiles) {
+      for (const ObjectLayer& layer : ObjectLayers()) {
+        const auto i = static_cast<std::size_t>(layer.layer);
+        if (!tile.is_written[i] || tile.num_after[i] == 0) continue;
+        written.tile_bytes += layer.encode(*tile.after, tile.index, change.after->info()).size();
+      }
+    }
+  }
+  for (const SubmapChange& change : DiffSnapshots(before, after)) {
+    std::set<std::pair<BlockLayer, BlockIndex>> cubes;
+    const auto count = [&](BlockLayer layer, const std::vector<const BlockEntry*>& blocks) {
+      const ObjectLayer& codec = ObjectLayers()[static_cast<std::size_t>(layer)];
+      for (const BlockEntry* entry : blocks) {
+        const TileIndex index = TileOf(entry->index);
+        BlockTile one;
+        one.FindOrInsert(entry->index) = *entry;
+        written.block_bytes += codec.encode(one, index, change.after->info()).size();
+        const BlockIndex cube{entry->index.x >> 1, entry->index.y >> 1, entry->index.z >> 1};
+        if (!cubes.insert({layer, cube}).second) continue;
+        const BlockTile part = CubeOf(*change.after->blocks().FindTile(index)->tile, cube);
+        written.cube_bytes += codec.encode(part, index, change.after->info()).size();
+      }
+    };
+    count(BlockLayer::kTsdf, change.written_tsdf);
+    count(BlockLayer::kLabels, change.written_labels);
+    count(BlockLayer::kGone, change.written_gone);
+  }
+}
+
+/// Once what is no longer needed is collected.
+std::int64_t UsedBytes(const std::string& path) {
+  auto database = Must(sqlite::Database::Open(path, sqlite::OpenMode::kReadOnly, 1000));
+  while (Must(database.QueryInt("SELECT count(*) FROM dead_blobs", "measure")) > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  constexpr std::int64_t kPageBytes = 4096;
+  return kPageBytes * (Must(database.QueryInt("PRAGMA page_count", "measure")) -
+                       Must(database.QueryInt("PRAGMA freelist_count", "measure")));
+}
+
+/// What a change of one object costs that touches none of its voxels, with nothing else to commit.
+template <typename Change>
+void MeasureEdit(const char* what, MapStore& store, const std::string& path, Map& map, Change&& change) {
+  constexpr int kTimes = 40;
+  constexpr double kWantedBlocks = 1e6 / kBlockVoxels;
+  const auto off = [](const Submap& submap) {
+    return std::abs(static_cast<double>(submap.blocks().size()) - kWantedBlocks);
+  };
+  const Submap* subject = map.submaps()[0].get();
+  for (const auto& submap : map.submaps()) {
+    if (off(*submap) < off(*subject)) subject = submap.get();
+  }
+  const SubmapId id = subject->id();
+  const std::size_t num_blocks = subject->blocks().size(), num_tiles = subject->blocks().tiles().size();
+  StateMarks marks(*map.published());
+  const std::int64_t bytes_before = UsedBytes(path);
+  std::vector<double> times_ms, cpu_ms;
+  for (int n = 0; n < kTimes; ++n) {
+    const auto begin = Clock::now();
+    const double cpu_begin_s = bench::ProcessCpu_s();
+    change(map, id, n);
+    const auto after = map.Publish(n);
+    Must(store.Commit(marks, *after, Durability::kFull));
+    times_ms.push_back(1e3 * SecondsSince(begin));
+    cpu_ms.push_back(1e3 * (bench::ProcessCpu_s() - cpu_begin_s));
+    marks = StateMarks(*after, &marks);
+  }
+  std::sort(times_ms.begin(), times_ms.end());
+  std::sort(cpu_ms.begin(), cpu_ms.end());
+  const double bytes = static_cast<double>(UsedBytes(path) - bytes_before) / kTimes;
+  std::printf(
+      "%s of %.2f M voxels in %zu tiles: durable in %.1f ms (median of %d; slowest %.1f), CPU %.1f ms; "
+      "%.0f B on disk, %.1f a tile\n",
+      what, static_cast<double>(num_blocks) * kBlockVoxels / 1e6, num_tiles, times_ms[kTimes / 2], kTimes,
+      times_ms.back(), cpu_ms[kTimes / 2], bytes, bytes / static_cast<double>(num_tiles));
 }
 
 int Run(int argc, char** argv) {
@@ -109,6 +218,7 @@ int Run(int argc, char** argv) {
 
   double fuse_s = 0, commit_s = 0, commit_cpu_s = 0, slowest_commit_s = 0;
   std::size_t num_written = 0;
+  Written written;
   for (std::size_t f = 0; f < num_frames; ++f) {
     const PanopticFrame frame = Must(DecodeFrame(Must(dataset->Read(f)), dataset->has_persistent_ids()));
     auto begin = Clock::now();
@@ -118,6 +228,8 @@ int Run(int argc, char** argv) {
     for (const SubmapChange& change : DiffSnapshots(committed.get(), *after)) {
       num_written += change.written_tsdf.size() + change.written_labels.size();
     }
+    constexpr std::size_t kCountEvery = 3;
+    if (f % kCountEvery == 0) Count(*committed, *after, written);
     begin = Clock::now();
     const double cpu_begin_s = bench::ProcessCpu_s();
     Must(store->Commit(marks, *after, Durability::kNormal));
@@ -135,6 +247,10 @@ int Run(int argc, char** argv) {
       num_frames, 1e3 * fuse_s / frames, 1e3 * commit_s / frames, 1e3 * slowest_commit_s, 1e3 * commit_cpu_s / frames,
       static_cast<double>(num_written) / frames, 1e6 * commit_cpu_s / static_cast<double>(num_written));
 
+  std::printf(
+      "written: %.1f MB of blocks that changed; %.2f times that in cubes of 2^3 blocks, %.2f times in tiles of 4^3\n",
+      static_cast<double>(written.block_bytes) / 1e6, written.Amplification(written.cube_bytes),
+      written.Amplification(written.tile_bytes));
   MeasureCodecs(*committed);
   const StoredMap stored = Must(store->GetMap("bench"));
   std::size_t memory_bytes = 0;
@@ -154,6 +270,16 @@ int Run(int argc, char** argv) {
   begin = Clock::now();
   Must(store->DeleteMap("copy"));
   const double delete_s = SecondsSince(begin);
+  std::int64_t num_blocks = 0;
+  for (const auto& submap : committed->submaps()) num_blocks += static_cast<std::int64_t>(submap->blocks().size());
+  const double used = static_cast<double>(UsedBytes(path));
+  std::printf("%.1f MB in use in the file, %.3f B an allocated voxel\n", used / 1e6,
+              used / static_cast<double>(num_blocks) / kBlockVoxels);
+  Map& map = builder.map();
+  MeasureEdit("move", *store, path, map, [](Map& edited, SubmapId id, int n) {
+    edited.FindMutable(id)->mutable_info().T_map_submap.translation().x() = 0.01 * n;
+  });
+  MeasureEdit("clone", *store, path, map, [](Map& edited, SubmapId id, int) { edited.Clone(id); });
   store = nullptr;
   const double mb = static_cast<double>(memory_bytes) / 1e6;
   std::printf(

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <array>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
+
+#include "mapping/map/diff_submap.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 // GCC's sanitizers have it, but Debian packs no header that declares it.
@@ -145,6 +149,83 @@ TEST(StateMarks, TellTheDifferenceOfTwoStatesAsTheStatesThemselvesDo) {
       marks = StateMarks(*after, step % 2 == 0 ? &marks : nullptr);
       before = after;
     }
+  }
+}
+
+using LayersOfTiles = std::map<TileIndex, std::array<bool, kNumBlockLayers>>;
+
+/// Which layers of which tiles were written, from the difference block by block.
+LayersOfTiles WrittenLayers(const SubmapChange& change) {
+  LayersOfTiles tiles;
+  const auto add = [&tiles](BlockLayer layer, BlockIndex block) {
+    tiles[TileOf(block)][static_cast<std::size_t>(layer)] = true;
+  };
+  for (const BlockEntry* entry : change.written_tsdf) add(BlockLayer::kTsdf, entry->index);
+  for (const BlockEntry* entry : change.written_labels) add(BlockLayer::kLabels, entry->index);
+  for (const BlockEntry* entry : change.written_gone) add(BlockLayer::kGone, entry->index);
+  for (const BlockIndex index : change.erased_tsdf) add(BlockLayer::kTsdf, index);
+  for (const BlockIndex index : change.erased_labels) add(BlockLayer::kLabels, index);
+  for (const BlockIndex index : change.erased_gone) add(BlockLayer::kGone, index);
+  return tiles;
+}
+
+std::array<std::int32_t, kNumBlockLayers> NumBlocks(const Submap* submap, TileIndex index) {
+  std::array<std::int32_t, kNumBlockLayers> counts{};
+  const TileEntry* tile = submap != nullptr ? submap->blocks().FindTile(index) : nullptr;
+  if (tile == nullptr) return counts;
+  for (const BlockEntry& entry : tile->tile->entries()) {
+    counts[0] += entry.tsdf != nullptr;
+    counts[1] += entry.labels != nullptr;
+    counts[2] += entry.gone != nullptr;
+  }
+  return counts;
+}
+
+TEST(StateMarks, TellTheDifferenceTileByTileAsBlockByBlock) {
+  std::mt19937 random(8);
+  Map map = RowOfBlocks(10);
+  int num_clones = 0;
+  for (int round = 0; round < 60; ++round) {
+    const auto before = map.Publish(round);
+    const StateMarks marks(*before);
+    for (int n = 0; n < 6; ++n) Change(random, map);
+    const auto after = map.Publish(1000 + round);
+    const std::vector<SubmapChange> blocks = DiffSnapshots(marks, *after);
+    const std::vector<SubmapTileChange> tiles = DiffTiles(marks, *after);
+    ASSERT_EQ(tiles.size(), blocks.size());
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      // A clone is compared with what it was cloned from.
+      const Submap* old = before->Find(tiles[i].copy_of.value_or(tiles[i].id));
+      num_clones += tiles[i].copy_of.has_value();
+      EXPECT_TRUE(!tiles[i].copy_of || (tiles[i].is_new && old != nullptr));
+      EXPECT_EQ(tiles[i].id, blocks[i].id);
+      EXPECT_EQ(tiles[i].after, blocks[i].after);
+      EXPECT_EQ(tiles[i].is_new, blocks[i].is_new);
+      LayersOfTiles written;
+      for (const TileChange& tile : tiles[i].tiles) {
+        written[tile.index] = tile.is_written;
+        EXPECT_EQ(tile.num_before, NumBlocks(old, tile.index));
+        EXPECT_EQ(tile.num_after, NumBlocks(tiles[i].after, tile.index));
+      }
+      EXPECT_EQ(written, WrittenLayers(tiles[i].after != nullptr ? DiffSubmap(old, *tiles[i].after) : SubmapChange()));
+    }
+  }
+  EXPECT_GT(num_clones, 5);
+}
+
+TEST(StoredKey, IsOfOneStoreAndOfOneState) {
+  const StoredKey key;
+  EXPECT_EQ(key.In(1), 0);
+  key.Set(1, 77);
+  EXPECT_EQ(key.In(1), 77);
+  EXPECT_EQ(key.In(2), 0);
+  EXPECT_EQ(StoredKey(key).In(1), 0) << "a copy is made to be written to";
+  key.Set(65535, (std::int64_t{1} << 48) - 1);
+  EXPECT_EQ(key.In(65535), (std::int64_t{1} << 48) - 1);
+  EXPECT_EQ(key.In(1), 0);
+  for (const std::int64_t bad : {std::int64_t{1} << 48, std::int64_t{0}, std::int64_t{-1}}) {
+    key.Set(3, bad);
+    EXPECT_EQ(key.In(3), 0) << "not certain to be told apart";
   }
 }
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap verify: is what is stored of a map whole?
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "clients/cli/connection.h"
+#include "clients/cli/text_table.h"
+#include "dhpmap/v1/map_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+void PrintReport(const std::string& map, const v1::VerifyMapResponse& report) {
+  std::cout << map << " at revision " << report.revision() << ": " << report.num_submaps() << " submaps, "
+            << report.num_tiles() << " layers of tiles, " << report.num_blocks() << " of blocks, "
+            << Bytes(static_cast<double>(report.blob_bytes())) << "\n";
+  if (report.num_shared_voxels() > 0) {
+    std::cout << report.num_shared_voxels() << " voxels are held by several settled objects: not refined since\n";
+  }
+  for (const v1::VerifyMapResponse::Fault& fault : report.faults()) {
+    std::cout << v1::VerifyMapResponse::Fault::Kind_Name(fault.kind()) << "  " << fault.place() << " " << fault.what()
+              << "\n";
+  }
+  if (report.num_faults() > report.faults_size()) {
+    std::cout << "and " << report.num_faults() - report.faults_size() << " more\n";
+  }
+  if (report.num_faults() == 0) std::cout << "all of it is whole\n";
+  if (report.repaired()) std::cout << "what could not be read was dropped, the rest is kept\n";
+}
+
+ExitCode RunVerify(const Session& session, const std::string& map, bool repairs) {
+  grpc::ClientContext context;
+  v1::VerifyMapRequest request;
+  request.set_name(MapName(map));
+  request.set_repair(repairs);
+  v1::VerifyMapResponse report;
+  const grpc::Status status = v1::MapService::NewStub(Connect(session))->VerifyMap(&context, request, &report);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(report);
+  else PrintReport(MapName(map), report);
+  return report.num_faults() == 0 || report.repaired() ? ExitCode::kOk : ExitCode::kServerFailed;
+}
+
+}  // namespace
+
+void AddVerifyCommand(CLI::App& app, Session& session) {
+  struct Options {
+    std::string map;
+    bool repairs = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("verify", "Look through all that is stored of a map; exit code 6 for faults");
+  command->add_option("map", options->map, "Name of the map")->required();
+  command->add_flag("--repair", options->repairs,
+                    "Drop what cannot be read and keep the rest, if the map is not open: a damaged one never is");
+  command->callback([options, &session] { session.exit_code = RunVerify(session, options->map, options->repairs); });
+}
+
+}  // namespace dhpmap
