@@ -9,6 +9,7 @@
 #include "mapping/base/mutex.h"
 #include "mapping/base/thread_pool.h"
 #include "storage/backup.h"
+#include "storage/change_history.h"
 #include "storage/commit_rules.h"
 #include "storage/connection.h"
 #include "storage/file_lock.h"
@@ -77,8 +78,12 @@ StoredMap DamagedMap(const std::string& name, const Status& why) {
 
 class SqliteStore final : public MapStore {
  public:
-  SqliteStore(std::unique_ptr<Writer> writer, std::string path, sqlite::OpenMode reader_mode, int busy_timeout_ms)
-      : path_(path), writer_(std::move(writer)), readers_(std::move(path), reader_mode, busy_timeout_ms) {}
+  SqliteStore(std::unique_ptr<Writer> writer, std::string path, sqlite::OpenMode reader_mode,
+              const SqliteStoreOptions& options)
+      : path_(path),
+        change_limits_(options.changes),
+        writer_(std::move(writer)),
+        readers_(std::move(path), reader_mode, options.busy_timeout_ms) {}
 
   Result<std::vector<StoredMap>> ListMaps() override {
     return Read<std::vector<StoredMap>>([](Database& database) -> Result<std::vector<StoredMap>> {
@@ -109,7 +114,7 @@ class SqliteStore final : public MapStore {
     return Write(Durability::kFull, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::int64_t map_key, InsertMap(writer.database, snapshot));
       DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, map_key, 0, StateMarks(), snapshot));
-      return WriteChanges(writer.database, map_key, DiffSnapshots(StateMarks(), snapshot), writer.pool);
+      return WriteSubmaps(writer, map_key, StateMarks(), snapshot);
     });
   }
 
@@ -120,7 +125,14 @@ class SqliteStore final : public MapStore {
       DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
       DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, before.info(), after));
       DHPMAP_RETURN_IF_ERROR(WriteMapLayers(writer.database, head.key, head.num_tiles, before, after));
-      return WriteChanges(writer.database, head.key, DiffSnapshots(before, after), writer.pool);
+      return WriteSubmaps(writer, head.key, before, after);
+    });
+  }
+
+  Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) override {
+    return Read<ChangeList>([&](Database& database) -> Result<ChangeList> {
+      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(database, name));
+      return ReadChanges(database, head, after_revision, max_bytes);
     });
   }
 
@@ -163,6 +175,14 @@ class SqliteStore final : public MapStore {
   }
 
  private:
+  /// What differs of the submaps, and what is told of that.
+  Status WriteSubmaps(Writer& writer, std::int64_t map_key, const StateMarks& before, const MapSnapshot& after) {
+    const std::vector<SubmapChange> changes = DiffSnapshots(before, after);
+    DHPMAP_RETURN_IF_ERROR(WriteChanges(writer.database, map_key, changes, writer.pool));
+    if (before.revision() == after.revision()) return Status::Ok();
+    return RecordChange(writer.database, map_key, after.info(), DescribeChange(before, after, changes), change_limits_);
+  }
+
   /// Runs `body` on one state of the database.
   template <typename T, typename Body>
   Result<T> Read(Body&& body) {
@@ -199,6 +219,7 @@ class SqliteStore final : public MapStore {
   }
 
   const std::string path_;
+  const ChangeHistoryLimits change_limits_;
   Mutex writer_mutex_;
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
@@ -211,13 +232,13 @@ Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const
   const int timeout_ms = options.busy_timeout_ms;
   if (options.read_only) {
     DHPMAP_ASSIGN_OR_RETURN(const sqlite::OpenMode mode, ProbeReadOnly(path, timeout_ms));
-    return std::unique_ptr<MapStore>(std::make_unique<SqliteStore>(nullptr, path, mode, timeout_ms));
+    return std::unique_ptr<MapStore>(std::make_unique<SqliteStore>(nullptr, path, mode, options));
   }
   DHPMAP_ASSIGN_OR_RETURN(FileLock lock, FileLock::Acquire(path));
   DHPMAP_ASSIGN_OR_RETURN(Database database, OpenWriter(path, timeout_ms));
   RemoveUnfinishedBackups(path);
   auto writer = std::make_unique<Writer>(std::move(lock), std::move(database));
-  auto store = std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, timeout_ms);
+  auto store = std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, options);
   DHPMAP_RETURN_IF_ERROR(store->GiveSpaceBack());
   DHPMAP_RETURN_IF_ERROR(store->GoOn());
   return std::unique_ptr<MapStore>(std::move(store));

@@ -14,7 +14,8 @@ enum class BlobKind : std::uint8_t {
   kLabelsV1 = 0x21,
   kFreeV1 = 0x31,
   kGoneV1 = 0x41,
-  kVacatedV1 = 0x51
+  kVacatedV1 = 0x51,
+  kChangeV1 = 0x61
 };
 
 /// What a codec puts into a blob. Noise goes into `plain`: compressing it would only cost time and Huffman tables.

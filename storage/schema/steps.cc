@@ -11,6 +11,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[3]},  // 0004_map_tiles.sql
       {.sql = SchemaSql()[4]},  // 0005_gone.sql
       {.sql = SchemaSql()[5]},  // 0006_objects.sql
+      {.sql = SchemaSql()[6]},  // 0007_changes.sql
   };
   return steps;
 }
