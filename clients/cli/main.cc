@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   dhpmap::AddEditCommands(app, session);
   dhpmap::AddExportCommands(app, session);
   dhpmap::AddBackupCommand(app, session);
+  dhpmap::AddWatchCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));
   } catch (const CLI::ParseError& error) {
