@@ -33,7 +33,10 @@ LogOptions LogOptionsOf(const ServerConfig& config) {
 
 SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
   return {.busy_timeout_ms = config.store.busy_timeout_ms,
-          .on_progress = [](const std::string& message) { LogInfo(message); }};
+          .on_progress = [](const std::string& message) { LogInfo(message); },
+          .changes = {.max_changes = config.watch.history_changes,
+                      .max_bytes = std::int64_t{config.watch.history_mib} << 20,
+                      .max_age_s = config.watch.history_s}};
 }
 
 SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
@@ -55,7 +58,8 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
             if (!status.ok()) LogError("commit failed, will be tried again: " + status.ToString());
           },
       .on_refinement =
-          [&metrics](const RefinementReport& report) { metrics.RecordRefinement(report.management_s, report.crf_s); }};
+          [&metrics](const RefinementReport& report) { metrics.RecordRefinement(report.management_s, report.crf_s); },
+      .max_watchers = static_cast<std::size_t>(config.watch.max_watchers)};
 }
 
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config) {
@@ -96,7 +100,9 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
 }
 
 Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight) {
-  Metrics::Gauges gauges{.surface_bytes = registry.surface_bytes(), .inflight_bytes = inflight.used_bytes()};
+  Metrics::Gauges gauges{.surface_bytes = registry.surface_bytes(),
+                         .num_watchers = registry.changes().num_followers(),
+                         .inflight_bytes = inflight.used_bytes()};
   for (const auto& session : registry.OpenSessions()) {
     const auto view = session->View();
     const MapStats stats = ComputeStats(view->snapshot(), /*with_voxels=*/false);

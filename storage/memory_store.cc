@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <deque>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "mapping/base/mutex.h"
+#include "storage/change_history.h"
 #include "storage/commit_rules.h"
 #include "storage/store.h"
 
@@ -34,13 +37,57 @@ StoredMap Describe(const MapSnapshot& snapshot) {
   return map;
 }
 
+using ChangePtr = std::shared_ptr<const MapChange>;
+
+/// A map's changes, as RecordChange and ReadChanges keep them.
+class ChangeLog {
+ public:
+  explicit ChangeLog(std::int64_t complete_after = 0) : complete_after_(complete_after) {}
+
+  void Add(ChangePtr change, const ChangeHistoryLimits& limits) {
+    const std::int64_t now_ns = change->time_ns;
+    totals_.num_bytes += static_cast<std::int64_t>(BytesOf(*change));
+    ++totals_.num_changes;
+    changes_.push_back(std::move(change));
+    while (!changes_.empty() && IsBeyond(limits, totals_, changes_.front()->time_ns, now_ns)) {
+      complete_after_ = changes_.front()->last_revision;
+      totals_.num_bytes -= static_cast<std::int64_t>(BytesOf(*changes_.front()));
+      --totals_.num_changes;
+      changes_.pop_front();
+    }
+  }
+
+  Result<ChangeList> List(const MapInfo& map, std::int64_t after_revision, std::size_t max_bytes) const {
+    if (after_revision < complete_after_) return ChangesNotKept(complete_after_);
+    ChangeList list{
+        .history_id = map.history_id, .revision = map.revision, .complete_after = complete_after_, .changes = {}};
+    const auto is_before = [](std::int64_t revision, const ChangePtr& change) {
+      return revision < change->last_revision;
+    };
+    auto next = std::upper_bound(changes_.begin(), changes_.end(), after_revision, is_before);
+    for (std::size_t num_bytes = 0; next != changes_.end() && num_bytes < max_bytes; ++next) {
+      list.changes.push_back(*next);
+      num_bytes += BytesOf(**next);
+    }
+    list.has_more = next != changes_.end();
+    return list;
+  }
+
+ private:
+  std::deque<ChangePtr> changes_;
+  std::int64_t complete_after_;
+  ChangeTotals totals_;
+};
+
 /// Snapshots are immutable and share their blocks with the writer: keeping one is storing it.
 class MemoryStore final : public MapStore {
  public:
+  explicit MemoryStore(const ChangeHistoryLimits& limits) : limits_(limits) {}
+
   Result<std::vector<StoredMap>> ListMaps() override {
     const MutexLock lock(mutex_);
     std::vector<StoredMap> maps;
-    for (const auto& [name, snapshot] : maps_) maps.push_back(Describe(*snapshot));
+    for (const auto& [name, map] : maps_) maps.push_back(Describe(*map.state));
     return maps;
   }
 
@@ -53,8 +100,10 @@ class MemoryStore final : public MapStore {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(snapshot.info().name));
     const MutexLock lock(mutex_);
     const std::string& name = snapshot.info().name;
-    const bool is_new = maps_.emplace(name, std::make_shared<const MapSnapshot>(snapshot)).second;
-    return is_new ? Status::Ok() : AlreadyExists("there is already a map '" + name + "'").WithReason("MAP_EXISTS");
+    const auto [map, is_new] = maps_.emplace(name, Stored{std::make_shared<const MapSnapshot>(snapshot), ChangeLog()});
+    if (!is_new) return AlreadyExists("there is already a map '" + name + "'").WithReason("MAP_EXISTS");
+    map->second.changes.Add(ChangeBetween(StateMarks(), snapshot), limits_);
+    return Status::Ok();
   }
 
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability) override {
@@ -62,17 +111,25 @@ class MemoryStore final : public MapStore {
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(before.info().name);
     if (stored == maps_.end()) return NoSuchMap(before.info().name);
-    const MapInfo& head = stored->second->info();
+    const MapInfo& head = stored->second.state->info();
     DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.revision, head.create_time_ns));
-    stored->second = std::make_shared<const MapSnapshot>(after);
+    if (before.revision() != after.revision()) stored->second.changes.Add(ChangeBetween(before, after), limits_);
+    stored->second.state = std::make_shared<const MapSnapshot>(after);
     return Status::Ok();
+  }
+
+  Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) override {
+    const MutexLock lock(mutex_);
+    const auto stored = maps_.find(name);
+    if (stored == maps_.end()) return NoSuchMap(name);
+    return stored->second.changes.List(stored->second.state->info(), after_revision, max_bytes);
   }
 
   Result<SnapshotPtr> LoadMap(const std::string& name) override {
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(name);
     if (stored == maps_.end()) return NoSuchMap(name);
-    return stored->second;
+    return stored->second.state;
   }
 
   Status DeleteMap(const std::string& name) override {
@@ -100,12 +157,24 @@ class MemoryStore final : public MapStore {
   }
 
  private:
+  struct Stored {
+    SnapshotPtr state;
+    ChangeLog changes;
+  };
+
+  static ChangePtr ChangeBetween(const StateMarks& before, const MapSnapshot& after) {
+    return std::make_shared<const MapChange>(DescribeChange(before, after, DiffTiles(before, after)));
+  }
+
+  const ChangeHistoryLimits limits_;
   Mutex mutex_;
-  std::map<std::string, SnapshotPtr> maps_ DHPMAP_GUARDED_BY(mutex_);
+  std::map<std::string, Stored> maps_ DHPMAP_GUARDED_BY(mutex_);
 };
 
 }  // namespace
 
-std::unique_ptr<MapStore> MakeMemoryStore() { return std::make_unique<MemoryStore>(); }
+std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes) {
+  return std::make_unique<MemoryStore>(changes);
+}
 
 }  // namespace dhpmap

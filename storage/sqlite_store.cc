@@ -11,6 +11,7 @@
 #include "mapping/base/mutex.h"
 #include "mapping/base/thread_pool.h"
 #include "storage/backup.h"
+#include "storage/change_history.h"
 #include "storage/commit_rules.h"
 #include "storage/connection.h"
 #include "storage/file_lock.h"
@@ -87,8 +88,12 @@ StoredMap DamagedMap(const std::string& name, const Status& why) {
 
 class SqliteStore final : public MapStore {
  public:
-  SqliteStore(std::unique_ptr<Writer> writer, std::string path, sqlite::OpenMode reader_mode, int busy_timeout_ms)
-      : path_(path), writer_(std::move(writer)), readers_(std::move(path), reader_mode, busy_timeout_ms) {}
+  SqliteStore(std::unique_ptr<Writer> writer, std::string path, sqlite::OpenMode reader_mode,
+              const SqliteStoreOptions& options)
+      : path_(path),
+        change_limits_(options.changes),
+        writer_(std::move(writer)),
+        readers_(std::move(path), reader_mode, options.busy_timeout_ms) {}
 
   Result<std::vector<StoredMap>> ListMaps() override {
     return Read<std::vector<StoredMap>>([](Database& database) -> Result<std::vector<StoredMap>> {
@@ -137,6 +142,13 @@ class SqliteStore final : public MapStore {
     });
     if (done.ok()) written.TellTiles(number_);
     return done;
+  }
+
+  Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) override {
+    return Read<ChangeList>([&](Database& database) -> Result<ChangeList> {
+      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(database, name));
+      return ReadChanges(database, head, after_revision, max_bytes);
+    });
   }
 
   Status DeleteMap(const std::string& name) override {
@@ -220,7 +232,14 @@ class SqliteStore final : public MapStore {
                                   const StateMarks& before, const MapSnapshot& after) {
     DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles, WriteMapLayers(writer.database, head, before, after));
     DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, info_before, after, tiles));
-    return WriteChanges(writer.database, head.key, DiffTiles(before, after), number_, writer.pool);
+    const std::vector<SubmapTileChange> changes = DiffTiles(before, after);
+    DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written,
+                            WriteChanges(writer.database, head.key, changes, number_, writer.pool));
+    if (before.revision() != after.revision()) {
+      DHPMAP_RETURN_IF_ERROR(
+          RecordChange(writer.database, head.key, after.info(), DescribeChange(before, after, changes), change_limits_));
+    }
+    return written;
   }
 
   /// In WAL mode, synchronous = FULL syncs the log at each commit, and with it all commits before.
@@ -234,6 +253,7 @@ class SqliteStore final : public MapStore {
 
   const std::string path_;
   const std::uint16_t number_ = NextStoreNumber();
+  const ChangeHistoryLimits change_limits_;
   Mutex writer_mutex_;
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
@@ -246,13 +266,13 @@ Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const
   const int timeout_ms = options.busy_timeout_ms;
   if (options.read_only) {
     DHPMAP_ASSIGN_OR_RETURN(const sqlite::OpenMode mode, ProbeReadOnly(path, timeout_ms));
-    return std::unique_ptr<MapStore>(std::make_unique<SqliteStore>(nullptr, path, mode, timeout_ms));
+    return std::unique_ptr<MapStore>(std::make_unique<SqliteStore>(nullptr, path, mode, options));
   }
   DHPMAP_ASSIGN_OR_RETURN(FileLock lock, FileLock::Acquire(path));
   DHPMAP_ASSIGN_OR_RETURN(Database database, OpenWriter(path, timeout_ms, options.on_progress));
   RemoveUnfinishedBackups(path);
   auto writer = std::make_unique<Writer>(std::move(lock), std::move(database));
-  auto store = std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, timeout_ms);
+  auto store = std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, options);
   DHPMAP_RETURN_IF_ERROR(store->GiveSpaceBack());
   DHPMAP_RETURN_IF_ERROR(store->GoOn());
   return std::unique_ptr<MapStore>(std::move(store));

@@ -12,6 +12,7 @@
 #include "mapping/base/result.h"
 #include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
+#include "mapping/map/map_change.h"
 #include "mapping/map/state_marks.h"
 
 namespace dhpmap {
@@ -67,6 +68,23 @@ struct VerifyReport {
   bool is_repaired = false;      ///< what could not be read was dropped; the faults tell what
 };
 
+/// How much is kept of what commits changed, of each map. What is beyond goes with later commits, the oldest first.
+struct ChangeHistoryLimits {
+  std::int64_t max_changes = 10'000;
+  std::int64_t max_bytes = 32 << 20;  ///< as they are stored
+  double max_age_s = 86'400;
+};
+
+/// What commits changed, in their order.
+struct ChangeList {
+  std::uint64_t history_id = 0;     ///< of the map
+  std::int64_t revision = 0;        ///< of the map as it is stored
+  std::int64_t complete_after = 0;  ///< the changes of all later revisions are kept
+  /// Each begins after the one before; revisions between two of them changed nothing.
+  std::vector<std::shared_ptr<const MapChange>> changes;
+  bool has_more = false;  ///< of later revisions, up to `revision`
+};
+
 /// A copy of a whole store, as a file of its own. Thread-compatible.
 class StoreBackup {
  public:
@@ -95,6 +113,16 @@ class MapStore {
   /// state last committed (or created, or loaded), which itself need not be kept; FAILED_PRECONDITION if the store
   /// holds another revision.
   virtual Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) = 0;
+
+  /// What the commits of revisions after `after_revision` changed, of each all of it: as many as fit into `max_bytes`,
+  /// but one at least, if there is one. One that took the map from a revision before to one after is among them, since
+  /// part of it may be later. A map's creation is a change, too. Written with the commit: it is there if and only if
+  /// the state is. NOT_FOUND; OUT_OF_RANGE, reason COMPACTED, the metadata with `oldest_revision`, if changes after
+  /// `after_revision` are not kept; DATA_LOSS, reason DAMAGED_CHANGES, which says nothing of the map itself.
+  virtual Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) {
+    (void)name, (void)after_revision, (void)max_bytes;
+    return Status(StatusCode::kUnimplemented, "this store keeps no changes");
+  }
 
   /// The whole map. Distances are within truncation / 4096 of what was committed; counts, ids and labels are exact.
   virtual Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) = 0;
@@ -128,6 +156,7 @@ struct SqliteStoreOptions {
   int busy_timeout_ms = 5000;
   /// Hears, while it is opened, what is brought up to date of an older database and how much is left; may be empty.
   std::function<void(const std::string& message)> on_progress;
+  ChangeHistoryLimits changes = {};
 };
 
 /// Opens or creates a database file. DATA_LOSS if it is damaged or no database; FAILED_PRECONDITION, by reason:
@@ -137,6 +166,6 @@ struct SqliteStoreOptions {
 Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const SqliteStoreOptions& options = {});
 
 /// Keeps everything in memory, for tests and benchmarks: the same contract, without loss of precision.
-std::unique_ptr<MapStore> MakeMemoryStore();
+std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes = {});
 
 }  // namespace dhpmap

@@ -20,6 +20,20 @@ void PrintDetails(const grpc::Status& status) {
   }
 }
 
+void PrintJson(const google::protobuf::Message& message, bool in_lines) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;  // as the REST door prints them
+  options.add_whitespace = in_lines;
+  options.always_print_primitive_fields = true;
+  std::string text;
+  const auto status = google::protobuf::util::MessageToJsonString(message, &text, options);
+  if (!status.ok()) {
+    std::cerr << "dhpmap: the answer cannot be written as JSON: " << status.ToString() << "\n";
+    return;
+  }
+  std::cout << text;
+}
+
 }  // namespace
 
 std::shared_ptr<grpc::Channel> Connect(const Session& session) {
@@ -54,18 +68,11 @@ ExitCode ReportLocalError(const std::string& message, ExitCode code) {
   return code;
 }
 
-void PrintJson(const google::protobuf::Message& message) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.preserve_proto_field_names = true;  // as the REST door prints them
-  options.add_whitespace = true;
-  options.always_print_primitive_fields = true;
-  std::string text;
-  const auto status = google::protobuf::util::MessageToJsonString(message, &text, options);
-  if (!status.ok()) {
-    std::cerr << "dhpmap: the answer cannot be written as JSON: " << status.ToString() << "\n";
-    return;
-  }
-  std::cout << text;
+void PrintJson(const google::protobuf::Message& message) { PrintJson(message, true); }
+
+void PrintJsonLine(const google::protobuf::Message& message) {
+  PrintJson(message, false);
+  std::cout << "\n";
 }
 
 }  // namespace dhpmap

@@ -37,6 +37,8 @@ ExitCode ReportLocalError(const std::string& message, ExitCode code = ExitCode::
 
 /// The message as JSON, in the way of the REST door, to stdout.
 void PrintJson(const google::protobuf::Message& message);
+/// The same on one line, for streams.
+void PrintJsonLine(const google::protobuf::Message& message);
 
 // Each adds its subcommands; when one is chosen it runs and sets session.exit_code.
 void AddMapCommand(CLI::App& app, Session& session);
@@ -47,6 +49,7 @@ void AddEditCommands(CLI::App& app, Session& session);
 void AddBackupCommand(CLI::App& app, Session& session);
 void AddVerifyCommand(CLI::App& app, Session& session);
 void AddExportCommands(CLI::App& app, Session& session);
+void AddWatchCommand(CLI::App& app, Session& session);
 // Likewise, subcommands of `query`.
 void AddGridCommand(CLI::App& query, Session& session);
 void AddObjectCommands(CLI::App& query, Session& session);

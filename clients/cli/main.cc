@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   dhpmap::AddExportCommands(app, session);
   dhpmap::AddBackupCommand(app, session);
   dhpmap::AddVerifyCommand(app, session);
+  dhpmap::AddWatchCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));
   } catch (const CLI::ParseError& error) {

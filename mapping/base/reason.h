@@ -23,7 +23,11 @@ struct ReasonRow {
 inline constexpr ReasonRow kReasonTable[] = {
     // Maps.
     {"MAP_NOT_FOUND", StatusCode::kNotFound, "there is no map of this name, or no longer"},
-    {"HISTORY_LOST", StatusCode::kOutOfRange, "a revision of before a restore or a crash, whose state is not stored"},
+    {"HISTORY_LOST", StatusCode::kOutOfRange, "a revision of before a restore or a crash, whose state is not stored",
+     410},
+    {"COMPACTED", StatusCode::kOutOfRange, "changes so old are not kept; the metadata name the `oldest_revision`", 410},
+    {"BAD_POSITION", StatusCode::kInvalidArgument, "a position to watch a map from is malformed"},
+    {"TOO_MANY_WATCHERS", StatusCode::kResourceExhausted, "as many watch maps as the server allows: try again later"},
     {"MAP_EXISTS", StatusCode::kAlreadyExists, "the name of the map is taken"},
     {"MAP_IS_FED", StatusCode::kOk, "frames are streamed in: ABORTED for another stream, else FAILED_PRECONDITION"},
     {"FEED_TAKEN_OVER", StatusCode::kAborted, "another stream has taken over: no more frames are taken from this one"},
@@ -64,6 +68,7 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"BAD_MESH_REQUEST", StatusCode::kInvalidArgument, "a mesh is asked for in a form that is not known"},
     // The store.
     {"DAMAGED_MAP", StatusCode::kOk, "a stored map cannot be read: DATA_LOSS, or the code of the cause"},
+    {"DAMAGED_CHANGES", StatusCode::kDataLoss, "what is kept of a map's changes is damaged; the map is not"},
     {"NEWER_LAYER", StatusCode::kFailedPrecondition, "a stored map has a layer or an encoding of a newer version"},
     {"NEWER_CONFIG", StatusCode::kFailedPrecondition, "a stored map's config is of a newer version"},
     {"STALE_REVISION", StatusCode::kFailedPrecondition, "a commit starts from another revision than the one stored"},

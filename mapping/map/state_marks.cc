@@ -96,7 +96,7 @@ const BlockMark* TileMarks::Find(int cell) const {
 }
 
 SubmapMarks::SubmapMarks(const std::shared_ptr<const Submap>& submap, const SubmapMarks* before)
-    : info_(submap->info()), submap_(submap) {
+    : info_(submap->info()), sphere_in_map_(submap->BoundingSphereInMap()), submap_(submap) {
   const std::span<const TileEntry> tiles = submap->blocks().tiles();
   tiles_.reserve(tiles.size());
   numbers_.Reserve(tiles.size());

@@ -46,6 +46,8 @@ class SubmapMarks {
   SubmapMarks(const std::shared_ptr<const Submap>& submap, const SubmapMarks* before);
 
   [[nodiscard]] const SubmapInfo& info() const { return info_; }
+  /// Around its blocks.
+  [[nodiscard]] const BoundingSphere& sphere_in_map() const { return sphere_in_map_; }
   /// Whether it is this very row, with these very blocks.
   [[nodiscard]] bool IsOf(const std::shared_ptr<const Submap>& submap) const;
   /// In the order of BlockTable::tiles().
@@ -57,6 +59,7 @@ class SubmapMarks {
 
  private:
   SubmapInfo info_;
+  BoundingSphere sphere_in_map_;
   std::weak_ptr<const Submap> submap_;
   std::vector<std::shared_ptr<const TileMarks>> tiles_;
   IndexMap<TileIndex> numbers_;  ///< position in tiles_

@@ -19,8 +19,8 @@ std::string Hex16(std::uint64_t number) {
 
 std::string HistoryText(std::uint64_t history_id) { return Hex16(history_id); }
 
-std::string EtagOf(const Submap& submap, const MapInfo& map) {
-  return HistoryText(map.history_id) + "-r" + std::to_string(submap.info().revision);
+std::string EtagOf(const SubmapInfo& submap, const MapInfo& map) {
+  return HistoryText(map.history_id) + "-r" + std::to_string(submap.revision);
 }
 
 std::string EtagOf(const MapInfo& map) {

@@ -13,7 +13,8 @@ namespace dhpmap {
 std::string HistoryText(std::uint64_t history_id);
 
 /// Identifies a state of a submap for ever: the map's history, and the revision that last changed it.
-std::string EtagOf(const Submap& submap, const MapInfo& map);
+std::string EtagOf(const SubmapInfo& submap, const MapInfo& map);
+inline std::string EtagOf(const Submap& submap, const MapInfo& map) { return EtagOf(submap.info(), map); }
 /// Identifies what an edit can change of a map itself. Does not change with frames.
 std::string EtagOf(const MapInfo& map);
 

@@ -36,7 +36,10 @@ MapSummary SummaryOf(const MapSnapshot& snapshot) {
 }
 
 MapRegistry::MapRegistry(MapStore& store, SessionOptions options)
-    : store_(store), options_(WithPool(std::move(options))), surfaces_(options_.surface_bytes) {}
+    : store_(store),
+      options_(WithPool(std::move(options))),
+      changes_(store, options_.max_watchers),
+      surfaces_(options_.surface_bytes) {}
 
 Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionOptions options) {
   DHPMAP_ASSIGN_OR_RETURN(std::vector<StoredMap> maps, store.ListMaps());
@@ -129,6 +132,7 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::str
     entry->session = nullptr;
     entries_.erase(name);
   }
+  changes_.Notify(name);
   if (session) (void)session->Stop();  // here, where none of its own threads can be the one that must join them
   session.reset();
   surfaces_.Forget(name);
@@ -282,6 +286,7 @@ MapSummary MapRegistry::Summarise(const Entry& entry) const {
 std::shared_ptr<MapSession> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot) {
   SessionOptions options = options_;
   options.on_publish = [this](const std::shared_ptr<const MapSnapshot>& state) { keeper_.Note(state); };
+  options.on_stored = [this, name = snapshot->info().name] { changes_.Notify(name); };
   auto session = std::make_shared<MapSession>(std::move(snapshot), store_, std::move(options));
   const MutexLock lock(mutex_);
   if (is_shut_down_) return nullptr;

@@ -12,6 +12,7 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/query/surface_cache.h"
+#include "server/app/change_feed.h"
 #include "server/app/map_session.h"
 #include "server/app/surface_keeper.h"
 #include "storage/store.h"
@@ -57,6 +58,9 @@ class MapRegistry {
   Result<std::shared_ptr<MapSession>> OpenSession(const std::string& name);
   /// The last published state of the map, which is opened if it is not open yet.
   Result<std::shared_ptr<const MapView>> ViewOf(const std::string& name);
+  /// What becomes of the maps, as they are stored. Reading it opens none.
+  [[nodiscard]] ChangeFeed& changes() { return changes_; }
+  [[nodiscard]] const ChangeFeed& changes() const { return changes_; }
   /// For distances, of all maps.
   [[nodiscard]] SurfaceCache& surfaces() { return surfaces_; }
   /// What those take.
@@ -103,6 +107,7 @@ class MapRegistry {
 
   MapStore& store_;
   const SessionOptions options_;
+  ChangeFeed changes_;
   SurfaceCache surfaces_;
   SurfaceKeeper keeper_{surfaces_};
   std::map<std::string, std::shared_ptr<Entry>> entries_ DHPMAP_GUARDED_BY(mutex_);

@@ -53,6 +53,14 @@ Outcome Guarded(Work&& work) {
   }
 }
 
+/// Hears of every commit; of those that went well, others do, too.
+CommitWorker::Observer ObserverOf(const SessionOptions& options) {
+  return [on_commit = options.on_commit, on_stored = options.on_stored](double seconds, const Status& status) {
+    if (on_commit) on_commit(seconds, status);
+    if (on_stored && status.ok()) on_stored();
+  };
+}
+
 std::shared_ptr<ThreadPool> PoolOf(const SessionOptions& options) {
   return options.pool ? options.pool : std::make_shared<ThreadPool>(options.num_threads);
 }
@@ -62,7 +70,7 @@ std::shared_ptr<ThreadPool> PoolOf(const SessionOptions& options) {
 MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& store, SessionOptions options)
     : options_(WithClock(std::move(options))),
       numbers_(store, {snapshot->revision(), snapshot->info().next_submap_id}),
-      commits_(store, snapshot, options_.commit_retry_s, options_.on_commit),
+      commits_(store, snapshot, options_.commit_retry_s, ObserverOf(options_)),
       seat_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s))),
       builder_(snapshot, PoolOf(options_), RefinementTiming::kNeverWait, options_.refinement_slots),
       view_(std::make_shared<const MapView>(std::move(snapshot))) {}

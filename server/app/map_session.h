@@ -42,6 +42,8 @@ struct SessionOptions {
   std::function<std::int64_t()> now_ns;    ///< UTC; empty = the system's clock
   std::function<void(double seconds, const Status& status)> on_commit;  ///< on the commit thread; may be empty
   std::function<void(const RefinementReport&)> on_refinement;           ///< on the writer thread; may be empty
+  std::function<void()> on_stored;  ///< the store has another state of the map; on the commit thread; may be empty
+  std::size_t max_watchers = 1000;  ///< of all maps
   /// A state that has just become visible; on the writer thread; may be empty.
   std::function<void(const std::shared_ptr<const MapSnapshot>&)> on_publish;
 };

@@ -16,18 +16,24 @@ bool Touches(const BoundingSphere& sphere, const SubmapFilter::Box& box) {
 
 }  // namespace
 
+bool SubmapFilter::PassesLabels(Panoptic its_panoptic, ClassId its_class) const {
+  if (panoptic && its_panoptic != *panoptic) return false;
+  if (!classes) return true;
+  return its_panoptic != Panoptic::kUnknown && std::find(classes->begin(), classes->end(), its_class) != classes->end();
+}
+
+bool SubmapFilter::TouchesAll(const BoundingSphere& sphere) const {
+  return (!region || Touches(sphere, *region)) && (!near || sphere.Intersects(*near));
+}
+
 bool SubmapFilter::Passes(const Submap& submap) const {
-  const SubmapInfo& info = submap.info();
-  if (panoptic && info.panoptic != *panoptic) return false;
-  if (classes && (info.panoptic == Panoptic::kUnknown ||
-                  std::find(classes->begin(), classes->end(), info.class_id) == classes->end())) {
-    return false;
-  }
-  const auto touches_all = [this](const BoundingSphere& sphere) {
-    return (!region || Touches(sphere, *region)) && (!near || sphere.Intersects(*near));
-  };
+  if (!PassesLabels(submap.info().panoptic, submap.info().class_id)) return false;
   if (!region && !near) return true;
-  return touches_all(submap.BoundingSphereInMap()) && touches_all(SphereOfObservedInMap(submap));  // cheap one first
+  return TouchesAll(submap.BoundingSphereInMap()) && TouchesAll(SphereOfObservedInMap(submap));  // cheap one first
+}
+
+bool SubmapFilter::Passes(const SubmapPlace& place) const {
+  return PassesLabels(place.panoptic, place.class_id) && TouchesAll(place.sphere);
 }
 
 std::vector<std::shared_ptr<const Submap>> SelectSubmaps(const MapSnapshot& snapshot, const SubmapFilter& filter,

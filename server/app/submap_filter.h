@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/map/map.h"
+#include "mapping/map/map_change.h"
 
 namespace dhpmap {
 
@@ -23,6 +24,12 @@ struct SubmapFilter {
   std::optional<BoundingSphere> near;  ///< touched by the bounding sphere
 
   [[nodiscard]] bool Passes(const Submap& submap) const;
+  /// The same of one of which no more is known; no near or region passes an empty sphere.
+  [[nodiscard]] bool Passes(const SubmapPlace& place) const;
+
+ private:
+  [[nodiscard]] bool PassesLabels(Panoptic its_panoptic, ClassId its_class) const;
+  [[nodiscard]] bool TouchesAll(const BoundingSphere& sphere) const;
 };
 
 /// Up to `max` of them, by ascending id, from the first behind `after` on.

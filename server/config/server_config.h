@@ -51,6 +51,12 @@ struct ServerConfig {
     double retry_s = 5.0;
     int busy_timeout_ms = 5000;
   } store;
+  struct Watch {
+    int max_watchers = 1000;
+    int history_changes = 10'000;
+    int history_mib = 32;
+    double history_s = 86'400;
+  } watch;
   struct Limits {
     int query_points = 1'000'000;
     int pending_edits = 256;
@@ -107,6 +113,11 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("store.max_behind_s", c.store.max_behind_s, 0, 86400,
         "s that fused frames may wait to be stored; then further ones are refused, and /readyz says so");
   visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000, "ms to wait for another reader of the file");
+  visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "of all maps together; more are refused");
+  visit("watch.history_changes", c.watch.history_changes, 0, 1e9,
+        "commits whose changes are kept of each map, for who watches it from then on; 0 = none");
+  visit("watch.history_mib", c.watch.history_mib, 0, 1e6, "MiB that these may take of each map in the file");
+  visit("watch.history_s", c.watch.history_s, 0, 1e9, "s that they are kept");
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
   visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,

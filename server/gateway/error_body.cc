@@ -8,6 +8,7 @@
 #include "server/json/base64.h"
 #include "server/json/writer.h"
 #include "server/wire/types/http_status.h"
+#include "server/wire/types/status_conversion.h"
 
 namespace dhpmap::gateway {
 namespace {
@@ -19,6 +20,12 @@ google::rpc::Status Parsed(const RpcStatus& status) {
   proto.set_code(status.code);
   proto.set_message(ToValidUtf8(status.message));
   return proto;
+}
+
+/// The reason that the RPC gave, if it is one of ours and goes with the code.
+Reason ReasonOf(const RpcStatus& status) {
+  const Reason reason = Reason::Find(ReadErrorDetails(status.details).reason);
+  return reason.Allows(static_cast<StatusCode>(status.code)) ? reason : Reason();
 }
 
 void AppendDetail(const google::protobuf::Any& detail, std::string* out) {
@@ -54,16 +61,14 @@ std::string ErrorJson(const RpcStatus& status) {
 http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format) {
   const bool as_protobuf = format == AnswerFormat::kProtobuf;
   http::Response response;
-  response.status = HttpStatusOf(status.code);
+  response.status = HttpStatusOf(status.code, ReasonOf(status));
   response.headers.emplace_back("Content-Type", as_protobuf ? kProtobufType : kJsonType);
   response.body = as_protobuf ? Parsed(status).SerializeAsString() : ErrorJson(status) + "\n";
   return response;
 }
 
 http::Response ErrorResponse(const Status& status, AnswerFormat format) {
-  http::Response response = ErrorResponse(ToRpcStatus(status), format);
-  response.status = HttpStatusOf(static_cast<int>(status.code()), status.reason());
-  return response;
+  return ErrorResponse(ToRpcStatus(status), format);
 }
 
 std::string ErrorLine(const RpcStatus& status) { return R"({"error":)" + ErrorJson(status) + "}\n"; }

@@ -13,9 +13,10 @@ namespace dhpmap::gateway {
 /// {"code":5,"message":"...","details":[{"@type":...}]}
 std::string ErrorJson(const RpcStatus& status);
 
-/// The whole answer, as google.rpc.Status in JSON or protobuf, with the HTTP status of its code.
+/// The whole answer, as google.rpc.Status in JSON or protobuf, with the HTTP status of its reason, where that has one
+/// of its own (410 for COMPACTED), or of its code.
 http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format);
-/// For what the gateway itself refuses: some of its reasons have an HTTP status of their own (413 for BODY_TOO_LARGE).
+/// For what the gateway itself refuses.
 http::Response ErrorResponse(const Status& status, AnswerFormat format);
 
 /// {"error":{...}}, the last line of an NDJSON answer.

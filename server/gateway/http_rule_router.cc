@@ -46,6 +46,22 @@ std::optional<FileFields> FindFileFields(const MethodDescriptor& method) {
   return FileFields{data, content_type, total};
 }
 
+const FieldDescriptor* FindText(const Descriptor& type, const char* name) {
+  const auto* field = type.FindFieldByName(name);
+  const bool is_text = field != nullptr && field->type() == FieldDescriptor::TYPE_STRING && !field->is_repeated();
+  return is_text ? field : nullptr;
+}
+
+std::optional<EventFields> FindEventFields(const MethodDescriptor& method) {
+  const Descriptor& type = *method.output_type();
+  const auto* position = FindText(type, "position");
+  const auto* resume_after = FindText(*method.input_type(), "resume_after");
+  const bool has_all = method.server_streaming() && !method.client_streaming() && position != nullptr &&
+                       resume_after != nullptr && type.real_oneof_decl_count() == 1;
+  if (!has_all) return std::nullopt;
+  return EventFields{position, type.oneof_decl(0), resume_after};
+}
+
 const FieldDescriptor* FindUpdateMask(const MethodDescriptor& method) {
   const auto* field = method.input_type()->FindFieldByName("update_mask");
   const bool is_mask = field != nullptr && field->message_type() != nullptr && !field->is_repeated() &&
@@ -86,6 +102,7 @@ Result<Route> MakeRoute(const MethodDescriptor& method, const HttpRule& rule) {
   route.http_method = std::move(http_method);
   route.path = std::move(*parsed);
   route.file = FindFileFields(method);
+  route.events = FindEventFields(method);
   for (const auto& variable : route.path.variables()) {
     json::FieldPath fields;
     Status found = json::ResolveFieldPath(*method.input_type(), variable.field_path, &fields);

@@ -13,6 +13,7 @@
 
 namespace google::protobuf {
 class MethodDescriptor;
+class OneofDescriptor;
 class ServiceDescriptor;
 }  // namespace google::protobuf
 
@@ -24,6 +25,15 @@ struct FileFields {
   const google::protobuf::FieldDescriptor* data;
   const google::protobuf::FieldDescriptor* content_type;
   const google::protobuf::FieldDescriptor* total_bytes;  ///< int64; null if there is none
+};
+
+/// A stream of messages that tell where to go on: `string position` of each, which the request may give back as
+/// `string resume_after`, and one oneof, whose field that is set is the kind of event. Such a stream may be silent for
+/// long.
+struct EventFields {
+  const google::protobuf::FieldDescriptor* position;
+  const google::protobuf::OneofDescriptor* event;
+  const google::protobuf::FieldDescriptor* resume_after;
 };
 
 /// One binding of an RPC to HTTP.
@@ -40,6 +50,7 @@ struct Route {
   const google::protobuf::FieldDescriptor* response_field = nullptr;  ///< null: the whole response is the answer
   const google::protobuf::FieldDescriptor* update_mask = nullptr;  ///< of a PATCH: derived from the body if not given
   std::optional<FileFields> file;
+  std::optional<EventFields> events;
 
   [[nodiscard]] bool is_stream() const;  ///< in either direction
   [[nodiscard]] bool client_streams() const;

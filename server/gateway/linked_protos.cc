@@ -8,6 +8,7 @@
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
 #include "dhpmap/v1/submap_service.pb.h"
+#include "dhpmap/v1/watch_service.pb.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 
@@ -20,6 +21,7 @@ void LinkProtos() {
   google::protobuf::LinkMessageReflection<v1::QueryPointsRequest>();
   google::protobuf::LinkMessageReflection<v1::GetSubmapRequest>();
   google::protobuf::LinkMessageReflection<v1::ApplyEditsRequest>();
+  google::protobuf::LinkMessageReflection<v1::WatchMapRequest>();
   google::protobuf::LinkMessageReflection<google::rpc::ErrorInfo>();
   google::protobuf::LinkMessageReflection<google::rpc::Status>();
 }

@@ -71,6 +71,7 @@ AnswerFormat FormatOfAccept(std::string_view accept) {
     AnswerFormat format = AnswerFormat::kAny;
     if (IsAnyOf(type, kJsonNames)) format = AnswerFormat::kJson;
     if (IsAnyOf(type, kProtobufNames) || IsAnyOf(type, kStreamNames)) format = AnswerFormat::kProtobuf;
+    if (http::EqualsIgnoringCase(type, kEventsType)) format = AnswerFormat::kEvents;
     const double quality = QualityOf(range);
     if (quality <= best_quality) continue;
     best = format;

@@ -23,12 +23,14 @@ bool IsOneJsonValue(std::string_view content_type);
 enum class AnswerFormat {
   kJson,      ///< streams as NDJSON
   kProtobuf,  ///< streams as length-delimited messages
+  kEvents,    ///< streams as server-sent events, all else as JSON
   kAny        ///< it named neither of them
 };
 AnswerFormat FormatOfAccept(std::string_view accept);
 
 inline constexpr std::string_view kJsonType = "application/json";
 inline constexpr std::string_view kNdjsonType = "application/x-ndjson";
+inline constexpr std::string_view kEventsType = "text/event-stream";
 inline constexpr std::string_view kProtobufType = "application/x-protobuf";
 inline constexpr std::string_view kProtobufStreamType = "application/x-protobuf-stream";
 

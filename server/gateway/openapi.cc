@@ -120,6 +120,7 @@ class OperationWriter {
     }
     out_.EndObject();
     WriteBinary(route_.is_stream() ? kProtobufStreamType : kProtobufType);
+    if (route_.events) out_.RawMember(kEventsType, R"({"schema":{"type":"string"}})");
     out_.EndObject().EndObject();
     out_.Key("default").BeginObject().Member("description", "An error.").Key("content").BeginObject();
     out_.Key(kJsonType).BeginObject().Key("schema");

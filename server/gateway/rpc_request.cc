@@ -62,6 +62,7 @@ Result<RpcRequest> RpcRequest::Make(const http::RequestHead& head, RouteMatch ma
   std::string file_stem = FileStem(match);
   DHPMAP_ASSIGN_OR_RETURN(RequestTranscoder transcoder, RequestTranscoder::Make(std::move(match), query));
   DHPMAP_RETURN_IF_ERROR(transcoder.SetIfMatch(http::FindHeader(head.headers, "if-match")));
+  transcoder.SetLastEventId(http::FindHeader(head.headers, "last-event-id"));
   return RpcRequest{.route = &route,
                     .transcoder = std::move(transcoder),
                     .body_format = body_format,

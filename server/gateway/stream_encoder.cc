@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "server/gateway/error_body.h"
+
 namespace dhpmap::gateway {
 namespace {
 
@@ -26,6 +28,10 @@ StreamEncoder::StreamEncoder(const Route& route, AnswerFormat format, std::strin
 
 http::Headers StreamEncoder::EmptyHead() const {
   if (is_file_) return {{"Content-Type", "application/octet-stream"}};
+  if (format_ == AnswerFormat::kEvents) {
+    // Nobody on the way may keep events, or keep them back.
+    return {{"Content-Type", std::string(kEventsType)}, {"Cache-Control", "no-store"}, {"X-Accel-Buffering", "no"}};
+  }
   return {{"Content-Type", std::string(format_ == AnswerFormat::kProtobuf ? kProtobufStreamType : kNdjsonType)}};
 }
 
@@ -36,6 +42,15 @@ Result<StreamPart> StreamEncoder::Encode(const std::string& message) {
   is_first_ = false;
   DHPMAP_ASSIGN_OR_RETURN(part.data, ToStreamAnswer(route_, message, format_));
   return part;
+}
+
+std::string StreamEncoder::ErrorText(const RpcStatus& status) const {
+  return format_ == AnswerFormat::kEvents ? "event: error\ndata: " + ErrorJson(status) + "\n\n" : ErrorLine(status);
+}
+
+std::string_view StreamEncoder::Silence() const {
+  if (!route_.events || !is_text()) return {};
+  return format_ == AnswerFormat::kEvents ? ":\n\n" : "\n";
 }
 
 Result<StreamPart> StreamEncoder::EncodeFile(const std::string& bytes) {

@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "server/gateway/rpc_status.h"
 #include "server/gateway/transcoder.h"
 #include "server/http/message.h"
 
@@ -22,8 +24,8 @@ struct StreamPart {
   std::string data;                ///< may be empty
 };
 
-/// Encodes the messages of one streamed answer: as NDJSON, as length-delimited protobuf, or, for an RPC that sends a
-/// file and a client that asks for neither of them, as the file. Thread-compatible.
+/// Encodes the messages of one streamed answer: as NDJSON, as server-sent events, as length-delimited protobuf, or, for
+/// an RPC that sends a file and a client that asks for neither of them, as the file. Thread-compatible.
 class StreamEncoder {
  public:
   /// `file_stem`: a file's name, without its extension.
@@ -34,6 +36,10 @@ class StreamEncoder {
 
   /// An error can be told in the answer itself.
   [[nodiscard]] bool is_text() const { return !is_file_ && format_ != AnswerFormat::kProtobuf; }
+  /// How, as the last of it.
+  [[nodiscard]] std::string ErrorText(const RpcStatus& status) const;
+  /// What says nothing, to find out whether the client of a stream that is silent is still there; may be empty.
+  [[nodiscard]] std::string_view Silence() const;
   /// Of a stream without messages.
   [[nodiscard]] http::Headers EmptyHead() const;
 

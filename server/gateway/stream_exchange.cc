@@ -46,6 +46,7 @@ class StreamExchange final : public http::Exchange,
   bool OnBody(std::string_view data) override;
   void OnBodyEnd() override;
   void OnWritten() override;
+  void OnPeerEnded() override;
   void OnClosed() override;
 
   // From gRPC, on its threads.
@@ -284,6 +285,13 @@ void StreamExchange::OnWritten() {
   EndIfDone();
 }
 
+/// If the client is gone, the connection is reset when something is sent.
+void StreamExchange::OnPeerEnded() {
+  if (!answering_.Is(Answering::kIdle)) return;
+  pending_ += encoder_.Silence();
+  Deliver();
+}
+
 void StreamExchange::ReadEnded() {
   receiving_.To(Receiving::kEnded);
   EndSending();
@@ -298,7 +306,7 @@ void StreamExchange::Done(RpcStatus status) {
   const bool ours = own_error_ && (status.ok() || status.code == static_cast<int>(StatusCode::kCancelled));
   final_ = ours ? ToRpcStatus(*own_error_) : std::move(status);
   if (!ours) own_error_.reset();
-  if (!answering_.Is(Answering::kNone) && !final_.ok() && encoder_.is_text()) pending_ += ErrorLine(final_);
+  if (!answering_.Is(Answering::kNone) && !final_.ok() && encoder_.is_text()) pending_ += encoder_.ErrorText(final_);
   Deliver();
   EndIfDone();
 }

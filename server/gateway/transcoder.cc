@@ -79,6 +79,10 @@ Status RequestTranscoder::SetIfMatch(std::string_view header) {
   return Status::Ok();
 }
 
+void RequestTranscoder::SetLastEventId(std::string_view header) {
+  if (match_.route->events) last_event_id_ = header;
+}
+
 Result<std::string> RequestTranscoder::ToRequest(BodyFormat format, std::string_view body) const {
   const auto request = NewMessage(*match_.route->method->input_type());
   std::vector<std::string> paths;
@@ -86,6 +90,9 @@ Result<std::string> RequestTranscoder::ToRequest(BodyFormat format, std::string_
   DHPMAP_RETURN_IF_ERROR(ApplyQuery(request.get()));
   DHPMAP_RETURN_IF_ERROR(ApplyPath(request.get()));
   DHPMAP_RETURN_IF_ERROR(ApplyIfMatch(request.get()));
+  if (!last_event_id_.empty()) {
+    request->GetReflection()->SetString(request.get(), match_.route->events->resume_after, last_event_id_);
+  }
   DeriveMask(paths, request.get());
   return request->SerializeAsString();
 }
@@ -209,6 +216,26 @@ Result<std::string> ToAnswer(const Route& route, std::string response, AnswerFor
   return out;
 }
 
+namespace {
+
+std::string ToEvent(const Route& route, const Message& message) {
+  std::string out;
+  const auto& reflection = *message.GetReflection();
+  if (route.events) {
+    const FieldDescriptor* kind = reflection.GetOneofFieldDescriptor(message, route.events->event);
+    if (kind != nullptr && kind->message_type() != nullptr && kind->message_type()->field_count() == 0) {
+      return ": " + kind->name() + "\n\n";
+    }
+    if (kind != nullptr) out += "event: " + kind->name() + "\n";
+    out += "id: " + reflection.GetString(message, route.events->position) + "\n";
+  }
+  out += "data: ";
+  json::Append(message, &out);
+  return out + "\n\n";
+}
+
+}  // namespace
+
 Result<std::string> ToStreamAnswer(const Route& route, std::string_view response, AnswerFormat format) {
   std::string out;
   if (format == AnswerFormat::kProtobuf) {
@@ -219,6 +246,7 @@ Result<std::string> ToStreamAnswer(const Route& route, std::string_view response
   const auto message = NewMessage(*route.method->output_type());
   if (!Parse(response, message.get()))
     return Internal("the answer is not a " + route.method->output_type()->full_name());
+  if (format == AnswerFormat::kEvents) return ToEvent(route, *message);
   out = R"({"result":)";
   if (route.response_field != nullptr) {
     json::AppendField(*message, *route.response_field, &out);

@@ -29,6 +29,10 @@ class RequestTranscoder {
   /// INVALID_ARGUMENT if it is not one strong entity tag, or the RPC takes none.
   Status SetIfMatch(std::string_view header);
 
+  /// The header Last-Event-ID, as the request's `resume_after` where the route has events: it counts before the URL's,
+  /// since a browser that connects again sends the same URL.
+  void SetLastEventId(std::string_view header);
+
   /// One body, or one message of it, as the wire form of the RPC's request. What the path says wins over the body;
   /// query parameters fill the rest; a PATCH without update_mask gets the paths that its JSON body sets, less those in
   /// the path and the etag (a precondition, not a change). INVALID_ARGUMENT names the field or the place in the text.
@@ -49,12 +53,14 @@ class RequestTranscoder {
   http::QueryPairs query_;
   json::FieldPath etag_field_;
   std::string if_match_;
+  std::string last_event_id_;
 };
 
 /// The wire form of a response as a body. INTERNAL if it is not a message of the RPC's type.
 Result<std::string> ToAnswer(const Route& route, std::string response, AnswerFormat format);
 
-/// One message of a stream: a line {"result":...}, or the message after its length.
+/// One message of a stream: a line {"result":...}, the message after its length, or an event: with the position as its
+/// `id`, and the kind of event as its name; one that has no fields is a comment.
 Result<std::string> ToStreamAnswer(const Route& route, std::string_view response, AnswerFormat format);
 
 /// The varint that goes before a message of `size` bytes.

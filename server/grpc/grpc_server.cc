@@ -60,13 +60,14 @@ void LimitConnections(const GrpcOptions& options, grpc::ServerBuilder& builder) 
 }
 
 std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& context, IntegrateStreams& streams,
-                                                         QueryStreams& query_streams) {
+                                                         QueryStreams& query_streams, WatchStreams& watch_streams) {
   std::vector<std::unique_ptr<grpc::Service>> services;
   services.push_back(MakeMapService(context));
   services.push_back(MakeMappingService(context, streams));
   services.push_back(MakeSubmapService(context));
   services.push_back(MakeEditService(context));
   services.push_back(MakeQueryService(context, query_streams));
+  services.push_back(MakeWatchService(context, watch_streams));
   return services;
 }
 
@@ -79,14 +80,15 @@ struct GrpcServer::Impl {
         held(*options.inflight, [&registry](const MapSnapshot& state) { return registry.PresentOf(state); }),
         context{registry, lanes, options, observer, held},
         streams(options.inflight->limit_bytes()),
-        services(MakeServices(context, streams, query_streams)),
+        services(MakeServices(context, streams, query_streams, watch_streams)),
         lanes{.quick = Lane({.name = "quick", .num_threads = options.num_threads, .max_waiting = kMaxWaiting, .turns = Turns::kShort}),
               .answers = Lane({.name = "answers", .turns = Turns::kShort}),
               .bulk = Lane({.name = "bulk",
                             .num_threads = BulkThreads(options),
                             .max_waiting = kMaxWaiting,
                             .niceness = kBulkNiceness}),
-              .frames = Lane({.name = "frames", .num_threads = kFrameThreads})} {}
+              .frames = Lane({.name = "frames", .num_threads = kFrameThreads}),
+              .watch = Lane({.name = "watch"})} {}
 
   GrpcOptions options;
   GrpcObserver observer;
@@ -94,6 +96,7 @@ struct GrpcServer::Impl {
   ServiceContext context;
   IntegrateStreams streams;
   QueryStreams query_streams;
+  WatchStreams watch_streams;
   std::vector<std::unique_ptr<grpc::Service>> services;
   std::unique_ptr<net::ConnectionAcceptor> connections;  // none behind a unix: address
   int port = 0;
@@ -104,8 +107,13 @@ struct GrpcServer::Impl {
 
 namespace {
 
-constexpr std::array kServiceNames = {"", "dhpmap.v1.MapService", "dhpmap.v1.MappingService", "dhpmap.v1.SubmapService",
-                                      "dhpmap.v1.EditService", "dhpmap.v1.QueryService"};
+constexpr std::array kServiceNames = {"",
+                                      "dhpmap.v1.MapService",
+                                      "dhpmap.v1.MappingService",
+                                      "dhpmap.v1.SubmapService",
+                                      "dhpmap.v1.EditService",
+                                      "dhpmap.v1.QueryService",
+                                      "dhpmap.v1.WatchService"};
 
 /// gRPC's own accepting ends for good when file descriptors run out, and takes any number of connections. So TCP
 /// connections are accepted by us and handed to it.
@@ -185,6 +193,7 @@ void GrpcServer::Drain() {
   SetServing(false);
   impl_->streams.StopAll();
   impl_->query_streams.StopAll();
+  impl_->watch_streams.StopAll();
 }
 
 void GrpcServer::Shutdown(double grace_s) {

@@ -13,6 +13,7 @@ struct Lanes {
   Lane answers;
   Lane bulk;    ///< meshes, voxels, many points: takes long, and cares less
   Lane frames;  ///< decoding what robots stream
+  Lane watch;   ///< reading what was changed, and telling it; of one thread, so that the store is read once for all
 };
 
 }  // namespace dhpmap

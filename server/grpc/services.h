@@ -8,6 +8,7 @@
 #include "server/grpc/call_runner.h"
 #include "server/grpc/integrate_stream.h"
 #include "server/grpc/query_stream.h"
+#include "server/grpc/watch_stream.h"
 
 namespace dhpmap {
 
@@ -17,5 +18,6 @@ std::unique_ptr<grpc::Service> MakeMappingService(const ServiceContext& context,
 std::unique_ptr<grpc::Service> MakeSubmapService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeEditService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeQueryService(const ServiceContext& context, QueryStreams& streams);
+std::unique_ptr<grpc::Service> MakeWatchService(const ServiceContext& context, WatchStreams& streams);
 
 }  // namespace dhpmap

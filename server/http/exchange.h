@@ -45,6 +45,9 @@ class Exchange {
   virtual void OnBodyEnd() = 0;
   /// The last chunk is on its way.
   virtual void OnWritten() = 0;
+  /// The client sends nothing any more: it may be waiting for the answer, or be gone, which is told when something is
+  /// written.
+  virtual void OnPeerEnded() {}
   /// The client is gone, or the server stops: give up.
   virtual void OnClosed() = 0;
 };

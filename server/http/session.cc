@@ -143,6 +143,11 @@ void Session::OnWriteDone(bool ok) {
   if (const auto exchange = exchange_) exchange->OnWritten();
 }
 
+void Session::OnPeerEnded() {
+  keep_alive_ = false;
+  if (const auto exchange = exchange_) exchange->OnPeerEnded();
+}
+
 std::string Session::HeadText(const Response& response, const std::string& framing) {
   // A body that is still to come in full would be in the way of the next request.
   if (!intake_.Is(Intake::kDone) && !small_body_) keep_alive_ = false;

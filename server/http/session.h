@@ -39,7 +39,7 @@ class Session final : public ConnectionEvents, public Responder, public std::ena
   void OnHead(HeadResult head) override;
   void OnBodyData(ReadOutcome outcome, std::string_view data, bool is_end) override;
   void OnWriteDone(bool ok) override;
-  void OnPeerEnded() override { keep_alive_ = false; }
+  void OnPeerEnded() override;
   void OnPeerClosed() override { Abort(); }
 
   // Responder

@@ -116,6 +116,7 @@ std::string Metrics::Text(const Gauges& gauges) const {
                                  gauges.maps, &MapGauges::behind_s));
   families.push_back(Gauge("dhpmap_surface_memory_bytes", "Memory of surfaces and distance fields made for queries",
                            static_cast<double>(gauges.surface_bytes)));
+  families.push_back(Gauge("dhpmap_watchers", "Who watches maps", static_cast<double>(gauges.num_watchers)));
   families.push_back(Gauge("dhpmap_inflight_bytes",
                            "Memory of requests, answers and of what only states held for them still need",
                            static_cast<double>(gauges.inflight_bytes)));

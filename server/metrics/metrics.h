@@ -25,7 +25,8 @@ class Metrics {
   /// How things are when the metrics are read.
   struct Gauges {
     std::vector<MapGauges> maps;
-    std::size_t surface_bytes = 0;   ///< of what was made to answer queries, of all maps
+    std::size_t surface_bytes = 0;  ///< of what was made to answer queries, of all maps
+    std::size_t num_watchers = 0;
     std::size_t inflight_bytes = 0;  ///< of requests, answers and what only states that are held for them still need
   };
 
@@ -39,8 +40,8 @@ class Metrics {
   void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
   /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes} of the maps given, dhpmap_surface_memory_bytes,
-  /// dhpmap_inflight_bytes, and what the process takes: process_resident_memory_bytes, dhpmap_anonymous_memory_bytes,
-  /// process_threads.
+  /// dhpmap_watchers, dhpmap_inflight_bytes, and what the process takes: process_resident_memory_bytes,
+  /// dhpmap_anonymous_memory_bytes, process_threads.
   [[nodiscard]] std::string Text(const Gauges& gauges) const;
 
  private:

@@ -81,8 +81,12 @@ bool TouchesPose(const FieldMask& mask) {
 }  // namespace
 
 v1::Submap ToProto(const Submap& submap, const MapView& view) {
-  const MapInfo& map = view.snapshot().info();
-  const SubmapInfo& info = submap.info();
+  return ToProto(submap.info(), view.ObservedSphereInMap(submap), static_cast<std::int64_t>(submap.blocks().size()),
+                 view.snapshot().info());
+}
+
+v1::Submap ToProto(const SubmapInfo& info, const BoundingSphere& observed, std::int64_t num_blocks,
+                   const MapInfo& map) {
   v1::Submap proto;
   proto.set_name(SubmapResourceName(map.name, info.id));
   proto.set_instance_id(info.id.value);
@@ -95,13 +99,13 @@ v1::Submap ToProto(const Submap& submap, const MapView& view) {
   }
   proto.set_display_name(DisplayNameOf(info, *map.label_set));
   *proto.mutable_map_from_submap() = ToProto(info.T_map_submap);
-  if (const BoundingSphere sphere = view.ObservedSphereInMap(submap); !sphere.IsEmpty()) {
-    *proto.mutable_bounding_sphere()->mutable_center_m() = ToProto(sphere.center_m);
-    proto.mutable_bounding_sphere()->set_radius_m(sphere.radius_m);
+  if (!observed.IsEmpty()) {
+    *proto.mutable_bounding_sphere()->mutable_center_m() = ToProto(observed.center_m);
+    proto.mutable_bounding_sphere()->set_radius_m(observed.radius_m);
   }
   proto.set_voxel_size_m(info.voxel_size_m);
   proto.set_truncation_m(info.truncation_m);
-  proto.set_num_blocks(static_cast<std::int64_t>(submap.blocks().size()));
+  proto.set_num_blocks(num_blocks);
   proto.set_presence(info.presence == Presence::kAbsent ? v1::ABSENT : v1::PRESENT);
   proto.set_last_contradicted_ns(info.last_contradicted_ns);
   proto.set_activity(info.activity == Activity::kActive ? v1::ACTIVE : v1::INACTIVE);
@@ -110,7 +114,7 @@ v1::Submap ToProto(const Submap& submap, const MapView& view) {
   proto.set_first_observed_ns(info.first_observed_ns);
   proto.set_last_observed_ns(info.last_observed_ns);
   proto.set_revision(info.revision);
-  proto.set_etag(EtagOf(submap, map));
+  proto.set_etag(EtagOf(info, map));
   return proto;
 }
 

@@ -12,6 +12,9 @@ namespace dhpmap {
 /// One of the view's submaps.
 v1::Submap ToProto(const Submap& submap, const MapView& view);
 
+/// One of `map`'s, of which the name, history and label set count. `observed`: SphereOfObservedInMap.
+v1::Submap ToProto(const SubmapInfo& info, const BoundingSphere& observed, std::int64_t num_blocks, const MapInfo& map);
+
 /// INVALID_ARGUMENT, naming every bad field, for a class name that the label set lacks, an empty or non-finite region,
 /// a negative radius.
 Result<SubmapFilter> FilterFromProto(const v1::ListSubmapsRequest& request, const LabelSet& label_set);

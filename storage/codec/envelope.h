@@ -25,6 +25,7 @@ enum class BlobKind : std::uint8_t {
   kTsdfBlocks = 0x1F,
   kLabelsBlocks = 0x2F,
   kGoneBlocks = 0x4F,
+  kChangeV1 = 0x61,  // what a commit changed
 };
 
 /// Which layer a kind is of.

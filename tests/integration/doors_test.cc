@@ -48,7 +48,7 @@ grpc::Status CallRaw(const std::shared_ptr<grpc::Channel>& channel, const std::s
 
 std::vector<const google::protobuf::MethodDescriptor*> OurMethods() {
   std::vector<const google::protobuf::MethodDescriptor*> methods;
-  for (const char* file : {"map", "mapping", "submap", "query"}) {
+  for (const char* file : {"map", "mapping", "submap", "query", "watch"}) {
     const auto* descriptor = google::protobuf::DescriptorPool::generated_pool()->FindFileByName(
         std::string("dhpmap/v1/") + file + "_service.proto");
     for (int s = 0; descriptor != nullptr && s < descriptor->service_count(); ++s) {

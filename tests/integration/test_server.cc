@@ -46,6 +46,7 @@ TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc
   mapping = v1::MappingService::NewStub(channel_);
   submaps = v1::SubmapService::NewStub(channel_);
   queries = v1::QueryService::NewStub(channel_);
+  watches = v1::WatchService::NewStub(channel_);
 }
 
 TestServer::~TestServer() { (void)Stop(); }

@@ -11,6 +11,7 @@
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "dhpmap/v1/watch_service.grpc.pb.h"
 #include "server/grpc/grpc_server.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
@@ -34,6 +35,7 @@ class TestServer {
   std::unique_ptr<v1::MappingService::Stub> mapping;
   std::unique_ptr<v1::SubmapService::Stub> submaps;
   std::unique_ptr<v1::QueryService::Stub> queries;
+  std::unique_ptr<v1::WatchService::Stub> watches;
 
  private:
   std::unique_ptr<MapRegistry> registry_;

@@ -67,11 +67,11 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
 /// shows everything.
 const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
   static const std::map<std::string, std::vector<std::string>> front = {
-      {"mapping/map",
-       {"block_table.h", "bounding_sphere.h", "display_name.h",    "free_space.h",    "free_tile.h",  "gone_block.h",
-        "history_id.h",  "label_block.h",     "lost_revisions.h",  "map.h",           "map_config.h", "map_grid.h",
-        "merged_ids.h",  "object_pairs.h",    "observed_sphere.h", "session_marks.h", "slope.h",      "state_marks.h",
-        "submap.h",      "tsdf_block.h",      "voxel_answer.h",    "voxel_average.h"}},
+      {"mapping/map", {"block_table.h",     "bounding_sphere.h", "display_name.h", "free_space.h",     "free_tile.h",
+                       "gone_block.h",      "history_id.h",      "label_block.h",  "lost_revisions.h", "map.h",
+                       "map_change.h",      "map_config.h",      "map_grid.h",     "merged_ids.h",     "object_pairs.h",
+                       "observed_sphere.h", "session_marks.h",   "slope.h",        "state_marks.h",    "submap.h",
+                       "tsdf_block.h",      "voxel_answer.h",    "voxel_average.h"}},
       {"mapping/sensor",
        {"frame.h", "frame_reach.h", "hidden_things.h", "image_codec.h", "lidar_projection.h", "pinhole_camera.h"}},
       {"mapping/fusion", {"band_size.h", "bundler.h", "grid_ray.h", "integrator.h", "segment_parts.h"}},

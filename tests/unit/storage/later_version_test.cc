@@ -2,6 +2,7 @@
 // What a later version will do: new columns, config keys and schema steps, over rows that this version wrote.
 #include <map>
 
+#include "storage/rows/change_rows.h"
 #include "storage/rows/class_rows.h"
 #include "storage/rows/config_rows.h"
 #include "storage/rows/map_rows.h"
@@ -272,6 +273,8 @@ TEST_F(LaterVersionTest, EveryColumnOfATableIsInItsListWithItsType) {
   ExpectListsAllColumnsOf(database, MergedTable());
   ExpectListsAllColumnsOf(database, PairTable());
   ExpectListsAllColumnsOf(database, Submaps());
+  ExpectListsAllColumnsOf(database, Changes());
+  ExpectListsAllColumnsOf(database, ChangeLogs());
 }
 
 }  // namespace

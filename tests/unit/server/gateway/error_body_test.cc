@@ -66,7 +66,11 @@ TEST(ErrorBody, SomeReasonsHaveAnHttpStatusOfTheirOwn) {
   const Status too_large = ResourceExhausted("large").WithReason("BODY_TOO_LARGE");
   EXPECT_EQ(ErrorResponse(too_large, AnswerFormat::kJson).status, 413);
   EXPECT_EQ(ErrorResponse(TooManyBytes(), AnswerFormat::kJson).status, 429);
-  EXPECT_EQ(ErrorResponse(ToRpcStatus(too_large), AnswerFormat::kJson).status, 429) << "an RPC's code is what counts";
+  const Status compacted = OutOfRange("old").WithReason("COMPACTED");
+  EXPECT_EQ(ErrorResponse(ToRpcStatus(compacted), AnswerFormat::kJson).status, 410) << "an RPC's reasons, too";
+  RpcStatus other = ToRpcStatus(compacted);
+  other.code = static_cast<int>(StatusCode::kInternal);
+  EXPECT_EQ(ErrorResponse(other, AnswerFormat::kJson).status, 500) << "but not of another code";
 }
 
 TEST(ErrorBody, AnyIsJsonAndBothFormsSayTheSame) {

@@ -20,6 +20,7 @@ TEST(MediaType, ChoosesAmongWhatIsAccepted) {
   EXPECT_EQ(FormatOfAccept("*/*"), AnswerFormat::kAny);
   EXPECT_EQ(FormatOfAccept("text/html,application/xml;q=0.9,*/*;q=0.8"), AnswerFormat::kAny);
   EXPECT_EQ(FormatOfAccept("application/json"), AnswerFormat::kJson);
+  EXPECT_EQ(FormatOfAccept("text/event-stream"), AnswerFormat::kEvents);
   EXPECT_EQ(FormatOfAccept("application/json;q=0.5, application/x-protobuf"), AnswerFormat::kProtobuf);
   EXPECT_EQ(FormatOfAccept("application/x-protobuf;q=0, application/x-ndjson;q=0.1"), AnswerFormat::kJson);
   EXPECT_EQ(FormatOfAccept("application/octet-stream"), AnswerFormat::kAny);

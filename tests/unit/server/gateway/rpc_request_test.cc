@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/gateway/rpc_request.h"
 
+#include "dhpmap/v1/watch_service.pb.h"
 #include "tests/unit/server/gateway/test_request.h"
 
 namespace dhpmap::gateway {
@@ -22,6 +23,21 @@ TEST(RpcRequest, UnderstandsAllButTheBody) {
   EXPECT_EQ(request->announced_bytes, 12u);
   EXPECT_FALSE(request->is_head);
   EXPECT_TRUE(Made(RequestHeadOf("HEAD", "/v1/maps"))->is_head);
+}
+
+TEST(RpcRequest, TheLastEventIdCountsBeforeWhatTheUrlSays) {
+  const auto position_of = [](const char* query, http::Headers headers) {
+    const http::RequestHead head = RequestHeadOf("GET", "/v1/maps/a:watch", std::move(headers));
+    const auto request = RpcRequest::Make(head, Matched("GET", "/v1/maps/a:watch"), query, kMaxBody_bytes);
+    v1::WatchMapRequest message;
+    EXPECT_TRUE(request.ok() && message.ParseFromString(*request->transcoder.ToRequest(BodyFormat::kJson, "")));
+    return message.resume_after();
+  };
+  EXPECT_EQ(position_of("resume_after=x-1", {}), "x-1");
+  EXPECT_EQ(position_of("start_revision=3", {{"Last-Event-ID", "x-7"}}), "x-7");
+  EXPECT_EQ(position_of("resume_after=x-1", {{"last-event-id", "x-7"}}), "x-7");
+  const auto other = Made(RequestHeadOf("GET", "/v1/maps", {{"Last-Event-ID", "x-7"}}));
+  EXPECT_TRUE(other.ok()) << "what tells no events has no use for it";
 }
 
 TEST(RpcRequest, RefusesABodyBeforeItComes) {

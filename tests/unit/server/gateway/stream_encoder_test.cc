@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/gateway/stream_encoder.h"
 
+#include <algorithm>
+
 #include "dhpmap/v1/submap_service.pb.h"
+#include "dhpmap/v1/watch_service.pb.h"
 #include "json_test.pb.h"
 #include "tests/unit/server/gateway/test_request.h"
 
@@ -82,6 +85,44 @@ TEST(StreamEncoder, GivesFilesTheirExtension) {
   EXPECT_EQ(ExtensionOf("text/csv; charset=utf-8"), "csv");
   EXPECT_EQ(ExtensionOf("application/../x"), "bin");
   EXPECT_EQ(ExtensionOf(""), "bin");
+}
+
+const Route& Watch() { return *Matched("GET", "/v1/maps/a:watch").route; }
+
+TEST(StreamEncoder, AnEventSaysWhereToGoOnAndWhatItIs) {
+  StreamEncoder encoder(Watch(), AnswerFormat::kEvents, "");
+  v1::WatchMapResponse message;
+  message.set_position("abc-7");
+  message.mutable_progress()->set_revision(7);
+  const auto first = encoder.Encode(message.SerializeAsString());
+  ASSERT_TRUE(first.ok());
+  EXPECT_EQ(http::FindHeader(first->head->headers, "content-type"), "text/event-stream");
+  EXPECT_EQ(http::FindHeader(first->head->headers, "cache-control"), "no-store");
+  EXPECT_TRUE(first->data.starts_with("event: progress\nid: abc-7\ndata: {")) << first->data;
+  EXPECT_TRUE(first->data.ends_with("}\n\n")) << first->data;
+  message.mutable_heartbeat();
+  EXPECT_EQ(encoder.Encode(message.SerializeAsString())->data, ": heartbeat\n\n");
+  message.mutable_change()->set_display_name("two\nlines");
+  const std::string change = encoder.Encode(message.SerializeAsString())->data;
+  EXPECT_EQ(std::count(change.begin(), change.end(), '\n'), 4) << change;
+  EXPECT_TRUE(encoder.is_text());
+  EXPECT_TRUE(encoder.ErrorText({14, "gone", ""}).starts_with("event: error\ndata: {\"code\":14,"));
+  EXPECT_EQ(encoder.Silence(), ":\n\n");
+}
+
+TEST(StreamEncoder, EventsAreLinesToWhoAsksForNone) {
+  StreamEncoder encoder(Watch(), AnswerFormat::kAny, "");
+  v1::WatchMapResponse message;
+  message.set_position("abc-7");
+  message.mutable_heartbeat();
+  EXPECT_TRUE(encoder.Encode(message.SerializeAsString())->data.starts_with(R"({"result":{"position":"abc-7")"));
+  EXPECT_EQ(encoder.Silence(), "\n");
+}
+
+TEST(StreamEncoder, AStreamThatTellsNoPositionIsOfEventsWithoutOne) {
+  StreamEncoder encoder(Voxels(), AnswerFormat::kEvents, "");
+  EXPECT_TRUE(encoder.Encode(v1::StreamSubmapVoxelsResponse().SerializeAsString())->data.starts_with("data: {"));
+  EXPECT_EQ(encoder.Silence(), "") << "it is never silent for long";
 }
 
 }  // namespace

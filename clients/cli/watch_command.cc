@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap watch: what becomes of a map, as it is stored.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+#include "clients/cli/connection.h"
+#include "dhpmap/v1/watch_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct WatchOptions {
+  std::string map;
+  std::int64_t from = 0;
+  std::int64_t until = -1;
+  std::vector<std::int64_t> ids;
+  std::vector<std::string> classes;
+  std::vector<double> box;
+  double reconnect_s = 300;
+};
+
+v1::WatchMapRequest RequestOf(const WatchOptions& options) {
+  v1::WatchMapRequest request;
+  request.set_map(MapName(options.map));
+  request.set_start_revision(options.from);
+  v1::WatchFilter& filter = *request.mutable_filter();
+  for (const std::int64_t id : options.ids) filter.add_instance_ids(id);
+  for (const std::string& name : options.classes) filter.add_class_names(name);
+  if (!options.box.empty()) {
+    for (const int corner : {0, 3}) {
+      v1::Vector3& at =
+          corner == 0 ? *filter.mutable_region()->mutable_min_m() : *filter.mutable_region()->mutable_max_m();
+      at.set_x(options.box[static_cast<std::size_t>(corner)]);
+      at.set_y(options.box[static_cast<std::size_t>(corner) + 1]);
+      at.set_z(options.box[static_cast<std::size_t>(corner) + 2]);
+    }
+  }
+  return request;
+}
+
+std::string Lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// "changed 7 sofa 'sofa 7': geometry, observation".
+void PrintEvent(const v1::SubmapEvent& event) {
+  const v1::Submap& submap = event.submap();
+  std::cout << "  " << Lower(v1::SubmapEvent::Kind_Name(event.kind())) << " " << submap.instance_id();
+  if (!submap.class_name().empty()) std::cout << " " << submap.class_name();
+  if (!submap.display_name().empty()) std::cout << " '" << submap.display_name() << "'";
+  if (!event.into().empty()) std::cout << " into " << event.into();
+  const char* separator = ": ";
+  for (const int part : event.parts()) {
+    std::cout << separator << Lower(v1::SubmapEvent::Part_Name(static_cast<v1::SubmapEvent::Part>(part)));
+    separator = ", ";
+  }
+  std::cout << "\n";
+}
+
+void Print(const v1::WatchMapResponse& message) {
+  if (message.has_progress()) std::cout << "all up to revision " << message.progress().revision() << " is told\n";
+  if (!message.has_change()) return;
+  const v1::MapChange& change = message.change();
+  std::cout << "revision " << change.first_revision();
+  if (change.last_revision() != change.first_revision()) std::cout << " to " << change.last_revision();
+  std::cout << ":";
+  if (change.has_display_name()) std::cout << " the map is called '" << change.display_name() << "'";
+  std::cout << "\n";
+  for (const v1::SubmapEvent& event : change.submaps()) PrintEvent(event);
+}
+
+/// Everything up to so far is told.
+std::int64_t RevisionOf(const std::string& position) {
+  const std::size_t dash = position.find('-');
+  return dash == std::string::npos ? -1 : std::atoll(position.c_str() + dash + 1);
+}
+
+/// Whether the connection was lost, or could not be made, rather than that the server has ended the watch for good.
+bool MayComeBack(const grpc::Status& status) {
+  return status.error_code() == grpc::UNAVAILABLE || status.error_code() == grpc::CANCELLED ||
+         status.error_code() == grpc::UNKNOWN;
+}
+
+/// Goes on after the last position whenever the connection is lost, as long as it comes back in time.
+ExitCode RunWatch(const Session& session, const WatchOptions& options) {
+  const auto stub = v1::WatchService::NewStub(Connect(session));
+  v1::WatchMapRequest request = RequestOf(options);
+  Clock::time_point last_heard = Clock::now();
+  bool was_there = false;
+  while (true) {
+    grpc::ClientContext context;
+    const auto stream = stub->WatchMap(&context, request);
+    v1::WatchMapResponse message;
+    while (stream->Read(&message)) {
+      was_there = true;
+      last_heard = Clock::now();
+      if (session.json) PrintJsonLine(message);
+      else Print(message);
+      std::cout.flush();
+      request.set_resume_after(message.position());
+      if (options.until >= 0 && RevisionOf(message.position()) >= options.until) return ExitCode::kOk;
+    }
+    const grpc::Status status = stream->Finish();
+    const bool is_in_time = Clock::now() - last_heard < std::chrono::duration<double>(options.reconnect_s);
+    if (!was_there || !MayComeBack(status) || !is_in_time) return ReportError(session, status);
+    std::cerr << "dhpmap: the connection is lost, going on after " << request.resume_after() << ": "
+              << status.error_message() << "\n";
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+}
+
+}  // namespace
+
+void AddWatchCommand(CLI::App& app, Session& session) {
+  auto options = std::make_shared<WatchOptions>();
+  CLI::App* command = app.add_subcommand("watch", "Tell what becomes of a map, as it is stored, until interrupted");
+  command->add_option("map", options->map, "Name of the map")->required();
+  command->add_option("--from", options->from, "First revision to tell of; default: what comes from now on");
+  command->add_option("--until", options->until, "End once everything up to this revision is told");
+  command->add_option("--id", options->ids, "Of this object only; may be repeated")->allow_extra_args(false);
+  command->add_option("--class", options->classes, "Of this class only, by name; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--box", options->box, "Of what touches the box X Y Z to X Y Z (metres)")->expected(6);
+  command->add_option("--reconnect-s", options->reconnect_s, "Seconds to try again for when the connection is lost")
+      ->capture_default_str();
+  command->callback([options, &session] { session.exit_code = RunWatch(session, *options); });
+}
+
+}  // namespace dhpmap

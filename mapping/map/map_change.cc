@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/map_change.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "mapping/map/observed_sphere.h"
+
+namespace dhpmap {
+namespace {
+
+/// Rows of tiles along x become boxes; too many boxes become one.
+std::vector<TileBox> BoxesAround(const std::set<TileIndex>& tiles_by_x) {
+  std::vector<TileIndex> tiles(tiles_by_x.begin(), tiles_by_x.end());
+  std::sort(tiles.begin(), tiles.end(),
+            [](const TileIndex& a, const TileIndex& b) { return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x); });
+  std::vector<TileBox> boxes;
+  for (const TileIndex& tile : tiles) {
+    TileBox* last = boxes.empty() ? nullptr : &boxes.back();
+    if (last != nullptr && last->high.z == tile.z && last->high.y == tile.y && last->high.x + 1 == tile.x) {
+      last->high = tile;
+    } else {
+      boxes.push_back({tile, tile});
+    }
+  }
+  if (boxes.size() <= kMaxTileBoxes) return boxes;
+  TileBox all = boxes.front();
+  for (const TileBox& box : boxes) {
+    all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y), std::min(all.low.z, box.low.z)};
+    all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y), std::max(all.high.z, box.high.z)};
+  }
+  return {all};
+}
+
+bool IsWritten(const TileChange& tile, BlockLayer layer) { return tile.is_written[static_cast<std::size_t>(layer)]; }
+
+std::vector<TileBox> TilesOfGeometry(const SubmapTileChange& change) {
+  std::set<TileIndex> tiles;
+  for (const TileChange& tile : change.tiles) {
+    if (IsWritten(tile, BlockLayer::kTsdf) || IsWritten(tile, BlockLayer::kGone)) tiles.insert(tile.index);
+  }
+  return BoxesAround(tiles);
+}
+
+SubmapParts PartsOf(const SubmapInfo& before, const SubmapInfo& after) {
+  SubmapParts parts;
+  if (before.T_map_submap.matrix() != after.T_map_submap.matrix() || before.is_placed != after.is_placed) {
+    parts.Add(SubmapPart::kPose);
+  }
+  if (before.panoptic != after.panoptic || before.class_id != after.class_id ||
+      before.class_is_fixed != after.class_is_fixed) {
+    parts.Add(SubmapPart::kLabels);
+  }
+  if (before.display_name != after.display_name) parts.Add(SubmapPart::kName);
+  if (before.activity != after.activity || before.is_confirmed != after.is_confirmed ||
+      before.presence != after.presence) {
+    parts.Add(SubmapPart::kActivity);
+  }
+  if (before.num_frames_observed != after.num_frames_observed || before.class_counts != after.class_counts ||
+      before.first_observed_ns != after.first_observed_ns || before.last_observed_ns != after.last_observed_ns ||
+      before.instance_confidence != after.instance_confidence ||
+      before.last_contradicted_ns != after.last_contradicted_ns) {
+    parts.Add(SubmapPart::kObservation);
+  }
+  return parts;
+}
+
+SubmapPlace PlaceOf(const SubmapMarks& marks) {
+  return {marks.info().panoptic, marks.info().class_id, marks.sphere_in_map()};
+}
+
+SubmapEvent EventOfMissing(const SubmapMarks& before, const MergedIds& merged) {
+  SubmapEvent event{.kind = ChangeKind::kRemoved, .info = before.info(), .before = PlaceOf(before)};
+  if (const auto into = merged.Into(before.info().id)) {
+    event.kind = ChangeKind::kMerged;
+    event.into = *into;
+  }
+  return event;
+}
+
+SubmapEvent EventOfPresent(const SubmapMarks* before, const SubmapTileChange& change) {
+  const Submap& submap = *change.after;
+  SubmapEvent event{.kind = before == nullptr ? ChangeKind::kCreated : ChangeKind::kChanged,
+                    .info = submap.info(),
+                    .observed = SphereOfObservedInMap(submap),
+                    .num_blocks = static_cast<std::int64_t>(submap.blocks().size())};
+  if (before == nullptr) return event;
+  event.before = PlaceOf(*before);
+  event.parts = PartsOf(before->info(), submap.info());
+  event.tiles = TilesOfGeometry(change);
+  if (!event.tiles.empty()) event.parts.Add(SubmapPart::kGeometry);
+  const bool has_new_labels = std::any_of(change.tiles.begin(), change.tiles.end(), [](const TileChange& tile) {
+    return IsWritten(tile, BlockLayer::kLabels);
+  });
+  if (has_new_labels) event.parts.Add(SubmapPart::kVoxelLabels);
+  return event;
+}
+
+}  // namespace
+
+MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after, const std::vector<SubmapTileChange>& submaps) {
+  MapChange change{.first_revision = before.revision() + 1,
+                   .last_revision = after.revision(),
+                   .time_ns = after.info().update_time_ns,
+                   .submaps = {}};
+  if (before.revision() > 0 && before.info().display_name != after.info().display_name) {
+    change.display_name = after.info().display_name;
+  }
+  for (const SubmapTileChange& submap : submaps) {
+    const SubmapMarks* old = before.Find(submap.id);
+    if (submap.after != nullptr) change.submaps.push_back(EventOfPresent(old, submap));
+    else if (old != nullptr) change.submaps.push_back(EventOfMissing(*old, after.info().merged));
+  }
+  std::sort(change.submaps.begin(), change.submaps.end(),
+            [](const SubmapEvent& a, const SubmapEvent& b) { return a.info.id < b.info.id; });
+  return change;
+}
+
+std::size_t BytesOf(const MapChange& change) {
+  std::size_t bytes = sizeof change;
+  for (const SubmapEvent& event : change.submaps) {
+    bytes += sizeof event + event.info.display_name.size() + event.tiles.size() * sizeof(TileBox) +
+             event.info.class_counts.size() * sizeof(ClassTotal);
+  }
+  return bytes;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mapping/map/map.h"
+#include "mapping/map/state_marks.h"
+
+namespace dhpmap {
+
+// What is told of the difference between two states of a map to those who follow it: values, which outlive both. Kept
+// by the store, so numbers are never reused.
+
+enum class ChangeKind : std::uint8_t { kCreated = 1, kChanged = 2, kRemoved = 3, kMerged = 4 };
+
+/// What can change of a submap.
+enum class SubmapPart : std::uint8_t {
+  kPose = 0,
+  kLabels = 1,       ///< its class, and whether somebody has set it
+  kName = 2,         ///< its display name, as somebody has set it
+  kActivity = 3,     ///< whether it is active, confirmed, present
+  kGeometry = 4,     ///< blocks of its surface, or of what was looked through
+  kVoxelLabels = 5,  ///< blocks of labels
+  kObservation = 6,  ///< how often and when it was seen, as what
+};
+
+/// Value type.
+class SubmapParts {
+ public:
+  constexpr SubmapParts() = default;
+  constexpr SubmapParts(std::initializer_list<SubmapPart> parts) {
+    for (const SubmapPart part : parts) Add(part);
+  }
+  static constexpr SubmapParts FromBits(std::uint32_t bits) {
+    SubmapParts parts;
+    parts.bits_ = bits;
+    return parts;
+  }
+  constexpr void Add(SubmapPart part) { bits_ |= 1u << static_cast<unsigned>(part); }
+  [[nodiscard]] constexpr bool Has(SubmapPart part) const { return (bits_ >> static_cast<unsigned>(part) & 1u) != 0; }
+  [[nodiscard]] constexpr bool HasAnyOf(SubmapParts others) const { return (bits_ & others.bits_) != 0; }
+  [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
+  [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
+  constexpr bool operator==(const SubmapParts&) const = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+/// Tiles from the low to the high corner, both included.
+struct TileBox {
+  TileIndex low, high;
+  constexpr bool operator==(const TileBox&) const = default;
+};
+
+/// What of a submap decides whether somebody wants to hear of it.
+struct SubmapPlace {
+  Panoptic panoptic = Panoptic::kUnknown;
+  ClassId class_id;
+  BoundingSphere sphere;  ///< in the map frame
+};
+
+/// What became of one submap.
+struct SubmapEvent {
+  ChangeKind kind = ChangeKind::kChanged;
+  SubmapParts parts;                  ///< of kChanged; none: its revision alone
+  SubmapInfo info;                    ///< as it is now; of one that is gone, as it was last
+  BoundingSphere observed;            ///< SphereOfObservedInMap as it is now; empty: of one that is gone, too
+  std::int64_t num_blocks = 0;        ///< as it is now
+  std::vector<TileBox> tiles;         ///< that hold all changes of kGeometry, in its own grid; none of kCreated
+  SubmapId into;                      ///< of kMerged: what it is a part of now
+  std::optional<SubmapPlace> before;  ///< with the sphere around its blocks; none of kCreated
+};
+
+/// What became of a map from one state that was stored to the next.
+struct MapChange {
+  std::int64_t first_revision = 0;                         ///< the one after the state before
+  std::int64_t last_revision = 0;                          ///< of the state after; what was between is told as one
+  std::int64_t time_ns = 0;                                ///< UTC, of the state after
+  std::optional<std::string> display_name = std::nullopt;  ///< of the map, if that has changed
+  std::vector<SubmapEvent> submaps;                        ///< by ascending id
+};
+
+/// Of one submap no more than so many; beyond, one box around them all.
+inline constexpr std::size_t kMaxTileBoxes = 32;
+
+/// `submaps` is DiffTiles of the two states.
+MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after, const std::vector<SubmapTileChange>& submaps);
+
+/// In memory, roughly.
+std::size_t BytesOf(const MapChange& change);
+
+}  // namespace dhpmap

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "mapping/base/mutex.h"
+#include "storage/store.h"
+
+namespace dhpmap {
+
+/// Who follows which map, and what there is to read for them. A follower is a position in what the store keeps, not a
+/// queue: it is woken, and reads on. What was read last is kept while a map has followers, so that however many they
+/// are, the store is read once. Thread-safe.
+class ChangeFeed {
+ public:
+  /// Of the newest changes of a map so many bytes are kept for its followers.
+  static constexpr std::size_t kKept_bytes = 1u << 20;
+  /// Of older ones so many, as stored, are read at a time.
+  static constexpr std::size_t kPage_bytes = 128u << 10;
+
+  /// The store outlives the feed.
+  ChangeFeed(MapStore& store, std::size_t max_followers) : store_(store), max_followers_(max_followers) {}
+
+  /// One who follows a map, until the end of its life.
+  class Follower {
+   public:
+    Follower(ChangeFeed& feed, std::string map, std::function<void()> wake)
+        : feed_(feed), map_(std::move(map)), wake_(std::move(wake)) {}
+    /// When it returns, `wake` does not run and never will.
+    ~Follower() { feed_.Remove(*this); }
+    Follower(const Follower&) = delete;
+    Follower& operator=(const Follower&) = delete;
+
+   private:
+    friend class ChangeFeed;
+    ChangeFeed& feed_;
+    const std::string map_;
+    const std::function<void()> wake_;
+  };
+
+  /// `wake` runs whenever the map may have changed, or is deleted, on the thread that did it: it must be quick, and
+  /// must not call the feed. RESOURCE_EXHAUSTED, reason TOO_MANY_WATCHERS.
+  Result<std::unique_ptr<Follower>> Follow(const std::string& map, std::function<void()> wake) DHPMAP_EXCLUDES(mutex_);
+
+  /// See MapStore::ListChanges, with at most a page. Reads the store only for what has not been read yet.
+  Result<ChangeList> Read(const std::string& map, std::int64_t after_revision) DHPMAP_EXCLUDES(read_mutex_, mutex_);
+
+  /// The store has another state of the map, or has the map no longer.
+  void Notify(const std::string& map) DHPMAP_EXCLUDES(mutex_);
+
+  [[nodiscard]] std::size_t num_followers() const DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  /// A map with followers.
+  struct Channel {
+    std::set<Follower*> followers;
+    /// What was read last: the changes of all revisions after complete_after, up to `revision`.
+    bool is_fresh = false;  ///< nothing has happened since
+    bool has_read = false;
+    std::uint64_t history_id = 0;
+    std::int64_t revision = 0;
+    std::int64_t complete_after = 0;
+    std::deque<std::shared_ptr<const MapChange>> kept;
+    std::size_t kept_bytes = 0;
+  };
+
+  void Remove(Follower& follower) DHPMAP_EXCLUDES(mutex_);
+  Status Refresh(const std::string& map) DHPMAP_REQUIRES(read_mutex_) DHPMAP_EXCLUDES(mutex_);
+  static void Take(Channel& channel, const ChangeList& list);
+  static ChangeList ListKept(const Channel& channel, std::int64_t after_revision);
+
+  MapStore& store_;
+  const std::size_t max_followers_;
+  Mutex read_mutex_ DHPMAP_ACQUIRED_BEFORE(mutex_);  // while the store is read: of those who come meanwhile none does
+  mutable Mutex mutex_;
+  std::map<std::string, Channel> channels_ DHPMAP_GUARDED_BY(mutex_);
+  std::size_t num_followers_ DHPMAP_GUARDED_BY(mutex_) = 0;
+};
+
+}  // namespace dhpmap

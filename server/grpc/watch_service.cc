@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
+
+#include "dhpmap/v1/watch_service.grpc.pb.h"
+#include "server/grpc/services.h"
+#include "server/grpc/watch_stream.h"
+
+namespace dhpmap {
+namespace {
+
+class WatchService final : public v1::WatchService::CallbackService {
+ public:
+  WatchService(const ServiceContext& context, WatchStreams& streams) : context_(context), streams_(streams) {}
+
+  grpc::ServerWriteReactor<v1::WatchMapResponse>* WatchMap(grpc::CallbackServerContext*,
+                                                           const v1::WatchMapRequest* request) override {
+    return WatchStream::Start(context_, streams_, *request);
+  }
+
+ private:
+  const ServiceContext& context_;
+  WatchStreams& streams_;
+};
+
+}  // namespace
+
+std::unique_ptr<grpc::Service> MakeWatchService(const ServiceContext& context, WatchStreams& streams) {
+  return std::make_unique<WatchService>(context, streams);
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "dhpmap/v1/watch_service.pb.h"
+#include "server/app/change_filter.h"
+#include "server/app/watch_position.h"
+
+namespace dhpmap {
+
+/// INVALID_ARGUMENT, reason BAD_POSITION, for a negative revision, or a history or position that is malformed.
+Result<WatchStart> WatchStartFromProto(const v1::WatchMapRequest& request);
+
+/// INVALID_ARGUMENT, reason BAD_FILTER, naming every bad field.
+Result<ChangeFilter> ChangeFilterFromProto(const v1::WatchFilter& filter, const LabelSet& label_set);
+
+/// s between messages; INVALID_ARGUMENT outside of what the request allows.
+Result<double> ProgressSecondsFromProto(const v1::WatchMapRequest& request);
+
+/// One of the events of a map, of which the name, history and label set count.
+v1::SubmapEvent ToProto(const SubmapEvent& event, const MapInfo& map);
+
+/// What a filter passes of one change, in messages of some 64 KiB. Empty if it passes nothing.
+class ChangeMessages {
+ public:
+  ChangeMessages() = default;
+  ChangeMessages(std::shared_ptr<const MapChange> change, const ChangeFilter& filter);
+
+  /// Whether there is a next message.
+  [[nodiscard]] bool has_next() const { return has_next_; }
+  /// Fills it, all but its position; `message` is empty. The last one says so.
+  void Next(const ChangeFilter& filter, const MapInfo& map, v1::MapChange& message);
+
+ private:
+  static constexpr std::size_t kMessage_bytes = 64u << 10;
+  void SkipToPassing(const ChangeFilter& filter);
+
+  std::shared_ptr<const MapChange> change_;
+  std::size_t next_ = 0;  ///< event
+  bool has_next_ = false, has_begun_ = false;
+};
+
+}  // namespace dhpmap

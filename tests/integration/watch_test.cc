@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Watching a map through the gRPC door.
+#include <atomic>
+#include <future>
+#include <random>
+#include <thread>
+
+#include "tests/integration/watcher.h"
+#include "tests/support/eventually.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// An empty map over the classes of TestScene, in a store whose history has limits.
+class WatchTest : public ::testing::Test {
+ protected:
+  void Begin(const ChangeHistoryLimits& limits = {}, SessionOptions session = {}) {
+    store = MakeMemoryStore(limits);
+    server = std::make_unique<TestServer>(*store, std::move(session));
+    CreateMap();
+  }
+  void CreateMap() {
+    grpc::ClientContext create;
+    v1::CreateMapResponse response;
+    const grpc::Status created = server->maps->CreateMap(&create, CreateRequest("room"), &response);
+    ASSERT_TRUE(created.ok()) << created.error_message();
+    history = response.map().history_id();
+  }
+  void DeleteMap() {
+    v1::DeleteMapRequest request;
+    request.set_name("maps/room");
+    v1::DeleteMapResponse response;
+    grpc::ClientContext context;
+    const grpc::Status deleted = server->maps->DeleteMap(&context, request, &response);
+    ASSERT_TRUE(deleted.ok()) << deleted.error_message();
+  }
+  /// Commits before it is answered.
+  std::int64_t Rename(std::int64_t id, const std::string& name) {
+    v1::UpdateSubmapRequest request;
+    request.mutable_submap()->set_name("maps/room/submaps/" + std::to_string(id));
+    request.mutable_submap()->set_display_name(name);
+    request.mutable_update_mask()->add_paths("display_name");
+    v1::UpdateSubmapResponse response;
+    grpc::ClientContext context;
+    const grpc::Status status = server->submaps->UpdateSubmap(&context, request, &response);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    return response.revision();
+  }
+  std::int64_t Clone(std::int64_t id, std::int64_t* made = nullptr) {
+    v1::CloneSubmapRequest request;
+    request.set_name("maps/room/submaps/" + std::to_string(id));
+    v1::CloneSubmapResponse response;
+    grpc::ClientContext context;
+    const grpc::Status status = server->submaps->CloneSubmap(&context, request, &response);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    if (made != nullptr) *made = response.submap().instance_id();
+    return response.revision();
+  }
+  std::int64_t Remove(std::int64_t id) {
+    v1::DeleteSubmapRequest request;
+    request.set_name("maps/room/submaps/" + std::to_string(id));
+    v1::DeleteSubmapResponse response;
+    grpc::ClientContext context;
+    const grpc::Status status = server->submaps->DeleteSubmap(&context, request, &response);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    return response.revision();
+  }
+  v1::ListSubmapsResponse List() { return ListAll(*server->submaps, "room"); }
+  std::int64_t AnyThing() {
+    const v1::ListSubmapsResponse list = List();
+    for (const v1::Submap& submap : list.submaps()) {
+      if (submap.kind() == v1::THING) return submap.instance_id();
+    }
+    return -1;
+  }
+  v1::WatchMapRequest From(std::int64_t revision) {
+    v1::WatchMapRequest request;
+    request.set_map("maps/room");
+    request.set_start_revision(revision);
+    return request;
+  }
+  grpc::Status EndOf(const v1::WatchMapRequest& request) { return Watcher(*server->watches, request).Finish(); }
+
+  std::unique_ptr<MapStore> store;
+  std::unique_ptr<TestServer> server;
+  std::string history;
+};
+
+TEST_F(WatchTest, WhoListsAndWatchesFromThereHoldsWhatAFreshListSays) {
+  Begin();
+  Watcher from_the_beginning(*server->watches, From(1));
+  HeldSubmaps all{v1::ListSubmapsResponse()};
+  ASSERT_TRUE(Feed(*server, "room", 0, 6).status.ok());
+  const v1::ListSubmapsResponse list = List();
+  HeldSubmaps held(list);
+  Watcher watcher(*server->watches, From(list.revision() + 1));
+  ASSERT_TRUE(Feed(*server, "room", 6, 12).status.ok());
+  const std::int64_t thing = AnyThing();
+  std::int64_t made = 0;
+  Clone(thing, &made);
+  Rename(made, "the other one");
+  Remove(thing);
+  const v1::ListSubmapsResponse now = List();
+  ASSERT_TRUE(watcher.FollowTo(now.revision(), held));
+  EXPECT_EQ(held.submaps(), HeldSubmaps(now).submaps());
+  ASSERT_TRUE(from_the_beginning.FollowTo(now.revision(), all));
+  EXPECT_EQ(all.submaps(), HeldSubmaps(now).submaps());
+  EXPECT_EQ(watcher.position(), history + "-" + std::to_string(now.revision()));
+}
+
+TEST_F(WatchTest, TheFirstMessageSaysWhereItBegins) {
+  Begin();
+  ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());
+  const std::int64_t now = List().revision();
+  v1::WatchMapResponse message;
+  Watcher from_now(*server->watches, From(0));
+  ASSERT_TRUE(from_now.Read(message));
+  EXPECT_EQ(message.progress().revision(), now);
+  EXPECT_EQ(message.position(), history + "-" + std::to_string(now));
+  Watcher from_two(*server->watches, From(2));
+  ASSERT_TRUE(from_two.Read(message));
+  EXPECT_EQ(message.progress().revision(), 1);
+  ASSERT_TRUE(from_two.Read(message));
+  EXPECT_EQ(message.change().first_revision(), 2);
+  const std::int64_t renamed = Rename(AnyThing(), "it");
+  ASSERT_TRUE(from_now.Read(message));
+  EXPECT_EQ(message.change().first_revision(), renamed);
+  EXPECT_EQ(message.change().submaps(0).parts(0), v1::SubmapEvent::NAME);
+  EXPECT_EQ(message.change().submaps(0).submap().display_name(), "it");
+}
+
+TEST_F(WatchTest, OneThatIsKilledAndResumedTwoHundredTimesMissesNothingAndHearsNothingTwice) {
+  Begin();
+  HeldSubmaps held(List());
+  std::atomic<bool> is_done = false;
+  std::thread mapping([&] {
+    for (int part = 0; part < 10; ++part) {
+      EXPECT_TRUE(Feed(*server, "room", 3 * part, 3 * part + 3).status.ok());
+      const std::int64_t thing = AnyThing();
+      for (int n = 0; n < 8 && thing > 0; ++n) Rename(thing, "thing " + std::to_string(8 * part + n));
+      std::int64_t made = 0;
+      if (thing > 0) Clone(thing, &made);
+      if (thing > 0 && part % 2 == 0) Remove(made);
+    }
+    is_done = true;
+  });
+  std::mt19937 random(7);
+  std::string position;
+  std::int64_t last_told = held.revision();
+  const auto watch_for = [&](int num_messages) {
+    v1::WatchMapRequest request = From(held.revision() + 1);
+    request.set_resume_after(position);
+    Watcher watcher(*server->watches, request);
+    v1::WatchMapResponse message;
+    for (int n = 0; n < num_messages && watcher.Read(message); ++n) {
+      EXPECT_TRUE(position.empty() || RevisionOf(message.position()) >= RevisionOf(position));
+      position = message.position();
+      if (!message.has_change()) continue;
+      EXPECT_GT(message.change().last_revision(), last_told);
+      EXPECT_LE(message.change().first_revision(), last_told + 1);
+      if (message.change().last_message()) last_told = message.change().last_revision();
+      held.Apply(message.change());
+    }
+  };
+  int num_resumed = 0;
+  for (; num_resumed < 200 || !is_done; ++num_resumed) watch_for(1 + static_cast<int>(random() % 2));
+  mapping.join();
+  const v1::ListSubmapsResponse now = List();
+  while (last_told < now.revision()) watch_for(2);
+  EXPECT_EQ(held.submaps(), HeldSubmaps(now).submaps());
+}
+
+TEST_F(WatchTest, GoesOnAfterARestartOfTheServer) {
+  Begin();
+  HeldSubmaps held(List());
+  auto watcher = std::make_unique<Watcher>(*server->watches, From(held.revision() + 1));
+  ASSERT_TRUE(Feed(*server, "room", 0, 5).status.ok());
+  ASSERT_TRUE(watcher->FollowTo(List().revision(), held));
+  ASSERT_TRUE(server->Stop().ok());
+  const grpc::Status ended = watcher->Finish();
+  EXPECT_EQ(ended.error_code(), grpc::UNAVAILABLE) << ended.error_message();
+  EXPECT_EQ(ErrorInfoOf(ended).reason(), "SHUTTING_DOWN");
+
+  server = std::make_unique<TestServer>(*store);
+  v1::WatchMapRequest request = From(0);
+  request.set_resume_after(watcher->position());
+  Watcher resumed(*server->watches, request);
+  ASSERT_TRUE(Feed(*server, "room", 5, 9).status.ok());
+  const v1::ListSubmapsResponse now = List();
+  ASSERT_TRUE(resumed.FollowTo(now.revision(), held));
+  EXPECT_EQ(held.submaps(), HeldSubmaps(now).submaps());
+}
+
+TEST_F(WatchTest, BeyondWhatIsKeptItIsCompacted) {
+  Begin({.max_changes = 3});
+  ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());
+  const std::int64_t thing = AnyThing();
+  std::int64_t now = 0;
+  for (int n = 0; n < 5; ++n) now = Rename(thing, "name " + std::to_string(n));
+  const grpc::Status ended = EndOf(From(1));
+  EXPECT_EQ(ended.error_code(), grpc::OUT_OF_RANGE) << ended.error_message();
+  EXPECT_EQ(ErrorInfoOf(ended).reason(), "COMPACTED");
+  EXPECT_EQ(ErrorInfoOf(ended).metadata().at("oldest_revision"), std::to_string(now - 2));
+  HeldSubmaps held{v1::ListSubmapsResponse()};
+  EXPECT_TRUE(Watcher(*server->watches, From(now - 2)).FollowTo(now, held));
+  EXPECT_EQ(ErrorInfoOf(EndOf(From(now - 3))).reason(), "COMPACTED");
+}
+
+TEST_F(WatchTest, AnotherHistoryOrOneThatIsAheadIsLost) {
+  Begin();
+  v1::WatchMapRequest other = From(1);
+  other.set_history_id("00000000deadbeef");
+  v1::WatchMapRequest resumed = From(1);
+  resumed.set_resume_after("00000000deadbeef-1");
+  for (const v1::WatchMapRequest& request : {other, resumed, From(1000)}) {
+    const grpc::Status ended = EndOf(request);
+    EXPECT_EQ(ended.error_code(), grpc::OUT_OF_RANGE) << ended.error_message();
+    EXPECT_EQ(ErrorInfoOf(ended).reason(), "HISTORY_LOST");
+    EXPECT_EQ(ErrorInfoOf(ended).metadata().at("history_id"), history);
+  }
+}
+
+TEST_F(WatchTest, DeletingTheMapEndsItAndAnotherOfItsNameIsAnother) {
+  Begin();
+  Watcher watcher(*server->watches, From(1)), also(*server->watches, From(0));
+  v1::WatchMapResponse message;
+  ASSERT_TRUE(watcher.Read(message));
+  ASSERT_TRUE(also.Read(message));
+  const std::string position = message.position();
+  DeleteMap();
+  CreateMap();
+  for (Watcher* one : {&watcher, &also}) {
+    const grpc::Status ended = one->Finish();
+    EXPECT_EQ(ended.error_code(), grpc::NOT_FOUND) << ended.error_message();
+    EXPECT_EQ(ErrorInfoOf(ended).reason(), "MAP_NOT_FOUND");
+  }
+  v1::WatchMapRequest request = From(0);
+  request.set_resume_after(position);
+  EXPECT_EQ(ErrorInfoOf(EndOf(request)).reason(), "HISTORY_LOST");
+}
+
+TEST_F(WatchTest, ASlowReaderIsToldToStartOver) {
+  Begin({.max_changes = 4});
+  ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());
+  const std::int64_t thing = AnyThing();
+  std::int64_t other = 0;
+  Clone(thing, &other);
+  Watcher watcher(*server->watches, From(List().revision() + 1));
+  v1::WatchMapResponse message;
+  ASSERT_TRUE(watcher.Read(message));
+  // More than the connection holds back for a client that does not read.
+  const std::string long_name(240, 'x');
+  for (int n = 0; n < 1500; ++n) Rename(n % 2 == 0 ? thing : other, long_name + std::to_string(n));
+  const grpc::Status ended = watcher.Finish();
+  EXPECT_EQ(ended.error_code(), grpc::OUT_OF_RANGE) << ended.error_message();
+  EXPECT_EQ(ErrorInfoOf(ended).reason(), "COMPACTED");
+}
+
+TEST_F(WatchTest, NeitherOpensAMapNorKeepsItOpen) {
+  Begin({}, {.idle_close_s = 1e6});
+  Watcher watcher(*server->watches, From(1));
+  v1::WatchMapResponse message;
+  ASSERT_TRUE(watcher.Read(message));
+  EXPECT_TRUE(server->registry().OpenSessions().empty());
+  ASSERT_TRUE(Feed(*server, "room", 0, 3).status.ok());
+  EXPECT_TRUE(Eventually([&] {
+    server->registry().CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1000));
+    return server->registry().OpenSessions().empty();
+  }));
+  const std::int64_t renamed = Rename(AnyThing(), "open again");
+  HeldSubmaps held{v1::ListSubmapsResponse()};
+  EXPECT_TRUE(watcher.FollowTo(renamed, held));
+}
+
+TEST_F(WatchTest, MoreThanAllowedAreRefusedAndOneThatGoesMakesRoom) {
+  Begin({}, {.max_watchers = 2});
+  v1::WatchMapResponse message;
+  auto first = std::make_unique<Watcher>(*server->watches, From(0));
+  Watcher second(*server->watches, From(0));
+  ASSERT_TRUE(first->Read(message));
+  ASSERT_TRUE(second.Read(message));
+  const grpc::Status refused = EndOf(From(0));
+  EXPECT_EQ(refused.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(ErrorInfoOf(refused).reason(), "TOO_MANY_WATCHERS");
+  first = nullptr;
+  EXPECT_TRUE(Eventually([&] { return server->registry().changes().num_followers() == 1; }));
+  Watcher third(*server->watches, From(0));
+  EXPECT_TRUE(third.Read(message));
+}
+
+TEST_F(WatchTest, SaysFromTimeToTimeHowFarAllIsTold) {
+  Begin();
+  v1::WatchMapRequest request = From(0);
+  request.mutable_filter()->add_instance_ids(4'000'000);
+  Watcher watcher(*server->watches, request);
+  v1::WatchMapResponse message;
+  ASSERT_TRUE(watcher.Read(message));
+  ASSERT_TRUE(watcher.Read(message));
+  EXPECT_TRUE(message.has_heartbeat()) << message.ShortDebugString();
+  ASSERT_TRUE(Feed(*server, "room", 0, 3).status.ok());
+  const std::int64_t now = List().revision();
+  for (message.Clear(); !message.has_progress();) ASSERT_TRUE(watcher.Read(message));
+  while (RevisionOf(message.position()) < now) ASSERT_TRUE(watcher.Read(message));
+  EXPECT_EQ(message.progress().revision(), now) << "though the filter passed nothing";
+}
+
+TEST_F(WatchTest, AChangeOfManySubmapsComesInMessagesOfWhichTheLastSaysSo) {
+  Begin();
+  ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());
+  const std::int64_t thing = AnyThing();
+  const auto session = server->registry().OpenSession("room");
+  ASSERT_TRUE(session.ok());
+  const std::int64_t before = List().revision();
+  std::promise<bool> is_made;
+  (*session)->Edit(
+      [thing](Map& map) -> Result<SubmapId> {
+        for (int n = 0; n < 700; ++n) {
+          map.Clone(SubmapId(static_cast<std::uint32_t>(thing)))->mutable_info().display_name = std::string(200, 'x');
+        }
+        return kUnknownSubmap;
+      },
+      [&is_made](const Result<EditOutcome>& outcome) { is_made.set_value(outcome.ok()); });
+  ASSERT_TRUE(is_made.get_future().get());
+  Watcher watcher(*server->watches, From(before + 1));
+  v1::WatchMapResponse message;
+  ASSERT_TRUE(watcher.Read(message));
+  const std::string begin = message.position();
+  int num_messages = 0, num_submaps = 0;
+  do {
+    ASSERT_TRUE(watcher.Read(message));
+    ASSERT_TRUE(message.has_change());
+    EXPECT_LT(message.ByteSizeLong(), 70u << 10);
+    EXPECT_EQ(message.change().last_revision(), before + 1);
+    EXPECT_EQ(message.position() == begin, !message.change().last_message());
+    num_submaps += message.change().submaps_size();
+    ++num_messages;
+  } while (!message.change().last_message());
+  EXPECT_EQ(num_submaps, 700);
+  EXPECT_GT(num_messages, 2);
+}
+
+TEST_F(WatchTest, WhatIsNotUsableIsRefusedWithItsReason) {
+  Begin();
+  v1::WatchMapRequest bad_position = From(0), bad_history = From(1), bad_class = From(0), bad_often = From(0);
+  bad_position.set_resume_after("5");
+  bad_history.set_history_id("xyz");
+  bad_class.mutable_filter()->add_class_names("unicorn");
+  bad_often.set_progress_s(0.1);
+  const std::pair<v1::WatchMapRequest, const char*> refused[] = {{bad_position, "BAD_POSITION"},
+                                                                 {bad_history, "BAD_POSITION"},
+                                                                 {From(-1), "BAD_POSITION"},
+                                                                 {bad_class, "BAD_FILTER"}};
+  for (const auto& [request, reason] : refused) {
+    const grpc::Status ended = EndOf(request);
+    EXPECT_EQ(ended.error_code(), grpc::INVALID_ARGUMENT) << ended.error_message();
+    EXPECT_EQ(ErrorInfoOf(ended).reason(), reason);
+  }
+  EXPECT_EQ(EndOf(bad_often).error_code(), grpc::INVALID_ARGUMENT);
+  v1::WatchMapRequest ghost = From(0);
+  ghost.set_map("maps/ghost");
+  EXPECT_EQ(ErrorInfoOf(EndOf(ghost)).reason(), "MAP_NOT_FOUND");
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "tests/integration/test_server.h"
+
+namespace dhpmap::testing {
+
+/// The submaps of a map, by instance id, as one holds them who listed them and follows.
+class HeldSubmaps {
+ public:
+  explicit HeldSubmaps(const v1::ListSubmapsResponse& list) : revision_(list.revision()) {
+    for (const v1::Submap& submap : list.submaps()) submaps_[submap.instance_id()] = submap.SerializeAsString();
+  }
+
+  void Apply(const v1::MapChange& change) {
+    for (const v1::SubmapEvent& event : change.submaps()) {
+      const bool is_gone = event.kind() == v1::SubmapEvent::REMOVED || event.kind() == v1::SubmapEvent::MERGED;
+      if (is_gone) submaps_.erase(event.submap().instance_id());
+      else submaps_[event.submap().instance_id()] = event.submap().SerializeAsString();
+    }
+  }
+
+  [[nodiscard]] std::int64_t revision() const { return revision_; }
+  [[nodiscard]] const std::map<std::int64_t, std::string>& submaps() const { return submaps_; }
+
+ private:
+  std::int64_t revision_;
+  std::map<std::int64_t, std::string> submaps_;
+};
+
+inline v1::ListSubmapsResponse ListAll(v1::SubmapService::Stub& submaps, const std::string& map) {
+  v1::ListSubmapsRequest request;
+  request.set_parent("maps/" + map);
+  v1::ListSubmapsResponse response;
+  grpc::ClientContext context;
+  EXPECT_TRUE(submaps.ListSubmaps(&context, request, &response).ok());
+  return response;
+}
+
+inline std::int64_t RevisionOf(const std::string& position) {
+  return std::stoll(position.substr(position.find('-') + 1));
+}
+
+inline google::rpc::ErrorInfo ErrorInfoOf(const grpc::Status& status) {
+  google::rpc::Status details;
+  google::rpc::ErrorInfo info;
+  if (details.ParseFromString(status.error_details()) && details.details_size() > 0) details.details(0).UnpackTo(&info);
+  return info;
+}
+
+/// One call of WatchMap, which ends with this, or after half a minute.
+class Watcher {
+ public:
+  Watcher(v1::WatchService::Stub& watches, v1::WatchMapRequest request) {
+    if (request.progress_s() == 0) request.set_progress_s(0.5);
+    context_.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(30));
+    reader_ = watches.WatchMap(&context_, request);
+  }
+  Watcher(TestServer& server, const std::string& map, std::int64_t start_revision)
+      : Watcher(*server.watches, [&] {
+          v1::WatchMapRequest request;
+          request.set_map("maps/" + map);
+          request.set_start_revision(start_revision);
+          return request;
+        }()) {}
+  ~Watcher() { (void)Cancel(); }
+
+  /// False at the end.
+  bool Read(v1::WatchMapResponse& message) { return reader_ != nullptr && reader_->Read(&message); }
+
+  /// Applies what is told until everything up to the revision is. False if it ends before.
+  bool FollowTo(std::int64_t revision, HeldSubmaps& held) {
+    v1::WatchMapResponse message;
+    while (position_.empty() || RevisionOf(position_) < revision) {
+      if (!Read(message)) return false;
+      held.Apply(message.change());
+      position_ = message.position();
+    }
+    return true;
+  }
+  [[nodiscard]] const std::string& position() const { return position_; }
+
+  /// What it ends with, once all is read.
+  grpc::Status Finish() {
+    v1::WatchMapResponse message;
+    while (Read(message)) {
+    }
+    return reader_ == nullptr ? grpc::Status() : std::exchange(reader_, nullptr)->Finish();
+  }
+  grpc::Status Cancel() {
+    context_.TryCancel();
+    return Finish();
+  }
+
+ private:
+  grpc::ClientContext context_;
+  std::unique_ptr<grpc::ClientReader<v1::WatchMapResponse>> reader_;
+  std::string position_;
+};
+
+}  // namespace dhpmap::testing

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/map_change.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <random>
+#include <set>
+
+#include "mapping/map/observed_sphere.h"
+
+namespace dhpmap {
+namespace {
+
+/// A map with one object.
+class MapChangeTest : public ::testing::Test {
+ protected:
+  MapChangeTest() {
+    SubmapInfo info;
+    info.voxel_size_m = 0.1;
+    info.truncation_m = 0.2;
+    id_ = map_.Create(info).id();
+    Write({0, 0, 0});
+    map_.Publish(1);
+  }
+  void Write(BlockIndex index) { map_.FindMutable(id_)->MutableTsdf(index).weight[0] = 1; }
+  SubmapEvent EventOf(const std::function<void()>& write) {
+    const auto before = map_.published();
+    write();
+    const auto after = map_.Publish(2);
+    const MapChange change = DescribeChange(*before, *after, DiffTiles(*before, *after));
+    EXPECT_EQ(change.submaps.size(), 1u);
+    return change.submaps.empty() ? SubmapEvent() : change.submaps[0];
+  }
+
+  Map map_{MapInfo()};
+  SubmapId id_;
+};
+
+TEST_F(MapChangeTest, TilesInARowAreOneBox) {
+  const SubmapEvent event = EventOf([this] {
+    for (int x = -9; x < 13; ++x) Write({x, 1, 2});
+    Write({0, 40, 0});
+  });
+  EXPECT_EQ(event.tiles, (std::vector<TileBox>{{{-3, 0, 0}, {3, 0, 0}}, {{0, 10, 0}, {0, 10, 0}}}));
+  EXPECT_TRUE(event.parts.Has(SubmapPart::kGeometry));
+}
+
+TEST_F(MapChangeTest, BoxesHoldEveryTileThatChangedAndTooManyBecomeOne) {
+  std::mt19937 random(5);
+  for (const int count : {1, 10, 31, 200}) {
+    std::set<TileIndex> written;
+    const SubmapEvent event = EventOf([&] {
+      for (int n = 0; n < count; ++n) {
+        const auto at = [&] { return static_cast<int>(random() % 200) - 100; };
+        const BlockIndex index{at(), at(), at()};
+        Write(index);
+        written.insert(TileOf(index));
+      }
+    });
+    for (const TileIndex& tile : written) {
+      EXPECT_TRUE(std::any_of(event.tiles.begin(), event.tiles.end(), [&](const TileBox& box) {
+        return box.low.x <= tile.x && tile.x <= box.high.x && box.low.y <= tile.y && tile.y <= box.high.y &&
+               box.low.z <= tile.z && tile.z <= box.high.z;
+      }));
+    }
+    EXPECT_LE(event.tiles.size(), count > 100 ? 1u : written.size());
+  }
+}
+
+TEST_F(MapChangeTest, SaysHowTheSubmapIsNowAndWhereItWas) {
+  const auto before = map_.Find(id_)->BoundingSphereInMap();
+  const SubmapEvent event = EventOf([this] {
+    Submap& submap = *map_.FindMutable(id_);
+    submap.mutable_info().T_map_submap.translation() = Eigen::Vector3d(5, 0, 0);
+    submap.MutableTsdf({3, 0, 0}).weight[7] = 2;
+    submap.UpdateBoundingSphere();
+  });
+  EXPECT_EQ(event.num_blocks, 2);
+  EXPECT_EQ(event.observed.center_m, SphereOfObservedInMap(*map_.Find(id_)).center_m);
+  EXPECT_EQ(event.info.revision, map_.published()->revision());
+  ASSERT_TRUE(event.before.has_value());
+  EXPECT_EQ(event.before->sphere.center_m, before.center_m);
+  EXPECT_EQ(event.parts, SubmapParts({SubmapPart::kPose, SubmapPart::kGeometry}));
+}
+
+}  // namespace
+}  // namespace dhpmap

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/change_feed.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "server/app/watch_position.h"
+
+namespace dhpmap {
+namespace {
+
+/// A memory store that counts how often its changes are read.
+class CountingStore final : public MapStore {
+ public:
+  Result<std::vector<StoredMap>> ListMaps() override { return store_->ListMaps(); }
+  Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
+  Status CreateMap(const MapSnapshot& snapshot) override { return store_->CreateMap(snapshot); }
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
+    return store_->Commit(before, after, durability);
+  }
+  Result<ChangeList> ListChanges(const std::string& name, std::int64_t after, std::size_t max_bytes) override {
+    ++num_reads;
+    return store_->ListChanges(name, after, max_bytes);
+  }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return store_->LoadMap(name); }
+  Status DeleteMap(const std::string& name) override { return store_->DeleteMap(name); }
+  Status Reserve(const std::string& name, const NumberMarks& marks) override { return store_->Reserve(name, marks); }
+
+  int num_reads = 0;
+
+ private:
+  std::unique_ptr<MapStore> store_ = MakeMemoryStore({.max_changes = 50});
+};
+
+class ChangeFeedTest : public ::testing::Test {
+ protected:
+  ChangeFeedTest() { Create(); }
+  void Create() {
+    MapInfo info;
+    info.name = "room";
+    info.history_id = ++history_;
+    info.create_time_ns = history_;
+    map_ = std::make_unique<Map>(info);
+    EXPECT_TRUE(store_.CreateMap(*map_->Publish(1)).ok());
+    feed_.Notify("room");
+  }
+  void Commit(int count = 1, int num_submaps = 0) {
+    for (int n = 0; n < count; ++n) {
+      const auto before = map_->published();
+      map_->mutable_info().num_frames += 1;
+      for (int i = 0; i < num_submaps; ++i) map_->Create({});
+      EXPECT_TRUE(store_.Commit(*before, *map_->Publish(2), Durability::kNormal).ok());
+      feed_.Notify("room");
+    }
+  }
+  std::unique_ptr<ChangeFeed::Follower> Follow() {
+    return std::move(*feed_.Follow("room", [this] { ++num_woken_; }));
+  }
+  /// Last revisions of what is read from a position to the end.
+  std::vector<std::int64_t> ReadFrom(std::int64_t after) {
+    std::vector<std::int64_t> read;
+    while (true) {
+      const auto list = feed_.Read("room", after);
+      EXPECT_TRUE(list.ok()) << list.status().ToString();
+      if (!list.ok() || list->changes.empty()) return read;
+      for (const auto& change : list->changes) read.push_back(after = change->last_revision);
+    }
+  }
+
+  CountingStore store_;
+  ChangeFeed feed_{store_, 3};
+  std::uint64_t history_ = 0;
+  std::unique_ptr<Map> map_;
+  int num_woken_ = 0;
+};
+
+TEST_F(ChangeFeedTest, WakesThoseWhoFollowTheMapUntilTheyGo) {
+  auto one = Follow();
+  const auto other = std::move(*feed_.Follow("elsewhere", [] { FAIL() << "nothing happened there"; }));
+  Commit();
+  EXPECT_EQ(num_woken_, 1);
+  one = nullptr;
+  Commit();
+  EXPECT_EQ(num_woken_, 1);
+}
+
+TEST_F(ChangeFeedTest, MoreThanAllowedAreRefused) {
+  auto one = Follow(), two = Follow(), three = Follow();
+  const auto refused = feed_.Follow("room", [] {});
+  EXPECT_EQ(refused.status().reason(), Reason("TOO_MANY_WATCHERS"));
+  EXPECT_EQ(feed_.num_followers(), 3u);
+  two = nullptr;
+  EXPECT_TRUE(feed_.Follow("room", [] {}).ok());
+}
+
+TEST_F(ChangeFeedTest, TheStoreIsReadOnceForAllWhoAreThere) {
+  const auto follower = Follow();
+  const std::int64_t now = feed_.Read("room", std::numeric_limits<std::int64_t>::max())->revision;
+  EXPECT_EQ(now, 1);
+  Commit();
+  store_.num_reads = 0;
+  for (int n = 0; n < 100; ++n) EXPECT_EQ(ReadFrom(1), std::vector<std::int64_t>{2});
+  EXPECT_EQ(store_.num_reads, 1);
+  Commit(3);
+  for (int n = 0; n < 100; ++n) EXPECT_EQ(ReadFrom(n % 2 == 0 ? 1 : 2).back(), 5);
+  EXPECT_EQ(store_.num_reads, 2);
+}
+
+TEST_F(ChangeFeedTest, TellsTheSameAsTheStoreFromAnyPosition) {
+  const auto follower = Follow();
+  for (int round = 0; round < 12; ++round) {
+    Commit(1 + round % 4, round % 5 == 0 ? 3000 : 1);  // some too large to be kept
+    const std::int64_t now = map_->published()->revision();
+    for (std::int64_t after = 0; after <= now; ++after) {
+      std::vector<std::int64_t> expected;
+      for (std::int64_t revision = after + 1; revision <= now; ++revision) expected.push_back(revision);
+      ASSERT_EQ(ReadFrom(after), expected) << "round " << round << " after " << after;
+    }
+  }
+}
+
+TEST_F(ChangeFeedTest, WhatIsNotKeptAnyMoreIsCompactedForThoseBehindOnly) {
+  const auto follower = Follow();
+  EXPECT_EQ(ReadFrom(0).size(), 1u);
+  Commit(80);
+  EXPECT_EQ(feed_.Read("room", 20).status().reason(), Reason("COMPACTED"));
+  EXPECT_EQ(ReadFrom(60).size(), 21u);
+}
+
+TEST_F(ChangeFeedTest, AMapThatIsGoneIsNotFoundAndAnotherOfItsNameHasItsOwnChanges) {
+  const auto follower = Follow();
+  Commit(5);
+  EXPECT_EQ(ReadFrom(0).size(), 6u);
+  ASSERT_TRUE(store_.DeleteMap("room").ok());
+  feed_.Notify("room");
+  EXPECT_EQ(feed_.Read("room", 3).status().code(), StatusCode::kNotFound);
+  Create();
+  const auto list = feed_.Read("room", 0);
+  ASSERT_TRUE(list.ok());
+  EXPECT_EQ(list->history_id, 2u);
+  EXPECT_EQ(list->changes.size(), 1u);
+}
+
+TEST_F(ChangeFeedTest, IsReadByWhoeverAsksToo) { EXPECT_EQ(ReadFrom(0), std::vector<std::int64_t>{1}); }
+
+TEST(WatchPosition, ComesBackFromItsText) {
+  for (const WatchPosition& position :
+       {WatchPosition{1, 0}, WatchPosition{0x7fff'ffff'ffff'ffff, std::int64_t{1} << 62}}) {
+    EXPECT_EQ(ParsePosition(PositionText(position)), position);
+  }
+  EXPECT_EQ(PositionText({0xab, 7}), "00000000000000ab-7");
+  for (const char* text :
+       {"", "7", "ab-7", "00000000000000ab-", "00000000000000ab-x", "00000000000000ab--1", "00000000000000ab-7 ",
+        "0000000000000xab-7", "00000000000000ab-9223372036854775807", "00000000000000ab-99999999999999999999"}) {
+    EXPECT_FALSE(ParsePosition(text)) << text;
+  }
+}
+
+TEST(WatchPosition, BeforeAStartIsWhatIsKnownThen) {
+  MapInfo map;
+  map.history_id = 5;
+  map.revision = 40;
+  const LostRevisions lost = {{11, 20}};
+  const auto before = [&](WatchStart start) { return PositionBefore(start, map, lost); };
+  EXPECT_FALSE(before({.revision = 0, .history_id = std::nullopt})->has_value());
+  EXPECT_FALSE(before({.revision = 0, .history_id = 5})->has_value());
+  EXPECT_EQ(**before({.revision = 1, .history_id = 5}), (WatchPosition{5, 0}));
+  EXPECT_EQ(**before({.revision = 41, .history_id = std::nullopt}), (WatchPosition{5, 40}));
+  EXPECT_EQ(**before({.revision = 11, .history_id = 5}), (WatchPosition{5, 10})) << "what is known is not lost";
+  for (const WatchStart& start :
+       {WatchStart{.revision = 42, .history_id = std::nullopt}, WatchStart{.revision = 12, .history_id = 5},
+        WatchStart{.revision = 21, .history_id = 5}, WatchStart{.revision = 0, .history_id = 6}}) {
+    EXPECT_EQ(before(start).status().reason(), Reason("HISTORY_LOST")) << start.revision;
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap
