@@ -12,6 +12,7 @@ namespace dhpmap {
 enum class BlobKind : std::uint8_t {
   kTsdfV1 = 0x11,
   kLabelsV1 = 0x21,
+  kLabelsV2 = 0x22,  ///< with what is concluded
   kFreeV1 = 0x31,
   kGoneV1 = 0x41,
   kVacatedV1 = 0x51

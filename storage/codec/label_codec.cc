@@ -12,7 +12,8 @@
 namespace dhpmap {
 namespace {
 
-// Payload, all in the packable part: mask of the voxels with counts, planes of one byte a masked voxel, then, voxel by
+// Payload, all in the packable part: of version 2, which a block has of which something is concluded, the mask of those
+// voxels; then mask of the voxels with counts, planes of one byte a masked voxel, then, voxel by
 // voxel, what the planes do not hold, as varints.
 //   kForm: number of classes, plus kOtherInstances if the instances are not just "own, as often as all classes";
 //          or kLong: the voxel is not in the planes.
@@ -152,19 +153,28 @@ Bytes EncodeLabelBlock(const LabelBlock& block, BlockIndex index) {
     if (form & kOtherInstances || form == kLong) PutSized(voxel.instances, rest_writer);
   }
 
+  const bool has_conclusions = !HasNone(block.concluded());
   Payload payload;
-  payload.packable.reserve(mask.size() + kNumPlanes * count + rest.size());
+  payload.packable.reserve(2 * mask.size() + kNumPlanes * count + rest.size());
   ByteWriter writer(payload.packable);
+  for (const std::uint64_t word : block.concluded()) {
+    if (has_conclusions) writer.PutU64(word);
+  }
   writer.PutBytes(mask);
   for (const auto& plane : planes) writer.PutBytes({plane.data(), count});
   writer.PutBytes(rest);
-  return Seal(BlobKind::kLabelsV1, index, payload);
+  return Seal(has_conclusions ? BlobKind::kLabelsV2 : BlobKind::kLabelsV1, index, payload);
 }
 
 Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block) {
   thread_local Payload payload;
-  DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kLabelsV1, index, blob, payload));
+  const bool has_conclusions = !blob.empty() && blob[0] == static_cast<std::uint8_t>(BlobKind::kLabelsV2);
+  DHPMAP_RETURN_IF_ERROR(Unseal(has_conclusions ? BlobKind::kLabelsV2 : BlobKind::kLabelsV1, index, blob, payload));
   ByteReader reader(payload.packable);
+  VoxelMask concluded{};
+  for (std::uint64_t& word : concluded) {
+    if (has_conclusions) word = reader.GetU64();
+  }
   VoxelBits mask{};
   reader.GetInto(mask);
   if (!reader.ok() || !payload.plain.empty()) return DataLoss("has a malformed header");
@@ -191,6 +201,8 @@ Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block) {
     block.Set(site.linear, voxel);
   }
   if (reader.remaining() != 0) return DataLoss("is longer than its voxels need");
+  if (has_conclusions && HasNone(concluded)) return DataLoss("says that nothing is concluded");
+  block.set_concluded(concluded);
   return Status::Ok();
 }
 

@@ -350,6 +350,36 @@ TEST(LabelCodec, ForgedPayloadsAreHarmless) {
   ExpectForgeriesAreHarmless<LabelBlock>(BlobKind::kLabelsV1, payload, DecodeLabelBlock);
 }
 
+TEST(LabelCodec, KeepsWhatIsConcluded) {
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    LabelBlock block = SomeLabels(seed);
+    for (int i = static_cast<int>(seed); i < kBlockVoxels; i += 7) block.SetConcluded(i, true);
+    EXPECT_TRUE(RoundTrip(block) == block);
+    EXPECT_EQ(EncodeLabelBlock(block, kIndex)[0], static_cast<std::uint8_t>(BlobKind::kLabelsV2));
+  }
+}
+
+TEST(LabelCodec, WhereNothingIsConcludedTheBytesAreThoseOfBefore) {
+  LabelBlock block = SomeLabels(2);
+  const Bytes before = EncodeLabelBlock(block, kIndex);
+  EXPECT_EQ(before[0], static_cast<std::uint8_t>(BlobKind::kLabelsV1));
+  block.SetConcluded(9, true);
+  EXPECT_NE(EncodeLabelBlock(block, kIndex), before);
+  block.SetConcluded(9, false);
+  EXPECT_EQ(EncodeLabelBlock(block, kIndex), before);
+}
+
+TEST(LabelCodec, ForgedConclusionsAreHarmless) {
+  LabelBlock block = SomeLabels(2);
+  block.SetConcluded(9, true);
+  Payload payload;
+  ASSERT_TRUE(Unseal(BlobKind::kLabelsV2, kIndex, EncodeLabelBlock(block, kIndex), payload).ok());
+  ExpectForgeriesAreHarmless<LabelBlock>(BlobKind::kLabelsV2, payload, DecodeLabelBlock);
+  payload.packable[1] = 0;  // voxels 8 to 15
+  EXPECT_EQ(DecodeLabelBlock(Seal(BlobKind::kLabelsV2, kIndex, payload), kIndex, block).code(), StatusCode::kDataLoss)
+      << "each block is stored in one way";
+}
+
 TEST(LabelCodec, AClassThatNoneCanHaveIsDataLoss) {
   // 65,535 marks voxels in overflow lists: taken for a class it would point beyond them.
   LabelBlock block;
