@@ -2,16 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "mapping/base/grid.h"
+#include "mapping/map/voxel_mask.h"
 
 namespace dhpmap {
-
-/// Some voxels of a block: bit x + 8 y of word z.
-using VoxelMask = std::array<std::uint64_t, kBlockSide>;
 
 /// Where a sensor looked from, and when.
 struct Viewpoint {

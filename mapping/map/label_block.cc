@@ -72,10 +72,13 @@ void LabelBlock::AddObservationSlowly(int linear, ClassId c) {
 
 void LabelBlock::Add(int linear, const LabelHistograms& added) {
   const LabelHistograms old = Get(linear);
+  const bool is_concluded = IsConcluded(linear);
   Set(linear, {SumCounts(old.classes, added.classes), SumCounts(old.instances, added.instances)});
+  SetConcluded(linear, is_concluded);
 }
 
 void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
+  SetConcluded(linear, false);
   Cell& cell = cells_[linear];
   if (cell.class_a == kOverflow) {
     const std::uint32_t entry = cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16);
@@ -180,7 +183,7 @@ bool LabelBlock::operator==(const LabelBlock& other) const {
   for (int i = 0; i < kBlockVoxels; ++i) {
     if (Get(i) != other.Get(i)) return false;
   }
-  return true;
+  return concluded_ == other.concluded_;
 }
 
 const LabelHistograms& LabelBlock::Overflow(const Cell& cell) const {

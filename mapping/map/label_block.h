@@ -7,6 +7,7 @@
 
 #include "mapping/base/grid.h"
 #include "mapping/base/ids.h"
+#include "mapping/map/voxel_mask.h"
 #include "mapping/map/voxel_plane.h"
 
 namespace dhpmap {
@@ -41,6 +42,10 @@ std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const
 /// Exact label counts of one block (paper II-A, II-C). Nearly every voxel has seen one instance, its own submap, and
 /// one or two classes: those counts are inline in 8 bytes. Anything else (a third class, another instance, a count
 /// above 65,535) moves the voxel to an overflow list without any cap. Thread-compatible.
+///
+/// Counts are what was seen, and nothing but more of it changes them. What refinement concludes from them is apart: a
+/// voxel that the submap holds although it has seen another instance more often, or none at all, has a bit for it, and
+/// dropping the bits (see ForgetConclusions) leaves what was seen.
 class LabelBlock {
  public:
   /// Adds one observation of class `c` that also counts for the own instance (paper II-C).
@@ -57,7 +62,13 @@ class LabelBlock {
   /// 65,535.
   void Add(int linear, const LabelHistograms& histograms);
 
-  /// Replaces a voxel's counts; empty lists clear it.
+  /// Whether the submap holds the voxel by conclusion, against what was seen most.
+  [[nodiscard]] bool IsConcluded(int linear) const { return IsIn(concluded_, linear); }
+  void SetConcluded(int linear, bool is_concluded) { SetIn(concluded_, linear, is_concluded); }
+  [[nodiscard]] const VoxelMask& concluded() const { return concluded_; }
+  void set_concluded(const VoxelMask& concluded) { concluded_ = concluded; }
+
+  /// Replaces a voxel's counts; empty lists clear it. Nothing is concluded of it.
   void Set(int linear, const LabelHistograms& histograms);
   void Clear(int linear) { Set(linear, {}); }
 
@@ -104,6 +115,7 @@ class LabelBlock {
   static_assert(decltype(cells_)::kBytes == 4096, "a page");
   std::vector<LabelHistograms> overflow_;
   std::vector<std::uint32_t> free_overflow_;
+  VoxelMask concluded_{};
 };
 
 template <typename Visitor>

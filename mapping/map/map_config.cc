@@ -89,8 +89,9 @@ MapConfig OutdoorLidarConfig() {
   config.tracking.min_points_large = 100;
   config.activity.required_reobservations = 2;
   config.refinement.every_frames = 200;
+  config.refinement.evidence_radius_m = 0.4;
   config.refinement.smoothness = {.position_m = 0.25, .color = 0, .weight = 3.0};
-  config.refinement.appearance = {.position_m = 0.5, .color = 10.0, .weight = 1.0};
+  config.refinement.appearance = {.position_m = 0.5, .color = 10.0, .weight = 4.0};
   return config;
 }
 

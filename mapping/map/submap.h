@@ -45,7 +45,8 @@ struct SubmapInfo {
   double voxel_size_m = 0;
   double truncation_m = 0;
 
-  /// Sum over its voxels of how often each class was observed, by ascending class (paper II-C, label of a submap).
+  /// Sum over its voxels, but those that it holds by conclusion (see LabelBlock), of how often each class was observed,
+  /// by ascending class (paper II-C, label of a submap).
   std::vector<ClassTotal> class_counts;
   float instance_confidence = 1.0f;  ///< share of its voxels' instance counts that are its own
 

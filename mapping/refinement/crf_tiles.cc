@@ -14,13 +14,10 @@ namespace {
 /// The first choice of some voxels, if they all agree.
 struct FirstChoice {
   bool is_disputed = false;
-  std::optional<std::uint32_t> class_id, instance;
+  std::optional<SubmapId> instance;
 
   void Add(const FirstChoice& other) {
-    const auto differ = [](const auto& a, const auto& b) { return a && b && *a != *b; };
-    is_disputed =
-        is_disputed || other.is_disputed || differ(class_id, other.class_id) || differ(instance, other.instance);
-    if (!class_id) class_id = other.class_id;
+    is_disputed = is_disputed || other.is_disputed || (instance && other.instance && *instance != *other.instance);
     if (!instance) instance = other.instance;
   }
 };
@@ -39,22 +36,16 @@ class Lead {
   bool is_tied_ = false;
 };
 
-bool IsTied(const LabelBlock& labels, int linear) {
-  Lead classes, instances;
-  labels.VisitClasses(linear, [&](LabelCount seen) { classes(seen); });
-  labels.VisitInstances(linear, [&](LabelCount seen) { instances(seen); });
-  return classes.is_tied() || instances.is_tied();
-}
-
-FirstChoice ChoiceOf(const HeldBlock& block) {
+/// What was concluded earlier may be otherwise now.
+FirstChoice ChoiceOf(const HeldBlock& block, const KnownInstances& known) {
   FirstChoice choice;
   const LabelBlock& labels = *block.entry->labels;
   for (int i = 0; i < kBlockVoxels && !choice.is_disputed; ++i) {
     if (!block.entry->Shows(i) || labels.IsEmpty(i)) continue;
-    const std::uint32_t instance = labels.BestInstance(i).id;
-    choice.Add({.is_disputed = IsTied(labels, i),
-                .class_id = labels.BestClass(i).id,
-                .instance = instance == 0 ? block.holder.value : instance});
+    Lead lead;
+    known.Visit(block.holder, labels, i, [&lead](LabelCount seen) { lead(seen); });
+    choice.Add(
+        {.is_disputed = lead.is_tied() || labels.IsConcluded(i), .instance = known.MostSeen(block.holder, labels, i)});
   }
   return choice;
 }
@@ -69,7 +60,7 @@ struct Place {
 
 class Places {
  public:
-  Places(std::span<const HeldBlock> blocks, int rim, ThreadPool& pool) : rim_(rim) {
+  Places(std::span<const HeldBlock> blocks, const KnownInstances& known, int rim, ThreadPool& pool) : rim_(rim) {
     for (std::uint32_t i = 0; i < blocks.size(); ++i) {
       if (i == 0 || blocks[i].index != blocks[i - 1].index) places_.push_back({.index = blocks[i].index, .begin = i});
       places_.back().end = i + 1;
@@ -77,7 +68,8 @@ class Places {
     numbers_.Reserve(places_.size());
     for (std::uint32_t p = 0; p < places_.size(); ++p) numbers_.Set(places_[p].index, p);
     pool.ParallelFor(places_.size(), [&](std::size_t p) {
-      for (std::uint32_t i = places_[p].begin; i < places_[p].end; ++i) places_[p].choice.Add(ChoiceOf(blocks[i]));
+      for (std::uint32_t i = places_[p].begin; i < places_[p].end; ++i)
+        places_[p].choice.Add(ChoiceOf(blocks[i], known));
     });
     pool.ParallelFor(places_.size(), [&](std::size_t p) {
       FirstChoice around;
@@ -126,8 +118,9 @@ std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& m
   return blocks;
 }
 
-std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim, ThreadPool& pool) {
-  const Places places(blocks, rim, pool);
+std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInstances& known, int side, int rim,
+                              ThreadPool& pool) {
+  const Places places(blocks, known, rim, pool);
   std::map<BlockIndex, std::vector<std::uint32_t>> cubes;  // disputed places; ordered, so that the result is
   for (std::uint32_t p = 0; p < places.all().size(); ++p) {
     const auto& [x, y, z] = places.all()[p].index;

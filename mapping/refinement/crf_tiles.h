@@ -9,6 +9,7 @@
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
 #include "mapping/map/state_marks.h"
+#include "mapping/refinement/seen_instances.h"
 
 namespace dhpmap {
 
@@ -41,10 +42,11 @@ struct CrfTile {
 };
 
 /// Cuts the blocks into cubes of `side` blocks; what lies within `rim` blocks of an inner block is in its tile, too.
-/// Blocks are left out where nothing is in dispute: if all voxels within `rim` blocks have the same first choice of
-/// class and instance, and none has seen another as often, then it gets the largest message everywhere and stays the
-/// first choice. Largest tiles first.
-std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, int side, int rim, ThreadPool& pool);
+/// Blocks are left out where nothing is in dispute: if all voxels within `rim` blocks have seen the same instance most,
+/// and none another as often, then it gets the largest message everywhere and stays the first choice. What was
+/// concluded before may be otherwise now: it is in dispute. Largest tiles first.
+std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInstances& known, int side, int rim,
+                              ThreadPool& pool);
 
 /// Leaves out tiles of which no block, rim included, was written since `before`.
 void DropUnchanged(std::span<const HeldBlock> blocks, const StateMarks& before, std::vector<CrfTile>& tiles);

@@ -22,15 +22,13 @@ struct ManagementReport {
 ///   - What several submaps hold at a position is merged: weighted average of distance and colour, weights and counts
 ///     added. The unknown submap may be among `ids`; it has no counts, so it only keeps what nobody else holds.
 ///   - The winner is the instance with the most observations among `ids`; ties go to the smaller id. Where no count
-///   names
-///     one of them, the voxel stays with the smallest id that holds it, the unknown submap last.
+///     names one of them, the voxel stays with the smallest id that holds it, the unknown submap last.
+///   - A voxel that one of them alone holds by conclusion (LabelBlock::IsConcluded) stays. Where others hold it, too,
+///   it
+///     was seen anew: what was seen decides, and what was concluded of it is forgotten.
 ///   - Blocks and submaps left empty are removed, spheres, classes and confidences of what changed recomputed.
 /// Sums of counts and weights are conserved (weights are not capped here). Running it again changes nothing. The result
 /// does not depend on the number of threads. Ids that are not in the map are ignored.
 ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool);
-
-/// Only moves voxels that have seen another of the submaps `ids` more often than the one that holds them, and merges
-/// them with what is there. Other overlaps stay. For the CRF, and for measuring it alone.
-ManagementReport MoveForeignVoxels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool);
 
 }  // namespace dhpmap

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "mapping/map/map_grid.h"
-#include "mapping/refinement/label_management.h"
-#include "mapping/refinement/voxel_merge.h"
+#include "mapping/refinement/seen_instances.h"
+#include "mapping/refinement/voxel_handover.h"
 
 namespace dhpmap {
 namespace {
@@ -111,21 +111,21 @@ std::int64_t AbsorbStrayVoxels(std::span<const SubmapId> ids, Map& map, ThreadPo
   std::vector<std::vector<Stray>> strays(things.size());
   pool.ParallelFor(things.size(), [&](std::size_t i) { strays[i] = FindStrays(*things[i], holders); });
 
-  std::int64_t num_voxels = 0;
+  const KnownInstances known(ids, map);
+  std::vector<Handover> handovers;
   for (const std::vector<Stray>& of_one : strays) {
     for (const Stray& stray : of_one) {
-      Submap& from = *map.FindMutable(stray.from);
       for (const VoxelIndex v : stray.voxels) {
-        LabelBlock& labels = from.MutableLabels(BlockOf(v));
-        LabelHistograms histograms = labels.Get(LinearIndex(v));
-        ExchangeCounts(0, stray.to.value, histograms.instances);
-        if (histograms.instances.empty()) continue;  // never labelled: nothing says whose it is
-        labels.Set(LinearIndex(v), histograms);
-        ++num_voxels;
+        const LabelBlock* labels = map.Find(stray.from)->blocks().Find(BlockOf(v))->labels.get();
+        const int linear = LinearIndex(v);
+        if (labels == nullptr || labels->IsEmpty(linear)) continue;  // never labelled: nothing says whose it is
+        const bool is_concluded = known.MostSeen(stray.from, *labels, linear) != stray.to;
+        handovers.push_back({BlockOf(v), static_cast<std::uint16_t>(linear), stray.from, stray.to, is_concluded});
       }
     }
   }
-  if (num_voxels > 0) MoveForeignVoxels(ids, map, pool);
+  const auto num_voxels = static_cast<std::int64_t>(handovers.size());
+  HandOver(std::move(handovers), map, pool);
   return num_voxels;
 }
 

@@ -31,7 +31,9 @@ void RecomputeSubmapLabels(Submap& submap) {
   std::uint64_t own = 0, all = 0;
   for (const BlockEntry& entry : submap.blocks().entries()) {
     for (int i = 0; entry.labels && i < kBlockVoxels; ++i) {
-      entry.labels->VisitClasses(i, [&classes](LabelCount seen) { classes[seen.id] += seen.count; });
+      if (!entry.labels->IsConcluded(i)) {
+        entry.labels->VisitClasses(i, [&classes](LabelCount seen) { classes[seen.id] += seen.count; });
+      }
       entry.labels->VisitInstances(i, [&](LabelCount seen) {
         all += seen.count;
         if (seen.id == 0) own += seen.count;

@@ -6,7 +6,8 @@
 namespace dhpmap {
 
 /// Class totals, class and instance confidence of a submap from the counts of its voxels (paper II-C, label of a
-/// submap). A submap without voxel labels keeps those it has; the unknown submap has none.
+/// submap). What a voxel that it holds by conclusion has seen is of another: it is no vote for a class of this one. A
+/// submap without voxel labels keeps those it has; the unknown submap has none.
 void RecomputeSubmapLabels(Submap& submap);
 
 /// Gives voxels of blocks whose labels were dropped the submap's label back: its class and its own instance, counted as

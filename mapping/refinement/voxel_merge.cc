@@ -20,20 +20,6 @@ void Rename(std::uint32_t from, std::uint32_t to, std::vector<LabelCount>& insta
 
 }  // namespace
 
-void ExchangeCounts(std::uint32_t a, std::uint32_t b, std::vector<LabelCount>& counts) {
-  const auto count_of = [&counts](std::uint32_t id) {
-    const auto it = std::find_if(counts.begin(), counts.end(), [id](const LabelCount& c) { return c.id == id; });
-    return it == counts.end() ? 0u : it->count;
-  };
-  const std::uint32_t count_a = count_of(a), count_b = count_of(b);
-  std::erase_if(counts, [a, b](const LabelCount& c) { return c.id == a || c.id == b; });
-  std::vector<LabelCount> exchanged;
-  if (count_b > 0) exchanged.push_back({a, count_b});
-  if (count_a > 0) exchanged.push_back({b, count_a});
-  std::sort(exchanged.begin(), exchanged.end(), [](LabelCount x, LabelCount y) { return x.id < y.id; });
-  counts = SumCounts(counts, exchanged);
-}
-
 void Accumulate(const BlockEntry& block, SubmapId holder, int linear, MergedVoxel& merged) {
   if (merged.num_holders++ == 0 || merged.first_holder == kUnknownSubmap) merged.first_holder = holder;
   merged.tsdf.Add(*block.tsdf, static_cast<std::size_t>(linear));
@@ -62,7 +48,7 @@ void Clear(int linear, TsdfBlock& tsdf, LabelBlock& labels) {
 bool HasForeignVoxel(const LabelBlock& labels) {
   if (labels.NumOverflowVoxels() == 0) return false;
   for (int i = 0; i < kBlockVoxels; ++i) {
-    if (labels.BestInstance(i).id != kOwnInstance) return true;
+    if (labels.BestInstance(i).id != kOwnInstance && !labels.IsConcluded(i)) return true;
   }
   return false;
 }

@@ -22,13 +22,11 @@ void Accumulate(const BlockEntry& block, SubmapId holder, int linear, MergedVoxe
 /// Writes the merged voxel to the blocks of submap `owner`.
 void Store(const MergedVoxel& merged, SubmapId owner, int linear, TsdfBlock& tsdf, LabelBlock& labels);
 
-/// Exchanges the counts of two ids; the list stays sorted.
-void ExchangeCounts(std::uint32_t a, std::uint32_t b, std::vector<LabelCount>& counts);
-
 /// Makes the voxel unobserved and empties its labels.
 void Clear(int linear, TsdfBlock& tsdf, LabelBlock& labels);
 
-/// True if some voxel of the block has seen another instance more often than its own submap.
+/// True if some voxel of the block has seen another instance more often than its own submap, which does not hold it by
+/// conclusion.
 bool HasForeignVoxel(const LabelBlock& labels);
 
 }  // namespace dhpmap

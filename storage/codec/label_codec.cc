@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "storage/codec/envelope.h"
 #include "storage/codec/voxel_walk.h"
@@ -12,8 +14,9 @@
 namespace dhpmap {
 namespace {
 
-// Payload, all in the packable part: mask of the voxels with counts, planes of one byte a masked voxel, then, voxel by
-// voxel, what the planes do not hold, as varints.
+// Payload, all in the packable part. Of a tile first its cells, and those of blocks of which something is concluded; then,
+// as of a block, the mask of the voxels with counts (of a tile, block by block, and after them those of what is
+// concluded), planes of one byte a masked voxel, then, voxel by voxel, what the planes do not hold, as varints.
 //   kForm: number of classes, plus kOtherInstances if the instances are not just "own, as often as all classes";
 //          or kLong: the voxel is not in the planes.
 //   kClass0/1: first class, as difference to the nearest voxel before it; kCount0/1: its count, likewise.
@@ -217,16 +220,40 @@ Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block) {
   return Status::Ok();
 }
 
+namespace {
+
+/// The cells of blocks of which something is concluded.
+std::uint64_t ConcludedCells(const LayerBlocks<LabelBlock>& blocks) {
+  std::uint64_t cells = 0;
+  for (const auto& [cell, block] : blocks) {
+    if (!HasNone(block->concluded())) cells |= std::uint64_t{1} << cell;
+  }
+  return cells;
+}
+
+/// False if it says that nothing is concluded.
+bool ReadConcluded(ByteReader& reader, VoxelMask& concluded) {
+  for (std::uint64_t& word : concluded) word = reader.GetU64();
+  return !HasNone(concluded);
+}
+
+}  // namespace
+
 Bytes EncodeLabelTile(const LayerBlocks<LabelBlock>& blocks, TileIndex index) {
   thread_local Buffer buffer;
   buffer.Clear();
   Payload payload;
   ByteWriter writer(payload.packable);
   writer.PutU64(CellsOf(blocks));
+  writer.PutU64(ConcludedCells(blocks));
   for (const auto& [cell, block] : blocks) {
     const VoxelBits mask = LabelledVoxels(*block);
     writer.PutBytes(mask);
     WriteBlock(*block, VoxelWalk(mask), buffer);
+  }
+  for (const auto& [cell, block] : blocks) {
+    if (HasNone(block->concluded())) continue;
+    for (const std::uint64_t word : block->concluded()) writer.PutU64(word);
   }
   Append(buffer, writer);
   return Seal(BlobKind::kLabelsTile, SealIndexOf(index), payload);
@@ -237,19 +264,26 @@ Status DecodeLabelTile(ByteView blob, TileIndex index, LayerBlocks<LabelBlock>& 
   thread_local Payload payload;
   DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kLabelsTile, SealIndexOf(index), blob, payload));
   ByteReader reader(payload.packable);
-  const std::uint64_t cells = reader.GetU64();
+  const std::uint64_t cells = reader.GetU64(), concluded_cells = reader.GetU64();
   const ByteView masks = reader.GetBytes(sizeof(VoxelBits) * static_cast<std::size_t>(std::popcount(cells)));
-  if (!reader.ok() || cells == 0 || !payload.plain.empty()) return DataLoss("has a malformed header");
+  std::vector<VoxelMask> concluded(static_cast<std::size_t>(std::popcount(concluded_cells)));
+  for (VoxelMask& mask : concluded) {
+    if (!ReadConcluded(reader, mask)) return DataLoss("says that nothing is concluded");
+  }
+  const bool is_well_formed = reader.ok() && cells != 0 && (concluded_cells & ~cells) == 0 && payload.plain.empty();
+  if (!is_well_formed) return DataLoss("has a malformed header");
   const std::size_t num_voxels = NumMasked(masks);
   std::array<ByteView, kNumPlanes> planes;
   for (ByteView& plane : planes) plane = reader.GetBytes(num_voxels);
   if (!reader.ok()) return DataLoss("is not as long as its voxels need");
+  auto next_concluded = concluded.begin();
   for (std::size_t n = 0; const int cell : CellsIn(cells)) {
     VoxelBits mask{};
     ByteReader(masks.subspan(sizeof(VoxelBits) * n++, sizeof(VoxelBits))).GetInto(mask);
     const VoxelWalk walk(mask);
     auto block = std::shared_ptr<LabelBlock>(new LabelBlock());  // not make_shared: StateMarks would keep its memory
     DHPMAP_RETURN_IF_ERROR(ReadBlock(walk, planes, reader, *block));
+    if ((concluded_cells >> cell & 1u) != 0) block->set_concluded(*next_concluded++);
     blocks.push_back({cell, std::move(block)});
     for (ByteView& plane : planes) plane = plane.subspan(walk.sites().size());
   }

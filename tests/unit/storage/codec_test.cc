@@ -350,6 +350,40 @@ TEST(LabelCodec, ForgedPayloadsAreHarmless) {
   ExpectForgeriesAreHarmless<LabelBlock>(BlobKind::kLabelsV1, payload, DecodeLabelBlock);
 }
 
+TEST(LabelTileCodec, KeepsWhatIsConcluded) {
+  constexpr TileIndex kTile{1, -2, 3};
+  LayerBlocks<LabelBlock> blocks, read;
+  for (int cell = 0; cell < 5; ++cell) {
+    auto block = std::make_shared<LabelBlock>(SomeLabels(static_cast<std::uint32_t>(cell)));
+    for (int i = cell; i < kBlockVoxels && cell % 2 == 0; i += 7) block->SetConcluded(i, true);
+    blocks.push_back({9 * cell, block});
+  }
+  ASSERT_TRUE(DecodeLabelTile(EncodeLabelTile(blocks, kTile), kTile, read).ok());
+  ASSERT_EQ(read.size(), blocks.size());
+  for (std::size_t n = 0; n < blocks.size(); ++n) {
+    EXPECT_EQ(read[n].first, blocks[n].first);
+    EXPECT_TRUE(*read[n].second == *blocks[n].second);
+  }
+}
+
+TEST(LabelTileCodec, ForgedConclusionsAreDataLoss) {
+  constexpr TileIndex kTile{1, -2, 3};
+  auto block = std::make_shared<LabelBlock>(SomeLabels(2));
+  block->SetConcluded(9, true);
+  Payload payload;
+  const Bytes blob = EncodeLabelTile({{4, block}}, kTile);
+  ASSERT_TRUE(Unseal(BlobKind::kLabelsTile, {kTile.x, kTile.y, kTile.z}, blob, payload).ok());
+  LayerBlocks<LabelBlock> read;
+  const auto code_of = [&](std::size_t byte, std::uint8_t value) {
+    Payload forged = payload;
+    forged.packable[byte] = value;
+    return DecodeLabelTile(Seal(BlobKind::kLabelsTile, {kTile.x, kTile.y, kTile.z}, forged), kTile, read).code();
+  };
+  ASSERT_EQ(code_of(0, payload.packable[0]), StatusCode::kOk);
+  EXPECT_EQ(code_of(8, 0x11), StatusCode::kDataLoss) << "of a block that is not there";
+  EXPECT_EQ(code_of(16 + 64 + 1, 0), StatusCode::kDataLoss) << "a mask of nothing: each tile is stored in one way";
+}
+
 TEST(LabelCodec, AClassThatNoneCanHaveIsDataLoss) {
   // 65,535 marks voxels in overflow lists: taken for a class it would point beyond them.
   LabelBlock block;

@@ -89,6 +89,7 @@ class MapGenerator {
       const BlockIndex index = Index();
       FillTsdf(submap.MutableTsdf(index), submap.info().truncation_m);
       if (submap.id() != kUnknownSubmap) FillLabels(submap.MutableLabels(index));
+      if (submap.id() != kUnknownSubmap && index.x % 2 == 0) submap.MutableLabels(index).SetConcluded(77, true);
       if (Below(2)) submap.PutGone(index, std::make_shared<const GoneBlock>(SomeGone()));
     }
     submap.UpdateBoundingSphere();

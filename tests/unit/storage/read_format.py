@@ -220,8 +220,10 @@ def read_counts(reader, number, counts, last):
 
 
 def read_labels(plain, packable, of_tile):
-    cells = packable.one("Q") if of_tile else 1
+    cells, concluded = (packable.one("Q"), packable.one("Q")) if of_tile else (1, 0)
     walks = {c: Walk(masked(packable.bytes(MASK_BYTES))) for c in cells_in(cells)}
+    for _ in cells_in(concluded):
+        check(any(packable.bytes(MASK_BYTES)), "nothing concluded of a block")
     size = sum(len(walk.sites) for walk in walks.values())
     planes = [packable.bytes(size) for _ in range(5)]
     blocks, begin = {}, 0

@@ -131,7 +131,7 @@ TEST(LabelBlock, KeepsOneOrTwoClassesInlineAndAThirdInOverflow) {
   LabelBlock block;
   const std::size_t empty_bytes = block.MemoryBytes();
   EXPECT_GE(empty_bytes, 8u * kBlockVoxels) << "with the counts, which have an allocation of their own";
-  EXPECT_LE(empty_bytes, 8u * kBlockVoxels + 64);
+  EXPECT_LE(empty_bytes, 8u * kBlockVoxels + 128);
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
     block.AddObservation(linear, ClassId(9));
     block.AddObservation(linear, ClassId(3));
@@ -193,6 +193,27 @@ TEST(LabelBlock, CopiesAreIndependentAndEqualByContent) {
   c.Set(6, {{{1, 1}}, {{7, 1}}});
   c.Clear(6);
   EXPECT_EQ(b, c);
+}
+
+TEST(LabelBlock, WhatIsConcludedChangesNoCountsAndEndsWhereTheyAreReplaced) {
+  LabelBlock seen;
+  for (int n = 0; n < 3; ++n) seen.AddObservation(5, ClassId(2));
+  seen.Set(6, {{{1, 4}}, {{9, 4}}});
+  LabelBlock block = seen;
+  block.SetConcluded(5, true);
+  block.SetConcluded(6, true);
+  EXPECT_FALSE(block == seen);
+  for (const int i : {4, 5, 6, 7}) {
+    EXPECT_EQ(block.IsConcluded(i), i == 5 || i == 6);
+    EXPECT_EQ(block.Get(i), seen.Get(i));
+    EXPECT_EQ(block.BestInstance(i).id, seen.BestInstance(i).id);
+  }
+  block.AddObservation(5, ClassId(2));
+  block.Add(6, {{{1, 1}}, {{9, 1}}});
+  EXPECT_TRUE(block.IsConcluded(5) && block.IsConcluded(6)) << "more of what was seen takes back nothing by itself";
+  block.Clear(5);
+  block.Set(6, seen.Get(6));
+  EXPECT_TRUE(HasNone(block.concluded()));
 }
 
 TEST(SumCounts, MergesListsAndConservesTotals) {

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <set>
 
 #include "mapping/refinement/crf_tiles.h"
 #include "mapping/refinement/label_management.h"
 #include "mapping/refinement/submap_labels.h"
+#include "mapping/refinement/voxel_handover.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/mapping/refinement/random_map.h"
 
@@ -25,12 +27,6 @@ using testing::RandomMap;
 using testing::Sum;
 using testing::Totals;
 
-std::uint64_t TotalOf(const std::map<std::uint32_t, std::uint64_t>& counts) {
-  std::uint64_t total = 0;
-  for (const auto& [id, count] : counts) total += count;
-  return total;
-}
-
 class ManagedMaps : public ::testing::TestWithParam<unsigned> {
  protected:
   ManagedMaps() { ManageLabels(AllIds(map_), map_, pool_); }
@@ -38,14 +34,11 @@ class ManagedMaps : public ::testing::TestWithParam<unsigned> {
   Map map_ = RandomMap(GetParam());
 };
 
-TEST_P(ManagedMaps, StayExclusiveAndKeepTheNumberOfObservationsAndAllWeight) {
+TEST_P(ManagedMaps, StayExclusiveAndKeepAllObservationsAndAllWeight) {
   const Totals before = Sum(map_);
   const LabelCrfReport report = RefineLabels(AllIds(map_), map_, pool_);
   EXPECT_GT(report.num_changed_instances, 0);
-  const Totals after = Sum(map_);
-  EXPECT_EQ(TotalOf(after.classes), TotalOf(before.classes));
-  EXPECT_EQ(TotalOf(after.instances), TotalOf(before.instances));
-  EXPECT_EQ(after.weight, before.weight);
+  EXPECT_EQ(Sum(map_), before);
   std::set<VoxelIndex> held;
   ForEachVoxel(map_, [&](const Submap&, const BlockEntry& entry, int i) {
     EXPECT_TRUE(held.insert(VoxelIn(entry.index, i)).second) << "held twice";
@@ -61,7 +54,7 @@ TEST_P(ManagedMaps, LeaveNothingForLabelManagementAfterwards) {
 
 TEST_P(ManagedMaps, HaveTheTotalsOfTheirVoxels) {
   for (const SubmapId id : AllIds(map_)) RecomputeSubmapLabels(*map_.FindMutable(id));
-  EXPECT_GT(RefineLabels(AllIds(map_), map_, pool_).num_changed_classes, 0);
+  EXPECT_GT(RefineLabels(AllIds(map_), map_, pool_).num_changed_instances, 0);
   Map counted(map_.Freeze());
   for (const SubmapId id : AllIds(counted)) RecomputeSubmapLabels(*counted.FindMutable(id));
   for (const auto& submap : map_.submaps()) {
@@ -79,6 +72,12 @@ TEST_P(ManagedMaps, AreRefinedTheSameByAnyNumberOfThreads) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ManagedMaps, ::testing::Range(0u, 6u));
 
+constexpr Color kRed{200, 60, 40}, kGrey{60, 80, 90};
+
+void Paint(Submap& submap, VoxelIndex v, Color color) {
+  submap.MutableTsdf(BlockOf(v)).color[static_cast<std::size_t>(LinearIndex(v))] = color;
+}
+
 /// A slab of two submaps, 1 (class 1) at x < 0 and 2 (class 2) beyond, in which a share of the voxels has seen the
 /// other one more often. `colors`: the two halves look different.
 Map Slab(double flipped_share, bool colors) {
@@ -94,9 +93,7 @@ Map Slab(double flipped_share, bool colors) {
         const std::uint32_t seen = chance(random) < flipped_share ? 3 - right : right;
         Submap& submap = *map.FindMutable(SubmapId(seen));
         Put(submap, {x, y, z}, 0.01f * static_cast<float>(z), 1.0f, {{{seen, 5}}, {{0, 5}}});
-        Color& color =
-            submap.MutableTsdf(BlockOf(VoxelIndex{x, y, z})).color[static_cast<std::size_t>(LinearIndex({x, y, z}))];
-        color = colors && x < 0 ? Color{200, 60, 40} : Color{60, 80, 90};
+        Paint(submap, {x, y, z}, colors && x < 0 ? kRed : kGrey);
       }
     }
   }
@@ -129,14 +126,104 @@ TEST(RefineLabels, DoesNotBleedAcrossAnEdgeOfColour) {
   EXPECT_GT(RightShare(map, 0), 0.99);
 }
 
-TEST(RefineLabels, ClassesFollowTheirNeighboursToo) {
+TEST(RefineLabels, WhatMovesTakesAllItHasSeenAlongAndIsMarked) {
   Map map = Slab(0.2, true);
   ThreadPool pool(2);
   const LabelCrfReport report = RefineLabels(AllIds(map), map, pool);
-  EXPECT_GT(report.num_changed_classes, 0.19 * 48 * 24 * 4);
-  ForEachVoxel(map, [](const Submap& submap, const BlockEntry& entry, int i) {
-    EXPECT_EQ(entry.labels->BestClass(i).id, submap.id().value);
+  EXPECT_GT(report.num_changed_instances, 0.19 * 48 * 24 * 4);
+  EXPECT_EQ(report.num_changed_classes, report.num_changed_instances);
+  std::int64_t num_concluded = 0;
+  ForEachVoxel(map, [&](const Submap& submap, const BlockEntry& entry, int i) {
+    const LabelHistograms seen = entry.labels->Get(i);
+    ASSERT_EQ(seen.classes.size(), 1u);
+    EXPECT_EQ(seen.classes[0].count, 5u);
+    const std::uint32_t instance = seen.classes[0].id;  // as Slab has it
+    const std::uint32_t by_holder = instance == submap.id().value ? 0 : instance;
+    EXPECT_EQ(seen.instances, (std::vector<LabelCount>{{by_holder, 5}}));
+    EXPECT_EQ(entry.labels->IsConcluded(i), by_holder != 0);
+    num_concluded += by_holder != 0;
   });
+  EXPECT_EQ(num_concluded, report.num_changed_instances);
+}
+
+TEST(RefineLabels, WhatWasConcludedIsNoVoteForAClass) {
+  Map map = Slab(0.2, true);
+  ThreadPool pool(1);
+  RefineLabels(AllIds(map), map, pool);
+  for (const SubmapId id : AllIds(map)) {
+    if (id == kUnknownSubmap) continue;
+    const SubmapInfo& info = map.Find(id)->info();
+    ASSERT_EQ(info.class_counts.size(), 1u);
+    EXPECT_EQ(info.class_counts[0].id.value, id.value);
+    EXPECT_LT(info.instance_confidence, 0.9f)
+        << "what it holds against what was seen says something of it all the same";
+  }
+}
+
+TEST(RefineLabels, WhatWasConcludedCanBeThrownAwayAndMadeAgain) {
+  Map map = Slab(0.2, true);
+  ThreadPool pool(2);
+  for (const SubmapId id : AllIds(map)) RecomputeSubmapLabels(*map.FindMutable(id));
+  for (const SubmapId id : AllIds(map)) map.FindMutable(id)->UpdateBoundingSphere();
+  const auto seen = map.Freeze();
+  const std::int64_t num_moved = RefineLabels(AllIds(map), map, pool).num_changed_instances;
+  const auto refined = map.Freeze();
+  EXPECT_EQ(ForgetConclusions(AllIds(map), map, pool), num_moved);
+  EXPECT_TRUE(testing::MapsAreEqual(*map.Freeze(), *seen));
+  RefineLabels(AllIds(map), map, pool);
+  EXPECT_TRUE(testing::MapsAreEqual(*map.Freeze(), *refined));
+}
+
+/// Who holds each voxel, and what it has seen.
+std::map<VoxelIndex, std::pair<SubmapId, LabelHistograms>> HeldAndSeen(const Map& map) {
+  std::map<VoxelIndex, std::pair<SubmapId, LabelHistograms>> voxels;
+  ForEachVoxel(map, [&](const Submap& submap, const BlockEntry& entry, int i) {
+    voxels[VoxelIn(entry.index, i)] = {submap.id(), entry.labels->Get(i)};
+  });
+  return voxels;
+}
+
+/// Sees every third voxel of the slab some more times, as one of the two submaps at random.
+void SeeMore(unsigned seed, Map& map) {
+  std::mt19937 random(seed);
+  for (int x = -24; x < 24; ++x) {
+    for (int y = 0; y < 24; y += 3) {
+      const std::uint32_t seen = 1 + random() % 2;
+      Submap& submap = *map.FindMutable(SubmapId(seen));
+      Put(submap, {x, y, 0}, 0.0f, 1.0f, {{{seen, 4}}, {{0, 4}}});
+      Paint(submap, {x, y, 0}, kGrey);
+    }
+  }
+}
+
+TEST(RefineLabels, WhatAnEarlierRunHasConcludedHasNoSay) {
+  Map often = Slab(0.3, false), once = Slab(0.3, false);
+  ThreadPool pool(1);
+  for (unsigned turn = 0; turn < 3; ++turn) {
+    RefineLabels(AllIds(often), often, pool);
+    SeeMore(turn, often);
+    ManageLabels(AllIds(often), often, pool);
+    SeeMore(turn, once);
+    ManageLabels(AllIds(once), once, pool);
+  }
+  RefineLabels(AllIds(often), often, pool);
+  RefineLabels(AllIds(once), once, pool);
+  EXPECT_EQ(HeldAndSeen(often), HeldAndSeen(once));
+}
+
+TEST(RefineLabels, ALeadOfManySightingsHoldsWhereTheSameShareOfFewDoesNot) {
+  const VoxelIndex few{-12, 12, 0}, many{-12, 12, 1};
+  Map map = Slab(0.0, false);
+  ThreadPool pool(1);
+  for (const auto& [v, times] : {std::pair{few, 1u}, std::pair{many, 100u}}) {
+    map.FindMutable(SubmapId(1))->MutableTsdf(BlockOf(v)).weight[static_cast<std::size_t>(LinearIndex(v))] = 0;
+    map.FindMutable(SubmapId(1))->MutableLabels(BlockOf(v)).Clear(LinearIndex(v));
+    Put(*map.FindMutable(SubmapId(2)), v, 0.0f, 1.0f, {{{2, 4 * times}}, {{0, 4 * times}, {1, times}}});
+    Paint(*map.FindMutable(SubmapId(2)), v, kGrey);
+  }
+  RefineLabels(AllIds(map), map, pool);
+  EXPECT_EQ(HeldAndSeen(map)[few].first, SubmapId(1));
+  EXPECT_EQ(HeldAndSeen(map)[many].first, SubmapId(2));
 }
 
 TEST(RefineLabels, ACrowdElsewhereInTheTileChangesNothing) {
@@ -195,21 +282,19 @@ std::vector<std::uint32_t> Foremost(const std::vector<LabelCount>& counts) {
   return ids;
 }
 
-/// First choices (class, instance) of all voxels within `rim` blocks, ties included: the obvious way.
-std::set<std::pair<std::uint32_t, std::uint32_t>> ChoicesAround(std::span<const HeldBlock> blocks, BlockIndex at,
-                                                                int rim) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> choices;
+/// What all voxels within `rim` blocks have seen most of the submaps there are, ties included: the obvious way.
+std::set<std::uint32_t> ChoicesAround(const Map& map, std::span<const HeldBlock> blocks, BlockIndex at, int rim) {
+  std::set<std::uint32_t> choices;
   for (const HeldBlock& block : blocks) {
     const int distance =
         std::max({std::abs(block.index.x - at.x), std::abs(block.index.y - at.y), std::abs(block.index.z - at.z)});
     for (int i = 0; i < kBlockVoxels && distance <= rim; ++i) {
       if (!block.entry->tsdf->IsObserved(i) || block.entry->labels->IsEmpty(i)) continue;
-      const LabelHistograms seen = block.entry->labels->Get(i);
-      for (const std::uint32_t class_id : Foremost(seen.classes)) {
-        for (const std::uint32_t id : Foremost(seen.instances)) {
-          choices.emplace(class_id, id == 0 ? block.holder.value : id);
-        }
-      }
+      std::vector<LabelCount> seen = block.entry->labels->Get(i).instances;
+      for (LabelCount& count : seen) count.id = count.id == 0 ? block.holder.value : count.id;
+      std::erase_if(seen, [&](LabelCount count) { return map.Find(SubmapId(count.id)) == nullptr; });
+      for (const std::uint32_t id : Foremost(seen)) choices.insert(id);
+      if (seen.empty()) choices.insert(block.holder.value);
     }
   }
   return choices;
@@ -218,7 +303,7 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> ChoicesAround(std::span<const 
 TEST_P(ManagedMaps, AreCutIntoTilesOfJustTheBlocksInDisputeAndWhatIsAround) {
   const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map_), map_);
   std::vector<int> inside(blocks.size(), 0);
-  for (const CrfTile& tile : CutTiles(blocks, 2, 1, pool_)) {
+  for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map_), map_), 2, 1, pool_)) {
     for (const std::uint32_t b : tile.inner) ++inside[b];
     for (std::uint32_t b = 0; b < blocks.size(); ++b) {
       const bool is_near = std::any_of(tile.inner.begin(), tile.inner.end(), [&](std::uint32_t inner) {
@@ -231,7 +316,7 @@ TEST_P(ManagedMaps, AreCutIntoTilesOfJustTheBlocksInDisputeAndWhatIsAround) {
     }
   }
   for (std::uint32_t b = 0; b < blocks.size(); ++b) {
-    EXPECT_EQ(inside[b], ChoicesAround(blocks, blocks[b].index, 1).size() > 1 ? 1 : 0);
+    EXPECT_EQ(inside[b], ChoicesAround(map_, blocks, blocks[b].index, 1).size() > 1 ? 1 : 0);
   }
 }
 
@@ -242,19 +327,26 @@ TEST(CutTiles, ATieIsADispute) {
   ThreadPool pool(1);
   const auto is_solved = [&] {
     const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
-    for (const CrfTile& tile : CutTiles(blocks, 1, 1, pool)) {
+    for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map), map), 1, 1, pool)) {
       for (const std::uint32_t b : tile.inner) {
         if (blocks[b].index == BlockOf(far)) return true;
       }
     }
     return false;
   };
-  labels.Set(LinearIndex(far), {{{1, 5}, {2, 4}}, {{0, 9}}});
+  labels.Set(LinearIndex(far), {{{1, 9}}, {{0, 5}, {2, 4}}});
   EXPECT_FALSE(is_solved());
-  labels.Set(LinearIndex(far), {{{1, 5}, {2, 5}}, {{0, 10}}});
-  EXPECT_TRUE(is_solved());
   labels.Set(LinearIndex(far), {{{1, 10}}, {{0, 5}, {2, 5}}});
   EXPECT_TRUE(is_solved());
+}
+
+TEST(CutTiles, WhatWasConcludedIsInDispute) {
+  Map map = Slab(0.0, false);
+  const VoxelIndex far{-20, 12, 0};
+  map.FindMutable(SubmapId(1))->MutableLabels(BlockOf(far)).SetConcluded(LinearIndex(far), true);
+  ThreadPool pool(1);
+  RefineLabels(AllIds(map), map, pool);
+  EXPECT_FALSE(map.Find(SubmapId(1))->blocks().Find(BlockOf(far))->labels->IsConcluded(LinearIndex(far)));
 }
 
 TEST(CutTiles, LeavesOutWhatNobodyDisputes) {
@@ -262,7 +354,7 @@ TEST(CutTiles, LeavesOutWhatNobodyDisputes) {
   ThreadPool pool(1);
   const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
   std::size_t num_inner = 0;
-  for (const CrfTile& tile : CutTiles(blocks, 1, 1, pool)) {
+  for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map), map), 1, 1, pool)) {
     num_inner += tile.inner.size();
     for (const std::uint32_t b : tile.inner) {
       EXPECT_GE(blocks[b].index.x, -1) << "far from the border";
@@ -277,7 +369,7 @@ TEST(CutTiles, TheLargestComesFirst) {
   ThreadPool pool(1);
   const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
   std::size_t size_before = blocks.size();
-  for (const CrfTile& tile : CutTiles(blocks, 1, 1, pool)) {
+  for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map), map), 1, 1, pool)) {
     EXPECT_LE(tile.inner.size() + tile.rim.size(), size_before);
     size_before = tile.inner.size() + tile.rim.size();
   }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mapping/refinement/tile_problem.h"
+
+namespace dhpmap {
+
+/// An offset at which what a voxel has seen is evidence, too.
+struct NearTap {
+  std::int8_t x, y, z;  ///< voxels
+  float weight;
+};
+
+/// The sparse kernel of Melkumyan and Ramos (2009), as semantic BKI mapping has it: 1 at 0, falling to 0 at the radius,
+/// which is at most 8 voxels, a block's side (what is above counts as that). Without the voxel itself.
+std::vector<NearTap> NearTaps(double radius_vox);
+
+/// Evidence for the instances of a tile's voxels, by member, then channel: the parameters of a Dirichlet distribution
+/// less its prior. A voxel's own sightings count whole; those of voxels at the surface (within 1.5 voxels of it), where
+/// labels are right, count `kNearWeight` of the kernel for all around them. The result depends on the tile alone.
+inline constexpr float kNearWeight = 0.3f;
+std::vector<float> GatherEvidence(const TileProblem& problem, double radius_vox, double voxel_size_m);
+
+}  // namespace dhpmap
