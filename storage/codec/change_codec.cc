@@ -131,6 +131,7 @@ void DoInfo(Coder& coder, Info& info) {
   coder.Do(info.is_placed);
   coder.Do(info.track_id);
   coder.Do(info.revision);
+  coder.Do(info.edited_revision);
 }
 
 template <typename Coder, typename Box>

@@ -62,6 +62,7 @@ std::vector<Column<Row>> SubmapColumns() {
       MakeColumn<Row>("last_contradicted_ns", kAlways, 2, DHPMAP_MEMBER(info.last_contradicted_ns)),
       MakeColumn<Row>("is_placed", kAlways, 2, DHPMAP_MEMBER(info.is_placed)),
       MakeColumn<Row>("tiles_sum", kAlways, 3, DHPMAP_MEMBER(tiles_sum)),
+      MakeColumn<Row>("edited_revision", kAlways, 3, DHPMAP_MEMBER(info.edited_revision)),
   };
 }
 const Table<SubmapRow>& Submaps();

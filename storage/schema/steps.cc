@@ -14,7 +14,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[4]},                          // 0005_gone.sql
       {.sql = SchemaSql()[5]},                          // 0006_objects.sql
       {.sql = SchemaSql()[6], .work = &kBundleBlocks},  // 0007_tiles.sql
-      {.sql = SchemaSql()[7]},                          // 0008_changes.sql
+      {.sql = SchemaSql()[7]},                          // 0008_changes_and_edits.sql
   };
   return steps;
 }

@@ -361,8 +361,8 @@ TEST(LabelTileCodec, KeepsWhatIsConcluded) {
   ASSERT_TRUE(DecodeLabelTile(EncodeLabelTile(blocks, kTile), kTile, read).ok());
   ASSERT_EQ(read.size(), blocks.size());
   for (std::size_t n = 0; n < blocks.size(); ++n) {
-    EXPECT_EQ(read[n].first, blocks[n].first);
-    EXPECT_TRUE(*read[n].second == *blocks[n].second);
+    EXPECT_EQ(read[n].cell, blocks[n].cell);
+    EXPECT_TRUE(*read[n].block == *blocks[n].block);
   }
 }
 

@@ -117,6 +117,7 @@ class MapGenerator {
     info.presence = Below(2) ? Presence::kPresent : Presence::kAbsent;
     info.last_contradicted_ns = 1'600'000'000'000'000'021 + Below(9);
     info.is_placed = Below(2) != 0;
+    info.edited_revision = Below(100);
     Submap& submap = map.Create(info);
     AddBlocks(submap, num_blocks);
     return submap;
@@ -218,6 +219,7 @@ inline void ExpectSameInfo(const SubmapInfo& expected, const SubmapInfo& actual)
   EXPECT_EQ(expected.presence, actual.presence);
   EXPECT_EQ(expected.last_contradicted_ns, actual.last_contradicted_ns);
   EXPECT_EQ(expected.is_placed, actual.is_placed);
+  EXPECT_EQ(expected.edited_revision, actual.edited_revision);
   EXPECT_EQ(expected.revision, actual.revision);
 }
 

@@ -1,5 +1,5 @@
 -- What commits changed, for those who follow a map: one row a commit, written in its transaction, and one row a map that says
--- how far they go back.
+-- how far they go back. And when somebody last edited an object.
 
 CREATE TABLE changes (
   change_key INTEGER PRIMARY KEY,
@@ -24,3 +24,5 @@ CREATE TABLE change_logs (
   checksum_version INTEGER NOT NULL,
   checksum INTEGER NOT NULL
 ) STRICT;
+
+ALTER TABLE submaps ADD COLUMN edited_revision INTEGER NOT NULL DEFAULT 0;
