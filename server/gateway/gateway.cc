@@ -7,6 +7,7 @@
 #include "mapping/base/mutex.h"
 #include "server/gateway/dispatcher.h"
 #include "server/gateway/rpc_call.h"
+#include "server/gateway/shared_answers.h"
 #include "server/http/server.h"
 
 namespace dhpmap {
@@ -22,11 +23,13 @@ struct Gateway::Impl {
   Impl(const GatewayOptions& options, std::shared_ptr<grpc::Channel> channel, gateway::HttpRuleRouter router,
        GatewayHooks hooks)
       : caller(std::move(channel)),
-        dispatcher(std::move(router), {&caller, &bulk}, std::move(hooks), options.max_body_bytes, options.inflight) {}
+        dispatcher(std::move(router), {&caller, &bulk, &shared}, std::move(hooks), options.max_body_bytes,
+                   options.inflight) {}
 
   enum class State { kServing, kShutDown, kStuck };  // kStuck: shut down, but something still refers to us
 
   gateway::RpcCaller caller;
+  gateway::SharedAnswers shared;
   gateway::Dispatcher dispatcher;
   std::unique_ptr<http::Server> server;
   Mutex mutex;

@@ -14,6 +14,7 @@ class Lane;
 namespace dhpmap::gateway {
 
 class RpcCaller;
+class SharedAnswers;
 struct RpcRequest;
 
 /// What exchanges work with; outlives them.
@@ -22,6 +23,8 @@ struct RpcBackend {
   /// For making JSON of large messages and messages of large JSON, which takes milliseconds: neither the connections'
   /// thread nor gRPC's does it, so that what is small never waits for it.
   Lane* bulk;
+  /// For streams of events; null: each makes its own.
+  SharedAnswers* shared = nullptr;
 };
 
 /// More than that, in bytes, is large. What is small takes a fraction of a millisecond, less than another thread may

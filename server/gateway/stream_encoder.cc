@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "server/gateway/error_body.h"
+#include "server/gateway/shared_answers.h"
 
 namespace dhpmap::gateway {
 namespace {
@@ -20,10 +21,11 @@ std::string HeaderValue(std::string text) {
 
 }  // namespace
 
-StreamEncoder::StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem)
+StreamEncoder::StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem, SharedAnswers* shared)
     : route_(route),
       format_(format),
       file_stem_(std::move(file_stem)),
+      shared_(route.events ? shared : nullptr),
       is_file_(route.file.has_value() && format == AnswerFormat::kAny) {}
 
 http::Headers StreamEncoder::EmptyHead() const {
@@ -40,7 +42,8 @@ Result<StreamPart> StreamEncoder::Encode(const std::string& message) {
   StreamPart part;
   if (is_first_) part.head = StreamHead{EmptyHead(), std::nullopt};
   is_first_ = false;
-  DHPMAP_ASSIGN_OR_RETURN(part.data, ToStreamAnswer(route_, message, format_));
+  DHPMAP_ASSIGN_OR_RETURN(part.data, shared_ != nullptr ? shared_->Make(route_, message, format_)
+                                                        : ToStreamAnswer(route_, message, format_));
   return part;
 }
 

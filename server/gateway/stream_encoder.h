@@ -13,6 +13,8 @@
 
 namespace dhpmap::gateway {
 
+class SharedAnswers;
+
 struct StreamHead {
   http::Headers headers;
   std::optional<std::uint64_t> length;
@@ -28,8 +30,8 @@ struct StreamPart {
 /// an RPC that sends a file and a client that asks for neither of them, as the file. Thread-compatible.
 class StreamEncoder {
  public:
-  /// `file_stem`: a file's name, without its extension.
-  StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem);
+  /// `file_stem`: a file's name, without its extension. `shared`: for events; may be null.
+  StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem, SharedAnswers* shared = nullptr);
 
   /// INTERNAL if it is no message of the RPC's type.
   Result<StreamPart> Encode(const std::string& message);
@@ -49,6 +51,7 @@ class StreamEncoder {
   const Route& route_;
   AnswerFormat format_;
   std::string file_stem_;
+  SharedAnswers* shared_;
   bool is_file_;
   bool is_first_ = true;
 };

@@ -103,6 +103,21 @@ TEST_F(Watching, APositionThatIsLostOrCompactedIsGoneToHttp) {
   EXPECT_EQ(status_of("?start_revision=1", "Accept: text/event-stream"), "410");
 }
 
+TEST_F(Watching, NoIdleTimeoutEndsOneThatIsSilent) {
+  setenv("DHPMAP_HTTP_IDLE_TIMEOUT_S", "0.2", 1);
+  const std::string address = server_->grpc_address();
+  server_.reset();
+  Start(address);
+  unsetenv("DHPMAP_HTTP_IDLE_TIMEOUT_S");
+  http::HttpClient client(http_port());
+  ASSERT_TRUE(
+      client.SendRaw("GET /v1/maps/room:watch HTTP/1.1\r\nHost: localhost\r\nAccept: text/event-stream\r\n\r\n"));
+  EXPECT_NE(client.ReadSome().find("event: progress"), std::string::npos);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  Rename("still there");
+  EXPECT_NE(client.ReadSome().find("still there"), std::string::npos);
+}
+
 TEST_F(Watching, EndsAtOnceWhenTheClientIsGone) {
   for (const char* accept : {"text/event-stream", "application/json"}) {
     auto client = std::make_unique<http::HttpClient>(http_port());
@@ -177,7 +192,7 @@ TEST_F(Watching, TheCommandTellsAndGoesOnByItselfWhenTheServerComesBack) {
   Rename("after");
   EXPECT_TRUE(Eventually([&] { return command.Stdout().find("'after'") != std::string::npos; })) << command.Stderr();
   EXPECT_NE(command.Stderr().find("the connection is lost"), std::string::npos) << command.Stderr();
-  server_->Dhpmap({"maps", "delete", "room"});
+  EXPECT_EQ(server_->Dhpmap({"maps", "delete", "room"}).exit_code, 0);
   EXPECT_EQ(command.Wait(10), 3) << "the map is deleted";
 }
 

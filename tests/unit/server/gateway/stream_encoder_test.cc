@@ -6,6 +6,7 @@
 #include "dhpmap/v1/submap_service.pb.h"
 #include "dhpmap/v1/watch_service.pb.h"
 #include "json_test.pb.h"
+#include "server/gateway/shared_answers.h"
 #include "tests/unit/server/gateway/test_request.h"
 
 namespace dhpmap::gateway {
@@ -108,6 +109,24 @@ TEST(StreamEncoder, AnEventSaysWhereToGoOnAndWhatItIs) {
   EXPECT_TRUE(encoder.is_text());
   EXPECT_TRUE(encoder.ErrorText({14, "gone", ""}).starts_with("event: error\ndata: {\"code\":14,"));
   EXPECT_EQ(encoder.Silence(), ":\n\n");
+}
+
+TEST(StreamEncoder, ManyWhoGetTheSameEventShareWhatIsMadeOfIt) {
+  SharedAnswers shared;
+  StreamEncoder events(Watch(), AnswerFormat::kEvents, "", &shared), same(Watch(), AnswerFormat::kEvents, "", &shared),
+      lines(Watch(), AnswerFormat::kJson, "", &shared), alone(Watch(), AnswerFormat::kEvents, "");
+  v1::WatchMapResponse message;
+  for (int revision = 1; revision < 4; ++revision) {
+    message.set_position("abc-" + std::to_string(revision));
+    message.mutable_progress()->set_revision(revision);
+    const std::string bytes = message.SerializeAsString();
+    const std::string expected = alone.Encode(bytes)->data;
+    EXPECT_EQ(events.Encode(bytes)->data, expected);
+    EXPECT_TRUE(lines.Encode(bytes)->data.starts_with(R"({"result":)"));
+    EXPECT_EQ(same.Encode(bytes)->data, expected);
+  }
+  EXPECT_FALSE(events.Encode("garbage \xFF").ok());
+  EXPECT_FALSE(same.Encode("garbage \xFF").ok());
 }
 
 TEST(StreamEncoder, EventsAreLinesToWhoAsksForNone) {
