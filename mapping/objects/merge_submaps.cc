@@ -35,7 +35,10 @@ void MergeLabels(const LabelBlock& from, SubmapId into_id, LabelBlock& into) {
   LabelBlock renamed = from;
   if (renamed.HasSeenInstance(into_id.value)) renamed.RenameInstance(into_id.value, kOwn);
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
-    if (!renamed.IsEmpty(linear)) into.Add(linear, renamed.Get(linear));
+    if (renamed.IsEmpty(linear)) continue;
+    const bool was_concluded = renamed.IsConcluded(linear) || into.IsConcluded(linear);
+    into.Add(linear, renamed.Get(linear));
+    into.SetConcluded(linear, was_concluded && into.BestInstance(linear).id != kOwn);
   }
 }
 

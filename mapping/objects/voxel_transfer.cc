@@ -34,7 +34,10 @@ void CopyVoxels(const BlockEntry& from, const std::bitset<kBlockVoxels>& voxels,
   }
   if (from.labels != nullptr) {
     LabelBlock& labels = to.MutableLabels(from.index);
-    VisitVoxels(voxels, [&](int linear) { labels.Set(linear, from.labels->Get(linear)); });
+    VisitVoxels(voxels, [&](int linear) {
+      labels.Set(linear, from.labels->Get(linear));
+      labels.SetConcluded(linear, from.labels->IsConcluded(linear));
+    });
   }
   if (from.gone == nullptr) return;
   const BlockEntry* known = to.blocks().Find(from.index);

@@ -42,7 +42,9 @@ void ObserveVoxel(VoxelIndex v, int seed, Map& map, SubmapId id) {
   tsdf.color[i] = {static_cast<std::uint8_t>(seed % 251), 2, 3};
   const auto count = static_cast<std::uint32_t>(1 + seed % 5);
   LabelHistograms seen{{{static_cast<std::uint32_t>(1 + seed % 2), count}}, {{0, count}}};
+  if (seed % 4 == 0) seen.instances.push_back({99, count + 1});  // held by conclusion
   submap.MutableLabels(BlockOf(v)).Set(LinearIndex(v), seen);
+  submap.MutableLabels(BlockOf(v)).SetConcluded(LinearIndex(v), seed % 4 == 0);
   if (seed % 3 == 0) {
     const BlockEntry* entry = submap.blocks().Find(BlockOf(v));
     GoneBlock gone = entry->gone != nullptr ? *entry->gone : GoneBlock();
@@ -53,7 +55,7 @@ void ObserveVoxel(VoxelIndex v, int seed, Map& map, SubmapId id) {
 }
 
 /// Everything that is known of a place, whoever holds it.
-using Known = std::tuple<float, float, int, std::uint64_t, int>;
+using Known = std::tuple<float, float, int, std::uint64_t, int, bool>;
 std::multimap<VoxelIndex, Known> KnownIn(const Map& map, const std::vector<SubmapId>& ids) {
   std::multimap<VoxelIndex, Known> known;
   for (const SubmapId id : ids) {
@@ -63,7 +65,8 @@ std::multimap<VoxelIndex, Known> KnownIn(const Map& map, const std::vector<Subma
         const auto at = static_cast<std::size_t>(i);
         known.emplace(VoxelIn(entry.index, i),
                       Known{entry.tsdf->distance_m[at], entry.tsdf->weight[at], entry.tsdf->color[at].r,
-                            entry.labels->NumObservations(i), entry.gone ? entry.gone->Count(i) : 0});
+                            entry.labels->NumObservations(i), entry.gone ? entry.gone->Count(i) : 0,
+                            entry.labels->IsConcluded(i)});
       }
     }
   }
