@@ -220,7 +220,10 @@ class SqliteStore final : public MapStore {
                                   const StateMarks& before, const MapSnapshot& after) {
     DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles, WriteMapLayers(writer.database, head, before, after));
     DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, info_before, after, tiles));
-    return WriteChanges(writer.database, head.key, DiffTiles(before, after), number_, writer.pool);
+    DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written,
+                            WriteChanges(writer.database, head.key, DiffTiles(before, after), number_, writer.pool));
+    DHPMAP_RETURN_IF_ERROR(CollectBacklog(writer.database, written.num_new_blobs()));
+    return written;
   }
 
   /// In WAL mode, synchronous = FULL syncs the log at each commit, and with it all commits before.
