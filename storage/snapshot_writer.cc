@@ -168,6 +168,7 @@ class Writer {
       const Job& job = jobs_[i];
       const std::int64_t num_blocks = job.change->num_after[static_cast<std::size_t>(job.layer->layer)];
       DHPMAP_ASSIGN_OR_RETURN(const StoredBlob blob, tiles_.Insert(blobs[i], num_blocks));
+      written_.NoteNewBlob();
       DHPMAP_RETURN_IF_ERROR(Put(targets_[job.target], *job.change, *job.layer, job.before, blob));
     }
     jobs_.clear();

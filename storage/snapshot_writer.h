@@ -20,6 +20,9 @@ class WrittenTiles {
   void Note(const BlockTile& tile, BlockLayer layer, std::int64_t key) {
     keys_[&tile][static_cast<std::size_t>(layer)] = key;
   }
+  void NoteNewBlob() { ++num_new_blobs_; }
+  /// Blobs that were not there before.
+  [[nodiscard]] std::int64_t num_new_blobs() const { return num_new_blobs_; }
   /// 0 if it was not written.
   [[nodiscard]] std::int64_t Find(const BlockTile& tile, BlockLayer layer) const {
     const auto found = keys_.find(&tile);
@@ -30,6 +33,7 @@ class WrittenTiles {
 
  private:
   std::unordered_map<const BlockTile*, Keys> keys_;
+  std::int64_t num_new_blobs_ = 0;
 };
 
 /// Writes the submaps, tiles and blobs that `changes` name, within the caller's transaction; encodes on `pool`. What

@@ -239,6 +239,7 @@ class SqliteStore final : public MapStore {
       DHPMAP_RETURN_IF_ERROR(
           RecordChange(writer.database, head.key, after.info(), DescribeChange(before, after, changes), change_limits_));
     }
+    DHPMAP_RETURN_IF_ERROR(CollectBacklog(writer.database, written.num_new_blobs()));
     return written;
   }
 

@@ -211,4 +211,13 @@ Result<bool> HasDeadBlobs(Database& database) {
   return has != 0;
 }
 
+Status CollectBacklog(Database& database, std::int64_t num_written) {
+  DHPMAP_ASSIGN_OR_RETURN(
+      const std::int64_t is_large,
+      database.QueryInt("SELECT EXISTS (SELECT 1 FROM dead_blobs LIMIT 1 OFFSET " + std::to_string(kMaxBacklog) + ")",
+                        kCollectTask));
+  constexpr std::int64_t kFactor = 2;
+  return is_large == 0 ? Status::Ok() : CollectDeadBlobs(database, kFactor * num_written).status();
+}
+
 }  // namespace dhpmap

@@ -204,6 +204,17 @@ TEST_F(CommandLine, ABackupIsADatabaseThatAServerStartsOn) {
   EXPECT_EQ(other.Terminate(), 0);
 }
 
+TEST_F(CommandLine, WhatIsStoredOfAMapIsVerifiedThroughBothDoors) {
+  const Outcome verified = Run({"verify", "room"});
+  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+  EXPECT_NE(verified.out.find("all of it is whole"), std::string::npos) << verified.out;
+  EXPECT_EQ(Run({"verify", "nowhere"}).exit_code, 3);
+  const std::string url = server_->http_url() + "/v1/maps/room:verify";
+  const Outcome posted = RunProgram(temp_->path(), {"curl", "-sf", "-d", "{}", url});
+  EXPECT_EQ(posted.exit_code, 0) << posted.err;
+  EXPECT_NE(posted.out.find("\"num_tiles\""), std::string::npos) << posted.out;
+}
+
 TEST_F(CommandLine, AMapIsRenamed) {
   EXPECT_EQ(Run({"maps", "rename", "room", "Grandmother's kitchen"}).exit_code, 0);
   EXPECT_NE(Run({"maps"}).out.find("Grandmother's kitchen"), std::string::npos);

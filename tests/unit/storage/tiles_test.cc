@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "storage/rows/tile_rows.h"
 #include "tests/support/eventually.h"
 #include "tests/unit/storage/sqlite_fixture.h"
 
@@ -231,6 +232,32 @@ TEST_F(TilesTest, RandomHistoriesKeepTheCountsOfReferencesRight) {
     AwaitCollection();
     EXPECT_EQ(NumBlobs(), Query("SELECT count(DISTINCT blob_key) FROM tiles"));
   }
+}
+
+TEST_F(TilesTest, CommitsHelpWhereManyBlobsAreDead) {
+  Open();
+  store_ = nullptr;  // and its collector with it
+  auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadWrite, 1000);
+  ASSERT_TRUE(database.ok());
+  const auto num_dead = [&] { return database->QueryInt("SELECT count(*) FROM dead_blobs", "look").value(); };
+  const auto fill = [&](std::int64_t count) {
+    const std::string numbers =
+        "WITH RECURSIVE n(i) AS (VALUES (1) UNION ALL SELECT i + 1 FROM n WHERE i < " + std::to_string(count) + ") ";
+    EXPECT_TRUE(database
+                    ->Execute("DELETE FROM dead_blobs; DELETE FROM tile_blobs; INSERT INTO tile_blobs "
+                              "(blob_key, num_blocks, blob) " +
+                                  numbers +
+                                  "SELECT i, 1, x'00' FROM n; INSERT INTO dead_blobs SELECT blob_key FROM tile_blobs",
+                              "fill")
+                    .ok());
+  };
+  fill(kMaxBacklog);
+  ASSERT_TRUE(CollectBacklog(*database, 100).ok());
+  EXPECT_EQ(num_dead(), kMaxBacklog) << "few enough for the collector";
+  fill(kMaxBacklog + 500);
+  ASSERT_TRUE(CollectBacklog(*database, 100).ok());
+  EXPECT_EQ(num_dead(), kMaxBacklog + 300) << "more than the commit made";
+  EXPECT_EQ(database->QueryInt("SELECT count(*) FROM tile_blobs", "look").value(), kMaxBacklog + 300);
 }
 
 TEST_F(TilesTest, AKeyIsNeverGivenOutAgain) {
