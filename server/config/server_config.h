@@ -114,9 +114,9 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "s that fused frames may wait to be stored; then further ones are refused, and /readyz says so");
   visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000, "ms to wait for another reader of the file");
   visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "of all maps together; more are refused");
-  visit("watch.history_changes", c.watch.history_changes, 0, 1e9,
-        "commits whose changes are kept of each map, for who watches it from then on; 0 = none");
-  visit("watch.history_mib", c.watch.history_mib, 0, 1e6, "MiB that these may take of each map in the file");
+  visit("watch.history_changes", c.watch.history_changes, 1, 1e9,
+        "commits whose changes are kept of each map, for who watches it from then on");
+  visit("watch.history_mib", c.watch.history_mib, 1, 1e6, "MiB that these may take of each map in the file");
   visit("watch.history_s", c.watch.history_s, 0, 1e9, "s that they are kept");
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");

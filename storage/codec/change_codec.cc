@@ -15,7 +15,7 @@ BlockIndex KeyOf(std::int64_t revision) {
 }
 
 /// Of the doubles of an event alone: pose, voxel size, truncation, sphere.
-constexpr std::size_t kLeastEvent_bytes = 8 * (12 + 2 + 4);
+constexpr std::size_t kLeastEvent_bytes = sizeof(double) * (12 + 2 + 4);
 
 // One function for both ways, so that they cannot differ: a Coder is a Writer or a Reader.
 

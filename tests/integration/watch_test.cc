@@ -245,12 +245,17 @@ TEST_F(WatchTest, ASlowReaderIsToldToStartOver) {
   const std::int64_t thing = AnyThing();
   std::int64_t other = 0;
   Clone(thing, &other);
-  Watcher watcher(*server->watches, From(List().revision() + 1));
+  // One that takes in no more than 64 KiB ahead of what is read.
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  const auto slow = v1::WatchService::NewStub(grpc::CreateCustomChannel(
+      "127.0.0.1:" + std::to_string(server->grpc().port()), grpc::InsecureChannelCredentials(), arguments));
+  Watcher watcher(*slow, From(List().revision() + 1));
   v1::WatchMapResponse message;
   ASSERT_TRUE(watcher.Read(message));
-  // More than the connection holds back for a client that does not read.
   const std::string long_name(240, 'x');
-  for (int n = 0; n < 1500; ++n) Rename(n % 2 == 0 ? thing : other, long_name + std::to_string(n));
+  for (int n = 0; n < 800; ++n) Rename(n % 2 == 0 ? thing : other, long_name + std::to_string(n));
   const grpc::Status ended = watcher.Finish();
   EXPECT_EQ(ended.error_code(), grpc::OUT_OF_RANGE) << ended.error_message();
   EXPECT_EQ(ErrorInfoOf(ended).reason(), "COMPACTED");

@@ -13,6 +13,7 @@
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
 
@@ -59,12 +60,12 @@ inline google::rpc::ErrorInfo ErrorInfoOf(const grpc::Status& status) {
   return info;
 }
 
-/// One call of WatchMap, which ends with this, or after half a minute.
+/// One call of WatchMap, which ends with this, or after a time that only what hangs needs.
 class Watcher {
  public:
   Watcher(v1::WatchService::Stub& watches, v1::WatchMapRequest request) {
     if (request.progress_s() == 0) request.set_progress_s(0.5);
-    context_.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(30));
+    context_.set_deadline(std::chrono::system_clock::now() + kPatience);
     reader_ = watches.WatchMap(&context_, request);
   }
   Watcher(TestServer& server, const std::string& map, std::int64_t start_revision)
