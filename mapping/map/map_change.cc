@@ -91,16 +91,16 @@ SubmapEvent EventOfPresent(const SubmapMarks* before, const SubmapTileChange& ch
   event.parts = PartsOf(before->info(), submap.info());
   event.tiles = TilesOfGeometry(change);
   if (!event.tiles.empty()) event.parts.Add(SubmapPart::kGeometry);
-  const bool has_new_labels = std::any_of(change.tiles.begin(), change.tiles.end(), [](const TileChange& tile) {
-    return IsWritten(tile, BlockLayer::kLabels);
-  });
+  const bool has_new_labels = std::any_of(change.tiles.begin(), change.tiles.end(),
+                                          [](const TileChange& tile) { return IsWritten(tile, BlockLayer::kLabels); });
   if (has_new_labels) event.parts.Add(SubmapPart::kVoxelLabels);
   return event;
 }
 
 }  // namespace
 
-MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after, const std::vector<SubmapTileChange>& submaps) {
+MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after,
+                         const std::vector<SubmapTileChange>& submaps) {
   MapChange change{.first_revision = before.revision() + 1,
                    .last_revision = after.revision(),
                    .time_ns = after.info().update_time_ns,

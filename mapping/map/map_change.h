@@ -89,7 +89,8 @@ struct MapChange {
 inline constexpr std::size_t kMaxTileBoxes = 32;
 
 /// `submaps` is DiffTiles of the two states.
-MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after, const std::vector<SubmapTileChange>& submaps);
+MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after,
+                         const std::vector<SubmapTileChange>& submaps);
 
 /// In memory, roughly.
 std::size_t BytesOf(const MapChange& change);

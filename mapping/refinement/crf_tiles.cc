@@ -41,7 +41,7 @@ FirstChoice ChoiceOf(const HeldBlock& block, const KnownInstances& known) {
   FirstChoice choice;
   const LabelBlock& labels = *block.entry->labels;
   for (int i = 0; i < kBlockVoxels && !choice.is_disputed; ++i) {
-    if (!block.entry->Shows(i) || labels.IsEmpty(i)) continue;
+    if (!block.TakesPart(i)) continue;
     Lead lead;
     known.Visit(block.holder, labels, i, [&lead](LabelCount seen) { lead(seen); });
     choice.Add(
@@ -99,17 +99,22 @@ void Append(const Place& place, std::vector<std::uint32_t>& blocks) {
   for (std::uint32_t i = place.begin; i < place.end; ++i) blocks.push_back(i);
 }
 
+/// A surface lies within a cell's diagonal of the voxels that show it. On two KITTI excerpts labels are as right as
+/// with the whole band of 6 voxels, or righter, for half the time.
+constexpr double kMostDistance_vox = 2.001;
+
 constexpr std::int32_t FloorDiv(std::int32_t a, std::int32_t b) { return (a >= 0 ? a : a - b + 1) / b; }
 
 }  // namespace
 
 std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map) {
   std::vector<HeldBlock> blocks;
+  const auto most_distance_m = static_cast<float>(kMostDistance_vox * map.info().config.voxel_size_m);
   for (const SubmapId id : ids) {
     const Submap* submap = map.Find(id);
     if (submap == nullptr || !IsOnMapGrid(submap->info(), map.info().config)) continue;
     for (const BlockEntry& entry : submap->blocks().entries()) {
-      if (entry.tsdf && entry.labels) blocks.push_back({entry.index, id, &entry});
+      if (entry.tsdf && entry.labels) blocks.push_back({entry.index, id, &entry, most_distance_m});
     }
   }
   std::sort(blocks.begin(), blocks.end(), [](const HeldBlock& a, const HeldBlock& b) {

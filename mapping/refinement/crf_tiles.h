@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,6 +19,15 @@ struct HeldBlock {
   BlockIndex index;
   SubmapId holder;
   const BlockEntry* entry;
+  float most_distance_m = 0;  ///< to a surface, up to which its voxels take part
+
+  /// Whether a labelled voxel takes part in the CRF: where it is too far from a surface to show it, its label is
+  /// nobody's answer, and less often right. What was concluded of it is looked at again all the same.
+  [[nodiscard]] bool TakesPart(int linear) const {
+    if (!entry->Shows(linear) || entry->labels->IsEmpty(linear)) return false;
+    const float distance_m = std::abs(entry->tsdf->distance_m[static_cast<std::size_t>(linear)]);
+    return distance_m <= most_distance_m || entry->labels->IsConcluded(linear);
+  }
 };
 
 /// All labelled blocks of the submaps `ids` on the map's grid, by ascending index, then holder. Valid until the map is

@@ -30,7 +30,7 @@ void TileProblem::AddMembers(std::span<const std::uint32_t> chosen) {
     const HeldBlock& block = blocks_[b];
     const std::uint32_t place = place_numbers_.Find(block.index);
     for (int i = 0; i < kBlockVoxels; ++i) {
-      if (!block.entry->Shows(i) || block.entry->labels->IsEmpty(i)) continue;
+      if (!block.TakesPart(i)) continue;
       members_.push_back({.block = b, .place = place, .linear = static_cast<std::uint16_t>(i)});
     }
   }

@@ -14,8 +14,8 @@
 namespace dhpmap {
 namespace {
 
-// Payload, all in the packable part. Of a tile first its cells, and those of blocks of which something is concluded; then,
-// as of a block, the mask of the voxels with counts (of a tile, block by block, and after them those of what is
+// Payload, all in the packable part. Of a tile first its cells, and those of blocks of which something is concluded;
+// then, as of a block, the mask of the voxels with counts (of a tile, block by block, and after them those of what is
 // concluded), planes of one byte a masked voxel, then, voxel by voxel, what the planes do not hold, as varints.
 //   kForm: number of classes, plus kOtherInstances if the instances are not just "own, as often as all classes";
 //          or kLong: the voxel is not in the planes.

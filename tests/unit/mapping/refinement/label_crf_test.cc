@@ -340,6 +340,22 @@ TEST(CutTiles, ATieIsADispute) {
   EXPECT_TRUE(is_solved());
 }
 
+TEST(RefineLabels, WhatIsFarFromAnySurfaceStaysWithWhatItHasSeen) {
+  const VoxelIndex near{-12, 12, 0}, far{-12, 12, 1};
+  Map map = Slab(0.0, false);
+  const auto voxel_size_m = static_cast<float>(map.info().config.voxel_size_m);
+  ThreadPool pool(1);
+  for (const auto& [v, distance_m] : {std::pair{near, 1.9f * voxel_size_m}, std::pair{far, 2.1f * voxel_size_m}}) {
+    map.FindMutable(SubmapId(1))->MutableTsdf(BlockOf(v)).weight[static_cast<std::size_t>(LinearIndex(v))] = 0;
+    map.FindMutable(SubmapId(1))->MutableLabels(BlockOf(v)).Clear(LinearIndex(v));
+    Put(*map.FindMutable(SubmapId(2)), v, distance_m, 1.0f, {{{2, 1}}, {{0, 1}}});
+    Paint(*map.FindMutable(SubmapId(2)), v, kGrey);
+  }
+  RefineLabels(AllIds(map), map, pool);
+  EXPECT_EQ(HeldAndSeen(map)[near].first, SubmapId(1));
+  EXPECT_EQ(HeldAndSeen(map)[far].first, SubmapId(2));
+}
+
 TEST(CutTiles, WhatWasConcludedIsInDispute) {
   Map map = Slab(0.0, false);
   const VoxelIndex far{-20, 12, 0};
