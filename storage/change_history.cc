@@ -151,6 +151,14 @@ Status RecordChange(Database& database, std::int64_t map_key, const MapInfo& inf
   return upsert.Run();
 }
 
+Status ForgetChanges(Database& database, std::int64_t map_key) {
+  for (const char* sql : {"DELETE FROM changes WHERE map_key = ?", "DELETE FROM change_logs WHERE map_key = ?"}) {
+    DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare(sql, kWriteTask));
+    DHPMAP_RETURN_IF_ERROR(erase.Bind(map_key).Run());
+  }
+  return Status::Ok();
+}
+
 Result<ChangeList> ReadChanges(Database& database, const MapRow& map, std::int64_t after_revision,
                                std::size_t max_bytes) {
   ChangeList list{

@@ -35,6 +35,9 @@ Status ChangesNotKept(std::int64_t complete_after);
 Status RecordChange(sqlite::Database& database, std::int64_t map_key, const MapInfo& info, const MapChange& change,
                     const ChangeHistoryLimits& limits);
 
+/// Of a map that became another state than its commits made it: whoever follows it has to list it again.
+Status ForgetChanges(sqlite::Database& database, std::int64_t map_key);
+
 /// See MapStore::ListChanges. `map` is its row as it is now.
 Result<ChangeList> ReadChanges(sqlite::Database& database, const MapRow& map, std::int64_t after_revision,
                                std::size_t max_bytes);

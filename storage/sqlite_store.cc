@@ -236,8 +236,8 @@ class SqliteStore final : public MapStore {
     DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written,
                             WriteChanges(writer.database, head.key, changes, number_, writer.pool));
     if (before.revision() != after.revision()) {
-      DHPMAP_RETURN_IF_ERROR(
-          RecordChange(writer.database, head.key, after.info(), DescribeChange(before, after, changes), change_limits_));
+      DHPMAP_RETURN_IF_ERROR(RecordChange(writer.database, head.key, after.info(),
+                                          DescribeChange(before, after, changes), change_limits_));
     }
     DHPMAP_RETURN_IF_ERROR(CollectBacklog(writer.database, written.num_new_blobs()));
     return written;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "storage/change_history.h"
 #include "storage/codec/free_codec.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
@@ -350,6 +351,7 @@ Status RepairRows(Database& database, const std::string& name, Verification& fou
     if (wrong.contains(row.key)) DHPMAP_RETURN_IF_ERROR(Reseal(database, row, map.info.revision + 1));
   }
   DHPMAP_RETURN_IF_ERROR(RepairReferences(database));
+  DHPMAP_RETURN_IF_ERROR(ForgetChanges(database, map.key));
   DHPMAP_ASSIGN_OR_RETURN(map.tiles, tiles.Count(OwnerOfMap(map.key)));
   map.num_submaps = static_cast<std::int64_t>(submaps.size());
   DHPMAP_RETURN_IF_ERROR(WriteRepairedMap(database, map));

@@ -121,6 +121,9 @@ TEST_F(VerifyTest, EachFaultIsToldWithItsPlaceAndARepairKeepsTheRest) {
     ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
     EXPECT_EQ((*loaded)->revision(), map_->published()->revision() + 1);
     EXPECT_EQ((*loaded)->revision(), repaired.revision);
+    // No commit made it so: who follows the map lists it again.
+    const auto changes = store_->ListChanges("house", map_->published()->revision(), 1 << 20);
+    EXPECT_EQ(changes.status().reason().name(), "COMPACTED");
     // Submap 2 and its clone are in none of the cases that lose anything.
     for (const SubmapId id : {SubmapId(2), map_->submaps().back()->id()}) {
       const Submap* kept = (*loaded)->Find(id);
