@@ -65,6 +65,7 @@ ClearedRegion ClearRegion(const Region& region, const std::function<bool(const S
     cleared.changed.push_back(id);
     Submap& submap = *map.FindMutable(id);
     EraseVoxels(in_region.voxels, submap);
+    submap.PruneBlocks();
     submap.UpdateBoundingSphere();
     if (submap.blocks().empty() && map.Remove(id)) cleared.removed.push_back(id);
     else RecomputeSubmapLabels(submap);

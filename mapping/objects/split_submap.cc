@@ -54,6 +54,7 @@ SubmapId MakePart(SubmapId id, const VoxelSet& voxels, double share, Map& map) {
   ShareTotals(share, rest.mutable_info(), part.mutable_info());
   MoveVoxels(voxels, rest, part);
   for (Submap* submap : {&part, &rest}) {
+    submap->PruneBlocks();
     RecomputeSubmapLabels(*submap);
     submap->UpdateBoundingSphere();
   }

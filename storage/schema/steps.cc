@@ -13,8 +13,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[3]},                          // 0004_map_tiles.sql
       {.sql = SchemaSql()[4]},                          // 0005_gone.sql
       {.sql = SchemaSql()[5]},                          // 0006_objects.sql
-      {.sql = SchemaSql()[6], .work = &kBundleBlocks},  // 0007_tiles.sql
-      {.sql = SchemaSql()[7]},                          // 0008_changes_and_edits.sql
+      {.sql = SchemaSql()[6], .work = &kBundleBlocks},  // 0007_tiles_and_changes.sql
   };
   return steps;
 }

@@ -24,13 +24,16 @@ class VerifyMapTest : public ::testing::Test {
   }
 
   /// Flips a byte of the first blob of the file.
-  void DamageABlob() {
+  void DamageBlobsOfLabels() {
     std::fstream file(Path(), std::ios::in | std::ios::out | std::ios::binary);
     const std::string bytes((std::istreambuf_iterator<char>(file)), {});
-    const std::size_t frame = bytes.find("\x28\xB5\x2F\xFD");  // of zstd
-    ASSERT_NE(frame, std::string::npos);
-    file.seekp(static_cast<std::streamoff>(frame + 20));
-    file.put(static_cast<char>(bytes[frame + 20] ^ 0x20));
+    const std::string labels("\x22\x01\x00\x28\xB5\x2F\xFD", 7);  // of a tile, as a frame of zstd
+    std::size_t found = bytes.find(labels);
+    ASSERT_NE(found, std::string::npos);
+    for (; found != std::string::npos; found = bytes.find(labels, found + 1)) {  // those that are dead, too
+      file.seekp(static_cast<std::streamoff>(found + 23));
+      file.put(static_cast<char>(bytes[found + 23] ^ 0x20));
+    }
   }
 
   TempDir folder_;
@@ -71,7 +74,7 @@ TEST_F(VerifyMapTest, ADamagedMapIsServedAgainAfterARepair) {
     ASSERT_TRUE(Feed(server, "room", 0, 4).status.ok());
     ASSERT_TRUE(server.Stop().ok());
   }
-  DamageABlob();
+  DamageBlobsOfLabels();
   const auto store = std::move(OpenSqliteStore(Path())).value();
   TestServer server(*store);
   const auto list = [&server] {

@@ -144,7 +144,7 @@ TEST(ChangeCodec, GivesBackWhatItWasGivenAndNothingElse) {
   for (int n = 0; n < 6; ++n) generator.Change(map);
   map.mutable_info().display_name = "other";
   const auto after = map.Publish(2);
-  const MapChange change = DescribeChange(*before, *after, DiffSnapshots(*before, *after));
+  const MapChange change = DescribeChange(*before, *after, DiffTiles(*before, *after));
   const Bytes blob = EncodeChange(change);
   MapChange read;
   read.last_revision = change.last_revision;

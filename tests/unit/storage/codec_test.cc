@@ -351,7 +351,6 @@ TEST(LabelCodec, ForgedPayloadsAreHarmless) {
 }
 
 TEST(LabelTileCodec, KeepsWhatIsConcluded) {
-  constexpr TileIndex kTile{1, -2, 3};
   LayerBlocks<LabelBlock> blocks, read;
   for (int cell = 0; cell < 5; ++cell) {
     auto block = std::make_shared<LabelBlock>(SomeLabels(static_cast<std::uint32_t>(cell)));
@@ -367,17 +366,16 @@ TEST(LabelTileCodec, KeepsWhatIsConcluded) {
 }
 
 TEST(LabelTileCodec, ForgedConclusionsAreDataLoss) {
-  constexpr TileIndex kTile{1, -2, 3};
   auto block = std::make_shared<LabelBlock>(SomeLabels(2));
   block->SetConcluded(9, true);
   Payload payload;
   const Bytes blob = EncodeLabelTile({{4, block}}, kTile);
-  ASSERT_TRUE(Unseal(BlobKind::kLabelsTile, {kTile.x, kTile.y, kTile.z}, blob, payload).ok());
+  ASSERT_TRUE(Unseal(BlobKind::kLabelsTile, kIndex, blob, payload).ok());
   LayerBlocks<LabelBlock> read;
   const auto code_of = [&](std::size_t byte, std::uint8_t value) {
     Payload forged = payload;
     forged.packable[byte] = value;
-    return DecodeLabelTile(Seal(BlobKind::kLabelsTile, {kTile.x, kTile.y, kTile.z}, forged), kTile, read).code();
+    return DecodeLabelTile(Seal(BlobKind::kLabelsTile, kIndex, forged), kTile, read).code();
   };
   ASSERT_EQ(code_of(0, payload.packable[0]), StatusCode::kOk);
   EXPECT_EQ(code_of(8, 0x11), StatusCode::kDataLoss) << "of a block that is not there";

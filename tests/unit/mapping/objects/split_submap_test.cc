@@ -10,6 +10,7 @@
 
 #include "mapping/objects/clear_region.h"
 #include "mapping/objects/merge_submaps.h"
+#include "mapping/refinement/submap_labels.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -97,6 +98,7 @@ class Split : public ::testing::Test {
     }
     ObserveVoxel({30, 30, 30}, 1, map, thing);
     map.FindMutable(thing)->UpdateBoundingSphere();
+    RecomputeSubmapLabels(*map.FindMutable(thing));
     map.Publish(1);
   }
   Map map{MapOfBench()};
