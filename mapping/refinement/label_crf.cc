@@ -12,6 +12,7 @@
 #include "mapping/refinement/crf_tiles.h"
 #include "mapping/refinement/dense_crf.h"
 #include "mapping/refinement/near_evidence.h"
+#include "mapping/refinement/tied_voxels.h"
 #include "mapping/refinement/tile_problem.h"
 #include "mapping/refinement/voxel_handover.h"
 
@@ -69,6 +70,19 @@ SubmapId LikeliestLabel(std::span<const float> q, const LabelChannels& channels,
   return best;
 }
 
+/// A label a member, the rim's included, by what the CRF makes of it.
+std::vector<SubmapId> Conclude(const TileProblem& problem, std::span<const float> values) {
+  const auto stride = static_cast<std::size_t>(problem.channels().num_channels());
+  std::vector<SubmapId> labels(problem.members().size());
+  for (std::size_t m = 0; m < labels.size(); ++m) {
+    const TileProblem::Member& member = problem.members()[m];
+    labels[m] =
+        LikeliestLabel(values.subspan(m * stride, stride), problem.channels(), member.place, problem.MostSeen(member));
+  }
+  KeepTiedWithTheirSurface(problem, labels);
+  return labels;
+}
+
 struct TileOutcome {
   std::vector<Handover> handovers;
   std::int64_t num_voxels = 0;  // without the rim
@@ -88,15 +102,13 @@ TileOutcome SolveTile(std::span<const HeldBlock> blocks, const KnownInstances& k
   const int num_channels[] = {problem.channels().num_channels()};
   crf.Infer(num_channels, refine.crf_iterations, values);
 
-  const auto stride = static_cast<std::size_t>(problem.channels().num_channels());
+  const std::vector<SubmapId> labels = Conclude(problem, values);
   TileOutcome outcome{.handovers = {}, .num_voxels = static_cast<std::int64_t>(problem.num_inner())};
   for (std::size_t m = 0; m < problem.num_inner(); ++m) {
     const TileProblem::Member& member = problem.members()[m];
     const HeldBlock& block = problem.BlockOf(member);
-    const SubmapId most_seen = problem.MostSeen(member);
-    const std::span<const float> q(values.data() + m * stride, stride);
-    const SubmapId best = LikeliestLabel(q, problem.channels(), member.place, most_seen);
-    const bool is_concluded = best != most_seen;
+    const SubmapId best = labels[m];
+    const bool is_concluded = best != problem.MostSeen(member);
     if (best == block.holder && block.entry->labels->IsConcluded(member.linear) == is_concluded) continue;
     outcome.handovers.push_back({block.index, member.linear, block.holder, best, is_concluded});
   }

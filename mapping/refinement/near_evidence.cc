@@ -2,49 +2,17 @@
 #include "mapping/refinement/near_evidence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "mapping/refinement/member_grid.h"
 
 namespace dhpmap {
 namespace {
 
 /// A mask's border and a grazing ray label voxels far before and behind the surface, wrongly more often than not.
 constexpr float kAtSurface_vox = 1.5f;
-
-/// Finds a tile's members by their voxels.
-class MemberGrid {
- public:
-  static constexpr std::uint32_t kNone = 0;
-
-  explicit MemberGrid(const TileProblem& problem) : numbers_(problem.num_places() * kBlockVoxels, kNone) {
-    for (std::size_t m = 0; m < problem.members().size(); ++m) {
-      const TileProblem::Member& member = problem.members()[m];
-      // Where positions are not exclusive, the last one stands for all.
-      numbers_[member.place * std::size_t{kBlockVoxels} + member.linear] = static_cast<std::uint32_t>(m + 1);
-    }
-    around_.resize(problem.num_places());
-    for (std::uint32_t p = 0; p < around_.size(); ++p) {
-      std::size_t n = 0;
-      VisitBlocksAround(problem.IndexOf(p), 1, [&](BlockIndex index) { around_[p][n++] = problem.PlaceAt(index); });
-    }
-  }
-
-  /// One more than the number of the member at an offset from a voxel, or kNone.
-  [[nodiscard]] std::uint32_t At(std::uint32_t place, int linear, const NearTap& tap) const {
-    const int x = (linear & 7) + tap.x, y = (linear >> 3 & 7) + tap.y, z = (linear >> 6) + tap.z;
-    const int n = ((x >> 3) + 1) * 9 + ((y >> 3) + 1) * 3 + (z >> 3) + 1;  // in the order of VisitBlocksAround
-    const std::uint32_t there = around_[place][static_cast<std::size_t>(n)];
-    if (there == IndexMap<BlockIndex>::kNone) return kNone;
-    return numbers_[there * std::size_t{kBlockVoxels} +
-                    static_cast<std::size_t>((x & 7) | (y & 7) << 3 | (z & 7) << 6)];
-  }
-
- private:
-  std::vector<std::uint32_t> numbers_;  ///< by place, then voxel
-  std::vector<std::array<std::uint32_t, 27>> around_;
-};
 
 }  // namespace
 
@@ -87,7 +55,7 @@ std::vector<float> GatherEvidence(const TileProblem& problem, double radius_vox,
       seen.emplace_back(channel, kNearWeight * static_cast<float>(count));
     });
     for (const NearTap& tap : taps) {
-      const std::uint32_t to = grid.At(member.place, member.linear, tap);
+      const std::uint32_t to = grid.At(member.place, member.linear, tap.x, tap.y, tap.z);
       if (to == MemberGrid::kNone) continue;
       float* row = evidence.data() + (to - 1) * num_channels;
       for (const auto& [channel, count] : seen) row[channel] += tap.weight * count;

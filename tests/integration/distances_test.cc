@@ -16,15 +16,13 @@ namespace {
 /// A mapped TestScene, and distances in it through either channel.
 class DistancesTest : public ::testing::Test {
  protected:
-  DistancesTest() { MapRoom(CreateRequest("room")); }
-  /// From here on it is asked about this map.
-  void MapRoom(const v1::CreateMapRequest& create) {
+  DistancesTest() {
     v1::CreateMapResponse created;
     grpc::ClientContext context;
-    EXPECT_TRUE(server.maps->CreateMap(&context, create, &created).ok());
-    EXPECT_TRUE(Feed(server, create.map_id(), 0, 40).status.ok());
+    EXPECT_TRUE(server.maps->CreateMap(&context, CreateRequest("room"), &created).ok());
+    EXPECT_TRUE(Feed(server, "room", 0, 40).status.ok());
     v1::FinishMappingRequest finish;
-    finish.set_map("maps/" + create.map_id());
+    finish.set_map("maps/room");
     v1::FinishMappingResponse finished;
     grpc::ClientContext finishing;
     EXPECT_TRUE(server.mapping->FinishMapping(&finishing, finish, &finished).ok());
@@ -147,11 +145,6 @@ TEST_F(DistancesTest, FollowAnObjectThatIsMovedOrExcluded) {
 }
 
 TEST_F(DistancesTest, TheInsideOfAnObjectThatIsDeletedIsUnknownUnlessItIsToBeFree) {
-  // Where the ball touches the floor a voxel has seen both as often, and the CRF gives it to the floor: as near to the
-  // centre as the rest of the ball.
-  v1::CreateMapRequest create = CreateRequest("as_seen");
-  create.mutable_config()->mutable_refinement()->set_crf(false);
-  MapRoom(create);
   AddPoint(0, 0, 0.4);  // the centre of the ball
   const v1::DistanceResult before = Ask().results(0);
   EXPECT_EQ(before.status(), v1::UNKNOWN);
