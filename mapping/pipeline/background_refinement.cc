@@ -24,17 +24,19 @@ Map GoOnFrom(const MapSnapshot& state) {
   return map;
 }
 
-BackgroundRefinement::Outcome Refine(std::shared_ptr<const MapSnapshot> before, const StateMarks* refined_before,
+BackgroundRefinement::Outcome Refine(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_regions,
                                      const std::function<bool()>& is_cancelled) {
   ThreadPool pool(1);  // the other cores go on fusing
-  const auto marks = std::make_shared<const StateMarks>(*before, refined_before);
+  round.Begin(*before, most_regions);
+  const auto marks = round.pending().marks();
   Map map = GoOnFrom(*before);
   before = nullptr;
   BackgroundRefinement::Outcome outcome;
-  outcome.report = RefineMap(map, pool, refined_before, is_cancelled);
+  outcome.report = round.RefineNext(map, pool, is_cancelled);
   const auto refined = map.Freeze();
   outcome.changes = OutcomeOf(marks, *refined);
-  outcome.marks = std::make_shared<const StateMarks>(*refined, marks.get());
+  round.End(*refined);
+  outcome.round = std::move(round);
   return outcome;
 }
 
@@ -42,21 +44,19 @@ BackgroundRefinement::Outcome Refine(std::shared_ptr<const MapSnapshot> before, 
 
 BackgroundRefinement::~BackgroundRefinement() { Cancel(); }
 
-void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before,
-                                 std::shared_ptr<const StateMarks> refined_before,
+void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_regions,
                                  std::optional<RefinementSlots::Slot> slot) {
   is_cancelled_ = false;
-  outcome_ = std::async(
-      std::launch::async,
-      [this, before = std::move(before), refined_before = std::move(refined_before), slot = std::move(slot)]() mutable {
-        NameThisThread("refinement");
-        MakeThisThreadNicer(kNiceness);
-        const auto held = std::move(slot);  // until the end of the work, not of the outcome; so is the state
-        const auto marks = std::move(refined_before);
-        Outcome outcome = Refine(std::move(before), marks.get(), [this] { return is_cancelled_.load(); });
-        GiveBackFreeMemory();
-        return outcome;
-      });
+  outcome_ = std::async(std::launch::async, [this, before = std::move(before), round = std::move(round), most_regions,
+                                             slot = std::move(slot)]() mutable {
+    NameThisThread("refinement");
+    MakeThisThreadNicer(kNiceness);
+    const auto held = std::move(slot);  // until the end of the work, not of the outcome; so is the state
+    Outcome outcome =
+        Refine(std::move(before), std::move(round), most_regions, [this] { return is_cancelled_.load(); });
+    GiveBackFreeMemory();
+    return outcome;
+  });
 }
 
 bool BackgroundRefinement::IsReady() const {

@@ -10,6 +10,7 @@
 #include "mapping/pipeline/refinement_slots.h"
 #include "mapping/refinement/adopt_refinement.h"
 #include "mapping/refinement/refine_map.h"
+#include "mapping/refinement/refinement_round.h"
 
 namespace dhpmap {
 
@@ -18,8 +19,8 @@ class BackgroundRefinement {
  public:
   struct Outcome {
     RefinementOutcome changes;
-    std::shared_ptr<const StateMarks> marks;  ///< of the refined state
     RefinementReport report;
+    RefinementRound round;  ///< what is left of it
   };
 
   BackgroundRefinement() = default;
@@ -28,9 +29,9 @@ class BackgroundRefinement {
   BackgroundRefinement(const BackgroundRefinement&) = delete;
   BackgroundRefinement& operator=(const BackgroundRefinement&) = delete;
 
-  /// Requires that none is under way. `refined_before` may be null, see RefineLabels. The slot, if there is one, is
-  /// given back when the refinement has ended, and so is the state: the outcome does not keep it.
-  void Start(std::shared_ptr<const MapSnapshot> before, std::shared_ptr<const StateMarks> refined_before,
+  /// The next step of `round`, which has `most_regions` if this is its first. Requires that none is under way. The
+  /// slot, if there is one, is given back when the step has ended, and so is the state: the outcome does not keep it.
+  void Start(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_regions,
              std::optional<RefinementSlots::Slot> slot = std::nullopt);
   [[nodiscard]] bool IsUnderWay() const { return outcome_.valid(); }
   [[nodiscard]] bool IsReady() const;

@@ -32,6 +32,10 @@ namespace {
 /// That are moved at a turn of refinement beyond one pair: a frame waits some 0.1 ms for each.
 constexpr std::size_t kMergedBlocksATurn = 32;
 
+/// Between two turns of refinement. The more, the less of a state is kept for it, and the oftener a frame has to wait
+/// for what is taken over.
+constexpr int kMostStepsARound = 8;
+
 /// Which rows of the frame's table are things.
 std::vector<bool> ThingRows(const PanopticFrame& frame, const LabelSet& label_set) {
   std::vector<bool> is_thing;
@@ -82,9 +86,9 @@ struct MapBuilder::Impl {
   Tracker tracker;
   FreeSpaceFinder space;
   BackgroundRefinement refinement;
-  bool is_overdue = false;                         // the refinement under way should be taken over
-  bool is_waiting = false;                         // for a slot
-  std::shared_ptr<const StateMarks> last_refined;  // in this session
+  RefinementRound round;    // of this session, as far as it was taken over
+  bool is_overdue = false;  // the refinement under way should be taken over
+  bool is_waiting = false;  // for a slot
   RefinementReport refinement_total;
 };
 
@@ -177,7 +181,7 @@ RefinementReport MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome&
   RefinementReport report = outcome.report;
   report.num_deferred_blocks = AdoptRefinement(outcome.changes, map);
   refinement_total += report;
-  last_refined = outcome.marks;
+  round = outcome.round;
   return report;
 }
 
@@ -188,23 +192,28 @@ void MapBuilder::Impl::CareForObjects(FrameReport& report) {
 }
 
 /// Turns come by the number of frames in the map, not in this session: so a map that was saved and loaded in between
-/// is refined at the same frames. Returns what was taken over, if anything was.
+/// begins a round at the same frames. Returns what was taken over, if anything was.
 std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide(FrameReport& frame_report) {
   const MapConfig& config = map.info().config;
   const RefinementConfig& refine = config.refinement;
   if (refine.every_frames == 0 || !(refine.management || refine.crf)) return std::nullopt;
   std::optional<RefinementReport> report;
-  const bool is_turn = map.info().num_frames % refine.every_frames == 0;
-  is_overdue = is_overdue || (is_turn && refinement.IsUnderWay());
+  const std::int64_t since_turn = map.info().num_frames % refine.every_frames;
+  const bool is_turn = since_turn == 0;
+  const int most_steps = std::min(kMostStepsARound, refine.every_frames);
+  const bool is_step = since_turn % (refine.every_frames / most_steps) == 0;
+  is_overdue = is_overdue || (is_step && refinement.IsUnderWay());
   if (is_overdue && refinement.IsUnderWay() && (timing == RefinementTiming::kReproducible || refinement.IsReady())) {
     if (const auto outcome = refinement.Take()) report = TakeOver(*outcome);
     is_overdue = false;
   }
-  if (is_turn && !refinement.IsUnderWay()) CareForObjects(frame_report);
-  if ((is_turn || is_waiting) && !refinement.IsUnderWay()) {
+  if (refinement.IsUnderWay()) return report;
+  if (is_turn && round.IsFinished()) CareForObjects(frame_report);
+  const bool goes_on = !round.IsFinished() && (is_step || report.has_value());
+  if (is_waiting || goes_on || (is_turn && round.IsFinished())) {
     auto slot = slots ? RefinementSlots::TryTake(slots) : std::nullopt;
     is_waiting = slots && !slot;
-    if (!is_waiting) refinement.Start(map.Freeze(), last_refined, std::move(slot));
+    if (!is_waiting) refinement.Start(map.Freeze(), round, most_steps, std::move(slot));
   }
   return report;
 }
@@ -287,7 +296,11 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   DeactivateAll(map);
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);
   MergePairs(map, std::numeric_limits<std::size_t>::max());
-  RefinementReport report = RefineMap(map, *pool, last_refined.get(), is_cancelled);
+  PendingCubes pending = round.pending();
+  pending.Note(*map.Freeze(), RimOfLabels(map.info().config));
+  const std::vector<CubeIndex> cubes(pending.cubes().begin(), pending.cubes().end());
+  const RefinementRegion all(cubes);
+  RefinementReport report = RefineMap(map, *pool, &all, is_cancelled);
   if (is_cancelled && is_cancelled()) return std::nullopt;
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);  // of what was given to others, nothing is left to see
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
@@ -296,7 +309,9 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   DissolveRemnants(map);
   PruneEmptyBlocks();
   GiveBackFreeMemory();
-  last_refined = std::make_shared<const StateMarks>(*map.Freeze());
+  pending.Remove(cubes);
+  pending.NoteRefined(*map.Freeze());
+  round = RefinementRound(std::move(pending));
   refinement_total += report;
   return report;
 }

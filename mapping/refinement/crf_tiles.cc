@@ -107,13 +107,15 @@ constexpr std::int32_t FloorDiv(std::int32_t a, std::int32_t b) { return (a >= 0
 
 }  // namespace
 
-std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map) {
+std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map, const RefinementRegion* region,
+                                     int rim) {
   std::vector<HeldBlock> blocks;
   const auto most_distance_m = static_cast<float>(kMostDistance_vox * map.info().config.voxel_size_m);
   for (const SubmapId id : ids) {
     const Submap* submap = map.Find(id);
     if (submap == nullptr || !IsOnMapGrid(submap->info(), map.info().config)) continue;
     for (const BlockEntry& entry : submap->blocks().entries()) {
+      if (region != nullptr && !region->IsNear(entry.index, rim)) continue;
       if (entry.tsdf && entry.labels) blocks.push_back({entry.index, id, &entry, most_distance_m});
     }
   }
@@ -124,12 +126,13 @@ std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& m
 }
 
 std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInstances& known, int side, int rim,
-                              ThreadPool& pool) {
+                              ThreadPool& pool, const RefinementRegion* region) {
   const Places places(blocks, known, rim, pool);
   std::map<BlockIndex, std::vector<std::uint32_t>> cubes;  // disputed places; ordered, so that the result is
   for (std::uint32_t p = 0; p < places.all().size(); ++p) {
-    const auto& [x, y, z] = places.all()[p].index;
-    if (places.all()[p].is_disputed) cubes[{FloorDiv(x, side), FloorDiv(y, side), FloorDiv(z, side)}].push_back(p);
+    const BlockIndex& index = places.all()[p].index;
+    if (!places.all()[p].is_disputed || (region != nullptr && !region->Has(CubeOf(index)))) continue;
+    cubes[{FloorDiv(index.x, side), FloorDiv(index.y, side), FloorDiv(index.z, side)}].push_back(p);
   }
   std::vector<CrfTile> tiles;
   for (const auto& [cube, inner] : cubes) {
@@ -150,14 +153,6 @@ std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInst
   std::stable_sort(tiles.begin(), tiles.end(),
                    [&](const CrfTile& a, const CrfTile& b) { return num_blocks(a) > num_blocks(b); });
   return tiles;
-}
-
-void DropUnchanged(std::span<const HeldBlock> blocks, const StateMarks& before, std::vector<CrfTile>& tiles) {
-  const auto is_unchanged = [&](std::uint32_t b) { return before.Has(blocks[b].holder, *blocks[b].entry); };
-  std::erase_if(tiles, [&](const CrfTile& tile) {
-    return std::all_of(tile.inner.begin(), tile.inner.end(), is_unchanged) &&
-           std::all_of(tile.rim.begin(), tile.rim.end(), is_unchanged);
-  });
 }
 
 }  // namespace dhpmap

@@ -9,7 +9,7 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
-#include "mapping/map/state_marks.h"
+#include "mapping/refinement/refinement_region.h"
 #include "mapping/refinement/seen_instances.h"
 
 namespace dhpmap {
@@ -30,9 +30,10 @@ struct HeldBlock {
   }
 };
 
-/// All labelled blocks of the submaps `ids` on the map's grid, by ascending index, then holder. Valid until the map is
-/// next written.
-std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map);
+/// All labelled blocks of the submaps `ids` on the map's grid, by ascending index, then holder; with `region`, those
+/// within `rim` blocks of it. Valid until the map is next written.
+std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map,
+                                     const RefinementRegion* region = nullptr, int rim = 0);
 
 /// Calls visit(BlockIndex) for all indices within `rim` of `center`, itself included.
 template <typename Visitor>
@@ -51,14 +52,12 @@ struct CrfTile {
   std::vector<std::uint32_t> rim;
 };
 
-/// Cuts the blocks into cubes of `side` blocks; what lies within `rim` blocks of an inner block is in its tile, too.
-/// Blocks are left out where nothing is in dispute: if all voxels within `rim` blocks have seen the same instance most,
-/// and none another as often, then it gets the largest message everywhere and stays the first choice. What was
-/// concluded before may be otherwise now: it is in dispute. Largest tiles first.
+/// Cuts the blocks into cubes of `side` blocks; with `region`, those blocks that lie in it. What lies within `rim`
+/// blocks of an inner block is in its tile, too. Blocks are left out where nothing is in dispute: if all voxels within
+/// `rim` blocks have seen the same instance most, and none another as often, then it gets the largest message
+/// everywhere and stays the first choice. What was concluded before may be otherwise now: it is in dispute. Largest
+/// tiles first.
 std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInstances& known, int side, int rim,
-                              ThreadPool& pool);
-
-/// Leaves out tiles of which no block, rim included, was written since `before`.
-void DropUnchanged(std::span<const HeldBlock> blocks, const StateMarks& before, std::vector<CrfTile>& tiles);
+                              ThreadPool& pool, const RefinementRegion* region = nullptr);
 
 }  // namespace dhpmap

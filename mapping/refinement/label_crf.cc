@@ -19,7 +19,6 @@
 namespace dhpmap {
 namespace {
 
-constexpr int kCrfTileSide = 8;  // blocks; with 12 PQ is the same within 0.004, and twice the memory
 /// Of tiles under way. Some 80 voxels a block and 0.5 kB a voxel make 50 MB of it, on machines of many cores more. The
 /// sample apartment's largest tile has 1,178 blocks.
 constexpr std::size_t kMostBlocksAtOnce = 1400, kMostBlocksAThread = 500;
@@ -44,15 +43,6 @@ void BecomeUnaries(const TileProblem& problem, std::vector<float>& values) {
       row[c] = is_near ? EnergyOf(row[c], all) : std::numeric_limits<float>::infinity();
     }
   }
-}
-
-/// Blocks beyond a tile whose labels reach into it: what lies farther than 1.5 standard deviations of the wider kernel
-/// has little to say against what is near. Wider rims changed nothing on a house and cost a third more.
-int RimOf(const MapConfig& config) {
-  const RefinementConfig& refine = config.refinement;
-  const double reach_m = 1.5 * std::max(refine.smoothness.weight > 0 ? refine.smoothness.position_m : 0.0,
-                                        refine.appearance.weight > 0 ? refine.appearance.position_m : 0.0);
-  return std::max(1, static_cast<int>(std::ceil(reach_m / (kBlockSide * config.voxel_size_m))));
 }
 
 /// Paper eq. (2) for one voxel: the most likely label within reach of the place; where none is more likely, the one
@@ -119,14 +109,20 @@ ClassId ClassOf(const Map& map, SubmapId id) { return map.Find(id)->info().class
 
 }  // namespace
 
-LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool, const StateMarks* refined_before,
+int RimOfLabels(const MapConfig& config) {
+  const RefinementConfig& refine = config.refinement;
+  const double reach_m = 1.5 * std::max(refine.smoothness.weight > 0 ? refine.smoothness.position_m : 0.0,
+                                        refine.appearance.weight > 0 ? refine.appearance.position_m : 0.0);
+  return std::max(1, static_cast<int>(std::ceil(reach_m / (kBlockSide * config.voxel_size_m))));
+}
+
+LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool, const RefinementRegion* region,
                             const std::function<bool()>& is_cancelled) {
   const MapConfig& config = map.info().config;
   const KnownInstances known(ids, map);
-  const std::vector<HeldBlock> blocks = CollectBlocks(ids, map);
-  const int rim = RimOf(config);
-  std::vector<CrfTile> tiles = CutTiles(blocks, known, kCrfTileSide, rim, pool);
-  if (refined_before != nullptr) DropUnchanged(blocks, *refined_before, tiles);
+  const int rim = RimOfLabels(config);
+  const std::vector<HeldBlock> blocks = CollectBlocks(ids, map, region, rim);
+  const std::vector<CrfTile> tiles = CutTiles(blocks, known, kCubeSide, rim, pool, region);
   LabelCrfReport report{.num_tiles = static_cast<int>(tiles.size())};
   std::vector<TileOutcome> outcomes(tiles.size());
   std::vector<std::size_t> num_blocks;

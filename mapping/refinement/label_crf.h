@@ -8,7 +8,7 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
-#include "mapping/map/state_marks.h"
+#include "mapping/refinement/refinement_region.h"
 
 namespace dhpmap {
 
@@ -19,13 +19,16 @@ struct LabelCrfReport {
   int num_tiles = 0;                       ///< parts that were solved one by one
 };
 
+/// Blocks beyond a tile whose labels reach into it: what lies farther than 1.5 standard deviations of the wider kernel
+/// has little to say against what is near. Wider rims changed nothing on a house and cost a third more.
+int RimOfLabels(const MapConfig& config);
+
 /// CRF (paper II-E) over the labelled voxels of the submaps `ids`, which label management has made exclusive: which
 /// submap each belongs to, and with it its class. It goes by what voxels have seen, and changes nothing of that: one
 /// that belongs elsewhere moves there with all its counts, and is marked where that is against what it has seen most
 /// (LabelBlock::IsConcluded). What an earlier run has concluded has no say. Does not depend on the number of threads.
-/// `refined_before`, if there is one, is what an earlier run left: where no block has been written since, nothing is
-/// solved again, so that only what is new costs time, and labels that have settled stay.
+/// With `region`, the voxels of its cubes: what becomes of them is the same as if all of the map were solved at once.
 LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool,
-                            const StateMarks* refined_before = nullptr, const std::function<bool()>& is_cancelled = {});
+                            const RefinementRegion* region = nullptr, const std::function<bool()>& is_cancelled = {});
 
 }  // namespace dhpmap

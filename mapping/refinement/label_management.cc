@@ -18,10 +18,12 @@ namespace {
 constexpr std::size_t kPositionsAtOnce = 512;
 
 /// Blocks that more than one submap holds, and blocks with a voxel that belongs elsewhere; by ascending index.
-std::vector<Position> FindPositions(const KnownInstances& known, const Map& map) {
+std::vector<Position> FindPositions(const KnownInstances& known, const Map& map, const RefinementRegion* region,
+                                    int rim) {
   std::unordered_map<BlockIndex, std::vector<Holder>, BlockIndexHash> holders_at;
   for (const SubmapId id : known.ids()) {
     for (const BlockEntry& entry : map.Find(id)->blocks().entries()) {
+      if (region != nullptr && !region->IsNear(entry.index, rim)) continue;
       if (entry.tsdf) holders_at[entry.index].push_back({.id = id, .before = entry});
     }
   }
@@ -91,12 +93,13 @@ void SettlePosition(const KnownInstances& known, Position& position) {
 
 }  // namespace
 
-ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool) {
+ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool, const RefinementRegion* region,
+                              int rim) {
   ManagementReport report;
   const KnownInstances known(ids, map);
   const std::set<SubmapId> named(ids.begin(), ids.end());
   for (const SubmapId id : named) report.num_skipped_submaps += map.Find(id) != nullptr && !known.Has(id);
-  std::vector<Position> positions = FindPositions(known, map);
+  std::vector<Position> positions = FindPositions(known, map, region, rim);
   std::vector<SubmapId> changed;
   for (std::size_t begin = 0; begin < positions.size(); begin += kPositionsAtOnce) {
     const std::span some(positions.data() + begin, std::min(kPositionsAtOnce, positions.size() - begin));

@@ -7,6 +7,7 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
+#include "mapping/refinement/refinement_region.h"
 
 namespace dhpmap {
 
@@ -29,6 +30,8 @@ struct ManagementReport {
 ///   - Blocks and submaps left empty are removed, spheres, classes and confidences of what changed recomputed.
 /// Sums of counts and weights are conserved (weights are not capped here). Running it again changes nothing. The result
 /// does not depend on the number of threads. Ids that are not in the map are ignored.
-ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool);
+/// With `region`, what lies in its cubes and within `rim` blocks of them.
+ManagementReport ManageLabels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool,
+                              const RefinementRegion* region = nullptr, int rim = 0);
 
 }  // namespace dhpmap

@@ -55,27 +55,38 @@ std::vector<SubmapId> SettledSubmaps(const Map& map) {
   return ids;
 }
 
-RefinementReport RefineMap(Map& map, ThreadPool& pool, const StateMarks* refined_before,
-                           const std::function<bool()>& is_cancelled) {
+RefinementReport RefineRegion(Map& map, ThreadPool& pool, const RefinementRegion* region,
+                              const std::function<bool()>& is_cancelled) {
   RefinementReport report;
   const RefinementConfig& config = map.info().config.refinement;
   const std::vector<SubmapId> ids = SettledSubmaps(map);
   if (config.management) {
     const auto start = std::chrono::steady_clock::now();
     RestoreLabels(ids, map);
-    report.management = ManageLabels(ids, map, pool);
+    report.management = ManageLabels(ids, map, pool, region, RimOfLabels(map.info().config));
     report.management_s = SecondsSince(start);
   }
   if (config.crf && !(is_cancelled && is_cancelled())) {
     const auto start = std::chrono::steady_clock::now();
-    report.crf = RefineLabels(ids, map, pool, refined_before, is_cancelled);
+    report.crf = RefineLabels(ids, map, pool, region, is_cancelled);
     report.crf_s = SecondsSince(start);
   }
-  if (config.management && !(is_cancelled && is_cancelled())) {
-    const auto start = std::chrono::steady_clock::now();
-    report.num_stray_voxels = AbsorbStrayVoxels(ids, map, pool);
-    report.management_s += SecondsSince(start);
-  }
+  return report;
+}
+
+RefinementReport RefineStrayVoxels(Map& map, ThreadPool& pool) {
+  RefinementReport report;
+  if (!map.info().config.refinement.management) return report;
+  const auto start = std::chrono::steady_clock::now();
+  report.num_stray_voxels = AbsorbStrayVoxels(SettledSubmaps(map), map, pool);
+  report.management_s = SecondsSince(start);
+  return report;
+}
+
+RefinementReport RefineMap(Map& map, ThreadPool& pool, const RefinementRegion* region,
+                           const std::function<bool()>& is_cancelled) {
+  RefinementReport report = RefineRegion(map, pool, region, is_cancelled);
+  if (!(is_cancelled && is_cancelled())) report += RefineStrayVoxels(map, pool);
   return report;
 }
 

@@ -9,9 +9,9 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
-#include "mapping/map/state_marks.h"
 #include "mapping/refinement/label_crf.h"
 #include "mapping/refinement/label_management.h"
+#include "mapping/refinement/refinement_region.h"
 
 namespace dhpmap {
 
@@ -34,9 +34,15 @@ std::vector<SubmapId> SettledSubmaps(const Map& map);
 /// Label management, the CRF and the return of stray voxels (AbsorbStrayVoxels) on the settled submaps, each part if
 /// its switch in the map's config is on (paper II-D and II-E). Does not depend on the number of threads.
 /// `is_cancelled`, if set, is asked now and then; once it says true, the map is left half refined and must be thrown
-/// away. `refined_before`: see RefineLabels.
-RefinementReport RefineMap(Map& map, ThreadPool& pool, const StateMarks* refined_before = nullptr,
+/// away. With `region`, only its cubes: all regions of a map one after the other, in any order, make of it what one
+/// call without a region makes.
+RefinementReport RefineMap(Map& map, ThreadPool& pool, const RefinementRegion* region = nullptr,
                            const std::function<bool()>& is_cancelled = {});
+
+/// RefineMap in two: all but stray voxels, which only whole things can tell, and these.
+RefinementReport RefineRegion(Map& map, ThreadPool& pool, const RefinementRegion* region,
+                              const std::function<bool()>& is_cancelled = {});
+RefinementReport RefineStrayVoxels(Map& map, ThreadPool& pool);
 
 /// Drops the labels of voxels of all labelled submaps (paper II-D): afterwards a voxel has the label of its submap.
 /// Returns the bytes saved. Call it where positions are exclusive.

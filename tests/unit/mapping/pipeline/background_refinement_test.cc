@@ -35,7 +35,7 @@ TEST(BackgroundRefinement, KeepsNothingButMarksOfTheStateItBeganWithOnceItIsRead
   const std::weak_ptr<const MapSnapshot> state = before;
   const auto blocks = BlocksOf(*before);
   BackgroundRefinement refinement;
-  refinement.Start(std::move(before), nullptr);
+  refinement.Start(std::move(before), {}, 1);
   ASSERT_TRUE(testing::Eventually([&] { return refinement.IsReady(); }));
   EXPECT_TRUE(state.expired()) << "though nobody has taken the outcome yet";
   const auto outcome = refinement.Take();
@@ -53,7 +53,7 @@ TEST(BackgroundRefinement, MakesOfAStateWhatRefiningItWithoutMoreAdoMakes) {
   ThreadPool pool(1);
   const RefinementReport report = RefineMap(expected, pool);
   BackgroundRefinement refinement;
-  refinement.Start(before, nullptr);
+  refinement.Start(before, {}, 1);
   const auto outcome = refinement.Take();
   ASSERT_TRUE(outcome);
   EXPECT_GT(report.management.num_moved_voxels, 0);

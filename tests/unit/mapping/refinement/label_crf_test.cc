@@ -253,18 +253,6 @@ TEST(RefineLabels, DoesNotTouchSubmapsThatAreNotNamed) {
   EXPECT_EQ(map.Publish(0), before);
 }
 
-TEST(RefineLabels, SolvesOnlyWhatWasWrittenSinceTheLastTime) {
-  Map map = Slab(0.2, false);
-  ThreadPool pool(1);
-  EXPECT_GT(RefineLabels(AllIds(map), map, pool).num_tiles, 0);
-  const auto refined = map.Publish(0);
-  const StateMarks marks(*refined);
-  EXPECT_EQ(RefineLabels(AllIds(map), map, pool, &marks).num_tiles, 0);
-  EXPECT_EQ(map.Publish(0), refined);
-  Put(*map.FindMutable(SubmapId(1)), {5, 5, 0}, 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});
-  EXPECT_GT(RefineLabels(AllIds(map), map, pool, &marks).num_tiles, 0);
-}
-
 TEST(RefineLabels, ACancelledRunEnds) {
   Map map = Slab(0.2, false);
   ThreadPool pool(1);

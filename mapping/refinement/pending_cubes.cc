@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/refinement/pending_cubes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mapping/map/map_grid.h"
+#include "mapping/refinement/refine_map.h"
+
+namespace dhpmap {
+namespace {
+
+static_assert(kCubeSide % kTileSide == 0, "a tile lies in one cube");
+
+CubeIndex CubeOf(TileIndex tile) {
+  return dhpmap::CubeOf(BlockIndex{tile.x * kTileSide, tile.y * kTileSide, tile.z * kTileSide});
+}
+
+/// Block by block: what was refined and taken over is in other tiles than it was made in.
+bool IsSame(const TileMarks& before, const TileEntry& now) {
+  if (before.IsOf(now)) return true;
+  const std::span<const BlockEntry> entries = now.tile->entries();
+  return before.blocks.size() == entries.size() &&
+         std::all_of(entries.begin(), entries.end(), [&](const BlockEntry& entry) {
+           const BlockMark* mark = before.Find(CellOf(entry.index));
+           return mark != nullptr && mark->IsOf(entry);
+         });
+}
+
+/// Calls visit(TileIndex) for the tiles that one of both has, or that are not the same in both. Either may be null.
+template <typename Visitor>
+void VisitDifferentTiles(const SubmapMarks* before, const Submap* now, Visitor&& visit) {
+  for (std::size_t t = 0; now != nullptr && t < now->blocks().tiles().size(); ++t) {
+    const TileEntry& tile = now->blocks().tiles()[t];
+    const TileMarks* old = before != nullptr ? before->FindTile(tile.index) : nullptr;
+    if (old == nullptr || !IsSame(*old, tile)) visit(tile.index);
+  }
+  for (std::size_t t = 0; before != nullptr && t < before->tiles().size(); ++t) {
+    const TileIndex index = before->tiles()[t]->index;
+    if (now == nullptr || now->blocks().FindTile(index) == nullptr) visit(index);
+  }
+}
+
+/// The cubes of tiles, and those around that they have a say in.
+class Around {
+ public:
+  Around(int rim, std::set<CubeIndex>& cubes) : reach_(std::max(0, (rim + kCubeSide - 1) / kCubeSide)), cubes_(cubes) {}
+
+  void operator()(TileIndex tile) {
+    const CubeIndex c = CubeOf(tile);
+    if (has_last_ && c == last_) return;
+    has_last_ = true;
+    last_ = c;
+    for (std::int32_t x = c.x - reach_; x <= c.x + reach_; ++x) {
+      for (std::int32_t y = c.y - reach_; y <= c.y + reach_; ++y) {
+        for (std::int32_t z = c.z - reach_; z <= c.z + reach_; ++z) cubes_.insert({x, y, z});
+      }
+    }
+  }
+
+ private:
+  const int reach_;
+  std::set<CubeIndex>& cubes_;
+  bool has_last_ = false;
+  CubeIndex last_;
+};
+
+/// Of a submap that is refined; else null.
+const Submap* Refined(const Submap* submap, const MapConfig& config) {
+  const bool is = submap != nullptr && IsSettled(submap->info()) && IsOnMapGrid(submap->info(), config);
+  return is ? submap : nullptr;
+}
+
+const SubmapMarks* Refined(const SubmapMarks* marks, const MapConfig& config) {
+  return marks != nullptr && IsSettled(marks->info()) && IsOnMapGrid(marks->info(), config) ? marks : nullptr;
+}
+
+}  // namespace
+
+void PendingCubes::Note(const MapSnapshot& now, int rim) {
+  const MapConfig& config = now.info().config;
+  Around around(rim, cubes_);
+  for (const auto& submap : now.submaps()) {
+    const SubmapMarks* before = marks_ != nullptr ? marks_->Find(submap->id()) : nullptr;
+    if (before != nullptr && before->IsOf(submap)) continue;
+    VisitDifferentTiles(Refined(before, config), Refined(submap.get(), config), around);
+  }
+  if (marks_ != nullptr) {
+    for (const auto& [id, before] : marks_->submaps()) {
+      if (now.Find(id) == nullptr) VisitDifferentTiles(Refined(before.get(), config), nullptr, around);
+    }
+  }
+  NoteRefined(now);
+}
+
+void PendingCubes::NoteRefined(const MapSnapshot& refined) {
+  marks_ = std::make_shared<const StateMarks>(refined, marks_.get());
+}
+
+void PendingCubes::Remove(std::span<const CubeIndex> cubes) {
+  for (const CubeIndex cube : cubes) cubes_.erase(cube);
+}
+
+std::vector<RefinementRegion> CutRegions(const PendingCubes& pending, const MapSnapshot& state, int most_regions,
+                                         int least_blocks) {
+  std::map<CubeIndex, std::size_t> num_blocks;
+  std::size_t all = 0;
+  for (const auto& submap : state.submaps()) {
+    if (Refined(submap.get(), state.info().config) == nullptr) continue;
+    for (const TileEntry& tile : submap->blocks().tiles()) {
+      if (!pending.cubes().contains(CubeOf(tile.index))) continue;
+      num_blocks[CubeOf(tile.index)] += tile.tile->entries().size();
+      all += tile.tile->entries().size();
+    }
+  }
+  const std::size_t most_blocks =
+      std::max<std::size_t>(static_cast<std::size_t>(least_blocks), all / static_cast<std::size_t>(most_regions) + 1);
+  std::vector<RefinementRegion> regions;
+  std::vector<CubeIndex> cubes;
+  std::size_t in_region = 0, before = 0;
+  for (const auto& [cube, count] : num_blocks) {
+    cubes.push_back(cube);
+    in_region += count;
+    if (before + in_region < most_blocks * (regions.size() + 1)) continue;
+    regions.emplace_back(cubes);
+    before += std::exchange(in_region, 0);
+    cubes.clear();
+  }
+  if (!cubes.empty()) regions.emplace_back(cubes);
+  return regions;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "mapping/map/map.h"
+#include "mapping/map/state_marks.h"
+#include "mapping/refinement/refinement_region.h"
+
+namespace dhpmap {
+
+/// Which cubes of a map have to be refined: those in or around which blocks were written or erased since they were
+/// refined, or a submap has settled, has ceased to be settled, or is gone. At first, all. Copying costs some bytes a
+/// pending cube. Thread-compatible.
+class PendingCubes {
+ public:
+  /// Adds what `now`, a later state of the map, has that the last one did not have. `rim`: how many blocks beyond a
+  /// cube's side have a say in it.
+  void Note(const MapSnapshot& now, int rim);
+  /// The same without adding anything: what `refined` has that the last state did not have is refinement's own work.
+  void NoteRefined(const MapSnapshot& refined);
+  void Remove(std::span<const CubeIndex> cubes);
+
+  [[nodiscard]] const std::set<CubeIndex>& cubes() const { return cubes_; }
+  /// Of the last state; null before the first.
+  [[nodiscard]] const std::shared_ptr<const StateMarks>& marks() const { return marks_; }
+
+ private:
+  std::set<CubeIndex> cubes_;
+  std::shared_ptr<const StateMarks> marks_;
+};
+
+/// The pending cubes of a state in at most `most_regions` parts of about the same number of blocks, none of which is
+/// made smaller than `least_blocks` by that. Cubes that hold nothing are in none. Cubes that are near each other are
+/// mostly in the same one.
+std::vector<RefinementRegion> CutRegions(const PendingCubes& pending, const MapSnapshot& state, int most_regions,
+                                         int least_blocks);
+
+}  // namespace dhpmap
