@@ -160,6 +160,30 @@ BestLabel LabelBlock::BestInstance(int linear) const {
   return {kOwnInstance, static_cast<std::uint32_t>(cell.count_a) + cell.count_b, 1.0f};
 }
 
+void LabelBlock::AddTo(LabelTotals& totals) const {
+  const auto add_class = [&totals](std::uint32_t id, std::uint32_t count) {
+    if (id >= totals.classes.size()) totals.classes.resize(id + 1);
+    totals.classes[id] += count;
+  };
+  for (int linear = 0; linear < kBlockVoxels; ++linear) {
+    const Cell& cell = cells_[static_cast<std::size_t>(linear)];
+    if (cell.class_a != kOverflow && !IsConcluded(linear)) {  // nearly all
+      const std::uint32_t own = std::uint32_t{cell.count_a} + cell.count_b;
+      if (own == 0) continue;
+      add_class(cell.class_a, cell.count_a);
+      if (cell.count_b != 0) add_class(cell.class_b, cell.count_b);
+      totals.own += own;
+      totals.instances += own;
+      continue;
+    }
+    if (!IsConcluded(linear)) VisitClasses(linear, [&](LabelCount seen) { add_class(seen.id, seen.count); });
+    VisitInstances(linear, [&totals](LabelCount seen) {
+      totals.instances += seen.count;
+      if (seen.id == 0) totals.own += seen.count;
+    });
+  }
+}
+
 std::uint64_t LabelBlock::NumObservations(int linear) const {
   const Cell& cell = cells_[linear];
   if (cell.class_a != kOverflow) return static_cast<std::uint64_t>(cell.count_a) + cell.count_b;

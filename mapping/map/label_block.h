@@ -39,6 +39,12 @@ BestLabel FindBest(std::span<const LabelCount> counts);
 /// Sums two lists that are sorted by id.
 std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const LabelCount> b);
 
+/// What voxels have seen, summed up.
+struct LabelTotals {
+  std::vector<std::uint64_t> classes;    ///< by id, of voxels of which nothing is concluded
+  std::uint64_t own = 0, instances = 0;  ///< counts of the own instance, and of all
+};
+
 /// Exact label counts of one block (paper II-A, II-C). Nearly every voxel has seen one instance, its own submap, and
 /// one or two classes: those counts are inline in 8 bytes. Anything else (a third class, another instance, a count
 /// above 65,535) moves the voxel to an overflow list without any cap. Thread-compatible.
@@ -85,6 +91,8 @@ class LabelBlock {
   [[nodiscard]] BestLabel BestInstance(int linear) const;
   /// Sum of the instance counts.
   [[nodiscard]] std::uint64_t NumObservations(int linear) const;
+  /// Adds what all voxels have seen.
+  void AddTo(LabelTotals& totals) const;
 
   /// Calls visit(LabelCount) for each class that the voxel has seen, in no fixed order.
   template <typename Visitor>

@@ -8,8 +8,8 @@
 namespace dhpmap {
 namespace {
 
-/// A region's rim costs as much as itself below some thousand blocks.
-constexpr int kLeastBlocksARegion = 2000;
+/// A region's rim costs as much as itself below some hundred blocks.
+constexpr int kLeastBlocksARegion = 600;
 
 }  // namespace
 

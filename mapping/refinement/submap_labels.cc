@@ -2,7 +2,6 @@
 #include "mapping/refinement/submap_labels.h"
 
 #include <algorithm>
-#include <unordered_map>
 #include <vector>
 
 namespace dhpmap {
@@ -27,23 +26,18 @@ std::uint32_t AverageObservations(const Submap& submap) {
 void RecomputeSubmapLabels(Submap& submap) {
   SubmapInfo& info = submap.mutable_info();
   if (info.panoptic == Panoptic::kUnknown) return;
-  std::unordered_map<std::uint32_t, std::uint64_t> classes;
-  std::uint64_t own = 0, all = 0;
+  LabelTotals totals;
   for (const BlockEntry& entry : submap.blocks().entries()) {
-    for (int i = 0; entry.labels && i < kBlockVoxels; ++i) {
-      if (!entry.labels->IsConcluded(i)) {
-        entry.labels->VisitClasses(i, [&classes](LabelCount seen) { classes[seen.id] += seen.count; });
-      }
-      entry.labels->VisitInstances(i, [&](LabelCount seen) {
-        all += seen.count;
-        if (seen.id == 0) own += seen.count;
-      });
-    }
+    if (entry.labels) entry.labels->AddTo(totals);
   }
-  if (all == 0) return;
+  if (totals.instances == 0) return;
   info.class_counts.clear();
-  for (const auto& [id, count] : classes) submap.AddClassObservations(ClassId(static_cast<std::uint16_t>(id)), count);
-  info.instance_confidence = static_cast<float>(static_cast<double>(own) / static_cast<double>(all));
+  for (std::size_t id = 0; id < totals.classes.size(); ++id) {
+    if (totals.classes[id] == 0) continue;
+    submap.AddClassObservations(ClassId(static_cast<std::uint16_t>(id)), totals.classes[id]);
+  }
+  info.instance_confidence =
+      static_cast<float>(static_cast<double>(totals.own) / static_cast<double>(totals.instances));
 }
 
 int RestoreDroppedLabels(Submap& submap) {

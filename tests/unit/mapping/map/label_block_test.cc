@@ -111,6 +111,36 @@ TEST(LabelBlock, AgreesWithANaiveOneUnderRandomOperations) {
   }
 }
 
+TEST(LabelBlock, TotalsAreThoseOfAllVoxelsWithoutTheClassesOfWhatIsConcluded) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    std::mt19937 random(seed);
+    LabelBlock block;
+    std::map<std::uint32_t, std::uint64_t> classes;
+    std::uint64_t own = 0, all = 0;
+    for (int linear = 0; linear < kBlockVoxels; linear += 1 + static_cast<int>(random() % 5)) {
+      LabelHistograms seen = RandomHistograms(random);
+      if (random() % 2 == 0) seen = {{{static_cast<std::uint32_t>(1 + random() % 3), 7}}, {{0, 7}}};  // inline
+      block.Set(linear, seen);
+      const bool is_concluded = random() % 3 == 0;
+      block.SetConcluded(linear, is_concluded);
+      for (const LabelCount& c : seen.classes) classes[c.id] += is_concluded ? 0 : c.count;
+      for (const LabelCount& c : seen.instances) {
+        all += c.count;
+        own += c.id == 0 ? c.count : 0;
+      }
+    }
+    LabelTotals totals;
+    block.AddTo(totals);
+    EXPECT_EQ(totals.own, own);
+    EXPECT_EQ(totals.instances, all);
+    for (std::size_t id = 0; id < totals.classes.size(); ++id) {
+      EXPECT_EQ(totals.classes[id], classes[static_cast<std::uint32_t>(id)]);
+      classes.erase(static_cast<std::uint32_t>(id));
+    }
+    for (const auto& [id, count] : classes) EXPECT_EQ(count, 0u) << id;
+  }
+}
+
 TEST(LabelBlock, CountsOnBeyond65535) {
   LabelBlock block;
   for (int i = 0; i < 65'535; ++i) block.AddObservation(7, ClassId(4));
