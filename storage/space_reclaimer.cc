@@ -22,10 +22,6 @@ constexpr std::int64_t kMinAStep = 8, kMaxAStep = 512;
 constexpr milliseconds kShortStep{5}, kLongStep{15};
 constexpr milliseconds kRetry{1000};
 
-/// A page takes some three in the log: its new place, who refers to it, and who says so. Well below what would make a
-/// commit copy the log itself (see connection.cc).
-constexpr std::int64_t kMaxPagesInLog = 512;
-
 }  // namespace
 
 SpaceReclaimer::SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t num_spare_pages)
@@ -46,8 +42,8 @@ SpaceReclaimer::~SpaceReclaimer() {
   if (thread.joinable()) thread.join();
 }
 
-void SpaceReclaimer::Notice(std::int64_t num_free_pages, bool has_dead_blobs) {
-  if (num_free_pages <= num_spare_pages_ && !has_dead_blobs) return;
+void SpaceReclaimer::Notice(const Left& left) {
+  if (left.num_free_pages <= num_spare_pages_ && !left.has_dead_blobs && left.log_bytes <= kMaxLogBytes) return;
   const MutexLock lock(mutex_);
   has_work_ = true;
   wake_.NotifyAll();
@@ -79,7 +75,7 @@ void SpaceReclaimer::Loop() {
 }
 
 SpaceReclaimer::Progress SpaceReclaimer::Step() {
-  if (num_pages_in_log_ >= kMaxPagesInLog) return EmptyLog(Progress::kMore);
+  if (log_.NumLogBytes() > kMaxLogBytes) return EmptyLog(Progress::kMore);
   Work work;
   const Status done = writer_.write([&](sqlite::Database& database) -> Status {
     DHPMAP_ASSIGN_OR_RETURN(work, CollectOrGiveBack(database));
@@ -87,8 +83,8 @@ SpaceReclaimer::Progress SpaceReclaimer::Step() {
   });
   if (!done.ok()) return EmptyLog(Progress::kBlocked);  // on a full disk, what the log takes is missing
   if (work.num_blobs > 0) return Progress::kMore;
-  if (work.num_pages == 0) return num_pages_in_log_ == 0 ? Progress::kDone : EmptyLog(Progress::kDone);
-  num_pages_in_log_ += work.num_pages;
+  if (work.num_pages == 0) return has_given_back_ ? EmptyLog(Progress::kDone) : Progress::kDone;
+  has_given_back_ = true;
   return Progress::kMore;
 }
 
@@ -115,14 +111,15 @@ void SpaceReclaimer::Adapt(std::int64_t& num_a_step, Clock::duration took) {
 }
 
 SpaceReclaimer::Progress SpaceReclaimer::EmptyLog(Progress then) {
-  Result<sqlite::LogState> state = sqlite::CopyLog(log_);
-  if (!state.ok() || *state == sqlite::LogState::kInUse) return Progress::kBlocked;
+  // While a commit on one connection begins the log anew, SQLite before 3.51.3 may lose pages to a checkpoint on
+  // another.
+  Result<sqlite::LogState> state = sqlite::LogState::kInUse;
   const Status cut = writer_.hold([&]() -> Status {
     state = sqlite::CutLog(log_);
     return state.status();
   });
   if (!cut.ok() || *state == sqlite::LogState::kInUse) return Progress::kBlocked;
-  num_pages_in_log_ = 0;
+  has_given_back_ = false;
   return then;
 }
 

@@ -12,9 +12,9 @@
 
 namespace dhpmap {
 
-/// Deletes blobs that nothing refers to any more, then gives back to the file system what was deleted: in steps of some
-/// milliseconds between which commits go on, each a transaction of its own, so after a kill the next one goes on.
-/// Begins a thread when there is something to do.
+/// Deletes blobs that nothing refers to any more, then gives back to the file system what was deleted, and cuts the
+/// log, whoever filled it: in steps of some milliseconds between which commits go on, each a transaction of its own, so
+/// after a kill the next one goes on. Begins a thread when there is something to do.
 class SpaceReclaimer {
  public:
   /// How it gets at the connection that writes. Both wait for a commit that runs and keep others waiting.
@@ -26,6 +26,9 @@ class SpaceReclaimer {
   };
 
   static constexpr std::int64_t kKeepAll = std::numeric_limits<std::int64_t>::max();
+  /// A log beyond is copied into the file and cut to nothing: well below what would make a commit copy it itself (see
+  /// connection.cc). Some 512 pages of 4 kB.
+  static constexpr std::int64_t kMaxLogBytes = 2'100'000;
 
   /// Free pages up to `num_spare_pages` stay, for what is stored next; kKeepAll where the file cannot shrink. `log` is
   /// a connection of its own to the same database that never waits for others. All that is given here outlives it.
@@ -35,8 +38,14 @@ class SpaceReclaimer {
   SpaceReclaimer(const SpaceReclaimer&) = delete;
   SpaceReclaimer& operator=(const SpaceReclaimer&) = delete;
 
-  /// To be told of what a commit left to do. Thread-safe; may be called from within `writer.write`.
-  void Notice(std::int64_t num_free_pages, bool has_dead_blobs);
+  /// What a commit left to do.
+  struct Left {
+    std::int64_t num_free_pages = 0;
+    bool has_dead_blobs = false;
+    std::int64_t log_bytes = 0;  ///< of the log's file
+  };
+  /// To be told of it after each commit. Thread-safe; may be called from within `writer.write`.
+  void Notice(const Left& left);
 
   enum class Progress {
     kMore,
@@ -64,7 +73,7 @@ class SpaceReclaimer {
   // Of whoever steps.
   sqlite::Database log_;
   std::int64_t num_pages_a_step_, num_blobs_a_step_;
-  std::int64_t num_pages_in_log_ = 0;
+  bool has_given_back_ = false;  ///< the file is cut when the log is copied
 
   Mutex mutex_;
   CondVar wake_;

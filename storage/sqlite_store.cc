@@ -223,7 +223,9 @@ class SqliteStore final : public MapStore {
     if (reclaimer_ == nullptr) return Status::Ok();
     const Result<std::int64_t> num_free_pages = sqlite::NumFreePages(writer_->database);
     const Result<bool> has_dead_blobs = HasDeadBlobs(writer_->database);
-    if (num_free_pages.ok() && has_dead_blobs.ok()) reclaimer_->Notice(*num_free_pages, *has_dead_blobs);
+    if (num_free_pages.ok() && has_dead_blobs.ok()) {
+      reclaimer_->Notice({*num_free_pages, *has_dead_blobs, writer_->database.NumLogBytes()});
+    }
     return Status::Ok();
   }
 

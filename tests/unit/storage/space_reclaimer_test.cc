@@ -181,6 +181,23 @@ TEST_F(SpaceReclaimerTest, AReaderKeepsItsStateAndTheFileIsCutWhenItHasGone) {
   EXPECT_EQ(reader->QueryInt("SELECT count(*) FROM tile_blobs", "look").value(), 0);
 }
 
+TEST_F(SpaceReclaimerTest, TheLogIsCutWhoeverFilledIt) {
+  Open();
+  CreateMap("house", 1);
+  store_ = nullptr;
+  SteppedReclaimer reclaimer(Path());
+  ASSERT_EQ(reclaimer.Run(), Progress::kDone);
+  Tamper("CREATE TABLE others (bytes BLOB); INSERT INTO others VALUES (zeroblob(1000000))");
+  const std::int64_t short_log_bytes = LogBytes();
+  EXPECT_EQ(reclaimer.Run(), Progress::kDone);
+  EXPECT_EQ(LogBytes(), short_log_bytes) << "not worth a sync";
+  Tamper("INSERT INTO others VALUES (zeroblob(2000000))");
+  ASSERT_GT(LogBytes(), SpaceReclaimer::kMaxLogBytes);
+  EXPECT_EQ(reclaimer.Run(), Progress::kDone);
+  EXPECT_EQ(LogBytes(), 0);
+  ExpectSound();
+}
+
 /// A file with much to give back and a map that stays, to be copied for each fault.
 class BrokenReclaimTest : public SpaceReclaimerTest {
  protected:
@@ -302,8 +319,11 @@ class ReclaimingStoreTest : public SpaceReclaimerTest {
         "CREATE TABLE filler (bytes BLOB); INSERT INTO filler WITH RECURSIVE count(n) AS "
         "(VALUES (1) UNION ALL SELECT n + 1 FROM count WHERE n < 2500) SELECT zeroblob(4000) FROM count");
   }
-  /// What is committed after the log was cut is in it again.
-  [[nodiscard]] bool IsCut() const { return FileBytes() < 6'000'000 && LogBytes() < 2'000'000; }
+  /// What is committed after the log was cut is in it again, up to where it is cut the next time.
+  [[nodiscard]] bool IsCut() const { return FileBytes() < 6'000'000 && LogBytes() <= SpaceReclaimer::kMaxLogBytes; }
+  void ExpectCut() {
+    EXPECT_TRUE(testing::Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  }
 };
 
 TEST_F(ReclaimingStoreTest, ADeletionCutsTheFileAndItsLogWhileOthersAreWritten) {
@@ -321,10 +341,26 @@ TEST_F(ReclaimingStoreTest, ADeletionCutsTheFileAndItsLogWhileOthersAreWritten) 
     ASSERT_TRUE(store_->Commit(*before, *kept->Publish(20 + n), Durability::kNormal).ok());
     ASSERT_TRUE(store_->LoadMap("kept").ok());
   }
-  EXPECT_TRUE(testing::Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  ExpectCut();
   EXPECT_GT(FileBytes(), 4'000'000) << "some stays for what is stored next";
   ExpectStored(*kept->published());
   ExpectSound();
+}
+
+TEST_F(ReclaimingStoreTest, CommitsAfterTheLastCutLeaveNoLongLog) {
+  Open();
+  const auto map = CreateMap("house", 1);
+  std::int64_t num_bytes = 0;  // that went through the log
+  for (int n = 1; num_bytes < 3 * SpaceReclaimer::kMaxLogBytes; ++n) {
+    ExpectCut();  // whatever there was to do is done
+    const std::int64_t bytes_before = LogBytes();
+    const auto before = map->published();
+    generator_.AddSubmap(*map, 60);
+    ASSERT_TRUE(store_->Commit(*before, *map->Publish(20 + n), Durability::kNormal).ok());
+    num_bytes += std::max<std::int64_t>(LogBytes() - bytes_before, 50'000);
+  }
+  ExpectCut();
+  ExpectStored(*map->published());
 }
 
 TEST_F(ReclaimingStoreTest, GoesOnAfterARestart) {
@@ -334,7 +370,7 @@ TEST_F(ReclaimingStoreTest, GoesOnAfterARestart) {
   Tamper("DROP TABLE filler");
   ASSERT_GT(FileBytes(), 10'000'000);
   Open();
-  EXPECT_TRUE(testing::Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  ExpectCut();
 }
 
 }  // namespace
