@@ -32,6 +32,8 @@ Status GiveBackPages(Database& database, std::int64_t num_pages) {
   return database.Execute("PRAGMA incremental_vacuum(" + std::to_string(num_pages) + ")", kTask);
 }
 
+Result<LogState> CopyLog(Database& database) { return Checkpoint(database, "PRAGMA wal_checkpoint(PASSIVE)"); }
+
 Result<LogState> CutLog(Database& database) { return Checkpoint(database, "PRAGMA wal_checkpoint(TRUNCATE)"); }
 
 }  // namespace dhpmap::sqlite
