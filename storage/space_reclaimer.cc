@@ -18,13 +18,11 @@ using std::chrono::milliseconds;
 
 // SQLite looks for each page of the file's end in the list of free ones, so a page takes longer the more are free:
 // from 10 us with a hundred MB to 100 us with a GB.
-constexpr std::int64_t kMinAStep = 8, kMaxAStep = 512;
+constexpr std::int64_t kMinAStep = 8;
 constexpr milliseconds kShortStep{5}, kLongStep{15};
 constexpr milliseconds kRetry{1000};
-
-/// A page takes some three in the log: its new place, who refers to it, and who says so. Well below what would make a
-/// commit copy the log itself (see connection.cc).
-constexpr std::int64_t kMaxPagesInLog = 512;
+/// Shorter than where a commit copies the log itself: 4096 pages (see connection.cc).
+constexpr std::int64_t kCommitsCopyLogBytes = 12'000'000;
 
 }  // namespace
 
@@ -46,8 +44,8 @@ SpaceReclaimer::~SpaceReclaimer() {
   if (thread.joinable()) thread.join();
 }
 
-void SpaceReclaimer::Notice(std::int64_t num_free_pages, bool has_dead_blobs) {
-  if (num_free_pages <= num_spare_pages_ && !has_dead_blobs) return;
+void SpaceReclaimer::Notice(const Left& left) {
+  if (left.num_free_pages <= num_spare_pages_ && !left.has_dead_blobs && left.log_bytes <= kMaxLogBytes) return;
   const MutexLock lock(mutex_);
   has_work_ = true;
   wake_.NotifyAll();
@@ -68,10 +66,9 @@ void SpaceReclaimer::Loop() {
     for (Progress progress = Progress::kMore; progress != Progress::kDone;) {
       if (is_stopping_) return;
       lock.Unlock();
-      const Clock::time_point begin = Clock::now();
       progress = Step();
-      // As long as it took, so that those who waited for the writer get it, and the disk is theirs half of the time.
-      const Clock::duration pause = progress == Progress::kBlocked ? kRetry : Clock::now() - begin;
+      // As long as it kept the writer, so that the disk is others' half of the time.
+      const Clock::duration pause = progress == Progress::kBlocked ? kRetry : kept_writer_;
       lock.Lock();
       wake_.WaitFor(mutex_, pause, [this]() DHPMAP_REQUIRES(mutex_) { return is_stopping_; });
     }
@@ -79,50 +76,64 @@ void SpaceReclaimer::Loop() {
 }
 
 SpaceReclaimer::Progress SpaceReclaimer::Step() {
-  if (num_pages_in_log_ >= kMaxPagesInLog) return EmptyLog(Progress::kMore);
+  if (log_.NumLogBytes() > kMaxLogBytes) return EmptyLog(Progress::kMore);
   Work work;
+  Clock::time_point begin = Clock::now();
   const Status done = writer_.write([&](sqlite::Database& database) -> Status {
-    DHPMAP_ASSIGN_OR_RETURN(work, CollectOrGiveBack(database));
+    begin = Clock::now();
+    DHPMAP_ASSIGN_OR_RETURN(work, CollectAndGiveBack(database));
     return Status::Ok();
   });
+  kept_writer_ = Clock::now() - begin;
   if (!done.ok()) return EmptyLog(Progress::kBlocked);  // on a full disk, what the log takes is missing
-  if (work.num_blobs > 0) return Progress::kMore;
-  if (work.num_pages == 0) return num_pages_in_log_ == 0 ? Progress::kDone : EmptyLog(Progress::kDone);
-  num_pages_in_log_ += work.num_pages;
-  return Progress::kMore;
+  if (work.num_pages > 0) has_given_back_ = true;
+  if (work.num_blobs > 0 || work.num_pages > 0) return Progress::kMore;
+  return has_given_back_ ? EmptyLog(Progress::kDone) : Progress::kDone;
 }
 
-Result<SpaceReclaimer::Work> SpaceReclaimer::CollectOrGiveBack(sqlite::Database& database) {
-  const Clock::time_point begin = Clock::now();
+Result<SpaceReclaimer::Work> SpaceReclaimer::CollectAndGiveBack(sqlite::Database& database) {
+  Clock::time_point begin = Clock::now();
   Work work;
   DHPMAP_ASSIGN_OR_RETURN(work.num_blobs, CollectDeadBlobs(database, num_blobs_a_step_));
-  if (work.num_blobs > 0) {
-    Adapt(num_blobs_a_step_, Clock::now() - begin);
-    return work;
-  }
-  if (num_spare_pages_ == kKeepAll) return work;
+  const bool may_have_more = work.num_blobs == num_blobs_a_step_;
+  Adapt(num_blobs_a_step_, work.num_blobs, Clock::now() - begin);
+  // Else in the same step: where each commit leaves a few blobs there would never be one for pages.
+  if (may_have_more || num_spare_pages_ == kKeepAll) return work;
+  begin = Clock::now();
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_free, sqlite::NumFreePages(database));
   work.num_pages = std::clamp<std::int64_t>(num_free - num_spare_pages_, 0, num_pages_a_step_);
   if (work.num_pages == 0) return work;
   DHPMAP_RETURN_IF_ERROR(sqlite::GiveBackPages(database, work.num_pages));
-  Adapt(num_pages_a_step_, Clock::now() - begin);
+  Adapt(num_pages_a_step_, work.num_pages, Clock::now() - begin);
   return work;
 }
 
-void SpaceReclaimer::Adapt(std::int64_t& num_a_step, Clock::duration took) {
+void SpaceReclaimer::Adapt(std::int64_t& num_a_step, std::int64_t num_done, Clock::duration took) {
+  if (took < kShortStep && num_done == num_a_step) num_a_step = std::min(kMaxAStep, num_a_step * 2);
   if (took > kLongStep) num_a_step = std::max(kMinAStep, num_a_step / 2);
-  if (took < kShortStep) num_a_step = std::min(kMaxAStep, num_a_step * 2);
+}
+
+// While a commit on one connection begins the log anew, which it does where all of it was copied, SQLite before 3.51.3
+// may lose pages to a checkpoint that another begins. So beside commits we begin one only on a log of which nothing was
+// copied.
+Status SpaceReclaimer::CopyLog() {
+  const bool is_safe = is_log_new_ && log_.NumLogBytes() < kCommitsCopyLogBytes;
+  is_log_new_ = false;
+  return is_safe ? sqlite::CopyLog(log_).status() : Status::Ok();
 }
 
 SpaceReclaimer::Progress SpaceReclaimer::EmptyLog(Progress then) {
-  Result<sqlite::LogState> state = sqlite::CopyLog(log_);
-  if (!state.ok() || *state == sqlite::LogState::kInUse) return Progress::kBlocked;
+  if (!CopyLog().ok()) return Progress::kBlocked;
+  Result<sqlite::LogState> state = sqlite::LogState::kInUse;
   const Status cut = writer_.hold([&]() -> Status {
+    const Clock::time_point begin = Clock::now();
     state = sqlite::CutLog(log_);
+    is_log_new_ = state.ok() && *state == sqlite::LogState::kEmptied;
+    kept_writer_ = Clock::now() - begin;
     return state.status();
   });
   if (!cut.ok() || *state == sqlite::LogState::kInUse) return Progress::kBlocked;
-  num_pages_in_log_ = 0;
+  has_given_back_ = false;
   return then;
 }
 

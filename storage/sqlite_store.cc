@@ -8,12 +8,12 @@
 #include <thread>
 #include <utility>
 
-#include "mapping/base/mutex.h"
 #include "mapping/base/thread_pool.h"
 #include "storage/backup.h"
 #include "storage/change_history.h"
 #include "storage/commit_rules.h"
 #include "storage/connection.h"
+#include "storage/fair_mutex.h"
 #include "storage/file_lock.h"
 #include "storage/map_layers.h"
 #include "storage/rows/map_rows.h"
@@ -176,14 +176,14 @@ class SqliteStore final : public MapStore {
 
   /// For a store that has just been opened, before all else: what is deleted from now on gives its space back.
   Status GiveSpaceBack() {
-    const MutexLock lock(writer_mutex_);
+    const FairMutexLock lock(writer_mutex_);
     DHPMAP_ASSIGN_OR_RETURN(const bool is_allowed, sqlite::AllowsGivingBack(writer_->database));
     DHPMAP_ASSIGN_OR_RETURN(Database log, OpenForLog(path_));
     const auto write = [this](const std::function<Status(Database&)>& body) {
       return Write(Durability::kNormal, [&](Writer& writer) { return body(writer.database); });
     };
     const auto hold = [this](const std::function<Status()>& body) {
-      const MutexLock held(writer_mutex_);
+      const FairMutexLock held(writer_mutex_);
       return body();
     };
     reclaimer_ = std::make_unique<SpaceReclaimer>(SpaceReclaimer::Writer{write, hold}, std::move(log),
@@ -214,7 +214,7 @@ class SqliteStore final : public MapStore {
     if (writer_ == nullptr) {
       return FailedPrecondition("the database was opened read-only").WithReason("NOT_WRITABLE");
     }
-    const MutexLock lock(writer_mutex_);
+    const FairMutexLock lock(writer_mutex_);
     DHPMAP_RETURN_IF_ERROR(SetDurability(*writer_, durability));
     DHPMAP_ASSIGN_OR_RETURN(Transaction transaction, Transaction::BeginWrite(writer_->database));
     DHPMAP_RETURN_IF_ERROR(body(*writer_));
@@ -223,7 +223,9 @@ class SqliteStore final : public MapStore {
     if (reclaimer_ == nullptr) return Status::Ok();
     const Result<std::int64_t> num_free_pages = sqlite::NumFreePages(writer_->database);
     const Result<bool> has_dead_blobs = HasDeadBlobs(writer_->database);
-    if (num_free_pages.ok() && has_dead_blobs.ok()) reclaimer_->Notice(*num_free_pages, *has_dead_blobs);
+    if (num_free_pages.ok() && has_dead_blobs.ok()) {
+      reclaimer_->Notice({*num_free_pages, *has_dead_blobs, writer_->database.NumLogBytes()});
+    }
     return Status::Ok();
   }
 
@@ -255,7 +257,7 @@ class SqliteStore final : public MapStore {
   const std::string path_;
   const std::uint16_t number_ = NextStoreNumber();
   const ChangeHistoryLimits change_limits_;
-  Mutex writer_mutex_;
+  FairMutex writer_mutex_;  // fair, or commits that follow upon each other would leave the reclaimer no turn
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
   std::unique_ptr<SpaceReclaimer> reclaimer_;  // last, as it uses all others; null: read-only

@@ -116,6 +116,6 @@ Result<bool> HasDeadBlobs(sqlite::Database& database);
 /// Part of each commit, within its transaction: where many are dead, as others wait for commits that follow upon each
 /// other, it deletes more than it made, so that their number has a bound. `num_written`: blobs that the commit wrote.
 Status CollectBacklog(sqlite::Database& database, std::int64_t num_written);
-inline constexpr std::int64_t kMaxBacklog = 2048;  ///< of dead blobs, beyond which commits help
+inline constexpr std::int64_t kMaxBacklog = 512;  ///< of dead blobs, beyond which commits help
 
 }  // namespace dhpmap

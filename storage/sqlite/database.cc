@@ -3,6 +3,9 @@
 
 #include <sqlite3.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "storage/sqlite/sqlite_error.h"
 
 namespace dhpmap::sqlite {
@@ -86,6 +89,13 @@ void Database::Interrupt() { sqlite3_interrupt(database_.get()); }
 bool Database::IsReadOnly() const { return sqlite3_db_readonly(database_.get(), "main") != 0; }
 
 bool Database::InTransaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }
+
+std::int64_t Database::NumLogBytes() const {
+  const char* path = sqlite3_filename_wal(sqlite3_db_filename(database_.get(), "main"));
+  std::error_code none;
+  const std::uintmax_t bytes = std::filesystem::file_size(path == nullptr ? "" : path, none);
+  return none ? 0 : static_cast<std::int64_t>(bytes);
+}
 
 std::int64_t Database::LastInsertRowId() const { return sqlite3_last_insert_rowid(database_.get()); }
 

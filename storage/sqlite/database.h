@@ -43,6 +43,8 @@ class Database {
   /// Whether the file turned out not to be writable.
   [[nodiscard]] bool IsReadOnly() const;
   [[nodiscard]] bool InTransaction() const;
+  /// Size of the write-ahead log's file; 0 if there is none.
+  [[nodiscard]] std::int64_t NumLogBytes() const;
   [[nodiscard]] std::int64_t LastInsertRowId() const;
   /// Rows that the last INSERT, UPDATE or DELETE changed, without what triggers did.
   [[nodiscard]] std::int64_t NumChanges() const;

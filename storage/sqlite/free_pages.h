@@ -25,9 +25,10 @@ enum class LogState {
   kEmptied,
   kInUse,  ///< somebody reads a state that needs it, or writes
 };
-/// Copies the log into the file as far as readers allow, while commits go on.
+/// Copies the log into the file as far as readers allow, while commits go on: but see SpaceReclaimer::CopyLog.
 Result<LogState> CopyLog(Database& database);
-/// After CopyLog: cuts the log's file to nothing. No commit may run meanwhile.
+/// Copies the log into the file as far as readers allow; where it got to the end, cuts the log's file to nothing. No
+/// commit may run meanwhile.
 Result<LogState> CutLog(Database& database);
 
 }  // namespace dhpmap::sqlite

@@ -181,6 +181,65 @@ TEST_F(SpaceReclaimerTest, AReaderKeepsItsStateAndTheFileIsCutWhenItHasGone) {
   EXPECT_EQ(reader->QueryInt("SELECT count(*) FROM tile_blobs", "look").value(), 0);
 }
 
+TEST_F(SpaceReclaimerTest, TheLogIsCutWhoeverFilledIt) {
+  Open();
+  CreateMap("house", 1);
+  store_ = nullptr;
+  SteppedReclaimer reclaimer(Path());
+  ASSERT_EQ(reclaimer.Run(), Progress::kDone);
+  Tamper("CREATE TABLE others (bytes BLOB); INSERT INTO others VALUES (zeroblob(1000000))");
+  const std::int64_t short_log_bytes = LogBytes();
+  EXPECT_EQ(reclaimer.Run(), Progress::kDone);
+  EXPECT_EQ(LogBytes(), short_log_bytes) << "not worth a sync";
+  Tamper("INSERT INTO others VALUES (zeroblob(" + std::to_string(SpaceReclaimer::kMaxLogBytes) + "))");
+  ASSERT_GT(LogBytes(), SpaceReclaimer::kMaxLogBytes);
+  EXPECT_EQ(reclaimer.Run(), Progress::kDone);
+  EXPECT_EQ(LogBytes(), 0);
+  ExpectSound();
+}
+
+TEST_F(SpaceReclaimerTest, AStepDoesABoundedShareOfTheWork) {
+  Open();
+  CreateMap("house", 50);
+  store_ = nullptr;
+  Tamper("PRAGMA foreign_keys = ON; DELETE FROM maps");
+  SteppedReclaimer reclaimer(Path());
+  const auto num_dead = [&] { return Query("SELECT count(*) FROM dead_blobs"); };
+  ASSERT_GT(num_dead(), 2 * SpaceReclaimer::kMaxAStep);
+  for (std::int64_t dead = num_dead(), pages = Query("PRAGMA page_count"); reclaimer.Step() == Progress::kMore;) {
+    EXPECT_LE(dead - num_dead(), SpaceReclaimer::kMaxAStep);
+    EXPECT_LE(pages - Query("PRAGMA page_count"), SpaceReclaimer::kMaxAStep);
+    dead = num_dead();
+    pages = Query("PRAGMA page_count");
+  }
+  EXPECT_EQ(num_dead(), 0);
+}
+
+TEST_F(SpaceReclaimerTest, KeepsUpWithAWriterWhoseEveryCommitLeavesBlobs) {
+  constexpr int kBlobsACommit = 40;
+  Open();
+  CreateMap("house", 30);
+  store_ = nullptr;
+  Tamper("PRAGMA foreign_keys = ON; DELETE FROM maps");
+  const std::int64_t bytes_before = FileBytes();
+  SteppedReclaimer reclaimer(Path());
+  const auto commit = [&] {  // as many come as go
+    Tamper("INSERT INTO dead_blobs SELECT blob_key FROM tile_blobs EXCEPT SELECT blob_key FROM dead_blobs");
+    Tamper(
+        "INSERT INTO tile_blobs (num_blocks, blob) WITH RECURSIVE count(n) AS (VALUES (1) UNION ALL SELECT n + 1 "
+        "FROM count WHERE n < " +
+        std::to_string(kBlobsACommit) + ") SELECT 1, randomblob(6000) FROM count");
+  };
+  int num_commits = 0;
+  for (; num_commits < 200 && (FileBytes() > bytes_before / 4 || num_commits < 20); ++num_commits) {
+    commit();
+    ASSERT_NE(reclaimer.Step(), Progress::kBlocked);  // one turn a commit
+  }
+  EXPECT_LE(FileBytes(), bytes_before / 4) << "after " << num_commits << " commits";
+  EXPECT_LE(Query("SELECT count(*) FROM dead_blobs"), 2 * kBlobsACommit);
+  ExpectSound();
+}
+
 /// A file with much to give back and a map that stays, to be copied for each fault.
 class BrokenReclaimTest : public SpaceReclaimerTest {
  protected:
@@ -302,8 +361,11 @@ class ReclaimingStoreTest : public SpaceReclaimerTest {
         "CREATE TABLE filler (bytes BLOB); INSERT INTO filler WITH RECURSIVE count(n) AS "
         "(VALUES (1) UNION ALL SELECT n + 1 FROM count WHERE n < 2500) SELECT zeroblob(4000) FROM count");
   }
-  /// What is committed after the log was cut is in it again.
-  [[nodiscard]] bool IsCut() const { return FileBytes() < 6'000'000 && LogBytes() < 2'000'000; }
+  /// What is committed after the log was cut is in it again, up to where it is cut the next time.
+  [[nodiscard]] bool IsCut() const { return FileBytes() < 6'000'000 && LogBytes() <= SpaceReclaimer::kMaxLogBytes; }
+  void ExpectCut() {
+    EXPECT_TRUE(testing::Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  }
 };
 
 TEST_F(ReclaimingStoreTest, ADeletionCutsTheFileAndItsLogWhileOthersAreWritten) {
@@ -321,9 +383,22 @@ TEST_F(ReclaimingStoreTest, ADeletionCutsTheFileAndItsLogWhileOthersAreWritten) 
     ASSERT_TRUE(store_->Commit(*before, *kept->Publish(20 + n), Durability::kNormal).ok());
     ASSERT_TRUE(store_->LoadMap("kept").ok());
   }
-  EXPECT_TRUE(testing::Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  ExpectCut();
   EXPECT_GT(FileBytes(), 4'000'000) << "some stays for what is stored next";
   ExpectStored(*kept->published());
+  ExpectSound();
+}
+
+TEST_F(ReclaimingStoreTest, CommitsAfterTheLastCutLeaveNoLongLog) {
+  const auto is_log_short = [&] { return LogBytes() <= SpaceReclaimer::kMaxLogBytes; };
+  Open();
+  const auto map = CreateMap("house", 1);
+  for (int n = 1; FileBytes() < 2 * SpaceReclaimer::kMaxLogBytes; ++n) {  // all of it went through the log
+    const auto before = map->published();
+    for (int i = 0; i < 4; ++i) generator_.AddSubmap(*map, 60);
+    ASSERT_TRUE(store_->Commit(*before, *map->Publish(20 + n), Durability::kNormal).ok());
+    ASSERT_TRUE(testing::Eventually(is_log_short)) << LogBytes();
+  }
   ExpectSound();
 }
 
@@ -334,7 +409,7 @@ TEST_F(ReclaimingStoreTest, GoesOnAfterARestart) {
   Tamper("DROP TABLE filler");
   ASSERT_GT(FileBytes(), 10'000'000);
   Open();
-  EXPECT_TRUE(testing::Eventually([&] { return IsCut(); })) << FileBytes() << " bytes, log " << LogBytes();
+  ExpectCut();
 }
 
 }  // namespace
