@@ -118,6 +118,16 @@ Submap* Map::Clone(SubmapId id) {
   return &cloned;
 }
 
+Submap& Map::PutBack(SubmapInfo info) {
+  changed_ = true;
+  const std::size_t position = Position(info.id);
+  assert(info.id < info_.next_submap_id && (position == submaps_.size() || submaps_[position]->id() != info.id));
+  auto submap = std::make_shared<Submap>(std::move(info), generation_);
+  Submap& back = *submap;
+  submaps_.insert(submaps_.begin() + static_cast<std::ptrdiff_t>(position), std::move(submap));
+  return back;
+}
+
 bool Map::Remove(SubmapId id) {
   const std::size_t position = Position(id);
   if (id == kUnknownSubmap || position == submaps_.size() || submaps_[position]->id() != id) return false;

@@ -88,6 +88,8 @@ class Map {
   Submap& Create(SubmapInfo info);
   /// Adds a copy of a submap under the next id, sharing its blocks; null if there is none. See also Submap.
   Submap* Clone(SubmapId id);
+  /// Adds a submap, without blocks, under the id that `info` has: one that was there before, and is not now.
+  Submap& PutBack(SubmapInfo info);
   /// The unknown submap cannot be removed. Returns whether it was there. What was known of its pairs is forgotten.
   bool Remove(SubmapId id);
 

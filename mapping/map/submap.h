@@ -61,6 +61,8 @@ struct SubmapInfo {
   std::int64_t last_contradicted_ns = 0;   ///< when a voxel of it last became contradicted (GoneBlock); 0 = never
   /// Somebody has put it where it is (moved, or cloned it): what sensors see there says nothing against it.
   bool is_placed = false;
+  /// Somebody has locked it: mapping and refinement leave it as it is.
+  bool is_locked = false;
   /// Id under which a front end with persistent segment ids knows this object; 0 = none.
   std::uint32_t track_id = 0;
   /// Map revision that last changed anything of this submap.
@@ -102,6 +104,10 @@ class Submap {
   void PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone);
   /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
   void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) { blocks_.PutTile(index, std::move(tile)); }
+  /// See BlockTable.
+  void PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers) {
+    blocks_.PutLayers(index, from, layers);
+  }
   /// Puts the layers that `block` has in place, beside those that are there.
   void AddLayers(const BlockEntry& block);
   /// Begins anew: nothing of it was looked through.
