@@ -36,7 +36,13 @@ SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
           .on_progress = [](const std::string& message) { LogInfo(message); },
           .changes = {.max_changes = config.watch.history_changes,
                       .max_bytes = std::int64_t{config.watch.history_mib} << 20,
-                      .max_age_s = config.watch.history_s}};
+                      .max_age_s = config.watch.history_s},
+          .edits = {.max_edits = config.edits.log_edits,
+                    .max_bytes = std::int64_t{config.edits.log_mib} << 20,
+                    .max_age_s = config.edits.log_s,
+                    .max_histories = config.edits.history_edits,
+                    .max_history_bytes = std::int64_t{config.edits.history_mib} << 20,
+                    .max_history_age_s = config.edits.history_s}};
 }
 
 SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {

@@ -46,6 +46,8 @@ void AddMapsCommands(CLI::App& app, Session& session);
 void AddSubmapsCommand(CLI::App& app, Session& session);
 void AddQueryCommands(CLI::App& app, Session& session);
 void AddEditCommands(CLI::App& app, Session& session);
+void AddLogCommand(CLI::App& app, Session& session);
+void AddUndoCommands(CLI::App& app, Session& session);
 void AddBackupCommand(CLI::App& app, Session& session);
 void AddVerifyCommand(CLI::App& app, Session& session);
 void AddExportCommands(CLI::App& app, Session& session);

@@ -17,6 +17,13 @@ namespace dhpmap {
 namespace {
 
 struct EditOptions {
+  // Of whoever edits, and of the request, for who repeats it.
+  template <typename Request>
+  void Sign(Request& request) const {
+    if (!author.empty()) request.set_author(author);
+    if (!request_id.empty()) request.set_request_id(request_id);
+  }
+
   std::string map, text;
   std::int64_t id = 0;
   std::vector<double> to_m, by_m, rotation;
@@ -25,6 +32,7 @@ struct EditOptions {
   std::vector<std::string> classes;
   int min_voxels = 0;
   bool only_try = false;
+  std::string author, request_id;
   [[nodiscard]] std::string name() const { return SubmapName(map, id); }
   [[nodiscard]] bool has_pose() const { return !to_m.empty() || !by_m.empty() || !rotation.empty(); }
 };
@@ -66,9 +74,10 @@ ExitCode Done(const Session& session, const grpc::Status& status, const Response
   return ExitCode::kOk;
 }
 
-ExitCode Update(const Session& session, v1::SubmapService::Stub& stub, const v1::Submap& submap, const char* field,
-                const std::string& text) {
+ExitCode Update(const Session& session, const EditOptions& options, v1::SubmapService::Stub& stub,
+                const v1::Submap& submap, const char* field, const std::string& text) {
   v1::UpdateSubmapRequest request;
+  options.Sign(request);
   *request.mutable_submap() = submap;
   request.mutable_update_mask()->add_paths(field);
   grpc::ClientContext context;
@@ -84,12 +93,13 @@ ExitCode RunMove(const Session& session, const EditOptions& options) {
   const grpc::Status status = GetSubmap(*stub, options.name(), submap);
   if (!status.ok()) return ReportError(session, status);
   ChangePose(options, *submap.mutable_map_from_submap());
-  return Update(session, *stub, submap, "map_from_submap", "moved " + options.name());
+  return Update(session, options, *stub, submap, "map_from_submap", "moved " + options.name());
 }
 
 ExitCode RunClone(const Session& session, const EditOptions& options) {
   const auto stub = Submaps(session);
   v1::CloneSubmapRequest request;
+  options.Sign(request);
   request.set_name(options.name());
   request.set_display_name(options.text);
   if (options.has_pose()) {
@@ -107,6 +117,7 @@ ExitCode RunClone(const Session& session, const EditOptions& options) {
 
 ExitCode RunDelete(const Session& session, const EditOptions& options) {
   v1::DeleteSubmapRequest request;
+  options.Sign(request);
   request.set_name(options.name());
   grpc::ClientContext context;
   v1::DeleteSubmapResponse response;
@@ -123,7 +134,7 @@ ExitCode RunRelabel(const Session& session, const EditOptions& options) {
   v1::Submap submap;
   submap.set_name(options.name());
   submap.set_class_id(static_cast<std::int32_t>(label_class->id()));
-  return Update(session, *Submaps(session), submap, "class_id",
+  return Update(session, options, *Submaps(session), submap, "class_id",
                 "relabelled " + options.name() + " to " + label_class->name());
 }
 
@@ -131,7 +142,7 @@ ExitCode RunRename(const Session& session, const EditOptions& options) {
   v1::Submap submap;
   submap.set_name(options.name());
   submap.set_display_name(options.text);
-  return Update(session, *Submaps(session), submap, "display_name", "renamed " + options.name());
+  return Update(session, options, *Submaps(session), submap, "display_name", "renamed " + options.name());
 }
 
 void SetVector(v1::Vector3& out, const double* values) {
@@ -154,6 +165,7 @@ void PrintNames(const char* what, const google::protobuf::RepeatedPtrField<std::
 /// One line an edit: what changed, was created and removed, by instance id.
 ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const EditOptions& options) {
   request.set_map(MapName(options.map));
+  options.Sign(request);
   request.set_validate_only(request.validate_only() || options.only_try);
   grpc::ClientContext context;
   v1::ApplyEditsResponse response;
@@ -293,6 +305,9 @@ void AddEditCommands(CLI::App& app, Session& session) {
   CLI::App* edit = app.add_subcommand("edit", "Change objects of a map");
   edit->require_subcommand(1);
   auto options = std::make_shared<EditOptions>();
+  edit->fallthrough();
+  edit->add_option("--author", options->author, "Who edits, for the log")->envname("DHPMAP_AUTHOR");
+  edit->add_option("--request-id", options->request_id, "UUID: sent again with the same one, it is not done again");
   AddPoseOptions(*AddEdit(*edit, "move", "Change its pose", options, session, RunMove), *options);
   CLI::App* clone = AddEdit(*edit, "clone", "Copy it under a new instance id", options, session, RunClone);
   AddPoseOptions(*clone, *options);

@@ -43,6 +43,8 @@ int main(int argc, char** argv) {
   dhpmap::AddSubmapsCommand(app, session);
   dhpmap::AddQueryCommands(app, session);
   dhpmap::AddEditCommands(app, session);
+  dhpmap::AddLogCommand(app, session);
+  dhpmap::AddUndoCommands(app, session);
   dhpmap::AddExportCommands(app, session);
   dhpmap::AddBackupCommand(app, session);
   dhpmap::AddVerifyCommand(app, session);

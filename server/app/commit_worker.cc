@@ -33,11 +33,12 @@ void CommitWorker::Request(std::shared_ptr<const MapSnapshot> snapshot, Durabili
   Enqueue(std::move(snapshot), {.durability = durability, .done = std::move(done)});
 }
 
-Status CommitWorker::CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot) {
+Status CommitWorker::CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<const EditRecord> edit) {
   std::promise<Status> outcome;
   Enqueue(std::move(snapshot), {.durability = Durability::kFull,
                                 .done = [&outcome](const Status& status) { outcome.set_value(status); },
-                                .is_unseen = true});
+                                .is_unseen = true,
+                                .edit = std::move(edit)});
   return outcome.get_future().get();
 }
 
@@ -136,7 +137,10 @@ void CommitWorker::CommitNewest() {
 
   if (status.ok()) {
     const auto start = Clock::now();
-    if (after != nullptr) status = store_.Commit(*before, *after, full ? Durability::kFull : Durability::kNormal);
+    const auto has_edit = [](const Waiter& waiter) { return waiter.edit != nullptr; };
+    const auto edited = std::find_if(served.begin(), served.end(), has_edit);
+    if (edited != served.end()) status = store_.CommitEdit(*before, *after, *edited->edit);
+    else if (after != nullptr) status = store_.Commit(*before, *after, full ? Durability::kFull : Durability::kNormal);
     if (observer_) observer_(std::chrono::duration<double>(Clock::now() - start).count(), status);
     const auto marks = status.ok() && after ? std::make_shared<const StateMarks>(*after, before.get()) : before;
     mutex_.Lock();

@@ -38,7 +38,8 @@ class CommitWorker {
   /// Asks for `snapshot`, which nobody has seen yet, to be committed with a full sync, and waits for the outcome. On
   /// error it is dropped, as if it had never been: no later commit writes it. Not while another call of Request or
   /// CommitUnseen is under way.
-  Status CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot);
+  /// `edit` goes into the log with it; null: nothing does.
+  Status CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<const EditRecord> edit = nullptr);
 
   /// Removes the map from the store; from then on requests fail with NOT_FOUND. On error nothing has changed.
   void DeleteMap(Done done);
@@ -60,6 +61,7 @@ class CommitWorker {
     Durability durability;
     Done done;
     bool is_unseen = false;
+    std::shared_ptr<const EditRecord> edit = nullptr;
   };
 
   void Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter waiter);

@@ -179,6 +179,20 @@ std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& sta
   return present->info().history_id == state.info().history_id ? present : nullptr;
 }
 
+std::function<Result<EditMade>(Map&)> MapRegistry::UndoOf(UndoRequest request) {
+  return [this, request = std::move(request)](Map& map) -> Result<EditMade> {
+    DHPMAP_ASSIGN_OR_RETURN(EditSummary summary, UndoEdits(request, store_, map));
+    return EditMade{.submap = SubmapId(), .summary = std::move(summary)};
+  };
+}
+
+std::function<Result<EditMade>(Map&)> MapRegistry::UndeletionOf(SubmapId id) {
+  return [this, id](Map& map) -> Result<EditMade> {
+    DHPMAP_ASSIGN_OR_RETURN(EditSummary summary, UndeleteSubmap(id, store_, map));
+    return EditMade{.submap = id, .summary = std::move(summary)};
+  };
+}
+
 Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, const std::stop_token& stop) {
   constexpr bool kRepair = true;
   const auto entry = FindEntry(name);

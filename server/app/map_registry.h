@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "mapping/base/mutex.h"
 #include "mapping/query/surface_cache.h"
 #include "server/app/change_feed.h"
+#include "server/app/edit_undo.h"
 #include "server/app/map_session.h"
 #include "server/app/surface_keeper.h"
 #include "storage/store.h"
@@ -65,6 +67,14 @@ class MapRegistry {
   [[nodiscard]] SurfaceCache& surfaces() { return surfaces_; }
   /// What those take.
   [[nodiscard]] std::size_t surface_bytes() const { return surfaces_.bytes() + surfaces_.cell_bytes(); }
+  /// See MapStore::ListEdits. Opens no map.
+  Result<std::vector<LoggedEdit>> ListEdits(const std::string& name, const EditQuery& query) {
+    return store_.ListEdits(name, query);
+  }
+  /// What is to be done on a map's writer to undo edits, or to do them again; see UndoEdits.
+  std::function<Result<EditMade>(Map&)> UndoOf(UndoRequest request);
+  /// Likewise, to bring back what was deleted; see UndeleteSubmap.
+  std::function<Result<EditMade>(Map&)> UndeletionOf(SubmapId id);
   /// See MapStore::Backup.
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) { return store_.Backup(stop); }
   /// See MapStore::VerifyMap. Repairs nothing of a map that is open: all of it could be read.

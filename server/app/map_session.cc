@@ -69,6 +69,7 @@ std::shared_ptr<ThreadPool> PoolOf(const SessionOptions& options) {
 
 MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& store, SessionOptions options)
     : options_(WithClock(std::move(options))),
+      store_(store),
       numbers_(store, {snapshot->revision(), snapshot->info().next_submap_id}),
       commits_(store, snapshot, options_.commit_retry_s, ObserverOf(options_)),
       seat_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s))),
@@ -124,36 +125,75 @@ FeedProgress MapSession::ProgressOf(const std::shared_ptr<Feed>& feed) const {
           .commit_status = commits_.last_outcome()};
 }
 
-void MapSession::Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done,
-                      EditMode mode) {
-  auto run = [this, change = std::move(change), done, mode] { done(EditNow(change, mode)); };
+void MapSession::Edit(EditRequest request, std::function<void(Result<EditOutcome>)> done) {
+  auto run = [this, request = std::move(request), done] { done(EditNow(request)); };
   Post({.run = std::move(run),
         .refuse = [done = std::move(done)](const Status& status) { done(status); },
         .is_edit = true});
 }
 
-Result<EditOutcome> MapSession::EditNow(const std::function<Result<SubmapId>(Map&)>& change, EditMode mode) {
+void MapSession::Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done,
+                      EditMode mode) {
+  auto make = [change = std::move(change)](Map& map) -> Result<EditMade> {
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId submap, change(map));
+    return EditMade{.submap = submap, .summary = {}};
+  };
+  Edit(EditRequest{.change = std::move(make), .mode = mode}, std::move(done));
+}
+
+Result<EditOutcome> MapSession::EditNow(const EditRequest& request) {
+  const bool is_tried = request.mode == EditMode::kTryOnly;
+  if (!is_tried && !request.source.request_id.empty()) {  // before all else: an etag would be the old one
+    DHPMAP_ASSIGN_OR_RETURN(auto repeated, FindRepeated(request.source));
+    if (repeated) return *std::move(repeated);
+  }
   // First what is fused: revisions and etags of what the change meets are then those of its present state, and what is
   // dropped if the store fails is the change alone.
   Publish();
   const auto before = builder_.map().published();
   if (const Status stored = CommitPublished(); !stored.ok()) return NotMade(stored);
   Map& map = builder_.map();
-  auto submap = Guarded<Result<SubmapId>>([&] { return change(map); });
-  if (!submap.ok()) {
-    map = Map(before);  // it may have stopped half-way
-    return submap.status();
+  auto outcome = Guarded<Result<EditOutcome>>([&]() -> Result<EditOutcome> {
+    DHPMAP_ASSIGN_OR_RETURN(const EditMade made, request.change(map));
+    if (!is_tried) return StoreEdit(request, made, before);
+    const auto view = View();
+    return EditOutcome{view, made.submap, request.answer ? request.answer(*view, made) : std::string()};
+  });
+  if (!outcome.ok() || is_tried) map = Map(before);  // it may have stopped half-way
+  return outcome;
+}
+
+Result<std::optional<EditOutcome>> MapSession::FindRepeated(const EditSource& source) const {
+  DHPMAP_ASSIGN_OR_RETURN(auto stored, store_.FindAnswer(builder_.map().info().name, source.request_id));
+  if (!stored) return std::optional<EditOutcome>();
+  if (stored->request_fingerprint != source.request_fingerprint) {
+    return InvalidArgument("the request has the id of another one, which made revision " +
+                           std::to_string(stored->revision))
+        .WithReason("REQUEST_ID_REUSED")
+        .WithMetadata("revision", std::to_string(stored->revision));
   }
-  if (mode == EditMode::kTryOnly) {
-    map = Map(before);
-    return EditOutcome{.view = View(), .submap = *submap};
+  return std::optional(EditOutcome{View(), SubmapId(), std::move(stored->answer)});
+}
+
+Result<EditOutcome> MapSession::StoreEdit(const EditRequest& request, const EditMade& made,
+                                          const std::shared_ptr<const MapSnapshot>& before) {
+  Map& map = builder_.map();
+  const std::int64_t now_ns = options_.now_ns();
+  if (!request.source.request_id.empty()) (void)map.mutable_info();  // even if nothing changes, it is in the log
+  const auto view = std::make_shared<const MapView>(map.Publish(now_ns));
+  EditOutcome outcome{view, made.submap, request.answer ? request.answer(*view, made) : std::string()};
+  std::shared_ptr<EditRecord> record;
+  if (view->snapshot().revision() != before->revision()) {
+    record = std::make_shared<EditRecord>();
+    record->entry = {view->snapshot().revision(), now_ns, request.source, made.summary};
+    if (!request.source.request_id.empty()) record->answer = outcome.answer;
+    record->before = before;
   }
-  auto after = map.Publish(options_.now_ns());
-  if (const Status stored = commits_.CommitUnseen(after); !stored.ok()) {
-    map = Map(before);
+  if (const Status stored = commits_.CommitUnseen(view->shared_snapshot(), record); !stored.ok()) {
     return NotMade(stored);
   }
-  return EditOutcome{.view = Show(std::move(after)), .submap = *submap};
+  outcome.view = Show(view);
+  return outcome;
 }
 
 void MapSession::Flush(std::function<void(const Status&)> done) {
@@ -363,7 +403,7 @@ std::shared_ptr<const MapView> MapSession::Publish() {
   auto snapshot = builder_.map().Publish(options_.now_ns());
   // Nobody sees numbers that might be given out again after a crash; the next turn tries again.
   if (!numbers_.Cover(snapshot->info()).ok() && commits_.committed_revision() != snapshot->revision()) return View();
-  return Show(std::move(snapshot));
+  return View()->shared_snapshot() == snapshot ? View() : Show(std::make_shared<const MapView>(std::move(snapshot)));
 }
 
 void MapSession::ReleaseNumbers() {
@@ -372,10 +412,9 @@ void MapSession::ReleaseNumbers() {
   numbers_.Release(info);
 }
 
-std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapSnapshot> snapshot) {
-  auto view = View();
-  if (view->shared_snapshot() == snapshot) return view;
-  auto next = std::make_shared<const MapView>(std::move(snapshot));
+std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapView> next) {
+  const auto view = View();
+  if (view->shared_snapshot() == next->shared_snapshot()) return view;
   {
     const MutexLock lock(view_mutex_);
     view_ = next;  // `view` still holds the old one: nothing is freed under the lock

@@ -69,11 +69,29 @@ struct FeedProgress {
 /// Whether an edit is to be made, or only to be tried: then everything is checked and told, and nothing changes.
 enum class EditMode { kMake, kTryOnly };
 
+/// What an edit did to the map.
+struct EditMade {
+  SubmapId submap;      ///< that was edited, or made
+  EditSummary summary;  ///< for the log
+};
+
+/// An edit as it is asked for.
+struct EditRequest {
+  /// On an error, or what it throws, the map is as it was.
+  std::function<Result<EditMade>(Map&)> change;
+  EditSource source = {};
+  EditMode mode = EditMode::kMake;
+  /// What is answered, made from the state that has the edit, or from the one that it met if it is only tried. Where
+  /// the request has an id it is stored with the edit, and is what a repeated request is answered. May be empty.
+  std::function<std::string(const MapView&, const EditMade&)> answer = {};
+};
+
 /// A state that holds an edit (of one that was only tried: the state that it met), and the submap that was edited, or
-/// made.
+/// made (none, of a request that was repeated).
 struct EditOutcome {
   std::shared_ptr<const MapView> view;
   SubmapId submap;
+  std::string answer = {};
 };
 
 /// The finished state, and what refining it did.
@@ -120,10 +138,13 @@ class MapSession {
   /// The same at once.
   [[nodiscard]] FeedProgress ProgressOf(const std::shared_ptr<Feed>& feed) const;
 
-  /// Runs `change` on the map between two frames, after publishing and committing what was fused so far; on an error
-  /// from it the map is as it was. The new state is committed with a full sync before anybody sees it. If the
-  /// store fails, the change has not happened: `done` gets the store's error, and nothing of it is seen or stored
-  /// later.
+  /// Makes an edit on the map between two frames, after publishing and committing what was fused so far; on an error
+  /// the map is as it was. The new state is committed with a full sync, together with its entry in the log, before
+  /// anybody sees it. If the store fails, the change has not happened: `done` gets the store's error, and nothing of it
+  /// is seen or stored later. A request whose id the log has is answered as it was and does nothing; INVALID_ARGUMENT,
+  /// reason REQUEST_ID_REUSED, if that was another one.
+  void Edit(EditRequest request, std::function<void(Result<EditOutcome>)> done);
+  /// Runs `change` on the map between two frames likewise, an edit of which the log says nothing but that it was.
   void Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done,
             EditMode mode = EditMode::kMake);
 
@@ -168,14 +189,18 @@ class MapSession {
   FrameOutcome IntegrateNow(const std::shared_ptr<Feed>& feed, std::int64_t sequence, Result<PanopticFrame> frame);
   Result<FrameReport> Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame);
   Result<RefinementReport> FinishNow(const std::stop_token& stop);
-  Result<EditOutcome> EditNow(const std::function<Result<SubmapId>(Map&)>& change, EditMode mode);
+  Result<EditOutcome> EditNow(const EditRequest& request);
+  Result<EditOutcome> StoreEdit(const EditRequest& request, const EditMade& made,
+                                const std::shared_ptr<const MapSnapshot>& before);
+  Result<std::optional<EditOutcome>> FindRepeated(const EditSource& source) const;
   std::shared_ptr<const MapView> Publish();
-  std::shared_ptr<const MapView> Show(std::shared_ptr<const MapSnapshot> snapshot);
+  std::shared_ptr<const MapView> Show(std::shared_ptr<const MapView> next);
   Status CommitPublished();
   void ReleaseNumbers();
   void RequestCommit(Durability durability, CommitWorker::Done done = {});
 
   const SessionOptions options_;
+  MapStore& store_;
   NumberReserve numbers_;
   CommitWorker commits_;
   mutable StoreLag lag_;  // hears of commits when it is asked

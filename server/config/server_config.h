@@ -57,6 +57,14 @@ struct ServerConfig {
     int history_mib = 32;
     double history_s = 86'400;
   } watch;
+  struct Edits {
+    int log_edits = 100'000;
+    int log_mib = 64;
+    double log_s = 2'592'000;
+    int history_edits = 1000;
+    int history_mib = 256;
+    double history_s = 86'400;
+  } edits;
   struct Limits {
     int query_points = 1'000'000;
     int pending_edits = 256;
@@ -118,6 +126,13 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "commits whose changes are kept of each map, for who watches it from then on");
   visit("watch.history_mib", c.watch.history_mib, 1, 1e6, "MiB that these may take of each map in the file");
   visit("watch.history_s", c.watch.history_s, 0, 1e9, "s that they are kept");
+  visit("edits.log_edits", c.edits.log_edits, 1, 1e9,
+        "edits that the log of each map keeps, with what their requests were answered");
+  visit("edits.log_mib", c.edits.log_mib, 1, 1e6, "MiB that these may take of each map in the file");
+  visit("edits.log_s", c.edits.log_s, 0, 1e9, "s that they are kept");
+  visit("edits.history_edits", c.edits.history_edits, 0, 1e6, "edits of each map that can be undone; 0 = none");
+  visit("edits.history_mib", c.edits.history_mib, 0, 1e6, "MiB that what it takes to undo them may take of each map");
+  visit("edits.history_s", c.edits.history_s, 0, 1e9, "s that it is kept");
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
   visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,

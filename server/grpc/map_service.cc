@@ -64,19 +64,20 @@ class MapService final : public v1::MapService::CallbackService {
                       if (!patch.ok()) return respond(patch.status());
                       const auto session = context_.registry.OpenSession(*name);
                       if (!session.ok()) return respond(session.status());
-                      (*session)->Edit(
-                          [etag = request->map().etag(), patch = *patch](Map& map) -> Result<SubmapId> {
-                            DHPMAP_RETURN_IF_ERROR(PatchMap(map, etag, patch));
-                            return kUnknownSubmap;
-                          },
-                          [respond, response](const Result<EditOutcome>& outcome) {
-                            respond(RunGuarded([&]() -> Status {
-                              if (!outcome.ok()) return outcome.status();
-                              *response->mutable_map() = ToProto(SummaryOf(outcome->view->snapshot()));
-                              response->set_revision(outcome->view->snapshot().revision());
-                              return Status::Ok();
-                            }));
-                          });
+                      auto change = [etag = request->map().etag(), patch = *patch](Map& map) -> Result<EditMade> {
+                        DHPMAP_RETURN_IF_ERROR(PatchMap(map, etag, patch));
+                        return EditMade{kUnknownSubmap, {.steps = {{EditAction::kRenameMap, kUnknownSubmap}}}};
+                      };
+                      (*session)->Edit(EditRequest{.change = std::move(change)},
+                                       [respond, response](const Result<EditOutcome>& outcome) {
+                                         respond(RunGuarded([&]() -> Status {
+                                           if (!outcome.ok()) return outcome.status();
+                                           const MapSnapshot& snapshot = outcome->view->snapshot();
+                                           *response->mutable_map() = ToProto(SummaryOf(snapshot));
+                                           response->set_revision(snapshot.revision());
+                                           return Status::Ok();
+                                         }));
+                                       });
                     });
   }
 

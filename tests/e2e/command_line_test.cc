@@ -177,6 +177,32 @@ TEST_F(CommandLine, EditsObjects) {
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 3);
 }
 
+TEST_F(CommandLine, LogsUndoesAndRedoesEdits) {
+  ASSERT_EQ(Run({"edit", "rename", "room", "1", "first", "--author", "anna"}).exit_code, 0);
+  ASSERT_EQ(Run({"edit", "rename", "room", "1", "second", "--author", "anna"}).exit_code, 0);
+  const Outcome log = Run({"log", "room", "--author", "anna", "-n", "2"});
+  EXPECT_NE(log.out.find("anna  rename 1, changed 1"), std::string::npos) << log.out << log.err;
+  EXPECT_EQ(std::count(log.out.begin(), log.out.end(), '\n'), 2);
+  const auto name = [this] { return Run({"submaps", "room", "1", "--json"}).out; };
+  EXPECT_EQ(Run({"undo", "room", "--author", "anna", "--try"}).exit_code, 0);
+  EXPECT_NE(name().find("\"second\""), std::string::npos) << "only tried";
+  EXPECT_EQ(Run({"undo", "room", "--author", "anna"}).exit_code, 0);
+  EXPECT_NE(name().find("\"first\""), std::string::npos);
+  EXPECT_EQ(Run({"redo", "room", "--author", "anna"}).exit_code, 0);
+  EXPECT_NE(name().find("\"second\""), std::string::npos);
+  EXPECT_NE(Run({"redo", "room", "--author", "anna"}).exit_code, 0) << "there is nothing left";
+  const std::string url = server_->http_url() + "/v1/maps/room";
+  const Outcome undone =
+      RunProgram(temp_->path(), {"curl", "-sf", url + ":undoEdits", "-d", R"({"author": "anna", "count": 2})"});
+  EXPECT_NE(undone.out.find("maps/room/edits/"), std::string::npos) << undone.out << undone.err;
+  EXPECT_EQ(RunProgram(temp_->path(), {"curl", "-sf", url + ":redoEdits", "-d", R"({"author": "anna"})"}).exit_code, 0);
+  EXPECT_NE(RunProgram(temp_->path(), {"curl", "-s", url + "/edits?author=anna"}).out.find("\"REDO\""),
+            std::string::npos);
+  ASSERT_EQ(Run({"edit", "delete", "room", "2"}).exit_code, 0);
+  EXPECT_EQ(Run({"undelete", "room", "2"}).exit_code, 0);
+  EXPECT_EQ(Run({"submaps", "room", "2"}).exit_code, 0);
+}
+
 TEST_F(CommandLine, ExportsMeshesAndVoxels) {
   EXPECT_EQ(Run({"export", "ply", "room", "-o", File("room.ply").string(), "--color", "instance"}).exit_code, 0);
   EXPECT_TRUE(ReadAll(File("room.ply")).starts_with("ply\n"));
