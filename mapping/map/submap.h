@@ -61,8 +61,6 @@ struct SubmapInfo {
   std::int64_t last_contradicted_ns = 0;   ///< when a voxel of it last became contradicted (GoneBlock); 0 = never
   /// Somebody has put it where it is (moved, or cloned it): what sensors see there says nothing against it.
   bool is_placed = false;
-  /// Somebody has locked it: mapping and refinement leave it as it is.
-  bool is_locked = false;
   /// Id under which a front end with persistent segment ids knows this object; 0 = none.
   std::uint32_t track_id = 0;
   /// Map revision that last changed anything of this submap.
