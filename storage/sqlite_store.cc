@@ -15,6 +15,8 @@
 #include "storage/connection.h"
 #include "storage/fair_mutex.h"
 #include "storage/file_lock.h"
+#include "storage/map_file.h"
+#include "storage/map_import.h"
 #include "storage/map_layers.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
@@ -172,6 +174,18 @@ class SqliteStore final : public MapStore {
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) override {
     DHPMAP_ASSIGN_OR_RETURN(ReaderPool::Lease lease, readers_.Borrow());
     return MakeBackup(*lease, path_, stop);
+  }
+
+  Result<std::unique_ptr<StoreBackup>> ExportMap(const std::string& name, const std::stop_token& stop) override {
+    const std::string place = UnfinishedPath(path_);
+    DHPMAP_RETURN_IF_ERROR(WriteMapFile(path_, name, place, stop));
+    return OpenOnce(place);
+  }
+
+  Result<std::unique_ptr<MapImport>> ImportMap() override {
+    return BeginMapImport(path_, [this](const std::function<Status(Database&)>& body) {
+      return Write(Durability::kFull, [&](Writer& writer) { return body(writer.database); });
+    });
   }
 
   /// For a store that has just been opened, before all else: what is deleted from now on gives its space back.

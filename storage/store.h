@@ -7,6 +7,7 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mapping/base/result.h"
@@ -94,6 +95,20 @@ class StoreBackup {
   virtual Result<std::string> Read(std::size_t max_bytes) = 0;
 };
 
+/// A map that comes in as a file. Lives no longer than its store, and leaves nothing behind that was not finished.
+/// Thread-compatible.
+class MapImport {
+ public:
+  virtual ~MapImport() = default;
+  /// The next part of the file. RESOURCE_EXHAUSTED if the disk is full.
+  virtual Status Write(std::string_view piece) = 0;
+  /// Once, after the last part: looks through the file as VerifyMap does, and adds the map, in full and all or nothing,
+  /// under `name`, or under the one that it had if that is empty; returns that. It has a new history; who follows it
+  /// lists it first. INVALID_ARGUMENT, reason BAD_MAP, or for a bad name; ALREADY_EXISTS; DATA_LOSS,
+  /// DAMAGED_MAP; FAILED_PRECONDITION, NEWER_SCHEMA, NEWER_CONFIG or NEWER_LAYER; CANCELLED.
+  virtual Result<std::string> Finish(const std::string& name, const std::stop_token& stop) = 0;
+};
+
 /// Keeps maps. The only header of storage/ that server/ sees. Thread-safe: calls on different maps and reads may run at
 /// once; commits are serialised inside. Every error is typed: NOT_FOUND, ALREADY_EXISTS, RESOURCE_EXHAUSTED (disk
 /// full), FAILED_PRECONDITION (read-only, too new, or another process's), DATA_LOSS (checksum, not a database),
@@ -148,6 +163,17 @@ class MapStore {
   /// CANCELLED; FAILED_PRECONDITION, reason NOT_A_FILE, for a store that has none.
   virtual Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token&) {
     return FailedPrecondition("this store is kept in memory: there is no file to copy").WithReason("NOT_A_FILE");
+  }
+
+  /// One map as committed, as a file for ImportMap of any store of this version or a later one; commits go on. Takes as
+  /// much space as the map until it is let go of. NOT_FOUND; DATA_LOSS if the map's row is damaged; CANCELLED;
+  /// NOT_A_FILE as Backup.
+  virtual Result<std::unique_ptr<StoreBackup>> ExportMap(const std::string&, const std::stop_token&) {
+    return FailedPrecondition("this store is kept in memory and exports nothing").WithReason("NOT_A_FILE");
+  }
+  /// Begins to take in what ExportMap gave. Commits of other maps wait while a map that was looked through is copied.
+  virtual Result<std::unique_ptr<MapImport>> ImportMap() {
+    return FailedPrecondition("this store is kept in memory and imports nothing").WithReason("NOT_A_FILE");
   }
 };
 

@@ -89,6 +89,8 @@ class SubmapRowWriter {
   /// Adds or replaces a row. Returns its key.
   Result<std::int64_t> Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
                              std::int64_t tiles_sum);
+  /// Likewise, of a row that was read; its key and seal do not matter.
+  Result<std::int64_t> Write(SubmapRow row);
   /// With its tiles.
   Status Erase(std::int64_t submap_key);
 
