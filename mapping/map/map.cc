@@ -113,6 +113,7 @@ Submap* Map::Clone(SubmapId id) {
   copy->ShareBlocks();
   copy->mutable_info().id = info_.next_submap_id++;
   copy->mutable_info().track_id = 0;
+  copy->mutable_info().sightings = {};
   Submap& cloned = *copy;
   submaps_.push_back(std::move(copy));
   return &cloned;

@@ -76,6 +76,7 @@ void MergeRows(const SubmapInfo& from, SubmapInfo& into) {
   into.last_observed_ns = std::max(into.last_observed_ns, from.last_observed_ns);
   into.last_contradicted_ns = std::max(into.last_contradicted_ns, from.last_contradicted_ns);
   if (into.track_id == 0) into.track_id = from.track_id;
+  into.sightings.Merge(from.sightings);
 }
 
 /// What voxels have seen of `from` was `into`.

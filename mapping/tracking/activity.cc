@@ -12,6 +12,36 @@
 namespace dhpmap {
 namespace {
 
+/// What a frame that does not show a thing says of it.
+struct Miss {
+  bool counts = false;          ///< it is of a session that had it in sight, or nobody had
+  bool was_overlooked = false;  ///< it should have been seen, and is not confirmed
+  bool is_deserted = false;     ///< those who had it in sight send nothing any longer
+};
+
+Miss MissOf(const PanopticFrame& frame, std::int64_t number, const Submap& submap, const MapConfig& config) {
+  const SubmapInfo& info = submap.info();
+  const bool is_active = info.activity == Activity::kActive;
+  return {.counts = is_active && (info.sightings.IsInSightOf(frame.session) || !info.sightings.IsInSight()),
+          .was_overlooked =
+              !info.is_confirmed && ShouldBeSeen(frame, config.integration.max_range_m, submap.BoundingSphereInMap()),
+          .is_deserted = is_active && info.sightings.IsDeserted(number, kMaxSilentFrames)};
+}
+
+void NoteMiss(const PanopticFrame& frame, std::int64_t number, const Miss& miss, std::int32_t max_missed,
+              SubmapInfo& info) {
+  info.num_frames_overlooked += miss.was_overlooked;
+  if (!info.sightings.IsInSight()) {
+    ++info.num_frames_missed;
+    if (info.num_frames_missed >= max_missed) info.activity = Activity::kInactive;
+    return;
+  }
+  info.sightings.OnMissed(frame.session, number);
+  info.num_frames_missed = info.sightings.LeastMissed();
+  info.sightings.Lapse(max_missed, number, kMaxSilentFrames);
+  if (!info.sightings.IsInSight()) info.activity = Activity::kInactive;
+}
+
 /// What is contradicted is taken only where there is nothing else, and makes place for what is not.
 void MergeBlock(const BlockEntry& from, Submap& submap, float max_weight) {
   TsdfBlock& into = submap.MutableTsdf(from.index);
@@ -40,6 +70,8 @@ void MergeBlock(const BlockEntry& from, Submap& submap, float max_weight) {
 
 int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& observed, Map& map) {
   const MapConfig& config = map.info().config;
+  const std::int32_t max_missed = config.activity.deactivate_after_missed;
+  const std::int64_t number = map.info().num_frames + 1;
   std::vector<SubmapId> things;
   for (const auto& submap : map.submaps()) {
     if (submap->info().panoptic == Panoptic::kThing) things.push_back(submap->id());
@@ -51,20 +83,17 @@ int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& obse
       SubmapInfo& info = map.FindMutable(id)->mutable_info();
       info.activity = Activity::kActive;
       info.num_frames_missed = info.num_frames_overlooked = 0;
+      info.sightings.OnSeen(frame.session, number);
       if (info.num_frames_observed > config.activity.required_reobservations) info.is_confirmed = true;
       continue;
     }
     if (before.activity == Activity::kInactive && before.is_confirmed) continue;  // settled: leave its row alone
-    const bool was_overlooked = !before.is_confirmed && ShouldBeSeen(frame, config.integration.max_range_m,
-                                                                     map.Find(id)->BoundingSphereInMap());
-    if (before.activity == Activity::kInactive && !was_overlooked) continue;
+    const Miss miss = MissOf(frame, number, *map.Find(id), config);
+    if (!miss.counts && !miss.was_overlooked && !miss.is_deserted) continue;
     SubmapInfo& info = map.FindMutable(id)->mutable_info();
-    ++info.num_frames_missed;
-    if (was_overlooked) ++info.num_frames_overlooked;
-    if (info.num_frames_missed >= config.activity.deactivate_after_missed) info.activity = Activity::kInactive;
-    if (info.num_frames_overlooked >= config.activity.deactivate_after_missed && DissolveIntoUnknown(id, map)) {
-      ++num_dissolved;
-    }
+    NoteMiss(frame, number, miss, max_missed, info);
+    const bool is_refuted = info.activity == Activity::kInactive && info.num_frames_overlooked >= max_missed;
+    if (is_refuted && DissolveIntoUnknown(id, map)) ++num_dissolved;
   }
   return num_dissolved;
 }
@@ -90,7 +119,11 @@ void DeactivateAll(Map& map) {
       active.push_back(submap->id());
     }
   }
-  for (const SubmapId id : active) map.FindMutable(id)->mutable_info().activity = Activity::kInactive;
+  for (const SubmapId id : active) {
+    SubmapInfo& info = map.FindMutable(id)->mutable_info();
+    info.activity = Activity::kInactive;
+    info.sightings.LapseAll();
+  }
 }
 
 }  // namespace dhpmap

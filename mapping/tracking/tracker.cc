@@ -17,11 +17,29 @@ const Submap* FindStuff(const Map& map, ClassId class_id) {
   return nullptr;
 }
 
-const Submap* FindTrack(const Map& map, std::uint32_t track_id) {
+/// What `track_id` means in a session. Where nobody has noted whose track a thing is, it is any session's.
+const Submap* FindTrack(const Map& map, const std::string& session, std::uint32_t track_id) {
+  const Submap* of_any = nullptr;
   for (const auto& submap : map.submaps()) {
-    if (submap->info().track_id == track_id) return submap.get();
+    const SubmapInfo& info = submap->info();
+    if (info.sightings.TrackOf(session) == track_id) return submap.get();
+    if (of_any == nullptr && info.track_id == track_id && !info.sightings.HasTrack()) of_any = submap.get();
   }
-  return nullptr;
+  return of_any;
+}
+
+/// Only other sessions know it by an id.
+bool IsTrackOfOthers(const SubmapInfo& info, const std::string& session) {
+  return info.panoptic == Panoptic::kThing && info.sightings.HasTrack() && info.sightings.TrackOf(session) == 0;
+}
+
+void SetTrack(const PanopticFrame& frame, const SegmentInfo& segment, SubmapId id, Map& map) {
+  map.FindMutable(id)->mutable_info().sightings.SetTrack(frame.session, segment.id.value);
+}
+
+bool HasTracksOfOthers(const Map& map, const std::string& session) {
+  return std::any_of(map.submaps().begin(), map.submaps().end(),
+                     [&](const auto& submap) { return IsTrackOfOthers(submap->info(), session); });
 }
 
 /// What bleeds over the border of a mask onto what is behind it is a part of few points, or lies on a thing that is
@@ -64,8 +82,9 @@ void Tracker::MatchThings(const std::vector<SegmentBundles>& segments, const std
     if (!is_open[s]) continue;
     const ClassId class_id = *frame.segments[static_cast<std::size_t>(segments[s].row)].class_id;
     for (std::size_t c = 0; c < overlaps.candidates.size(); ++c) {
-      if (config_.tracking.match_requires_class && map.Find(overlaps.candidates[c])->info().class_id != class_id)
-        continue;
+      const SubmapInfo& candidate = map.Find(overlaps.candidates[c])->info();
+      if (config_.tracking.match_requires_class && candidate.class_id != class_id) continue;
+      if (frame.has_persistent_ids && !IsTrackOfOthers(candidate, frame.session)) continue;
       const double iou = overlaps.Iou(s, c, segments[s].num_points);
       if (iou > config_.tracking.iou_threshold) pairs.push_back({iou, c, s});
     }
@@ -80,9 +99,10 @@ void Tracker::MatchThings(const std::vector<SegmentBundles>& segments, const std
   for (const Pair& pair : pairs) {
     if (is_matched[pair.segment]) continue;
     auto& others = joined[pair.candidate];
-    const bool may_join = others.empty() || std::any_of(others.begin(), others.end(), [&](std::size_t other) {
-                            return Touch(segments[pair.segment], segments[other]);
-                          });
+    const bool may_join = others.empty() || (!frame.has_persistent_ids &&
+                                             std::any_of(others.begin(), others.end(), [&](std::size_t other) {
+                                               return Touch(segments[pair.segment], segments[other]);
+                                             }));
     if (!may_join) continue;
     others.push_back(pair.segment);
     is_matched[pair.segment] = true;
@@ -122,8 +142,20 @@ SubmapId Tracker::CreateSubmap(const PanopticFrame& frame, const SegmentInfo& se
   info.truncation_m = config_.truncation_m;
   info.is_confirmed = !is_thing || frame.has_persistent_ids || config_.activity.required_reobservations == 0;
   info.first_observed_ns = info.last_observed_ns = frame.stamp_ns;
-  if (is_thing && frame.has_persistent_ids) info.track_id = segment.id.value;
+  if (is_thing && frame.has_persistent_ids) {
+    info.track_id = segment.id.value;
+    info.sightings.SetTrack(frame.session, segment.id.value);
+  }
   return map.Create(std::move(info)).id();
+}
+
+void Tracker::NoteTracks(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                         const std::vector<bool>& is_open, const std::vector<Assignment>& assignments, Map& map) {
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    if (!is_open[s] || assignments[s].submap == kUnknownSubmap) continue;
+    const SegmentInfo& segment = frame.segments[static_cast<std::size_t>(segments[s].row)];
+    SetTrack(frame, segment, assignments[s].submap, map);
+  }
 }
 
 std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
@@ -131,6 +163,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
   const LabelSet& label_set = *map.info().label_set;
   std::vector<Assignment> assignments(segments.size());
   std::vector<bool> is_open(segments.size(), false);  // to be matched by overlap
+  const bool has_others = frame.has_persistent_ids && HasTracksOfOthers(map, frame.session);
   std::vector<const LabelClass*> classes(segments.size(), nullptr);
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (segments[s].row < 0) continue;
@@ -140,7 +173,12 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     if (classes[s]->panoptic == Panoptic::kStuff) {
       if (const Submap* stuff = FindStuff(map, classes[s]->id)) assignments[s].submap = stuff->id();
     } else if (frame.has_persistent_ids) {
-      if (const Submap* known = FindTrack(map, segment.id.value)) assignments[s].submap = known->id();
+      if (const Submap* known = FindTrack(map, frame.session, segment.id.value)) {
+        assignments[s].submap = known->id();
+        if (!known->info().sightings.HasTrack()) SetTrack(frame, segment, known->id(), map);
+      } else {
+        is_open[s] = has_others;
+      }
     } else {
       is_open[s] = true;
     }
@@ -149,6 +187,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
   if (std::find(is_open.begin(), is_open.end(), true) != is_open.end()) {
     overlaps_ = CountOverlaps(frame, segments, map, pool_);
     MatchThings(segments, is_open, frame, overlaps_, map, assignments);
+    if (frame.has_persistent_ids) NoteTracks(frame, segments, is_open, assignments, map);
   }
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (classes[s] == nullptr || assignments[s].submap != kUnknownSubmap) continue;

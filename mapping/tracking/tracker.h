@@ -20,7 +20,8 @@ struct Assignment {
 };
 
 /// Spatial submap id tracker (paper II-B): finds the submap of every segment of a frame, or makes one.
-///   - persistent ids: the thing with that track id;
+///   - persistent ids: the thing with that track id of the frame's session; if there is none, of the things that only
+///     other sessions have track ids of, the one that overlaps best is also the session's from then on;
 ///   - background: the one submap of its class;
 ///   - things: matched with thing submaps by IoU, best first, one to one; a second segment may join a submap only if it
 ///     touches one that did (a split segment);
@@ -43,6 +44,9 @@ class Tracker {
   void MatchThings(const std::vector<SegmentBundles>& segments, const std::vector<bool>& is_open,
                    const PanopticFrame& frame, const OverlapTable& overlaps, const Map& map,
                    std::vector<Assignment>& assignments) const;
+  /// What a frame with persistent ids was matched with by overlap has its id from now on.
+  static void NoteTracks(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                         const std::vector<bool>& is_open, const std::vector<Assignment>& assignments, Map& map);
   [[nodiscard]] std::int64_t MinPoints(const LabelClass& label_class) const;
   SubmapId CreateSubmap(const PanopticFrame& frame, const SegmentInfo& segment, const LabelClass& label_class,
                         Map& map) const;

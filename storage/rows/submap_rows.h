@@ -63,6 +63,7 @@ std::vector<Column<Row>> SubmapColumns() {
       MakeColumn<Row>("is_placed", kAlways, 2, DHPMAP_MEMBER(info.is_placed)),
       MakeColumn<Row>("tiles_sum", kAlways, 3, DHPMAP_MEMBER(tiles_sum)),
       MakeColumn<Row>("edited_revision", kAlways, 3, DHPMAP_MEMBER(info.edited_revision)),
+      MakeColumn<Row>("sightings", kAlways, 4, DHPMAP_MEMBER(info.sightings)),
   };
 }
 const Table<SubmapRow>& Submaps();

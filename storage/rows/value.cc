@@ -77,4 +77,40 @@ bool FromBytes(ByteView bytes, std::vector<ClassTotal>& counts) {
   return reader.ok();
 }
 
+Bytes ToBytes(const Sightings& sightings) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  for (const Sighting& sighting : sightings.all()) {
+    writer.PutText(sighting.session);
+    writer.PutVarint(sighting.track_id);
+    writer.PutU8(sighting.has_in_sight ? 1 : 0);
+    writer.PutVarint(static_cast<std::uint64_t>(sighting.num_frames_missed));
+    writer.PutVarint(static_cast<std::uint64_t>(sighting.last_frame));
+  }
+  return bytes;
+}
+
+bool FromBytes(ByteView bytes, Sightings& sightings) {
+  std::vector<Sighting> all;
+  ByteReader reader(bytes);
+  while (reader.remaining() > 0) {
+    Sighting& sighting = all.emplace_back();
+    const ByteView session = reader.GetBytes(reader.GetVarint());
+    sighting.session.assign(session.begin(), session.end());
+    const std::uint64_t track_id = reader.GetVarint();
+    const std::uint8_t has_in_sight = reader.GetU8();
+    const std::uint64_t num_missed = reader.GetVarint(), last_frame = reader.GetVarint();
+    const bool is_in_range = std::in_range<std::uint32_t>(track_id) && has_in_sight <= 1 &&
+                             std::in_range<std::int32_t>(num_missed) && std::in_range<std::int64_t>(last_frame);
+    if (!reader.ok() || !is_in_range) return false;
+    sighting.track_id = static_cast<std::uint32_t>(track_id);
+    sighting.has_in_sight = has_in_sight == 1;
+    sighting.num_frames_missed = static_cast<std::int32_t>(num_missed);
+    sighting.last_frame = static_cast<std::int64_t>(last_frame);
+  }
+  Result<Sightings> created = Sightings::Create(std::move(all));
+  if (created.ok()) sightings = *std::move(created);
+  return created.ok();
+}
+
 }  // namespace dhpmap

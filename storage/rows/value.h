@@ -110,6 +110,10 @@ bool FromBytes(ByteView bytes, BoundingSphere& sphere);
 /// Each class as u32, its count as u64.
 Bytes ToBytes(const std::vector<ClassTotal>& counts);
 bool FromBytes(ByteView bytes, std::vector<ClassTotal>& counts);
+/// Each session as text, its track id as varint, whether it has the thing in sight as u8, frames missed and the number
+/// of its last frame as varints.
+Bytes ToBytes(const Sightings& sightings);
+bool FromBytes(ByteView bytes, Sightings& sightings);
 
 template <typename T>
 requires requires(const T& value) {

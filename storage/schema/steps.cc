@@ -14,6 +14,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[4]},                          // 0005_gone.sql
       {.sql = SchemaSql()[5]},                          // 0006_objects.sql
       {.sql = SchemaSql()[6], .work = &kBundleBlocks},  // 0007_tiles_and_changes.sql
+      {.sql = SchemaSql()[7]},                          // 0009_sightings.sql
   };
   return steps;
 }

@@ -114,6 +114,9 @@ class MapGenerator {
     info.first_observed_ns = 1'600'000'000'000'000'001 + Below(9);
     info.last_observed_ns = 1'600'000'000'000'000'011 + Below(9);
     info.track_id = static_cast<std::uint32_t>(Below(3));
+    for (int n = Below(3); n > 0; --n) info.sightings.OnSeen("robot-" + std::to_string(Below(4)), 1 + Below(300));
+    if (info.sightings.IsInSight()) info.sightings.OnMissed(info.sightings.all().front().session, 1 + Below(300));
+    if (Below(2)) info.sightings.SetTrack(Below(2) ? "" : "robot-9", 1u << Below(32));
     info.presence = Below(2) ? Presence::kPresent : Presence::kAbsent;
     info.last_contradicted_ns = 1'600'000'000'000'000'021 + Below(9);
     info.is_placed = Below(2) != 0;
@@ -193,6 +196,7 @@ inline void ExpectSameTsdf(const TsdfBlock& expected, const TsdfBlock& actual, d
   }
 }
 
+/// All but the sightings, which changes do not tell of.
 inline void ExpectSameInfo(const SubmapInfo& expected, const SubmapInfo& actual) {
   EXPECT_EQ(expected.id, actual.id);
   EXPECT_EQ(expected.panoptic, actual.panoptic);
@@ -255,6 +259,7 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
     const Submap &one = *expected.submaps()[s], &other = *actual.submaps()[s];
     SCOPED_TRACE("submap " + std::to_string(one.id().value));
     ExpectSameInfo(one.info(), other.info());
+    EXPECT_TRUE(one.info().sightings == other.info().sightings);
     EXPECT_EQ(one.bounding_sphere().center_m, other.bounding_sphere().center_m);
     EXPECT_EQ(one.bounding_sphere().radius_m, other.bounding_sphere().radius_m);
     ASSERT_EQ(one.blocks().size(), other.blocks().size());

@@ -112,6 +112,10 @@ std::string RowText(const Submap& submap) {
     text += Line("  presence %d contradicted_ns %" PRId64 "%s", static_cast<int>(info.presence),
                  info.last_contradicted_ns, info.is_placed ? " placed" : "");
   }
+  for (const Sighting& sighting : info.sightings.all()) {  // from schema 9 on
+    text += Line("  session '%s' track %u%s missed %d last frame %" PRId64, sighting.session.c_str(), sighting.track_id,
+                 sighting.has_in_sight ? " in sight" : "", sighting.num_frames_missed, sighting.last_frame);
+  }
   text += "  class_counts";
   for (const ClassTotal& entry : info.class_counts) {
     Append(text, entry.id.value, entry.count);
