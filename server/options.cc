@@ -39,7 +39,21 @@ SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
                       .max_age_s = config.watch.history_s}};
 }
 
-SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
+Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config) {
+  if (config.mapping.record_dir.empty()) return std::unique_ptr<RecordDir>();
+  return RecordDir::Open(config.mapping.record_dir, std::int64_t{config.mapping.record_mib} << 20);
+}
+
+SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records) {
+  const bool is_reproducible = config.mapping.reproducible;
+  std::function<std::unique_ptr<FrameRecorder>(const MapInfo&)> make_recorder;
+  if (records != nullptr) {
+    make_recorder = [records, is_reproducible](const MapInfo& map) {
+      return RecordMap(
+          map, *records,
+          {.is_reproducible = is_reproducible, .on_stopped = [](const std::string& message) { LogWarning(message); }});
+    };
+  }
   return {
       .num_threads = config.mapping.num_threads,
       .publish_frames = config.mapping.publish_frames,
@@ -50,6 +64,8 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
       .max_behind_s = config.store.max_behind_s,
       .idle_close_s = config.maps.idle_close_s,
       .feed_idle_s = config.mapping.feed_idle_s,
+      .max_feeds = static_cast<std::size_t>(config.mapping.max_feeds),
+      .refinement_timing = is_reproducible ? RefinementTiming::kReproducible : RefinementTiming::kNeverWait,
       .surface_bytes = static_cast<std::size_t>(config.limits.surface_mib) << 20,
       .max_pending_edits = static_cast<std::size_t>(config.limits.pending_edits),
       .on_commit =
@@ -59,6 +75,7 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics) {
           },
       .on_refinement =
           [&metrics](const RefinementReport& report) { metrics.RecordRefinement(report.management_s, report.crf_s); },
+      .make_recorder = std::move(make_recorder),
       .max_watchers = static_cast<std::size_t>(config.watch.max_watchers)};
 }
 
@@ -99,10 +116,11 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
           .head_timeout_s = config.http.head_timeout_s};
 }
 
-Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight) {
+Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const RecordDir* records) {
   Metrics::Gauges gauges{.surface_bytes = registry.surface_bytes(),
                          .num_watchers = registry.changes().num_followers(),
-                         .inflight_bytes = inflight.used_bytes()};
+                         .inflight_bytes = inflight.used_bytes(),
+                         .record_bytes = records != nullptr ? records->num_bytes() : 0};
   for (const auto& session : registry.OpenSessions()) {
     const auto view = session->View();
     const MapStats stats = ComputeStats(view->snapshot(), /*with_voxels=*/false);
@@ -111,6 +129,7 @@ Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight
                            .num_blocks = stats.num_tsdf_blocks,
                            .revision = view->snapshot().revision(),
                            .memory_bytes = stats.memory_bytes,
+                           .num_feeds = static_cast<std::int64_t>(session->num_feeds()),
                            .behind_s = session->BehindSeconds()});
   }
   return gauges;

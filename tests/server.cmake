@@ -10,4 +10,4 @@ dhpmap_tests(ROOM unit/server/metrics LIBS dhpmap_metrics)
 dhpmap_tests(ROOM unit/server/net LIBS dhpmap_net)
 dhpmap_tests(ROOM unit/server/wire STUBS LIBS dhpmap_wire dhpmap_test_scenes
   ALONE point_conversion_test.cc)
-dhpmap_tests(ROOM unit/server/wire/types STUBS LIBS dhpmap_wire_types)
+dhpmap_tests(ROOM unit/server/wire/types STUBS LIBS dhpmap_wire_types dhpmap_test_scenes)

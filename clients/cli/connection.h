@@ -50,6 +50,8 @@ void AddBackupCommand(CLI::App& app, Session& session);
 void AddVerifyCommand(CLI::App& app, Session& session);
 void AddExportCommands(CLI::App& app, Session& session);
 void AddWatchCommand(CLI::App& app, Session& session);
+void AddSessionsCommands(CLI::App& app, Session& session);
+void AddReplayCommand(CLI::App& app, Session& session);
 // Likewise, subcommands of `query`.
 void AddGridCommand(CLI::App& query, Session& session);
 void AddObjectCommands(CLI::App& query, Session& session);

@@ -47,6 +47,8 @@ int main(int argc, char** argv) {
   dhpmap::AddBackupCommand(app, session);
   dhpmap::AddVerifyCommand(app, session);
   dhpmap::AddWatchCommand(app, session);
+  dhpmap::AddSessionsCommands(app, session);
+  dhpmap::AddReplayCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));
   } catch (const CLI::ParseError& error) {

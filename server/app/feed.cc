@@ -14,6 +14,8 @@ Status RefusalOf(FeedState state) {
     case FeedState::kIdledOut:
       return Aborted("nothing came from this stream for so long that the map went to somebody else")
           .WithReason("FEED_IDLE");
+    case FeedState::kEnded:
+      return Aborted("the session was ended: no more frames are taken from this stream").WithReason("SESSION_ENDED");
     case FeedState::kLeft: break;
   }
   return Aborted("this stream has left the map").WithReason("FEED_TAKEN_OVER");
@@ -35,6 +37,11 @@ void Feed::OnFrameDone(Clock::time_point now) {
   const MutexLock lock(mutex_);
   --num_under_way_;
   last_active_ = now;
+}
+
+Feed::Clock::time_point Feed::last_active() const {
+  const MutexLock lock(mutex_);
+  return last_active_;
 }
 
 bool Feed::IsIdle(Clock::time_point now, Clock::duration limit) const {

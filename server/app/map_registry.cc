@@ -166,6 +166,17 @@ Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& na
   return session->View();
 }
 
+std::optional<FinishProgress> MapRegistry::FinishingOf(const std::string& name) const {
+  const auto entry = FindEntry(name);
+  if (entry == nullptr) return std::nullopt;
+  std::shared_ptr<MapSession> session;
+  {
+    const MutexLock lock(mutex_);
+    session = entry->session;
+  }
+  return session != nullptr ? session->Finishing() : std::nullopt;
+}
+
 std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& state) const {
   const auto entry = FindEntry(state.info().name);
   if (entry == nullptr) return nullptr;
@@ -287,6 +298,7 @@ std::shared_ptr<MapSession> MapRegistry::Install(Entry& entry, std::shared_ptr<c
   SessionOptions options = options_;
   options.on_publish = [this](const std::shared_ptr<const MapSnapshot>& state) { keeper_.Note(state); };
   options.on_stored = [this, name = snapshot->info().name] { changes_.Notify(name); };
+  options.on_finishing = options.on_stored;
   auto session = std::make_shared<MapSession>(std::move(snapshot), store_, std::move(options));
   const MutexLock lock(mutex_);
   if (is_shut_down_) return nullptr;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,8 @@ class MapRegistry {
   /// Bytes of encoded blocks in the store.
   Result<std::int64_t> DiskBytes(const std::string& name);
   [[nodiscard]] std::vector<std::shared_ptr<MapSession>> OpenSessions() const;
+  /// See MapSession::Finishing; nothing if the map is not open. Opens none.
+  [[nodiscard]] std::optional<FinishProgress> FinishingOf(const std::string& name) const;
   /// The present state of the map that `state` is of; null if it is not open. Opens none.
   [[nodiscard]] std::shared_ptr<const MapSnapshot> PresentOf(const MapSnapshot& state) const;
   /// Closes the maps that are idle at the time `now`, as the registry does by itself from time to time. What views of

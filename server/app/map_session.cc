@@ -71,8 +71,9 @@ MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& st
     : options_(WithClock(std::move(options))),
       numbers_(store, {snapshot->revision(), snapshot->info().next_submap_id}),
       commits_(store, snapshot, options_.commit_retry_s, ObserverOf(options_)),
-      seat_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s))),
-      builder_(snapshot, PoolOf(options_), RefinementTiming::kNeverWait, options_.refinement_slots),
+      seats_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s)),
+             options_.max_feeds),
+      builder_(snapshot, PoolOf(options_), options_.refinement_timing, options_.refinement_slots),
       view_(std::make_shared<const MapView>(std::move(snapshot))) {}
 
 MapSession::~MapSession() { (void)Stop(); }
@@ -88,22 +89,49 @@ Result<std::shared_ptr<Feed>> MapSession::BeginFeed(FeedRequest request) {
     const MutexLock lock(mutex_);
     if (!refusal_.ok()) return refusal_;
   }
-  return seat_.Take(std::move(request));
+  return seats_.Take(std::move(request));
 }
+
+std::vector<SessionStatus> MapSession::Sessions() const {
+  const auto view = View();
+  return ListSessions(
+      seats_, view->snapshot().info().sessions,
+      [this](const std::string& session, Feed* feed) {
+        if (!session.empty()) return commits_.committed_sequence(session);
+        return feed != nullptr ? feed->StoredUpTo(commits_.committed_frames()) : std::nullopt;
+      },
+      options_.now_ns());
+}
+
+/// A frame on its way through the queue.
+struct MapSession::Arrival {
+  std::shared_ptr<Feed> feed;
+  ArrivedFrame frame;
+  std::int64_t arrived_ns = 0;
+};
 
 void MapSession::Integrate(Result<PanopticFrame> frame, std::function<void(FrameOutcome)> done) {
   Integrate(nullptr, 0, std::move(frame), std::move(done));
 }
 
-void MapSession::Integrate(const std::shared_ptr<Feed>& feed, std::int64_t sequence, Result<PanopticFrame> frame,
+void MapSession::Integrate(const std::shared_ptr<Feed>& feed, ArrivedFrame arrived,
                            std::function<void(FrameOutcome)> done) {
+  const std::int64_t now_ns = options_.now_ns();
   if (feed) feed->OnFrameBegun();
+  if (feed) feed->tally().OnMessage(arrived.num_bytes, now_ns);
   const auto answer = [this, feed, done = std::move(done)](FrameOutcome outcome) {
-    if (feed) feed->OnFrameDone(seat_.Now());
+    if (feed) feed->OnFrameDone(seats_.Now());
+    if (feed && !outcome.report.ok()) feed->tally().OnRefused();
+    if (feed && outcome.is_duplicate) feed->tally().OnDuplicate();
     done(std::move(outcome));
   };
-  auto shared = std::make_shared<Result<PanopticFrame>>(std::move(frame));
-  Post({.run = [this, feed, sequence, shared, answer] { answer(IntegrateNow(feed, sequence, std::move(*shared))); },
+  auto arrival = std::make_shared<Arrival>(Arrival{feed, std::move(arrived), now_ns});
+  Post({.run =
+            [this, arrival, answer] {
+              auto outcome = IntegrateNow(*arrival);
+              arrival->frame = {.frame = PanopticFrame()};  // the job may be kept for a while
+              answer(std::move(outcome));
+            },
         .refuse =
             [this, answer](const Status& status) {
               answer({.report = status,
@@ -153,6 +181,7 @@ Result<EditOutcome> MapSession::EditNow(const std::function<Result<SubmapId>(Map
     map = Map(before);
     return NotMade(stored);
   }
+  if (recorder_ && *recorder_) (*recorder_)->OnEdited(after->revision());
   return EditOutcome{.view = Show(std::move(after)), .submap = *submap};
 }
 
@@ -172,20 +201,59 @@ Result<RefinementReport> MapSession::FinishNow(const std::stop_token& stop) {
   return Cancelled("nobody waits for the end of mapping any longer: the map is as it was");
 }
 
-void MapSession::Finish(std::function<void(Result<FinishOutcome>)> done, std::stop_token stop) {
-  auto run = [this, done, stop = std::move(stop)] {
+struct MapSession::FinishCall {
+  TimePoint begin = Clock::now();
+  FinishStage stage = FinishStage::kWaiting;  ///< guarded by mutex_
+};
+
+void MapSession::SetStage(const std::shared_ptr<FinishCall>& call, FinishStage stage) {
+  {
+    const MutexLock lock(mutex_);
+    call->stage = stage;
+  }
+  if (options_.on_finishing) options_.on_finishing();
+}
+
+void MapSession::EndFinish(const std::shared_ptr<FinishCall>& call) {
+  {
+    const MutexLock lock(mutex_);
+    std::erase(finish_calls_, call);
+  }
+  if (options_.on_finishing) options_.on_finishing();
+}
+
+std::optional<FinishProgress> MapSession::Finishing() const {
+  const MutexLock lock(mutex_);
+  if (finish_calls_.empty()) return std::nullopt;
+  const FinishCall& first = *finish_calls_.front();
+  return FinishProgress{first.stage, std::chrono::duration<double>(Clock::now() - first.begin).count()};
+}
+
+void MapSession::Finish(std::function<void(Result<FinishOutcome>)> on_done, std::stop_token stop) {
+  const auto call = std::make_shared<FinishCall>();
+  {
+    const MutexLock lock(mutex_);
+    finish_calls_.push_back(call);
+  }
+  if (options_.on_finishing) options_.on_finishing();
+  const auto done = [this, call, on_done = std::move(on_done)](const Result<FinishOutcome>& outcome) {
+    EndFinish(call);  // before the caller knows
+    on_done(outcome);
+  };
+  auto run = [this, call, done, stop = std::move(stop)] {
+    SetStage(call, FinishStage::kRefining);
     const auto refinement = Guarded<Result<RefinementReport>>([&] { return FinishNow(stop); });
     if (!refinement.ok()) return done(refinement.status());
+    SetStage(call, FinishStage::kStoring);
     if (options_.on_refinement) options_.on_refinement(*refinement);
+    if (recorder_ && *recorder_) (*recorder_)->OnFinished();
     FinishOutcome outcome{.view = Publish(), .refinement = *refinement};
     RequestCommit(Durability::kFull, [done, outcome = std::move(outcome)](const Status& status) {
       if (status.ok()) done(outcome);
       else done(NotStoredYet(status));
     });
   };
-  Post({.run = std::move(run),
-        .refuse = [done = std::move(done)](const Status& status) { done(status); },
-        .is_edit = true});
+  Post({.run = std::move(run), .refuse = [done](const Status& status) { done(status); }, .is_edit = true});
 }
 
 Status MapSession::DeleteFromStore() {
@@ -193,12 +261,12 @@ Status MapSession::DeleteFromStore() {
     const MutexLock lock(mutex_);
     if (!refusal_.ok()) return refusal_;
   }
-  DHPMAP_RETURN_IF_ERROR(seat_.Close());  // nobody may start feeding meanwhile
+  DHPMAP_RETURN_IF_ERROR(seats_.Close());  // nobody may start feeding meanwhile
   std::promise<Status> outcome;
   commits_.DeleteMap([&outcome](const Status& status) { outcome.set_value(status); });
   Status status = outcome.get_future().get();
   if (!status.ok()) {
-    seat_.Reopen();
+    seats_.Reopen();
     return status;
   }
   const MutexLock lock(mutex_);
@@ -319,19 +387,19 @@ Status MapSession::WhyBehind() const {
       .WithReason("STORE_BEHIND");
 }
 
-FrameOutcome MapSession::IntegrateNow(const std::shared_ptr<Feed>& feed, std::int64_t sequence,
-                                      Result<PanopticFrame> frame) {
+FrameOutcome MapSession::IntegrateNow(Arrival& arrival) {
+  const std::shared_ptr<Feed>& feed = arrival.feed;
   FrameOutcome outcome{.report = FrameReport{}};
   Status refusal = feed ? feed->MayFeed() : Status::Ok();
   if (end_.stop_requested()) refusal = ShuttingDown();
   if (!refusal.ok()) {
     outcome.report = refusal;
-  } else if (feed && sequence <= builder_.map().info().sessions.LastOf(feed->session())) {
+  } else if (feed && arrival.frame.sequence <= builder_.map().info().sessions.LastOf(feed->session())) {
     outcome.is_duplicate = true;
   } else if (Status behind = WhyBehind(); !behind.ok()) {
     outcome.report = std::move(behind);
   } else {
-    outcome.report = frame.ok() ? Fuse(feed.get(), sequence, *frame) : frame.status();
+    outcome.report = TakeFrame(arrival);
   }
   outcome.is_committed =
       num_unpublished_ == 0 && commits_.committed_revision() == builder_.map().published()->revision();
@@ -339,6 +407,22 @@ FrameOutcome MapSession::IntegrateNow(const std::shared_ptr<Feed>& feed, std::in
   outcome.revision = View()->snapshot().revision();
   outcome.commit_status = commits_.last_outcome();
   return outcome;
+}
+
+/// Fuses the frame, and has it recorded.
+Result<FrameReport> MapSession::TakeFrame(Arrival& arrival) {
+  auto& [sequence, frame, num_bytes, message] = arrival.frame;
+  if (!recorder_) recorder_ = options_.make_recorder ? options_.make_recorder(builder_.map().info()) : nullptr;
+  FrameRecorder* const recorder = message.empty() ? nullptr : recorder_->get();
+  const std::string session = arrival.feed ? arrival.feed->session() : "";
+  if (recorder != nullptr) {
+    recorder->OnFrame(session, sequence, {std::move(message), arrival.arrived_ns}, builder_.map().info().num_frames);
+  }
+  if (frame.ok()) frame->session = session;
+  auto report = frame.ok() ? Fuse(arrival.feed.get(), sequence, *frame) : frame.status();
+  if (recorder != nullptr && !report.ok()) recorder->OnRefused(report.status());
+  if (recorder != nullptr && report.ok() && report->refinement) recorder->OnRefined();
+  return report;
 }
 
 Result<FrameReport> MapSession::Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame) {
@@ -350,6 +434,7 @@ Result<FrameReport> MapSession::Fuse(Feed* feed, std::int64_t sequence, const Pa
     MapInfo& info = builder_.map().mutable_info();
     if (!feed->session().empty()) info.sessions.Set({feed->session(), sequence, options_.now_ns()});
     feed->OnFused(info.num_frames, sequence);
+    feed->tally().OnFused(sequence, report->num_points, options_.now_ns());
   }
   if (report->refinement && options_.on_refinement) options_.on_refinement(*report->refinement);
   if (num_unpublished_++ == 0) publish_due_ = In(options_.publish_s);

@@ -40,6 +40,10 @@ struct ServerConfig {
     double publish_s = 0.2;
     int max_frames_in_flight = 4;
     double feed_idle_s = 30;
+    int max_feeds = 16;
+    bool reproducible = false;
+    std::string record_dir;
+    int record_mib = 4096;
   } mapping;
   struct Maps {
     double idle_close_s = 600;
@@ -105,6 +109,13 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "of a stream, read but not yet acknowledged; then the client has to wait");
   visit("mapping.feed_idle_s", c.mapping.feed_idle_s, 0, 86400,
         "s of silence after which a stream makes place for another, or for the deletion of its map");
+  visit("mapping.max_feeds", c.mapping.max_feeds, 1, 1000, "named sessions that may feed one map at once");
+  visit("mapping.reproducible", c.mapping.reproducible, 0, 0,
+        "frames wait for refinements that cannot keep up, so that the same frames give the same map");
+  visit("mapping.record_dir", c.mapping.record_dir, 0, 0,
+        "folder in which frames are kept as they came, a file a map, for dhpmap replay; empty = they are not");
+  visit("mapping.record_mib", c.mapping.record_mib, 1, 1e6,
+        "MiB that all records in the folder may take; then recording stops, and mapping goes on");
   visit("maps.idle_close_s", c.maps.idle_close_s, 0, 1e6,
         "s after which a map that nobody uses is closed, and its memory freed; 0 = never");
   visit("store.commit_frames", c.store.commit_frames, 1, 1e6, "frames go to the store after so many of them");

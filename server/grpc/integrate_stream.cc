@@ -94,8 +94,8 @@ void IntegrateStream::HandleRequest() {
       self->Answer(AnswerOf(sequence, progress));
     });
   }
-  Decoded decoded = Decode();
-  place->map->Integrate(place->feed, sequence, std::move(decoded.frame),
+  Decoded decoded = Decode(place->map->IsRecorded());
+  place->map->Integrate(place->feed, std::move(decoded.frame),
                         [self = self_, sequence, share = std::move(decoded.share)](const FrameOutcome& outcome) {
                           share->Release();
                           self->OnFrameDone(sequence, outcome);
@@ -103,16 +103,21 @@ void IntegrateStream::HandleRequest() {
 }
 
 void IntegrateStream::TakeRoomForRequest() {
-  has_no_room_ = !arrived_.Resize(request_.ByteSizeLong());
+  num_bytes_ = request_.ByteSizeLong();
+  has_no_room_ = !arrived_.Resize(num_bytes_);
   if (has_no_room_) request_.clear_frame();
 }
 
-IntegrateStream::Decoded IntegrateStream::Decode() {
+IntegrateStream::Decoded IntegrateStream::Decode(bool is_recorded) {
   auto share = std::make_shared<ByteShare>(&streams_.frame_bytes_);
-  const bool has_room = !has_no_room_ && share->Resize(DecodedBytes(request_.frame()));
-  Result<PanopticFrame> frame = !has_room              ? TooManyBytes()
-                                : request_.has_frame() ? FrameFromProto(request_.frame())
-                                                       : NoFrame();
+  const std::size_t num_decoded_bytes = DecodedBytes(request_.frame()) + (is_recorded ? num_bytes_ : 0);
+  const bool has_room = !has_no_room_ && share->Resize(num_decoded_bytes);
+  ArrivedFrame frame{.sequence = request_.sequence(),
+                     .frame = !has_room              ? TooManyBytes()
+                              : request_.has_frame() ? FrameFromProto(request_.frame())
+                                                     : NoFrame(),
+                     .num_bytes = num_bytes_,
+                     .message = is_recorded && has_room ? request_.SerializeAsString() : std::string()};
   request_.clear_frame();  // it is not kept while the stream waits
   arrived_.Release();
   return {std::move(frame), std::move(share)};

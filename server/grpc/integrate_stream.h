@@ -87,10 +87,10 @@ class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFrames
   void TakeRoomForRequest();
   /// The frame of the message just read, with its room until it is fused.
   struct Decoded {
-    Result<PanopticFrame> frame;
+    ArrivedFrame frame;
     std::shared_ptr<ByteShare> share;
   };
-  Decoded Decode();
+  Decoded Decode(bool is_recorded);
   /// The message just read: takes a place at the map if it is the first, and hands its frame to the writer.
   void HandleRequest() DHPMAP_EXCLUDES(mutex_);
   /// The place that the message just read is for: taken by the first message.
@@ -120,8 +120,9 @@ class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFrames
 
   // Between StartRead and the end of HandleRequest: of the one who handles it.
   v1::IntegrateFramesRequest request_;
-  ByteShare arrived_;         ///< what request_ holds
-  bool has_no_room_ = false;  ///< request_ had a frame, which was too much
+  ByteShare arrived_;          ///< what request_ holds
+  std::size_t num_bytes_ = 0;  ///< of request_, as it came
+  bool has_no_room_ = false;   ///< request_ had a frame, which was too much
   bool is_first_ = true;
 
   Ack conclusion_;  ///< the last answer; made by End, then gRPC's

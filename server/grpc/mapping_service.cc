@@ -21,6 +21,28 @@ class MappingService final : public v1::MappingService::CallbackService {
                                   is_one ? IntegrateStream::Messages::kOne : IntegrateStream::Messages::kAny);
   }
 
+  grpc::ServerUnaryReactor* ListSessions(grpc::CallbackServerContext*, const v1::ListSessionsRequest* request,
+                                         v1::ListSessionsResponse* response) override {
+    return Run(context_, {"MappingService/ListSessions", request, response}, [=, this]() -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->map(), "map"));
+      DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
+      response->set_revision(session->View()->snapshot().revision());
+      for (const SessionStatus& status : session->Sessions()) *response->add_sessions() = ToProto(status);
+      return Status::Ok();
+    });
+  }
+
+  grpc::ServerUnaryReactor* EndSession(grpc::CallbackServerContext*, const v1::EndSessionRequest* request,
+                                       v1::EndSessionResponse* response) override {
+    return Run(context_, {"MappingService/EndSession", request}, [=, this]() -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->map(), "map"));
+      DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
+      DHPMAP_RETURN_IF_ERROR(session->EndSession(request->session()));
+      response->set_revision(session->View()->snapshot().revision());
+      return Status::Ok();
+    });
+  }
+
   grpc::ServerUnaryReactor* FinishMapping(grpc::CallbackServerContext*, const v1::FinishMappingRequest* request,
                                           v1::FinishMappingResponse* response) override {
     return RunAsync(context_, {"MappingService/FinishMapping", request},

@@ -255,7 +255,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
   Feeder first(server, "room", {.session = "first"});
   ASSERT_EQ(first.Feed(0)->outcome(), v1::FUSED);
   {
-    Feeder polite(server, "room", {.session = "polite"});
+    Feeder polite(server, "room");
     EXPECT_FALSE(polite.Feed(0));
     const grpc::Status refused = polite.Finish();
     EXPECT_EQ(refused.error_code(), grpc::ABORTED);
