@@ -122,7 +122,7 @@ class SqliteStore final : public MapStore {
   Status CreateMap(const MapSnapshot& snapshot) override {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(snapshot.info().name));
     WrittenTiles written;
-    const Status done = Write(Durability::kFull, [&](Writer& writer) -> Status {
+    Status done = Write(Durability::kFull, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, InsertMap(writer.database, snapshot));
       DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, snapshot.info(), StateMarks(), snapshot));
       return Status::Ok();
@@ -134,7 +134,7 @@ class SqliteStore final : public MapStore {
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
     WrittenTiles written;
-    const Status done = Write(durability, [&](Writer& writer) -> Status {
+    Status done = Write(durability, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
       DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
       DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after));

@@ -96,7 +96,7 @@ class TileRowReader {
     for (;;) {
       DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select_.Step());
       if (!has_row) return Status::Ok();
-      const Status visited = visit(Current());
+      Status visited = visit(Current());
       if (visited.ok()) continue;
       select_.Reset();
       return visited;
