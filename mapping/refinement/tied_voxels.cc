@@ -12,6 +12,8 @@
 namespace dhpmap {
 namespace {
 
+constexpr double kOnSurface_vox = 0.01;
+
 constexpr int kNeighbours[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
 
 /// The labels that a member has seen as often as `likeliest`, without it; empty if it has seen that one never.
@@ -31,8 +33,11 @@ void FindTied(const TileProblem& problem, const TileProblem::Member& member, Sub
   });
 }
 
-bool IsBehind(const TileProblem& problem, const TileProblem::Member& member) {
-  return problem.BlockOf(member).entry->tsdf->distance_m[member.linear] < 0;
+/// Before the surface (1), behind it (-1), or on it: what rounding decides is neither side, so that a map that was
+/// stored and loaded in between is refined as one that was not.
+int SideOf(const TileProblem& problem, const TileProblem::Member& member) {
+  const double distance_vox = problem.BlockOf(member).entry->tsdf->distance_m[member.linear] / problem.voxel_size_m();
+  return distance_vox > kOnSurface_vox ? 1 : distance_vox < -kOnSurface_vox ? -1 : 0;
 }
 
 /// What is at the six neighbours of a member on the other side of the surface.
@@ -52,7 +57,7 @@ Across LookAcross(const TileProblem& problem, const MemberGrid& grid, std::size_
   for (const auto& [dx, dy, dz] : kNeighbours) {
     const std::uint32_t there = grid.At(member.place, member.linear, dx, dy, dz);
     if (there == MemberGrid::kNone) continue;
-    if (IsBehind(problem, problem.members()[there - 1]) == IsBehind(problem, member)) continue;
+    if (SideOf(problem, problem.members()[there - 1]) * SideOf(problem, member) >= 0) continue;
     across.labels[across.num++] = labels[there - 1];
   }
   return across;

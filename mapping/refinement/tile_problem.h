@@ -36,6 +36,7 @@ class TileProblem {
   [[nodiscard]] std::uint32_t PlaceAt(BlockIndex index) const { return place_numbers_.Find(index); }
   [[nodiscard]] BlockIndex IndexOf(std::uint32_t place) const { return places_[place]; }
   [[nodiscard]] const LabelChannels& channels() const { return channels_; }
+  [[nodiscard]] double voxel_size_m() const { return voxel_size_m_; }
   [[nodiscard]] const HeldBlock& BlockOf(const Member& member) const { return blocks_[member.block]; }
 
   /// The members as the CRF sees them, against the corner of the tile's first block.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -84,8 +85,11 @@ TEST_F(BallOnAFloor, WhatIsJustWithinTheBallStaysWithTheSurfaceBeforeIt) {
 /// The rule, said by searching all members for each.
 std::vector<SubmapId> KeptByAllPairs(const TileProblem& problem, const std::vector<SubmapId>& likeliest) {
   const auto voxel_of = [&](const TileProblem::Member& m) { return VoxelIn(problem.BlockOf(m).index, m.linear); };
-  const auto is_behind = [&](const TileProblem::Member& m) {
-    return problem.BlockOf(m).entry->tsdf->distance_m[m.linear] < 0;
+  const auto distance_vox = [&](const TileProblem::Member& m) {
+    return problem.BlockOf(m).entry->tsdf->distance_m[m.linear] / problem.voxel_size_m();
+  };
+  const auto are_across = [&](const TileProblem::Member& a, const TileProblem::Member& b) {
+    return std::min(distance_vox(a), distance_vox(b)) < -0.01 && std::max(distance_vox(a), distance_vox(b)) > 0.01;
   };
   std::vector<SubmapId> kept = likeliest;
   for (std::size_t m = 0; m < problem.num_inner(); ++m) {
@@ -99,7 +103,7 @@ std::vector<SubmapId> KeptByAllPairs(const TileProblem& problem, const std::vect
     for (std::size_t n = 0; n < problem.members().size(); ++n) {
       const VoxelIndex a = voxel_of(member), b = voxel_of(problem.members()[n]);
       if (std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z) != 1) continue;
-      if (is_behind(member) != is_behind(problem.members()[n])) across[likeliest[n]] += 1;
+      if (are_across(member, problem.members()[n])) across[likeliest[n]] += 1;
     }
     if (across[likeliest[m]] > 0) continue;
     int most = 0;
