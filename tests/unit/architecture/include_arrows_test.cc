@@ -77,7 +77,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
       {"mapping/fusion", {"band_size.h", "bundler.h", "grid_ray.h", "integrator.h", "segment_parts.h"}},
       {"mapping/space", {"free_space_finder.h", "presence.h", "vacated_space.h"}},
       {"mapping/tracking", {"activity.h", "overlap_table.h", "tracker.h", "visibility.h"}},
-      {"mapping/refinement", {"adopt_refinement.h", "refine_map.h", "submap_labels.h"}},
+      {"mapping/refinement", {"adopt_refinement.h", "refine_map.h", "refinement_round.h", "submap_labels.h"}},
       {"mapping/objects", {"clear_region.h", "merge_submaps.h", "object_care.h", "pair_evidence.h", "split_submap.h"}},
       {"mapping/query",
        {"body_query.h", "distance_query.h", "occupancy_slice.h", "point_lookup.h", "point_order.h", "ray_query.h",

