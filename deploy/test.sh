@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs all tests; the last line reads `N passed, N failed`.
 #   deploy/test.sh               the release build and every test
-#   deploy/test.sh --sanitizers  unit tests of mapping, storage, server and the clients that talk to one under ASan+UBSan;
-#                                base, refinement, pipeline, storage, server and integration tests under TSan
+#   deploy/test.sh --asan        unit tests of mapping, storage, server and the clients that talk to one under ASan+UBSan
+#   deploy/test.sh --tsan        base, refinement, pipeline, storage, server and integration tests under TSan
+#   deploy/test.sh --sanitizers  both
 #   deploy/test.sh --sanitizers-of-tools  those of the evaluator and the simulator under ASan+UBSan
 #   deploy/test.sh --fuzz SECONDS  each fuzz target for so long, from its seeds on; what it finds stays in build/fuzz/findings
 set -euo pipefail
 cd "$(dirname "$0")/.."
-deploy/setup.sh --quiet
+case "${1:-}" in
+  --fuzz) deploy/setup.sh --quiet --checks ;;  # libFuzzer is clang's
+  *) deploy/setup.sh --quiet ;;
+esac
 
 passed=0
 failed=0
@@ -65,31 +69,47 @@ test_binaries() {
   failed=$((failed + $(tail -n 1 <<<"$counts" | cut -d' ' -f3)))
 }
 
-# Feeds each target of tests/fuzz for so many seconds. A finding fails it and stays in build/fuzz/findings.
+# fuzz_target NAME SECONDS: from its seeds and the corpus on. Fails on a finding, which stays in build/fuzz/findings.
+fuzz_target() {
+  local name=$1 seconds=$2 work=build/fuzz/corpus/$1 log=build/fuzz/$1.log
+  mkdir -p "$work" "tests/fuzz/corpus/$name"
+  "build/fuzz/tests/${name}_replay" --write-seeds "$work"
+  if "build/fuzz/fuzz/${name}_fuzz" -max_total_time="$seconds" -max_len=4096 -timeout=10 -rss_limit_mb=2048 \
+    -print_final_stats=1 -artifact_prefix="build/fuzz/findings/$name-" "$work" "tests/fuzz/corpus/$name" >"$log" 2>&1; then
+    echo "$name: $(sed -nE 's/^stat::number_of_executed_units: *//p' "$log") inputs, nothing found"
+  else
+    echo "$name: a finding, see $log"
+    grep -E 'ERROR:|SUMMARY:|runtime error|Test unit written' "$log" | head -n 5
+  fi
+}
+export -f fuzz_target
+
+# Each target of tests/fuzz for so many seconds, one on each core; adds to passed and failed.
 fuzz() {
-  local seconds=$1
-  deploy/setup.sh --quiet --checks
-  echo "== fuzz: configure and build"
-  { cmake --preset fuzz -DDHPMAP_BUILD_TESTS=ON && cmake --build --preset fuzz --target dhpmap_fuzzers; } \
-    >build/fuzz-build.log 2>&1 || { tail -n 60 build/fuzz-build.log; exit 1; }
+  local results
+  build fuzz dhpmap_fuzzers
+  echo "== fuzz: run"
   mkdir -p build/fuzz/findings
-  local target name work log
-  for target in build/fuzz/fuzz/*_fuzz; do
-    name=$(basename "$target" _fuzz)
-    work=build/fuzz/corpus/$name
-    log=build/fuzz/$name.log
-    mkdir -p "$work" "tests/fuzz/corpus/$name"
-    "build/fuzz/tests/${name}_replay" --write-seeds "$work"
-    if "$target" -max_total_time="$seconds" -max_len=4096 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
-      -artifact_prefix="build/fuzz/findings/$name-" "$work" "tests/fuzz/corpus/$name" >"$log" 2>&1; then
-      passed=$((passed + 1))
-      echo "$name: $(sed -nE 's/^stat::number_of_executed_units: *//p' "$log") inputs, nothing found"
-    else
-      failed=$((failed + 1))
-      echo "$name: a finding, see $log"
-      grep -E 'ERROR:|SUMMARY:|runtime error|Test unit written' "$log" | head -n 5
-    fi
-  done
+  results=$(find build/fuzz/fuzz -name '*_fuzz' -printf '%f\n' | sed 's/_fuzz$//' | sort |
+    xargs -P "$(nproc)" -I{} bash -c "fuzz_target {} $1")
+  echo "$results"
+  passed=$((passed + $(grep -c 'nothing found$' <<<"$results" || true)))
+  failed=$((failed + $(grep -c ': a finding, see' <<<"$results" || true)))
+  [ "$passed" -gt 0 ] || failed=$((failed + 1))
+}
+
+asan() {
+  export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
+  build asan dhpmap_unit_tests
+  test_binaries asan '^unit/(mapping|storage|server|fuzz|rig|clients/(cli|datasets)$)'
+}
+
+tsan() {
+  export TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/deploy/tsan.supp"
+  build tsan dhpmap_threaded_tests
+  # Faults at each call of a single thread: nothing to race with, most of storage's time, and AddressSanitizer has run them.
+  export GTEST_FILTER='-SqliteStoreTest.KilledAt*:SqliteStoreTest.FlippedBytes*:*BrokenDisk*:BrokenReclaim*'
+  test_binaries tsan '^(integration|unit/(server/(app|wire|net|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|refinement|pipeline)))(\.[0-9]+of[0-9]+)?$'
 }
 
 mkdir -p build
@@ -103,18 +123,15 @@ case "${1:-}" in
     build asan dhpmap_tool_tests
     test_binaries asan '^unit/clients/(evaluator|simulator)'
     ;;
+  --asan) asan ;;
+  --tsan) tsan ;;
   --sanitizers)
-    export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/deploy/tsan.supp"
-    build asan dhpmap_unit_tests
-    test_binaries asan '^unit/(mapping|storage|server|fuzz|rig|clients/(cli|datasets)$)'
-    build tsan dhpmap_threaded_tests
-    # Faults at each call of a single thread: nothing to race with, most of storage's time, and AddressSanitizer has run them.
-    export GTEST_FILTER='-SqliteStoreTest.KilledAt*:SqliteStoreTest.FlippedBytes*:*BrokenDisk*:BrokenReclaim*'
-    test_binaries tsan '^(integration|unit/(server/(app|wire|net|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|refinement|pipeline)))(\.[0-9]+of[0-9]+)?$'
+    asan
+    tsan
     ;;
   --fuzz) fuzz "${2:?seconds a target}" ;;
   *)
-    echo "usage: deploy/test.sh [--sanitizers | --sanitizers-of-tools | --fuzz SECONDS]" >&2
+    echo "usage: deploy/test.sh [--asan | --tsan | --sanitizers | --sanitizers-of-tools | --fuzz SECONDS]" >&2
     exit 2
     ;;
 esac

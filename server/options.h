@@ -11,6 +11,7 @@
 #include "server/grpc/grpc_server.h"
 #include "server/log/log.h"
 #include "server/metrics/metrics.h"
+#include "server/record/map_recorder.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -18,15 +19,18 @@ namespace dhpmap {
 // From the configuration to what each room wants to know. `metrics` outlives what hooks are made for.
 LogOptions LogOptionsOf(const ServerConfig& config);
 SqliteStoreOptions StoreOptionsOf(const ServerConfig& config);
-SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics);
+/// Null where nothing is recorded.
+Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config);
+/// `records` may be null, and outlives the sessions.
+SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records);
 /// For both doors together.
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config);
 GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
 GrpcObserver ObserverOf(Metrics& metrics);
 GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
 
-/// Of the maps that are open now, and of what there is for those who ask.
-Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight);
+/// Of the maps that are open now, and of what there is for those who ask. Visits every block, which takes milliseconds.
+Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const RecordDir* records);
 /// Whether a map has waited for its store for longer than that.
 bool IsStoreBehind(const MapRegistry& registry, double max_behind_s);
 

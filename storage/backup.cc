@@ -86,7 +86,9 @@ Status WriteBackup(sqlite::Database& database, const std::string& path, const st
   Status status;
   {
     const std::stop_callback interrupt(stop, [&database] { database.Interrupt(); });
-    status = database.Execute("VACUUM INTO " + Quoted(path), "write the backup");
+    // An interrupt before the statement begins means nothing to SQLite.
+    status = stop.stop_requested() ? Cancelled("the backup is not wanted any more")
+                                   : database.Execute("VACUUM INTO " + Quoted(path), "write the backup");
   }
   if (status.ok()) status = MarkFile(path);
   if (status.ok() && stop.stop_requested()) status = Cancelled("the backup is not wanted any more");
@@ -95,11 +97,19 @@ Status WriteBackup(sqlite::Database& database, const std::string& path, const st
   return status;
 }
 
+std::string UnfinishedPath(const std::string& path) {
+  static std::atomic<int> number = 0;
+  return path + std::string(kUnfinishedSuffix) + std::to_string(number++);
+}
+
 Result<std::unique_ptr<StoreBackup>> MakeBackup(sqlite::Database& database, const std::string& path,
                                                 const std::stop_token& stop) {
-  static std::atomic<int> number = 0;
-  const std::string place = path + std::string(kUnfinishedSuffix) + std::to_string(number++);
+  const std::string place = UnfinishedPath(path);
   DHPMAP_RETURN_IF_ERROR(WriteBackup(database, place, stop));
+  return OpenOnce(place);
+}
+
+Result<std::unique_ptr<StoreBackup>> OpenOnce(const std::string& place) {
   const int descriptor = open(place.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat attributes {};
   const bool is_open = descriptor >= 0 && fstat(descriptor, &attributes) == 0;

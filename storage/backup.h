@@ -20,7 +20,12 @@ Status WriteBackup(sqlite::Database& database, const std::string& path, const st
 Result<std::unique_ptr<StoreBackup>> MakeBackup(sqlite::Database& database, const std::string& path,
                                                 const std::stop_token& stop);
 
-/// Removes what a process that was killed has left of MakeBackup. For the only writer of the database at `path`.
+/// A place for a file beside the database at `path`, which no other call gets.
+std::string UnfinishedPath(const std::string& path);
+/// The file at `place`, which loses its name.
+Result<std::unique_ptr<StoreBackup>> OpenOnce(const std::string& place);
+
+/// Removes what a process that was killed has left in such places. For the only writer of the database at `path`.
 void RemoveUnfinishedBackups(const std::string& path);
 
 }  // namespace dhpmap

@@ -119,6 +119,8 @@ Result<ReaderPool::Lease> ReaderPool::Borrow() {
 }
 
 void ReaderPool::Return(Database database) {
+  // Up to 16 MiB each; and pages among what was read keep whole slabs of the allocator after that is gone.
+  database.ReleaseMemory();
   const MutexLock lock(mutex_);
   if (idle_.size() < kMaxIdleReaders) idle_.push_back(std::move(database));
 }

@@ -19,10 +19,14 @@ std::string NameOf(std::int64_t layer, TileIndex index) {
 }
 
 Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const FreeSpaceChange& change,
-                  TileTotals& totals) {
+                  TileTotals& totals, EditTileRecorder* recorder) {
   const std::size_t layer = LayerNumber(kind);
   for (const TileIndex index : change.erased) {
     DHPMAP_ASSIGN_OR_RETURN(const StoredLayers stored, rows.Find(owner_key, index));
+    constexpr std::int64_t kNoBlob = 0;
+    if (recorder != nullptr) {
+      DHPMAP_RETURN_IF_ERROR(recorder->Note(kMapsOwnTiles, index, LayerNumber(kind), stored[layer].key, kNoBlob));
+    }
     DHPMAP_RETURN_IF_ERROR(rows.Erase(owner_key, index, LayerNumber(kind), stored[layer], totals));
   }
   for (const FreeTileEntry* entry : change.written) {
@@ -30,6 +34,10 @@ Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const F
     constexpr std::int64_t kNoBlocks = 0;
     DHPMAP_ASSIGN_OR_RETURN(const StoredBlob blob,
                             rows.Insert(EncodeFreeTile(kind, *entry->tile, entry->index), kNoBlocks));
+    if (recorder != nullptr) {
+      DHPMAP_RETURN_IF_ERROR(
+          recorder->Note(kMapsOwnTiles, entry->index, LayerNumber(kind), stored[layer].key, blob.key));
+    }
     DHPMAP_RETURN_IF_ERROR(rows.Put(owner_key, entry->index, LayerNumber(kind), stored[layer], blob, totals));
   }
   return Status::Ok();
@@ -38,7 +46,7 @@ Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const F
 }  // namespace
 
 Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head, const StateMarks& before,
-                                  const MapSnapshot& after) {
+                                  const MapSnapshot& after, EditTileRecorder* recorder) {
   TileTotals totals = head.tiles;
   const std::int64_t owner_key = OwnerOfMap(head.key);
   const FreeSpaceChange free = DiffFreeSpace(before, *after.free_space());
@@ -48,8 +56,8 @@ Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head
     if (!head.CoversTiles()) {
       DHPMAP_ASSIGN_OR_RETURN(totals, rows.Count(owner_key));
     }
-    DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kFreeV1, free, totals));
-    DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kVacatedV1, vacated, totals));
+    DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kFreeV1, free, totals, nullptr));
+    DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kVacatedV1, vacated, totals, recorder));
   }
   if (totals.num_rows ==
       static_cast<std::int64_t>(after.free_space()->tiles().size() + after.vacated()->tiles().size())) {

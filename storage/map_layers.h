@@ -7,6 +7,7 @@
 #include "mapping/map/free_space.h"
 #include "mapping/map/map.h"
 #include "mapping/map/state_marks.h"
+#include "storage/edit_history.h"
 #include "storage/rows/map_rows.h"
 #include "storage/sqlite/database.h"
 
@@ -19,9 +20,10 @@ struct MapLayers {
 };
 
 /// Writes the tiles that differ, within the caller's transaction. Returns the totals of all that are there then.
+/// `recorder` (may be null) is told which blobs of the vacated space they were and are.
 /// FAILED_PRECONDITION if the stored ones, which `head` tells of, are not those of `before`.
 Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head, const StateMarks& before,
-                                  const MapSnapshot& after);
+                                  const MapSnapshot& after, EditTileRecorder* recorder = nullptr);
 
 /// Reads the tiles of a map and compares them with what its row says. DATA_LOSS naming the tile if one is damaged or
 /// missing, FAILED_PRECONDITION for those of a later version's layer.

@@ -8,6 +8,8 @@
 #include "mapping/base/mutex.h"
 #include "storage/change_history.h"
 #include "storage/commit_rules.h"
+#include "storage/edit_history.h"
+#include "storage/edit_log.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -79,10 +81,97 @@ class ChangeLog {
   ChangeTotals totals_;
 };
 
+/// A map's edits, as RecordEdit and ReadEdits keep them.
+class EditLog {
+ public:
+  void Add(const EditRecord& edit, const SnapshotPtr& after, const EditLogLimits& limits) {
+    num_bytes_ += BytesOf(edit);
+    edits_.push_back(edit);
+    edits_.back().before = nullptr;
+    Keep(edit, after, limits);
+    for (const std::int64_t target : edit.entry.summary.targets) {
+      is_undone_[target] = edit.entry.summary.kind == EditKind::kUndo;
+    }
+    while (edits_.size() > 1 && IsBeyond(limits, static_cast<std::int64_t>(edits_.size()), num_bytes_,
+                                         edits_.front().entry.time_ns, edit.entry.time_ns)) {
+      num_bytes_ -= BytesOf(edits_.front());
+      is_undone_.erase(edits_.front().entry.revision);
+      histories_.erase(edits_.front().entry.revision);
+      edits_.pop_front();
+    }
+  }
+
+  [[nodiscard]] std::vector<LoggedEdit> List(const EditQuery& query) const {
+    std::vector<LoggedEdit> list;
+    for (auto edit = edits_.rbegin(); edit != edits_.rend() && list.size() < query.max_edits; ++edit) {
+      const EditEntry& entry = edit->entry;
+      if (query.before_revision && entry.revision >= *query.before_revision) continue;
+      if (query.author && entry.source.author != *query.author) continue;
+      const auto undone = is_undone_.find(entry.revision);
+      list.push_back({.entry = entry,
+                      .is_undone = undone != is_undone_.end() && undone->second,
+                      .is_kept = histories_.contains(entry.revision)});
+    }
+    return list;
+  }
+
+  [[nodiscard]] Result<StateDelta> Load(std::int64_t revision) const {
+    const auto is_it = [revision](const EditRecord& edit) { return edit.entry.revision == revision; };
+    if (std::none_of(edits_.begin(), edits_.end(), is_it)) {
+      return NotFound("the log of the map has no edit " + std::to_string(revision)).WithReason("EDIT_NOT_FOUND");
+    }
+    const auto found = histories_.find(revision);
+    if (found == histories_.end()) {
+      return UndoNotKept(revision, histories_.empty() ? std::nullopt : std::optional(histories_.begin()->first));
+    }
+    const History& history = found->second;
+    StateDelta delta = DiffRows(*history.before, *history.after);
+    AddTiles(*history.before, *history.after, delta);
+    return delta;
+  }
+
+  [[nodiscard]] std::optional<StoredAnswer> FindAnswer(const std::string& request_id) const {
+    for (auto edit = edits_.rbegin(); edit != edits_.rend() && !request_id.empty(); ++edit) {
+      const EditSource& source = edit->entry.source;
+      if (source.request_id != request_id) continue;
+      return StoredAnswer{edit->entry.revision, source.request_fingerprint, edit->answer};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static std::int64_t BytesOf(const EditRecord& edit) {
+    const EditSummary& summary = edit.entry.summary;
+    const std::size_t num_ids = summary.changed.size() + summary.created.size() + summary.removed.size();
+    return LogBytesOf(edit, (summary.steps.size() * 2 + summary.targets.size() * 2 + num_ids) * sizeof(SubmapId));
+  }
+
+  /// Both states, which share what is the same. Bytes have no bound here.
+  struct History {
+    SnapshotPtr before, after;
+    std::int64_t time_ns = 0;
+  };
+
+  void Keep(const EditRecord& edit, const SnapshotPtr& after, const EditLogLimits& limits) {
+    const EditEntry& entry = edit.entry;
+    if (entry.summary.kind == EditKind::kEdit) histories_[entry.revision] = {edit.before, after, entry.time_ns};
+    while (!histories_.empty() &&
+           (static_cast<std::int64_t>(histories_.size()) > limits.max_histories ||
+            static_cast<double>(entry.time_ns - histories_.begin()->second.time_ns) > limits.max_history_age_s * 1e9)) {
+      histories_.erase(histories_.begin());
+    }
+  }
+
+  std::deque<EditRecord> edits_;
+  std::map<std::int64_t, History> histories_;
+  std::map<std::int64_t, bool> is_undone_;
+  std::int64_t num_bytes_ = 0;
+};
+
 /// Snapshots are immutable and share their blocks with the writer: keeping one is storing it.
 class MemoryStore final : public MapStore {
  public:
-  explicit MemoryStore(const ChangeHistoryLimits& limits) : limits_(limits) {}
+  MemoryStore(const ChangeHistoryLimits& limits, const EditLogLimits& edits) : limits_(limits), edit_limits_(edits) {}
 
   Result<std::vector<StoredMap>> ListMaps() override {
     const MutexLock lock(mutex_);
@@ -100,22 +189,41 @@ class MemoryStore final : public MapStore {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(snapshot.info().name));
     const MutexLock lock(mutex_);
     const std::string& name = snapshot.info().name;
-    const auto [map, is_new] = maps_.emplace(name, Stored{std::make_shared<const MapSnapshot>(snapshot), ChangeLog()});
+    const auto [map, is_new] =
+        maps_.emplace(name, Stored{std::make_shared<const MapSnapshot>(snapshot), ChangeLog(), EditLog()});
     if (!is_new) return AlreadyExists("there is already a map '" + name + "'").WithReason("MAP_EXISTS");
+    NameTiles(StateMarks(), snapshot, snapshot);
     map->second.changes.Add(ChangeBetween(StateMarks(), snapshot), limits_);
     return Status::Ok();
   }
 
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability) override {
-    DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
+    return CommitState(before, after, nullptr);
+  }
+
+  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
+    return CommitState(before, after, &edit);
+  }
+
+  Result<std::vector<LoggedEdit>> ListEdits(const std::string& name, const EditQuery& query) override {
     const MutexLock lock(mutex_);
-    const auto stored = maps_.find(before.info().name);
-    if (stored == maps_.end()) return NoSuchMap(before.info().name);
-    const MapInfo& head = stored->second.state->info();
-    DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.revision, head.create_time_ns));
-    if (before.revision() != after.revision()) stored->second.changes.Add(ChangeBetween(before, after), limits_);
-    stored->second.state = std::make_shared<const MapSnapshot>(after);
-    return Status::Ok();
+    const auto stored = maps_.find(name);
+    if (stored == maps_.end()) return NoSuchMap(name);
+    return stored->second.edits.List(query);
+  }
+
+  Result<std::optional<StoredAnswer>> FindAnswer(const std::string& name, const std::string& request_id) override {
+    const MutexLock lock(mutex_);
+    const auto stored = maps_.find(name);
+    if (stored == maps_.end()) return NoSuchMap(name);
+    return stored->second.edits.FindAnswer(request_id);
+  }
+
+  Result<StateDelta> LoadEdit(const std::string& name, std::int64_t revision) override {
+    const MutexLock lock(mutex_);
+    const auto stored = maps_.find(name);
+    if (stored == maps_.end()) return NoSuchMap(name);
+    return stored->second.edits.Load(revision);
   }
 
   Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) override {
@@ -160,21 +268,57 @@ class MemoryStore final : public MapStore {
   struct Stored {
     SnapshotPtr state;
     ChangeLog changes;
+    EditLog edits;
   };
+
+  Status CommitState(const StateMarks& before, const MapSnapshot& after, const EditRecord* edit) {
+    DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
+    const MutexLock lock(mutex_);
+    const auto stored = maps_.find(before.info().name);
+    if (stored == maps_.end()) return NoSuchMap(before.info().name);
+    const MapInfo& head = stored->second.state->info();
+    DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.revision, head.create_time_ns));
+    if (before.revision() != after.revision()) stored->second.changes.Add(ChangeBetween(before, after), limits_);
+    NameTiles(before, after, *stored->second.state);
+    stored->second.state = std::make_shared<const MapSnapshot>(after);
+    if (edit != nullptr) stored->second.edits.Add(*edit, stored->second.state, edit_limits_);
+    return Status::Ok();
+  }
+
+  /// Gives a key to all that was written, as a store of blobs does.
+  void NameTiles(const StateMarks& before, const MapSnapshot& after, const MapSnapshot& known) DHPMAP_REQUIRES(mutex_) {
+    for (const SubmapTileChange& submap : DiffTiles(before, after)) {
+      const Submap* old = known.Find(submap.copy_of.value_or(submap.id));
+      for (const TileChange& tile : submap.tiles) {
+        if (tile.after == nullptr) continue;
+        const TileEntry* entry = old != nullptr ? old->blocks().FindTile(tile.index) : nullptr;
+        for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
+          const StoredKey& key = tile.after->stored(static_cast<BlockLayer>(i));
+          if (key.In(kNumber) != 0 || tile.num_after[i] == 0) continue;
+          if (!tile.is_written[i] && entry != nullptr) key.Adopt(entry->tile->stored(static_cast<BlockLayer>(i)));
+          else key.Set(kNumber, ++last_key_);
+        }
+      }
+    }
+  }
+
+  static constexpr std::uint16_t kNumber = 0xFFFF;  ///< no store of files has it unless there were too many
 
   static ChangePtr ChangeBetween(const StateMarks& before, const MapSnapshot& after) {
     return std::make_shared<const MapChange>(DescribeChange(before, after, DiffTiles(before, after)));
   }
 
   const ChangeHistoryLimits limits_;
+  const EditLogLimits edit_limits_;
   Mutex mutex_;
+  std::int64_t last_key_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::map<std::string, Stored> maps_ DHPMAP_GUARDED_BY(mutex_);
 };
 
 }  // namespace
 
-std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes) {
-  return std::make_unique<MemoryStore>(changes);
+std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes, const EditLogLimits& edits) {
+  return std::make_unique<MemoryStore>(changes, edits);
 }
 
 }  // namespace dhpmap

@@ -23,6 +23,7 @@ struct Target {
   std::int64_t key = 0;
   SubmapCounts counts;  ///< as stored, kept up to date with what is written
   TileTotals tiles;     ///< likewise, of the bytes and the sum
+  bool is_new = false;
 };
 
 /// One layer of one tile to encode.
@@ -35,8 +36,8 @@ struct Job {
 
 class Writer {
  public:
-  Writer(SubmapRowWriter submaps, TileRows tiles, std::uint16_t store, ThreadPool& pool)
-      : submaps_(std::move(submaps)), tiles_(std::move(tiles)), store_(store), pool_(pool) {}
+  Writer(SubmapRowWriter submaps, TileRows tiles, std::uint16_t store, ThreadPool& pool, EditTileRecorder* recorder)
+      : submaps_(std::move(submaps)), tiles_(std::move(tiles)), store_(store), pool_(pool), recorder_(recorder) {}
 
   Result<WrittenTiles> Write(std::int64_t map_key, const std::vector<SubmapTileChange>& changes) {
     for (const SubmapTileChange& change : changes) {  // first, while what they are copies of is as it was
@@ -50,6 +51,9 @@ class Writer {
     for (const Target& target : targets_) {
       SubmapCounts counts = target.counts;
       counts.blob_bytes = target.tiles.bytes;
+      if (recorder_ != nullptr && target.is_new) {
+        DHPMAP_RETURN_IF_ERROR(recorder_->NoteNew(target.submap->id(), target.key));
+      }
       DHPMAP_RETURN_IF_ERROR(submaps_.Write(map_key, *target.submap, counts, target.tiles.sum).status());
     }
     return std::move(written_);
@@ -66,6 +70,7 @@ class Writer {
     DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> stored, submaps_.Find(map_key, id));
     if (!stored) return NotTheStateBefore(id);
     tiles_.NoteDeadBlobs();
+    if (recorder_ != nullptr) DHPMAP_RETURN_IF_ERROR(recorder_->NoteRemoved(id, stored->key));
     return submaps_.Erase(stored->key);
   }
 
@@ -76,6 +81,7 @@ class Writer {
                                                  : change.copy_of ? CopiedTarget(map_key, change)
                                                                   : NewTarget(map_key, *change.after));
     targets_.push_back(target);
+    targets_.back().is_new = change.is_new;
     for (const TileChange& tile : change.tiles) DHPMAP_RETURN_IF_ERROR(WriteTile(change, tile));
     return Status::Ok();
   }
@@ -128,6 +134,8 @@ class Writer {
   Status WriteLayer(Target& target, const TileChange& change, const ObjectLayer& layer, const StoredBlob& before) {
     const auto i = static_cast<std::size_t>(layer.layer);
     if (change.num_after[i] == 0) {
+      constexpr std::int64_t kNoBlob = 0;
+      DHPMAP_RETURN_IF_ERROR(NoteChange(target, change, layer, before.key, kNoBlob));
       return tiles_.Erase(target.key, change.index, layer.number, before, target.tiles);
     }
     if (!change.is_written[i]) {  // its blob goes on to be that of the tile in memory
@@ -154,7 +162,15 @@ class Writer {
   Status Put(Target& target, const TileChange& change, const ObjectLayer& layer, const StoredBlob& before,
              const StoredBlob& blob) {
     written_.Note(*change.after, layer.layer, blob.key);
+    DHPMAP_RETURN_IF_ERROR(NoteChange(target, change, layer, before.key, blob.key));
     return tiles_.Put(target.key, change.index, layer.number, before, blob, target.tiles);
+  }
+
+  /// For who undoes the edit. Of what is new all is noted at the end.
+  Status NoteChange(const Target& target, const TileChange& change, const ObjectLayer& layer, std::int64_t before_key,
+                    std::int64_t after_key) {
+    if (recorder_ == nullptr || target.is_new) return Status::Ok();
+    return recorder_->Note(target.submap->id().value, change.index, layer.number, before_key, after_key);
   }
 
   /// Encodes and writes what is waiting for it.
@@ -180,6 +196,7 @@ class Writer {
   TileRows tiles_;
   const std::uint16_t store_;
   ThreadPool& pool_;
+  EditTileRecorder* const recorder_;  // null: it is no edit
   std::vector<Target> targets_;
   std::vector<Job> jobs_;
   std::unordered_set<const BlockTile*> encoding_;  ///< tiles of the jobs
@@ -197,10 +214,11 @@ void WrittenTiles::TellTiles(std::uint16_t store) const {
 }
 
 Result<WrittenTiles> WriteChanges(sqlite::Database& database, std::int64_t map_key,
-                                  const std::vector<SubmapTileChange>& changes, std::uint16_t store, ThreadPool& pool) {
+                                  const std::vector<SubmapTileChange>& changes, std::uint16_t store, ThreadPool& pool,
+                                  EditTileRecorder* recorder) {
   DHPMAP_ASSIGN_OR_RETURN(SubmapRowWriter submaps, SubmapRowWriter::Prepare(database));
   DHPMAP_ASSIGN_OR_RETURN(TileRows tiles, TileRows::Prepare(database));
-  return Writer(std::move(submaps), std::move(tiles), store, pool).Write(map_key, changes);
+  return Writer(std::move(submaps), std::move(tiles), store, pool, recorder).Write(map_key, changes);
 }
 
 }  // namespace dhpmap

@@ -8,6 +8,7 @@
 
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/state_marks.h"
+#include "storage/edit_history.h"
 #include "storage/sqlite/database.h"
 
 namespace dhpmap {
@@ -38,8 +39,10 @@ class WrittenTiles {
 
 /// Writes the submaps, tiles and blobs that `changes` name, within the caller's transaction; encodes on `pool`. What
 /// the tiles in memory know to be in `store` already is referred to instead. On error the caller rolls back.
+/// `recorder` (may be null) is told which blobs they were and are.
 /// FAILED_PRECONDITION if the stored tiles are not those that the changes started from.
 Result<WrittenTiles> WriteChanges(sqlite::Database& database, std::int64_t map_key,
-                                  const std::vector<SubmapTileChange>& changes, std::uint16_t store, ThreadPool& pool);
+                                  const std::vector<SubmapTileChange>& changes, std::uint16_t store, ThreadPool& pool,
+                                  EditTileRecorder* recorder = nullptr);
 
 }  // namespace dhpmap

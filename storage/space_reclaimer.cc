@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -26,9 +27,10 @@ constexpr std::int64_t kCommitsCopyLogBytes = 12'000'000;
 
 }  // namespace
 
-SpaceReclaimer::SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t num_spare_pages)
+SpaceReclaimer::SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t num_spare_pages, const KeptBlobs* kept)
     : writer_(std::move(writer)),
       num_spare_pages_(num_spare_pages),
+      kept_(kept != nullptr ? *kept : none_kept_),
       log_(std::move(log)),
       num_pages_a_step_(kMinAStep),
       num_blobs_a_step_(kMinAStep) {}
@@ -66,7 +68,11 @@ void SpaceReclaimer::Loop() {
     for (Progress progress = Progress::kMore; progress != Progress::kDone;) {
       if (is_stopping_) return;
       lock.Unlock();
-      progress = Step();
+      try {
+        progress = Step();
+      } catch (const std::exception&) {
+        progress = Progress::kBlocked;  // no memory: as on a full disk
+      }
       // As long as it kept the writer, so that the disk is others' half of the time.
       const Clock::duration pause = progress == Progress::kBlocked ? kRetry : kept_writer_;
       lock.Lock();
@@ -94,7 +100,7 @@ SpaceReclaimer::Progress SpaceReclaimer::Step() {
 Result<SpaceReclaimer::Work> SpaceReclaimer::CollectAndGiveBack(sqlite::Database& database) {
   Clock::time_point begin = Clock::now();
   Work work;
-  DHPMAP_ASSIGN_OR_RETURN(work.num_blobs, CollectDeadBlobs(database, num_blobs_a_step_));
+  DHPMAP_ASSIGN_OR_RETURN(work.num_blobs, CollectDeadBlobs(database, num_blobs_a_step_, kept_));
   const bool may_have_more = work.num_blobs == num_blobs_a_step_;
   Adapt(num_blobs_a_step_, work.num_blobs, Clock::now() - begin);
   // Else in the same step: where each commit leaves a few blobs there would never be one for pages.

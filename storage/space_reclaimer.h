@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "mapping/base/mutex.h"
+#include "storage/rows/kept_blobs.h"
 #include "storage/sqlite/database.h"
 
 namespace dhpmap {
@@ -32,8 +33,9 @@ class SpaceReclaimer {
   static constexpr std::int64_t kMaxAStep = 512;
 
   /// Free pages up to `num_spare_pages` stay, for what is stored next; kKeepAll where the file cannot shrink. `log` is
-  /// a connection of its own to the same database that never waits for others. All that is given here outlives it.
-  SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t num_spare_pages);
+  /// a connection of its own to the same database that never waits for others. Leaves alone the blobs that are `kept`,
+  /// if it is not null. All that is given here outlives it.
+  SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t num_spare_pages, const KeptBlobs* kept = nullptr);
   /// After the step that is being done.
   ~SpaceReclaimer();
   SpaceReclaimer(const SpaceReclaimer&) = delete;
@@ -72,6 +74,8 @@ class SpaceReclaimer {
 
   const Writer writer_;
   const std::int64_t num_spare_pages_;
+  const KeptBlobs none_kept_;
+  const KeptBlobs& kept_;
 
   // Of whoever steps.
   sqlite::Database log_;

@@ -13,8 +13,12 @@
 #include "storage/change_history.h"
 #include "storage/commit_rules.h"
 #include "storage/connection.h"
+#include "storage/edit_history.h"
+#include "storage/edit_log.h"
 #include "storage/fair_mutex.h"
 #include "storage/file_lock.h"
+#include "storage/map_file.h"
+#include "storage/map_import.h"
 #include "storage/map_layers.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
@@ -92,6 +96,7 @@ class SqliteStore final : public MapStore {
               const SqliteStoreOptions& options)
       : path_(path),
         change_limits_(options.changes),
+        edit_limits_(options.edits),
         writer_(std::move(writer)),
         readers_(std::move(path), reader_mode, options.busy_timeout_ms) {}
 
@@ -132,22 +137,38 @@ class SqliteStore final : public MapStore {
   }
 
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
-    DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
-    WrittenTiles written;
-    Status done = Write(durability, [&](Writer& writer) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
-      DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
-      DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after));
-      return Status::Ok();
+    return CommitState(before, after, durability, nullptr);
+  }
+
+  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
+    return CommitState(before, after, Durability::kFull, &edit);
+  }
+
+  Result<std::vector<LoggedEdit>> ListEdits(const std::string& name, const EditQuery& query) override {
+    return Read<std::vector<LoggedEdit>>([&](Database& database) -> Result<std::vector<LoggedEdit>> {
+      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(database, name));
+      return ReadEdits(database, head, query);
     });
-    if (done.ok()) written.TellTiles(number_);
-    return done;
+  }
+
+  Result<std::optional<StoredAnswer>> FindAnswer(const std::string& name, const std::string& request_id) override {
+    return Read<std::optional<StoredAnswer>>([&](Database& database) -> Result<std::optional<StoredAnswer>> {
+      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(database, name));
+      return ReadAnswer(database, head, request_id);
+    });
   }
 
   Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) override {
     return Read<ChangeList>([&](Database& database) -> Result<ChangeList> {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(database, name));
       return ReadChanges(database, head, after_revision, max_bytes);
+    });
+  }
+
+  Result<StateDelta> LoadEdit(const std::string& name, std::int64_t revision) override {
+    return Read<StateDelta>([&](Database& database) -> Result<StateDelta> {
+      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(database, name));
+      return ReadHistory(database, head, revision, number_);
     });
   }
 
@@ -174,6 +195,19 @@ class SqliteStore final : public MapStore {
     return MakeBackup(*lease, path_, stop);
   }
 
+  Result<std::unique_ptr<StoreBackup>> ExportMap(const std::string& name, const std::stop_token& stop) override {
+    const std::string place = UnfinishedPath(path_);
+    DHPMAP_RETURN_IF_ERROR(WriteMapFile(path_, name, place, stop));
+    return OpenOnce(place);
+  }
+
+  Result<std::unique_ptr<MapImport>> ImportMap() override {
+    const auto write = [this](Durability durability, const std::function<Status(Database&)>& body) {
+      return Write(durability, [&](Writer& writer) { return body(writer.database); });
+    };
+    return BeginMapImport(path_, {write, kept_});
+  }
+
   /// For a store that has just been opened, before all else: what is deleted from now on gives its space back.
   Status GiveSpaceBack() {
     const FairMutexLock lock(writer_mutex_);
@@ -187,7 +221,7 @@ class SqliteStore final : public MapStore {
       return body();
     };
     reclaimer_ = std::make_unique<SpaceReclaimer>(SpaceReclaimer::Writer{write, hold}, std::move(log),
-                                                  is_allowed ? kNumSparePages : SpaceReclaimer::kKeepAll);
+                                                  is_allowed ? kNumSparePages : SpaceReclaimer::kKeepAll, &kept_);
     return Status::Ok();
   }
 
@@ -222,26 +256,52 @@ class SqliteStore final : public MapStore {
     writer_->database.ReleaseMemory();
     if (reclaimer_ == nullptr) return Status::Ok();
     const Result<std::int64_t> num_free_pages = sqlite::NumFreePages(writer_->database);
-    const Result<bool> has_dead_blobs = HasDeadBlobs(writer_->database);
+    const Result<bool> has_dead_blobs = HasDeadBlobs(writer_->database, kept_);
     if (num_free_pages.ok() && has_dead_blobs.ok()) {
       reclaimer_->Notice({*num_free_pages, *has_dead_blobs, writer_->database.NumLogBytes()});
     }
     return Status::Ok();
   }
 
+  /// `edit`: what made the state after; null: not an edit.
+  Status CommitState(const StateMarks& before, const MapSnapshot& after, Durability durability,
+                     const EditRecord* edit) {
+    DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
+    WrittenTiles written;
+    const Status done = Write(durability, [&](Writer& writer) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
+      DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
+      if (edit == nullptr) {
+        DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after));
+        return Status::Ok();
+      }
+      DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key, RecordEdit(writer.database, head.key, *edit, edit_limits_));
+      // What undoes an undo is kept with the edit that it undid.
+      const bool is_kept = edit->entry.summary.kind == EditKind::kEdit && edit_limits_.max_histories > 0;
+      DHPMAP_ASSIGN_OR_RETURN(EditTileRecorder recorder, EditTileRecorder::Prepare(writer.database, key));
+      DHPMAP_ASSIGN_OR_RETURN(written,
+                              WriteState(writer, head, before.info(), before, after, is_kept ? &recorder : nullptr));
+      if (is_kept) DHPMAP_RETURN_IF_ERROR(RecordHistory(writer.database, head.key, key, *edit, after));
+      return TrimHistories(writer.database, head.key, edit->entry.time_ns, edit_limits_);
+    });
+    if (done.ok()) written.TellTiles(number_);
+    return done;
+  }
+
   /// Writes what differs between two states of the map that `head` is the row of.
   Result<WrittenTiles> WriteState(Writer& writer, const MapRow& head, const MapInfo& info_before,
-                                  const StateMarks& before, const MapSnapshot& after) {
-    DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles, WriteMapLayers(writer.database, head, before, after));
+                                  const StateMarks& before, const MapSnapshot& after,
+                                  EditTileRecorder* recorder = nullptr) {
+    DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles, WriteMapLayers(writer.database, head, before, after, recorder));
     DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, info_before, after, tiles));
     const std::vector<SubmapTileChange> changes = DiffTiles(before, after);
     DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written,
-                            WriteChanges(writer.database, head.key, changes, number_, writer.pool));
+                            WriteChanges(writer.database, head.key, changes, number_, writer.pool, recorder));
     if (before.revision() != after.revision()) {
       DHPMAP_RETURN_IF_ERROR(RecordChange(writer.database, head.key, after.info(),
                                           DescribeChange(before, after, changes), change_limits_));
     }
-    DHPMAP_RETURN_IF_ERROR(CollectBacklog(writer.database, written.num_new_blobs()));
+    DHPMAP_RETURN_IF_ERROR(CollectBacklog(writer.database, written.num_new_blobs(), kept_));
     return written;
   }
 
@@ -257,9 +317,11 @@ class SqliteStore final : public MapStore {
   const std::string path_;
   const std::uint16_t number_ = NextStoreNumber();
   const ChangeHistoryLimits change_limits_;
+  const EditLogLimits edit_limits_;
   FairMutex writer_mutex_;  // fair, or commits that follow upon each other would leave the reclaimer no turn
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
+  KeptBlobs kept_;
   std::unique_ptr<SpaceReclaimer> reclaimer_;  // last, as it uses all others; null: read-only
 };
 

@@ -5,14 +5,18 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mapping/base/result.h"
+#include "mapping/map/edit_entry.h"
 #include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
 #include "mapping/map/map_change.h"
+#include "mapping/map/state_delta.h"
 #include "mapping/map/state_marks.h"
 
 namespace dhpmap {
@@ -85,6 +89,46 @@ struct ChangeList {
   bool has_more = false;  ///< of later revisions, up to `revision`
 };
 
+/// How much is kept of the log of each map's edits, and with it of what repeated requests are answered. What is beyond
+/// goes with later edits, the oldest first.
+struct EditLogLimits {
+  std::int64_t max_edits = 100'000;
+  std::int64_t max_bytes = 64 << 20;  ///< as they are stored
+  double max_age_s = 2'592'000;
+  // Of what it takes to undo edits; the bytes are of tiles that it keeps. What is larger alone is not kept.
+  std::int64_t max_histories = 1'000;
+  std::int64_t max_history_bytes = 256 << 20;
+  double max_history_age_s = 86'400;
+};
+
+/// An edit that is to be stored with the state that it made.
+struct EditRecord {
+  EditEntry entry;
+  std::string answer;                         ///< to its request, if that has an id; the store does not look into it
+  std::shared_ptr<const MapSnapshot> before;  ///< the state that it met, which is the one last committed
+};
+
+/// An edit of the log.
+struct LoggedEdit {
+  EditEntry entry;
+  bool is_undone = false;  ///< and not done again since
+  bool is_kept = false;    ///< what it takes to undo it is
+};
+
+/// Which edits of a log.
+struct EditQuery {
+  std::optional<std::int64_t> before_revision;  ///< older than this one only
+  std::optional<std::string> author;
+  std::size_t max_edits = 100;
+};
+
+/// What a request was answered that had an id.
+struct StoredAnswer {
+  std::int64_t revision = 0;
+  std::uint64_t request_fingerprint = 0;
+  std::string answer;
+};
+
 /// A copy of a whole store, as a file of its own. Thread-compatible.
 class StoreBackup {
  public:
@@ -92,6 +136,25 @@ class StoreBackup {
   [[nodiscard]] virtual std::int64_t size_bytes() const = 0;
   /// The next part; empty at the end.
   virtual Result<std::string> Read(std::size_t max_bytes) = 0;
+};
+
+/// A map that comes in as a file. Lives no longer than its store, and leaves nothing behind that was not finished.
+/// Thread-compatible.
+class MapImport {
+ public:
+  virtual ~MapImport() = default;
+  /// The next part of the file. RESOURCE_EXHAUSTED if the disk is full.
+  virtual Status Write(std::string_view piece) = 0;
+  // Then, each once and only if all before it were OK:
+  /// Looks through the file as VerifyMap does. Returns the name that the map had. INVALID_ARGUMENT, reason BAD_MAP;
+  /// DATA_LOSS, DAMAGED_MAP; FAILED_PRECONDITION, NEWER_SCHEMA, NEWER_CONFIG or NEWER_LAYER; CANCELLED.
+  virtual Result<std::string> LookThrough(const std::stop_token& stop) = 0;
+  /// Brings what is large into the store, where nothing refers to it yet, in steps of milliseconds between which
+  /// commits go on. CANCELLED, RESOURCE_EXHAUSTED.
+  virtual Status Bring(const std::stop_token& stop) = 0;
+  /// Adds the map under `name`, in full and all or nothing; commits of other maps wait meanwhile, some microseconds a
+  /// tile. It has a new history; who follows it lists it first. INVALID_ARGUMENT for a bad name; ALREADY_EXISTS.
+  virtual Status Add(const std::string& name) = 0;
 };
 
 /// Keeps maps. The only header of storage/ that server/ sees. Thread-safe: calls on different maps and reads may run at
@@ -124,6 +187,32 @@ class MapStore {
     return Status(StatusCode::kUnimplemented, "this store keeps no changes");
   }
 
+  /// Commit of a state that an edit has made of the one last committed, with a full sync: the edit is in the log, and
+  /// its answer is known, if and only if the state is stored. This one keeps no log.
+  virtual Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) {
+    (void)edit;
+    return Commit(before, after, Durability::kFull);
+  }
+  /// The log of a map's edits, the newest first. NOT_FOUND; DATA_LOSS, reason DAMAGED_EDITS, which says nothing of the
+  /// map itself.
+  virtual Result<std::vector<LoggedEdit>> ListEdits(const std::string& name, const EditQuery& query) {
+    (void)name, (void)query;
+    return std::vector<LoggedEdit>();
+  }
+  /// What a request of this id, which is not empty, was answered; nothing if the log has none. Errors as ListEdits.
+  virtual Result<std::optional<StoredAnswer>> FindAnswer(const std::string& name, const std::string& request_id) {
+    (void)name, (void)request_id;
+    return std::optional<StoredAnswer>();
+  }
+
+  /// What an edit changed, to undo it or to do it again: of kEdit only, and as long as the limits say. Tiles know the
+  /// keys under which they are stored. NOT_FOUND, reason EDIT_NOT_FOUND; FAILED_PRECONDITION, reason UNDO_NOT_KEPT, the
+  /// metadata with the `oldest_edit` of which it is kept; DATA_LOSS, reason DAMAGED_EDITS.
+  virtual Result<StateDelta> LoadEdit(const std::string& name, std::int64_t revision) {
+    (void)name, (void)revision;
+    return Status(StatusCode::kUnimplemented, "this store keeps no edits");
+  }
+
   /// The whole map. Distances are within truncation / 4096 of what was committed; counts, ids and labels are exact.
   virtual Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) = 0;
 
@@ -149,6 +238,17 @@ class MapStore {
   virtual Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token&) {
     return FailedPrecondition("this store is kept in memory: there is no file to copy").WithReason("NOT_A_FILE");
   }
+
+  /// One map as committed, as a file for ImportMap of any store of this version or a later one; commits go on. Takes as
+  /// much space as the map until it is let go of. NOT_FOUND; DATA_LOSS if the map's row is damaged; CANCELLED;
+  /// NOT_A_FILE as Backup.
+  virtual Result<std::unique_ptr<StoreBackup>> ExportMap(const std::string&, const std::stop_token&) {
+    return FailedPrecondition("this store is kept in memory and exports nothing").WithReason("NOT_A_FILE");
+  }
+  /// Begins to take in what ExportMap gave.
+  virtual Result<std::unique_ptr<MapImport>> ImportMap() {
+    return FailedPrecondition("this store is kept in memory and imports nothing").WithReason("NOT_A_FILE");
+  }
 };
 
 struct SqliteStoreOptions {
@@ -157,6 +257,7 @@ struct SqliteStoreOptions {
   /// Hears, while it is opened, what is brought up to date of an older database and how much is left; may be empty.
   std::function<void(const std::string& message)> on_progress;
   ChangeHistoryLimits changes = {};
+  EditLogLimits edits = {};
 };
 
 /// Opens or creates a database file. DATA_LOSS if it is damaged or no database; FAILED_PRECONDITION, by reason:
@@ -166,6 +267,6 @@ struct SqliteStoreOptions {
 Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const SqliteStoreOptions& options = {});
 
 /// Keeps everything in memory, for tests and benchmarks: the same contract, without loss of precision.
-std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes = {});
+std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes = {}, const EditLogLimits& edits = {});
 
 }  // namespace dhpmap

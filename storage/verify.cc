@@ -9,6 +9,7 @@
 
 #include "storage/change_history.h"
 #include "storage/codec/free_codec.h"
+#include "storage/edit_log.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/rows/tile_rows.h"
@@ -190,7 +191,7 @@ class Verifier {
       break;
     }
     const bool is_settled = row.info.activity == Activity::kInactive && row.info.presence == Presence::kPresent &&
-                            !row.info.is_placed && row.info.id != kUnknownSubmap &&
+                            !row.info.is_placed && !row.info.is_locked && row.info.id != kUnknownSubmap &&
                             row.info.T_map_submap.matrix() == Transform::Identity().matrix();
     if (is_settled) shared_.Add(tile);
   }
@@ -252,17 +253,19 @@ class Verifier {
   Status VerifyReferences() {
     DHPMAP_ASSIGN_OR_RETURN(
         const std::int64_t num_orphans,
-        database_.QueryInt("SELECT count(*) FROM (SELECT blob_key FROM tile_blobs EXCEPT SELECT blob_key FROM tiles "
-                           "EXCEPT SELECT blob_key FROM dead_blobs)",
-                           kTask));
+        database_.QueryInt(
+            "SELECT count(*) FROM (SELECT blob_key FROM tile_blobs EXCEPT SELECT blob_key FROM blob_references "
+            "EXCEPT SELECT blob_key FROM dead_blobs)",
+            kTask));
     DHPMAP_ASSIGN_OR_RETURN(
         const std::int64_t num_wrong,
-        database_.QueryInt("SELECT (SELECT count(*) FROM (SELECT blob_key, count(*) - 1 FROM tiles GROUP BY blob_key "
-                           "HAVING count(*) > 1 EXCEPT SELECT blob_key, num_more FROM shared_blobs)) + "
-                           "(SELECT count(*) FROM (SELECT blob_key, num_more FROM shared_blobs EXCEPT "
-                           "SELECT blob_key, count(*) - 1 FROM tiles GROUP BY blob_key)) + "
-                           "(SELECT count(*) FROM dead_blobs WHERE blob_key IN (SELECT blob_key FROM tiles))",
-                           kTask));
+        database_.QueryInt(
+            "SELECT (SELECT count(*) FROM (SELECT blob_key, count(*) - 1 FROM blob_references GROUP BY blob_key "
+            "HAVING count(*) > 1 EXCEPT SELECT blob_key, num_more FROM shared_blobs)) + "
+            "(SELECT count(*) FROM (SELECT blob_key, num_more FROM shared_blobs EXCEPT "
+            "SELECT blob_key, count(*) - 1 FROM blob_references GROUP BY blob_key)) + "
+            "(SELECT count(*) FROM dead_blobs WHERE blob_key IN (SELECT blob_key FROM blob_references))",
+            kTask));
     if (num_orphans > 0) Fault(Kind::kReference, "database", std::to_string(num_orphans) + " blobs belong to nothing");
     if (num_wrong > 0) {
       Fault(Kind::kReference, "database",
@@ -325,10 +328,10 @@ Status Drop(const BadTile& bad, TileRows& tiles) {
 Status RepairReferences(Database& database) {
   return database.Execute(
       "DELETE FROM shared_blobs; INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, count(*) - 1 FROM "
-      "tiles "
-      "GROUP BY blob_key HAVING count(*) > 1; DELETE FROM dead_blobs; INSERT INTO dead_blobs (blob_key) SELECT "
+      "blob_references GROUP BY blob_key HAVING count(*) > 1; DELETE FROM dead_blobs; INSERT INTO dead_blobs "
+      "(blob_key) SELECT "
       "blob_key "
-      "FROM tile_blobs EXCEPT SELECT blob_key FROM tiles",
+      "FROM tile_blobs EXCEPT SELECT blob_key FROM blob_references",
       kRepairTask);
 }
 
@@ -352,6 +355,7 @@ Status RepairRows(Database& database, const std::string& name, Verification& fou
   }
   DHPMAP_RETURN_IF_ERROR(RepairReferences(database));
   DHPMAP_RETURN_IF_ERROR(ForgetChanges(database, map.key));
+  DHPMAP_RETURN_IF_ERROR(ForgetEdits(database, map.key));
   DHPMAP_ASSIGN_OR_RETURN(map.tiles, tiles.Count(OwnerOfMap(map.key)));
   map.num_submaps = static_cast<std::int64_t>(submaps.size());
   DHPMAP_RETURN_IF_ERROR(WriteRepairedMap(database, map));

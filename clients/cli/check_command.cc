@@ -44,7 +44,7 @@ void AddCheckFlags(CLI::App& command, CheckFlags& flags) {
       {"occupied", v1::QueryOptions::OCCUPIED}, {"report", v1::QueryOptions::REPORT}, {"free", v1::QueryOptions::FREE}};
   command.add_option("--unknown", flags.unknown, "What space that nobody has seen is: occupied, report, free")
       ->transform(CLI::CheckedTransformer(kPolicies, CLI::ignore_case));
-  command.add_option("--padding", flags.padding_m, "How far to grow surfaces, in m")->capture_default_str();
+  AddPaddingFlag(command, flags.padding_m);
   command.add_flag("--all", flags.all_contacts, "Tell all contacts");
 }
 
@@ -145,8 +145,9 @@ void PrintTable(const v1::CheckTrajectoryResponse& response) {
 }
 
 /// Something that the robot takes up at its first waypoint: where it is on the robot from then on.
-Result<v1::AttachedSubmap> TakeUp(const Session& session, const std::string& name, const v1::Pose& first_waypoint,
-                                  grpc::Status& status) {
+/// `frame`: in which the waypoint is.
+Result<v1::AttachedSubmap> TakeUp(const Session& session, const std::string& name, const v1::Pose& frame,
+                                  const v1::Pose& first_waypoint, grpc::Status& status) {
   v1::GetSubmapRequest request;
   request.set_name(name);
   v1::GetSubmapResponse response;
@@ -156,8 +157,9 @@ Result<v1::AttachedSubmap> TakeUp(const Session& session, const std::string& nam
   attached.set_submap(name);
   DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_submap,
                           TransformFromProto(response.submap().map_from_submap(), "map_from_submap"));
-  DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_robot, TransformFromProto(first_waypoint, "waypoint"));
-  *attached.mutable_pose() = ToProto(T_map_robot.inverse() * T_map_submap);
+  DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_asker, TransformFromProto(frame, "frame"));
+  DHPMAP_ASSIGN_OR_RETURN(const Transform T_asker_robot, TransformFromProto(first_waypoint, "waypoint"));
+  *attached.mutable_pose() = ToProto((T_map_asker * T_asker_robot).inverse() * T_map_submap);
   return attached;
 }
 
@@ -184,7 +186,8 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
   options = OptionsToProto(flags.check);
   for (const std::int64_t id : flags.attached) {
     grpc::Status status;
-    const auto attached = TakeUp(session, SubmapName(flags.check.map, id), trajectory.waypoints(0), status);
+    const auto attached =
+        TakeUp(session, SubmapName(flags.check.map, id), options.frame(), trajectory.waypoints(0), status);
     if (!status.ok()) return ReportError(session, status);
     if (!attached.ok()) return ReportLocalError(attached.status().message(), ExitCode::kUsage);
     *options.add_attached() = *attached;

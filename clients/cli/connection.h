@@ -46,10 +46,16 @@ void AddMapsCommands(CLI::App& app, Session& session);
 void AddSubmapsCommand(CLI::App& app, Session& session);
 void AddQueryCommands(CLI::App& app, Session& session);
 void AddEditCommands(CLI::App& app, Session& session);
+void AddLogCommand(CLI::App& app, Session& session);
+void AddUndoCommands(CLI::App& app, Session& session);
 void AddBackupCommand(CLI::App& app, Session& session);
 void AddVerifyCommand(CLI::App& app, Session& session);
 void AddExportCommands(CLI::App& app, Session& session);
 void AddWatchCommand(CLI::App& app, Session& session);
+void AddSessionsCommands(CLI::App& app, Session& session);
+void AddReplayCommand(CLI::App& app, Session& session);
+// Likewise, subcommands of `maps`.
+void AddMapFileCommands(CLI::App& maps, Session& session);
 // Likewise, subcommands of `query`.
 void AddGridCommand(CLI::App& query, Session& session);
 void AddObjectCommands(CLI::App& query, Session& session);

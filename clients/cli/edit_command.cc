@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap edit move|clone|delete|relabel|rename|merge|split|clear|absent|present|apply.
+// dhpmap edit
+// move|clone|delete|relabel|rename|merge|split|clear|absent|present|lock|unlock|keep-clear|lift|kept-clear|apply.
 #include <google/protobuf/util/json_util.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
 #include "clients/cli/new_map.h"
+#include "clients/cli/text_table.h"
 #include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
 
@@ -17,14 +19,23 @@ namespace dhpmap {
 namespace {
 
 struct EditOptions {
+  // Of whoever edits, and of the request, for who repeats it.
+  template <typename Request>
+  void Sign(Request& request) const {
+    if (!author.empty()) request.set_author(author);
+    if (!request_id.empty()) request.set_request_id(request_id);
+  }
+
   std::string map, text;
   std::int64_t id = 0;
   std::vector<double> to_m, by_m, rotation;
   std::vector<std::int64_t> others;
   std::vector<double> box_m, sphere_m, plane;
   std::vector<std::string> classes;
+  std::string keep_clear;
   int min_voxels = 0;
   bool only_try = false;
+  std::string author, request_id;
   [[nodiscard]] std::string name() const { return SubmapName(map, id); }
   [[nodiscard]] bool has_pose() const { return !to_m.empty() || !by_m.empty() || !rotation.empty(); }
 };
@@ -38,7 +49,7 @@ grpc::Status GetSubmap(v1::SubmapService::Stub& stub, const std::string& name, v
   v1::GetSubmapRequest request;
   request.set_name(name);
   v1::GetSubmapResponse response;
-  const grpc::Status status = stub.GetSubmap(&context, request, &response);
+  grpc::Status status = stub.GetSubmap(&context, request, &response);
   submap = response.submap();
   return status;
 }
@@ -66,9 +77,10 @@ ExitCode Done(const Session& session, const grpc::Status& status, const Response
   return ExitCode::kOk;
 }
 
-ExitCode Update(const Session& session, v1::SubmapService::Stub& stub, const v1::Submap& submap, const char* field,
-                const std::string& text) {
+ExitCode Update(const Session& session, const EditOptions& options, v1::SubmapService::Stub& stub,
+                const v1::Submap& submap, const char* field, const std::string& text) {
   v1::UpdateSubmapRequest request;
+  options.Sign(request);
   *request.mutable_submap() = submap;
   request.mutable_update_mask()->add_paths(field);
   grpc::ClientContext context;
@@ -84,12 +96,13 @@ ExitCode RunMove(const Session& session, const EditOptions& options) {
   const grpc::Status status = GetSubmap(*stub, options.name(), submap);
   if (!status.ok()) return ReportError(session, status);
   ChangePose(options, *submap.mutable_map_from_submap());
-  return Update(session, *stub, submap, "map_from_submap", "moved " + options.name());
+  return Update(session, options, *stub, submap, "map_from_submap", "moved " + options.name());
 }
 
 ExitCode RunClone(const Session& session, const EditOptions& options) {
   const auto stub = Submaps(session);
   v1::CloneSubmapRequest request;
+  options.Sign(request);
   request.set_name(options.name());
   request.set_display_name(options.text);
   if (options.has_pose()) {
@@ -107,6 +120,7 @@ ExitCode RunClone(const Session& session, const EditOptions& options) {
 
 ExitCode RunDelete(const Session& session, const EditOptions& options) {
   v1::DeleteSubmapRequest request;
+  options.Sign(request);
   request.set_name(options.name());
   grpc::ClientContext context;
   v1::DeleteSubmapResponse response;
@@ -123,7 +137,7 @@ ExitCode RunRelabel(const Session& session, const EditOptions& options) {
   v1::Submap submap;
   submap.set_name(options.name());
   submap.set_class_id(static_cast<std::int32_t>(label_class->id()));
-  return Update(session, *Submaps(session), submap, "class_id",
+  return Update(session, options, *Submaps(session), submap, "class_id",
                 "relabelled " + options.name() + " to " + label_class->name());
 }
 
@@ -131,7 +145,7 @@ ExitCode RunRename(const Session& session, const EditOptions& options) {
   v1::Submap submap;
   submap.set_name(options.name());
   submap.set_display_name(options.text);
-  return Update(session, *Submaps(session), submap, "display_name", "renamed " + options.name());
+  return Update(session, options, *Submaps(session), submap, "display_name", "renamed " + options.name());
 }
 
 void SetVector(v1::Vector3& out, const double* values) {
@@ -145,6 +159,17 @@ void SetBox(v1::Box& out, const std::vector<double>& values) {
   SetVector(*out.mutable_max_m(), values.data() + 3);
 }
 
+/// Of a message that has a box or a sphere.
+template <typename Message>
+void SetRegion(Message& out, const EditOptions& options) {
+  if (!options.box_m.empty()) {
+    SetBox(*out.mutable_box(), options.box_m);
+    return;
+  }
+  SetVector(*out.mutable_sphere()->mutable_center_m(), options.sphere_m.data());
+  out.mutable_sphere()->set_radius_m(options.sphere_m[3]);
+}
+
 void PrintNames(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
   if (names.empty()) return;
   std::cout << " " << what;
@@ -154,6 +179,7 @@ void PrintNames(const char* what, const google::protobuf::RepeatedPtrField<std::
 /// One line an edit: what changed, was created and removed, by instance id.
 ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const EditOptions& options) {
   request.set_map(MapName(options.map));
+  options.Sign(request);
   request.set_validate_only(request.validate_only() || options.only_try);
   grpc::ClientContext context;
   v1::ApplyEditsResponse response;
@@ -210,11 +236,8 @@ ExitCode RunClear(const Session& session, const EditOptions& options) {
   v1::Edit* edit = nullptr;
   v1::ApplyEditsRequest request = One(options, edit);
   v1::ClearEdit& clear = *edit->mutable_clear();
-  if (!options.box_m.empty()) SetBox(*clear.mutable_box(), options.box_m);
-  else {
-    SetVector(*clear.mutable_sphere()->mutable_center_m(), options.sphere_m.data());
-    clear.mutable_sphere()->set_radius_m(options.sphere_m[3]);
-  }
+  SetRegion(clear, options);
+  clear.set_keep_clear(options.keep_clear);
   for (const std::string& name : options.classes) clear.add_class_names(name);
   return RunEdits(session, std::move(request), options);
 }
@@ -225,6 +248,57 @@ ExitCode RunSetPresence(const Session& session, const EditOptions& options) {
   v1::ApplyEditsRequest request = One(options, edit);
   edit->mutable_set_presence()->set_presence(presence);
   return RunEdits(session, std::move(request), options);
+}
+
+template <bool is_locked>
+ExitCode RunLock(const Session& session, const EditOptions& options) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  if (is_locked) edit->mutable_lock();
+  else edit->mutable_unlock();
+  return RunEdits(session, std::move(request), options);
+}
+
+ExitCode RunKeepClear(const Session& session, const EditOptions& options) {
+  if (options.box_m.empty() == options.sphere_m.empty()) {
+    return ReportLocalError("say where: --box or --sphere", ExitCode::kUsage);
+  }
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  edit->mutable_keep_clear()->set_name(options.keep_clear);
+  SetRegion(*edit->mutable_keep_clear(), options);
+  return RunEdits(session, std::move(request), options);
+}
+
+ExitCode RunLift(const Session& session, const EditOptions& options) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  edit->mutable_lift()->set_name(options.keep_clear);
+  return RunEdits(session, std::move(request), options);
+}
+
+std::string Numbers(const v1::Vector3& v) { return Fixed(v.x(), 2) + " " + Fixed(v.y(), 2) + " " + Fixed(v.z(), 2); }
+
+ExitCode RunListKeptClear(const Session& session, const EditOptions& options) {
+  grpc::ClientContext context;
+  v1::ListKeptClearRequest request;
+  request.set_parent(MapName(options.map));
+  v1::ListKeptClearResponse response;
+  const grpc::Status status = v1::EditService::NewStub(Connect(session))->ListKeptClear(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) {
+    PrintJson(response);
+    return ExitCode::kOk;
+  }
+  TextTable table({"NAME", "SHAPE", "METRES"});
+  for (const v1::KeptClearRegion& region : response.regions()) {
+    const v1::Box& box = region.box();
+    const v1::Sphere& sphere = region.sphere();
+    if (region.has_box()) table.Add({region.name(), "box", Numbers(box.min_m()) + " to " + Numbers(box.max_m())});
+    else table.Add({region.name(), "sphere", Numbers(sphere.center_m()) + " radius " + Fixed(sphere.radius_m(), 2)});
+  }
+  table.Print(std::cout);
+  return ExitCode::kOk;
 }
 
 /// A list of edits from a file of JSON, an ApplyEditsRequest whose map may be left out.
@@ -264,6 +338,32 @@ void AddTryOption(CLI::App& command, EditOptions& options) {
   command.add_flag("--try", options.only_try, "Say what would become of it, and change nothing");
 }
 
+void AddRegionOptions(CLI::App& command, EditOptions& options) {
+  command.add_option("--box", options.box_m, "The box X Y Z to X Y Z (metres)")->expected(6);
+  command.add_option("--sphere", options.sphere_m, "The sphere X Y Z RADIUS (metres)")->expected(4);
+}
+
+/// A command on a map, or on a region of it.
+CLI::App* AddMapEdit(CLI::App& edit, const char* name, const char* what, const std::shared_ptr<EditOptions>& options,
+                     Session& session, ExitCode (*run)(const Session&, const EditOptions&)) {
+  CLI::App* command = edit.add_subcommand(name, what);
+  command->add_option("map", options->map, "Name of the map")->required();
+  command->callback([options, run, &session] { session.exit_code = run(session, *options); });
+  return command;
+}
+
+void AddKeepClearCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
+  CLI::App* keep =
+      AddMapEdit(edit, "keep-clear", "Let mapping put nothing into a region", options, session, RunKeepClear);
+  AddRegionOptions(*keep, *options);
+  CLI::App* lift = AddMapEdit(edit, "lift", "Keep a region clear no longer", options, session, RunLift);
+  for (CLI::App* command : {keep, lift}) {
+    command->add_option("name", options->keep_clear, "Name of the region")->required();
+    AddTryOption(*command, *options);
+  }
+  AddMapEdit(edit, "kept-clear", "List the regions that are kept clear", options, session, RunListKeptClear);
+}
+
 void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
   CLI::App* merge = AddEdit(edit, "merge", "Make other things parts of it", options, session, RunMerge);
   merge->add_option("others", options->others, "Instance ids of the others")->required();
@@ -276,14 +376,12 @@ void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& optio
       ->expected(6)
       ->excludes(box);
   split->add_option("--min-voxels", options->min_voxels, "Smaller connected parts stay [16]");
-  CLI::App* clear = edit.add_subcommand("clear", "Forget what was observed within a region");
-  clear->add_option("map", options->map, "Name of the map")->required();
+  CLI::App* clear = AddMapEdit(edit, "clear", "Forget what was observed within a region", options, session, RunClear);
   clear->add_option("--id", options->id, "Of this object only");
   clear->add_option("--class", options->classes, "Of objects of this class only; may be repeated")
       ->allow_extra_args(false);
-  clear->add_option("--box", options->box_m, "The box X Y Z to X Y Z (metres)")->expected(6);
-  clear->add_option("--sphere", options->sphere_m, "The sphere X Y Z RADIUS (metres)")->expected(4);
-  clear->callback([options, &session] { session.exit_code = RunClear(session, *options); });
+  AddRegionOptions(*clear, *options);
+  clear->add_option("--keep-clear", options->keep_clear, "Keep the region clear from now on, under this name");
   for (CLI::App* command : {merge, split, clear}) AddTryOption(*command, *options);
 }
 
@@ -293,6 +391,9 @@ void AddEditCommands(CLI::App& app, Session& session) {
   CLI::App* edit = app.add_subcommand("edit", "Change objects of a map");
   edit->require_subcommand(1);
   auto options = std::make_shared<EditOptions>();
+  edit->fallthrough();
+  edit->add_option("--author", options->author, "Who edits, for the log")->envname("DHPMAP_AUTHOR");
+  edit->add_option("--request-id", options->request_id, "UUID: sent again with the same one, it is not done again");
   AddPoseOptions(*AddEdit(*edit, "move", "Change its pose", options, session, RunMove), *options);
   CLI::App* clone = AddEdit(*edit, "clone", "Copy it under a new instance id", options, session, RunClone);
   AddPoseOptions(*clone, *options);
@@ -307,6 +408,9 @@ void AddEditCommands(CLI::App& app, Session& session) {
   AddRegionCommands(*edit, options, session);
   AddEdit(*edit, "absent", "It is no longer there", options, session, RunSetPresence<v1::ABSENT>);
   AddEdit(*edit, "present", "It is there again", options, session, RunSetPresence<v1::PRESENT>);
+  AddEdit(*edit, "lock", "Mapping and refinement leave it alone from now on", options, session, RunLock<true>);
+  AddEdit(*edit, "unlock", "It lives again", options, session, RunLock<false>);
+  AddKeepClearCommands(*edit, options, session);
   CLI::App* apply = edit->add_subcommand("apply", "Apply a list of edits as one: all of them or none");
   apply->add_option("map", options->map, "Name of the map")->required();
   apply->add_option("file", options->text, "JSON as of :applyEdits over REST; - reads standard input")->required();

@@ -18,6 +18,7 @@ struct GridCommand {
   std::vector<double> box_m;
   double resolution_m = 0.05;
   QueryFlags query;
+  double padding_m = 0;
 };
 
 /// Head of a .npy file, version 1.0, of little-endian floats, z slowest: its length is a multiple of 64.
@@ -45,19 +46,18 @@ ExitCode RunGrid(const Session& session, const GridCommand& command) {
   high.set_z(command.box_m[5]);
   request.set_resolution_m(command.resolution_m);
   *request.mutable_options() = ToProto(command.query, command.map);
+  if (command.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_m(command.padding_m);
   auto file = OutputFile::Open(command.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
   grpc::ClientContext context;
   const auto stub = v1::QueryService::NewStub(Connect(session));
   const auto stream = stub->GetDistanceGrid(&context, request);
   v1::GetDistanceGridResponse part, first;
-  std::int64_t num_nodes = 0;
   while (stream->Read(&part)) {
     if (part.first() == 0) {
       first = part;
       file->Write(NumpyHead(part.num_z(), part.num_y(), part.num_x()));
     }
-    num_nodes += part.distance_m_size();
     file->Write({reinterpret_cast<const char*>(part.distance_m().data()),
                  sizeof(float) * static_cast<std::size_t>(part.distance_m_size())});
   }
@@ -80,6 +80,7 @@ void AddGridCommand(CLI::App& query, Session& session) {
   grid->add_option("--box", command->box_m, "MIN_X MIN_Y MIN_Z MAX_X MAX_Y MAX_Z in m")->expected(6)->required();
   grid->add_option("--resolution", command->resolution_m, "From node to node, in m")->capture_default_str();
   AddQueryFlags(*grid, command->query);
+  AddPaddingFlag(*grid, command->padding_m);
   grid->add_option("--out", command->file, "FILE.npy, - for stdout")->required();
   grid->callback([command, &session] { session.exit_code = RunGrid(session, *command); });
 }

@@ -43,10 +43,14 @@ int main(int argc, char** argv) {
   dhpmap::AddSubmapsCommand(app, session);
   dhpmap::AddQueryCommands(app, session);
   dhpmap::AddEditCommands(app, session);
+  dhpmap::AddLogCommand(app, session);
+  dhpmap::AddUndoCommands(app, session);
   dhpmap::AddExportCommands(app, session);
   dhpmap::AddBackupCommand(app, session);
   dhpmap::AddVerifyCommand(app, session);
   dhpmap::AddWatchCommand(app, session);
+  dhpmap::AddSessionsCommands(app, session);
+  dhpmap::AddReplayCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));
   } catch (const CLI::ParseError& error) {

@@ -215,7 +215,7 @@ void AddMapCommand(CLI::App& app, Session& session) {
   command->add_option("--reconnect-s", options->reconnect_s, "In a session: how long to try after a lost connection")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_flag("--take-over", options->take_over, "End the stream that feeds the map now, if there is one");
+  command->add_flag("--take-over", options->take_over, "End the streams that feed the map now, if there are any");
   command->callback([options, &session] { session.exit_code = RunMap(session, *options); });
 }
 

@@ -168,7 +168,7 @@ void AddNamed(CLI::App& app, const char* name, const char* what, Session& sessio
 }  // namespace
 
 void AddMapsCommands(CLI::App& app, Session& session) {
-  CLI::App* maps = app.add_subcommand("maps", "List, show, create and delete maps");
+  CLI::App* maps = app.add_subcommand("maps", "List, show, create, delete, export and import maps");
   maps->require_subcommand(0, 1);
   CLI::App* list = maps->add_subcommand("list", "All maps (the default)");
   list->callback([&session] { session.exit_code = RunList(session); });
@@ -189,6 +189,7 @@ void AddMapsCommands(CLI::App& app, Session& session) {
   create->add_option("--dataset", options->dataset, "Take preset and classes from this data set");
   create->add_option("--labels", options->labels, "Whose classes: predicted or groundtruth")->capture_default_str();
   create->callback([options, &session] { session.exit_code = RunCreate(session, *options); });
+  AddMapFileCommands(*maps, session);
   AddNamed(app, "stats", "What a map holds and what it costs", session, RunStats);
   AddNamed(app, "finish", "End a mapping session: all things settle, everything is committed", session, RunFinish);
 }

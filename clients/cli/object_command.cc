@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
 
@@ -16,6 +17,7 @@ struct SearchCommand {
   std::vector<double> near_m, box_m;
   double max_distance_m = 0;
   int most = 100;
+  AskerFlags asker;
 };
 
 struct RelationsCommand {
@@ -23,6 +25,7 @@ struct RelationsCommand {
   std::int64_t id = -1;  ///< -1: of all objects
   std::vector<std::string> kinds;
   double max_gap_m = 0.5;
+  AskerFlags asker;
 };
 
 void SetVector(const double* xyz, v1::Vector3& vector) {
@@ -35,6 +38,7 @@ v1::SearchSubmapsRequest ToRequest(const SearchCommand& command) {
   v1::SearchSubmapsRequest request;
   request.set_map(MapName(command.map));
   request.set_name_part(command.name_part);
+  *request.mutable_options() = ToProto(command.asker);
   request.mutable_options()->mutable_class_names()->Assign(command.class_names.begin(), command.class_names.end());
   if (!command.near_m.empty()) SetVector(command.near_m.data(), *request.mutable_near_m());
   if (command.max_distance_m != 0) request.mutable_options()->set_max_distance_m(command.max_distance_m);
@@ -97,6 +101,7 @@ ExitCode RunRelations(const Session& session, const RelationsCommand& command) {
   if (command.id >= 0) request.set_submap(SubmapName(command.map, command.id));
   for (const std::string& kind : command.kinds) request.add_kinds(KindOf(kind));
   request.set_max_gap_m(command.max_gap_m);
+  *request.mutable_options() = ToProto(command.asker);
   grpc::ClientContext context;
   v1::ListRelationsResponse response;
   const grpc::Status status = v1::QueryService::NewStub(Connect(session))->ListRelations(&context, request, &response);
@@ -119,6 +124,7 @@ void AddObjectCommands(CLI::App& query, Session& session) {
   search->add_option("--box", wanted->box_m, "MIN_X MIN_Y MIN_Z MAX_X MAX_Y MAX_Z in m: some of the surface is in it")
       ->expected(6);
   search->add_option("--most", wanted->most, "So many at most")->capture_default_str();
+  AddAskerFlags(*search, wanted->asker);
   search->callback([wanted, &session] { session.exit_code = RunSearch(session, *wanted); });
 
   auto asked = std::make_shared<RelationsCommand>();
@@ -128,6 +134,7 @@ void AddObjectCommands(CLI::App& query, Session& session) {
   relations->add_option("--kind", asked->kinds, "Only these")->check(CLI::IsMember({"on", "in", "next-to"}));
   relations->add_option("--max-gap", asked->max_gap_m, "Between what is next to each other, in m")
       ->capture_default_str();
+  AddAskerFlags(*relations, asked->asker);
   relations->callback([asked, &session] { session.exit_code = RunRelations(session, *asked); });
 }
 

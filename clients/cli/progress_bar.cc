@@ -5,16 +5,21 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
+
+#include "clients/cli/text_table.h"
 
 namespace dhpmap {
 namespace {
 
 constexpr std::size_t kWidth = 30;
+constexpr char kBytes[] = "bytes";
 constexpr auto kMinInterval = std::chrono::milliseconds(100);
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::size_t total) : total_(std::max<std::size_t>(total, 1)), is_terminal_(isatty(2) != 0) {}
+ProgressBar::ProgressBar(std::size_t total, std::string unit)
+    : total_(std::max<std::size_t>(total, 1)), unit_(std::move(unit)), is_terminal_(isatty(2) != 0) {}
 
 ProgressBar::~ProgressBar() {
   if (is_drawn_) std::fputs("\r\x1b[K", stderr);
@@ -36,7 +41,7 @@ void ProgressBar::Show(std::size_t done, const std::string& note) {
   const std::size_t tenths = 10 * done / total_;
   if (tenths == tenths_shown_) return;
   tenths_shown_ = tenths;
-  std::fprintf(stderr, "%zu/%zu frames, %s\n", done, total_, note.c_str());
+  std::fprintf(stderr, "%s%s, %s\n", Counted(done).c_str(), unit_ == kBytes ? "" : (" " + unit_).c_str(), note.c_str());
 }
 
 void ProgressBar::Print(const std::string& line) {
@@ -45,10 +50,15 @@ void ProgressBar::Print(const std::string& line) {
   is_drawn_ = false;
 }
 
+std::string ProgressBar::Counted(std::size_t done) const {
+  if (unit_ != kBytes) return std::to_string(done) + "/" + std::to_string(total_);
+  return Bytes(static_cast<double>(done)) + " of " + Bytes(static_cast<double>(total_));
+}
+
 void ProgressBar::Draw(std::size_t done, const std::string& note) {
   const std::size_t filled = std::min(kWidth, kWidth * done / total_);
   const std::string bar = std::string(filled, '=') + std::string(kWidth - filled, ' ');
-  std::fprintf(stderr, "\r\x1b[K[%s] %zu/%zu  %s", bar.c_str(), done, total_, note.c_str());
+  std::fprintf(stderr, "\r\x1b[K[%s] %s  %s", bar.c_str(), Counted(done).c_str(), note.c_str());
   std::fflush(stderr);
   is_drawn_ = true;
 }

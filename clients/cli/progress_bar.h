@@ -12,7 +12,8 @@ namespace dhpmap {
 /// Progress on stderr: a bar where that is a terminal, else a line at every tenth of the way. Thread-safe.
 class ProgressBar {
  public:
-  explicit ProgressBar(std::size_t total);
+  /// `unit`: what is counted; bytes are shown as such.
+  explicit ProgressBar(std::size_t total, std::string unit = "frames");
   /// Takes the bar away.
   ~ProgressBar();
   void Show(std::size_t done, const std::string& note);
@@ -23,7 +24,10 @@ class ProgressBar {
  private:
   void Draw(std::size_t done, const std::string& note) DHPMAP_REQUIRES(mutex_);
 
+  [[nodiscard]] std::string Counted(std::size_t done) const;
+
   const std::size_t total_;
+  const std::string unit_;
   const bool is_terminal_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Mutex mutex_;

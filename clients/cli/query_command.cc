@@ -29,7 +29,7 @@ struct PointOptions {
 struct DistancesOptions {
   PointOptions points;
   QueryFlags flags;
-  double tolerance_vox = 0;
+  double tolerance_vox = 0, padding_m = 0;
 };
 
 Result<std::vector<float>> ReadAll(const PointOptions& options) {
@@ -129,6 +129,7 @@ ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   request.set_map(MapName(options.points.map));
   request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
   *request.mutable_options() = ToProto(options.flags, options.points.map);
+  if (options.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_m(options.padding_m);
   if (options.tolerance_vox != 0) request.mutable_options()->set_tolerance_vox(options.tolerance_vox);
   grpc::ClientContext context;
   v1::QueryDistancesResponse response;
@@ -189,6 +190,7 @@ void AddDistances(CLI::App& query, Session& session) {
   CLI::App* distances = query.add_subcommand("distances", "How far are these points from the nearest surface?");
   AddPointOptions(*distances, options->points);
   AddQueryFlags(*distances, options->flags);
+  AddPaddingFlag(*distances, options->padding_m);
   distances
       ->add_option("--tolerance-vox", options->tolerance_vox, "How much too long they may be, in voxels, to be faster")
       ->capture_default_str();

@@ -2,12 +2,24 @@
 #include "clients/cli/query_flags.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 #include "clients/cli/connection.h"
 
 namespace dhpmap {
 
+void AddAskerFlags(CLI::App& command, AskerFlags& flags) {
+  command.add_option("--frame", flags.frame, "X Y Z YAW_DEG of the frame in which is asked and answered, in the map's")
+      ->expected(4);
+  command.add_option("--min-revision", flags.min_revision, "Wait until the map is at this revision");
+}
+
+void AddPaddingFlag(CLI::App& command, double& padding_m) {
+  command.add_option("--padding", padding_m, "How far to grow surfaces, in m")->capture_default_str();
+}
+
 void AddWorldFlags(CLI::App& command, WorldFlags& flags) {
+  AddAskerFlags(command, flags.asker);
   command.add_option("--exclude-submap", flags.excluded_submaps, "Ids of objects to leave out");
   command.add_option("--exclude-class", flags.excluded_class_names, "Names of classes to leave out");
   command.add_option("--class", flags.class_names, "Names of the only classes to look at");
@@ -21,8 +33,22 @@ void AddQueryFlags(CLI::App& command, QueryFlags& flags) {
   AddWorldFlags(command, flags.world);
 }
 
-v1::QueryOptions ToProto(const WorldFlags& flags, const std::string& map) {
+v1::QueryOptions ToProto(const AskerFlags& flags) {
   v1::QueryOptions options;
+  options.set_min_revision(flags.min_revision);
+  if (flags.frame.empty()) return options;
+  v1::Pose& frame = *options.mutable_frame();
+  frame.mutable_translation_m()->set_x(flags.frame[0]);
+  frame.mutable_translation_m()->set_y(flags.frame[1]);
+  frame.mutable_translation_m()->set_z(flags.frame[2]);
+  const double half_rad = flags.frame[3] * M_PI / 360;
+  frame.mutable_rotation()->set_z(std::sin(half_rad));
+  frame.mutable_rotation()->set_w(std::cos(half_rad));
+  return options;
+}
+
+v1::QueryOptions ToProto(const WorldFlags& flags, const std::string& map) {
+  v1::QueryOptions options = ToProto(flags.asker);
   for (const std::int64_t id : flags.excluded_submaps) options.add_excluded_submaps(SubmapName(map, id));
   options.mutable_excluded_class_names()->Assign(flags.excluded_class_names.begin(), flags.excluded_class_names.end());
   options.mutable_class_names()->Assign(flags.class_names.begin(), flags.class_names.end());

@@ -16,8 +16,14 @@ namespace dhpmap {
 
 struct Session;
 
+/// In which frame a query is asked, and of a map how new.
+struct AskerFlags {
+  std::vector<double> frame;  ///< X Y Z YAW_DEG; empty: the map's
+  std::int64_t min_revision = 0;
+};
 /// What a query takes as the world, as far as the command line says so.
 struct WorldFlags {
+  AskerFlags asker;
   std::vector<std::int64_t> excluded_submaps;
   std::vector<std::string> excluded_class_names, class_names;
   std::optional<double> max_age_s;
@@ -29,8 +35,11 @@ struct QueryFlags {
   double max_distance_m = 3;
 };
 
+void AddAskerFlags(CLI::App& command, AskerFlags& flags);
 void AddWorldFlags(CLI::App& command, WorldFlags& flags);
+void AddPaddingFlag(CLI::App& command, double& padding_m);
 void AddQueryFlags(CLI::App& command, QueryFlags& flags);
+v1::QueryOptions ToProto(const AskerFlags& flags);
 v1::QueryOptions ToProto(const WorldFlags& flags, const std::string& map);
 v1::QueryOptions ToProto(const QueryFlags& flags, const std::string& map);
 

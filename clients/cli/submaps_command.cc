@@ -27,9 +27,10 @@ void SetVector(v1::Vector3& out, const double* values) {
   out.set_z(values[2]);
 }
 
-const char* StateName(const v1::Submap& submap) {
-  if (submap.presence() == v1::ABSENT) return "absent";
-  return submap.activity() == v1::ACTIVE ? "active" : "settled";
+std::string StateName(const v1::Submap& submap) {
+  std::string name = submap.activity() == v1::ACTIVE ? "active" : "settled";
+  if (submap.presence() == v1::ABSENT) name = "absent";
+  return submap.locked() ? name + ", locked" : name;
 }
 
 void PrintTable(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {

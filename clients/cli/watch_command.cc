@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/text_table.h"
 #include "dhpmap/v1/watch_service.grpc.pb.h"
 
 namespace dhpmap {
@@ -65,7 +66,13 @@ void PrintEvent(const v1::SubmapEvent& event) {
 }
 
 void Print(const v1::WatchMapResponse& message) {
-  if (message.has_progress()) std::cout << "all up to revision " << message.progress().revision() << " is told\n";
+  if (message.has_progress() && message.progress().has_finishing()) {
+    const v1::FinishProgress& finishing = message.progress().finishing();
+    std::cout << "mapping is being finished: " << Lower(v1::FinishProgress::Stage_Name(finishing.stage())) << ", after "
+              << Fixed(finishing.elapsed_s(), 1) << " s\n";
+  } else if (message.has_progress()) {
+    std::cout << "all up to revision " << message.progress().revision() << " is told\n";
+  }
   if (!message.has_change()) return;
   const v1::MapChange& change = message.change();
   std::cout << "revision " << change.first_revision();

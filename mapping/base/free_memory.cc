@@ -4,6 +4,7 @@
 #include <malloc.h>
 
 #include <cstddef>
+#include <cstdint>
 
 // jemalloc's, in programs that are linked with it.
 extern "C" __attribute__((weak)) int mallctl(const char* name, void* old_value, std::size_t* old_bytes, void* new_value,
@@ -17,6 +18,19 @@ void GiveBackFreeMemory() {
   } else {
     malloc_trim(0);
   }
+}
+
+std::optional<HeapUse> HeapUseNow() {
+  if (mallctl == nullptr) return std::nullopt;
+  std::uint64_t epoch = 1;
+  mallctl("epoch", nullptr, nullptr, &epoch, sizeof epoch);  // what is read is what was at the last one
+  HeapUse use;
+  std::size_t num_bytes = sizeof(std::size_t);
+  if (mallctl("stats.allocated", &use.live_bytes, &num_bytes, nullptr, 0) != 0 ||
+      mallctl("stats.resident", &use.resident_bytes, &num_bytes, nullptr, 0) != 0) {
+    return std::nullopt;
+  }
+  return use;
 }
 
 }  // namespace dhpmap

@@ -2,6 +2,7 @@
 #include "mapping/base/lane.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <new>
 #include <utility>
@@ -146,6 +147,28 @@ void Lane::Share(std::size_t count, const std::function<void(std::size_t)>& body
   shared->Wait();
 }
 
+/// An exception that left the thread would end the process.
+void Lane::Run(LaneTask& task) const {
+  const auto work = task.Take();
+  if (!work) return;
+  try {
+    work();
+  } catch (const std::exception& error) {
+    TellException(error.what());
+  } catch (...) {
+    TellException("an exception of an unknown type");
+  }
+}
+
+void Lane::TellException(const char* what) const noexcept {
+  try {
+    if (options_.on_exception) return options_.on_exception(what);
+  } catch (...) {
+    // It may have had no memory for it; the line below needs none.
+  }
+  (void)std::fprintf(stderr, "a task of the lane '%s' has thrown: %s\n", options_.name, what);
+}
+
 void Lane::Loop() {
   MutexLock lock(mutex_);
   while (true) {
@@ -154,7 +177,7 @@ void Lane::Loop() {
     {
       const std::shared_ptr<LaneTask> task = TakeNext();
       lock.Unlock();
-      if (const auto work = task->Take()) work();
+      Run(*task);
     }
     lock.Lock();
   }

@@ -17,7 +17,7 @@ namespace dhpmap {
 /// Work that waits for a thread and can be given up as long as it does. Thread-safe.
 class LaneTask {
  public:
-  /// `work` must not throw.
+  /// What `work` throws nobody gets but LaneOptions::on_exception: it answers its own callers.
   explicit LaneTask(std::function<void()> work) : work_(std::move(work)) {}
 
   /// True if the work had not begun: then it is freed, and never will.
@@ -39,10 +39,12 @@ struct LaneOptions {
   std::size_t max_waiting = 1024;  ///< tasks that no thread has begun
   int niceness = 0;                ///< of its threads, above that of the process: 10 leaves the cores to others
   Turns turns = Turns::kOrdinary;
+  /// Hears, on the lane's thread, what a task has thrown. Empty: standard error gets a line.
+  std::function<void(const char* what)> on_exception = {};
 };
 
 /// Threads for work of one kind, in the order it came, so that no kind waits for another, and none holds up the few
-/// threads that hear of what arrives. Thread-safe.
+/// threads that hear of what arrives. It outlives what its tasks throw. Thread-safe.
 class Lane {
  public:
   explicit Lane(const LaneOptions& options);
@@ -76,6 +78,8 @@ class Lane {
   };
 
   void Loop() DHPMAP_EXCLUDES(mutex_);
+  void Run(LaneTask& task) const DHPMAP_EXCLUDES(mutex_);
+  void TellException(const char* what) const noexcept;
   [[nodiscard]] bool HasRoom() DHPMAP_REQUIRES(mutex_);
   [[nodiscard]] std::shared_ptr<LaneTask> TakeNext() DHPMAP_REQUIRES(mutex_);
 

@@ -47,7 +47,8 @@ Status&& Status::WithMetadata(std::string key, std::string value) && {
 }
 
 void Status::AddViolation(std::string field, std::string description) {
-  violations_.push_back({std::move(field), std::move(description)});
+  constexpr std::size_t kMost = 64;  // of a table of a million bad rows nobody reads more
+  if (violations_.size() < kMost) violations_.push_back({std::move(field), std::move(description)});
 }
 
 std::string Status::ToString() const {

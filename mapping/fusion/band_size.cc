@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <limits>
 #include <unordered_set>
 
 #include "mapping/fusion/ray_band.h"
@@ -60,7 +61,10 @@ Mask BlocksAround(const BundleCell& cell, const SegmentBundles& segment, const R
 std::size_t CountBandBlocks(std::span<const SegmentBundles> segments, const RayOrigin& origin, double voxel_size_m,
                             double truncation_m, std::size_t enough) {
   std::size_t num_cells = 0;
-  for (const SegmentBundles& segment : segments) num_cells += segment.cells.size();
+  for (const SegmentBundles& segment : segments) {
+    if (segment.is_cut_short) return std::numeric_limits<std::size_t>::max();
+    num_cells += segment.cells.size();
+  }
   if (num_cells * kAround <= enough) return num_cells * kAround;
 
   const auto voxels_per_m = static_cast<float>(1.0 / voxel_size_m);

@@ -2,6 +2,7 @@
 #include "mapping/fusion/bundler.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <unordered_map>
 
@@ -46,6 +47,57 @@ struct Bundler::Run {
     weighted_color += w * Eigen::Vector3f(c.r, c.g, c.b);
   }
 };
+
+/// How large a frame turns out to be while it is taken apart. Thread-safe. How much of a frame was seen when it is
+/// found too large depends on the threads; whether it is found too large does not.
+class Bundler::Tally {
+ public:
+  /// A frame of so few points cannot have too many cells before its cells are made.
+  explicit Tally(std::size_t num_points) : blocks_seen_(num_points > kMaxBlocksAFrame ? kNumWords : 0) {}
+
+  [[nodiscard]] bool is_too_large() const { return is_too_large_.load(std::memory_order_relaxed); }
+
+  /// Before the cells are counted one by one: enough blocks mean enough cells, so that most runs of a frame of noise
+  /// are never made. Costs nothing until there are as many runs as there may be cells.
+  void NoteRuns(const std::vector<Run>& runs);
+
+  /// Before a cell is made; false: it must not be.
+  [[nodiscard]] bool TakeCell() {
+    if (num_cells_.fetch_add(1, std::memory_order_relaxed) < kMaxBlocksAFrame) return true;
+    is_too_large_.store(true, std::memory_order_relaxed);
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kWordBits = 64;
+  static constexpr std::size_t kNumWords = 16 * kMaxBlocksAFrame / kWordBits;  // 256 kB: 3 % of the blocks share a bit
+
+  /// Linear counting: a bit a block, by its hash. Blocks that share one count once, so the sum is never too large.
+  [[nodiscard]] bool IsNew(BlockIndex block) {
+    const std::size_t bit = SlotHash(block, kNumWords * kWordBits - 1);
+    std::atomic<std::uint64_t>& word = blocks_seen_[bit / kWordBits];
+    const std::uint64_t mask = std::uint64_t{1} << bit % kWordBits;
+    if ((word.load(std::memory_order_relaxed) & mask) != 0) return false;
+    return (word.fetch_or(mask, std::memory_order_relaxed) & mask) == 0;
+  }
+
+  std::vector<std::atomic<std::uint64_t>> blocks_seen_;
+  std::atomic<std::size_t> num_runs_ = 0, num_blocks_ = 0, num_cells_ = 0;
+  std::atomic<bool> is_too_large_ = false;
+};
+
+void Bundler::Tally::NoteRuns(const std::vector<Run>& runs) {
+  if (num_runs_.fetch_add(runs.size(), std::memory_order_relaxed) + runs.size() <= kMaxBlocksAFrame) return;
+  std::size_t num_new = 0;
+  const Run* last = nullptr;
+  for (const Run& run : runs) {
+    if (last == nullptr || BlockOf(last->voxel) != BlockOf(run.voxel)) num_new += IsNew(BlockOf(run.voxel));
+    last = &run;
+  }
+  if (num_blocks_.fetch_add(num_new, std::memory_order_relaxed) + num_new > kMaxBlocksAFrame) {
+    is_too_large_.store(true, std::memory_order_relaxed);
+  }
+}
 
 /// The sensor on the grid: axes, and the origin split into its voxel and the rest, so that single precision holds the
 /// millimetre at any distance from the map's origin.
@@ -108,10 +160,20 @@ BundleCell& SegmentBundles::FindOrInsert(BlockIndex block) {
 
 void SegmentBundles::Reset() {
   row = -1;
+  is_cut_short = false;
   num_points = 0;
   cells.clear();
   bundles.clear();
   std::fill(slots_.begin(), slots_.end(), 0);
+}
+
+std::vector<SegmentBundles> CutShortSegments(std::size_t num_rows) {
+  std::vector<SegmentBundles> segments(num_rows + 1);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    segments[i].row = static_cast<int>(i) - 1;
+    segments[i].is_cut_short = true;
+  }
+  return segments;
 }
 
 /// Cuts a row of pixels into runs. The sums stay in registers until a run ends.
@@ -148,7 +210,7 @@ void Bundler::CombineRow(const RowPoints& points, const std::uint32_t* segments,
   }
 }
 
-void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid) {
+void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid, Tally& tally) {
   const PinholeCamera& camera = data.camera;
   const auto width = static_cast<std::size_t>(camera.width_px);
   std::vector<float> column(4 * width);
@@ -176,6 +238,7 @@ void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid) {
   pool_.ParallelFor(bands_.size(), [&](std::size_t band) {
     std::vector<Run>& runs = bands_[band];
     runs.clear();
+    if (tally.is_too_large()) return;
     std::vector<float> values(4 * width);
     std::vector<std::int32_t> voxels(3 * width);
     const RowPoints row_points{
@@ -196,15 +259,17 @@ void Bundler::CollectCameraRuns(const DepthCameraData& data, const Grid& grid) {
       const Color* colors = data.color.empty() ? nullptr : data.color.data() + first;
       CombineRow(row_points, segments, colors, width, runs);
     }
+    tally.NoteRuns(runs);
   });
 }
 
-void Bundler::CollectLidarRuns(const LidarData& data, const Grid& grid) {
+void Bundler::CollectLidarRuns(const LidarData& data, const Grid& grid, Tally& tally) {
   const std::size_t num_points = data.points_m.size();
   bands_.resize((num_points + kPointsPerBand - 1) / kPointsPerBand);
   pool_.ParallelFor(bands_.size(), [&](std::size_t band) {
     std::vector<Run>& runs = bands_[band];
     runs.clear();
+    if (tally.is_too_large()) return;
     const std::size_t end = std::min(num_points, (band + 1) * kPointsPerBand);
     for (std::size_t i = band * kPointsPerBand; i < end; ++i) {
       const Eigen::Vector3f& p_sensor = data.points_m[i];
@@ -221,10 +286,11 @@ void Bundler::CollectLidarRuns(const LidarData& data, const Grid& grid) {
       }
       runs.back().Add(p_m, weight, ColorAt(data.color, i));
     }
+    tally.NoteRuns(runs);
   });
 }
 
-void Bundler::SortRunsBySegment(const PanopticFrame& frame, double voxel_size_m) {
+void Bundler::SortRunsBySegment(const PanopticFrame& frame, double voxel_size_m, Tally& tally) {
   // Position in segments_: 0 for points of no known object, then 1 + row of the table.
   std::unordered_map<std::uint32_t, std::uint32_t> position_of;
   for (std::size_t row = 0; row < frame.segments.size(); ++row) {
@@ -267,16 +333,16 @@ void Bundler::SortRunsBySegment(const PanopticFrame& frame, double voxel_size_m)
   }
   segments_.resize(num_segments);
   pool_.ParallelFor(num_segments,
-                    [&](std::size_t s) { BuildSegment(ranges[s].first, ranges[s].second, segments_[s]); });
-  std::size_t num_cells = 0;
-  for (const SegmentBundles& segment : segments_) num_cells += segment.cells.size();
-  if (num_cells > kMaxBlocksAFrame) return;  // will be refused
+                    [&](std::size_t s) { BuildSegment(ranges[s].first, ranges[s].second, segments_[s], tally); });
+  if (tally.is_too_large()) return;
   pool_.ParallelFor(num_segments, [&](std::size_t s) {
     FitTangentPlanes(voxel_size_m, frame.lidar ? PointSpacing::kScan : PointSpacing::kDense, segments_[s]);
   });
 }
 
-void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& segment) {
+/// Leaves the segment half built where there are too many cells.
+void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& segment, Tally& tally) {
+  if (tally.is_too_large()) return;
   // First count the bundles of each cell, so that they can lie together; then sum the runs up.
   std::vector<std::uint32_t> cell_of(end - begin);
   BlockIndex last_block{};
@@ -284,7 +350,12 @@ void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& s
   for (std::size_t i = begin; i < end; ++i) {
     const BlockIndex block = BlockOf(sorted_runs_[i]->voxel);
     if (i == begin || block != last_block) {
-      last_cell = static_cast<std::uint32_t>(&segment.FindOrInsert(block) - segment.cells.data());
+      const BundleCell* found = segment.Find(block);
+      if (found == nullptr) {
+        if (!tally.TakeCell()) return;
+        found = &segment.FindOrInsert(block);
+      }
+      last_cell = static_cast<std::uint32_t>(found - segment.cells.data());
       last_block = block;
     }
     cell_of[i - begin] = last_cell;
@@ -319,14 +390,30 @@ void Bundler::BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& s
 
 std::vector<SegmentBundles>& Bundler::BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
                                                   double voxel_size_m) {
-  const Grid grid(T_grid_sensor, voxel_size_m);
-  if (frame.camera) {
-    CollectCameraRuns(*frame.camera, grid);
-  } else {
-    CollectLidarRuns(*frame.lidar, grid);
+  try {
+    const Grid grid(T_grid_sensor, voxel_size_m);
+    Tally tally(frame.camera ? frame.camera->depth_m.size() : frame.lidar->points_m.size());
+    if (frame.camera) {
+      CollectCameraRuns(*frame.camera, grid, tally);
+    } else {
+      CollectLidarRuns(*frame.lidar, grid, tally);
+    }
+    if (!tally.is_too_large()) SortRunsBySegment(frame, voxel_size_m, tally);
+    if (tally.is_too_large()) {
+      GiveBuffersBack();
+      segments_ = CutShortSegments(frame.segments.size());
+    }
+  } catch (...) {
+    GiveBuffersBack();
+    throw;
   }
-  SortRunsBySegment(frame, voxel_size_m);
   return segments_;
+}
+
+void Bundler::GiveBuffersBack() noexcept {
+  bands_ = std::vector<std::vector<Run>>();
+  sorted_runs_ = std::vector<const Run*>();
+  segments_ = std::vector<SegmentBundles>();
 }
 
 }  // namespace dhpmap

@@ -50,6 +50,8 @@ class SegmentBundles {
  public:
   /// Row of the frame's segment table, or -1 for points of no known object.
   int row = -1;
+  /// Of a frame that has more than kMaxBlocksAFrame cells, which must be refused: nothing else of it is here.
+  bool is_cut_short = false;
   std::int64_t num_points = 0;
   std::vector<BundleCell> cells;
   std::vector<Bundle> bundles;
@@ -67,7 +69,11 @@ class SegmentBundles {
   std::vector<std::uint32_t> slots_;  // open addressing over cells, 1 + index, 0 = free
 };
 
-/// Groups the points of a frame by segment and end voxel. Keeps its buffers from frame to frame. Thread-compatible.
+/// What is left of a frame that has too many cells: a segment of unknown objects and one a table row, all cut short.
+std::vector<SegmentBundles> CutShortSegments(std::size_t num_rows);
+
+/// Groups the points of a frame by segment and end voxel. Keeps its buffers from frame to frame, but for those of a
+/// frame that has too many cells or that failed. Thread-compatible.
 class Bundler {
  public:
   Bundler(const IntegrationConfig& config, ThreadPool& pool);
@@ -75,19 +81,23 @@ class Bundler {
 
   /// Every valid point in range, on the grid of `voxel_size_m` to which `T_grid_sensor` leads. The result holds only
   /// segments with points, first that of unknown objects, then by table row; it stays valid until the next call. The
-  /// same for any number of threads, and the caller's to change. The frame must be valid (ValidateFrame).
+  /// same for any number of threads, and the caller's to change. The frame must be valid (ValidateFrame). Of one with
+  /// more than kMaxBlocksAFrame cells, CutShortSegments: no more cells than these are made, and all are freed again.
   std::vector<SegmentBundles>& BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
                                            double voxel_size_m);
+  /// All memory it keeps from frame to frame; the last result goes with it.
+  void GiveBuffersBack() noexcept;
 
  private:
   struct Run;
   struct Grid;
+  class Tally;
   static void CombineRow(const RowPoints& points, const std::uint32_t* segments, const Color* colors, std::size_t width,
                          std::vector<Run>& runs);
-  void CollectCameraRuns(const DepthCameraData& data, const Grid& grid);
-  void CollectLidarRuns(const LidarData& data, const Grid& grid);
-  void SortRunsBySegment(const PanopticFrame& frame, double voxel_size_m);
-  void BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& segment);
+  void CollectCameraRuns(const DepthCameraData& data, const Grid& grid, Tally& tally);
+  void CollectLidarRuns(const LidarData& data, const Grid& grid, Tally& tally);
+  void SortRunsBySegment(const PanopticFrame& frame, double voxel_size_m, Tally& tally);
+  void BuildSegment(std::size_t begin, std::size_t end, SegmentBundles& segment, Tally& tally);
 
   IntegrationConfig config_;
   ThreadPool& pool_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <new>
 
 #include "mapping/base/stopped.h"
 #include "mapping/fusion/grid_ray.h"
@@ -23,18 +24,21 @@ struct Neighbour {
   LabelBlock* labels = nullptr;
   const GoneBlock* gone = nullptr;   ///< what was looked through since it was observed; null: nothing
   const BundleCell* ends = nullptr;  ///< bundles of the same segment that end here
+  const VoxelMask* clear = nullptr;  ///< voxels that are kept clear; null: none
 };
 
 /// The 3 x 3 x 3 blocks around the one in which a cell's bundles end, looked up when a ray first enters them. No ray
 /// leaves them: the truncation is at most one block's side.
 class Neighbourhood {
  public:
-  Neighbourhood(const SegmentBundles& segment, bool with_labels, Submap& submap)
-      : segment_(segment), with_labels_(with_labels), submap_(submap) {}
+  /// `kept_clear` may be null.
+  Neighbourhood(const SegmentBundles& segment, bool with_labels, Submap& submap, KeptClearVoxels* kept_clear)
+      : segment_(segment), with_labels_(with_labels), submap_(submap), kept_clear_(kept_clear) {}
 
   void MoveTo(BlockIndex center) {
     center_ = center;
     blocks_.fill({});
+    is_near_clear_ = kept_clear_ != nullptr && kept_clear_->MayBeAround(center);
   }
 
   Neighbour& At(BlockIndex block) {
@@ -53,12 +57,15 @@ class Neighbourhood {
     if (with_labels_) neighbour.labels = &submap_.MutableLabels(block);
     neighbour.gone = submap_.blocks().Find(block)->gone.get();
     neighbour.ends = segment_.Find(block);
+    neighbour.clear = is_near_clear_ ? kept_clear_->In(block) : nullptr;
     return neighbour;
   }
 
   const SegmentBundles& segment_;
   const bool with_labels_;
   Submap& submap_;
+  KeptClearVoxels* kept_clear_;
+  bool is_near_clear_ = false;
   BlockIndex center_;
   std::array<Neighbour, 27> blocks_;
   Neighbour outside_;
@@ -128,6 +135,11 @@ const TsdfBlock* TsdfAt(const Submap& submap, BlockIndex index) {
   return entry != nullptr ? entry->tsdf.get() : nullptr;
 }
 
+/// `stored`: what there is of the block. Where there is nothing, there is nothing to keep.
+const VoxelMask* KeptClearAt(BlockIndex block, const TsdfBlock* stored, KeptClearVoxels* kept_clear) {
+  return kept_clear != nullptr && stored != nullptr ? kept_clear->In(block) : nullptr;
+}
+
 }  // namespace
 
 RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
@@ -135,10 +147,12 @@ RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
       offset_vox((p_grid_m / voxel_size_m - Eigen::Vector3d(voxel.x, voxel.y, voxel.z)).cast<float>()) {}
 
 std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> class_id,
-                              const IntegrationConfig& config, Submap& submap, const std::stop_token& stop) {
+                              const IntegrationConfig& config, Submap& submap, const std::stop_token& stop,
+                              KeptClearVoxels* kept_clear) {
+  if (segment.is_cut_short) throw std::bad_alloc();  // it was too much for memory: the frame fails as a whole
   const UpdateRule rule = MakeRule(config, submap);
   const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
-  Neighbourhood neighbourhood(segment, class_id.has_value(), submap);
+  Neighbourhood neighbourhood(segment, class_id.has_value(), submap, kept_clear);
   std::int64_t num_updates = 0;
   std::uint64_t num_labelled = 0;
 
@@ -164,6 +178,7 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
           here = &neighbourhood.At(block);
         }
         const auto linear = static_cast<std::size_t>(LinearIndex(voxel));
+        if (here->clear != nullptr && IsIn(*here->clear, static_cast<int>(linear))) continue;
         if (config.anti_grazing && here->ends != nullptr && here->ends->slot[linear] != 0) {
           const bool ends_here = block == cell.block && linear == bundle.linear;
           if (!ends_here) continue;
@@ -191,7 +206,8 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
 }
 
 std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayOrigin& origin,
-                            const IntegrationConfig& config, Submap& submap, const std::stop_token& stop) {
+                            const IntegrationConfig& config, Submap& submap, const std::stop_token& stop,
+                            KeptClearVoxels* kept_clear) {
   const UpdateRule rule = MakeRule(config, submap);
   const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
   const float margin_m = rule.truncation_m + voxel_size_m;
@@ -221,16 +237,19 @@ std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayO
       GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m, from_m, to_m);
       BlockIndex block = BlockOf(ray.voxel());
       const TsdfBlock* seen = TsdfAt(submap, block);
+      const VoxelMask* clear = KeptClearAt(block, seen, kept_clear);
       TsdfBlock* tsdf = nullptr;
       for (int step = ray.num_voxels(); step > 0; --step, ray.Next()) {
         const VoxelIndex voxel = ray.voxel();
         if (const BlockIndex now = BlockOf(voxel); now != block) {
           block = now;
           seen = TsdfAt(submap, now);
+          clear = KeptClearAt(now, seen, kept_clear);
           tsdf = nullptr;
         }
         const auto linear = static_cast<std::size_t>(LinearIndex(voxel));
         if (seen == nullptr || !seen->IsObserved(static_cast<int>(linear))) continue;
+        if (clear != nullptr && IsIn(*clear, static_cast<int>(linear))) continue;
         if (std::any_of(segments.begin(), segments.end(), [&](const auto& s) { return s.EndsIn(voxel); })) continue;
         if (tsdf == nullptr) seen = tsdf = &submap.MutableTsdf(block);
         // The colour weighs nothing: free space has none.

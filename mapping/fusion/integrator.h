@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "mapping/fusion/bundler.h"
+#include "mapping/fusion/kept_clear_voxels.h"
 #include "mapping/map/submap.h"
 
 namespace dhpmap {
@@ -25,15 +26,18 @@ struct RayOrigin {
 /// within +-truncation along the ray, where it is the object's own space, and in the voxel in which that begins. A
 /// voxel that was looked through (GoneBlock) begins at 0 again, and where it was contradicted so does its TSDF. Bundles
 /// must be on the submap's grid. Writes to `submap` alone, so segments of different submaps may run at once; those of
-/// one submap one after the other. Returns the number of voxel updates. Throws Stopped soon after `stop` is requested,
-/// with a part done.
+/// one submap one after the other. Nothing is written to voxels of `kept_clear`, which may be null. Returns the number
+/// of voxel updates. Throws Stopped soon after `stop` is requested, with a part done, and std::bad_alloc for a segment
+/// that was cut short.
 std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> class_id,
-                              const IntegrationConfig& config, Submap& submap, const std::stop_token& stop = {});
+                              const IntegrationConfig& config, Submap& submap, const std::stop_token& stop = {},
+                              KeptClearVoxels* kept_clear = nullptr);
 
 /// Moves voxels of `submap` that the rays of a whole frame pass through, more than the truncation and a voxel before
-/// their ends, towards free space. Only voxels that there are; labels stay. Bundles must be on the submap's grid. Stops
-/// as IntegrateSegment does.
+/// their ends, towards free space. Only voxels that there are; labels stay, and so do voxels of `kept_clear`, which may
+/// be null. Bundles must be on the submap's grid. Stops as IntegrateSegment does.
 std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayOrigin& origin,
-                            const IntegrationConfig& config, Submap& submap, const std::stop_token& stop = {});
+                            const IntegrationConfig& config, Submap& submap, const std::stop_token& stop = {},
+                            KeptClearVoxels* kept_clear = nullptr);
 
 }  // namespace dhpmap

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <utility>
+
+#include "mapping/fusion/band_size.h"
 
 namespace dhpmap {
 namespace {
@@ -61,14 +64,20 @@ std::vector<std::uint32_t> FindParts(const SegmentBundles& segment, int gap_vox,
   return cell_of;
 }
 
-std::vector<SegmentBundles> Cut(const SegmentBundles& segment, const std::vector<std::uint32_t>& part_of,
-                                std::uint32_t num_parts) {
+/// Nothing if that takes more cells than `cells_left`, from which they are taken. Every part has one at least.
+std::optional<std::vector<SegmentBundles>> Cut(const SegmentBundles& segment, const std::vector<std::uint32_t>& part_of,
+                                               std::uint32_t num_parts, std::size_t& cells_left) {
+  if (num_parts > cells_left) return std::nullopt;
   std::vector<SegmentBundles> parts(num_parts);
   for (const BundleCell& cell : segment.cells) {
     for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
       SegmentBundles& part = parts[part_of[b]];
       BundleCell& own = part.FindOrInsert(cell.block);
-      if (own.num_bundles == 0) own.first_bundle = static_cast<std::uint32_t>(part.bundles.size());
+      if (own.num_bundles == 0) {
+        if (cells_left == 0) return std::nullopt;
+        --cells_left;
+        own.first_bundle = static_cast<std::uint32_t>(part.bundles.size());
+      }
       own.slot[segment.bundles[b].linear] = static_cast<std::uint16_t>(++own.num_bundles);
       part.bundles.push_back(segment.bundles[b]);
       part.num_points += segment.bundles[b].num_points;
@@ -80,24 +89,37 @@ std::vector<SegmentBundles> Cut(const SegmentBundles& segment, const std::vector
   return parts;
 }
 
-}  // namespace
-
-void SplitIntoParts(const std::vector<bool>& may_split, int gap_vox, std::vector<SegmentBundles>& segments) {
+/// Nothing if the parts have too many cells.
+std::optional<std::vector<SegmentBundles>> AllParts(const std::vector<bool>& may_split, int gap_vox,
+                                                    std::vector<SegmentBundles>& segments) {
   std::vector<SegmentBundles> result;
   result.reserve(segments.size());
+  std::size_t cells_left = kMaxBlocksAFrame;
   for (SegmentBundles& segment : segments) {
+    if (segment.is_cut_short) return std::nullopt;
     std::uint32_t num_parts = 1;
     std::vector<std::uint32_t> part_of;
     if (segment.row >= 0 && may_split[static_cast<std::size_t>(segment.row)]) {
       part_of = FindParts(segment, gap_vox, num_parts);
     }
     if (num_parts == 1) {
+      if (segment.cells.size() > cells_left) return std::nullopt;
+      cells_left -= segment.cells.size();
       result.push_back(std::move(segment));
       continue;
     }
-    for (SegmentBundles& part : Cut(segment, part_of, num_parts)) result.push_back(std::move(part));
+    auto parts = Cut(segment, part_of, num_parts, cells_left);
+    if (!parts) return std::nullopt;
+    for (SegmentBundles& part : *parts) result.push_back(std::move(part));
   }
-  segments = std::move(result);
+  return result;
+}
+
+}  // namespace
+
+void SplitIntoParts(const std::vector<bool>& may_split, int gap_vox, std::vector<SegmentBundles>& segments) {
+  auto parts = AllParts(may_split, gap_vox, segments);
+  segments = parts ? *std::move(parts) : CutShortSegments(may_split.size());
 }
 
 }  // namespace dhpmap

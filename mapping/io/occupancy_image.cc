@@ -2,10 +2,10 @@
 #include "mapping/io/occupancy_image.h"
 
 #include <cstdio>
-#include <exception>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
+#include <utility>
 #include <vector>
+
+#include "mapping/images/png.h"
 
 namespace dhpmap {
 namespace {
@@ -57,15 +57,7 @@ std::string PgmOf(std::span<const std::int8_t> cells, int width, int height) {
 }
 
 Result<std::string> PngOf(std::span<const std::int8_t> cells, int width, int height) {
-  std::vector<unsigned char> pixels = PixelsOf(cells, width, height), file;
-  try {
-    if (!cv::imencode(".png", cv::Mat(height, width, CV_8UC1, pixels.data()), file)) {
-      return Internal("the image could not be encoded");
-    }
-  } catch (const std::exception&) {
-    return Internal("the image could not be encoded");
-  }
-  return std::string(file.begin(), file.end());
+  return EncodePng(PixelsOf(cells, width, height), width, height);
 }
 
 std::string MapYaml(const std::string& image, double resolution_m, const Eigen::Vector2d& min_m) {

@@ -1,52 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/io/pcd.h"
 
-#include <pcl/PCLPointCloud2.h>
-#include <pcl/io/pcd_io.h>
-
 #include <cstring>
-#include <exception>
+#include <span>
+#include <string>
+
+#include "mapping/loaded/cloud_files.h"
 
 namespace dhpmap {
 namespace {
 
-void AddField(const char* name, std::uint8_t datatype, std::uint32_t size_bytes, pcl::PCLPointCloud2& cloud) {
-  pcl::PCLPointField field;
-  field.name = name;
-  field.offset = cloud.point_step;
-  field.datatype = datatype;
-  field.count = 1;
-  cloud.fields.push_back(field);
-  cloud.point_step += size_bytes;
-}
+using Type = CloudField::Type;
 
+constexpr CloudField kFields[] = {{"x", Type::kFloat},        {"y", Type::kFloat},        {"z", Type::kFloat},
+                                  {"normal_x", Type::kFloat}, {"normal_y", Type::kFloat}, {"normal_z", Type::kFloat},
+                                  {"rgb", Type::kFloat},      {"class", Type::kUint16},   {"instance", Type::kUint32}};
 constexpr std::size_t kPointBytes = 34;
-
-/// Without its points.
-pcl::PCLPointCloud2 EmptyCloud(std::size_t num_points) {
-  pcl::PCLPointCloud2 cloud;
-  for (const char* name : {"x", "y", "z", "normal_x", "normal_y", "normal_z", "rgb"}) {
-    AddField(name, pcl::PCLPointField::FLOAT32, 4, cloud);
-  }
-  AddField("class", pcl::PCLPointField::UINT16, 2, cloud);
-  AddField("instance", pcl::PCLPointField::UINT32, 4, cloud);
-  cloud.height = 1;
-  cloud.width = static_cast<std::uint32_t>(num_points);
-  cloud.row_step = cloud.width * cloud.point_step;
-  return cloud;
-}
 
 }  // namespace
 
 Result<std::string> PcdHead(std::size_t num_vertices) {
-  try {
-    // PCDWriter::writeBinary only writes to a file name; this is what it writes.
-    return pcl::PCDWriter().generateHeaderBinary(EmptyCloud(num_vertices), Eigen::Vector4f::Zero(),
-                                                 Eigen::Quaternionf::Identity()) +
-           "DATA binary\n";
-  } catch (const std::exception& error) {
-    return Internal(std::string("PCL cannot write the point cloud: ") + error.what());
-  }
+  DHPMAP_ASSIGN_OR_RETURN(const CloudFiles* files, LoadCloudFiles());
+  std::string head;
+  if (std::string problem = files->pcd_head(std::span(kFields), num_vertices, head); !problem.empty())
+    return Internal(problem);
+  return head;
 }
 
 std::size_t PcdBodyBytes(std::size_t num_vertices) { return num_vertices * kPointBytes; }

@@ -4,6 +4,36 @@
 #include <utility>
 
 namespace dhpmap {
+namespace {
+
+/// Adds the layers that are wanted of `from`, and what a store knows of them.
+void AddLayersOf(const BlockTile* from, const BlockLayers& wanted, BlockTile& into) {
+  if (from == nullptr) return;
+  for (const BlockEntry& block : from->entries()) {
+    BlockEntry part;
+    bool has_any = false;
+    ForEachLayer(
+        [&](BlockLayer layer, const auto& of, auto& to) {
+          if (!wanted[static_cast<std::size_t>(layer)] || of == nullptr) return;
+          to = of;
+          has_any = true;
+        },
+        block, part);
+    if (!has_any) continue;
+    BlockEntry& entry = into.FindOrInsert(block.index);
+    ForEachLayer(
+        [](BlockLayer, const auto& of, auto& to) {
+          if (of != nullptr) to = of;
+        },
+        part, entry);
+  }
+  for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
+    const auto layer = static_cast<BlockLayer>(i);
+    if (wanted[i]) into.stored(layer).Adopt(from->stored(layer));
+  }
+}
+
+}  // namespace
 
 BlockTile& BlockTable::Own(TileEntry& entry, std::uint64_t generation) {
   if (entry.generation != generation) {
@@ -46,14 +76,36 @@ bool BlockTable::Erase(BlockIndex index, std::uint64_t generation) {
   BlockTile& tile = Own(tiles_[number], generation);
   tile.Erase(CellOf(index));
   --num_blocks_;
-  if (!tile.empty()) return true;
-  numbers_.Erase(tile_index);
+  if (tile.empty()) EraseTile(number);
+  return true;
+}
+
+void BlockTable::EraseTile(std::uint32_t number) {
+  numbers_.Erase(tiles_[number].index);
   if (number + 1 != tiles_.size()) {
     tiles_[number] = std::move(tiles_.back());
     numbers_.Set(tiles_[number].index, number);
   }
   tiles_.pop_back();
-  return true;
+}
+
+void BlockTable::PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers) {
+  constexpr std::uint64_t kOlderThanAnyWriter = 0;
+  const std::uint32_t number = numbers_.Find(index);
+  BlockLayers others{};
+  for (std::size_t i = 0; i < kNumBlockLayers; ++i) others[i] = !layers[i];
+  auto tile = std::make_shared<BlockTile>();
+  AddLayersOf(number == kNone ? nullptr : tiles_[number].tile.get(), others, *tile);
+  AddLayersOf(from, layers, *tile);
+  if (number != kNone) num_blocks_ -= tiles_[number].tile->entries().size();
+  if (tile->empty()) {
+    if (number != kNone) EraseTile(number);
+  } else if (number == kNone) {
+    PutTile(index, std::move(tile));
+  } else {
+    num_blocks_ += tile->entries().size();
+    tiles_[number] = {index, std::move(tile), kOlderThanAnyWriter};
+  }
 }
 
 void BlockTable::ShareTiles() {

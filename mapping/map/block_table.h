@@ -50,6 +50,9 @@ class BlockTable {
   BlockEntry& FindOrInsert(BlockIndex index, std::uint64_t generation);
   /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
   void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile);
+  /// Has some layers of a tile be those of `from` (null: nothing), and the others as they are; blocks that then have no
+  /// layer go. What a store knows of either stays known.
+  void PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers);
   /// Returns whether it was there. Invalidates pointers to entries.
   bool Erase(BlockIndex index, std::uint64_t generation);
   /// Calls visit(BlockEntry&) for all blocks; it leaves every index as it is.
@@ -67,6 +70,7 @@ class BlockTable {
  private:
   static constexpr std::uint32_t kNone = IndexMap<TileIndex>::kNone;
   static BlockTile& Own(TileEntry& entry, std::uint64_t generation);
+  void EraseTile(std::uint32_t number);
 
   std::vector<TileEntry> tiles_;
   IndexMap<TileIndex> numbers_;  ///< position in tiles_

@@ -38,6 +38,8 @@ struct BlockEntry {
 /// The layers of a block.
 enum class BlockLayer : std::uint8_t { kTsdf, kLabels, kGone };
 inline constexpr std::size_t kNumBlockLayers = 3;
+/// Some of them, by number.
+using BlockLayers = std::array<bool, kNumBlockLayers>;
 
 /// The one list of them: calls visit(layer, part...) for each layer, with what each of `blocks` has of it: a
 /// BlockEntry, or anything else with members of these names.

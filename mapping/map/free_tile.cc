@@ -55,16 +55,31 @@ bool FreeTile::Holds(const FreeBlocks& seen) const {
 }
 
 void FreeTile::Add(const FreeBlocks& seen) {
-  std::uint64_t full = full_ | seen.full, mixed = 0;
+  Rewrite(full_ | seen.full, mixed_ | seen.mixed, [&seen](int cell, FreeMask& mask) {
+    if ((seen.mixed >> cell & 1u) == 0) return;
+    const FreeMask& added = seen.masks[static_cast<std::size_t>(cell)];
+    for (std::size_t z = 0; z < mask.size(); ++z) mask[z] |= added[z];
+  });
+}
+
+void FreeTile::Remove(const FreeBlocks& gone) {
+  const std::uint64_t in_part = full_ & gone.mixed;
+  Rewrite(full_ & ~gone.full & ~in_part, (mixed_ | in_part) & ~gone.full, [&gone](int cell, FreeMask& mask) {
+    if ((gone.mixed >> cell & 1u) == 0) return;
+    const FreeMask& taken = gone.masks[static_cast<std::size_t>(cell)];
+    for (std::size_t z = 0; z < mask.size(); ++z) mask[z] &= ~taken[z];
+  });
+}
+
+template <typename Change>
+void FreeTile::Rewrite(std::uint64_t full, std::uint64_t in_part, Change&& change) {
+  std::uint64_t mixed = 0;
   std::vector<FreeMask> masks;
-  masks.reserve(static_cast<std::size_t>(std::popcount((mixed_ | seen.mixed) & ~full)));
-  ForEachBit((mixed_ | seen.mixed) & ~full, [&](int cell) {
+  masks.reserve(static_cast<std::size_t>(std::popcount(in_part & ~full)));
+  ForEachBit(in_part & ~full, [&](int cell) {
     const std::uint64_t bit = std::uint64_t{1} << cell;
     FreeMask mask = MaskOf(cell);
-    if ((seen.mixed & bit) != 0) {
-      const FreeMask& added = seen.masks[static_cast<std::size_t>(cell)];
-      for (std::size_t z = 0; z < mask.size(); ++z) mask[z] |= added[z];
-    }
+    change(cell, mask);
     if (IsAll(mask)) {
       full |= bit;
     } else if (!IsNone(mask)) {

@@ -55,6 +55,8 @@ class FreeTile {
   [[nodiscard]] bool Holds(const FreeBlocks& seen) const;
   /// Adds what was seen. Strong exception safety.
   void Add(const FreeBlocks& seen);
+  /// Takes voxels out. Strong exception safety.
+  void Remove(const FreeBlocks& gone);
   void set_last_seen_ns(std::int64_t stamp_ns) { last_seen_ns_ = stamp_ns; }
 
   [[nodiscard]] std::size_t MemoryBytes() const { return sizeof(*this) + masks_.capacity() * sizeof(FreeMask); }
@@ -62,6 +64,9 @@ class FreeTile {
   bool operator==(const FreeTile&) const = default;
 
  private:
+  /// Makes the blocks of `full` full and those of `in_part` what change(cell, mask) makes of their mask.
+  template <typename Change>
+  void Rewrite(std::uint64_t full, std::uint64_t in_part, Change&& change);
   [[nodiscard]] std::size_t PositionOf(int cell) const {
     return static_cast<std::size_t>(std::popcount(mixed_ & ((std::uint64_t{1} << cell) - 1)));
   }

@@ -113,9 +113,21 @@ Submap* Map::Clone(SubmapId id) {
   copy->ShareBlocks();
   copy->mutable_info().id = info_.next_submap_id++;
   copy->mutable_info().track_id = 0;
+  copy->mutable_info().sightings = {};
+  copy->mutable_info().is_locked = false;
   Submap& cloned = *copy;
   submaps_.push_back(std::move(copy));
   return &cloned;
+}
+
+Submap& Map::PutBack(SubmapInfo info) {
+  changed_ = true;
+  const std::size_t position = Position(info.id);
+  assert(info.id < info_.next_submap_id && (position == submaps_.size() || submaps_[position]->id() != info.id));
+  auto submap = std::make_shared<Submap>(std::move(info), generation_);
+  Submap& back = *submap;
+  submaps_.insert(submaps_.begin() + static_cast<std::ptrdiff_t>(position), std::move(submap));
+  return back;
 }
 
 bool Map::Remove(SubmapId id) {

@@ -9,6 +9,7 @@
 #include "mapping/base/result.h"
 #include "mapping/labels/label_set.h"
 #include "mapping/map/free_space.h"
+#include "mapping/map/kept_clear.h"
 #include "mapping/map/map_config.h"
 #include "mapping/map/merged_ids.h"
 #include "mapping/map/object_pairs.h"
@@ -34,6 +35,7 @@ struct MapInfo {
   SessionMarks sessions;            ///< of the frames fused so far
   MergedIds merged;                 ///< submaps that became parts of others
   ObjectPairs pairs;                ///< what is known of whether two submaps are one object
+  KeptClear kept_clear;             ///< where mapping puts nothing
 };
 
 Status ValidateMapName(const std::string& name);
@@ -86,8 +88,10 @@ class Map {
 
   /// Adds a submap with the next id; `info.id` is ignored.
   Submap& Create(SubmapInfo info);
-  /// Adds a copy of a submap under the next id, sharing its blocks; null if there is none. See also Submap.
+  /// Adds a copy of a submap under the next id, sharing its blocks, not locked; null if there is none. See also Submap.
   Submap* Clone(SubmapId id);
+  /// Adds a submap, without blocks, under the id that `info` has: one that was there before, and is not now.
+  Submap& PutBack(SubmapInfo info);
   /// The unknown submap cannot be removed. Returns whether it was there. What was known of its pairs is forgotten.
   bool Remove(SubmapId id);
 

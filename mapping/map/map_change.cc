@@ -54,6 +54,7 @@ SubmapParts PartsOf(const SubmapInfo& before, const SubmapInfo& after) {
     parts.Add(SubmapPart::kLabels);
   }
   if (before.display_name != after.display_name) parts.Add(SubmapPart::kName);
+  if (before.is_locked != after.is_locked) parts.Add(SubmapPart::kLock);
   if (before.activity != after.activity || before.is_confirmed != after.is_confirmed ||
       before.presence != after.presence) {
     parts.Add(SubmapPart::kActivity);
@@ -71,13 +72,31 @@ SubmapPlace PlaceOf(const SubmapMarks& marks) {
   return {marks.info().panoptic, marks.info().class_id, marks.sphere_in_map()};
 }
 
-SubmapEvent EventOfMissing(const SubmapMarks& before, const MergedIds& merged) {
-  SubmapEvent event{.kind = ChangeKind::kRemoved, .info = before.info(), .before = PlaceOf(before)};
-  if (const auto into = merged.Into(before.info().id)) {
+void MarkAsGone(SubmapEvent& event, const MergedIds& merged) {
+  event.kind = ChangeKind::kRemoved;
+  if (const auto into = merged.Into(event.info.id)) {
     event.kind = ChangeKind::kMerged;
     event.into = *into;
   }
+}
+
+SubmapEvent EventOfMissing(const SubmapMarks& before, const MergedIds& merged) {
+  SubmapEvent event{.info = before.info(), .before = PlaceOf(before)};
+  MarkAsGone(event, merged);
   return event;
+}
+
+/// Those that came after `before` and are gone again: nobody is told that they came, but who listed them meanwhile has
+/// them.
+void AddPassing(const StateMarks& before, const MapSnapshot& after, std::vector<SubmapEvent>& events) {
+  if (before.revision() == 0) return;
+  for (SubmapId id = before.info().next_submap_id; id < after.info().next_submap_id; ++id.value) {
+    if (after.Find(id) != nullptr) continue;
+    SubmapEvent event;
+    event.info.id = id;
+    MarkAsGone(event, after.info().merged);
+    events.push_back(std::move(event));
+  }
 }
 
 SubmapEvent EventOfPresent(const SubmapMarks* before, const SubmapTileChange& change) {
@@ -113,6 +132,7 @@ MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after,
     if (submap.after != nullptr) change.submaps.push_back(EventOfPresent(old, submap));
     else if (old != nullptr) change.submaps.push_back(EventOfMissing(*old, after.info().merged));
   }
+  AddPassing(before, after, change.submaps);
   std::sort(change.submaps.begin(), change.submaps.end(),
             [](const SubmapEvent& a, const SubmapEvent& b) { return a.info.id < b.info.id; });
   return change;

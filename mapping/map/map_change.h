@@ -26,6 +26,7 @@ enum class SubmapPart : std::uint8_t {
   kGeometry = 4,     ///< blocks of its surface, or of what was looked through
   kVoxelLabels = 5,  ///< blocks of labels
   kObservation = 6,  ///< how often and when it was seen, as what
+  kLock = 7,         ///< whether somebody has locked it
 };
 
 /// Value type.
@@ -68,12 +69,12 @@ struct SubmapPlace {
 struct SubmapEvent {
   ChangeKind kind = ChangeKind::kChanged;
   SubmapParts parts;                  ///< of kChanged; none: its revision alone
-  SubmapInfo info;                    ///< as it is now; of one that is gone, as it was last
+  SubmapInfo info;                    ///< as it is now; of one that is gone, as it was last; without `before`, its id
   BoundingSphere observed;            ///< SphereOfObservedInMap as it is now; empty: of one that is gone, too
   std::int64_t num_blocks = 0;        ///< as it is now
   std::vector<TileBox> tiles;         ///< that hold all changes of kGeometry, in its own grid; none of kCreated
   SubmapId into;                      ///< of kMerged: what it is a part of now
-  std::optional<SubmapPlace> before;  ///< with the sphere around its blocks; none of kCreated
+  std::optional<SubmapPlace> before;  ///< with the sphere around its blocks; none of what was not in the state before
 };
 
 /// What became of a map from one state that was stored to the next.

@@ -12,4 +12,11 @@ inline bool IsOnMapGrid(const SubmapInfo& info, const MapConfig& config) {
   return info.voxel_size_m == config.voxel_size_m && IsIdentity(info.T_map_submap);
 }
 
+/// Whether the submap is one of those that share the map's grid so that each position is held once: it lies on that
+/// grid because it was seen there. What somebody has moved or cloned stands outside even where it lies on the grid,
+/// beside its original: it shares positions with others, and refinement neither reads nor writes it. Pure, thread-safe.
+inline bool IsExclusive(const SubmapInfo& info, const MapConfig& config) {
+  return !info.is_placed && IsOnMapGrid(info, config);
+}
+
 }  // namespace dhpmap

@@ -12,7 +12,8 @@
 
 namespace dhpmap {
 
-/// What somebody has said of two submaps. Kept in files.
+/// What somebody has said of two submaps. Of two that somebody has merged it goes on to be said, though one is gone.
+/// Kept in files.
 enum class PairVerdict : std::uint8_t {
   kOpen = 0,       ///< nobody has: frames tell
   kMustBeOne = 1,  ///< they are merged as soon as they can be
@@ -44,6 +45,7 @@ class ObjectPairs {
   /// that of the least evidence either way goes, the first of equals.
   void AddEvidence(SubmapId a, SubmapId b, std::int32_t added, std::int32_t least, std::int32_t most);
   void SetVerdict(SubmapId a, SubmapId b, PairVerdict verdict);
+  [[nodiscard]] bool HasVerdict(PairVerdict verdict) const;
 
   /// Forgets all pairs of a submap that is no longer there.
   void Remove(SubmapId id);

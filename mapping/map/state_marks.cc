@@ -9,17 +9,39 @@
 namespace dhpmap {
 namespace {
 
+BlockMark MarkBlock(const BlockEntry& block) {
+  BlockMark mark;
+  mark.index = block.index;
+  ForEachLayer([](BlockLayer, const auto& layer, auto& name) { name = layer; }, block, mark);
+  return mark;
+}
+
 std::shared_ptr<const TileMarks> MarkTile(const TileEntry& entry) {
   auto marks = std::make_shared<TileMarks>();
   marks->index = entry.index;
   marks->tile = entry.tile;
   marks->blocks.reserve(entry.tile->entries().size());
-  for (const BlockEntry& block : entry.tile->entries()) {
-    BlockMark& mark = marks->blocks.emplace_back();
-    mark.index = block.index;
-    ForEachLayer([](BlockLayer, const auto& layer, auto& name) { name = layer; }, block, mark);
-  }
+  for (const BlockEntry& block : entry.tile->entries()) marks->blocks.push_back(MarkBlock(block));
   return marks;
+}
+
+/// Of a tile as it was in `before`, but for the blocks that `is_in_part` names: those are as in `now`, which may be
+/// null.
+std::shared_ptr<const TileMarks> MarkPart(const std::shared_ptr<const TileMarks>& before, const BlockTile* now,
+                                          const std::function<bool(BlockIndex)>& is_in_part) {
+  auto marks = std::make_shared<TileMarks>();
+  marks->index = before->index;
+  bool is_same = true;
+  for (int cell = 0; cell < kTileBlocks; ++cell) {
+    const BlockMark* old = before->Find(cell);
+    const BlockEntry* entry = now != nullptr ? now->Find(cell) : nullptr;
+    if (old == nullptr && entry == nullptr) continue;
+    const bool is_new = is_in_part(BlockIn(before->index, cell));
+    is_same = is_same && (!is_new || (old != nullptr && entry != nullptr && old->IsOf(*entry)));
+    if (is_new && entry != nullptr) marks->blocks.push_back(MarkBlock(*entry));
+    else if (!is_new && old != nullptr) marks->blocks.push_back(*old);
+  }
+  return is_same ? before : marks;
 }
 
 std::shared_ptr<const SubmapMarks> MarkSubmap(const std::shared_ptr<const Submap>& submap, const StateMarks* before) {
@@ -46,7 +68,7 @@ void CompareBlock(const BlockMark& before, const BlockEntry& after, TileChange& 
 }
 
 /// Either may be null.
-TileChange CompareTile(TileIndex index, const TileMarks* before, std::shared_ptr<const BlockTile> after) {
+TileChange CompareTile(TileIndex index, const TileMarks* before, const std::shared_ptr<const BlockTile>& after) {
   TileChange change{.index = index, .after = after, .is_written = {}, .num_before = {}, .num_after = {}};
   for (const BlockEntry& entry : after != nullptr ? after->entries() : std::span<const BlockEntry>()) {
     const BlockMark* old = before != nullptr ? before->Find(CellOf(entry.index)) : nullptr;
@@ -61,8 +83,8 @@ TileChange CompareTile(TileIndex index, const TileMarks* before, std::shared_ptr
 /// `before` may be null.
 SubmapTileChange DiffTilesOf(const SubmapMarks* before, const Submap& after) {
   SubmapTileChange change{.id = after.id(), .after = &after};
-  const auto compare = [&change](TileIndex index, const TileMarks* old, std::shared_ptr<const BlockTile> now) {
-    TileChange tile = CompareTile(index, old, std::move(now));
+  const auto compare = [&change](TileIndex index, const TileMarks* old, const std::shared_ptr<const BlockTile>& now) {
+    TileChange tile = CompareTile(index, old, now);
     if (std::find(tile.is_written.begin(), tile.is_written.end(), true) == tile.is_written.end()) return;
     change.tiles.push_back(std::move(tile));
   };
@@ -103,9 +125,26 @@ SubmapMarks::SubmapMarks(const std::shared_ptr<const Submap>& submap, const Subm
   for (const TileEntry& entry : tiles) {
     const std::uint32_t old = before != nullptr ? before->numbers_.Find(entry.index) : IndexMap<TileIndex>::kNone;
     const bool is_same = old != IndexMap<TileIndex>::kNone && before->tiles_[old]->IsOf(entry);
-    numbers_.Set(entry.index, static_cast<std::uint32_t>(tiles_.size()));
-    tiles_.push_back(is_same ? before->tiles_[old] : MarkTile(entry));
+    Add(is_same ? before->tiles_[old] : MarkTile(entry));
   }
+}
+
+SubmapMarks::SubmapMarks(const SubmapMarks& before, const Submap& part,
+                         const std::function<bool(BlockIndex)>& is_in_part)
+    : info_(before.info_), sphere_in_map_(before.sphere_in_map_) {
+  for (const auto& tile : before.tiles_) {
+    const TileEntry* now = part.blocks().FindTile(tile->index);
+    const auto marks = MarkPart(tile, now != nullptr ? now->tile.get() : nullptr, is_in_part);
+    if (!marks->blocks.empty()) Add(marks);
+  }
+  for (const TileEntry& entry : part.blocks().tiles()) {
+    if (before.FindTile(entry.index) == nullptr) Add(MarkTile(entry));
+  }
+}
+
+void SubmapMarks::Add(std::shared_ptr<const TileMarks> tile) {
+  numbers_.Set(tile->index, static_cast<std::uint32_t>(tiles_.size()));
+  tiles_.push_back(std::move(tile));
 }
 
 bool SubmapMarks::IsOf(const std::shared_ptr<const Submap>& submap) const { return IsSamePart(submap_, submap); }
@@ -123,6 +162,16 @@ const BlockMark* SubmapMarks::Find(BlockIndex index) const {
 StateMarks::StateMarks(const MapSnapshot& state, const StateMarks* before)
     : info_(state.info()), free_space_(MarksOf(*state.free_space())), vacated_(MarksOf(*state.vacated())) {
   for (const auto& submap : state.submaps()) submaps_[submap->id()] = MarkSubmap(submap, before);
+}
+
+StateMarks::StateMarks(const StateMarks& before, const MapSnapshot& part,
+                       const std::function<bool(BlockIndex)>& is_in_part)
+    : info_(before.info_), free_space_(before.free_space_), vacated_(before.vacated_) {
+  for (const auto& submap : part.submaps()) {
+    const auto old = before.submaps_.find(submap->id());
+    if (old == before.submaps_.end()) submaps_[submap->id()] = std::make_shared<const SubmapMarks>(submap, nullptr);
+    else submaps_[submap->id()] = std::make_shared<const SubmapMarks>(*old->second, *submap, is_in_part);
+  }
 }
 
 StateMarks::LayerMarks StateMarks::MarksOf(const FreeSpace& layer) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,6 +46,9 @@ class SubmapMarks {
   /// `before` may be null; what is the same is shared with it.
   SubmapMarks(const std::shared_ptr<const Submap>& submap, const SubmapMarks* before);
 
+  /// Of `before`, with the blocks that `is_in_part` names as they are in `part`, which need not have any others.
+  SubmapMarks(const SubmapMarks& before, const Submap& part, const std::function<bool(BlockIndex)>& is_in_part);
+
   [[nodiscard]] const SubmapInfo& info() const { return info_; }
   /// Around its blocks.
   [[nodiscard]] const BoundingSphere& sphere_in_map() const { return sphere_in_map_; }
@@ -58,6 +62,8 @@ class SubmapMarks {
   [[nodiscard]] const BlockMark* Find(BlockIndex index) const;
 
  private:
+  void Add(std::shared_ptr<const TileMarks> tile);
+
   SubmapInfo info_;
   BoundingSphere sphere_in_map_;
   std::weak_ptr<const Submap> submap_;
@@ -74,6 +80,10 @@ class StateMarks {
   /// With `before`, marks of an earlier state of the map, what was not written since then is shared with them instead
   /// of being marked anew. Converts: who only compares with a state can be given the state.
   StateMarks(const MapSnapshot& state, const StateMarks* before = nullptr);
+
+  /// Of a state that differs from that of `before` in the blocks of submaps that `is_in_part` names, where it is as
+  /// `part`, which need not have any others. A submap that is not in `part` is no longer there.
+  StateMarks(const StateMarks& before, const MapSnapshot& part, const std::function<bool(BlockIndex)>& is_in_part);
 
   /// All of the map but its submaps.
   [[nodiscard]] const MapInfo& info() const { return info_; }

@@ -30,6 +30,15 @@ class StoredKey {
     const std::uint64_t word = (std::uint64_t{store} << kKeyBits) | static_cast<std::uint64_t>(key);
     word_.store(fits ? word : 0, std::memory_order_relaxed);
   }
+  /// Takes over what is known of another one, which is of a part that is the same.
+  void Adopt(const StoredKey& same) const {
+    word_.store(same.word_.load(std::memory_order_relaxed), std::memory_order_relaxed);
+  }
+  /// Whether both are known to be the same stored part. Of two that are not stored nothing is known.
+  [[nodiscard]] bool IsSameAs(const StoredKey& other) const {
+    const std::uint64_t word = word_.load(std::memory_order_relaxed);
+    return word != 0 && word == other.word_.load(std::memory_order_relaxed);
+  }
 
  private:
   static constexpr int kKeyBits = 48;

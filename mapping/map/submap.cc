@@ -39,6 +39,20 @@ float SubmapInfo::ClassConfidence() const {
   return total == 0 ? 0.0f : static_cast<float>(static_cast<double>(own) / static_cast<double>(total));
 }
 
+bool SubmapInfo::IsSeenAs(ClassId wanted) const {
+  if (class_id == wanted) return true;
+  if (!class_is_fixed || class_counts.empty()) return false;
+  std::uint64_t total = 0;
+  for (const ClassTotal& entry : class_counts) total += entry.count;
+  const auto most = std::max_element(class_counts.begin(), class_counts.end(),
+                                     [](const ClassTotal& x, const ClassTotal& y) { return x.count < y.count; });
+  return std::any_of(class_counts.begin(), class_counts.end(), [&](const ClassTotal& entry) {
+    return entry.id == wanted && (entry.id == most->id || (entry.count > 0 && entry.count >= (total + 2) / 3));
+  });
+}
+
+bool IsEdited(const SubmapInfo& info) { return info.is_placed || info.class_is_fixed || !info.display_name.empty(); }
+
 BoundingSphere Submap::BoundingSphereInMap() const { return {info_.T_map_submap * sphere_.center_m, sphere_.radius_m}; }
 
 TsdfBlock& Submap::MutableTsdf(BlockIndex index) {

@@ -12,6 +12,7 @@
 #include "mapping/labels/panoptic.h"
 #include "mapping/map/block_table.h"
 #include "mapping/map/bounding_sphere.h"
+#include "mapping/map/sightings.h"
 
 namespace dhpmap {
 
@@ -51,18 +52,23 @@ struct SubmapInfo {
   float instance_confidence = 1.0f;  ///< share of its voxels' instance counts that are its own
 
   Activity activity = Activity::kActive;
-  bool is_confirmed = true;                ///< a new thing is confirmed by re-observation
-  std::int64_t num_frames_observed = 0;    ///< frames with a segment of it
-  std::int32_t num_frames_missed = 0;      ///< consecutive frames without one, up to now
-  std::int32_t num_frames_overlooked = 0;  ///< of these, frames in which it was in view and not hidden
+  bool is_confirmed = true;              ///< a new thing is confirmed by re-observation
+  std::int64_t num_frames_observed = 0;  ///< frames with a segment of it
+  /// Consecutive frames without one, of the session that has missed it least; of any where none has it in sight.
+  std::int32_t num_frames_missed = 0;
+  std::int32_t num_frames_overlooked = 0;  ///< frames since, of any session, in which it was in view and not hidden
   std::int64_t first_observed_ns = 0;
   std::int64_t last_observed_ns = 0;
   Presence presence = Presence::kPresent;  ///< of a thing; see UpdatePresence
   std::int64_t last_contradicted_ns = 0;   ///< when a voxel of it last became contradicted (GoneBlock); 0 = never
   /// Somebody has put it where it is (moved, or cloned it): what sensors see there says nothing against it.
   bool is_placed = false;
-  /// Id under which a front end with persistent segment ids knows this object; 0 = none.
+  /// Somebody has locked it: mapping and refinement leave all of it as it is but last_observed_ns. Edits do not mind.
+  bool is_locked = false;
+  /// Id under which a front end with persistent segment ids knew this object first; 0 = none. Of which session say the
+  /// sightings; where these name no track, it is that of any: maps of schema 7 and before do not say whose it was.
   std::uint32_t track_id = 0;
+  Sightings sightings;  ///< of a thing: what each session of frames knows of it
   /// Map revision that last changed anything of this submap.
   std::int64_t revision = 0;
   /// Map revision of the last edit or merge of this submap; 0: only frames and refinement have changed it.
@@ -70,7 +76,13 @@ struct SubmapInfo {
 
   /// Share of the counts that went to class_id.
   [[nodiscard]] float ClassConfidence() const;
+  /// Whether frames that call something so may mean this: it has the class, or somebody has set it and frames saw it as
+  /// that one (the most frequent of class_counts, or with a third of the counts: later frames may use the set one).
+  [[nodiscard]] bool IsSeenAs(ClassId wanted) const;
 };
+
+/// Whether a person has edited it: placed, relabelled or named it, or made it by cloning. Frames leave it as it is.
+bool IsEdited(const SubmapInfo& info);
 
 /// One object or background class: a grid of TSDF and label blocks with its own pose, panoptic label and bounding
 /// sphere (paper II-A). Copying shares the blocks; the copy's owner clones a block before it first writes to it.
@@ -102,6 +114,10 @@ class Submap {
   void PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone);
   /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
   void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) { blocks_.PutTile(index, std::move(tile)); }
+  /// See BlockTable.
+  void PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers) {
+    blocks_.PutLayers(index, from, layers);
+  }
   /// Puts the layers that `block` has in place, beside those that are there.
   void AddLayers(const BlockEntry& block);
   /// Begins anew: nothing of it was looked through.

@@ -11,7 +11,7 @@ Mesh ExtractMapMesh(const MapSnapshot& map, MeshColoring coloring, ThreadPool& p
   std::vector<const Submap*> on_grid, others;
   for (const auto& submap : map.submaps()) {
     if (submap->IsAbsent()) continue;
-    (IsOnMapGrid(submap->info(), map.info().config) ? on_grid : others).push_back(submap.get());
+    (IsExclusive(submap->info(), map.info().config) ? on_grid : others).push_back(submap.get());
   }
   Mesh mesh;
   if (!on_grid.empty()) mesh = MarchCubes(SurfaceField(on_grid, pool), label_set, coloring, pool);

@@ -38,11 +38,11 @@ MeshStream::MeshStream(std::shared_ptr<const MapSnapshot> map, const Submap* sub
   if (submap != nullptr) {
     AddLayer({submap}, coloring, stop);
   } else {
-    // As ExtractMapMesh has them: what is on the map's grid as one, the others each by itself.
+    // As ExtractMapMesh has them: what was seen on the map's grid as one, the others each by itself.
     std::vector<const Submap*> on_grid, others;
     for (const auto& each : map_->submaps()) {
       if (each->IsAbsent()) continue;
-      (IsOnMapGrid(each->info(), map_->info().config) ? on_grid : others).push_back(each.get());
+      (IsExclusive(each->info(), map_->info().config) ? on_grid : others).push_back(each.get());
     }
     if (!on_grid.empty()) AddLayer(on_grid, coloring, stop);
     for (const Submap* other : others) AddLayer({other}, coloring, stop);

@@ -9,20 +9,6 @@
 namespace dhpmap {
 namespace {
 
-bool Contains(const Region& region, const Eigen::Vector3d& p_map_m) {
-  if (const auto* box = std::get_if<Eigen::AlignedBox3d>(&region)) return box->contains(p_map_m);
-  const auto& sphere = std::get<BoundingSphere>(region);
-  return (p_map_m - sphere.center_m).squaredNorm() <= sphere.radius_m * sphere.radius_m;
-}
-
-bool Touches(const Region& region, const Eigen::Vector3d& center_map_m, double radius_m) {
-  if (const auto* box = std::get_if<Eigen::AlignedBox3d>(&region)) {
-    return box->squaredExteriorDistance(center_map_m) <= radius_m * radius_m;
-  }
-  const auto& sphere = std::get<BoundingSphere>(region);
-  return (center_map_m - sphere.center_m).norm() <= radius_m + sphere.radius_m;
-}
-
 struct Found {
   VoxelSet voxels;
   std::int64_t num_voxels = 0;

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
-#include <variant>
 #include <vector>
 
 #include "mapping/map/map.h"
+#include "mapping/map/region.h"
 
 namespace dhpmap {
-
-/// A box along the axes, or a sphere; map frame.
-using Region = std::variant<Eigen::AlignedBox3d, BoundingSphere>;
 
 struct ClearedRegion {
   std::int64_t num_voxels = 0;

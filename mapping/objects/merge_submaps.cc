@@ -69,6 +69,7 @@ void MergeRows(const SubmapInfo& from, SubmapInfo& into) {
   if (from.presence == Presence::kPresent) into.presence = Presence::kPresent;
   into.is_confirmed = into.is_confirmed || from.is_confirmed;
   into.is_placed = into.is_placed || from.is_placed;
+  into.is_locked = into.is_locked || from.is_locked;
   into.num_frames_observed += from.num_frames_observed;
   into.num_frames_missed = std::min(into.num_frames_missed, from.num_frames_missed);
   into.num_frames_overlooked = std::min(into.num_frames_overlooked, from.num_frames_overlooked);
@@ -76,6 +77,7 @@ void MergeRows(const SubmapInfo& from, SubmapInfo& into) {
   into.last_observed_ns = std::max(into.last_observed_ns, from.last_observed_ns);
   into.last_contradicted_ns = std::max(into.last_contradicted_ns, from.last_contradicted_ns);
   if (into.track_id == 0) into.track_id = from.track_id;
+  into.sightings.Merge(from.sightings);
 }
 
 /// What voxels have seen of `from` was `into`.
@@ -119,6 +121,12 @@ void MergeSubmaps(SubmapId from, SubmapId into, Map& map) {
   RenameEverywhere(from, into, map);
   RecomputeSubmapLabels(whole);
   whole.UpdateBoundingSphere();
+}
+
+void MergeForGood(SubmapId from, SubmapId into, Map& map) {
+  MergeSubmaps(from, into, map);
+  map.mutable_info().pairs.SetVerdict(from, into, PairVerdict::kMustBeOne);
+  map.FindMutable(into)->mutable_info().is_confirmed = true;  // somebody asked for it
 }
 
 }  // namespace dhpmap

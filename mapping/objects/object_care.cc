@@ -2,6 +2,7 @@
 #include "mapping/objects/object_care.h"
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 #include "mapping/objects/merge_submaps.h"
@@ -15,18 +16,29 @@ namespace {
 /// Two voxels are no surface: the smallest thing that a frame can make has more points in more of them.
 constexpr std::int64_t kLeastSurfaceVoxels = 3;
 
+/// Then a merge would have to write to what is locked.
+bool IsNamedByLocked(SubmapId id, const Map& map) {
+  return std::any_of(map.submaps().begin(), map.submaps().end(), [id](const auto& submap) {
+    if (!submap->info().is_locked) return false;
+    const auto entries = submap->blocks().entries();
+    return std::any_of(entries.begin(), entries.end(), [id](const BlockEntry& entry) {
+      return entry.labels != nullptr && entry.labels->HasSeenInstance(id.value);
+    });
+  });
+}
+
 bool ShouldMerge(const ObjectPair& pair, const Map& map) {
   if (pair.verdict == PairVerdict::kMustBeTwo || !CanMerge(map, pair.second, pair.first)) return false;
-  if (pair.verdict == PairVerdict::kMustBeOne) return true;
   const Submap& a = *map.Find(pair.first);
   const Submap& b = *map.Find(pair.second);
+  if (a.info().is_locked || b.info().is_locked) return false;
+  if (pair.verdict == PairVerdict::kMustBeOne) return !IsNamedByLocked(pair.second, map);
   return pair.evidence >= kIsOne && a.info().class_id == b.info().class_id && !IsEdited(a.info()) &&
-         !IsEdited(b.info()) && !a.IsAbsent() && !b.IsAbsent() && SurfacesTouch(a, b);
+         !IsEdited(b.info()) && !a.IsAbsent() && !b.IsAbsent() && SurfacesTouch(a, b) &&
+         !IsNamedByLocked(pair.second, map);
 }
 
 }  // namespace
-
-bool IsEdited(const SubmapInfo& info) { return info.is_placed || info.class_is_fixed || !info.display_name.empty(); }
 
 int MergePairs(Map& map, std::size_t most_blocks) {
   int num_merged = 0;
@@ -35,9 +47,10 @@ int MergePairs(Map& map, std::size_t most_blocks) {
     const auto pair =
         std::find_if(pairs.begin(), pairs.end(), [&map](const ObjectPair& p) { return ShouldMerge(p, map); });
     if (pair == pairs.end()) break;
-    const auto [first, second] = std::pair(pair->first, pair->second);
+    const auto [first, second, verdict] = std::tuple(pair->first, pair->second, pair->verdict);
     num_blocks += map.Find(second)->blocks().size() + 1;
-    MergeSubmaps(second, first, map);
+    if (verdict == PairVerdict::kMustBeOne) MergeForGood(second, first, map);
+    else MergeSubmaps(second, first, map);
     ++num_merged;
   }
   return num_merged;
@@ -48,7 +61,7 @@ int DissolveRemnants(Map& map) {
   for (const auto& submap : map.submaps()) {
     const SubmapInfo& info = submap->info();
     const bool is_settled = info.panoptic == Panoptic::kThing && info.activity == Activity::kInactive;
-    if (!is_settled || submap->IsAbsent() || IsEdited(info) || info.track_id != 0) continue;
+    if (!is_settled || submap->IsAbsent() || IsEdited(info) || info.is_locked || info.track_id != 0) continue;
     if (!HasSurfaceVoxels(*submap, kLeastSurfaceVoxels)) remnants.push_back(info.id);
   }
   return static_cast<int>(

@@ -11,16 +11,15 @@ struct ObjectCareReport {
   int num_dissolved = 0;  ///< into the unknown submap
 };
 
-/// Whether a person has edited it: placed, relabelled or named it, or made it by cloning. Frames leave it as it is.
-bool IsEdited(const SubmapInfo& info);
-
 /// Merges pairs of things that are one object, into the older of them: of one class, that overlap or touch, as frames
-/// tell (NotePairs) or as somebody has said; never those that must be two, nor what somebody has edited. At least one
-/// pair if there is any, and more until `most_blocks` blocks were moved; the others have to wait for the next time.
+/// tell (NotePairs) or as somebody has said; never those that must be two, nor what somebody has edited or locked. At
+/// least one pair if there is any, and more until `most_blocks` blocks were moved; the others have to wait for the next
+/// time.
 int MergePairs(Map& map, std::size_t most_blocks);
 
 /// Dissolves settled things of which nothing is left to be seen into the unknown submap, confirmed or not: a few wrong
-/// frames made them, and label management has given their surface to the objects whose it is. What is absent stays.
+/// frames made them, and label management has given their surface to the objects whose it is. What is absent or locked
+/// stays.
 int DissolveRemnants(Map& map);
 
 }  // namespace dhpmap

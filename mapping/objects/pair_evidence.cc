@@ -42,7 +42,7 @@ void NotePairs(const std::vector<SegmentBundles>& segments, const OverlapTable& 
   std::vector<Shown> shown;
   for (std::size_t c = 0; c < overlaps.candidates.size(); ++c) {
     const Submap* submap = map.Find(overlaps.candidates[c]);
-    if (submap == nullptr) continue;
+    if (submap == nullptr || submap->info().is_locked) continue;
     if (const auto row = RowThatShows(c, segments, overlaps)) shown.push_back({submap, *row});
   }
   for (std::size_t a = 0; a < shown.size(); ++a) {

@@ -21,7 +21,7 @@ inline constexpr std::int32_t kLeastEvidence = -120;
 /// Notes what a frame says of pairs of things of one class whose spheres meet. What most points on a thing belong to
 /// is the segment that shows it, all its parts together. Two things in one segment were seen as one, in two segments
 /// apart; if one of them is not shown by a segment the frame says nothing. Does nothing for persistent ids, which need
-/// no telling.
+/// no telling, nor for what is locked.
 void NotePairs(const std::vector<SegmentBundles>& segments, const OverlapTable& overlaps, Map& map);
 
 }  // namespace dhpmap

@@ -48,6 +48,7 @@ SubmapId MakePart(SubmapId id, const VoxelSet& voxels, double share, Map& map) {
   SubmapInfo info = map.Find(id)->info();
   info.display_name.clear();
   info.track_id = 0;
+  info.sightings = {};
   info.is_confirmed = true;  // somebody asked for it
   Submap& part = map.Create(std::move(info));
   Submap& rest = *map.FindMutable(id);

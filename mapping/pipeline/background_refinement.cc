@@ -15,27 +15,19 @@ namespace {
 /// Nobody waits for a refinement on the side: where cores are scarce, frames and answers come first.
 constexpr int kNiceness = 10;
 
-/// A map that goes on from a state without keeping it, so that what refinement replaces is not in memory twice: of a
-/// map that is seen anew all over, this is half of it.
-Map GoOnFrom(const MapSnapshot& state) {
-  const auto own = std::make_shared<MapSnapshot>(state.info(), state.submaps());  // free space is not refined
-  Map map(own);
-  *own = MapSnapshot(state.info(), {});  // nobody else has seen it
-  return map;
-}
-
-BackgroundRefinement::Outcome Refine(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_regions,
+BackgroundRefinement::Outcome Refine(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_steps,
                                      const std::function<bool()>& is_cancelled) {
   ThreadPool pool(1);  // the other cores go on fusing
-  round.Begin(*before, most_regions);
+  round.Begin(*before, most_steps);
   const auto marks = round.pending().marks();
-  Map map = GoOnFrom(*before);
+  const RegionPart part = round.NextPart();
+  Map map = GoOnFrom(*before, part);
   before = nullptr;
   BackgroundRefinement::Outcome outcome;
   outcome.report = round.RefineNext(map, pool, is_cancelled);
   const auto refined = map.Freeze();
-  outcome.changes = OutcomeOf(marks, *refined);
-  round.End(*refined);
+  outcome.changes = OutcomeOf(marks, *refined, part);
+  round.End(*refined, part);
   outcome.round = std::move(round);
   return outcome;
 }
@@ -44,16 +36,15 @@ BackgroundRefinement::Outcome Refine(std::shared_ptr<const MapSnapshot> before, 
 
 BackgroundRefinement::~BackgroundRefinement() { Cancel(); }
 
-void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_regions,
+void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_steps,
                                  std::optional<RefinementSlots::Slot> slot) {
   is_cancelled_ = false;
-  outcome_ = std::async(std::launch::async, [this, before = std::move(before), round = std::move(round), most_regions,
+  outcome_ = std::async(std::launch::async, [this, before = std::move(before), round = std::move(round), most_steps,
                                              slot = std::move(slot)]() mutable {
     NameThisThread("refinement");
     MakeThisThreadNicer(kNiceness);
     const auto held = std::move(slot);  // until the end of the work, not of the outcome; so is the state
-    Outcome outcome =
-        Refine(std::move(before), std::move(round), most_regions, [this] { return is_cancelled_.load(); });
+    Outcome outcome = Refine(std::move(before), std::move(round), most_steps, [this] { return is_cancelled_.load(); });
     GiveBackFreeMemory();
     return outcome;
   });

@@ -29,9 +29,9 @@ class BackgroundRefinement {
   BackgroundRefinement(const BackgroundRefinement&) = delete;
   BackgroundRefinement& operator=(const BackgroundRefinement&) = delete;
 
-  /// The next step of `round`, which has `most_regions` if this is its first. Requires that none is under way. The
+  /// The next step of `round`, which has `most_steps` if this is its first. Requires that none is under way. The
   /// slot, if there is one, is given back when the step has ended, and so is the state: the outcome does not keep it.
-  void Start(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_regions,
+  void Start(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_steps,
              std::optional<RefinementSlots::Slot> slot = std::nullopt);
   [[nodiscard]] bool IsUnderWay() const { return outcome_.valid(); }
   [[nodiscard]] bool IsReady() const;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mapping/fusion/integrator.h"
+#include "mapping/fusion/kept_clear_voxels.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/tracking/visibility.h"
 
@@ -30,9 +31,20 @@ std::vector<SubmapWork> GroupBySubmap(std::span<const Assignment> assignments, M
   return works;
 }
 
-void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, const MapConfig& map_config,
+/// Nothing, if the map keeps nothing clear. Has a view of the map's regions.
+std::optional<KeptClearVoxels> KeptClearVoxelsOf(const MapInfo& map, const SubmapInfo& submap) {
+  if (map.kept_clear.empty()) return std::nullopt;
+  return std::optional<KeptClearVoxels>(std::in_place, map.kept_clear, submap);
+}
+
+void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, const MapInfo& map,
                 const std::stop_token& stop, SubmapWork& work) {
+  const MapConfig& map_config = map.config;
   Submap& submap = *work.submap;
+  if (submap.info().is_locked) {
+    submap.mutable_info().last_observed_ns = frame.stamp_ns;
+    return;
+  }
   const SubmapInfo& info = submap.info();
   const IntegrationConfig& config = map_config.integration;
   const bool is_unknown = info.id == kUnknownSubmap;
@@ -47,6 +59,7 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
   const std::vector<SegmentBundles>* bundled = nullptr;
   if (!on_map_grid) bundled = &own_bundler.BundleFrame(frame, T_submap_sensor, info.voxel_size_m);
 
+  std::optional<KeptClearVoxels> kept_clear = KeptClearVoxelsOf(map, info);
   int last_row = -2;
   for (const std::size_t s : work.segments) {
     const int row = segments[s].row;
@@ -57,7 +70,8 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
     }
     std::optional<ClassId> class_id;
     if (!is_unknown) class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
-    work.num_updates += IntegrateSegment(*bundles, origin, class_id, config, submap, stop);
+    work.num_updates +=
+        IntegrateSegment(*bundles, origin, class_id, config, submap, stop, kept_clear ? &*kept_clear : nullptr);
   }
   if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
   submap.mutable_info().num_frames_observed += 1;
@@ -71,15 +85,18 @@ std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>
   std::vector<Submap*> in_view;
   std::vector<SubmapId> ids;
   for (const auto& submap : map.submaps()) {
-    if (IsOnMapGrid(submap->info(), config) &&
+    if (IsExclusive(submap->info(), config) && !submap->info().is_locked &&
         MayBeInView(frame, config.integration.max_range_m, submap->bounding_sphere())) {
       ids.push_back(submap->id());
     }
   }
+  in_view.reserve(ids.size());
   for (const SubmapId id : ids) in_view.push_back(map.FindMutable(id));
   std::vector<std::int64_t> num_updates(in_view.size(), 0);
   pool.ParallelFor(in_view.size(), [&](std::size_t i) {
-    num_updates[i] = CarveFreeSpace(segments, origin, config.integration, *in_view[i], stop);
+    std::optional<KeptClearVoxels> kept_clear = KeptClearVoxelsOf(map.info(), in_view[i]->info());
+    num_updates[i] =
+        CarveFreeSpace(segments, origin, config.integration, *in_view[i], stop, kept_clear ? &*kept_clear : nullptr);
   });
   std::int64_t total = 0;
   for (const std::int64_t n : num_updates) total += n;
@@ -93,7 +110,7 @@ std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBund
                        const std::stop_token& stop) {
   std::vector<SubmapWork> works = GroupBySubmap(assignments, map);
   const MapConfig& config = map.info().config;
-  pool.ParallelFor(works.size(), [&](std::size_t i) { FuseSubmap(frame, segments, config, stop, works[i]); });
+  pool.ParallelFor(works.size(), [&](std::size_t i) { FuseSubmap(frame, segments, map.info(), stop, works[i]); });
   std::int64_t num_updates = 0;
   for (const SubmapWork& work : works) num_updates += work.num_updates;
   if (config.integration.carving) num_updates += Carve(frame, segments, map, pool, stop);

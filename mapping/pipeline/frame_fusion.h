@@ -16,7 +16,8 @@ namespace dhpmap {
 
 /// Integrates each segment of a frame into the submap it was assigned to, by ray tracing (paper Fig. 2 B, II-C), and
 /// clears free space if the config says so. Submaps are independent of each other: the result has the same bits for any
-/// number of threads. `segments` are on the map's grid, with one assignment each. Returns the number of voxel updates.
+/// number of threads. What is locked is only noted as seen, and voxels that the map keeps clear are
+/// not written. `segments` are on the map's grid, with one assignment each. Returns the number of voxel updates.
 /// Throws Stopped soon after `stop` is requested, with a part done.
 std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                        std::span<const Assignment> assignments, Map& map, ThreadPool& pool,

@@ -13,6 +13,7 @@
 #include "mapping/base/stopped.h"
 #include "mapping/fusion/band_size.h"
 #include "mapping/fusion/bundler.h"
+#include "mapping/fusion/kept_clear_points.h"
 #include "mapping/fusion/segment_parts.h"
 #include "mapping/objects/object_care.h"
 #include "mapping/objects/pair_evidence.h"
@@ -53,7 +54,7 @@ struct MapBuilder::Impl {
         pool(std::move(p)),
         timing(t),
         slots(std::move(s)),
-        bundler(std::in_place, map.info().config.integration, *pool),
+        bundler(map.info().config.integration, *pool),
         tracker(map.info().config, *pool) {}
 
   [[nodiscard]] Status CheckFrame(const PanopticFrame& frame) const;
@@ -82,7 +83,7 @@ struct MapBuilder::Impl {
   std::shared_ptr<ThreadPool> pool;
   RefinementTiming timing;
   std::shared_ptr<RefinementSlots> slots;  // may be null
-  std::optional<Bundler> bundler;          // always there
+  Bundler bundler;
   Tracker tracker;
   FreeSpaceFinder space;
   BackgroundRefinement refinement;
@@ -98,13 +99,14 @@ Status MapBuilder::Impl::CheckFrame(const PanopticFrame& frame) const {
   return CheckFrameIsOnGrid(frame, map.info().config.voxel_size_m);
 }
 
-/// Points become segments: bundles on the map's grid, things that lie apart in parts.
+/// Points become segments: bundles on the map's grid, things that lie apart, or that somebody has split, in parts.
 const std::vector<SegmentBundles>& MapBuilder::Impl::Bundle(const PanopticFrame& frame, FrameReport& report) {
   const StageClock clock(report.bundle_s);
   const MapInfo& info = map.info();
-  auto& segments = bundler->BundleFrame(frame, frame.T_map_sensor, info.config.voxel_size_m);
+  auto& segments = bundler.BundleFrame(frame, frame.T_map_sensor, info.config.voxel_size_m);
   const int gap_vox = info.config.tracking.split_gap_vox;
   if (gap_vox > 0 && !frame.has_persistent_ids) SplitIntoParts(ThingRows(frame, *info.label_set), gap_vox, segments);
+  tracker.CutAtSplits(frame, map, segments);
   for (const SegmentBundles& segment : segments) {
     report.num_points += segment.num_points;
     report.num_segments += segment.row >= 0;
@@ -221,6 +223,7 @@ std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide(FrameReport& f
 void MapBuilder::Impl::PruneEmptyBlocks() {
   std::vector<SubmapId> ids;
   for (const auto& submap : map.submaps()) {
+    if (submap->info().is_locked) continue;
     const auto entries = submap->blocks().entries();
     const bool has_empty_block = std::any_of(entries.begin(), entries.end(), [](const BlockEntry& entry) {
       return entry.tsdf == nullptr || !entry.tsdf->HasObservedVoxel();
@@ -236,7 +239,7 @@ void MapBuilder::Impl::PruneEmptyBlocks() {
 
 void MapBuilder::Impl::GoBackTo(Map&& before) {
   map = std::move(before);
-  bundler.emplace(map.info().config.integration, *pool);  // what is in it may be half made, and is memory
+  bundler.GiveBuffersBack();  // what is in them may be half made, and is memory
   space = FreeSpaceFinder();
 }
 
@@ -259,7 +262,10 @@ const RefinementReport& MapBuilder::refinement_total() const { return impl_->ref
 Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop) {
   FrameReport report;
   const auto& segments = Bundle(frame, report);  // sensor data to point segments
-  DHPMAP_RETURN_IF_ERROR(CheckSize(frame, segments));
+  if (Status size = CheckSize(frame, segments); !size.ok()) {
+    bundler.GiveBuffersBack();  // so that one frame of this size does not keep them for ever
+    return size;
+  }
   ThrowIfStopped(stop);
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
   Fuse(frame, segments, assignments, stop, report);             // (B) ray tracing into it, II-C
@@ -274,8 +280,10 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
   try {
     DHPMAP_RETURN_IF_ERROR(impl_->CheckFrame(frame));
     before = impl_->map.Fork();
-    const std::optional<PanopticFrame> changed = WithoutHiddenThings(frame, *impl_->map.info().label_set);
-    return impl_->IntegrateChecked(changed ? *changed : frame, stop);
+    const MapInfo& info = impl_->map.info();
+    const std::optional<PanopticFrame> labelled = WithoutHiddenThings(frame, *info.label_set);
+    const std::optional<PanopticFrame> rest = WithoutKeptClear(labelled ? *labelled : frame, info.kept_clear);
+    return impl_->IntegrateChecked(rest ? *rest : labelled ? *labelled : frame, stop);
   } catch (const Stopped&) {
     if (before) impl_->GoBackTo(*std::move(before));
     return Cancelled("the frame was given up: the map is as it was");
@@ -285,6 +293,9 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
   } catch (const std::exception& error) {
     if (before) impl_->GoBackTo(*std::move(before));
     return Internal(std::string("the frame could not be fused: ") + error.what());
+  } catch (...) {
+    if (before) impl_->GoBackTo(*std::move(before));
+    return Internal("the frame could not be fused");
   }
 }
 

@@ -31,15 +31,22 @@ OccupancySlice::OccupancySlice(const std::shared_ptr<const MapSurfaces>& surface
   up_m_ = axes.col(2) * (band_m / num_up_);
 }
 
-void OccupancySlice::Row(int y, std::span<std::int8_t> cells, std::span<const SubmapInfo*> objects) {
-  for (std::size_t x = 0; x < cells.size(); ++x) {
-    const Cell cell = CellAt(static_cast<int>(x), y);
+void OccupancySlice::Row(int y, std::span<std::int8_t> cells, std::span<const SubmapInfo*> objects,
+                         const std::stop_token& stop) {
+  for (std::size_t x = 0; x < cells.size() && !has_given_up_; ++x) {
+    const Cell cell = CellAt(static_cast<int>(x), y, stop);
     cells[x] = cell.value;
     if (!objects.empty()) objects[x] = cell.object;
   }
 }
 
-OccupancySlice::Cell OccupancySlice::CellAt(int x, int y) {
+bool OccupancySlice::GivesUp(const std::stop_token& stop) {
+  constexpr std::uint32_t kPointsALook = 4096;
+  has_given_up_ = has_given_up_ || (++num_points_ % kPointsALook == 0 && stop.stop_requested());
+  return has_given_up_;
+}
+
+OccupancySlice::Cell OccupancySlice::CellAt(int x, int y, const std::stop_token& stop) {
   const double side_m = options_.resolution_m;
   const Eigen::Vector3d corner =
       options_.T_map_query *
@@ -50,6 +57,7 @@ OccupancySlice::Cell OccupancySlice::CellAt(int x, int y) {
   for (int j = 0; j < num_side_; ++j) {
     for (int i = 0; i < num_side_; ++i) {
       for (int k = 0; k < num_up_; ++k) {
+        if (GivesUp(stop)) return {options_.unknown, nullptr};
         const VoxelStates::Voxel voxel =
             states_.At(corner + (i + 0.5) * side_x_m_ + (j + 0.5) * side_y_m_ + (k + 0.5) * up_m_);
         num_free += voxel.state == VoxelState::kFree;

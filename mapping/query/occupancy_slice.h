@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -41,8 +42,9 @@ class OccupancySlice {
   OccupancySlice(const std::shared_ptr<const MapSurfaces>& surfaces, SliceOptions options);
 
   /// Row y, `width` cells from x = 0 on. `objects`, if they are wanted, are as many: whose most of the cell's occupied
-  /// points are; null where it is not occupied. They last as long as the surfaces.
-  void Row(int y, std::span<std::int8_t> cells, std::span<const SubmapInfo*> objects);
+  /// points are; null where it is not occupied. They last as long as the surfaces. Gives up soon after `stop` is
+  /// requested: then the row means nothing, and a cell may be of many millions of points.
+  void Row(int y, std::span<std::int8_t> cells, std::span<const SubmapInfo*> objects, const std::stop_token& stop = {});
 
   /// How many points a cell is looked at in.
   [[nodiscard]] std::int64_t points_a_cell() const { return std::int64_t{num_side_} * num_side_ * num_up_; }
@@ -52,7 +54,9 @@ class OccupancySlice {
     std::int8_t value;
     const SubmapInfo* object;
   };
-  Cell CellAt(int x, int y);
+  Cell CellAt(int x, int y, const std::stop_token& stop);
+  /// Looks once in some thousand points.
+  bool GivesUp(const std::stop_token& stop);
   [[nodiscard]] const SubmapInfo* MostOften();
 
   const SliceOptions options_;
@@ -60,6 +64,8 @@ class OccupancySlice {
   int num_side_, num_up_;
   Eigen::Vector3d side_x_m_, side_y_m_, up_m_;  ///< from one point to the next, map frame
   std::vector<std::pair<const SubmapInfo*, int>> counts_;
+  std::uint32_t num_points_ = 0;  ///< looked at so far, modulo 2^32
+  bool has_given_up_ = false;
 };
 
 /// What a slice looks at in each cell: see OccupancySlice::points_a_cell.

@@ -51,12 +51,14 @@ std::vector<Eigen::Vector3d> AllAround() {
   return directions;
 }
 
-/// How the surface of one object lies to points: asks that object alone.
+/// How the surface of one object lies to points: asks that object alone. After `stop` it ends soon, and what it says
+/// means nothing.
 class Judge {
  public:
-  Judge(const MapSurfaces& surfaces, const RelationQuestion& question)
+  Judge(const MapSurfaces& surfaces, const RelationQuestion& question, const std::stop_token& stop)
       : surfaces_(surfaces),
         question_(question),
+        stop_(stop),
         T_query_map_(question.T_map_query.inverse()),
         is_held_(surfaces.index().entries().size()),
         search_(surfaces, is_held_) {}
@@ -76,6 +78,7 @@ class Judge {
     int num_bottom = 0, num_held = 0;
     double gap_m = reach_m;
     for (const Eigen::Vector3d& p : subject.points_m) {
+      if (stop_.stop_requested()) break;
       if (p.z() > bottom_m + reach_m) continue;
       ++num_bottom;
       const auto found = Nearest(p, reach_m);
@@ -92,6 +95,7 @@ class Judge {
     const Hold hold(*this, object.number);
     double gap_m = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : subject.points_m) {
+      if (stop_.stop_requested()) break;
       if (object.box_m.exteriorDistance(p) > std::min(limit_m, gap_m)) continue;
       if (const auto found = Nearest(p, std::min(limit_m, gap_m))) gap_m = std::min(gap_m, found->distance_m);
     }
@@ -107,6 +111,7 @@ class Judge {
       const auto num_rays = static_cast<double>(num_points * directions.size());
       double num_met = num_rays;  // at most
       for (std::size_t i = first; i < subject.points_m.size(); i += step) {
+        if (stop_.stop_requested()) return 0.0;
         for (const Eigen::Vector3d& direction : directions) {
           const Ray ray{question_.T_map_query * subject.points_m[i], question_.T_map_query.linear() * direction};
           if (MeetsSubmap(surfaces_, object.number, ray, limit_m)) continue;
@@ -153,6 +158,7 @@ class Judge {
 
   const MapSurfaces& surfaces_;
   const RelationQuestion& question_;
+  const std::stop_token& stop_;
   const Transform T_query_map_;
   std::vector<bool> is_held_;
   NearestSearch search_;
@@ -161,7 +167,7 @@ class Judge {
 class Finder {
  public:
   Finder(const MapSurfaces& surfaces, const RelationQuestion& question, const std::stop_token& stop)
-      : surfaces_(surfaces), question_(question), stop_(stop), judge_(surfaces, question) {}
+      : surfaces_(surfaces), question_(question), stop_(stop), judge_(surfaces, question, stop) {}
 
   std::vector<Relation> Run() {
     Gather();
@@ -186,6 +192,9 @@ class Finder {
     for (std::size_t number = 0; number < surfaces_.index().entries().size() && !stop_.stop_requested(); ++number) {
       const Submap& submap = surfaces_.index().entries()[number].submap();
       if (submap.info().panoptic == Panoptic::kUnknown || !question_.scope.Holds(submap.info())) continue;
+      constexpr std::uint64_t kEver = 0;  // all of the surface: of a large submap that takes long
+      surfaces_.surface(number).PrepareUsedSince(kEver, submap, stop_);
+      if (stop_.stop_requested()) break;
       Body body{.number = number, .submap = &submap, .box_m = SurfaceBox(surfaces_, number, T_query_map)};
       if (body.box_m.isEmpty()) continue;
       if (bodies_.empty()) origin_m_ = body.box_m.center();
@@ -227,6 +236,7 @@ class Finder {
 
   void Compare(const Subject& subject, const Body& object) {
     const Relation on = On(subject, object), in = In(subject, object);
+    if (stop_.stop_requested()) return;
     if (on.subject != nullptr && IsWanted(RelationKind::kOn)) found_.push_back(on);
     if (in.subject != nullptr && IsWanted(RelationKind::kIn)) found_.push_back(in);
     const bool is_related = on.subject != nullptr || in.subject != nullptr;
@@ -235,9 +245,8 @@ class Finder {
     const Relation next = NextTo(subject, object);
     if (next.subject == nullptr) return;
     const Subject other = SubjectOf(object);
-    if (On(other, subject.body).subject == nullptr && In(other, subject.body).subject == nullptr) {
-      found_.push_back(next);
-    }
+    const bool is_reverse = On(other, subject.body).subject != nullptr || In(other, subject.body).subject != nullptr;
+    if (!is_reverse && !stop_.stop_requested()) found_.push_back(next);
   }
 
   // Each is without a subject if it does not hold.

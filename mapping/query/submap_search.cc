@@ -2,6 +2,7 @@
 #include "mapping/query/submap_search.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -23,7 +24,7 @@ bool HasPart(const std::string& text, const std::string& part) {
 class Nearness {
  public:
   explicit Nearness(const MapSurfaces& surfaces)
-      : surfaces_(surfaces), is_held_(surfaces.index().entries().size()), search_(surfaces, is_held_) {}
+      : is_held_(surfaces.index().entries().size()), search_(surfaces, is_held_) {}
 
   /// Nothing if it is farther than the limit.
   std::optional<NearestSurface> Of(std::size_t number, const Eigen::Vector3d& p_map, double limit_m) {
@@ -35,7 +36,6 @@ class Nearness {
   }
 
  private:
-  const MapSurfaces& surfaces_;
   std::vector<bool> is_held_;
   NearestSearch search_;
 };
@@ -51,11 +51,22 @@ class Search {
 
   std::vector<SubmapMatch> Run() {
     std::vector<SubmapMatch> matches = question_.near_m ? Nearest() : First();
-    for (SubmapMatch& match : matches) match.box_m = SurfaceBox(surfaces_, NumberOf(match), T_query_map_);
+    for (SubmapMatch& match : matches) {
+      const std::size_t number = NumberOf(match);
+      if (!MakeSurface(number)) break;
+      match.box_m = SurfaceBox(surfaces_, number, T_query_map_);
+    }
     return matches;
   }
 
  private:
+  /// All of it, as far as it is not there; of a large submap that takes long. False: told to stop.
+  [[nodiscard]] bool MakeSurface(std::size_t number) const {
+    constexpr std::uint64_t kEver = 0;
+    surfaces_.surface(number).PrepareUsedSince(kEver, surfaces_.index().entries()[number].submap(), stop_);
+    return !stop_.stop_requested();
+  }
+
   [[nodiscard]] std::size_t NumberOf(const SubmapMatch& match) const {
     const auto entries = surfaces_.index().entries();
     return static_cast<std::size_t>(
@@ -119,7 +130,10 @@ class Search {
         !nearness_.Of(number, question_.T_map_query * question_.sphere_m->center_m, question_.sphere_m->radius_m)) {
       return false;
     }
-    return !question_.box_m || SurfaceIsIn(surfaces_, number, T_query_map_, *question_.box_m);
+    if (!question_.box_m) return true;
+    const Eigen::AlignedBox3d& box_m = surfaces_.index().entries()[number].box_m();
+    if (!question_.box_m->intersects(box_m.transformed(T_query_map_ * submap.T_map_submap))) return false;
+    return MakeSurface(number) && SurfaceIsIn(surfaces_, number, T_query_map_, *question_.box_m);
   }
 
   static constexpr double kFarAway_m = 1e9;  // squared, it is a float

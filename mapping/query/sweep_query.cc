@@ -32,22 +32,24 @@ SweepQuery::SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions 
       distances_(surfaces, {.max_distance_m = options_.max_distance_m, .scope = options_.scope}),
       bodies_(std::move(surfaces), options_) {}
 
-SweepAnswer SweepQuery::First(std::span<const SphereKnot> knots, double until) const {
-  SweepAnswer answer{.first = FirstSurface(knots, until)};
+SweepAnswer SweepQuery::First(std::span<const SphereKnot> knots, double until, const std::stop_token& stop) const {
+  SweepAnswer answer{.first = FirstSurface(knots, until, stop)};
   if (options_.unknown == UnknownSpace::kFree) return answer;
   const double before = answer.first ? std::min(until, answer.first->at) : until;
-  auto unseen = FirstUnseen(knots, before);
+  auto unseen = FirstUnseen(knots, before, stop);
   if (!unseen || (answer.first && unseen->at >= answer.first->at)) return answer;
   answer.unknown_at = unseen->at;
   if (options_.unknown == UnknownSpace::kOccupied) answer.first = std::move(unseen);
   return answer;
 }
 
-std::optional<SweepContact> SweepQuery::FirstSurface(std::span<const SphereKnot> knots, double until) const {
+std::optional<SweepContact> SweepQuery::FirstSurface(std::span<const SphereKnot> knots, double until,
+                                                     const std::stop_token& stop) const {
   if (knots.empty() || knots.front().at > until) return std::nullopt;
   double rest_m = 0;
   for (std::size_t i = 0; i + 1 < knots.size() && knots[i].at <= until; ++i) rest_m += WayOf(knots[i], knots[i + 1]);
   for (std::size_t i = 0; i < knots.size() && knots[i].at <= until;) {
+    if (stop.stop_requested()) return std::nullopt;
     const SphereKnot& here = knots[i];
     const double look_m = std::min(std::max(rest_m, 0.0), options_.max_distance_m);
     const SurfaceDistance distance = distances_.Within(here.center_m, here.radius_m + look_m);
@@ -114,8 +116,9 @@ double SweepQuery::DepthAt(const SphereKnot& knot, std::size_t number) const {
 }
 
 /// By halves, of which those whose box is free as a whole need no more.
-std::optional<SweepContact> SweepQuery::FirstUnseen(std::span<const SphereKnot> knots, double until) const {
-  if (knots.empty() || knots.front().at > until) return std::nullopt;
+std::optional<SweepContact> SweepQuery::FirstUnseen(std::span<const SphereKnot> knots, double until,
+                                                    const std::stop_token& stop) const {
+  if (knots.empty() || knots.front().at > until || stop.stop_requested()) return std::nullopt;
   if (knots.size() <= 2) {
     auto contact = FirstUnseenBetween(knots.front(), knots.back());
     return contact && contact->at <= until ? contact : std::nullopt;
@@ -126,8 +129,8 @@ std::optional<SweepContact> SweepQuery::FirstUnseen(std::span<const SphereKnot> 
   }
   if (IsFreeThroughout(world_, box)) return std::nullopt;
   const std::size_t middle = knots.size() / 2;
-  if (auto contact = FirstUnseen(knots.first(middle + 1), until)) return contact;
-  return FirstUnseen(knots.subspan(middle), until);
+  if (auto contact = FirstUnseen(knots.first(middle + 1), until, stop)) return contact;
+  return FirstUnseen(knots.subspan(middle), until, stop);
 }
 
 std::optional<SweepContact> SweepQuery::FirstUnseenBetween(const SphereKnot& from, const SphereKnot& to) const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 
 #include "mapping/query/body_query.h"
 #include "mapping/query/moving_sphere.h"
@@ -33,17 +34,20 @@ class SweepQuery {
   SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options, bool counts_inside = true);
 
   /// Of the map frame, in the order of time; finite. Only what happens no later than `until`. The depth of a contact
-  /// on the way is that at the next knot, or 0.
+  /// on the way is that at the next knot, or 0. Gives up soon after `stop` is requested: then the answer means nothing.
   [[nodiscard]] SweepAnswer First(std::span<const SphereKnot> knots,
-                                  double until = std::numeric_limits<double>::infinity()) const;
+                                  double until = std::numeric_limits<double>::infinity(),
+                                  const std::stop_token& stop = {}) const;
 
   [[nodiscard]] const BodyOptions& options() const { return options_; }
   [[nodiscard]] const QueryWorld& world() const { return world_; }
 
  private:
-  [[nodiscard]] std::optional<SweepContact> FirstSurface(std::span<const SphereKnot> knots, double until) const;
+  [[nodiscard]] std::optional<SweepContact> FirstSurface(std::span<const SphereKnot> knots, double until,
+                                                         const std::stop_token& stop) const;
   [[nodiscard]] std::optional<SweepContact> FirstBetween(const SphereKnot& from, const SphereKnot& to) const;
-  [[nodiscard]] std::optional<SweepContact> FirstUnseen(std::span<const SphereKnot> knots, double until) const;
+  [[nodiscard]] std::optional<SweepContact> FirstUnseen(std::span<const SphereKnot> knots, double until,
+                                                        const std::stop_token& stop) const;
   [[nodiscard]] std::optional<SweepContact> FirstUnseenBetween(const SphereKnot& from, const SphereKnot& to) const;
   [[nodiscard]] double DepthAt(const SphereKnot& knot, std::size_t number) const;
 

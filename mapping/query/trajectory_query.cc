@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
+Status NobodyWaits() { return Cancelled("the client went away"); }
+
 std::optional<std::size_t> NumberOf(const MapSurfaces& surfaces, SubmapId id) {
   const std::span<const SubmapIndex::Entry> entries = surfaces.index().entries();
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -21,9 +23,11 @@ std::optional<std::size_t> NumberOf(const MapSurfaces& surfaces, SubmapId id) {
 
 }  // namespace
 
-Result<TrajectoryQuery> TrajectoryQuery::Make(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options) {
+Result<TrajectoryQuery> TrajectoryQuery::Make(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options,
+                                              const std::stop_token& stop) {
   TrajectoryQuery query(std::move(surfaces), std::move(options));
   for (std::size_t i = 0; i < query.options_.attached.size(); ++i) {
+    if (stop.stop_requested()) return NobodyWaits();
     const AttachedObject& attached = query.options_.attached[i];
     CarriedBody body;
     if (const auto number = NumberOf(*query.surfaces_, attached.submap)) {
@@ -43,7 +47,7 @@ Result<TrajectoryQuery> TrajectoryQuery::Make(std::shared_ptr<const MapSurfaces>
 
 template <typename Sweep>
 void TrajectoryQuery::Add(const SweepQuery& query, const TrajectoryContact& part, const Sweep& sweep,
-                          TrajectoryAnswer& answer, double& unknown_at) const {
+                          const std::stop_token& stop, TrajectoryAnswer& answer, double& unknown_at) const {
   const bool is_all = options_.max_contacts > 1;
   const double until = is_all || answer.contacts.empty() ? kNever : answer.contacts.front().at;
   SweepAnswer found = sweep(query, until);
@@ -56,7 +60,7 @@ void TrajectoryQuery::Add(const SweepQuery& query, const TrajectoryContact& part
     contact.contact = found.first->contact;
     if (!is_all) answer.contacts.clear();
     answer.contacts.push_back(contact);
-    if (round >= options_.max_contacts) return;
+    if (round >= options_.max_contacts || stop.stop_requested()) return;
     if (contact.contact.submap != nullptr) left.scope.excluded_submaps.push_back(contact.contact.submap->id);
     else left.unknown = UnknownSpace::kFree;  // told once
     // Beyond the surface of what it met, it is soon behind surfaces that it never touches.
@@ -65,13 +69,15 @@ void TrajectoryQuery::Add(const SweepQuery& query, const TrajectoryContact& part
 }
 
 SweepAnswer TrajectoryQuery::SweepCarried(const SweepQuery& query, const CarriedBody& body, const RigidPath& path,
-                                          double until) {
+                                          double until, const std::stop_token& stop) {
   SweepAnswer best;
   for (const CarriedBody::Group& group : body.groups) {
-    const SweepAnswer rough = query.First(path.Carried(group.around.center_m, group.around.radius_m), until);
+    if (stop.stop_requested()) break;
+    const SweepAnswer rough = query.First(path.Carried(group.around.center_m, group.around.radius_m), until, stop);
     if (!rough.first && !rough.unknown_at) continue;
     for (const CarriedBody::Ball& ball : group.balls) {
-      const SweepAnswer found = query.First(path.Carried(ball.center_m, ball.radius_m), until);
+      if (stop.stop_requested()) break;  // on a long way each takes its time
+      const SweepAnswer found = query.First(path.Carried(ball.center_m, ball.radius_m), until, stop);
       if (found.unknown_at) best.unknown_at = std::min(found.unknown_at.value(), best.unknown_at.value_or(kNever));
       if (!found.first || (best.first && best.first->at <= found.first->at)) continue;
       best.first = found.first;
@@ -85,11 +91,11 @@ Result<TrajectoryAnswer> TrajectoryQuery::Check(const RobotMotion& motion, const
   TrajectoryAnswer answer;
   double unknown_at = kNever;
   const auto add_sphere = [&](std::size_t number, std::span<const SphereKnot> knots) {
-    const auto sweep = [&](const SweepQuery& query, double until) { return query.First(knots, until); };
-    Add(robot_, {.at = 0, .sphere = number, .attached = {}, .contact = {}}, sweep, answer, unknown_at);
+    const auto sweep = [&](const SweepQuery& query, double until) { return query.First(knots, until, stop); };
+    Add(robot_, {.at = 0, .sphere = number, .attached = {}, .contact = {}}, sweep, stop, answer, unknown_at);
   };
   for (std::size_t i = 0; i < motion.spheres.size(); ++i) {
-    if (stop.stop_requested()) return Cancelled("the client went away");
+    if (stop.stop_requested()) return NobodyWaits();
     add_sphere(i, motion.spheres[i]);
   }
   double reach_m = 0;
@@ -98,18 +104,19 @@ Result<TrajectoryAnswer> TrajectoryQuery::Check(const RobotMotion& motion, const
   }
   const RigidPath robot_path(motion.waypoints, reach_m);
   for (std::size_t i = 0; i < motion.robot.size(); ++i) {
-    if (stop.stop_requested()) return Cancelled("the client went away");
+    if (stop.stop_requested()) return NobodyWaits();
     const CarriedBody::Ball& ball = motion.robot[i];
     add_sphere(motion.spheres.size() + i, robot_path.Carried(ball.center_m, ball.radius_m));
   }
   for (std::size_t i = 0; i < carried_.size(); ++i) {
-    if (stop.stop_requested()) return Cancelled("the client went away");
+    if (stop.stop_requested()) return NobodyWaits();
     const RigidPath path(motion.attached[i], carried_[i].body.reach_m);
     const auto sweep = [&](const SweepQuery& query, double until) {
-      return SweepCarried(query, carried_[i].body, path, until);
+      return SweepCarried(query, carried_[i].body, path, until, stop);
     };
-    Add(carried_[i].query, {.at = 0, .sphere = {}, .attached = i, .contact = {}}, sweep, answer, unknown_at);
+    Add(carried_[i].query, {.at = 0, .sphere = {}, .attached = i, .contact = {}}, sweep, stop, answer, unknown_at);
   }
+  if (stop.stop_requested()) return NobodyWaits();  // then not all was looked at
   std::stable_sort(answer.contacts.begin(), answer.contacts.end(),
                    [](const auto& a, const auto& b) { return a.at < b.at; });
   if (answer.contacts.size() > options_.max_contacts) answer.contacts.resize(options_.max_contacts);

@@ -56,7 +56,9 @@ struct TrajectoryAnswer {
 class TrajectoryQuery {
  public:
   /// RESOURCE_EXHAUSTED if something attached has more than kMostBalls voxels of surface: no robot carries it.
-  static Result<TrajectoryQuery> Make(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options);
+  /// CANCELLED if `stop` is requested before the last of what is attached is looked at.
+  static Result<TrajectoryQuery> Make(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options,
+                                      const std::stop_token& stop = {});
   static constexpr std::size_t kMostBalls = 50'000;
 
   /// CANCELLED soon after `stop` is requested.
@@ -70,12 +72,13 @@ class TrajectoryQuery {
   TrajectoryQuery(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options)
       : options_(std::move(options)), surfaces_(surfaces), robot_(std::move(surfaces), options_.bodies) {}
 
-  /// Adds what one part of the robot meets. `sweep(query, until)` finds the first of it.
+  /// Adds what one part of the robot meets. `sweep(query, until)` finds the first of it. After `stop` not all of it.
   template <typename Sweep>
-  void Add(const SweepQuery& query, const TrajectoryContact& part, const Sweep& sweep, TrajectoryAnswer& answer,
-           double& unknown_at) const;
+  void Add(const SweepQuery& query, const TrajectoryContact& part, const Sweep& sweep, const std::stop_token& stop,
+           TrajectoryAnswer& answer, double& unknown_at) const;
+  /// Ends soon after `stop` is requested, with what it has.
   [[nodiscard]] static SweepAnswer SweepCarried(const SweepQuery& query, const CarriedBody& body, const RigidPath& path,
-                                                double until);
+                                                double until, const std::stop_token& stop);
 
   TrajectoryOptions options_;
   std::shared_ptr<const MapSurfaces> surfaces_;

@@ -41,8 +41,15 @@ void VisitErased(const SubmapMarks& before, const Submap* now, Visitor&& visit) 
   }
 }
 
-bool IsOnSameGrid(const SubmapInfo& a, const SubmapInfo& b) {
-  return a.T_map_submap.isApprox(b.T_map_submap, 0) && a.voxel_size_m == b.voxel_size_m;
+bool IsOnSameGrid(const SubmapInfo& before, const SubmapInfo& now) {
+  return before.T_map_submap.isApprox(now.T_map_submap, 0) && before.voxel_size_m == now.voxel_size_m;
+}
+
+/// Whether what was refined of it is still that of the same object, and it may be written to: frames do not count,
+/// every edit does, and so does undoing it.
+bool CanTakeOver(const SubmapInfo& before, const SubmapInfo& now) {
+  return IsOnSameGrid(before, now) && before.edited_revision == now.edited_revision &&
+         before.is_placed == now.is_placed && !now.is_locked;
 }
 
 const RefinedSubmap* FindIn(const std::vector<RefinedSubmap>& submaps, SubmapId id) {
@@ -56,14 +63,16 @@ Positions PositionsThatStay(const RefinementOutcome& outcome, const Map& map) {
   Positions stay;
   const auto add = [&stay](BlockIndex index) { stay.insert(index); };
   for (const auto& [id, old] : outcome.before->submaps()) {
-    if (!IsSettled(old->info())) continue;
+    if (!IsRefined(old->info(), outcome.before->info().config)) continue;
     const Submap* now = map.Find(id);
     if (now != nullptr && IsOnSameGrid(old->info(), now->info())) {
       VisitWritten(*old, now, [&](const BlockEntry& entry) { add(entry.index); });
+    }
+    if (now != nullptr && CanTakeOver(old->info(), now->info())) {
       VisitErased(*old, now, add);
       continue;
     }
-    // Removed or moved: neither what it held nor what it was given can be put anywhere.
+    // Removed, locked or edited in any way: neither what it held nor what it was given can be put anywhere.
     VisitErased(*old, nullptr, add);
     if (const RefinedSubmap* given = FindIn(outcome.written, id)) {
       for (const BlockEntry& entry : given->written) add(entry.index);
@@ -96,7 +105,8 @@ bool TakeBlocks(const RefinedSubmap& refined, const Positions& stay, Submap& now
 
 }  // namespace
 
-RefinementOutcome OutcomeOf(std::shared_ptr<const StateMarks> before, const MapSnapshot& refined) {
+RefinementOutcome OutcomeOf(std::shared_ptr<const StateMarks> before, const MapSnapshot& refined,
+                            const RegionPart& part) {
   RefinementOutcome outcome{.before = std::move(before), .written = {}};
   auto now = refined.submaps().begin();
   for (const auto& [id, old] : outcome.before->submaps()) {
@@ -106,7 +116,9 @@ RefinementOutcome OutcomeOf(std::shared_ptr<const StateMarks> before, const MapS
     const Submap* submap = is_there ? now->get() : nullptr;
     RefinedSubmap& written = outcome.written.emplace_back(RefinedSubmap{.id = id, .written = {}, .erased = {}});
     VisitWritten(*old, submap, [&](const BlockEntry& entry) { written.written.push_back(entry); });
-    VisitErased(*old, submap, [&](BlockIndex index) { written.erased.push_back(index); });
+    VisitErased(*old, submap, [&](BlockIndex index) {
+      if (part.Has(index)) written.erased.push_back(index);
+    });
   }
   return outcome;
 }
@@ -116,7 +128,7 @@ std::int64_t AdoptRefinement(const RefinementOutcome& outcome, Map& map) {
   Positions deferred;
   for (const RefinedSubmap& refined : outcome.written) {
     const Submap* now = map.Find(refined.id);
-    if (now == nullptr || !IsOnSameGrid(outcome.before->Find(refined.id)->info(), now->info())) continue;
+    if (now == nullptr || !CanTakeOver(outcome.before->Find(refined.id)->info(), now->info())) continue;
     Submap& submap = *map.FindMutable(refined.id);
     if (!TakeBlocks(refined, stay, submap, deferred)) continue;
     const bool is_gone =

@@ -113,7 +113,7 @@ std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& m
   const auto most_distance_m = static_cast<float>(kMostDistance_vox * map.info().config.voxel_size_m);
   for (const SubmapId id : ids) {
     const Submap* submap = map.Find(id);
-    if (submap == nullptr || !IsOnMapGrid(submap->info(), map.info().config)) continue;
+    if (submap == nullptr || !IsExclusive(submap->info(), map.info().config)) continue;
     for (const BlockEntry& entry : submap->blocks().entries()) {
       if (region != nullptr && !region->IsNear(entry.index, rim)) continue;
       if (entry.tsdf && entry.labels) blocks.push_back({entry.index, id, &entry, most_distance_m});

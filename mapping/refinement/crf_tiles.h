@@ -30,8 +30,8 @@ struct HeldBlock {
   }
 };
 
-/// All labelled blocks of the submaps `ids` on the map's grid, by ascending index, then holder; with `region`, those
-/// within `rim` blocks of it. Valid until the map is next written.
+/// All labelled blocks of the submaps `ids` that share the map's grid (IsExclusive), by ascending index, then holder;
+/// with `region`, those within `rim` blocks of it. Valid until the map is next written.
 std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map,
                                      const RefinementRegion* region = nullptr, int rim = 0);
 

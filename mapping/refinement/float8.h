@@ -18,15 +18,20 @@ namespace dhpmap {
 
 typedef float Float8 __attribute__((vector_size(32)));
 typedef std::int32_t Int8 __attribute__((vector_size(32)));
-typedef float UnalignedFloat8 __attribute__((vector_size(32), aligned(4), may_alias));
-typedef std::int32_t UnalignedInt8 __attribute__((vector_size(32), aligned(4), may_alias));
+
+/// A vector in a row of floats: needs no alignment, and may alias. A struct: clang takes a reference to a vector for
+/// one to an aligned vector.
+struct [[gnu::packed, gnu::may_alias]] RowVector8 {
+  Float8 x;
+};
+struct [[gnu::packed, gnu::may_alias]] RowMask8 {
+  Int8 x;
+};
 
 /// The v-th vector of a row, to read or to write.
-DHPMAP_ALWAYS_INLINE UnalignedFloat8& Vector8(float* row, int v) {
-  return reinterpret_cast<UnalignedFloat8*>(row)[v];  // may alias and needs no alignment
-}
-DHPMAP_ALWAYS_INLINE const UnalignedFloat8& Vector8(const float* row, int v) {
-  return reinterpret_cast<const UnalignedFloat8*>(row)[v];
+DHPMAP_ALWAYS_INLINE RowVector8& Vector8(float* row, int v) { return reinterpret_cast<RowVector8*>(row)[v]; }
+DHPMAP_ALWAYS_INLINE const RowVector8& Vector8(const float* row, int v) {
+  return reinterpret_cast<const RowVector8*>(row)[v];
 }
 
 /// The greatest element in all elements.

@@ -15,11 +15,11 @@ struct ManagementReport {
   std::int64_t num_shared_voxels = 0;  ///< positions that more than one submap held
   std::int64_t num_moved_voxels = 0;   ///< voxels that left a submap for another
   int num_removed_submaps = 0;         ///< that held nothing any more
-  int num_skipped_submaps = 0;         ///< on a grid of their own (moved, or another voxel size): never merged
+  int num_skipped_submaps = 0;         ///< moved or cloned by somebody, or of another voxel size: never merged
 };
 
 /// Inter-submap label management (paper II-D): afterwards each voxel position of the map's grid is held by at most one
-/// of the submaps `ids`, the one of its winning instance.
+/// of the submaps `ids` that share it (IsExclusive), the one of its winning instance.
 ///   - What several submaps hold at a position is merged: weighted average of distance and colour, weights and counts
 ///     added. The unknown submap may be among `ids`; it has no counts, so it only keeps what nobody else holds.
 ///   - The winner is the instance with the most observations among `ids`; ties go to the smaller id. Where no count

@@ -20,7 +20,7 @@ DHPMAP_ALWAYS_INLINE void BlurChains(const std::uint32_t* chains, std::size_t i,
     Float8 before[N], here[N];
     for (int v = 0; v < N; ++v) {
       before[v] = Float8{};
-      here[v] = Vector8(row, v);
+      here[v] = Vector8(row, v).x;
     }
     for (++i; i < end && (chains[i] & LatticeGraph::kChainStart) == 0; ++i) {
       if (i + kLookAhead < end) {
@@ -29,14 +29,14 @@ DHPMAP_ALWAYS_INLINE void BlurChains(const std::uint32_t* chains, std::size_t i,
       }
       float* next_row = values + chains[i] * stride;
       for (int v = 0; v < N; ++v) {
-        const Float8 next = Vector8(next_row, v);
-        Vector8(row, v) = here[v] + 0.5f * (before[v] + next);
+        const Float8 next = Vector8(next_row, v).x;
+        Vector8(row, v).x = here[v] + 0.5f * (before[v] + next);
         before[v] = here[v];
         here[v] = next;
       }
       row = next_row;
     }
-    for (int v = 0; v < N; ++v) Vector8(row, v) = here[v] + 0.5f * before[v];
+    for (int v = 0; v < N; ++v) Vector8(row, v).x = here[v] + 0.5f * before[v];
   }
 }
 

@@ -31,7 +31,7 @@ DHPMAP_ALWAYS_INLINE void Slice(const Corners& corners, const float* rows, std::
   for (std::size_t k = 0; k < corners.row.size(); ++k) {
     const float* row = rows + corners.row[k] * stride;
     const float weight = corners.scale * static_cast<float>(corners.weight[k]);
-    for (int v = 0; v < N; ++v) sum[v] += weight * Vector8(row, v);
+    for (int v = 0; v < N; ++v) sum[v] += weight * Vector8(row, v).x;
   }
 }
 
@@ -40,7 +40,7 @@ DHPMAP_ALWAYS_INLINE void Splat(const Corners& corners, const Float8* value, std
   for (std::size_t k = 0; k < corners.row.size(); ++k) {
     float* row = rows + corners.row[k] * stride;
     const float weight = corners.scale * static_cast<float>(corners.weight[k]);
-    for (int v = 0; v < N; ++v) Vector8(row, v) += weight * value[v];
+    for (int v = 0; v < N; ++v) Vector8(row, v).x += weight * value[v];
   }
 }
 
@@ -55,7 +55,7 @@ DHPMAP_ALWAYS_INLINE void SlicePoints(const Points& points, std::size_t c) {
       Slice<N>(points.appearance.corners[i], points.appearance_rows + c, points.stride, sum);
     }
     float* q = points.q + (i - points.begin) * points.stride + c;
-    for (int v = 0; v < N; ++v) Vector8(q, v) = sum[v];
+    for (int v = 0; v < N; ++v) Vector8(q, v).x = sum[v];
   }
 }
 
@@ -64,7 +64,7 @@ DHPMAP_ALWAYS_INLINE void SplatPoints(const Points& points, std::size_t c) {
   for (std::size_t i = points.begin; i < points.end; ++i) {
     const float* q = points.q + (i - points.begin) * points.stride + c;
     Float8 value[N];
-    for (int v = 0; v < N; ++v) value[v] = Vector8(q, v);
+    for (int v = 0; v < N; ++v) value[v] = Vector8(q, v).x;
     if (points.smoothness.corners) {
       Splat<N>(points.smoothness.corners[i], value, points.stride, points.smoothness_rows + c);
     }
@@ -97,15 +97,15 @@ DHPMAP_ALWAYS_INLINE void SplatAll(const Points& points) {
   }
 }
 
-DHPMAP_ALWAYS_INLINE const UnalignedInt8& MaskOf(const LabelLayout::Part& part) {
-  return *reinterpret_cast<const UnalignedInt8*>(part.mask.data());
+DHPMAP_ALWAYS_INLINE const RowMask8& MaskOf(const LabelLayout::Part& part) {
+  return *reinterpret_cast<const RowMask8*>(part.mask.data());
 }
 
 /// Subtracts the v-th vector of unaries; -infinity where a label is impossible.
 DHPMAP_ALWAYS_INLINE void SubtractVector(const float* unaries, int v, float* q) {
-  const Float8 u = Vector8(unaries, 0);
-  const Float8 x = Vector8(q, v) - (u > -kSurest ? u : Float8{} - kSurest);
-  Vector8(q, v) = u < kInfinity ? x : Float8{} - kInfinity;
+  const Float8 u = Vector8(unaries, 0).x;
+  const Float8 x = Vector8(q, v).x - (u > -kSurest ? u : Float8{} - kSurest);
+  Vector8(q, v).x = u < kInfinity ? x : Float8{} - kInfinity;
 }
 
 /// The exponent of paper eq. (1), -E by label: what the pairwise terms of eq. (4) say for a label, which is in q, less
@@ -119,13 +119,13 @@ DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float
   for (const LabelLayout::Kind& kind : layout.kinds) {
     Float8 most = Float8{} - kInfinity;
     for (const LabelLayout::Part& part : kind.parts) {
-      const Float8 x = MaskOf(part) ? Vector8(q, part.vector) : Float8{} - kInfinity;
+      const Float8 x = MaskOf(part).x ? Vector8(q, part.vector).x : Float8{} - kInfinity;
       most = most > x ? most : x;
     }
     SpreadMax(most);
     for (const LabelLayout::Part& part : kind.parts) {
-      const Float8 x = Vector8(q, part.vector);
-      Vector8(q, part.vector) = MaskOf(part) ? x - most : x;
+      const Float8 x = Vector8(q, part.vector).x;
+      Vector8(q, part.vector).x = MaskOf(part).x ? x - most : x;
     }
   }
 }
@@ -134,11 +134,11 @@ DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float
 DHPMAP_ALWAYS_INLINE void ScaleToOne(const LabelLayout& layout, float* q) {
   for (const LabelLayout::Kind& kind : layout.kinds) {
     Float8 sum = {};
-    for (const LabelLayout::Part& part : kind.parts) sum += MaskOf(part) ? Vector8(q, part.vector) : Float8{};
+    for (const LabelLayout::Part& part : kind.parts) sum += MaskOf(part).x ? Vector8(q, part.vector).x : Float8{};
     SpreadSum(sum);
     const Float8 scale = 1.0f / sum;
     for (const LabelLayout::Part& part : kind.parts) {
-      Vector8(q, part.vector) *= MaskOf(part) ? scale : Float8{} + 1.0f;
+      Vector8(q, part.vector).x *= MaskOf(part).x ? scale : Float8{} + 1.0f;
     }
   }
 }
@@ -188,9 +188,9 @@ void RunPoints(MeanFieldPass pass, const LabelLayout& layout, std::span<const st
     SubtractUnaries(layout, values.data() + order[i] * num_labels, tails + 8 * i, points.q + i * stride);
   }
   for (int v = 0; v < static_cast<int>(order.size() * stride / 8); ++v) {
-    Float8 x = Vector8(points.q, v);
+    Float8 x = Vector8(points.q, v).x;
     ExpOfNegative(x);
-    Vector8(points.q, v) = x;
+    Vector8(points.q, v).x = x;
   }
   for (std::size_t i = 0; i < order.size(); ++i) ScaleToOne(layout, points.q + i * stride);
   if (is_last) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "mapping/map/map_grid.h"
 #include "mapping/refinement/refine_map.h"
 
 namespace dhpmap {
@@ -67,12 +66,11 @@ class Around {
 
 /// Of a submap that is refined; else null.
 const Submap* Refined(const Submap* submap, const MapConfig& config) {
-  const bool is = submap != nullptr && IsSettled(submap->info()) && IsOnMapGrid(submap->info(), config);
-  return is ? submap : nullptr;
+  return submap != nullptr && IsRefined(submap->info(), config) ? submap : nullptr;
 }
 
 const SubmapMarks* Refined(const SubmapMarks* marks, const MapConfig& config) {
-  return marks != nullptr && IsSettled(marks->info()) && IsOnMapGrid(marks->info(), config) ? marks : nullptr;
+  return marks != nullptr && IsRefined(marks->info(), config) ? marks : nullptr;
 }
 
 }  // namespace
@@ -93,8 +91,13 @@ void PendingCubes::Note(const MapSnapshot& now, int rim) {
   NoteRefined(now);
 }
 
-void PendingCubes::NoteRefined(const MapSnapshot& refined) {
-  marks_ = std::make_shared<const StateMarks>(refined, marks_.get());
+void PendingCubes::NoteRefined(const MapSnapshot& refined, const RegionPart& part) {
+  if (part.IsAll() || marks_ == nullptr) {
+    marks_ = std::make_shared<const StateMarks>(refined, marks_.get());
+  } else {
+    marks_ =
+        std::make_shared<const StateMarks>(*marks_, refined, [&part](BlockIndex block) { return part.Has(block); });
+  }
 }
 
 void PendingCubes::Remove(std::span<const CubeIndex> cubes) {

@@ -10,19 +10,21 @@
 #include "mapping/map/map.h"
 #include "mapping/map/state_marks.h"
 #include "mapping/refinement/refinement_region.h"
+#include "mapping/refinement/region_part.h"
 
 namespace dhpmap {
 
 /// Which cubes of a map have to be refined: those in or around which blocks were written or erased since they were
-/// refined, or a submap has settled, has ceased to be settled, or is gone. At first, all. Copying costs some bytes a
-/// pending cube. Thread-compatible.
+/// refined, or a submap has come to be refined (IsRefined), has ceased to be, or is gone. At first, all. Copying costs
+/// some bytes a pending cube. Thread-compatible.
 class PendingCubes {
  public:
   /// Adds what `now`, a later state of the map, has that the last one did not have. `rim`: how many blocks beyond a
   /// cube's side have a say in it.
   void Note(const MapSnapshot& now, int rim);
   /// The same without adding anything: what `refined` has that the last state did not have is refinement's own work.
-  void NoteRefined(const MapSnapshot& refined);
+  /// `refined` need have no blocks but those of `part`; elsewhere it is as the last state.
+  void NoteRefined(const MapSnapshot& refined, const RegionPart& part = {});
   void Remove(std::span<const CubeIndex> cubes);
 
   [[nodiscard]] const std::set<CubeIndex>& cubes() const { return cubes_; }

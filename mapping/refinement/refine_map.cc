@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "mapping/map/map_grid.h"
 #include "mapping/refinement/stray_voxels.h"
 #include "mapping/refinement/submap_labels.h"
 
@@ -15,6 +16,7 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 
 void RestoreLabels(const std::vector<SubmapId>& ids, Map& map) {
   for (const SubmapId id : ids) {
+    if (!IsExclusive(map.Find(id)->info(), map.info().config)) continue;
     for (const BlockEntry& entry : map.Find(id)->blocks().entries()) {
       if (id == kUnknownSubmap || !entry.tsdf || entry.labels) continue;
       RestoreDroppedLabels(*map.FindMutable(id));
@@ -43,9 +45,11 @@ RefinementReport& RefinementReport::operator+=(const RefinementReport& other) {
 }
 
 bool IsSettled(const SubmapInfo& info) {
-  if (info.presence == Presence::kAbsent) return false;
+  if (info.presence == Presence::kAbsent || info.is_locked) return false;
   return info.panoptic != Panoptic::kThing || info.activity == Activity::kInactive;
 }
+
+bool IsRefined(const SubmapInfo& info, const MapConfig& config) { return IsSettled(info) && IsExclusive(info, config); }
 
 std::vector<SubmapId> SettledSubmaps(const Map& map) {
   std::vector<SubmapId> ids;
@@ -94,6 +98,7 @@ std::int64_t DropVoxelLabels(Map& map) {
   std::int64_t num_bytes = 0;
   std::vector<SubmapId> labelled;
   for (const auto& submap : map.submaps()) {
+    if (submap->info().is_locked || !IsExclusive(submap->info(), map.info().config)) continue;
     std::int64_t own_bytes = 0;
     for (const BlockEntry& entry : submap->blocks().entries()) {
       if (entry.labels) own_bytes += static_cast<std::int64_t>(entry.labels->MemoryBytes());

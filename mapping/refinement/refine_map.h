@@ -26,9 +26,12 @@ struct RefinementReport {
   RefinementReport& operator+=(const RefinementReport& other);
 };
 
-/// Settled things, all background classes and the unknown submap are refined together (paper II-D). What is absent is
-/// not, and a voxel that is contradicted (GoneBlock) stays as it is.
+/// Settled things, all background classes and the unknown submap are refined together (paper II-D). What is absent or
+/// locked is not, and a voxel that is contradicted (GoneBlock) stays as it is.
 bool IsSettled(const SubmapInfo& info);
+/// Whether refinement may read and write its voxels: it is settled and shares the map's grid (IsExclusive).
+bool IsRefined(const SubmapInfo& info, const MapConfig& config);
+/// Those that share the map's grid and those that do not.
 std::vector<SubmapId> SettledSubmaps(const Map& map);
 
 /// Label management, the CRF and the return of stray voxels (AbsorbStrayVoxels) on the settled submaps, each part if
@@ -44,8 +47,8 @@ RefinementReport RefineRegion(Map& map, ThreadPool& pool, const RefinementRegion
                               const std::function<bool()>& is_cancelled = {});
 RefinementReport RefineStrayVoxels(Map& map, ThreadPool& pool);
 
-/// Drops the labels of voxels of all labelled submaps (paper II-D): afterwards a voxel has the label of its submap.
-/// Returns the bytes saved. Call it where positions are exclusive.
+/// Drops the labels of voxels of all labelled submaps that are not locked and share the map's grid (paper II-D):
+/// afterwards a voxel has the label of its submap. Returns the bytes saved. Call it where positions are exclusive.
 std::int64_t DropVoxelLabels(Map& map);
 
 }  // namespace dhpmap

@@ -8,24 +8,45 @@
 namespace dhpmap {
 namespace {
 
-/// A region's rim costs as much as itself below some hundred blocks.
-constexpr int kLeastBlocksARegion = 600;
+/// Such labels are restored from what is known of the whole submap.
+bool HasDroppedLabels(const MapSnapshot& state) {
+  const auto is_without = [](const BlockEntry& entry) { return entry.tsdf != nullptr && entry.labels == nullptr; };
+  return std::any_of(state.submaps().begin(), state.submaps().end(), [&](const auto& submap) {
+    if (submap->id() == kUnknownSubmap || !IsRefined(submap->info(), state.info().config)) return false;
+    const auto blocks = submap->blocks().entries();
+    return std::any_of(blocks.begin(), blocks.end(), is_without);
+  });
+}
 
 }  // namespace
 
-void RefinementRound::Begin(const MapSnapshot& state, int most_regions) {
-  pending_.Note(state, RimOfLabels(state.info().config));
+void RefinementRound::Begin(const MapSnapshot& state, int most_steps, int least_blocks) {
+  rim_ = RimOfLabels(state.info().config);
+  pending_.Note(state, rim_);
+  needs_all_ = HasDroppedLabels(state);
   if (!IsFinished()) return;
-  regions_ = CutRegions(pending_, state, most_regions, kLeastBlocksARegion);
+  regions_ = CutRegions(pending_, state, std::max(1, most_steps - 1), least_blocks);
   std::reverse(regions_.begin(), regions_.end());
+  are_strays_left_ = !regions_.empty();
+  have_strays_a_step_ = regions_.size() > 1;
+}
+
+RegionPart RefinementRound::NextPart() const {
+  if (needs_all_ || regions_.empty() || IsOnlyStep()) return {};
+  return {regions_.back(), rim_};
 }
 
 RefinementReport RefinementRound::RefineNext(Map& map, ThreadPool& pool, const std::function<bool()>& is_cancelled) {
-  if (regions_.empty()) return {};
-  RefinementReport report = RefineRegion(map, pool, &regions_.back(), is_cancelled);
-  pending_.Remove(regions_.back().cubes());
-  regions_.pop_back();
-  if (regions_.empty() && !(is_cancelled && is_cancelled())) report += RefineStrayVoxels(map, pool);
+  RefinementReport report;
+  const bool is_turn_of_strays = are_strays_left_ && (regions_.empty() || IsOnlyStep());
+  if (!regions_.empty()) {
+    report = RefineRegion(map, pool, &regions_.back(), is_cancelled);
+    pending_.Remove(regions_.back().cubes());
+    regions_.pop_back();
+  }
+  if (!is_turn_of_strays) return report;
+  are_strays_left_ = false;
+  if (!is_cancelled || !is_cancelled()) report += RefineStrayVoxels(map, pool);
   return report;
 }
 

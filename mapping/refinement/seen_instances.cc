@@ -8,7 +8,7 @@ namespace dhpmap {
 KnownInstances::KnownInstances(std::span<const SubmapId> ids, const Map& map) {
   for (const SubmapId id : ids) {
     const Submap* submap = map.Find(id);
-    if (submap != nullptr && IsOnMapGrid(submap->info(), map.info().config)) ids_.push_back(id);
+    if (submap != nullptr && IsExclusive(submap->info(), map.info().config)) ids_.push_back(id);
   }
   std::sort(ids_.begin(), ids_.end());
   ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());

@@ -12,10 +12,10 @@
 namespace dhpmap {
 
 /// The submaps that a refinement may give voxels to, and what a voxel has seen of them: an instance that is none of
-/// them (absent, in view, no longer there) cannot hold it. Immutable, thread-safe.
+/// them (absent, in view, placed by somebody, no longer there) cannot hold it. Immutable, thread-safe.
 class KnownInstances {
  public:
-  /// Those of `ids` that are in the map, on its grid.
+  /// Those of `ids` that are in the map and share its grid (IsExclusive).
   KnownInstances(std::span<const SubmapId> ids, const Map& map);
 
   /// Ascending.

@@ -104,7 +104,7 @@ std::int64_t AbsorbStrayVoxels(std::span<const SubmapId> ids, Map& map, ThreadPo
   std::vector<const Submap*> things;
   for (const SubmapId id : ids) {
     const Submap* submap = map.Find(id);
-    if (submap == nullptr || !IsOnMapGrid(submap->info(), map.info().config)) continue;
+    if (submap == nullptr || !IsExclusive(submap->info(), map.info().config)) continue;
     for (const BlockEntry& entry : submap->blocks().entries()) holders[entry.index].push_back(submap);
     if (submap->info().panoptic == Panoptic::kThing) things.push_back(submap);
   }

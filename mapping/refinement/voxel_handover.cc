@@ -5,7 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "mapping/map/map_grid.h"
 #include "mapping/refinement/block_position.h"
 #include "mapping/refinement/seen_instances.h"
 

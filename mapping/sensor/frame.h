@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mapping/base/ids.h"
@@ -48,7 +49,8 @@ struct PanopticFrame {
   /// Camera: optical frame, z forward, x right, y down. LiDAR: the scanner's own frame.
   Transform T_map_sensor = Transform::Identity();
   std::vector<SegmentInfo> segments;
-  /// Ids mean the same object in every frame of the map (ground truth, or a tracking front end); else the tracker
+  std::string session;  ///< the client's name for the frames that this is one of; empty: none
+  /// Ids mean the same object in every frame of the session (ground truth, or a tracking front end); else the tracker
   /// associates each segment anew (paper II-B).
   bool has_persistent_ids = false;
   /// Points whose id has no row in `segments` go to the unknown submap; else such an id is an error.

@@ -30,8 +30,8 @@ Result<Image<float>> DecodeDepth(std::span<const std::byte> file, double scale_m
 /// 8-bit grey or colour.
 Result<Image<Color>> DecodeColor(std::span<const std::byte> file);
 
-/// 8- or 16-bit grey, or the first stored (blue, green, red order: channel 0 = blue) channel of a colour image, which
-/// is how the flat data set keeps its ids. JPEG is refused: it does not keep ids.
+/// 8- or 16-bit grey, or the blue channel of a colour image, which is how the flat data set keeps its ids. JPEG is
+/// refused: it does not keep ids.
 Result<Image<std::uint32_t>> DecodeSegments(std::span<const std::byte> file);
 
 }  // namespace dhpmap

@@ -24,6 +24,7 @@ struct Reader {
   Bytes file;
   bool is_big_endian = true;
   bool is_short = false;
+  bool is_strange = false;  ///< a TIFF's field is of a type in which nobody writes it, though libtiff would read it
 
   std::uint64_t Read(std::uint64_t position, int num_bytes) {
     if (position > file.size() || file.size() - position < static_cast<std::uint64_t>(num_bytes)) {
@@ -140,7 +141,10 @@ std::optional<TiffField> FindTiffField(Reader& in, std::uint64_t directory, std:
     const std::uint64_t entry = directory + 2 + 12 * i;
     if (in.Read(entry, 2) != tag) continue;
     const std::uint64_t type = in.Read(entry + 2, 2);
-    if (type != 3 && type != 4) return std::nullopt;
+    if (type != 3 && type != 4) {
+      in.is_strange = true;
+      return std::nullopt;
+    }
     TiffField field{.count = in.Read(entry + 4, 4), .value_bytes = type == 3 ? 2 : 4, .position = entry + 8};
     if (field.count * static_cast<std::uint64_t>(field.value_bytes) > 4) field.position = in.Read(entry + 8, 4);
     return field;
@@ -195,6 +199,7 @@ Result<ImageHeader> ReadTiff(Bytes file, bool is_big_endian) {
     header.decoded_bytes = std::max(header.decoded_bytes, DecodedBytes(width_of_tile, height_of_tile, bytes_per_pixel));
   }
   if (in.is_short) return BadImage("the TIFF file is truncated");
+  if (in.is_strange) return BadImage("the TIFF file's directory has sizes that are neither SHORT nor LONG");
   return header;
 }
 

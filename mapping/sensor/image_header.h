@@ -20,8 +20,8 @@ struct ImageHeader {
 };
 
 /// Reads kind and size from a compressed image file and checks that the file is whole: PNG up to its IEND chunk, JPEG
-/// up to its EOI marker, every strip or tile of a (classic) TIFF inside the file. The decoders behind OpenCV fill up
-/// what is missing with grey instead. What it says is what the decoders will go by: a file that says it twice, such as
+/// up to its EOI marker, every strip or tile of a (classic) TIFF inside the file. Some decoders fill up what
+/// is missing with grey instead. What it says is what the decoders will go by: a file that says it twice, such as
 /// a JPEG with a second frame header, is refused. INVALID_ARGUMENT, reason BAD_IMAGE. Does not decode; the pixels may
 /// still be corrupt.
 Result<ImageHeader> ReadImageHeader(std::span<const std::byte> file);

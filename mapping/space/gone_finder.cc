@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/space/gone_finder.h"
 
+#include <cmath>
+
+#include "mapping/map/region.h"
+#include "mapping/map/voxel_mask.h"
+
 namespace dhpmap {
 namespace {
 
@@ -38,7 +43,30 @@ bool HasCounts(const BlockTile& tile) {
                      [](const BlockEntry& entry) { return entry.gone != nullptr; });
 }
 
+/// Takes the voxels of the submap that lie in the region out of a block.
+void LeaveOutRegion(const Region& region, const SubmapInfo& info, ContradictedBlock& block) {
+  const double half_m = 0.5 * kBlockSide * info.voxel_size_m;
+  const Eigen::Vector3d center_m = BlockCorner(block.index, info.voxel_size_m).array() + half_m;
+  if (!Touches(region, info.T_map_submap * center_m, std::sqrt(3.0) * half_m)) return;
+  for (int i = 0; i < kBlockVoxels; ++i) {
+    if (!IsIn(block.voxels, i)) continue;
+    if (!Contains(region, info.T_map_submap * VoxelCentre(VoxelIn(block.index, i), info.voxel_size_m))) continue;
+    SetIn(block.voxels, i, false);
+    --block.num_voxels;
+    --block.num_in_all;
+  }
+}
+
 }  // namespace
+
+void GoneFinder::LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo& info,
+                                   std::vector<ContradictedBlock>& found) {
+  for (const KeptClearRegion& region : kept_clear.list()) {
+    for (ContradictedBlock& block : found) {
+      if (block.num_voxels > 0) LeaveOutRegion(region.region, info, block);
+    }
+  }
+}
 
 void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t turn) {
   const BlockTile& tile = *entry.tile;
@@ -57,8 +85,9 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Map&
   for (std::size_t i = 0; i < tiles_.size(); ++i) in_view_.Set(tiles_[i].index, static_cast<std::uint32_t>(i));
   const std::uint64_t turn = DigitSum(static_cast<std::uint64_t>(map.info().num_frames));
   for (const auto& submap : map.submaps()) {
-    if (submap->info().is_placed || !IsOnMapGrid(submap->info(), map.info().config)) continue;
-    if (!MayReach(reach, origin, submap->bounding_sphere(), submap->info().voxel_size_m)) continue;
+    const SubmapInfo& info = submap->info();
+    if (info.is_placed || info.is_locked || !IsOnMapGrid(info, map.info().config)) continue;
+    if (!MayReach(reach, origin, submap->bounding_sphere(), info.voxel_size_m)) continue;
     const BlockTable& blocks = submap->blocks();
     if (blocks.tiles().size() <= tiles_.size()) {
       for (const TileEntry& entry : blocks.tiles()) {

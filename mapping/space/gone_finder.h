@@ -9,6 +9,7 @@
 #include "mapping/base/index_map.h"
 #include "mapping/base/stopped.h"
 #include "mapping/base/thread_pool.h"
+#include "mapping/map/kept_clear.h"
 #include "mapping/map/map.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/space/gone_look.h"
@@ -17,8 +18,9 @@
 namespace dhpmap {
 
 /// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number
-/// of the frame, until something of them is counted. Submaps that somebody has put where they are, and those on
-/// another grid than the map's, which were moved, are left alone. Keeps its buffers. Thread-compatible.
+/// of the frame, until something of them is counted. Submaps that somebody has put where they are or has locked, and
+/// those on another grid than the map's, which were moved, are left alone, and so are voxels in regions that are kept
+/// clear, of which no point is seen. Keeps its buffers. Thread-compatible.
 class GoneFinder {
  public:
   /// Returns the submaps of which voxels were counted, by ascending id. The outcome does not depend on the number of
@@ -36,6 +38,7 @@ class GoneFinder {
       const SubmapInfo& info = job.submap->info();
       job.found.clear();
       GoneLook<View>(view, origin, from, info.voxel_size_m, info.truncation_m, job.found).Look(*job.tile);
+      LeaveOutKeptClear(map.info().kept_clear, info, job.found);
     });
     return Count(from, map);
   }
@@ -55,6 +58,9 @@ class GoneFinder {
     std::vector<ContradictedBlock> found;
   };
 
+  /// Takes the voxels of the submap that are kept clear out of what was found.
+  static void LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo& info,
+                                std::vector<ContradictedBlock>& found);
   /// The tiles of submaps that are in view.
   void ListJobs(const Box& reach, const GridOrigin& origin, const Map& map);
   void AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t turn);

@@ -18,7 +18,8 @@ void LeaveIfGone(SubmapId id, Map& map) {
   const Submap* submap = map.Find(id);
   if (submap == nullptr || submap->IsAbsent()) return;
   const SubmapInfo& info = submap->info();
-  if (info.panoptic != Panoptic::kThing || info.is_placed || info.activity == Activity::kActive) return;
+  const bool is_settled = info.panoptic == Panoptic::kThing && info.activity == Activity::kInactive;
+  if (!is_settled || info.is_placed || info.is_locked) return;
   if (!HasGone(*submap)) return;
   const SurfaceVoxels voxels = CountSurfaceVoxels(*submap);
   const auto all = static_cast<double>(voxels.all);
@@ -49,7 +50,7 @@ void UpdatePresence(const PanopticFrame& frame, std::span<const SubmapId> observ
                     Map& map) {
   for (const SubmapId id : observed) {
     const Submap* submap = map.Find(id);
-    if (submap == nullptr || !submap->IsAbsent()) continue;
+    if (submap == nullptr || !submap->IsAbsent() || submap->info().is_locked) continue;
     Submap& back = *map.FindMutable(id);
     back.mutable_info().presence = Presence::kPresent;
     if (!frame.has_persistent_ids) back.DropGone();

@@ -27,7 +27,8 @@ SurfaceVoxels CountSurfaceVoxels(const Submap& submap);
 ///
 /// An absent thing that is seen again is present at once: to wait until it was seen from all around would keep an
 /// obstacle out of the answers. If it was matched by its place, all of it is taken to be there again (Submap::DropGone)
-/// until it is looked through; if by a persistent id, it may be elsewhere, and what was looked through stays so.
+/// until it is looked through; if by a persistent id, it may be elsewhere, and what was looked through stays so. What
+/// is locked stays as it is.
 void UpdatePresence(const PanopticFrame& frame, std::span<const SubmapId> observed, std::span<const SubmapId> doubted,
                     Map& map);
 

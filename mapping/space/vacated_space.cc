@@ -143,16 +143,32 @@ std::int64_t NewestLook_ns(const FreeSpace& space) {
   return newest_ns;
 }
 
-}  // namespace
-
-void NoteVacated(const Submap& leaving, Map& map) {
+/// What the object leaves, or would.
+std::map<TileIndex, FreeBlocks> LeftBy(const Submap& leaving, const Map& map) {
   const SubmapInfo& info = leaving.info();
-  if (info.is_placed || !IsOnMapGrid(info, map.info().config)) return;
+  if (info.is_placed || !IsOnMapGrid(info, map.info().config)) return {};
   Leaving places(leaving, map);
   places.TakeObserved();
   if (info.panoptic == Panoptic::kThing) places.TakeInside();
+  return places.Left();
+}
+
+}  // namespace
+
+void NoteVacated(const Submap& leaving, Map& map) {
   const std::int64_t now_ns = NewestLook_ns(map.free_space());
-  for (const auto& [index, blocks] : places.Left()) map.mutable_vacated().Add(index, blocks, now_ns);
+  for (const auto& [index, blocks] : LeftBy(leaving, map)) map.mutable_vacated().Add(index, blocks, now_ns);
+}
+
+void TakeVacatedBack(const Submap& back, Map& map) {
+  for (const auto& [index, blocks] : LeftBy(back, map)) {
+    const FreeTile* now = map.vacated().Find(index);
+    if (now == nullptr) continue;
+    auto rest = std::make_shared<FreeTile>(*now);
+    rest->Remove(blocks);
+    map.mutable_vacated().Erase(index);
+    if (!rest->empty()) map.mutable_vacated().Put(index, std::move(rest));
+  }
 }
 
 }  // namespace dhpmap

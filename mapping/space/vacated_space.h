@@ -14,4 +14,7 @@ namespace dhpmap {
 /// inside of boxes above 2 million voxels.
 void NoteVacated(const Submap& leaving, Map& map);
 
+/// Of an object of the map that has come back: what it would leave now is not vacated any longer. Costs the same.
+void TakeVacatedBack(const Submap& back, Map& map);
+
 }  // namespace dhpmap

@@ -5,12 +5,54 @@
 #include <cmath>
 #include <memory>
 
+#include "mapping/map/kept_clear.h"
 #include "mapping/map/map_grid.h"
+#include "mapping/map/region.h"
 #include "mapping/map/voxel_average.h"
 #include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
 namespace {
+
+/// What a frame that does not show a thing says of it.
+struct Miss {
+  bool counts = false;          ///< it is of a session that had it in sight, or nobody had
+  bool was_overlooked = false;  ///< it should have been seen, and is not confirmed
+  bool is_deserted = false;     ///< those who had it in sight send nothing any longer
+  bool is_kept_clear = false;   ///< where it lies, points of frames are left out: it stays
+};
+
+bool LiesWithin(const KeptClear& kept_clear, const BoundingSphere& sphere) {
+  const auto& regions = kept_clear.list();
+  return std::any_of(regions.begin(), regions.end(),
+                     [&](const KeptClearRegion& region) { return Contains(region.region, sphere.center_m); });
+}
+
+Miss MissOf(const PanopticFrame& frame, std::int64_t number, const Submap& submap, const MapInfo& map) {
+  const SubmapInfo& info = submap.info();
+  const BoundingSphere sphere = submap.BoundingSphereInMap();
+  const bool is_kept_clear = LiesWithin(map.kept_clear, sphere);
+  const bool is_active = info.activity == Activity::kActive;
+  return {.counts = is_active && (info.sightings.IsInSightOf(frame.session) || !info.sightings.IsInSight()),
+          .was_overlooked =
+              !info.is_confirmed && !is_kept_clear && ShouldBeSeen(frame, map.config.integration.max_range_m, sphere),
+          .is_deserted = is_active && info.sightings.IsDeserted(number, kMaxSilentFrames),
+          .is_kept_clear = is_kept_clear};
+}
+
+void NoteMiss(const PanopticFrame& frame, std::int64_t number, const Miss& miss, std::int32_t max_missed,
+              SubmapInfo& info) {
+  info.num_frames_overlooked += miss.was_overlooked;
+  if (!info.sightings.IsInSight()) {
+    ++info.num_frames_missed;
+    if (info.num_frames_missed >= max_missed) info.activity = Activity::kInactive;
+    return;
+  }
+  info.sightings.OnMissed(frame.session, number);
+  info.num_frames_missed = info.sightings.LeastMissed();
+  info.sightings.Lapse(max_missed, number, kMaxSilentFrames);
+  if (!info.sightings.IsInSight()) info.activity = Activity::kInactive;
+}
 
 /// What is contradicted is taken only where there is nothing else, and makes place for what is not.
 void MergeBlock(const BlockEntry& from, Submap& submap, float max_weight) {
@@ -40,6 +82,8 @@ void MergeBlock(const BlockEntry& from, Submap& submap, float max_weight) {
 
 int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& observed, Map& map) {
   const MapConfig& config = map.info().config;
+  const std::int32_t max_missed = config.activity.deactivate_after_missed;
+  const std::int64_t number = map.info().num_frames + 1;
   std::vector<SubmapId> things;
   for (const auto& submap : map.submaps()) {
     if (submap->info().panoptic == Panoptic::kThing) things.push_back(submap->id());
@@ -47,31 +91,31 @@ int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& obse
   int num_dissolved = 0;
   for (const SubmapId id : things) {
     const SubmapInfo& before = map.Find(id)->info();
+    if (before.is_locked) continue;
     if (std::find(observed.begin(), observed.end(), id) != observed.end()) {
       SubmapInfo& info = map.FindMutable(id)->mutable_info();
       info.activity = Activity::kActive;
       info.num_frames_missed = info.num_frames_overlooked = 0;
+      info.sightings.OnSeen(frame.session, number);
       if (info.num_frames_observed > config.activity.required_reobservations) info.is_confirmed = true;
       continue;
     }
-    if (before.activity == Activity::kInactive && before.is_confirmed) continue;  // settled: leave its row alone
-    const bool was_overlooked = !before.is_confirmed && ShouldBeSeen(frame, config.integration.max_range_m,
-                                                                     map.Find(id)->BoundingSphereInMap());
-    if (before.activity == Activity::kInactive && !was_overlooked) continue;
+    const bool is_sure = before.is_confirmed || IsEdited(before);
+    if (before.activity == Activity::kInactive && is_sure) continue;  // settled: leave its row alone
+    const Miss miss = MissOf(frame, number, *map.Find(id), map.info());
+    if (!miss.counts && !miss.was_overlooked && !miss.is_deserted) continue;
     SubmapInfo& info = map.FindMutable(id)->mutable_info();
-    ++info.num_frames_missed;
-    if (was_overlooked) ++info.num_frames_overlooked;
-    if (info.num_frames_missed >= config.activity.deactivate_after_missed) info.activity = Activity::kInactive;
-    if (info.num_frames_overlooked >= config.activity.deactivate_after_missed && DissolveIntoUnknown(id, map)) {
-      ++num_dissolved;
-    }
+    NoteMiss(frame, number, miss, max_missed, info);
+    const bool is_refuted = info.activity == Activity::kInactive && info.num_frames_overlooked >= max_missed &&
+                            !miss.is_kept_clear && !IsEdited(info);  // it may have been overlooked before
+    if (is_refuted && DissolveIntoUnknown(id, map)) ++num_dissolved;
   }
   return num_dissolved;
 }
 
 bool DissolveIntoUnknown(SubmapId id, Map& map) {
   const Submap* submap = map.Find(id);
-  if (submap == nullptr || id == kUnknownSubmap || !IsOnMapGrid(submap->info(), map.info().config)) {
+  if (submap == nullptr || id == kUnknownSubmap || !IsExclusive(submap->info(), map.info().config)) {
     return false;
   }
   Submap& unknown = *map.FindMutable(kUnknownSubmap);
@@ -86,11 +130,16 @@ bool DissolveIntoUnknown(SubmapId id, Map& map) {
 void DeactivateAll(Map& map) {
   std::vector<SubmapId> active;
   for (const auto& submap : map.submaps()) {
-    if (submap->info().panoptic == Panoptic::kThing && submap->info().activity == Activity::kActive) {
+    const SubmapInfo& info = submap->info();
+    if (info.panoptic == Panoptic::kThing && info.activity == Activity::kActive && !info.is_locked) {
       active.push_back(submap->id());
     }
   }
-  for (const SubmapId id : active) map.FindMutable(id)->mutable_info().activity = Activity::kInactive;
+  for (const SubmapId id : active) {
+    SubmapInfo& info = map.FindMutable(id)->mutable_info();
+    info.activity = Activity::kInactive;
+    info.sightings.LapseAll();
+  }
 }
 
 }  // namespace dhpmap

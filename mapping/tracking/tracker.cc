@@ -4,24 +4,119 @@
 #include <algorithm>
 #include <optional>
 
+#include "mapping/tracking/find_track.h"
+#include "mapping/tracking/split_things.h"
+#include "mapping/tracking/visibility.h"
+
 namespace dhpmap {
 namespace {
 
 /// Of the largest part of its segment: a smaller one makes no object.
 constexpr double kLeastShareOfPart = 0.1;
 
+/// What frames mean by the class. Where it was seen: what somebody has moved or copied is not what is seen there now.
+/// What was made for the class comes first, then what was seen as it before somebody gave it another, then what
+/// somebody has given this one.
 const Submap* FindStuff(const Map& map, ClassId class_id) {
+  const Submap* seen_as = nullptr;
+  const Submap* relabelled = nullptr;
   for (const auto& submap : map.submaps()) {
-    if (submap->info().panoptic == Panoptic::kStuff && submap->info().class_id == class_id) return submap.get();
+    const SubmapInfo& info = submap->info();
+    if (info.panoptic != Panoptic::kStuff || info.is_placed || !info.IsSeenAs(class_id)) continue;
+    if (!info.class_is_fixed) return submap.get();
+    const Submap*& first = info.class_id != class_id ? seen_as : relabelled;
+    if (first == nullptr) first = submap.get();
   }
-  return nullptr;
+  return seen_as != nullptr ? seen_as : relabelled;
 }
 
-const Submap* FindTrack(const Map& map, std::uint32_t track_id) {
-  for (const auto& submap : map.submaps()) {
-    if (submap->info().track_id == track_id) return submap.get();
+/// Only other sessions know it by an id.
+bool IsTrackOfOthers(const SubmapInfo& info, const std::string& session) {
+  return info.panoptic == Panoptic::kThing && info.sightings.HasTrack() && info.sightings.TrackOf(session) == 0;
+}
+
+/// Not of what is locked.
+void NoteTrack(const PanopticFrame& frame, const SegmentInfo& segment, SubmapId id, Map& map) {
+  if (map.Find(id)->info().is_locked) return;
+  map.FindMutable(id)->mutable_info().sightings.AddTrack(frame.session, segment.id.value);
+}
+
+bool IsLockedThing(const SubmapInfo& info) { return info.panoptic == Panoptic::kThing && info.is_locked; }
+
+bool HasLockedThing(const Map& map) {
+  return std::any_of(map.submaps().begin(), map.submaps().end(),
+                     [](const auto& submap) { return IsLockedThing(submap->info()); });
+}
+
+/// The locked thing that at least half of the segment's points lie on, whatever class the frame gives them.
+std::optional<SubmapId> LockedBelow(std::size_t s, std::int64_t num_points, const OverlapTable& overlaps,
+                                    const Map& map) {
+  for (std::size_t c = 0; c < overlaps.candidates.size(); ++c) {
+    const SubmapId id = overlaps.candidates[c];
+    if (map.Find(id)->info().is_locked && 2 * overlaps.hits[s][c] >= num_points) return id;
   }
-  return nullptr;
+  return std::nullopt;
+}
+
+/// What somebody has merged of several things.
+std::vector<SubmapId> MergedBySomebody(const MapInfo& map) {
+  std::vector<SubmapId> merged;
+  for (const ObjectPair& pair : map.pairs.pairs()) {
+    if (pair.verdict != PairVerdict::kMustBeOne) continue;
+    if (map.merged.Into(pair.second) == pair.first) merged.push_back(pair.first);
+    if (map.merged.Into(pair.first) == pair.second) merged.push_back(pair.second);
+  }
+  return merged;
+}
+
+/// What somebody has split from something, or kept apart from it.
+std::vector<SubmapId> SplitBySomebody(const MapInfo& map) {
+  std::vector<SubmapId> split;
+  for (const ObjectPair& pair : map.pairs.pairs()) {
+    if (pair.verdict == PairVerdict::kMustBeTwo) split.insert(split.end(), {pair.first, pair.second});
+  }
+  return split;
+}
+
+bool Has(const std::vector<SubmapId>& ids, SubmapId id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
+
+/// Whether the frame may show one of them. Some may be gone.
+bool AnyMayBeInView(const std::vector<SubmapId>& ids, const PanopticFrame& frame, const Map& map) {
+  const double max_range_m = map.info().config.integration.max_range_m;
+  return std::any_of(ids.begin(), ids.end(), [&](SubmapId id) {
+    const Submap* submap = map.Find(id);
+    return submap != nullptr && MayBeInView(frame, max_range_m, submap->BoundingSphereInMap());
+  });
+}
+
+/// Which segments lie on edited things that they were not matched with.
+class EditedBelow {
+ public:
+  EditedBelow(const PanopticFrame& frame, const Map& map) : merged_(MergedBySomebody(map.info())), map_(map) {
+    if (frame.has_persistent_ids) split_ = SplitBySomebody(map.info());
+  }
+
+  [[nodiscard]] bool IsMerged(SubmapId id) const { return Has(merged_, id); }
+  /// Whether a segment of that class, most of whose points lie on the thing, shows the thing.
+  [[nodiscard]] bool MayTake(SubmapId id, ClassId class_id, bool is_taken) const {
+    const SubmapInfo& info = map_.Find(id)->info();
+    if (!info.IsSeenAs(class_id)) return false;
+    return IsMerged(id) || (!is_taken && IsUnknownPart(info));
+  }
+
+ private:
+  /// Split off, and no front end has an id for it so far.
+  [[nodiscard]] bool IsUnknownPart(const SubmapInfo& info) const {
+    return info.track_id == 0 && !info.sightings.HasTrack() && Has(split_, info.id);
+  }
+
+  std::vector<SubmapId> merged_, split_;
+  const Map& map_;
+};
+
+bool HasTracksOfOthers(const Map& map, const std::string& session) {
+  return std::any_of(map.submaps().begin(), map.submaps().end(),
+                     [&](const auto& submap) { return IsTrackOfOthers(submap->info(), session); });
 }
 
 /// What bleeds over the border of a mask onto what is behind it is a part of few points, or lies on a thing that is
@@ -64,8 +159,9 @@ void Tracker::MatchThings(const std::vector<SegmentBundles>& segments, const std
     if (!is_open[s]) continue;
     const ClassId class_id = *frame.segments[static_cast<std::size_t>(segments[s].row)].class_id;
     for (std::size_t c = 0; c < overlaps.candidates.size(); ++c) {
-      if (config_.tracking.match_requires_class && map.Find(overlaps.candidates[c])->info().class_id != class_id)
-        continue;
+      const SubmapInfo& candidate = map.Find(overlaps.candidates[c])->info();
+      if (config_.tracking.match_requires_class && !candidate.IsSeenAs(class_id)) continue;
+      if (frame.has_persistent_ids && !IsTrackOfOthers(candidate, frame.session) && !candidate.is_locked) continue;
       const double iou = overlaps.Iou(s, c, segments[s].num_points);
       if (iou > config_.tracking.iou_threshold) pairs.push_back({iou, c, s});
     }
@@ -75,30 +171,46 @@ void Tracker::MatchThings(const std::vector<SegmentBundles>& segments, const std
     return a.candidate != b.candidate ? a.candidate < b.candidate : a.segment < b.segment;
   });
 
+  const EditedBelow edited(frame, map);
   std::vector<std::vector<std::size_t>> joined(overlaps.candidates.size());
   std::vector<bool> is_matched(segments.size(), false);
   for (const Pair& pair : pairs) {
     if (is_matched[pair.segment]) continue;
     auto& others = joined[pair.candidate];
-    const bool may_join = others.empty() || std::any_of(others.begin(), others.end(), [&](std::size_t other) {
-                            return Touch(segments[pair.segment], segments[other]);
-                          });
+    const bool may_join =
+        others.empty() || edited.IsMerged(overlaps.candidates[pair.candidate]) ||
+        (!frame.has_persistent_ids && std::any_of(others.begin(), others.end(), [&](std::size_t other) {
+          return Touch(segments[pair.segment], segments[other]);
+        }));
     if (!may_join) continue;
     others.push_back(pair.segment);
     is_matched[pair.segment] = true;
     assignments[pair.segment] = {overlaps.candidates[pair.candidate], false, static_cast<float>(pair.iou)};
   }
 
-  // A part that lies on the object that another part of its segment joined belongs to that object.
+  // A part that lies on the object that another part of its segment joined belongs to that object, and so does what
+  // lies on what somebody has merged or split off.
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (!is_open[s] || is_matched[s]) continue;
+    const ClassId class_id = *frame.segments[static_cast<std::size_t>(segments[s].row)].class_id;
     for (std::size_t c = 0; c < overlaps.candidates.size(); ++c) {
       const bool is_sibling = std::any_of(joined[c].begin(), joined[c].end(),
                                           [&](std::size_t other) { return segments[other].row == segments[s].row; });
-      if (!is_sibling || 2 * overlaps.hits[s][c] <= segments[s].num_points) continue;
+      if (2 * overlaps.hits[s][c] <= segments[s].num_points) continue;
+      if (!is_sibling && !edited.MayTake(overlaps.candidates[c], class_id, !joined[c].empty())) continue;
+      joined[c].push_back(s);
       assignments[s] = {overlaps.candidates[c], false, static_cast<float>(overlaps.Iou(s, c, segments[s].num_points))};
       break;
     }
+  }
+}
+
+void Tracker::MatchLocked(const std::vector<SegmentBundles>& segments, const std::vector<const LabelClass*>& classes,
+                          const Map& map, std::vector<Assignment>& assignments) const {
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const bool is_stuff = classes[s] != nullptr && classes[s]->panoptic == Panoptic::kStuff;
+    if (segments[s].row < 0 || is_stuff || assignments[s].submap != kUnknownSubmap) continue;
+    if (const auto locked = LockedBelow(s, segments[s].num_points, overlaps_, map)) assignments[s].submap = *locked;
   }
 }
 
@@ -122,8 +234,24 @@ SubmapId Tracker::CreateSubmap(const PanopticFrame& frame, const SegmentInfo& se
   info.truncation_m = config_.truncation_m;
   info.is_confirmed = !is_thing || frame.has_persistent_ids || config_.activity.required_reobservations == 0;
   info.first_observed_ns = info.last_observed_ns = frame.stamp_ns;
-  if (is_thing && frame.has_persistent_ids) info.track_id = segment.id.value;
+  if (is_thing && frame.has_persistent_ids) {
+    info.track_id = segment.id.value;
+    info.sightings.SetTrack(frame.session, segment.id.value);
+  }
   return map.Create(std::move(info)).id();
+}
+
+void Tracker::NoteTracks(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                         const std::vector<bool>& is_open, const std::vector<Assignment>& assignments, Map& map) {
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    if (!is_open[s] || assignments[s].submap == kUnknownSubmap) continue;
+    const SegmentInfo& segment = frame.segments[static_cast<std::size_t>(segments[s].row)];
+    NoteTrack(frame, segment, assignments[s].submap, map);
+  }
+}
+
+void Tracker::CutAtSplits(const PanopticFrame& frame, const Map& map, std::vector<SegmentBundles>& segments) const {
+  CutSegmentsAtSplits(frame, map, pool_, segments);
 }
 
 std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
@@ -131,6 +259,10 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
   const LabelSet& label_set = *map.info().label_set;
   std::vector<Assignment> assignments(segments.size());
   std::vector<bool> is_open(segments.size(), false);  // to be matched by overlap
+  const bool has_others = frame.has_persistent_ids && HasTracksOfOthers(map, frame.session);
+  const bool has_locked = HasLockedThing(map);
+  const bool has_merged = frame.has_persistent_ids && AnyMayBeInView(MergedBySomebody(map.info()), frame, map);
+  const bool has_split = frame.has_persistent_ids && AnyMayBeInView(SplitBySomebody(map.info()), frame, map);
   std::vector<const LabelClass*> classes(segments.size(), nullptr);
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (segments[s].row < 0) continue;
@@ -140,15 +272,25 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     if (classes[s]->panoptic == Panoptic::kStuff) {
       if (const Submap* stuff = FindStuff(map, classes[s]->id)) assignments[s].submap = stuff->id();
     } else if (frame.has_persistent_ids) {
-      if (const Submap* known = FindTrack(map, segment.id.value)) assignments[s].submap = known->id();
+      if (const Submap* known = FindTrack(map, frame.session, segment.id.value)) {
+        assignments[s].submap = known->id();
+        if (!known->info().sightings.HasTrack()) NoteTrack(frame, segment, known->id(), map);
+      } else {
+        is_open[s] = has_others || has_locked || has_merged || has_split;
+      }
     } else {
       is_open[s] = true;
     }
   }
   overlaps_ = {};
-  if (std::find(is_open.begin(), is_open.end(), true) != is_open.end()) {
+  if (has_locked || has_split || std::find(is_open.begin(), is_open.end(), true) != is_open.end()) {
     overlaps_ = CountOverlaps(frame, segments, map, pool_);
     MatchThings(segments, is_open, frame, overlaps_, map, assignments);
+    if (has_locked) MatchLocked(segments, classes, map, assignments);
+    if (frame.has_persistent_ids) NoteTracks(frame, segments, is_open, assignments, map);
+    if (map.info().pairs.HasVerdict(PairVerdict::kMustBeTwo)) {
+      HandToSplitParts(segments, overlaps_, map, assignments);
+    }
   }
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (classes[s] == nullptr || assignments[s].submap != kUnknownSubmap) continue;
@@ -164,6 +306,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     if (is_open[s] && IsMaskBorder(segments, s, overlaps_)) continue;
     assignments[s] = {CreateSubmap(frame, segment, *classes[s], map), true, 0};
   }
+  if (frame.has_persistent_ids && !has_others && !has_locked) overlaps_ = {};  // such ids tell pairs apart themselves
   return assignments;
 }
 

@@ -9,7 +9,9 @@ bool ChangeFilter::Passes(const SubmapEvent& event) const {
   if (event.kind == ChangeKind::kChanged && !parts.empty() && !event.parts.HasAnyOf(parts)) return false;
   if (event.before && place.Passes(*event.before)) return true;
   const bool is_gone = event.kind == ChangeKind::kRemoved || event.kind == ChangeKind::kMerged;
-  return !is_gone && place.Passes({event.info.panoptic, event.info.class_id, event.observed});
+  // What came and went between two states may have been anywhere: who listed it meanwhile must hear that it is gone.
+  if (is_gone) return !event.before;
+  return place.Passes({event.info.panoptic, event.info.class_id, event.observed});
 }
 
 }  // namespace dhpmap

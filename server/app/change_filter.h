@@ -11,7 +11,7 @@ namespace dhpmap {
 /// Which events to tell: those that pass every condition given.
 struct ChangeFilter {
   std::set<SubmapId> submaps;  ///< one of these; empty: any
-  SubmapFilter place;          ///< of the submap before or after; what is gone, before
+  SubmapFilter place;          ///< of the submap before or after; what is gone, before, if it was there
   std::set<ChangeKind> kinds;  ///< one of these; empty: any
   SubmapParts parts;           ///< of kChanged, any of these has changed; empty: any, or none
 

@@ -6,6 +6,7 @@
 #include <future>
 #include <utility>
 
+#include "mapping/base/guarded.h"
 #include "mapping/base/this_thread.h"
 
 namespace dhpmap {
@@ -33,11 +34,12 @@ void CommitWorker::Request(std::shared_ptr<const MapSnapshot> snapshot, Durabili
   Enqueue(std::move(snapshot), {.durability = durability, .done = std::move(done)});
 }
 
-Status CommitWorker::CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot) {
+Status CommitWorker::CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<const EditRecord> edit) {
   std::promise<Status> outcome;
   Enqueue(std::move(snapshot), {.durability = Durability::kFull,
-                                .done = [&outcome](const Status& status) { outcome.set_value(status); },
-                                .is_unseen = true});
+                                .done = [&outcome](const Status& status) { outcome.set_value(CopyOf(status)); },
+                                .is_unseen = true,
+                                .edit = std::move(edit)});
   return outcome.get_future().get();
 }
 
@@ -50,13 +52,13 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
     } else if (stopping_) {
       refused = Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN");
     } else if (refused = thread_.Start([this] { Loop(); }); refused.ok()) {
+      waiters_.push_back(std::move(waiter));  // first: without a waiter an unseen state must not stay
       newest_ = std::move(snapshot);
-      waiters_.push_back(std::move(waiter));
       wake_.NotifyOne();
       return;
     }
   }
-  if (waiter.done) waiter.done(refused);
+  if (waiter.done) TellSafely([&] { waiter.done(refused); });
 }
 
 void CommitWorker::DeleteMap(Done done) {
@@ -71,7 +73,7 @@ void CommitWorker::DeleteMap(Done done) {
       return;
     }
   }
-  done(refused);
+  TellSafely([&] { done(refused); });
 }
 
 std::int64_t CommitWorker::committed_revision() const {
@@ -91,7 +93,7 @@ std::optional<std::int64_t> CommitWorker::committed_sequence(const std::string& 
 
 Status CommitWorker::last_outcome() const {
   const MutexLock lock(mutex_);
-  return last_outcome_;
+  return CopyOf(last_outcome_);
 }
 
 void CommitWorker::Stop() {
@@ -123,6 +125,39 @@ void CommitWorker::Loop() {
   }
 }
 
+/// Marks of what the store holds then. If it fails or throws, that is what it was.
+Result<CommitWorker::Marks> CommitWorker::Store(const Marks& before, const MapSnapshot* after, Durability durability,
+                                                const EditRecord* edit) {
+  if (after == nullptr) return before;
+  auto marks = std::make_shared<const StateMarks>(*after, before.get());  // first: what is stored can fail no more
+  try {
+    DHPMAP_RETURN_IF_ERROR(edit != nullptr ? store_.CommitEdit(*before, *after, *edit)
+                                           : store_.Commit(*before, *after, durability));
+  } catch (...) {
+    if (!IsStored(*before, *after)) throw;
+  }
+  return Marks(std::move(marks));
+}
+
+/// Of a commit that has thrown, maybe after all was written: to begin the next one at `before` would fail for ever.
+bool CommitWorker::IsStored(const StateMarks& before, const MapSnapshot& after) {
+  if (before.revision() == after.revision()) return false;
+  const auto stored = Guarded<Result<StoredMap>>([&] { return store_.GetMap(after.info().name); });
+  return stored.ok() && stored->info.revision == after.revision();
+}
+
+Status CommitWorker::Delete(const std::string& name) {
+  try {
+    return store_.DeleteMap(name);
+  } catch (...) {  // maybe after it was done
+    const auto stored = Guarded<Result<StoredMap>>([&] { return store_.GetMap(name); });
+    if (stored.status().code() != StatusCode::kNotFound) throw;
+  }
+  return Status::Ok();
+}
+
+// In both, nothing but what is guarded may throw: the mutex would be left as it is, and those who wait without answer.
+
 void CommitWorker::CommitNewest() {
   auto before = committed_;
   auto after = newest_ != nullptr ? newest_ : committed_state_.lock();  // nothing is missing: is the store well again?
@@ -131,27 +166,33 @@ void CommitWorker::CommitNewest() {
   const bool full = stopping_ || std::any_of(served.begin(), served.end(), [](const Waiter& waiter) {
                       return waiter.durability == Durability::kFull;
                     });
-  Status status = deleted_ ? MapIsDeleted(*before) : Status::Ok();
+  const bool is_deleted = deleted_;
   mutex_.Unlock();
 
-  if (status.ok()) {
-    const auto start = Clock::now();
-    if (after != nullptr) status = store_.Commit(*before, *after, full ? Durability::kFull : Durability::kNormal);
-    if (observer_) observer_(std::chrono::duration<double>(Clock::now() - start).count(), status);
-    const auto marks = status.ok() && after ? std::make_shared<const StateMarks>(*after, before.get()) : before;
+  const auto start = Clock::now();
+  const auto has_edit = [](const Waiter& waiter) { return waiter.edit != nullptr; };
+  const auto edited = std::find_if(served.begin(), served.end(), has_edit);
+  const auto marks = Guarded<Result<Marks>>([&]() -> Result<Marks> {
+    if (is_deleted) return MapIsDeleted(*before);
+    return Store(before, after.get(), full ? Durability::kFull : Durability::kNormal,
+                 edited != served.end() ? edited->edit.get() : nullptr);
+  });
+  if (!is_deleted) {
+    const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+    if (observer_) TellSafely([&] { observer_(elapsed_s, marks.status()); });
     mutex_.Lock();
-    if (status.ok()) {
-      committed_ = marks;
+    if (marks.ok()) {
+      committed_ = *marks;
       committed_state_ = after;
       if (newest_ == after) newest_ = nullptr;
     } else if (std::any_of(served.begin(), served.end(), is_unseen)) {
       newest_ = nullptr;
     }
-    last_outcome_ = status;
+    last_outcome_ = CopyOf(marks.status());
     mutex_.Unlock();
   }
   for (const Waiter& waiter : served) {
-    if (waiter.done) waiter.done(status);
+    if (waiter.done) TellSafely([&] { waiter.done(marks.status()); });
   }
   served.clear();  // to free these may take long: not under the lock
   before.reset();
@@ -161,17 +202,18 @@ void CommitWorker::CommitNewest() {
 
 void CommitWorker::DeleteNow() {
   const std::vector<Done> served = std::exchange(deletions_, {});
-  const std::string name = committed_->info().name;
-  Status status = deleted_ ? MapIsDeleted(*committed_) : Status::Ok();
+  const auto committed = committed_;
+  const bool was_deleted = deleted_;
   mutex_.Unlock();
-  if (status.ok()) status = store_.DeleteMap(name);
+  const Status status =
+      Guarded<Status>([&] { return was_deleted ? MapIsDeleted(*committed) : Delete(committed->info().name); });
   mutex_.Lock();
   if (status.ok()) {
     deleted_ = true;
     newest_ = nullptr;
   }
   mutex_.Unlock();
-  for (const Done& done : served) done(status);
+  for (const Done& done : served) TellSafely([&] { done(status); });
   mutex_.Lock();
 }
 

@@ -17,7 +17,8 @@ namespace dhpmap {
 
 /// Brings a map's published snapshots into the store on a thread of its own, so that fusion never waits for the disk.
 /// Requests that come while a commit runs are answered by one commit of the newest snapshot. A failed commit changes
-/// nothing: the next one again writes everything since the last state that is in the store. Thread-safe.
+/// nothing: the next one again writes everything since the last state that is in the store. What the store throws is a
+/// failure, RESOURCE_EXHAUSTED for want of memory, else INTERNAL; what callbacks throw is dropped. Thread-safe.
 class CommitWorker {
  public:
   using Done = std::function<void(const Status&)>;
@@ -33,12 +34,14 @@ class CommitWorker {
 
   /// Asks for `snapshot` to be committed, which must not be older than those of earlier calls. `done` (may be empty)
   /// runs on the worker's thread once this snapshot or a newer one is in the store, or the attempt has failed.
+  /// If this throws, for want of memory, nothing was asked for, and `done` never runs.
   void Request(std::shared_ptr<const MapSnapshot> snapshot, Durability durability, Done done = {});
 
   /// Asks for `snapshot`, which nobody has seen yet, to be committed with a full sync, and waits for the outcome. On
   /// error it is dropped, as if it had never been: no later commit writes it. Not while another call of Request or
   /// CommitUnseen is under way.
-  Status CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot);
+  /// The same if it throws. `edit` goes into the log with it; null: nothing does.
+  Status CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<const EditRecord> edit = nullptr);
 
   /// Removes the map from the store; from then on requests fail with NOT_FOUND. On error nothing has changed.
   void DeleteMap(Done done);
@@ -48,7 +51,7 @@ class CommitWorker {
   [[nodiscard]] std::int64_t committed_frames() const;
   /// Of the session's last frame; nothing if none of it is there.
   [[nodiscard]] std::optional<std::int64_t> committed_sequence(const std::string& session) const;
-  /// Outcome of the last commit: OK, or why the store is behind.
+  /// Outcome of the last commit: OK, or why the store is behind. Does not throw.
   [[nodiscard]] Status last_outcome() const;
 
   /// Serves what is asked for, tries once more to commit what is not in the store, and ends the thread. Later requests
@@ -60,6 +63,7 @@ class CommitWorker {
     Durability durability;
     Done done;
     bool is_unseen = false;
+    std::shared_ptr<const EditRecord> edit = nullptr;
   };
 
   void Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter waiter);
@@ -68,6 +72,11 @@ class CommitWorker {
   // Both let go of the mutex while they work.
   void CommitNewest() DHPMAP_REQUIRES(mutex_);
   void DeleteNow() DHPMAP_REQUIRES(mutex_);
+  using Marks = std::shared_ptr<const StateMarks>;
+  [[nodiscard]] Result<Marks> Store(const Marks& before, const MapSnapshot* after, Durability durability,
+                                    const EditRecord* edit);
+  [[nodiscard]] bool IsStored(const StateMarks& before, const MapSnapshot& after);
+  [[nodiscard]] Status Delete(const std::string& name);
   [[nodiscard]] bool HasWork() const DHPMAP_REQUIRES(mutex_) { return !waiters_.empty() || !deletions_.empty(); }
 
   MapStore& store_;

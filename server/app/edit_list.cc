@@ -7,6 +7,7 @@
 #include "mapping/objects/merge_submaps.h"
 #include "mapping/objects/split_submap.h"
 #include "mapping/space/vacated_space.h"
+#include "server/app/etag.h"
 
 namespace dhpmap {
 namespace {
@@ -15,7 +16,10 @@ std::string Named(SubmapId id) { return "submap " + std::to_string(id.value); }
 
 class Application {
  public:
-  Application(const EditList& list, Map& map) : list_(list), map_(map) {}
+  Application(const EditList& list, Map& map) : list_(list), map_(map) {
+    edited_before_.reserve(map.submaps().size());
+    for (const auto& submap : map.submaps()) edited_before_.emplace_back(submap->id(), submap->info().edited_revision);
+  }
 
   Result<std::vector<EditResult>> Run() {
     for (std::size_t i = 0; i < list_.edits.size(); ++i) {
@@ -64,16 +68,26 @@ class Application {
     return results_[edit].created.front();
   }
 
+  /// The revision of an object's last edit before the list; nothing if the list has made the object.
+  [[nodiscard]] std::optional<std::int64_t> EditedBefore(SubmapId id) const {
+    const auto found = std::lower_bound(edited_before_.begin(), edited_before_.end(), id,
+                                        [](const auto& entry, SubmapId wanted) { return entry.first < wanted; });
+    if (found == edited_before_.end() || found->first != id) return std::nullopt;
+    return found->second;
+  }
+
   /// An object that the edit may work on.
   Result<SubmapId> Editable(const EditTarget& target, const std::string& etag) const {
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Resolve(target));
-    DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map_, id, etag));
-    const SubmapInfo& info = submap->info();
-    const bool is_from_before = std::holds_alternative<SubmapId>(target);
-    const bool is_of_this_list = info.edited_revision > map_.info().revision;
-    if (list_.expected_revision > 0 && is_from_before && !is_of_this_list &&
-        info.edited_revision > list_.expected_revision) {
-      return Aborted(Named(id) + " was edited in revision " + std::to_string(info.edited_revision) + ", after " +
+    DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map_, id, {}));
+    const std::optional<std::int64_t> edited = EditedBefore(id);
+    if (!etag.empty()) {
+      SubmapInfo before = submap->info();  // as etag and revisions know it: earlier edits of the list are not out yet
+      before.edited_revision = edited.value_or(before.edited_revision);
+      DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, before, map_.info(), list_.lost));
+    }
+    if (list_.expected_revision > 0 && edited && *edited > list_.expected_revision) {
+      return Aborted(Named(id) + " was edited in revision " + std::to_string(*edited) + ", after " +
                      std::to_string(list_.expected_revision))
           .WithReason("EDITED_SINCE");
     }
@@ -82,6 +96,8 @@ class Application {
 
   Result<EditResult> Apply(const Edit& edit) {
     if (const auto* clear = std::get_if<ClearEdit>(&edit.action)) return Clear(edit, *clear);
+    if (const auto* keep = std::get_if<KeepClearEdit>(&edit.action)) return KeepClear(keep->region);
+    if (const auto* lift = std::get_if<LiftEdit>(&edit.action)) return Lift(lift->name);
     if (!edit.target) return InvalidArgument("it names no object").WithReason("BAD_EDIT");
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Editable(*edit.target, edit.etag));
     struct Visitor {
@@ -94,13 +110,15 @@ class Application {
       Result<EditResult> operator()(const SplitEdit& split) const { return self.Split(id, split); }
       Result<EditResult> operator()(const PresenceEdit& presence) const { return self.SetPresence(id, presence); }
       Result<EditResult> operator()(const ClearEdit&) const { return Internal("handled above"); }
+      Result<EditResult> operator()(const KeepClearEdit&) const { return Internal("handled above"); }
+      Result<EditResult> operator()(const LiftEdit&) const { return Internal("handled above"); }
     };
     return std::visit(Visitor{*this, id}, edit.action);
   }
 
   Result<EditResult> Patch(SubmapId id, const PatchEdit& edit) {
-    DHPMAP_RETURN_IF_ERROR(PatchSubmap(map_, id, {}, edit.patch));
-    return EditResult{.changed = {id}, .created = {}, .removed = {}};
+    DHPMAP_ASSIGN_OR_RETURN(const bool is_changed, PatchSubmap(map_, id, edit.patch));
+    return is_changed ? EditResult{.changed = {id}, .created = {}, .removed = {}} : EditResult();
   }
 
   Result<EditResult> Clone(SubmapId id, const CloneEdit& edit) {
@@ -123,7 +141,7 @@ class Application {
                                   ": both must be things, and neither moved against the other")
             .WithReason("NOT_MERGEABLE");
       }
-      MergeSubmaps(from, into, map_);
+      MergeForGood(from, into, map_);
       result.removed.push_back(from);
     }
     return result;
@@ -175,6 +193,7 @@ class Application {
       return info.panoptic != Panoptic::kUnknown &&
              std::find(clear.classes.begin(), clear.classes.end(), info.class_id) != clear.classes.end();
     };
+    if (!clear.keep_clear.empty()) DHPMAP_RETURN_IF_ERROR(KeepClear({clear.keep_clear, clear.region}).status());
     ClearedRegion cleared = ClearRegion(clear.region, is_meant, map_);
     std::erase_if(cleared.changed, [&](SubmapId id) { return map_.Find(id) == nullptr; });
     return EditResult{.changed = std::move(cleared.changed),
@@ -183,10 +202,25 @@ class Application {
                       .num_voxels = cleared.num_voxels};
   }
 
+  Result<EditResult> KeepClear(const KeptClearRegion& region) {
+    DHPMAP_RETURN_IF_ERROR(map_.mutable_info().kept_clear.Add(region));
+    return EditResult();
+  }
+
+  Result<EditResult> Lift(const std::string& name) {
+    if (!map_.mutable_info().kept_clear.Lift(name)) {
+      return NotFound("no region '" + name + "' is kept clear").WithReason("KEPT_CLEAR_NOT_FOUND");
+    }
+    return EditResult();
+  }
+
   Result<EditResult> SetPresence(SubmapId id, const PresenceEdit& edit) {
     if (map_.Find(id)->info().panoptic != Panoptic::kThing) {
       return FailedPrecondition(Named(id) + " is a background, which is never absent").WithReason("NOT_A_THING");
     }
+    const Submap& now = *map_.Find(id);
+    const bool is_so = now.info().presence == edit.presence && (now.IsAbsent() || !HasGone(now));
+    if (is_so) return EditResult();
     Submap& submap = *map_.FindMutable(id);
     submap.mutable_info().presence = edit.presence;
     if (edit.presence == Presence::kPresent) submap.DropGone();
@@ -195,6 +229,7 @@ class Application {
 
   const EditList& list_;
   Map& map_;
+  std::vector<std::pair<SubmapId, std::int64_t>> edited_before_;  // by ascending id
   std::vector<EditResult> results_;
 };
 
@@ -205,6 +240,7 @@ Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map) {
   if (list.edits.size() > kMaxEdits) {
     return InvalidArgument("there are more than " + std::to_string(kMaxEdits) + " edits").WithReason("BAD_EDIT");
   }
+  DHPMAP_RETURN_IF_ERROR(CheckNotLost(list.expected_revision, list.lost, map.info(), "expected_revision"));
   if (list.expected_revision > map.info().revision) {
     return Aborted("the map is at revision " + std::to_string(map.info().revision) + ", not yet at " +
                    std::to_string(list.expected_revision))

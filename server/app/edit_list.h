@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/base/result.h"
+#include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
 #include "mapping/objects/clear_region.h"
 #include "server/app/submap_edits.h"
@@ -25,7 +26,7 @@ struct EarlierResult {
 /// An object by its id, or by what made it.
 using EditTarget = std::variant<SubmapId, EarlierResult>;
 
-/// Pose, class or name.
+/// Pose, class, name or lock.
 struct PatchEdit {
   SubmapPatch patch;
 };
@@ -59,27 +60,38 @@ struct SplitEdit {
 struct ClearEdit {
   Region region;
   std::vector<ClassId> classes;
+  std::string keep_clear = {};  ///< not empty: keeps the region clear from then on, under this name
+};
+/// Of a map, without a target.
+struct KeepClearEdit {
+  KeptClearRegion region;
+};
+struct LiftEdit {
+  std::string name;
 };
 struct PresenceEdit {
   Presence presence = Presence::kAbsent;
 };
 
 struct Edit {
-  std::optional<EditTarget> target;  ///< only a ClearEdit may be without
-  std::string etag;                  ///< of the target's state before the list; empty: whatever it is
-  std::variant<PatchEdit, CloneEdit, DeleteEdit, MergeEdit, SplitEdit, ClearEdit, PresenceEdit> action;
+  std::optional<EditTarget> target;  ///< a ClearEdit may be without; KeepClearEdit and LiftEdit are
+  std::string etag;                  ///< of the target before the list (see CheckEtag); empty: whatever it is
+  std::variant<PatchEdit, CloneEdit, DeleteEdit, MergeEdit, SplitEdit, ClearEdit, PresenceEdit, KeepClearEdit, LiftEdit>
+      action;
 };
 
 struct EditList {
   std::vector<Edit> edits;
   /// ABORTED, reason EDITED_SINCE, if an edit or a merge has changed one of the objects named after this revision;
-  /// frames do not count. 0: whatever was done.
+  /// frames do not count. OUT_OF_RANGE, reason HISTORY_LOST, if it was lost. 0: whatever was done.
   std::int64_t expected_revision = 0;
+  /// What the map has not in its past: neither expected_revision nor an etag may be of it.
+  LostRevisions lost = {};
 };
 
 /// What became of one edit.
 struct EditResult {
-  std::vector<SubmapId> changed;  ///< objects that are there, in ascending order
+  std::vector<SubmapId> changed;  ///< objects that are there, in ascending order; none that were so already
   std::vector<SubmapId> created;
   std::vector<SubmapId> removed;
   std::int64_t num_voxels = 0;  ///< that changed hands, or were cleared
@@ -88,8 +100,10 @@ struct EditResult {
 /// Applies the edits in their order: all of them, or, with an error, none is to be kept (the map may be half changed
 /// then). The error names the edit: "edits[2]: ...". NOT_FOUND, FAILED_PRECONDITION and ABORTED as for single edits
 /// (submap_edits.h); INVALID_ARGUMENT for an empty list, for more than kMaxEdits, and for what makes no sense;
-/// FAILED_PRECONDITION, by reason: NOT_MERGEABLE (not things, or not on one grid), NOTHING_TO_SPLIT, NOT_A_THING.
-/// Moves, clones, names and classes touch rows only, all else the blocks of the objects named.
+/// ALREADY_EXISTS, RESOURCE_EXHAUSTED and NOT_FOUND of regions that are kept clear (kept_clear.h;
+/// KEPT_CLEAR_NOT_FOUND); FAILED_PRECONDITION, by reason: NOT_MERGEABLE (not things, or not on one grid),
+/// NOTHING_TO_SPLIT, NOT_A_THING. An edit that sets what is so already changes nothing. Moves, clones, names and
+/// classes touch rows only, all else the blocks of the objects named.
 Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map);
 
 }  // namespace dhpmap

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/feed.h"
 
+#include <new>
+
+#include "mapping/base/guarded.h"
+
 namespace dhpmap {
 namespace {
 
@@ -14,6 +18,8 @@ Status RefusalOf(FeedState state) {
     case FeedState::kIdledOut:
       return Aborted("nothing came from this stream for so long that the map went to somebody else")
           .WithReason("FEED_IDLE");
+    case FeedState::kEnded:
+      return Aborted("the session was ended: no more frames are taken from this stream").WithReason("SESSION_ENDED");
     case FeedState::kLeft: break;
   }
   return Aborted("this stream has left the map").WithReason("FEED_TAKEN_OVER");
@@ -37,6 +43,11 @@ void Feed::OnFrameDone(Clock::time_point now) {
   last_active_ = now;
 }
 
+Feed::Clock::time_point Feed::last_active() const {
+  const MutexLock lock(mutex_);
+  return last_active_;
+}
+
 bool Feed::IsIdle(Clock::time_point now, Clock::duration limit) const {
   const MutexLock lock(mutex_);
   return num_under_way_ == 0 && now - last_active_ >= limit;
@@ -45,7 +56,11 @@ bool Feed::IsIdle(Clock::time_point now, Clock::duration limit) const {
 void Feed::OnFused(std::int64_t frame_number, std::int64_t sequence) {
   const MutexLock lock(mutex_);
   if (unstored_.size() >= kMaxRemembered) unstored_.pop_back();
-  unstored_.push_back({frame_number, sequence});
+  try {
+    unstored_.push_back({frame_number, sequence});
+  } catch (const std::bad_alloc&) {
+    if (!unstored_.empty()) unstored_.back() = {frame_number, sequence};
+  }
 }
 
 std::optional<std::int64_t> Feed::StoredUpTo(std::int64_t num_stored_frames) {
@@ -65,7 +80,7 @@ bool Feed::End(FeedState how) {
 }
 
 void Feed::TellEvicted() const {
-  if (request_.on_evicted) request_.on_evicted(MayFeed());
+  if (request_.on_evicted) TellSafely([this] { request_.on_evicted(MayFeed()); });
 }
 
 }  // namespace dhpmap

@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "mapping/base/mutex.h"
 #include "mapping/base/state_machine.h"
 #include "mapping/base/status.h"
+#include "server/app/feed_tally.h"
 
 namespace dhpmap {
 
@@ -21,6 +24,7 @@ enum class FeedState {
   kLeft,       ///< it went of itself
   kTakenOver,  ///< another stream has its place
   kIdledOut,   ///< it was silent for so long that somebody else got the map
+  kEnded,      ///< somebody has ended its session
 };
 
 /// It ends once, one way or the other.
@@ -31,23 +35,27 @@ constexpr bool IsLegal(FeedState from, FeedState to) {
 /// What a client asks for that wants to feed a map.
 struct FeedRequest {
   std::string session;     ///< the client's name for this session of frames; empty: none
-  bool take_over = false;  ///< in place of whoever feeds the map now
+  bool take_over = false;  ///< in place of all who feed the map now
   /// Called once if the feed has to end before it leaves: ABORTED, and why. On another thread, without locks.
   std::function<void(const Status&)> on_evicted = {};
 };
 
-/// One client's turn at feeding a map, from FeedSeat::Take until it leaves or another gets its place. Remembers which
+/// One client's turn at feeding a map, from FeedSeats::Take until it leaves or another gets its place. Remembers which
 /// of its frames are not known to be stored yet. Thread-safe.
 class Feed {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Frames that are remembered one by one. Of more, those before the last are told as stored when the last one is.
+  /// Frames that are remembered one by one. Of more, and for want of memory, those before the last are told as stored
+  /// when the last one is.
   static constexpr std::size_t kMaxRemembered = 1024;
 
-  Feed(FeedRequest request, Clock::time_point now) : request_(std::move(request)), last_active_(now) {}
+  Feed(FeedRequest request, Clock::time_point now, std::shared_ptr<FeedTally> tally = std::make_shared<FeedTally>())
+      : request_(std::move(request)), tally_(std::move(tally)), last_active_(now) {}
 
   /// Empty: none.
   [[nodiscard]] const std::string& session() const { return request_.session; }
+  /// That of its session, or of streams without one.
+  [[nodiscard]] FeedTally& tally() const { return *tally_; }
 
   /// OK as long as its frames are taken; else what they are refused with.
   [[nodiscard]] Status MayFeed() const DHPMAP_EXCLUDES(mutex_);
@@ -55,9 +63,11 @@ class Feed {
   /// A frame of it is under way to the map, or has got there: as long as one is, it is not idle.
   void OnFrameBegun() DHPMAP_EXCLUDES(mutex_);
   void OnFrameDone(Clock::time_point now) DHPMAP_EXCLUDES(mutex_);
+  /// When a frame of it was done last, or it began.
+  [[nodiscard]] Clock::time_point last_active() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] bool IsIdle(Clock::time_point now, Clock::duration limit) const DHPMAP_EXCLUDES(mutex_);
 
-  /// The client's frame `sequence` is fused, as the map's frame number `frame_number`, counted from 1.
+  /// The client's frame `sequence` is fused, as the map's frame number `frame_number`, counted from 1. Does not throw.
   void OnFused(std::int64_t frame_number, std::int64_t sequence) DHPMAP_EXCLUDES(mutex_);
   /// The sequence of the newest frame of this feed among the first `num_stored_frames` of the map; nothing if none is.
   /// `num_stored_frames` does not fall from call to call.
@@ -75,6 +85,7 @@ class Feed {
   };
 
   const FeedRequest request_;
+  const std::shared_ptr<FeedTally> tally_;
   mutable Mutex mutex_;
   StateMachine<FeedState> state_ DHPMAP_GUARDED_BY(mutex_){FeedState::kFeeding};
   Clock::time_point last_active_ DHPMAP_GUARDED_BY(mutex_);

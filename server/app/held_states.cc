@@ -18,6 +18,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kBetweenLooks{200};
 constexpr int kMostShareOfACore = 25;  // a look is this many times shorter than the time to the next
 
+/// What old states take until the next look, at most as a rule: half as much again.
+std::size_t WithGrowth(std::size_t bytes) { return bytes + bytes / 2; }
+
 template <typename Layer>
 std::size_t BytesIfGone(const std::shared_ptr<const Layer>& layer, const std::shared_ptr<const Layer>* later) {
   return layer == nullptr || (later != nullptr && layer == *later) ? 0 : layer->MemoryBytes();
@@ -109,20 +112,10 @@ HeldStates::~HeldStates() {
 }
 
 std::unique_ptr<HeldStates::Hold> HeldStates::TryHold(State state, LetGo let_go) {
+  auto held = std::make_shared<Held>(std::move(state), std::move(let_go));
   {
     const MutexLock lock(mutex_);
     if (bytes_ > limit_bytes_ / 2) return nullptr;
-  }
-  return Add(std::make_shared<Held>(std::move(state), std::move(let_go)));
-}
-
-std::unique_ptr<HeldStates::Hold> HeldStates::TakeHold(State state) {
-  return Add(std::make_shared<Held>(std::move(state), LetGo()));
-}
-
-std::unique_ptr<HeldStates::Hold> HeldStates::Add(std::shared_ptr<Held> held) {
-  {
-    const MutexLock lock(mutex_);
     held_.push_back(held);
   }
   wake_.NotifyOne();
@@ -137,7 +130,7 @@ std::size_t HeldStates::bytes() const {
 bool HeldStates::Count(std::size_t bytes) {
   const MutexLock lock(mutex_);
   bytes_ = bytes;
-  return share_.Resize(bytes);
+  return share_.Resize(WithGrowth(bytes));
 }
 
 std::vector<std::shared_ptr<HeldStates::Held>> HeldStates::StillHeld() {

@@ -43,10 +43,9 @@ class HeldStates {
   HeldStates(const HeldStates&) = delete;
   HeldStates& operator=(const HeldStates&) = delete;
 
-  /// Null if older states have taken half of the budget: those who hold them shall come to an end first.
+  /// Null if older states have taken half of the budget: those who hold them shall come to an end first. Without
+  /// `let_go` it is never asked to.
   std::unique_ptr<Hold> TryHold(State state, LetGo let_go) DHPMAP_EXCLUDES(mutex_);
-  /// For what ends soon of its own.
-  std::unique_ptr<Hold> TakeHold(State state) DHPMAP_EXCLUDES(mutex_);
 
   /// What only states that are held still need, at the last look. There is one every 0.2 s or so.
   [[nodiscard]] std::size_t bytes() const DHPMAP_EXCLUDES(mutex_);
@@ -55,7 +54,6 @@ class HeldStates {
 
  private:
   using Held = Hold::Held;
-  std::unique_ptr<Hold> Add(std::shared_ptr<Held> held) DHPMAP_EXCLUDES(mutex_);
   static std::size_t OldestThatCanLetGo(const std::vector<std::shared_ptr<Held>>& held,
                                         const std::vector<std::size_t>& bytes);
   [[nodiscard]] std::size_t BytesAlone(const std::vector<std::shared_ptr<Held>>& held, std::size_t i) const;

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 
+#include "mapping/map/display_name.h"
 #include "mapping/map/map.h"
 
 namespace dhpmap {
-
-inline constexpr std::size_t kMaxDisplayNameBytes = 256;
 
 /// What to change of a map; what is empty stays.
 struct MapPatch {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "mapping/base/guarded.h"
 #include "mapping/map/history_id.h"
 #include "server/app/etag.h"
 
@@ -12,6 +13,10 @@ namespace {
 
 Status NoSuchMap(const std::string& name) {
   return NotFound("there is no map '" + name.substr(0, 80) + "'").WithReason("MAP_NOT_FOUND");
+}
+
+Status NameIsTaken(const std::string& name) {
+  return AlreadyExists("there is a map '" + name + "' already").WithReason("MAP_EXISTS");
 }
 
 std::int64_t Now(const SessionOptions& options) {
@@ -66,27 +71,58 @@ Result<MapSummary> MapRegistry::Create(MapInfo info) {
   const std::string name = info.name;
   info.create_time_ns = Now(options_);
   info.history_id = DrawHistoryId();
-  auto entry = std::make_shared<Entry>();
-  const MutexLock busy(entry->busy);
-  {
-    const MutexLock lock(mutex_);
-    if (!entries_.emplace(name, entry).second) {
-      return AlreadyExists("there is a map '" + name + "' already").WithReason("MAP_EXISTS");
-    }
-  }
+  DHPMAP_ASSIGN_OR_RETURN(HeldName held, HoldName(name));
   Map map(std::move(info));
   const auto snapshot = map.Publish(map.info().create_time_ns);
-  const Status status = store_.CreateMap(*snapshot);
-  if (!status.ok()) {
-    const MutexLock lock(mutex_);
-    entries_.erase(name);
-    return status;
-  }
-  MapSummary summary = SummaryOf(*snapshot);
+  DHPMAP_RETURN_IF_ERROR(store_.CreateMap(*snapshot));
+  return Show(held, SummaryOf(*snapshot));
+}
+
+HeldName::~HeldName() {
+  if (registry_ != nullptr) registry_->GiveBack(name_);
+}
+
+Status MapRegistry::CheckIsFree(const std::string& name) const {
   const MutexLock lock(mutex_);
-  entry->exists = true;
-  entry->stored = summary;
-  return summary;
+  return entries_.contains(name) ? NameIsTaken(name) : Status::Ok();
+}
+
+Result<HeldName> MapRegistry::HoldName(const std::string& name) {
+  const MutexLock lock(mutex_);
+  if (is_shut_down_) return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN");
+  if (!entries_.emplace(name, std::make_shared<Entry>()).second) return NameIsTaken(name);
+  return HeldName(*this, name);
+}
+
+void MapRegistry::GiveBack(const std::string& name) {
+  const MutexLock lock(mutex_);
+  entries_.erase(name);
+}
+
+MapSummary MapRegistry::Show(HeldName& held, MapSummary map) {
+  const MutexLock lock(mutex_);
+  Entry& entry = *entries_.find(held.name_)->second;
+  entry.exists = true;
+  entry.stored = map;
+  held.registry_ = nullptr;
+  return map;
+}
+
+Result<MapSummary> MapRegistry::ShowStored(HeldName& held) {
+  const std::string name = held.name_;
+  MapSummary map;
+  map.info.name = name;
+  (void)Show(held, map);  // before all that may fail: it is there
+  const auto entry = FindEntry(name);
+  Result<StoredMap> stored = store_.GetMap(name);
+  if (stored.ok()) map = {.info = std::move(stored->info), .num_submaps = stored->num_submaps, .damage = {}};
+  else map.damage = stored.status();
+  {
+    const MutexLock lock(mutex_);
+    entry->stored = map;
+  }
+  if (!map.damage.ok()) return map.damage;
+  return map;
 }
 
 Result<MapSummary> MapRegistry::Get(const std::string& name) const {
@@ -127,7 +163,7 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::str
   std::int64_t revision = 0;
   {
     const MutexLock lock(mutex_);
-    revision = Summarise(*entry).info.revision;
+    revision = entry->session ? entry->session->View()->snapshot().revision() : entry->stored.info.revision;
     entry->exists = false;
     entry->session = nullptr;
     entries_.erase(name);
@@ -146,6 +182,9 @@ Result<std::shared_ptr<MapSession>> MapRegistry::OpenSession(const std::string& 
     const MutexLock lock(mutex_);
     entry->last_used = Clock::now();
     if (entry->session) return entry->session;
+    if (entry->is_repaired) {
+      return ResourceExhausted("the map is being repaired: try again later").WithReason("TOO_BUSY");
+    }
   }
   const MutexLock busy(entry->busy);
   {
@@ -161,9 +200,26 @@ Result<std::shared_ptr<MapSession>> MapRegistry::OpenSession(const std::string& 
   return session;
 }
 
+bool MapRegistry::MustLoad(const std::string& name) const {
+  const MutexLock lock(mutex_);
+  const auto found = entries_.find(name);
+  return found != entries_.end() && found->second->exists && found->second->session == nullptr;
+}
+
 Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(const auto session, OpenSession(name));
   return session->View();
+}
+
+std::optional<FinishProgress> MapRegistry::FinishingOf(const std::string& name) const {
+  const auto entry = FindEntry(name);
+  if (entry == nullptr) return std::nullopt;
+  std::shared_ptr<MapSession> session;
+  {
+    const MutexLock lock(mutex_);
+    session = entry->session;
+  }
+  return session != nullptr ? session->Finishing() : std::nullopt;
 }
 
 std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& state) const {
@@ -179,6 +235,20 @@ std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& sta
   return present->info().history_id == state.info().history_id ? present : nullptr;
 }
 
+std::function<Result<EditMade>(Map&)> MapRegistry::UndoOf(UndoRequest request) {
+  return [this, request = std::move(request)](Map& map) -> Result<EditMade> {
+    DHPMAP_ASSIGN_OR_RETURN(EditSummary summary, UndoEdits(request, store_, map));
+    return EditMade{.submap = SubmapId(), .summary = std::move(summary)};
+  };
+}
+
+std::function<Result<EditMade>(Map&)> MapRegistry::UndeletionOf(SubmapId id) {
+  return [this, id](Map& map) -> Result<EditMade> {
+    DHPMAP_ASSIGN_OR_RETURN(EditSummary summary, UndeleteSubmap(id, store_, map));
+    return EditMade{.submap = id, .summary = std::move(summary)};
+  };
+}
+
 Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, const std::stop_token& stop) {
   constexpr bool kRepair = true;
   const auto entry = FindEntry(name);
@@ -190,9 +260,14 @@ Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, c
     const MutexLock lock(mutex_);
     if (!entry->exists) return NoSuchMap(name);
     is_open = entry->session != nullptr;
+    entry->is_repaired = !is_open;
   }
-  DHPMAP_ASSIGN_OR_RETURN(VerifyReport report, store_.VerifyMap(name, !is_open, stop));
-  if (!report.is_repaired) return report;
+  auto report = Guarded<Result<VerifyReport>>([&] { return store_.VerifyMap(name, !is_open, stop); });
+  {
+    const MutexLock lock(mutex_);
+    entry->is_repaired = false;
+  }
+  if (!report.ok() || !report->is_repaired) return report;
   DHPMAP_ASSIGN_OR_RETURN(StoredMap map, store_.GetMap(name));
   const MutexLock lock(mutex_);
   entry->stored = {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = {}};
@@ -238,7 +313,7 @@ void MapRegistry::CloserLoop() {
   MutexLock lock(mutex_);
   while (!shut_down_.WaitFor(mutex_, period, [this]() DHPMAP_REQUIRES(mutex_) { return is_shut_down_; })) {
     lock.Unlock();
-    CloseIdleMaps(Clock::now());
+    TellSafely([this] { CloseIdleMaps(Clock::now()); });  // what lacks memory is closed next time
     lock.Lock();
   }
 }
@@ -287,6 +362,7 @@ std::shared_ptr<MapSession> MapRegistry::Install(Entry& entry, std::shared_ptr<c
   SessionOptions options = options_;
   options.on_publish = [this](const std::shared_ptr<const MapSnapshot>& state) { keeper_.Note(state); };
   options.on_stored = [this, name = snapshot->info().name] { changes_.Notify(name); };
+  options.on_finishing = options.on_stored;
   auto session = std::make_shared<MapSession>(std::move(snapshot), store_, std::move(options));
   const MutexLock lock(mutex_);
   if (is_shut_down_) return nullptr;

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mapping/base/mutex.h"
 #include "mapping/query/surface_cache.h"
 #include "server/app/change_feed.h"
+#include "server/app/edit_undo.h"
 #include "server/app/map_session.h"
+#include "server/app/outgoing_files.h"
 #include "server/app/surface_keeper.h"
 #include "storage/store.h"
 
@@ -26,6 +32,37 @@ struct MapSummary {
 };
 
 MapSummary SummaryOf(const MapSnapshot& snapshot);
+
+class IncomingMap;
+class MapRegistry;
+
+/// A file with a map that is to come in.
+struct ImportRequest {
+  std::string name;              ///< of the new map; empty: the one that it had
+  std::int64_t total_bytes = 0;  ///< of the file; 0: not known
+};
+
+/// A name under which its holder is about to add a map to the store: until then nobody else gets it, and nobody finds a
+/// map there. Given back at the end if none was shown. Movable.
+class HeldName {
+ public:
+  HeldName(MapRegistry& registry, std::string name) : registry_(&registry), name_(std::move(name)) {}
+  ~HeldName();
+  HeldName(HeldName&& other) noexcept
+      : registry_(std::exchange(other.registry_, nullptr)), name_(std::move(other.name_)) {}
+  HeldName& operator=(HeldName&& other) noexcept {
+    std::swap(registry_, other.registry_);
+    std::swap(name_, other.name_);
+    return *this;
+  }
+  HeldName(const HeldName&) = delete;
+  HeldName& operator=(const HeldName&) = delete;
+
+ private:
+  friend class MapRegistry;
+  MapRegistry* registry_;
+  std::string name_;
+};
 
 /// All maps of a store. A map is loaded when somebody first asks for more than its summary, and closed when nobody has
 /// asked for SessionOptions::idle_close_s.
@@ -42,6 +79,9 @@ class MapRegistry {
   /// Adds a map with `info`'s name, display name, config (must be valid) and label set. INVALID_ARGUMENT for a bad
   /// name, ALREADY_EXISTS.
   Result<MapSummary> Create(MapInfo info);
+  /// Begins to take in a map that MapStore::ExportMap gave. ALREADY_EXISTS, which is looked at again at the end;
+  /// INVALID_ARGUMENT for a bad name or size; RESOURCE_EXHAUSTED, reasons BODY_TOO_LARGE and TOO_BUSY.
+  Result<std::unique_ptr<IncomingMap>> BeginImport(ImportRequest request);
   /// NOT_FOUND if there is no such map, DATA_LOSS if it is damaged.
   Result<MapSummary> Get(const std::string& name) const;
   /// Up to `max` of them, by name, from the first behind `after` on; damaged ones included.
@@ -54,8 +94,10 @@ class MapRegistry {
   Result<std::int64_t> Delete(const std::string& name, const std::string& etag = "");
 
   /// The open map; loads it, which blocks, if it is not open yet. Errors of MapStore::LoadMap are passed on, and the
-  /// next call tries again.
+  /// next call tries again. RESOURCE_EXHAUSTED, reason TOO_BUSY, while it is repaired.
   Result<std::shared_ptr<MapSession>> OpenSession(const std::string& name);
+  /// There is such a map, but it is not open: whoever asks for it waits until it is loaded.
+  [[nodiscard]] bool MustLoad(const std::string& name) const;
   /// The last published state of the map, which is opened if it is not open yet.
   Result<std::shared_ptr<const MapView>> ViewOf(const std::string& name);
   /// What becomes of the maps, as they are stored. Reading it opens none.
@@ -65,13 +107,29 @@ class MapRegistry {
   [[nodiscard]] SurfaceCache& surfaces() { return surfaces_; }
   /// What those take.
   [[nodiscard]] std::size_t surface_bytes() const { return surfaces_.bytes() + surfaces_.cell_bytes(); }
-  /// See MapStore::Backup.
-  Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) { return store_.Backup(stop); }
+  /// See MapStore::ListEdits. Opens no map.
+  Result<std::vector<LoggedEdit>> ListEdits(const std::string& name, const EditQuery& query) {
+    return store_.ListEdits(name, query);
+  }
+  /// What is to be done on a map's writer to undo edits, or to do them again; see UndoEdits.
+  std::function<Result<EditMade>(Map&)> UndoOf(UndoRequest request);
+  /// Likewise, to bring back what was deleted; see UndeleteSubmap.
+  std::function<Result<EditMade>(Map&)> UndeletionOf(SubmapId id);
+  /// See MapStore::ExportMap; RESOURCE_EXHAUSTED, reason TOO_BUSY, for too many at once. Opens no map.
+  Result<std::unique_ptr<StoreBackup>> Export(const std::string& name, const std::stop_token& stop) {
+    return outgoing_.Open([&] { return store_.ExportMap(name, stop); });
+  }
+  /// See MapStore::Backup; likewise.
+  Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) {
+    return outgoing_.Open([&] { return store_.Backup(stop); });
+  }
   /// See MapStore::VerifyMap. Repairs nothing of a map that is open: all of it could be read.
   Result<VerifyReport> Verify(const std::string& name, bool repair, const std::stop_token& stop);
   /// Bytes of encoded blocks in the store.
   Result<std::int64_t> DiskBytes(const std::string& name);
   [[nodiscard]] std::vector<std::shared_ptr<MapSession>> OpenSessions() const;
+  /// See MapSession::Finishing; nothing if the map is not open. Opens none.
+  [[nodiscard]] std::optional<FinishProgress> FinishingOf(const std::string& name) const;
   /// The present state of the map that `state` is of; null if it is not open. Opens none.
   [[nodiscard]] std::shared_ptr<const MapSnapshot> PresentOf(const MapSnapshot& state) const;
   /// Closes the maps that are idle at the time `now`, as the registry does by itself from time to time. What views of
@@ -85,14 +143,17 @@ class MapRegistry {
   void GiveUpMapping();
 
  private:
+  friend class HeldName;
+  friend class IncomingMap;
   mutable Mutex mutex_;
 
   /// A map that is there, or is just being made.
   struct Entry {
-    Mutex busy;  ///< held while the map is made, loaded or deleted; taken before the registry's
+    Mutex busy;  ///< held while the map is loaded or deleted; taken before the registry's
     std::shared_ptr<const LostRevisions> lost_revisions = std::make_shared<LostRevisions>();  ///< never changes
     bool exists DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;
-    MapSummary stored DHPMAP_GUARDED_BY(&MapRegistry::mutex_);  ///< while there is no session
+    bool is_repaired DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;  ///< which may take minutes: nobody waits for it
+    MapSummary stored DHPMAP_GUARDED_BY(&MapRegistry::mutex_);         ///< while there is no session
     std::shared_ptr<MapSession> session DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
     Clock::time_point last_used DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
   };
@@ -100,16 +161,28 @@ class MapRegistry {
   MapRegistry(MapStore& store, SessionOptions options);
   [[nodiscard]] std::shared_ptr<Entry> FindEntry(const std::string& name) const;
   [[nodiscard]] MapSummary Summarise(const Entry& entry) const DHPMAP_REQUIRES(mutex_);
+  [[nodiscard]] Status CheckIsFree(const std::string& name) const;
+  /// ALREADY_EXISTS; UNAVAILABLE if the registry is shut down.
+  Result<HeldName> HoldName(const std::string& name);
+  void GiveBack(const std::string& name);
+  /// The map is in the store, and there for all.
+  MapSummary Show(HeldName& held, MapSummary map);
+  Result<MapSummary> ShowStored(HeldName& held);
   void CloseIfIdle(Entry& entry, Clock::time_point now);
   void CloserLoop();
   /// Puts a session into the entry; null if the registry is shut down.
   std::shared_ptr<MapSession> Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot);
+
+  static constexpr std::size_t kMaxOutgoing = 4;
+  static constexpr std::chrono::seconds kOutgoingIdle{30};
 
   MapStore& store_;
   const SessionOptions options_;
   ChangeFeed changes_;
   SurfaceCache surfaces_;
   SurfaceKeeper keeper_{surfaces_};
+  std::atomic<int> num_imports_ = 0;
+  OutgoingFiles outgoing_{kMaxOutgoing, kOutgoingIdle};
   std::map<std::string, std::shared_ptr<Entry>> entries_ DHPMAP_GUARDED_BY(mutex_);
   bool is_shut_down_ DHPMAP_GUARDED_BY(mutex_) = false;
   CondVar shut_down_;

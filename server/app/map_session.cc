@@ -2,11 +2,12 @@
 #include "server/app/map_session.h"
 
 #include <algorithm>
-#include <exception>
+#include <functional>
 #include <future>
 #include <string>
 #include <utility>
 
+#include "mapping/base/guarded.h"
 #include "mapping/base/this_thread.h"
 #include "mapping/map/session_marks.h"
 
@@ -29,35 +30,11 @@ SessionOptions WithClock(SessionOptions options) {
   return options;
 }
 
-/// What is answered when a finished map could not be made durable.
-Status NotStoredYet(const Status& cause) {
-  return Status(cause.code(), "the map is finished, but is not in the store yet: " + cause.message())
-      .WithReason(cause.reason().empty() ? Reason("NOT_STORED") : cause.reason());
-}
-
-/// What an edit is answered that did not happen because it could not be stored.
-Status NotMade(const Status& cause) {
-  return Status(cause.code(), "nothing was changed, because it cannot be stored: " + cause.message())
-      .WithReason(cause.reason().empty() ? Reason("NOT_STORED") : cause.reason());
-}
-
-Status ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
-
-/// The writer must outlive whatever goes wrong in one job, such as an allocation that fails.
-template <typename Outcome, typename Work>
-Outcome Guarded(Work&& work) {
-  try {
-    return work();
-  } catch (const std::exception& error) {
-    return Outcome(Internal(std::string("unexpected failure while writing to the map: ") + error.what()));
-  }
-}
-
 /// Hears of every commit; of those that went well, others do, too.
 CommitWorker::Observer ObserverOf(const SessionOptions& options) {
   return [on_commit = options.on_commit, on_stored = options.on_stored](double seconds, const Status& status) {
-    if (on_commit) on_commit(seconds, status);
-    if (on_stored && status.ok()) on_stored();
+    if (on_commit) TellSafely([&] { on_commit(seconds, status); });
+    if (on_stored && status.ok()) TellSafely(on_stored);
   };
 }
 
@@ -69,13 +46,17 @@ std::shared_ptr<ThreadPool> PoolOf(const SessionOptions& options) {
 
 MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& store, SessionOptions options)
     : options_(WithClock(std::move(options))),
+      store_(store),
       numbers_(store, {snapshot->revision(), snapshot->info().next_submap_id}),
       commits_(store, snapshot, options_.commit_retry_s, ObserverOf(options_)),
-      seat_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s))),
-      builder_(snapshot, PoolOf(options_), RefinementTiming::kNeverWait, options_.refinement_slots),
+      seats_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s)),
+             options_.max_feeds),
+      builder_(snapshot, PoolOf(options_), options_.refinement_timing, options_.refinement_slots),
       view_(std::make_shared<const MapView>(std::move(snapshot))) {}
 
 MapSession::~MapSession() { (void)Stop(); }
+
+Status MapSession::ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
 
 std::shared_ptr<const MapView> MapSession::View() const {
   const MutexLock lock(view_mutex_);
@@ -88,33 +69,68 @@ Result<std::shared_ptr<Feed>> MapSession::BeginFeed(FeedRequest request) {
     const MutexLock lock(mutex_);
     if (!refusal_.ok()) return refusal_;
   }
-  return seat_.Take(std::move(request));
+  return seats_.Take(std::move(request));
 }
+
+std::vector<SessionStatus> MapSession::Sessions() const {
+  const auto view = View();
+  return ListSessions(
+      seats_, view->snapshot().info().sessions,
+      [this](const std::string& session, Feed* feed) {
+        if (!session.empty()) return commits_.committed_sequence(session);
+        return feed != nullptr ? feed->StoredUpTo(commits_.committed_frames()) : std::nullopt;
+      },
+      options_.now_ns());
+}
+
+/// A frame on its way through the queue.
+struct MapSession::Arrival {
+  std::shared_ptr<Feed> feed;
+  ArrivedFrame frame;
+  std::int64_t arrived_ns = 0;
+};
 
 void MapSession::Integrate(Result<PanopticFrame> frame, std::function<void(FrameOutcome)> done) {
   Integrate(nullptr, 0, std::move(frame), std::move(done));
 }
 
-void MapSession::Integrate(const std::shared_ptr<Feed>& feed, std::int64_t sequence, Result<PanopticFrame> frame,
+void MapSession::Integrate(const std::shared_ptr<Feed>& feed, ArrivedFrame arrived,
                            std::function<void(FrameOutcome)> done) {
+  const std::int64_t now_ns = options_.now_ns();
   if (feed) feed->OnFrameBegun();
+  if (feed) feed->tally().OnMessage(arrived.num_bytes, now_ns);
   const auto answer = [this, feed, done = std::move(done)](FrameOutcome outcome) {
-    if (feed) feed->OnFrameDone(seat_.Now());
+    if (feed) feed->OnFrameDone(seats_.Now());
+    if (feed && !outcome.report.ok()) feed->tally().OnRefused();
+    if (feed && outcome.is_duplicate) feed->tally().OnDuplicate();
     done(std::move(outcome));
   };
-  auto shared = std::make_shared<Result<PanopticFrame>>(std::move(frame));
-  Post({.run = [this, feed, sequence, shared, answer] { answer(IntegrateNow(feed, sequence, std::move(*shared))); },
-        .refuse =
-            [this, answer](const Status& status) {
-              answer({.report = status,
-                      .revision = View()->snapshot().revision(),
-                      .commit_status = commits_.last_outcome()});
-            }});
+  const auto refusal = [this](Status status) {
+    return FrameOutcome{.report = std::move(status),
+                        .revision = View()->snapshot().revision(),
+                        .commit_status = commits_.last_outcome()};
+  };
+  try {
+    auto arrival = std::make_shared<Arrival>(Arrival{feed, std::move(arrived), now_ns});
+    Post({.run =
+              [this, arrival, answer] {
+                auto outcome = IntegrateNow(*arrival);
+                arrival->frame = {.frame = PanopticFrame()};  // the job may be kept for a while
+                answer(std::move(outcome));
+              },
+          .refuse = [answer, refusal](const Status& status) { answer(refusal(CopyOf(status))); }});
+  } catch (...) {
+    answer(refusal(StatusOfException()));  // the feeder counts its frames by the answers
+  }
 }
 
 void MapSession::Greet(const std::shared_ptr<Feed>& feed, std::function<void(FeedProgress)> done) {
   const auto answer = [this, feed, done = std::move(done)] { done(ProgressOf(feed)); };
-  Post({.run = answer, .refuse = [answer](const Status&) { answer(); }});
+  try {
+    Post({.run = answer, .refuse = [answer](const Status&) { answer(); }});
+  } catch (...) {
+    answer();  // out of turn, but true
+  }
 }
 
 FeedProgress MapSession::ProgressOf(const std::shared_ptr<Feed>& feed) const {
@@ -124,68 +140,16 @@ FeedProgress MapSession::ProgressOf(const std::shared_ptr<Feed>& feed) const {
           .commit_status = commits_.last_outcome()};
 }
 
-void MapSession::Edit(std::function<Result<SubmapId>(Map&)> change, std::function<void(Result<EditOutcome>)> done,
-                      EditMode mode) {
-  auto run = [this, change = std::move(change), done, mode] { done(EditNow(change, mode)); };
-  Post({.run = std::move(run),
-        .refuse = [done = std::move(done)](const Status& status) { done(status); },
-        .is_edit = true});
-}
-
-Result<EditOutcome> MapSession::EditNow(const std::function<Result<SubmapId>(Map&)>& change, EditMode mode) {
-  // First what is fused: revisions and etags of what the change meets are then those of its present state, and what is
-  // dropped if the store fails is the change alone.
-  Publish();
-  const auto before = builder_.map().published();
-  if (const Status stored = CommitPublished(); !stored.ok()) return NotMade(stored);
-  Map& map = builder_.map();
-  auto submap = Guarded<Result<SubmapId>>([&] { return change(map); });
-  if (!submap.ok()) {
-    map = Map(before);  // it may have stopped half-way
-    return submap.status();
-  }
-  if (mode == EditMode::kTryOnly) {
-    map = Map(before);
-    return EditOutcome{.view = View(), .submap = *submap};
-  }
-  auto after = map.Publish(options_.now_ns());
-  if (const Status stored = commits_.CommitUnseen(after); !stored.ok()) {
-    map = Map(before);
-    return NotMade(stored);
-  }
-  return EditOutcome{.view = Show(std::move(after)), .submap = *submap};
-}
-
 void MapSession::Flush(std::function<void(const Status&)> done) {
   auto run = [this, done] {
-    Publish();
-    RequestCommit(Durability::kFull, done);
+    const Status failed = Guarded<Status>([&] {
+      Publish();
+      RequestCommit(Durability::kFull, done);
+      return Status::Ok();
+    });
+    if (!failed.ok()) done(failed);
   };
   Post({.run = std::move(run), .refuse = std::move(done)});
-}
-
-Result<RefinementReport> MapSession::FinishNow(const std::stop_token& stop) {
-  const auto is_cancelled = [this, &stop] { return stop.stop_requested() || end_.stop_requested(); };
-  const auto report = builder_.Finish(is_cancelled);
-  if (report) return *report;
-  if (end_.stop_requested()) return ShuttingDown();
-  return Cancelled("nobody waits for the end of mapping any longer: the map is as it was");
-}
-
-void MapSession::Finish(std::function<void(Result<FinishOutcome>)> done, std::stop_token stop) {
-  auto run = [this, done, stop = std::move(stop)] {
-    const auto refinement = Guarded<Result<RefinementReport>>([&] { return FinishNow(stop); });
-    if (!refinement.ok()) return done(refinement.status());
-    if (options_.on_refinement) options_.on_refinement(*refinement);
-    FinishOutcome outcome{.view = Publish(), .refinement = *refinement};
-    RequestCommit(Durability::kFull, [done, outcome = std::move(outcome)](const Status& status) {
-      if (status.ok()) done(outcome);
-      else done(NotStoredYet(status));
-    });
-  };
-  Post({.run = std::move(run),
-        .refuse = [done = std::move(done)](const Status& status) { done(status); },
-        .is_edit = true});
 }
 
 Status MapSession::DeleteFromStore() {
@@ -193,16 +157,20 @@ Status MapSession::DeleteFromStore() {
     const MutexLock lock(mutex_);
     if (!refusal_.ok()) return refusal_;
   }
-  DHPMAP_RETURN_IF_ERROR(seat_.Close());  // nobody may start feeding meanwhile
-  std::promise<Status> outcome;
-  commits_.DeleteMap([&outcome](const Status& status) { outcome.set_value(status); });
-  Status status = outcome.get_future().get();
+  Status refusal =
+      NotFound("the map has been deleted").WithReason("MAP_NOT_FOUND");  // now: afterwards nothing may fail
+  DHPMAP_RETURN_IF_ERROR(seats_.Close());                                // nobody may start feeding meanwhile
+  Status status = Guarded<Status>([this] {
+    std::promise<Status> outcome;
+    commits_.DeleteMap([&outcome](const Status& stored) { outcome.set_value(CopyOf(stored)); });
+    return outcome.get_future().get();
+  });
   if (!status.ok()) {
-    seat_.Reopen();
+    seats_.Reopen();
     return status;
   }
   const MutexLock lock(mutex_);
-  refusal_ = NotFound("the map has been deleted").WithReason("MAP_NOT_FOUND");
+  refusal_ = std::move(refusal);
   return status;
 }
 
@@ -222,15 +190,16 @@ Status MapSession::Stop() {
     stopping_ = true;
     end_.request_stop();
     is_deleted = refusal_.code() == StatusCode::kNotFound;  // its name may be another map's by now
-    if (refusal_.ok()) refusal_ = ShuttingDown();
+    if (refusal_.ok()) refusal_ = Guarded<Status>(ShuttingDown);
     // One that has retired comes back for what it does at the end; without a thread there is nothing new to store.
-    if (writer_.has_run()) (void)writer_.Start([this] { WriterLoop(); });
+    if (writer_.has_run()) (void)Guarded<Status>([this] { return writer_.Start([this] { WriterLoop(); }); });
   }
   wake_.NotifyOne();
   writer_.Join();
   commits_.Stop();
-  if (!is_deleted) ReleaseNumbers();
-  return commits_.last_outcome();
+  if (!is_deleted) TellSafely([this] { ReleaseNumbers(); });  // a gap is no harm
+  const MutexLock lock(mutex_);
+  return end_outcome_.ok() ? commits_.last_outcome() : CopyOf(end_outcome_);
 }
 
 void MapSession::Post(Job job) {
@@ -243,13 +212,13 @@ void MapSession::Post(Job job) {
     }
     if (refused.ok()) refused = writer_.Start([this] { WriterLoop(); });
     if (refused.ok()) {
-      num_pending_edits_ += job.is_edit ? 1 : 0;
       jobs_.push_back(std::move(job));
+      num_pending_edits_ += jobs_.back().is_edit ? 1 : 0;
       wake_.NotifyOne();
       return;
     }
   }
-  job.refuse(refused);
+  TellSafely([&] { job.refuse(refused); });
 }
 
 void MapSession::WriterLoop() {
@@ -258,50 +227,89 @@ void MapSession::WriterLoop() {
   MutexLock lock(mutex_);
   while (!stopping_) {
     const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !jobs_.empty(); };
-    if (num_unpublished_ > 0) {
-      wake_.WaitUntil(mutex_, std::min(publish_due_, commit_due_), is_ready);
-    } else if (num_uncommitted_ > 0) {
-      wake_.WaitUntil(mutex_, commit_due_, is_ready);
-    } else if (!wake_.WaitFor(mutex_, LazyThread::kIdle, is_ready)) {
-      return writer_.Retire();
-    }
+    if (HasBatch()) wake_.WaitUntil(mutex_, BatchDue(), is_ready);
+    else if (!wake_.WaitFor(mutex_, LazyThread::kIdle, is_ready)) return writer_.Retire();
     if (!stopping_ && !jobs_.empty()) RunOne();
     lock.Unlock();
     DoBatchesThatAreDue();
     lock.Lock();
   }
-  const std::deque<Job> refused = std::exchange(jobs_, {});
-  const Status status = refusal_;
   lock.Unlock();
-  for (const Job& job : refused) job.refuse(status);
-  Publish();
-  RequestCommit(Durability::kFull);
+  RefuseAll();
+  StoreTheRest();
+}
+
+MapSession::Job MapSession::TakeJob() {
+  Job job = std::move(jobs_.front());
+  jobs_.pop_front();
+  num_pending_edits_ -= job.is_edit ? 1 : 0;
+  return job;
 }
 
 void MapSession::RunOne() {
   {
-    const Job job = std::move(jobs_.front());
-    jobs_.pop_front();
-    num_pending_edits_ -= job.is_edit ? 1 : 0;
+    const Job job = TakeJob();
     is_running_ = true;
     mutex_.Unlock();
-    job.run();
+    TellSafely(job.run);
   }
   mutex_.Lock();
   is_running_ = false;
 }
 
-void MapSession::DoBatchesThatAreDue() {
-  const auto now = Clock::now();
-  if (num_uncommitted_ > 0 && (num_uncommitted_ >= options_.commit_frames || now >= commit_due_)) {
-    Publish();
-    // On the commit thread: here fusion would wait for the store, which may be in the middle of a commit.
-    RequestCommit(Durability::kNormal, [this, name = builder_.map().info().name](const Status& status) {
-      if (status.ok()) numbers_.GoAhead(name);
-    });
-  } else if (num_unpublished_ > 0 && (num_unpublished_ >= options_.publish_frames || now >= publish_due_)) {
-    Publish();
+/// When no more jobs are taken.
+void MapSession::RefuseAll() {
+  MutexLock lock(mutex_);
+  const Status status = CopyOf(refusal_);
+  while (!jobs_.empty()) {
+    {
+      const Job job = TakeJob();
+      lock.Unlock();
+      TellSafely([&] { job.refuse(status); });
+    }  // gone before the lock: what it holds of Finish waits for a callback that wants it
+    lock.Lock();
   }
+}
+
+/// What fails for want of memory is tried once more: jobs have given some back.
+void MapSession::StoreTheRest() {
+  const auto store = [this] {
+    Publish();
+    RequestCommit(Durability::kFull);
+    return Status::Ok();
+  };
+  Status outcome = Guarded<Status>(store);
+  if (!outcome.ok()) outcome = Guarded<Status>(store);
+  const MutexLock lock(mutex_);
+  if (end_outcome_.ok()) end_outcome_ = std::move(outcome);
+}
+
+/// A change that is to be seen and stored with others, or alone after a while.
+void MapSession::NoteChange() {
+  if (num_unpublished_++ == 0) publish_due_ = In(options_.publish_s);
+  if (num_uncommitted_++ == 0) commit_due_ = In(options_.commit_s);
+}
+
+MapSession::TimePoint MapSession::BatchDue() const {
+  if (num_uncommitted_ == 0) return publish_due_;
+  return num_unpublished_ == 0 ? commit_due_ : std::min(publish_due_, commit_due_);
+}
+
+void MapSession::DoBatchesThatAreDue() {
+  const Status status = Guarded<Status>([this] {
+    const auto now = Clock::now();
+    if (num_uncommitted_ > 0 && (num_uncommitted_ >= options_.commit_frames || now >= commit_due_)) {
+      Publish();
+      // On the commit thread: here fusion would wait for the store, which may be in the middle of a commit.
+      RequestCommit(Durability::kNormal, [this, name = builder_.map().info().name](const Status& stored) {
+        if (stored.ok()) numbers_.GoAhead(name);
+      });
+    } else if (num_unpublished_ > 0 && (num_unpublished_ >= options_.publish_frames || now >= publish_due_)) {
+      Publish();
+    }
+    return Status::Ok();
+  });
+  if (!status.ok()) publish_due_ = commit_due_ = In(options_.commit_retry_s);  // it is still to be done
 }
 
 double MapSession::BehindSeconds() const {
@@ -319,51 +327,95 @@ Status MapSession::WhyBehind() const {
       .WithReason("STORE_BEHIND");
 }
 
-FrameOutcome MapSession::IntegrateNow(const std::shared_ptr<Feed>& feed, std::int64_t sequence,
-                                      Result<PanopticFrame> frame) {
+FrameOutcome MapSession::IntegrateNow(Arrival& arrival) {
   FrameOutcome outcome{.report = FrameReport{}};
-  Status refusal = feed ? feed->MayFeed() : Status::Ok();
-  if (end_.stop_requested()) refusal = ShuttingDown();
-  if (!refusal.ok()) {
-    outcome.report = refusal;
-  } else if (feed && sequence <= builder_.map().info().sessions.LastOf(feed->session())) {
-    outcome.is_duplicate = true;
-  } else if (Status behind = WhyBehind(); !behind.ok()) {
-    outcome.report = std::move(behind);
-  } else {
-    outcome.report = frame.ok() ? Fuse(feed.get(), sequence, *frame) : frame.status();
-  }
+  outcome.report = Guarded<Result<FrameReport>>([&] { return TakeInTurn(arrival, outcome.is_duplicate); });
   outcome.is_committed =
       num_unpublished_ == 0 && commits_.committed_revision() == builder_.map().published()->revision();
-  if (feed) outcome.committed_sequence = ProgressOf(feed).committed_sequence;
+  if (arrival.feed) outcome.committed_sequence = ProgressOf(arrival.feed).committed_sequence;
   outcome.revision = View()->snapshot().revision();
   outcome.commit_status = commits_.last_outcome();
   return outcome;
 }
 
+/// If it fails or throws, the map is as it was.
+Result<FrameReport> MapSession::TakeInTurn(Arrival& arrival, bool& is_duplicate) {
+  const std::shared_ptr<Feed>& feed = arrival.feed;
+  if (end_.stop_requested()) return ShuttingDown();
+  if (feed) DHPMAP_RETURN_IF_ERROR(feed->MayFeed());
+  if (feed && arrival.frame.sequence <= builder_.map().info().sessions.LastOf(feed->session())) {
+    is_duplicate = true;
+    return FrameReport{};
+  }
+  DHPMAP_RETURN_IF_ERROR(WhyBehind());
+  return TakeFrame(arrival);
+}
+
+/// Fuses the frame, and has it recorded.
+Result<FrameReport> MapSession::TakeFrame(Arrival& arrival) {
+  ArrivedFrame& arrived = arrival.frame;
+  // A record begins with a frame that can be read, or maps that nobody can map would leave files.
+  if (!recorder_ && arrived.frame.ok()) {
+    recorder_ = options_.make_recorder ? options_.make_recorder(builder_.map().info()) : nullptr;
+  }
+  FrameRecorder* const recorder = arrived.message.empty() || !recorder_ ? nullptr : recorder_->get();
+  const std::string session = arrival.feed ? arrival.feed->session() : "";
+  if (arrived.frame.ok()) arrived.frame->session = session;
+  if (recorder != nullptr) {
+    const std::int64_t num_frames = builder_.map().info().num_frames;
+    TellSafely([&] {
+      recorder->OnFrame(session, arrived.sequence, {std::move(arrived.message), arrival.arrived_ns}, num_frames);
+    });
+  }
+  auto report = Guarded<Result<FrameReport>>([&]() -> Result<FrameReport> {
+    if (!arrived.frame.ok()) return arrived.frame.status();
+    return Fuse(arrival.feed.get(), arrived.sequence, *arrived.frame);
+  });
+  if (recorder != nullptr && !report.ok()) TellSafely([&] { recorder->OnRefused(report.status()); });
+  if (recorder != nullptr && report.ok() && report->refinement) TellSafely([&] { recorder->OnRefined(); });
+  return report;
+}
+
+/// If it fails or throws, the map is as it was.
 Result<FrameReport> MapSession::Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame) {
-  auto report = Guarded<Result<FrameReport>>([&] { return builder_.Integrate(frame, end_.get_token()); });
+  const std::int64_t now_ns = options_.now_ns();
+  const bool has_session = feed != nullptr && !feed->session().empty();
+  SessionMarks sessions;
+  if (has_session) {
+    sessions = builder_.map().info().sessions;
+    sessions.Set({feed->session(), sequence, now_ns});
+  }
+  auto report = builder_.Integrate(frame, end_.get_token());
   if (report.status().code() == StatusCode::kCancelled) return ShuttingDown();
   if (!report.ok()) return report;
-  lag_.OnFused(builder_.map().info().num_frames, StoreLag::Clock::now());
-  if (feed) {
-    MapInfo& info = builder_.map().mutable_info();
-    if (!feed->session().empty()) info.sessions.Set({feed->session(), sequence, options_.now_ns()});
-    feed->OnFused(info.num_frames, sequence);
+  // It is in the map: nothing may throw from here on.
+  if (has_session) builder_.map().mutable_info().sessions = std::move(sessions);
+  const std::int64_t num_frames = builder_.map().info().num_frames;
+  lag_.OnFused(num_frames, StoreLag::Clock::now());
+  if (feed) feed->OnFused(num_frames, sequence);
+  if (feed) feed->tally().OnFused(sequence, report->num_points, now_ns);
+  if (report->refinement && options_.on_refinement) {
+    TellSafely([&] { options_.on_refinement(*report->refinement); });
   }
-  if (report->refinement && options_.on_refinement) options_.on_refinement(*report->refinement);
-  if (num_unpublished_++ == 0) publish_due_ = In(options_.publish_s);
-  if (num_uncommitted_++ == 0) commit_due_ = In(options_.commit_s);
+  NoteChange();
   DoBatchesThatAreDue();
   return report;
 }
 
+/// If it throws, what is to be seen still is.
 std::shared_ptr<const MapView> MapSession::Publish() {
-  num_unpublished_ = 0;
   auto snapshot = builder_.map().Publish(options_.now_ns());
   // Nobody sees numbers that might be given out again after a crash; the next turn tries again.
-  if (!numbers_.Cover(snapshot->info()).ok() && commits_.committed_revision() != snapshot->revision()) return View();
-  return Show(std::move(snapshot));
+  const Status covered = Guarded<Status>([&] { return numbers_.Cover(snapshot->info()); });
+  if (!covered.ok() && commits_.committed_revision() != snapshot->revision()) {
+    num_unpublished_ = std::min(num_unpublished_, 1);
+    publish_due_ = In(options_.commit_retry_s);
+    return View();
+  }
+  auto view = View();
+  if (view->shared_snapshot() != snapshot) view = Show(std::make_shared<const MapView>(std::move(snapshot)));
+  num_unpublished_ = 0;
+  return view;
 }
 
 void MapSession::ReleaseNumbers() {
@@ -372,15 +424,14 @@ void MapSession::ReleaseNumbers() {
   numbers_.Release(info);
 }
 
-std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapSnapshot> snapshot) {
+std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapView> next) {
   auto view = View();
-  if (view->shared_snapshot() == snapshot) return view;
-  auto next = std::make_shared<const MapView>(std::move(snapshot));
+  if (view->shared_snapshot() == next->shared_snapshot()) return view;
   {
     const MutexLock lock(view_mutex_);
     view_ = next;  // `view` still holds the old one: nothing is freed under the lock
   }
-  if (options_.on_publish) options_.on_publish(next->shared_snapshot());
+  if (options_.on_publish) TellSafely([&] { options_.on_publish(next->shared_snapshot()); });
   return next;
 }
 
@@ -388,13 +439,14 @@ std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapSnapsho
 Status MapSession::CommitPublished() {
   if (commits_.committed_revision() == builder_.map().published()->revision()) return Status::Ok();
   std::promise<Status> outcome;
-  RequestCommit(Durability::kNormal, [&outcome](const Status& status) { outcome.set_value(status); });
+  RequestCommit(Durability::kNormal, [&outcome](const Status& status) { outcome.set_value(CopyOf(status)); });
   return outcome.get_future().get();
 }
 
+/// If it throws, what is to be stored still is, and `done` never runs.
 void MapSession::RequestCommit(Durability durability, CommitWorker::Done done) {
-  num_uncommitted_ = 0;
   commits_.Request(builder_.map().published(), durability, std::move(done));
+  num_uncommitted_ = 0;
 }
 
 }  // namespace dhpmap

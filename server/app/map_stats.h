@@ -22,7 +22,7 @@ struct MapStats {
   std::int64_t memory_bytes = 0;
 };
 
-/// Visits every submap; if `with_voxels` also every voxel, else num_observed_voxels stays 0. Blocks that clones share
+/// Visits every block; if `with_voxels` also every voxel, else num_observed_voxels stays 0. Blocks that clones share
 /// count once for each.
 MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels);
 

@@ -19,9 +19,9 @@ Status CastRays(const MapView& view, SurfaceCache& cache, const DistanceQuestion
                            .scope = question.options.scope};
   const Transform T_query_map = question.T_map_query.inverse();
   for (std::size_t first = 0; first < rays.size(); first += kBatch) {
-    if (stop.stop_requested()) return Cancelled("the client went away");
     const RayQuery query(cache.Of(view.shared_snapshot()), options);
     for (const Ray& ray : rays.subspan(first, std::min(kBatch, rays.size() - first))) {
+      if (stop.stop_requested()) return Cancelled("the client went away");
       RayHit hit = query.Cast({question.T_map_query * ray.origin_m, question.T_map_query.linear() * ray.direction});
       hit.point_m = T_query_map * hit.point_m;
       hit.normal = T_query_map.linear() * hit.normal;

@@ -84,11 +84,11 @@ Result<SliceAnswer> ExportSlice(const MapView& view, SurfaceCache& cache, const 
     if (options.with_objects) answer.objects.resize(num_cells);
     OccupancySlice slice(surfaces, options);
     for (std::size_t y = 0; y < static_cast<std::size_t>(options.height); ++y) {
-      if (stop.stop_requested()) return Cancelled("the client went away");
       const auto row = [&](auto& list) {
         return std::span(list).subspan(list.empty() ? 0 : y * width, list.empty() ? 0 : width);
       };
-      slice.Row(static_cast<int>(y), row(answer.cells), row(answer.objects));
+      slice.Row(static_cast<int>(y), row(answer.cells), row(answer.objects), stop);
+      if (stop.stop_requested()) return Cancelled("the client went away");
     }
   }
   DHPMAP_RETURN_IF_ERROR(Draw(view.snapshot().info(), request, answer));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/submap_edits.h"
 
+#include <utility>
+
 #include "mapping/base/grid_reach.h"
 #include "mapping/space/vacated_space.h"
 #include "server/app/etag.h"
@@ -64,6 +66,26 @@ Result<SubmapPatch> Checked(const Map& map, const Submap& submap, SubmapPatch pa
   return patch;
 }
 
+/// Somebody has put it there. What is answered as a pose is a quaternion, which gives back the matrix but for rounding:
+/// whoever sends it back changes nothing.
+bool IsPlacedAt(const Transform& T_map_submap, const Submap& submap) {
+  const SubmapInfo& info = submap.info();
+  if (!info.is_placed || submap.IsAbsent() || HasGone(submap)) return false;
+  if (T_map_submap.matrix() == info.T_map_submap.matrix()) return true;
+  const auto answered = Changed(info.T_map_submap, {});
+  return answered.ok() && T_map_submap.matrix() == answered->matrix();
+}
+
+/// What of the patch the submap has not yet.
+SubmapPatch Differing(SubmapPatch patch, const Submap& submap) {
+  const SubmapInfo& info = submap.info();
+  if (patch.T_map_submap && IsPlacedAt(*patch.T_map_submap, submap)) patch.T_map_submap.reset();
+  if (info.class_is_fixed && patch.class_id == info.class_id) patch.class_id.reset();
+  if (patch.display_name == info.display_name) patch.display_name.reset();
+  if (patch.is_locked == info.is_locked) patch.is_locked.reset();
+  return patch;
+}
+
 void Apply(const SubmapPatch& patch, const MapInfo& map, Submap& submap) {
   SubmapInfo& info = submap.mutable_info();
   info.edited_revision = map.revision + 1;
@@ -72,6 +94,7 @@ void Apply(const SubmapPatch& patch, const MapInfo& map, Submap& submap) {
     Place(submap);
   }
   if (patch.display_name) info.display_name = *patch.display_name;
+  if (patch.is_locked) info.is_locked = *patch.is_locked;
   if (patch.class_id) {
     info.class_id = *patch.class_id;
     info.class_is_fixed = true;
@@ -88,29 +111,45 @@ Status NoSuchSubmap(const MapInfo& map, SubmapId id) {
   return NotFound(which + " is a part of " + other + " now").WithReason("MERGED_INTO").WithMetadata("into", other);
 }
 
-Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag) {
+Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag, const LostRevisions& lost) {
   const Submap* submap = map.Find(id);
-  const std::string which = "submap " + std::to_string(id.value);
   if (submap == nullptr) return NoSuchSubmap(map.info(), id);
   if (id == kUnknownSubmap) {
     return FailedPrecondition("submap 0 holds the geometry of unknown objects and cannot be edited")
         .WithReason("UNKNOWN_SUBMAP");
   }
-  DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, EtagOf(*submap, map.info()), which));
+  DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, submap->info(), map.info(), lost));
   return submap;
 }
 
-Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch) {
-  DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
-  DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
-  if (checked.T_map_submap) NoteVacated(*submap, map);
-  const bool changes_anything = checked.T_map_submap || checked.class_id || checked.display_name;
-  if (changes_anything) Apply(checked, map.info(), *map.FindMutable(id));
-  return Status::Ok();
+bool HasGone(const Submap& submap) {
+  for (const BlockEntry& entry : submap.blocks().entries()) {
+    if (entry.gone != nullptr) return true;
+  }
+  return false;
 }
 
-Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch) {
-  DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
+Result<bool> PatchSubmap(Map& map, SubmapId id, const SubmapPatch& patch) {
+  DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, {}));
+  DHPMAP_ASSIGN_OR_RETURN(SubmapPatch checked, Checked(map, *submap, patch));
+  const SubmapPatch differing = Differing(std::move(checked), *submap);
+  const bool changes_anything =
+      differing.T_map_submap || differing.class_id || differing.display_name || differing.is_locked;
+  if (!changes_anything) return false;
+  if (differing.T_map_submap) NoteVacated(*submap, map);
+  Apply(differing, map.info(), *map.FindMutable(id));
+  return true;
+}
+
+Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch,
+                   const LostRevisions& lost) {
+  DHPMAP_RETURN_IF_ERROR(FindEditable(map, id, etag, lost).status());
+  return PatchSubmap(map, id, patch).status();
+}
+
+Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch,
+                             const LostRevisions& lost) {
+  DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag, lost));
   DHPMAP_ASSIGN_OR_RETURN(const SubmapPatch checked, Checked(map, *submap, patch));
   Submap* copy = map.Clone(id);
   Apply(checked, map.info(), *copy);
@@ -119,8 +158,8 @@ Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, con
   return copy->id();
 }
 
-Status DeleteSubmap(Map& map, SubmapId id, const std::string& etag) {
-  DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag));
+Status DeleteSubmap(Map& map, SubmapId id, const std::string& etag, const LostRevisions& lost) {
+  DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map, id, etag, lost));
   NoteVacated(*submap, map);
   map.Remove(id);
   return Status::Ok();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/surface_keeper.h"
 
+#include <exception>
 #include <new>
 #include <utility>
 
@@ -44,7 +45,7 @@ void SurfaceKeeper::Loop() {
     lock.Unlock();
     try {
       cache_.Freshen(state, stop_.get_token());
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
       // As above.
     }
     state.reset();

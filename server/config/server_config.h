@@ -40,6 +40,10 @@ struct ServerConfig {
     double publish_s = 0.2;
     int max_frames_in_flight = 4;
     double feed_idle_s = 30;
+    int max_feeds = 16;
+    bool reproducible = false;
+    std::string record_dir;
+    int record_mib = 4096;
   } mapping;
   struct Maps {
     double idle_close_s = 600;
@@ -57,11 +61,21 @@ struct ServerConfig {
     int history_mib = 32;
     double history_s = 86'400;
   } watch;
+  struct Edits {
+    int log_edits = 100'000;
+    int log_mib = 64;
+    double log_s = 2'592'000;
+    int history_edits = 1000;
+    int history_mib = 256;
+    double history_s = 86'400;
+  } edits;
   struct Limits {
     int query_points = 1'000'000;
     int pending_edits = 256;
     int inflight_mib = 256;
     int surface_mib = 512;
+    int import_mib = 16'384;
+    double import_idle_s = 30;
   } limits;
   double shutdown_grace_s = 2.0;
 
@@ -105,6 +119,13 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "of a stream, read but not yet acknowledged; then the client has to wait");
   visit("mapping.feed_idle_s", c.mapping.feed_idle_s, 0, 86400,
         "s of silence after which a stream makes place for another, or for the deletion of its map");
+  visit("mapping.max_feeds", c.mapping.max_feeds, 1, 64, "named sessions that may feed one map at once");
+  visit("mapping.reproducible", c.mapping.reproducible, 0, 0,
+        "frames wait for refinements that cannot keep up, so that the same frames give the same map");
+  visit("mapping.record_dir", c.mapping.record_dir, 0, 0,
+        "folder in which frames are kept as they came, a file a map, for dhpmap replay; empty = they are not");
+  visit("mapping.record_mib", c.mapping.record_mib, 1, 1e6,
+        "MiB that all records in the folder may take; then recording stops, and mapping goes on");
   visit("maps.idle_close_s", c.maps.idle_close_s, 0, 1e6,
         "s after which a map that nobody uses is closed, and its memory freed; 0 = never");
   visit("store.commit_frames", c.store.commit_frames, 1, 1e6, "frames go to the store after so many of them");
@@ -118,12 +139,24 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "commits whose changes are kept of each map, for who watches it from then on");
   visit("watch.history_mib", c.watch.history_mib, 1, 1e6, "MiB that these may take of each map in the file");
   visit("watch.history_s", c.watch.history_s, 0, 1e9, "s that they are kept");
+  visit("edits.log_edits", c.edits.log_edits, 1, 1e9,
+        "edits that the log of each map keeps, with what their requests were answered");
+  visit("edits.log_mib", c.edits.log_mib, 1, 1e6, "MiB that these may take of each map in the file");
+  visit("edits.log_s", c.edits.log_s, 0, 1e9, "s that they are kept");
+  visit("edits.history_edits", c.edits.history_edits, 0, 1e6, "edits of each map that can be undone; 0 = none");
+  visit("edits.history_mib", c.edits.history_mib, 0, 1e6, "MiB that what it takes to undo them may take of each map");
+  visit("edits.history_s", c.edits.history_s, 0, 1e9, "s that it is kept");
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
   visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,
-        "MiB of requests and answers in memory at once, at both doors together; more are refused");
+        "MiB of requests and answers in memory at once, at both doors together; more are refused. A quarter is for "
+        "what gRPC holds; frames have three quarters as much of their own, which no other call can take from a robot");
   visit("limits.surface_mib", c.limits.surface_mib, 16, 1e6,
         "MiB of surfaces kept for distances, of all maps together; those not asked about for longest go first");
+  visit("limits.import_mib", c.limits.import_mib, 1, 1e7,
+        "MiB that the file of a map that comes in may have; it takes twice as much of the disk");
+  visit("limits.import_idle_s", c.limits.import_idle_s, 0.1, 86400,
+        "s that one that comes in may be behind 16 KiB/s, all in all");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at the end");
 }
 

@@ -7,6 +7,7 @@
 #include "mapping/base/byte_budget.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/media_type.h"
+#include "server/gateway/page_exchange.h"
 #include "server/gateway/rpc_request.h"
 #include "server/http/url.h"
 
@@ -16,6 +17,8 @@ namespace {
 AnswerFormat FormatFor(const http::RequestHead& head) {
   return FormatOfAccept(http::FindHeader(head.headers, "accept"));
 }
+
+bool IsRead(const http::RequestHead& head) { return head.method == "GET" || head.method == "HEAD"; }
 
 http::Response MethodNotAllowed(const http::RequestHead& head, std::string_view path, const std::string& allowed) {
   http::Response response = ErrorResponse(
@@ -47,7 +50,11 @@ std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
     return answer(
         ErrorResponse(InvalidArgument("the request target is not a path").WithReason("BAD_TARGET"), FormatFor(head)));
   }
-  if (pages_.Has(target->path)) return answer(Page(head, target->path));
+  if (pages_.Has(target->path)) {
+    if (!IsRead(head)) return answer(MethodNotAllowed(head, target->path, "GET, HEAD"));
+    if (!Pages::TakesTime(target->path) || backend_.pages == nullptr) return answer(pages_.Make(target->path));
+    return MakePageExchange(pages_.MakerOf(target->path), *backend_.pages, responder);
+  }
   RouteMatch match = router_.Find(head.method, target->path);
   if (match.route == nullptr) return answer(NoRoute(head, target->path));
   auto exchange = BeginRpc(head, std::move(match), target->query, responder);
@@ -56,11 +63,6 @@ std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
 }
 
 http::Response Dispatcher::ErrorAnswer(const Status& error) const { return ErrorResponse(error, AnswerFormat::kAny); }
-
-http::Response Dispatcher::Page(const http::RequestHead& head, std::string_view path) const {
-  if (head.method == "GET" || head.method == "HEAD") return pages_.Make(path);
-  return MethodNotAllowed(head, path, "GET, HEAD");
-}
 
 http::Response Dispatcher::NoRoute(const http::RequestHead& head, std::string_view path) const {
   const std::string allowed = router_.AllowedMethods(path);
@@ -80,7 +82,7 @@ Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::Request
                                                              const std::shared_ptr<http::Responder>& responder) const {
   // A web page of another origin must not reach a server on the user's own machine: browsers say where they come from,
   // and what they send without asking first may look like curl's.
-  if (head.is_from_foreign_page && head.method != "GET" && head.method != "HEAD") {
+  if (head.is_from_foreign_page && !IsRead(head)) {
     return Status(StatusCode::kPermissionDenied, "requests from web pages of another origin are not taken")
         .WithReason("FOREIGN_ORIGIN");
   }

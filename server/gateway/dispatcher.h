@@ -28,7 +28,6 @@ class Dispatcher final : public http::Handler {
   [[nodiscard]] http::Response ErrorAnswer(const Status& error) const override;
 
  private:
-  [[nodiscard]] http::Response Page(const http::RequestHead& head, std::string_view path) const;
   [[nodiscard]] http::Response NoRoute(const http::RequestHead& head, std::string_view path) const;
   Result<std::shared_ptr<http::Exchange>> BeginRpc(const http::RequestHead& head, RouteMatch match,
                                                    std::string_view query,

@@ -16,6 +16,7 @@ namespace {
 constexpr std::chrono::seconds kCancelTimeout{5};
 /// As nice as what bulk calls do behind the other door.
 constexpr int kBulkNiceness = 10;
+constexpr int kFrameThreads = 2;  // as many as behind the other door
 
 }  // namespace
 
@@ -23,8 +24,8 @@ struct Gateway::Impl {
   Impl(const GatewayOptions& options, std::shared_ptr<grpc::Channel> channel, gateway::HttpRuleRouter router,
        GatewayHooks hooks)
       : caller(std::move(channel)),
-        dispatcher(std::move(router), {&caller, &bulk, &shared}, std::move(hooks), options.max_body_bytes,
-                   options.inflight) {}
+        dispatcher(std::move(router), {&caller, &bulk, &shared, &frames, &pages}, std::move(hooks),
+                   options.max_body_bytes, options.inflight) {}
 
   enum class State { kServing, kShutDown, kStuck };  // kStuck: shut down, but something still refers to us
 
@@ -34,7 +35,10 @@ struct Gateway::Impl {
   std::unique_ptr<http::Server> server;
   Mutex mutex;
   State state DHPMAP_GUARDED_BY(mutex) = State::kServing;
-  Lane bulk{{.name = "json", .num_threads = 1, .niceness = kBulkNiceness}};  // last: its thread ends before all it uses
+  // Last: their threads end before all they use.
+  Lane bulk{{.name = "json", .num_threads = 1, .niceness = kBulkNiceness}};
+  Lane frames{{.name = "json frames", .num_threads = kFrameThreads}};
+  Lane pages{{.name = "metrics"}};
 };
 
 Result<std::unique_ptr<Gateway>> Gateway::Start(const GatewayOptions& options, std::shared_ptr<grpc::Channel> channel,

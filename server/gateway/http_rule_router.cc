@@ -141,6 +141,11 @@ bool MoreSpecific(const Route& a, const Route& b) {
 }  // namespace
 
 bool Route::client_streams() const { return method->client_streaming(); }
+bool Route::server_streams() const { return method->server_streaming(); }
+bool Route::takes_file() const {
+  return client_streams() && body == Body::kField && body_field->type() == FieldDescriptor::TYPE_BYTES &&
+         !body_field->is_repeated();
+}
 bool Route::is_stream() const { return method->client_streaming() || method->server_streaming(); }
 
 Result<HttpRuleRouter> HttpRuleRouter::FromServices(const std::vector<const ServiceDescriptor*>& services) {

@@ -54,6 +54,9 @@ struct Route {
 
   [[nodiscard]] bool is_stream() const;  ///< in either direction
   [[nodiscard]] bool client_streams() const;
+  [[nodiscard]] bool server_streams() const;
+  /// The client streams the parts of a file: its body's field is bytes.
+  [[nodiscard]] bool takes_file() const;
 };
 
 struct RouteMatch {

@@ -31,6 +31,8 @@ constexpr std::string_view kJsonNames[] = {"application/json",   "text/json",   
                                            "application/ndjson", "application/jsonl", "application/json-seq"};
 constexpr std::string_view kProtobufNames[] = {"application/x-protobuf", "application/protobuf",
                                                "application/vnd.google.protobuf"};
+constexpr std::string_view kFileNames[] = {"application/octet-stream", "application/vnd.sqlite3",
+                                           "application/x-sqlite3", "application/x-www-form-urlencoded"};
 constexpr std::string_view kStreamNames[] = {"application/x-protobuf-stream", "application/x-protobuf-delimited"};
 
 /// The `q` of a media range, 0 to 1; 1 if it has none, 0 if it is not a number.
@@ -56,6 +58,11 @@ std::optional<BodyFormat> FormatOfContentType(std::string_view content_type) {
   if (IsAnyOf(type, kProtobufNames)) return BodyFormat::kProtobuf;
   if (IsAnyOf(type, kStreamNames)) return BodyFormat::kDelimitedProtobuf;
   return std::nullopt;
+}
+
+bool IsFileType(std::string_view content_type) {
+  const std::string_view type = TypeOf(content_type);
+  return type.empty() || IsAnyOf(type, kFileNames);
 }
 
 bool IsOneJsonValue(std::string_view content_type) { return IsAnyOf(TypeOf(content_type), kOneJsonNames); }

@@ -8,13 +8,17 @@ namespace dhpmap::gateway {
 
 /// What a body is written in.
 enum class BodyFormat {
-  kJson,              ///< one value; for a client stream any number, each after the other (NDJSON)
-  kProtobuf,          ///< one message
-  kDelimitedProtobuf  ///< each message after its length as a varint
+  kJson,               ///< one value; for a client stream any number, each after the other (NDJSON)
+  kProtobuf,           ///< one message
+  kDelimitedProtobuf,  ///< each message after its length as a varint
+  kFile                ///< a file, for an RPC that takes its parts
 };
 
 /// Nothing for a type that we do not take. A missing type and curl's default (a form) count as JSON.
 std::optional<BodyFormat> FormatOfContentType(std::string_view content_type);
+
+/// Whether the type is one of a file's bytes. A missing type and curl's default count as that, too.
+bool IsFileType(std::string_view content_type);
 
 /// Whether the type names one JSON value, rather than any number of them or nothing.
 bool IsOneJsonValue(std::string_view content_type);

@@ -8,6 +8,7 @@ namespace dhpmap::gateway {
 namespace {
 
 constexpr char kSpace[] = " \t\r\n";
+constexpr std::size_t kFilePart_bytes = 256u << 10;
 
 }  // namespace
 
@@ -38,6 +39,7 @@ std::optional<std::string> MessageSplitter::Next() {
   if (!is_stream_) return NextWhole();
   if (format_ == BodyFormat::kJson) return NextJson();
   if (format_ == BodyFormat::kDelimitedProtobuf) return NextDelimited();
+  if (format_ == BodyFormat::kFile) return NextOfFile();
   return ended_ && !buffer_.empty() ? NextWhole() : std::nullopt;
 }
 
@@ -51,8 +53,19 @@ std::optional<std::string> MessageSplitter::NextWhole() {
 
 std::optional<std::string> MessageSplitter::Take(std::size_t skip, std::size_t size) {
   if (size > max_message_bytes_) return Fail(Fault::kTooLarge);
-  std::string message = buffer_.substr(start_ + skip, size);
-  start_ += skip + size;
+  const std::size_t begin = start_ + skip, end = begin + size;
+  std::string message;
+  if (size > buffer_.size() / 2) {  // the rest is less to copy, and what is large is not there twice
+    std::string rest = buffer_.substr(end);
+    message.swap(buffer_);
+    message.resize(end);
+    message.erase(0, begin);
+    buffer_.swap(rest);
+    start_ = 0;
+  } else {
+    message = buffer_.substr(begin, size);
+    start_ = end;
+  }
   scanned_ = start_;
   scan_ = Scan::kBetween;
   return message;
@@ -103,6 +116,13 @@ bool MessageSplitter::ScanObject() {
     }
   }
   return false;
+}
+
+std::optional<std::string> MessageSplitter::NextOfFile() {
+  const std::size_t size = std::min(buffer_.size() - start_, kFilePart_bytes);
+  if (size == 0 && (!ended_ || taken_)) return std::nullopt;
+  taken_ = true;
+  return Take(0, size);
 }
 
 std::optional<std::string> MessageSplitter::NextDelimited() {

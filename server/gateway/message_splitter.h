@@ -12,7 +12,7 @@ namespace dhpmap::gateway {
 
 /// Cuts a body that arrives in pieces into its messages, looking at each byte once. JSON objects may follow each other
 /// with or without newlines and may span lines; anything else is taken up to the end of its line, for the parser to
-/// refuse. Thread-compatible.
+/// refuse. Of a file messages are what has come of it, at most 256 KiB; one at least. Thread-compatible.
 class MessageSplitter {
  public:
   /// `is_stream` false: the whole body is one message, empty or not.
@@ -49,6 +49,7 @@ class MessageSplitter {
   std::optional<std::string> NextWhole();
   std::optional<std::string> NextJson();
   std::optional<std::string> NextDelimited();
+  std::optional<std::string> NextOfFile();
   std::optional<std::string> Take(std::size_t skip, std::size_t size);
   std::nullopt_t Fail(Fault fault);
   bool SkipToMessage();
@@ -64,7 +65,7 @@ class MessageSplitter {
   Scan scan_ = Scan::kBetween;
   int depth_ = 0;  // of the object
   bool ended_ = false;
-  bool taken_ = false;  // the one message of what is no stream
+  bool taken_ = false;  // the one message of what is no stream, or one of a file
   Fault fault_ = Fault::kNone;
 };
 

@@ -79,16 +79,17 @@ class OperationWriter {
 
   void WriteBody() {
     out_.Key("requestBody").BeginObject().RawMember("required", "true").Key("content").BeginObject();
+    if (route_.takes_file()) WriteBinary("application/octet-stream");
     out_.Key(kJsonType).BeginObject().Key("schema");
     WriteBodySchema();
     out_.EndObject();
-    if (route_.client_streams()) {
+    if (route_.client_streams() && !route_.takes_file()) {
       out_.Key(kNdjsonType).BeginObject().Key("schema");
       WriteBodySchema();
       out_.EndObject();
       WriteBinary(kProtobufStreamType);
     }
-    WriteBinary(kProtobufType);
+    if (!route_.takes_file()) WriteBinary(kProtobufType);
     out_.EndObject().EndObject();
   }
 
@@ -104,11 +105,12 @@ class OperationWriter {
 
   void WriteResponses() {
     out_.Key("responses").BeginObject();
-    out_.Key("200").BeginObject().Member("description", route_.is_stream() ? "A stream of answers." : "The answer.");
+    out_.Key("200").BeginObject().Member("description",
+                                         route_.server_streams() ? "A stream of answers." : "The answer.");
     out_.Key("content").BeginObject();
     if (route_.file) WriteBinary("application/octet-stream");
-    out_.Key(route_.is_stream() ? kNdjsonType : kJsonType).BeginObject().Key("schema");
-    if (route_.is_stream()) {
+    out_.Key(route_.server_streams() ? kNdjsonType : kJsonType).BeginObject().Key("schema");
+    if (route_.server_streams()) {
       out_.BeginObject().Member("type", "object").Member("description", "One line each.");
       out_.Key("properties").BeginObject().Key("result");
       WriteAnswerSchema();
@@ -119,7 +121,7 @@ class OperationWriter {
       WriteAnswerSchema();
     }
     out_.EndObject();
-    WriteBinary(route_.is_stream() ? kProtobufStreamType : kProtobufType);
+    WriteBinary(route_.server_streams() ? kProtobufStreamType : kProtobufType);
     if (route_.events) out_.RawMember(kEventsType, R"({"schema":{"type":"string"}})");
     out_.EndObject().EndObject();
     out_.Key("default").BeginObject().Member("description", "An error.").Key("content").BeginObject();

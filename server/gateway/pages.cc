@@ -52,7 +52,7 @@ Pages::Pages(const HttpRuleRouter& router, GatewayHooks hooks) {
   pages_["/healthz"] = fixed("text/plain; charset=utf-8", "ok\n");
   pages_["/openapi.json"] = fixed(kJsonType, OpenApiDocument(router));
   pages_["/readyz"] = [is_ready = std::move(hooks.is_ready)] { return ReadyPage(is_ready); };
-  pages_["/metrics"] = [text = std::move(hooks.metrics_text)] {
+  pages_[std::string(kMetricsPath)] = [text = std::move(hooks.metrics_text)] {
     return TextPage(200, "text/plain; version=0.0.4; charset=utf-8", text ? text() : "");
   };
 }

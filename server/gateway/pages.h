@@ -20,10 +20,17 @@ class Pages {
   Pages(const HttpRuleRouter& router, GatewayHooks hooks);
 
   [[nodiscard]] bool Has(std::string_view path) const { return pages_.find(path) != pages_.end(); }
-  /// Made anew each time. `path` is one that Has knows.
+  /// Whether making it may take milliseconds, which the connections' thread has not. `path` is one that Has knows.
+  [[nodiscard]] static bool TakesTime(std::string_view path) { return path == kMetricsPath; }
+  /// What makes it, anew each time; may be called on any thread, and when this is gone. `path` is one that Has knows.
+  [[nodiscard]] std::function<http::Response()> MakerOf(std::string_view path) const {
+    return pages_.find(path)->second;
+  }
   [[nodiscard]] http::Response Make(std::string_view path) const { return pages_.find(path)->second(); }
 
  private:
+  static constexpr std::string_view kMetricsPath = "/metrics";
+
   std::map<std::string, std::function<http::Response()>, std::less<>> pages_;
 };
 

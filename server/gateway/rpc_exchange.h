@@ -25,6 +25,10 @@ struct RpcBackend {
   Lane* bulk;
   /// For streams of events; null: each makes its own.
   SharedAnswers* shared = nullptr;
+  /// For large messages of what clients stream: frames do not wait for what others ask for. Null: `bulk`.
+  Lane* frames = nullptr;
+  /// For pages of the gateway's own that take a while, whatever the others have to do. Null: they are made at once.
+  Lane* pages = nullptr;
 };
 
 /// More than that, in bytes, is large. What is small takes a fraction of a millisecond, less than another thread may

@@ -32,10 +32,12 @@ Status UnsupportedMediaType(std::string message) {
 Result<BodyFormat> BodyFormatOf(const http::RequestHead& head, const Route& route) {
   const std::string_view content_type = http::FindHeader(head.headers, "content-type");
   auto format = FormatOfContentType(content_type);
+  if (route.takes_file() && IsFileType(content_type)) format = BodyFormat::kFile;
   if (!HasBody(head) || route.body == Route::Body::kNone) format = format.value_or(BodyFormat::kJson);
   if (!format) {
     return UnsupportedMediaType("content type '" + std::string(content_type) +
-                                "' is not taken: send application/json or application/x-protobuf");
+                                "' is not taken: send application/json or " +
+                                (route.takes_file() ? "application/octet-stream" : "application/x-protobuf"));
   }
   const std::string_view encoding = http::FindHeader(head.headers, "content-encoding");
   if (!encoding.empty() && !http::EqualsIgnoringCase(encoding, "identity")) {
@@ -61,6 +63,7 @@ Result<RpcRequest> RpcRequest::Make(const http::RequestHead& head, RouteMatch ma
   DHPMAP_ASSIGN_OR_RETURN(CallOptions call, MakeCallOptions(route.rpc_path, head.headers));
   std::string file_stem = FileStem(match);
   DHPMAP_ASSIGN_OR_RETURN(RequestTranscoder transcoder, RequestTranscoder::Make(std::move(match), query));
+  if (body_format == BodyFormat::kFile) transcoder.SetFileSize(head.content_length.value_or(0));
   DHPMAP_RETURN_IF_ERROR(transcoder.SetIfMatch(http::FindHeader(head.headers, "if-match")));
   transcoder.SetLastEventId(http::FindHeader(head.headers, "last-event-id"));
   return RpcRequest{.route = &route,

@@ -26,10 +26,14 @@ StreamEncoder::StreamEncoder(const Route& route, AnswerFormat format, std::strin
       format_(format),
       file_stem_(std::move(file_stem)),
       shared_(route.events ? shared : nullptr),
-      is_file_(route.file.has_value() && format == AnswerFormat::kAny) {}
+      is_file_(route.file.has_value() && format == AnswerFormat::kAny),
+      is_one_(!route.server_streams()) {}
 
 http::Headers StreamEncoder::EmptyHead() const {
   if (is_file_) return {{"Content-Type", "application/octet-stream"}};
+  if (is_one_) {
+    return {{"Content-Type", std::string(format_ == AnswerFormat::kProtobuf ? kProtobufType : kJsonType)}};
+  }
   if (format_ == AnswerFormat::kEvents) {
     // Nobody on the way may keep events, or keep them back.
     return {{"Content-Type", std::string(kEventsType)}, {"Cache-Control", "no-store"}, {"X-Accel-Buffering", "no"}};
@@ -39,6 +43,7 @@ http::Headers StreamEncoder::EmptyHead() const {
 
 Result<StreamPart> StreamEncoder::Encode(const std::string& message) {
   if (is_file_) return EncodeFile(message);
+  if (is_one_) return EncodeOne(message);
   StreamPart part;
   if (is_first_) part.head = StreamHead{EmptyHead(), std::nullopt};
   is_first_ = false;
@@ -65,6 +70,14 @@ Result<StreamPart> StreamEncoder::EncodeFile(const std::string& bytes) {
     if (file.total_bytes > 0) part.head->length = static_cast<std::uint64_t>(file.total_bytes);
   }
   part.data = std::move(file.data);
+  return part;
+}
+
+Result<StreamPart> StreamEncoder::EncodeOne(const std::string& message) {
+  StreamPart part;
+  DHPMAP_ASSIGN_OR_RETURN(part.data, ToAnswer(route_, message, format_));
+  if (format_ != AnswerFormat::kProtobuf) part.data += '\n';
+  part.head = StreamHead{EmptyHead(), part.data.size()};
   return part;
 }
 

@@ -26,8 +26,9 @@ struct StreamPart {
   std::string data;                ///< may be empty
 };
 
-/// Encodes the messages of one streamed answer: as NDJSON, as server-sent events, as length-delimited protobuf, or, for
-/// an RPC that sends a file and a client that asks for neither of them, as the file. Thread-compatible.
+/// Encodes the messages of one streamed answer, or the one of an RPC whose client alone streams: as NDJSON, as
+/// server-sent events, as length-delimited protobuf, or, for an RPC that sends a file and a client that asks for
+/// neither of them, as the file. Thread-compatible.
 class StreamEncoder {
  public:
   /// `file_stem`: a file's name, without its extension. `shared`: for events; may be null.
@@ -37,7 +38,7 @@ class StreamEncoder {
   Result<StreamPart> Encode(const std::string& message);
 
   /// An error can be told in the answer itself.
-  [[nodiscard]] bool is_text() const { return !is_file_ && format_ != AnswerFormat::kProtobuf; }
+  [[nodiscard]] bool is_text() const { return !is_file_ && !is_one_ && format_ != AnswerFormat::kProtobuf; }
   /// How, as the last of it.
   [[nodiscard]] std::string ErrorText(const RpcStatus& status) const;
   /// What says nothing, to find out whether the client of a stream that is silent is still there; may be empty.
@@ -47,12 +48,14 @@ class StreamEncoder {
 
  private:
   Result<StreamPart> EncodeFile(const std::string& message);
+  Result<StreamPart> EncodeOne(const std::string& message);
 
   const Route& route_;
   AnswerFormat format_;
   std::string file_stem_;
   SharedAnswers* shared_;
   bool is_file_;
+  bool is_one_;  ///< message, as of an RPC that does not stream
   bool is_first_ = true;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/base/byte_budget.h"
+#include "mapping/base/guarded.h"
 #include "mapping/base/lane.h"
 #include "mapping/base/state_machine.h"
 #include "server/gateway/call_options.h"
@@ -28,8 +29,8 @@ Status Numbered(std::int64_t message, const Status& error) {
   return numbered;
 }
 
-/// All members are used on the connection's sequence of execution, but for the encoder: that is whose the message is,
-/// gRPC's or the lane's, one at a time.
+/// All members are used on the connection's sequence of execution, but for the request, which stays as it is, and the
+/// encoder: that is whose the message is, gRPC's or the lane's, one at a time.
 class StreamExchange final : public http::Exchange,
                              public StreamListener,
                              public std::enable_shared_from_this<StreamExchange> {
@@ -79,6 +80,9 @@ class StreamExchange final : public http::Exchange,
   void Pump();
   bool SendNext();
   std::optional<std::string> NextMessage();
+  void ConvertOnLane(std::string body, bool is_only);
+  void Converted(Result<std::string> message, bool is_only);
+  void Send(Result<std::string> message, bool is_only);
   void StopSending(Status why);
   void EndSending();
   void Sent(bool ok);
@@ -101,6 +105,8 @@ class StreamExchange final : public http::Exchange,
   std::uint64_t num_received_bytes_ = 0;
   std::optional<std::string> first_;  // complete, but it is not known yet whether others follow
   StreamEncoder encoder_;
+  std::shared_ptr<LaneTask> converting_;  // a large message; null: there is none
+  std::size_t converting_bytes_ = 0;      // of its body, until that is gone
   std::shared_ptr<StreamCall> call_;
   StateMachine<Sending> sending_{Sending::kIdle};
   std::int64_t num_messages_ = 0;
@@ -172,26 +178,62 @@ std::optional<std::string> StreamExchange::NextMessage() {
   return message;
 }
 
-/// False if there is no complete message; true if it went, or was no good.
+/// False if there is no complete message; true if one is on its way, or was no good.
 bool StreamExchange::SendNext() {
   auto body = NextMessage();
   if (!body) return false;
   ++num_messages_;
-  auto message = request_.transcoder.ToRequest(request_.body_format, *body);
-  if (!message.ok()) {
-    StopSending(request_.route->client_streams() ? Numbered(num_messages_, message.status()) : message.status());
-    return true;
-  }
-  if (!call_) StartCall(splitter_.ended() && splitter_.has_nothing_left());
+  const bool is_only = !call_ && splitter_.ended() && splitter_.has_nothing_left();
   sending_.To(Sending::kBusy);
-  call_->Send(std::move(*message));
+  // Parts of a file have a bound, and are only copied.
+  const bool is_quick = body->size() <= kMostQuickBytes || request_.body_format == BodyFormat::kFile;
+  if (is_quick) {
+    Send(request_.transcoder.ToRequest(request_.body_format, *body), is_only);
+  } else {
+    ConvertOnLane(std::move(*body), is_only);
+  }
   return true;
+}
+
+void StreamExchange::ConvertOnLane(std::string body, bool is_only) {
+  converting_bytes_ = body.size();
+  if (!FitsShare()) {
+    converting_bytes_ = 0;
+    return StopSending(TooManyBytes());
+  }
+  converting_ = std::make_shared<LaneTask>([self = shared_from_this(), body = std::move(body), is_only]() mutable {
+    auto message = Guarded<Result<std::string>>(
+        [&] { return self->request_.transcoder.ToRequest(self->request_.body_format, body); });
+    std::string().swap(body);
+    self->PostToConnection([message = std::move(message), is_only](StreamExchange& exchange) mutable {
+      exchange.Converted(std::move(message), is_only);
+    });
+  });
+  const bool is_frame = request_.route->rpc_path.ends_with("/IntegrateFrames");
+  Lane* const lane = is_frame && backend_.frames != nullptr ? backend_.frames : backend_.bulk;
+  lane->Post(converting_);  // one a stream
+}
+
+void StreamExchange::Converted(Result<std::string> message, bool is_only) {
+  converting_.reset();
+  converting_bytes_ = 0;
+  (void)FitsShare();
+  if (!sending_.Is(Sending::kEnded)) Send(std::move(message), is_only);
+}
+
+/// The next message, as the RPC takes it, or what is wrong with it. `is_only`: there are no others.
+void StreamExchange::Send(Result<std::string> message, bool is_only) {
+  if (!message.ok()) {
+    return StopSending(request_.route->client_streams() ? Numbered(num_messages_, message.status()) : message.status());
+  }
+  if (!call_) StartCall(is_only);
+  call_->Send(std::move(*message));
 }
 
 /// The body is no good from here on. What the RPC took before stands: it ends in good order, then comes the error.
 void StreamExchange::StopSending(Status why) {
   own_error_ = std::move(why);
-  sending_.To(Sending::kEnded);
+  EndSending();
   if (call_) return call_->SendEnd();
   receiving_.To(Receiving::kDone);
   final_ = ToRpcStatus(*own_error_);
@@ -210,9 +252,13 @@ void StreamExchange::Sent(bool ok) {
   responder_->ResumeBody();
 }
 
-/// The RPC takes no more: the rest of the body is read and let go.
+/// Nothing more goes to the RPC: the rest of the body is read and let go.
 void StreamExchange::EndSending() {
   if (sending_.Is(Sending::kEnded)) return;
+  if (converting_ && converting_->GiveUp()) {
+    converting_bytes_ = 0;
+    (void)FitsShare();
+  }
   const bool was_held = sending_.Is(Sending::kBusyHeld);
   sending_.To(Sending::kEnded);
   if (was_held && !answering_.Is(Answering::kEnded)) responder_->ResumeBody();
@@ -221,7 +267,7 @@ void StreamExchange::EndSending() {
 /// Whether what is kept now is within the budget.
 bool StreamExchange::FitsShare() {
   const std::size_t first_bytes = first_ ? first_->size() : 0;
-  return share_.Resize(first_bytes + splitter_.buffered_bytes() + pending_.size() + writing_bytes_);
+  return share_.Resize(first_bytes + splitter_.buffered_bytes() + converting_bytes_ + pending_.size() + writing_bytes_);
 }
 
 void StreamExchange::ReadMore() {

@@ -8,8 +8,8 @@ namespace dhpmap::gateway {
 /// Messages of the body, to the RPC.
 enum class Sending {
   kIdle,      ///< the next message may go
-  kBusy,      ///< one is on its way
-  kBusyHeld,  ///< one is on its way, and the connection reads no more of the body until it has gone
+  kBusy,      ///< one is being converted, or on its way
+  kBusyHeld,  ///< the same, and the connection reads no more of the body until it has gone
   kEnded,     ///< half-closed, or never to send again
 };
 

@@ -5,6 +5,7 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "server/json/reader.h"
 #include "server/json/writer.h"
@@ -67,8 +68,10 @@ Result<RequestTranscoder> RequestTranscoder::Make(RouteMatch match, std::string_
 }
 
 Status RequestTranscoder::SetIfMatch(std::string_view header) {
-  if (header.empty() || header == "*") return Status::Ok();
-  if (header.size() < 2 || header.front() != '"' || header.find('"', 1) != header.size() - 1) {
+  const bool is_there = header.data() != nullptr;
+  if (!is_there || header == "*") return Status::Ok();
+  constexpr std::size_t kLeast = 3;  // an empty tag would be taken for none
+  if (header.size() < kLeast || header.front() != '"' || header.find('"', 1) != header.size() - 1) {
     return InvalidArgument("header If-Match must be one entity tag in double quotes, or *").WithReason("BAD_HEADER");
   }
   etag_field_ = EtagFieldOf(*match_.route);
@@ -90,6 +93,7 @@ Result<std::string> RequestTranscoder::ToRequest(BodyFormat format, std::string_
   DHPMAP_RETURN_IF_ERROR(ApplyQuery(request.get()));
   DHPMAP_RETURN_IF_ERROR(ApplyPath(request.get()));
   DHPMAP_RETURN_IF_ERROR(ApplyIfMatch(request.get()));
+  ApplyFileSize(request.get());
   if (!last_event_id_.empty()) {
     request->GetReflection()->SetString(request.get(), match_.route->events->resume_after, last_event_id_);
   }
@@ -109,6 +113,10 @@ Status RequestTranscoder::ReadBody(BodyFormat format, std::string_view body, Mes
     if (IsBlank(body)) return Status::Ok();
     if (route.body == Route::Body::kWhole) return json::Read(body, request, paths);
     return json::ReadField(body, *route.body_field, request, paths);
+  }
+  if (format == BodyFormat::kFile) {
+    request->GetReflection()->SetString(request, route.body_field, std::string(body));
+    return Status::Ok();
   }
   Message* into = request;
   if (route.body == Route::Body::kField) {
@@ -181,6 +189,15 @@ Status RequestTranscoder::ApplyIfMatch(Message* request) const {
   }
   holder->GetReflection()->SetString(holder, etag, if_match_);
   return Status::Ok();
+}
+
+void RequestTranscoder::ApplyFileSize(Message* request) const {
+  const FieldDescriptor* field = request->GetDescriptor()->FindFieldByName("total_bytes");
+  if (file_bytes_ == 0 || field == nullptr || field->cpp_type() != FieldDescriptor::CPPTYPE_INT64) return;
+  const auto* reflection = request->GetReflection();
+  if (field->is_repeated() || reflection->GetInt64(*request, field) != 0) return;
+  const auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  reflection->SetInt64(request, field, static_cast<std::int64_t>(std::min(file_bytes_, most)));
 }
 
 void RequestTranscoder::DeriveMask(const json::Paths& paths, Message* request) const {

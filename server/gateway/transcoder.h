@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,13 +26,18 @@ class RequestTranscoder {
   /// INVALID_ARGUMENT for a broken query or path escape. `match.route` must outlive this.
   static Result<RequestTranscoder> Make(RouteMatch match, std::string_view query);
 
-  /// The header If-Match, as the etag that the RPC's request takes, itself or in its body's field. Empty or "*": none.
-  /// INVALID_ARGUMENT if it is not one strong entity tag, or the RPC takes none.
+  /// The header If-Match, as the etag that the RPC's request takes, itself or in its body's field. None, as FindHeader
+  /// tells it, or "*": none. INVALID_ARGUMENT if it is not one strong entity tag that is not empty, or the RPC takes
+  /// none.
   Status SetIfMatch(std::string_view header);
 
   /// The header Last-Event-ID, as the request's `resume_after` where the route has events: it counts before the URL's,
   /// since a browser that connects again sends the same URL.
   void SetLastEventId(std::string_view header);
+
+  /// Size of the file that the body is, where it is known: `total_bytes` of the request, if it has that and no more is
+  /// said of it.
+  void SetFileSize(std::uint64_t num_bytes) { file_bytes_ = num_bytes; }
 
   /// One body, or one message of it, as the wire form of the RPC's request. What the path says wins over the body;
   /// query parameters fill the rest; a PATCH without update_mask gets the paths that its JSON body sets, less those in
@@ -46,6 +52,7 @@ class RequestTranscoder {
   Status ApplyQuery(google::protobuf::Message* request) const;
   Status ApplyPath(google::protobuf::Message* request) const;
   Status ApplyIfMatch(google::protobuf::Message* request) const;
+  void ApplyFileSize(google::protobuf::Message* request) const;
   void DeriveMask(const std::vector<std::string>& paths, google::protobuf::Message* request) const;
   [[nodiscard]] Status CheckParameter(const std::string& name, const json::FieldPath& field) const;
 
@@ -54,6 +61,7 @@ class RequestTranscoder {
   json::FieldPath etag_field_;
   std::string if_match_;
   std::string last_event_id_;
+  std::uint64_t file_bytes_ = 0;
 };
 
 /// The wire form of a response as a body. INTERNAL if it is not a message of the RPC's type.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/base/byte_budget.h"
+#include "mapping/base/guarded.h"
 #include "mapping/base/lane.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/error_body.h"
@@ -57,7 +58,7 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
  private:
   /// On any thread. The body is gone when it returns.
   [[nodiscard]] Result<std::string> MakeMessage(std::string body) const {
-    return request_.transcoder.ToRequest(request_.body_format, body);
+    return Guarded<Result<std::string>>([&] { return request_.transcoder.ToRequest(request_.body_format, body); });
   }
 
   void Start(Result<std::string> message) {
@@ -77,13 +78,18 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
 
   /// On any thread but the connection's, which stays free while JSON is made.
   void Ended(const RpcStatus& status, std::string response) {
-    responder_->Post([self = shared_from_this(), answer = MakeAnswer(status, std::move(response))]() mutable {
+    responder_->Post([self = shared_from_this(), answer = AnswerOrWhyNot(status, std::move(response))]() mutable {
       if (self->finished_) return;
       if (!self->share_.Resize(answer.body.size())) {
         answer = ErrorResponse(TooManyBytes(), self->request_.answer_format);
       }
       self->Reply(std::move(answer));
     });
+  }
+
+  http::Response AnswerOrWhyNot(const RpcStatus& status, std::string message) const {
+    auto answer = Guarded<Result<http::Response>>([&] { return MakeAnswer(status, std::move(message)); });
+    return answer.ok() ? *std::move(answer) : ErrorResponse(answer.status(), request_.answer_format);
   }
 
   http::Response MakeAnswer(const RpcStatus& status, std::string message) const {

@@ -2,9 +2,10 @@
 #include "server/grpc/call_runner.h"
 
 #include <atomic>
-#include <exception>
 
+#include "mapping/base/guarded.h"
 #include "server/log/log.h"
+#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
@@ -21,19 +22,26 @@ void CallRecord::End(const Status& status) const {
   if (IsOurFault(status.code())) LogError(std::string(method_) + " failed: " + status.ToString());
 }
 
-Status RunGuarded(const std::function<Status()>& work) {
-  try {
-    return work();
-  } catch (const std::exception& error) {
-    return Internal(std::string("unexpected failure: ") + error.what());
-  } catch (...) {
-    return Internal("unexpected failure");
-  }
-}
+Status RunGuarded(const std::function<Status()>& work) { return Guarded<Status>(work); }
 
 Status StateHasNoRoom() {
   return ResourceExhausted("the map has gone on while this was read, and there is no more room for the state it shows")
       .WithReason("TOO_MANY_BYTES");
+}
+
+Status WhileThereIsRoom(const ServiceContext& context, std::shared_ptr<const MapSnapshot> state,
+                        const std::stop_token& stop, const std::function<Status(const std::stop_token&)>& work) {
+  std::stop_source ended;
+  const std::stop_callback on_stop(stop, [&ended] { ended.request_stop(); });
+  const auto hold = context.held.TryHold(std::move(state), [&ended] { ended.request_stop(); });
+  if (hold == nullptr) return TooManyBytes();
+  Status status = work(ended.get_token());
+  const bool is_let_go = status.code() == StatusCode::kCancelled && !stop.stop_requested();
+  return is_let_go ? StateHasNoRoom() : status;
+}
+
+Lane& QuickLane(const ServiceContext& context, std::string_view opens) {
+  return context.registry.MustLoad(MapOfResource(opens)) ? context.lanes.loads : context.lanes.quick;
 }
 
 Status TooBusy() {
@@ -52,7 +60,10 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
                                          std::size_t answer_bytes, Handler handler) {
     const auto self = std::make_shared<UnaryReactor>(context, call);
     self->self_ = self;
-    if (!self->share_.Resize(call.request->ByteSizeLong() + answer_bytes)) {
+    // What a large request takes in memory may be twice what it is on the wire; of a small one that is not worth
+    // asking.
+    self->request_bytes_ = answer_bytes > 0 ? call.request->SpaceUsedLong() : call.request->ByteSizeLong();
+    if (!self->share_.Resize(self->request_bytes_ + answer_bytes)) {
       self->Respond(TooManyBytes());
       return self.get();
     }
@@ -82,20 +93,30 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
  private:
   void Respond(const Status& status) {
     if (has_responded_.exchange(true)) return;
-    const Status& answer = status.ok() && !HasRoomForAnswer() ? TooManyBytes() : status;
-    record_.End(answer);
-    Finish(ToGrpc(answer));
+    Finish(AnswerOf(status));
+  }
+
+  /// Whatever there is no memory for, the call ends.
+  grpc::Status AnswerOf(const Status& status) noexcept {
+    try {
+      const Status answer = status.ok() && !HasRoomForAnswer() ? TooManyBytes() : status;
+      TellSafely([&] { record_.End(answer); });
+      return ToGrpc(answer);
+    } catch (...) {
+      return {grpc::StatusCode::RESOURCE_EXHAUSTED, "out of memory"};
+    }
   }
 
   /// The answer stays as a message and as bytes until the client has taken it.
   bool HasRoomForAnswer() {
     if (call_.response == nullptr) return true;
-    return share_.Resize(call_.request->ByteSizeLong() + 2 * call_.response->ByteSizeLong());
+    return share_.Resize(request_bytes_ + 2 * call_.response->ByteSizeLong());
   }
 
   const CallMessages call_;
   CallRecord record_;
-  ByteShare share_;                     // of the request and the answer
+  ByteShare share_;  // of the request and the answer
+  std::size_t request_bytes_ = 0;
   std::shared_ptr<UnaryReactor> self_;  // until OnDone
   std::shared_ptr<LaneTask> task_;
   std::stop_source stop_;
@@ -106,7 +127,7 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
 
 grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMessages& call,
                                    std::function<void(Respond, std::stop_token)> handler) {
-  return UnaryReactor::Start(context, call, context.lanes.quick, 0, std::move(handler));
+  return UnaryReactor::Start(context, call, QuickLane(context, call.opens), 0, std::move(handler));
 }
 
 grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages& call,

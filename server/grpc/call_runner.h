@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "mapping/base/byte_budget.h"
+#include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
 #include "server/app/held_states.h"
 #include "server/app/map_registry.h"
@@ -55,13 +56,24 @@ struct CallMessages {
   /// To be filled, if there is one and the call changes nothing; a call that changed something is answered, whatever
   /// room there is.
   const google::protobuf::Message* response = nullptr;
+  /// The resource whose map the handler opens, if it does: "maps/room/submaps/3".
+  std::string_view opens = {};
 };
 
-/// Calls work() and turns whatever it throws into INTERNAL: the one outer catch of every handler.
+/// The lane for what is quick once the map of the resource `opens` is there: quick, unless that is to be loaded first.
+Lane& QuickLane(const ServiceContext& context, std::string_view opens);
+
+/// Calls work() and turns whatever it throws into INTERNAL, or RESOURCE_EXHAUSTED for want of memory: the one outer
+/// catch of every handler.
 Status RunGuarded(const std::function<Status()>& work);
 
 /// What a stream ends with whose map has gone on for so long that there is no room for the state it shows.
 Status StateHasNoRoom();
+
+/// Answers from a state that is held for it as long as there is room for what only it still needs; `work` is told when
+/// there is none any longer, or when `stop` is requested, and then ends with CANCELLED.
+Status WhileThereIsRoom(const ServiceContext& context, std::shared_ptr<const MapSnapshot> state,
+                        const std::stop_token& stop, const std::function<Status(const std::stop_token&)>& work);
 
 /// What a call is answered for which there is no room in its lane.
 Status TooBusy();
@@ -69,14 +81,15 @@ Status TooBusy();
 /// Answers a unary call. From any thread; the first call counts.
 using Respond = std::function<void(const Status&)>;
 
-/// Runs a unary handler on the quick lane; it responds itself, at once or later from another thread. What it throws
-/// before that is answered as INTERNAL. A call whose client is gone, or past its deadline, before its turn has come is
-/// let go at once; if too many wait, or too many bytes of requests and answers are in memory, it is answered
-/// RESOURCE_EXHAUSTED. The token tells when nobody waits for the answer any longer; a handler may go on all the same.
+/// Runs a unary handler on the quick lane, see QuickLane; it responds itself, at once or later from another thread.
+/// What it throws before that is answered as INTERNAL. A call whose client is gone, or past its deadline, before its
+/// turn has come is let go at once; if too many wait, or too many bytes of requests and answers are in memory, it is
+/// answered RESOURCE_EXHAUSTED. The token tells when nobody waits for the answer any longer; a handler may go on all
+/// the same.
 grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMessages& call,
                                    std::function<void(Respond, std::stop_token)> handler);
 
-/// Runs a unary handler on the quick lane and responds with what it returns.
+/// Runs a unary handler likewise and responds with what it returns.
 grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages& call, std::function<Status()> handler);
 
 /// The same on the bulk lane, for what takes milliseconds or more, and refused at once if there is no room for an
@@ -129,11 +142,24 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
 
   void OnWriteDone(bool ok) override {
     if (!ok) return End(WhyBroken());
-    context_.lanes.bulk.Post([this] { WriteNext(); });  // one a stream, so bounded by the streams that have begun
+    const auto task = std::make_shared<LaneTask>([this] { WriteNext(); });
+    {
+      const MutexLock lock(mutex_);
+      next_task_ = task;
+    }
+    context_.lanes.bulk.Post(task);  // one a stream, so bounded by the streams that have begun
+    if (stop_.stop_requested() && task->GiveUp()) End(WhyBroken());
   }
+  /// What waits for a thread is given up, so that its state goes at once and not when its turn has come.
   void OnCancel() override {
     stop_.request_stop();
-    if (begin_ && begin_->GiveUp()) End(Cancelled("the client went away"));
+    if (begin_ && begin_->GiveUp()) return End(Cancelled("the client went away"));
+    std::shared_ptr<LaneTask> task;
+    {
+      const MutexLock lock(mutex_);
+      task = next_task_;
+    }
+    if (task && task->GiveUp()) End(WhyBroken());
   }
   void OnDone() override {
     (void)is_made_.load(std::memory_order_acquire);
@@ -190,6 +216,8 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   std::atomic<bool> is_made_ = false;
   std::unique_ptr<HeldStates::Hold> hold_;
   std::shared_ptr<LaneTask> begin_;
+  Mutex mutex_;
+  std::shared_ptr<LaneTask> next_task_ DHPMAP_GUARDED_BY(mutex_);  ///< the newest
   std::stop_source stop_;
   Next next_;
   Response response_;

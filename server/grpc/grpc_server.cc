@@ -31,6 +31,7 @@ constexpr std::size_t kMaxWaiting = 1024;
 /// A step of niceness is worth a quarter: with 10, a busy core goes to mapping and quick answers nine times in ten.
 constexpr int kBulkNiceness = 10;
 constexpr int kFrameThreads = 2;
+constexpr int kLoadThreads = 4;  // maps that are read from the disk at a time
 /// Of one client's connection; the next call waits in the client.
 constexpr int kMaxStreamsPerConnection = 128;
 /// Clients, too, may ask whether we are there, but not all the time.
@@ -59,6 +60,13 @@ void LimitConnections(const GrpcOptions& options, grpc::ServerBuilder& builder) 
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kMinClientPing_ms);
 }
 
+Lane MakeLane(LaneOptions options) {
+  options.on_exception = [name = options.name](const char* what) {
+    LogError(std::string("a task of the lane '") + name + "' has thrown: " + what);
+  };
+  return Lane(options);
+}
+
 std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& context, IntegrateStreams& streams,
                                                          QueryStreams& query_streams, WatchStreams& watch_streams) {
   std::vector<std::unique_ptr<grpc::Service>> services;
@@ -81,17 +89,18 @@ struct GrpcServer::Impl {
         context{registry, lanes, options, observer, held},
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams, query_streams, watch_streams)),
-        lanes{.quick = Lane({.name = "quick",
-                             .num_threads = options.num_threads,
-                             .max_waiting = kMaxWaiting,
-                             .turns = Turns::kShort}),
-              .answers = Lane({.name = "answers", .turns = Turns::kShort}),
-              .bulk = Lane({.name = "bulk",
-                            .num_threads = BulkThreads(options),
-                            .max_waiting = kMaxWaiting,
-                            .niceness = kBulkNiceness}),
-              .frames = Lane({.name = "frames", .num_threads = kFrameThreads}),
-              .watch = Lane({.name = "watch"})} {}
+        lanes{.quick = MakeLane({.name = "quick",
+                                 .num_threads = options.num_threads,
+                                 .max_waiting = kMaxWaiting,
+                                 .turns = Turns::kShort}),
+              .loads = MakeLane({.name = "loads", .num_threads = kLoadThreads, .max_waiting = kMaxWaiting}),
+              .answers = MakeLane({.name = "answers", .turns = Turns::kShort}),
+              .bulk = MakeLane({.name = "bulk",
+                                .num_threads = BulkThreads(options),
+                                .max_waiting = kMaxWaiting,
+                                .niceness = kBulkNiceness}),
+              .frames = MakeLane({.name = "frames", .num_threads = kFrameThreads}),
+              .watch = MakeLane({.name = "watch"})} {}
 
   GrpcOptions options;
   GrpcObserver observer;

@@ -28,6 +28,7 @@ struct GrpcOptions {
   std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
   int max_connections = 1000;  ///< one more is closed at once
   double keepalive_s = 10;     ///< a peer is asked after so long a silence, and given up after twice that
+  double import_idle_s = 30;   ///< a client that brings a map is given up so far behind 16 KiB/s
   std::int64_t max_query_points = 1'000'000;  ///< in one QueryPoints
   int max_frames_in_flight = 4;               ///< of a stream: read, but not yet acknowledged to the client
   MapConfig default_config;                   ///< of a new map that names no preset; valid

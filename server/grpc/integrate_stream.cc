@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/integrate_stream.h"
 
+#include <functional>
+#include <new>
 #include <utility>
 
+#include "mapping/base/guarded.h"
 #include "server/wire/frame_conversion.h"
 #include "server/wire/mapping_conversion.h"
 #include "server/wire/types/resource_names.h"
@@ -81,41 +84,50 @@ void IntegrateStream::OnReadDone(bool ok) {
 
 void IntegrateStream::HandleRequest() {
   const auto place = PlaceForRequest();
+  const std::int64_t sequence = request_.sequence();
+  // What may fail for want of memory comes before the frame is counted, whose answer must come.
+  const auto share = std::make_shared<ByteShare>(&streams_.frame_bytes_);
+  std::function<void(const FrameOutcome&)> done = [self = self_, sequence, share](const FrameOutcome& outcome) {
+    share->Release();
+    self->OnFrameDone(sequence, outcome);
+  };
   {
     const MutexLock lock(mutex_);
     if (!place.ok()) return StopReading(place.status());
     if (!turns_.OnAccepted()) return;
     if (messages_ == Messages::kOne) StopReading(Status::Ok());
   }
-  const std::int64_t sequence = request_.sequence();
   const bool is_first = std::exchange(is_first_, false);
   if (is_first && !request_.has_frame() && !request_.session().empty()) {
     return place->map->Greet(place->feed, [self = self_, sequence](const FeedProgress& progress) {
       self->Answer(AnswerOf(sequence, progress));
     });
   }
-  Decoded decoded = Decode();
-  place->map->Integrate(place->feed, sequence, std::move(decoded.frame),
-                        [self = self_, sequence, share = std::move(decoded.share)](const FrameOutcome& outcome) {
-                          share->Release();
-                          self->OnFrameDone(sequence, outcome);
-                        });
+  place->map->Integrate(place->feed, Decode(place->map->IsRecorded(), *share), std::move(done));
 }
 
 void IntegrateStream::TakeRoomForRequest() {
-  has_no_room_ = !arrived_.Resize(request_.ByteSizeLong());
+  num_bytes_ = request_.ByteSizeLong();
+  // A row of the table of segments takes several times what it is on the wire. Not asked row by row on gRPC's thread.
+  const auto num_rows = static_cast<std::size_t>(request_.frame().segments_size());
+  has_no_room_ = !arrived_.Resize(num_bytes_ + num_rows * (sizeof(v1::Segment) + sizeof(void*)));
   if (has_no_room_) request_.clear_frame();
 }
 
-IntegrateStream::Decoded IntegrateStream::Decode() {
-  auto share = std::make_shared<ByteShare>(&streams_.frame_bytes_);
-  const bool has_room = !has_no_room_ && share->Resize(DecodedBytes(request_.frame()));
-  Result<PanopticFrame> frame = !has_room              ? TooManyBytes()
-                                : request_.has_frame() ? FrameFromProto(request_.frame())
-                                                       : NoFrame();
+ArrivedFrame IntegrateStream::Decode(bool is_recorded, ByteShare& share) {
+  std::string message;
+  auto frame = Guarded<Result<PanopticFrame>>([&]() -> Result<PanopticFrame> {
+    const std::size_t num_decoded_bytes = DecodedBytes(request_.frame()) + (is_recorded ? num_bytes_ : 0);
+    if (has_no_room_ || !share.Resize(num_decoded_bytes)) return TooManyBytes();
+    if (is_recorded) message = request_.SerializeAsString();
+    return request_.has_frame() ? FrameFromProto(request_.frame()) : NoFrame();
+  });
   request_.clear_frame();  // it is not kept while the stream waits
   arrived_.Release();
-  return {std::move(frame), std::move(share)};
+  return {.sequence = request_.sequence(),
+          .frame = std::move(frame),
+          .num_bytes = num_bytes_,
+          .message = std::move(message)};
 }
 
 Result<IntegrateStream::Place> IntegrateStream::PlaceForRequest() {
@@ -157,7 +169,13 @@ void IntegrateStream::OnFrameDone(std::int64_t sequence, const FrameOutcome& out
     const MutexLock lock(mutex_);
     if (end_status_.ok()) end_status_ = InWireTerms(outcome.report.status());
   }
-  Answer(AckOf(sequence, outcome));
+  Ack ack;
+  TellSafely([&] { ack = AckOf(sequence, outcome); });
+  if (ack.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) {  // no memory for its words: the feeder counts by the answers
+    ack.set_sequence(sequence);
+    ack.set_outcome(!outcome.report.ok() ? v1::REFUSED : outcome.is_duplicate ? v1::DUPLICATE : v1::FUSED);
+  }
+  Answer(std::move(ack));
 }
 
 void IntegrateStream::Answer(Ack ack) {
@@ -168,8 +186,14 @@ void IntegrateStream::Answer(Ack ack) {
     return Do(turns_.OnSettled());
   }
   last_.set_sequence(ack.sequence());
+  try {
+    acks_.push_back(std::move(ack));
+  } catch (const std::bad_alloc&) {  // whoever counts on the answers is told that there are no more
+    StopReading(OutOfMemory());
+    return Do(turns_.OnSettled());
+  }
   StreamTurns::Todo todo;
-  if (turns_.OnAcknowledged(todo)) acks_.push_back(std::move(ack));
+  if (!turns_.OnAcknowledged(todo)) acks_.pop_back();
   Do(todo);
 }
 
@@ -213,7 +237,11 @@ void IntegrateStream::CommitAndEnd() {
     if (place_) map = place_->map;
   }
   if (map == nullptr) return End(Status::Ok());
-  map->Flush([self = self_](const Status& committed) { self->End(committed); });
+  const Status asked = Guarded<Status>([&] {
+    map->Flush([self = self_](const Status& committed) { self->End(committed); });
+    return Status::Ok();
+  });
+  if (!asked.ok()) End(asked);
 }
 
 void IntegrateStream::End(const Status& committed) {

@@ -86,11 +86,8 @@ class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFrames
   /// Accounts for the message just read; one that there is no room for loses its frame at once.
   void TakeRoomForRequest();
   /// The frame of the message just read, with its room until it is fused.
-  struct Decoded {
-    Result<PanopticFrame> frame;
-    std::shared_ptr<ByteShare> share;
-  };
-  Decoded Decode();
+  /// The frame of the message just read, or why there is none; `share` grows by what it takes.
+  ArrivedFrame Decode(bool is_recorded, ByteShare& share);
   /// The message just read: takes a place at the map if it is the first, and hands its frame to the writer.
   void HandleRequest() DHPMAP_EXCLUDES(mutex_);
   /// The place that the message just read is for: taken by the first message.
@@ -120,8 +117,9 @@ class IntegrateStream final : public grpc::ServerBidiReactor<v1::IntegrateFrames
 
   // Between StartRead and the end of HandleRequest: of the one who handles it.
   v1::IntegrateFramesRequest request_;
-  ByteShare arrived_;         ///< what request_ holds
-  bool has_no_room_ = false;  ///< request_ had a frame, which was too much
+  ByteShare arrived_;          ///< what request_ holds
+  std::size_t num_bytes_ = 0;  ///< of request_, as it came
+  bool has_no_room_ = false;   ///< request_ had a frame, which was too much
   bool is_first_ = true;
 
   Ack conclusion_;  ///< the last answer; made by End, then gRPC's

@@ -8,6 +8,7 @@ namespace dhpmap {
 /// One lane for each kind of call, so that none holds up gRPC's own threads, of which there are two.
 struct Lanes {
   Lane quick;  ///< answers in microseconds, or asynchronously
+  Lane loads;  ///< the same, of maps that are not open: whoever asks for those waits for the disk
   /// Hands to gRPC what the bulk lane has made. A thread that is nice must not call it: it would hold gRPC's locks
   /// while it waits for a core, and the threads that gRPC starts as it needs them would be as nice for ever.
   Lane answers;

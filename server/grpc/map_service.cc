@@ -4,6 +4,8 @@
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "server/app/map_stats.h"
+#include "server/grpc/edit_call.h"
+#include "server/grpc/import_stream.h"
 #include "server/grpc/services.h"
 #include "server/wire/bulk_chunks.h"
 #include "server/wire/map_conversion.h"
@@ -56,7 +58,7 @@ class MapService final : public v1::MapService::CallbackService {
 
   grpc::ServerUnaryReactor* UpdateMap(grpc::CallbackServerContext*, const v1::UpdateMapRequest* request,
                                       v1::UpdateMapResponse* response) override {
-    return RunAsync(context_, {"MapService/UpdateMap", request},
+    return RunAsync(context_, {.method = "MapService/UpdateMap", .request = request, .opens = request->map().name()},
                     [=, this](const Respond& respond, const std::stop_token&) {
                       const auto name = ParseMapName(request->map().name(), "map.name");
                       if (!name.ok()) return respond(name.status());
@@ -64,19 +66,19 @@ class MapService final : public v1::MapService::CallbackService {
                       if (!patch.ok()) return respond(patch.status());
                       const auto session = context_.registry.OpenSession(*name);
                       if (!session.ok()) return respond(session.status());
-                      (*session)->Edit(
-                          [etag = request->map().etag(), patch = *patch](Map& map) -> Result<SubmapId> {
-                            DHPMAP_RETURN_IF_ERROR(PatchMap(map, etag, patch));
-                            return kUnknownSubmap;
-                          },
-                          [respond, response](const Result<EditOutcome>& outcome) {
-                            respond(RunGuarded([&]() -> Status {
-                              if (!outcome.ok()) return outcome.status();
-                              *response->mutable_map() = ToProto(SummaryOf(outcome->view->snapshot()));
-                              response->set_revision(outcome->view->snapshot().revision());
-                              return Status::Ok();
-                            }));
-                          });
+                      auto change = [etag = request->map().etag(), patch = *patch](Map& map) -> Result<EditMade> {
+                        DHPMAP_RETURN_IF_ERROR(PatchMap(map, etag, patch));
+                        return EditMade{kUnknownSubmap, {.steps = {{EditAction::kRenameMap, kUnknownSubmap}}}};
+                      };
+                      (*session)->Edit(EditRequest{.change = std::move(change)},
+                                       [respond, response](const Result<EditOutcome>& outcome) {
+                                         RespondToEdit(outcome, respond, [&]() -> Status {
+                                           const MapSnapshot& snapshot = outcome->view->snapshot();
+                                           *response->mutable_map() = ToProto(SummaryOf(snapshot));
+                                           response->set_revision(snapshot.revision());
+                                           return Status::Ok();
+                                         });
+                                       });
                     });
   }
 
@@ -97,10 +99,29 @@ class MapService final : public v1::MapService::CallbackService {
         context_, call, {"MapService/BackupMap", request},
         [this](const std::stop_token& stop, const StreamKeeps&) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<StoreBackup> backup, context_.registry.Backup(stop));
-          return Stream::Next([chunks = BackupChunks(std::move(backup))](v1::BackupMapResponse& message) mutable {
+          return Stream::Next([chunks = FileChunks(std::move(backup))](v1::BackupMapResponse& message) mutable {
             return chunks.Next(message);
           });
         });
+  }
+
+  grpc::ServerWriteReactor<v1::ExportMapResponse>* ExportMap(grpc::CallbackServerContext* call,
+                                                             const v1::ExportMapRequest* request) override {
+    using Stream = ChunkStream<v1::ExportMapResponse>;
+    return Stream::Start(
+        context_, call, {"MapService/ExportMap", request},
+        [=, this](const std::stop_token& stop, const StreamKeeps&) -> Result<Stream::Next> {
+          DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
+          DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<StoreBackup> file, context_.registry.Export(name, stop));
+          return Stream::Next([chunks = FileChunks(std::move(file))](v1::ExportMapResponse& message) mutable {
+            return chunks.Next(message);
+          });
+        });
+  }
+
+  grpc::ServerReadReactor<v1::ImportMapRequest>* ImportMap(grpc::CallbackServerContext*,
+                                                           v1::ImportMapResponse* response) override {
+    return ImportStream::Start(context_, response);
   }
 
   grpc::ServerUnaryReactor* VerifyMap(grpc::CallbackServerContext*, const v1::VerifyMapRequest* request,

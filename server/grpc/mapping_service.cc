@@ -21,9 +21,32 @@ class MappingService final : public v1::MappingService::CallbackService {
                                   is_one ? IntegrateStream::Messages::kOne : IntegrateStream::Messages::kAny);
   }
 
+  grpc::ServerUnaryReactor* ListSessions(grpc::CallbackServerContext*, const v1::ListSessionsRequest* request,
+                                         v1::ListSessionsResponse* response) override {
+    return Run(context_, {"MappingService/ListSessions", request, response, request->map()}, [=, this]() -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->map(), "map"));
+      DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
+      response->set_revision(session->View()->snapshot().revision());
+      for (const SessionStatus& status : session->Sessions()) *response->add_sessions() = ToProto(status);
+      return Status::Ok();
+    });
+  }
+
+  grpc::ServerUnaryReactor* EndSession(grpc::CallbackServerContext*, const v1::EndSessionRequest* request,
+                                       v1::EndSessionResponse* response) override {
+    return Run(context_, {.method = "MappingService/EndSession", .request = request, .opens = request->map()},
+               [=, this]() -> Status {
+                 DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->map(), "map"));
+                 DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
+                 DHPMAP_RETURN_IF_ERROR(session->EndSession(request->session()));
+                 response->set_revision(session->View()->snapshot().revision());
+                 return Status::Ok();
+               });
+  }
+
   grpc::ServerUnaryReactor* FinishMapping(grpc::CallbackServerContext*, const v1::FinishMappingRequest* request,
                                           v1::FinishMappingResponse* response) override {
-    return RunAsync(context_, {"MappingService/FinishMapping", request},
+    return RunAsync(context_, {.method = "MappingService/FinishMapping", .request = request, .opens = request->map()},
                     [=, this](const Respond& respond, const std::stop_token& stop) {
                       const auto name = ParseMapName(request->map(), "map");
                       if (!name.ok()) return respond(name.status());
@@ -31,9 +54,11 @@ class MappingService final : public v1::MappingService::CallbackService {
                       if (!session.ok()) return respond(session.status());
                       (*session)->Finish(
                           [respond, response](const Result<FinishOutcome>& outcome) {
-                            if (!outcome.ok()) return respond(outcome.status());
-                            *response = ToProto(*outcome);
-                            respond(Status::Ok());
+                            respond(RunGuarded([&]() -> Status {
+                              if (!outcome.ok()) return outcome.status();
+                              *response = ToProto(*outcome);
+                              return Status::Ok();
+                            }));
                           },
                           stop);
                     });

@@ -86,10 +86,12 @@ class QueryService final : public v1::QueryService::CallbackService {
     const auto answer = [=, this](const std::stop_token& stop) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
-      const auto hold = effort.is_quick ? nullptr : context_.held.TakeHold(view->shared_snapshot());
-      return AnswerFromMap(context_, view, *request, *response, stop);
+      if (effort.is_quick) return AnswerFromMap(context_, view, *request, *response, stop);
+      return WhileThereIsRoom(context_, view->shared_snapshot(), stop, [&](const std::stop_token& ended) {
+        return AnswerFromMap(context_, view, *request, *response, ended);
+      });
     };
-    const CallMessages call{name, request, response};
+    const CallMessages call{name, request, response, request->map()};
     if (const std::int64_t revision = MinRevision(*request); revision > 0) {
       return RunAsync(context_, call, [=, this](const Respond& respond, const std::stop_token& stop) {
         const Result<std::string> map = ParseMapName(request->map(), "map");

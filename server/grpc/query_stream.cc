@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/query_stream.h"
 
+#include <chrono>
 #include <string>
 
+#include "server/app/etag.h"
 #include "server/grpc/query_answers.h"
 #include "server/wire/types/resource_names.h"
 #include "server/wire/types/status_conversion.h"
@@ -59,6 +61,32 @@ void QueryStream::Read() {
   StartRead(&request_);
 }
 
+/// Who asks again at once, for what there is no room for, has each question in memory until it is refused: it is not
+/// read, and so stays with the client, until there is room for one like the last.
+void QueryStream::ReadLater() {
+  constexpr std::chrono::milliseconds kPause{100};
+  pause_ = std::make_unique<grpc::Alarm>();
+  pause_->Set(std::chrono::system_clock::now() + kPause, [this](bool) {
+    const Status posted = RunGuarded([this] {
+      context_.lanes.quick.Post([this] { ReadIfThereIsRoom(); });
+      return Status::Ok();
+    });
+    if (!posted.ok()) Read();
+  });
+}
+
+void QueryStream::ReadIfThereIsRoom() {
+  const bool has_room = share_.Resize(last_bytes_);
+  share_.Release();
+  if (has_room || stop_.stop_requested() || IsToEnd()) Read();
+  else ReadLater();
+}
+
+bool QueryStream::IsToEnd() {
+  const MutexLock lock(mutex_);
+  return !reason_.ok();
+}
+
 void QueryStream::End(const Status& status) {
   if (is_over_) return;
   is_over_ = true;
@@ -95,7 +123,7 @@ void QueryStream::Handle() {
       return Handle(request_.check_collisions(), *response_.mutable_check_collisions());
     case v1::QueryStreamRequest::kCheckTrajectory:
       return Handle(request_.check_trajectory(), *response_.mutable_check_trajectory());
-    case v1::QueryStreamRequest::kPin: return AnswerInLane(true, [this] { return HandlePin(); });
+    case v1::QueryStreamRequest::kPin: return AnswerInLane(true, request_.pin().map(), [this] { return HandlePin(); });
     case v1::QueryStreamRequest::QUERY_NOT_SET: return Answer(NoQuery());
   }
   Answer(NoQuery());
@@ -108,7 +136,7 @@ void QueryStream::Handle(const Request& request, Response& response) {
   if (!share_.Resize(request_.ByteSizeLong() + (can_fit && !effort.is_quick ? effort.answer_bytes : 0))) {
     return Answer(TooManyBytes());
   }
-  AnswerInLane(effort.is_quick, [this, &request, &response]() -> Status {
+  AnswerInLane(effort.is_quick, request.map(), [this, is_quick = effort.is_quick, &request, &response]() -> Status {
     DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request.map(), "map"));
     DHPMAP_ASSIGN_OR_RETURN(auto view, pin_.Of(map));
     if (view == nullptr) {
@@ -118,17 +146,22 @@ void QueryStream::Handle(const Request& request, Response& response) {
       return FailedPrecondition("the map, or what is pinned of it, is at an earlier revision")
           .WithViolation("options.min_revision", "is not reached: a stream does not wait for it");
     }
-    return AnswerFromMap(context_, view, request, response, stop_.get_token());
+    DHPMAP_RETURN_IF_ERROR(CheckNotLost(MinRevision(request), *context_.registry.LostRevisionsOf(map),
+                                        view->snapshot().info(), "options.min_revision"));
+    if (is_quick) return AnswerFromMap(context_, view, request, response, stop_.get_token());
+    return WhileThereIsRoom(context_, view->shared_snapshot(), stop_.get_token(), [&](const std::stop_token& ended) {
+      return AnswerFromMap(context_, view, request, response, ended);
+    });
   });
 }
 
-void QueryStream::AnswerInLane(bool is_quick, const std::function<Status()>& work) {
+void QueryStream::AnswerInLane(bool is_quick, std::string_view opens, const std::function<Status()>& work) {
   const auto task = std::make_shared<LaneTask>([this, is_quick, work] {
     const Status status = RunGuarded(work);
     if (is_quick) return Answer(status);
     context_.lanes.answers.Post([this, status] { Answer(status); });
   });
-  if ((is_quick ? context_.lanes.quick : context_.lanes.bulk).TryPost(task)) return;
+  if ((is_quick ? QuickLane(context_, opens) : context_.lanes.bulk).TryPost(task)) return;
   task->GiveUp();
   Answer(TooBusy());
 }
@@ -148,18 +181,23 @@ Status QueryStream::HandlePin() {
 }
 
 void QueryStream::Answer(const Status& status) {
-  const bool has_room = !status.ok() || share_.Resize(request_.ByteSizeLong() + 2 * response_.ByteSizeLong());
-  if (!status.ok() || !has_room) {
+  last_bytes_ = request_.ByteSizeLong();
+  request_.clear_query();  // it is answered, and may be large
+  const Status outcome = status.ok() && !share_.Resize(2 * response_.ByteSizeLong()) ? TooManyBytes() : status;
+  if (!outcome.ok()) {
     response_.clear_answer();
-    *response_.mutable_error() = ToProto(has_room ? status : TooManyBytes());
+    share_.Release();
+    *response_.mutable_error() = ToProto(outcome);
   }
+  has_had_no_room_ = outcome.reason() == TooManyBytes().reason();
   const MutexLock lock(mutex_);
   StartWrite(&response_);
 }
 
 void QueryStream::OnWriteDone(bool ok) {
   share_.Release();
-  if (ok) return Read();
+  response_.clear_answer();
+  if (ok) return has_had_no_room_ ? ReadLater() : Read();
   const MutexLock lock(mutex_);
   End(Cancelled("the client went away"));
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <grpcpp/alarm.h>
 #include <grpcpp/support/server_callback.h>
 
 #include <functional>
 #include <memory>
 #include <set>
 #include <stop_token>
+#include <string_view>
 
 #include "dhpmap/v1/query_service.pb.h"
 #include "mapping/base/byte_budget.h"
@@ -58,6 +60,9 @@ class QueryStream final : public grpc::ServerBidiReactor<v1::QueryStreamRequest,
         share_(context.options.inflight.get()) {}
 
   void Read() DHPMAP_EXCLUDES(mutex_);
+  void ReadLater();
+  void ReadIfThereIsRoom();
+  [[nodiscard]] bool IsToEnd() DHPMAP_EXCLUDES(mutex_);
   void End(const Status& status) DHPMAP_REQUIRES(mutex_);
 
   /// The message just read, whichever query it holds.
@@ -66,7 +71,7 @@ class QueryStream final : public grpc::ServerBidiReactor<v1::QueryStreamRequest,
   void Handle(const Request& request, Response& response);
   Status HandlePin();
   /// Answers with what `work`, done in a lane, returns.
-  void AnswerInLane(bool is_quick, const std::function<Status()>& work);
+  void AnswerInLane(bool is_quick, std::string_view opens, const std::function<Status()>& work);
   void Answer(const Status& status);
 
   const ServiceContext& context_;
@@ -79,6 +84,9 @@ class QueryStream final : public grpc::ServerBidiReactor<v1::QueryStreamRequest,
   // Of gRPC while it reads or writes, else of the one who answers.
   v1::QueryStreamRequest request_;
   v1::QueryStreamResponse response_;
+  bool has_had_no_room_ = false;  ///< for the last answer
+  std::size_t last_bytes_ = 0;    ///< of the last question
+  std::unique_ptr<grpc::Alarm> pause_;
 
   Mutex mutex_;
   bool is_reading_ DHPMAP_GUARDED_BY(mutex_) = false;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/app/etag.h"
+
 namespace dhpmap {
 
 /// Owns itself: its alarm, or the lane, holds it until it is done.
@@ -30,7 +32,11 @@ class RevisionWaits::Wait : public std::enable_shared_from_this<Wait> {
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map_));
       const std::int64_t now = view->snapshot().revision();
       is_over = now >= revision_;
-      if (is_over || TimePoint::clock::now() < deadline_) return Status::Ok();
+      if (is_over) {
+        return CheckNotLost(revision_, *context_.registry.LostRevisionsOf(map_), view->snapshot().info(),
+                            "options.min_revision");
+      }
+      if (TimePoint::clock::now() < deadline_) return Status::Ok();
       is_over = true;
       return Status(StatusCode::kDeadlineExceeded, "the map is at revision " + std::to_string(now))
           .WithViolation("options.min_revision", "was not reached in time");

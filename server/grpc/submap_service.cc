@@ -3,8 +3,11 @@
 #include <utility>
 
 #include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "server/app/edit_summary.h"
+#include "server/grpc/edit_call.h"
 #include "server/grpc/services.h"
 #include "server/wire/bulk_chunks.h"
+#include "server/wire/edit_log_conversion.h"
 #include "server/wire/paging.h"
 #include "server/wire/submap_conversion.h"
 #include "server/wire/types/resource_names.h"
@@ -13,18 +16,13 @@ namespace dhpmap {
 namespace {
 
 /// Fills the answer of an edit: its revision and the submap as it is now.
-template <typename Response>
-Status FillOutcome(const Result<EditOutcome>& outcome, Response& response) {
-  if (!outcome.ok()) return outcome.status();
-  const MapSnapshot& snapshot = outcome->view->snapshot();
+constexpr auto kFillAnswer = [](const MapView& view, const EditMade& made, auto& response) {
+  const MapSnapshot& snapshot = view.snapshot();
   response.set_revision(snapshot.revision());
   if constexpr (requires { response.mutable_submap(); }) {
-    if (const Submap* submap = snapshot.Find(outcome->submap)) {
-      *response.mutable_submap() = ToProto(*submap, *outcome->view);
-    }
+    if (const Submap* submap = snapshot.Find(made.submap)) *response.mutable_submap() = ToProto(*submap, view);
   }
-  return Status::Ok();
-}
+};
 
 class SubmapService final : public v1::SubmapService::CallbackService {
  public:
@@ -32,7 +30,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
 
   grpc::ServerUnaryReactor* ListSubmaps(grpc::CallbackServerContext*, const v1::ListSubmapsRequest* request,
                                         v1::ListSubmapsResponse* response) override {
-    return Run(context_, {"SubmapService/ListSubmaps", request, response}, [=, this]() -> Status {
+    return Run(context_, {"SubmapService/ListSubmaps", request, response, request->parent()}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->parent(), "parent"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
       const MapSnapshot& snapshot = view->snapshot();
@@ -53,7 +51,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
 
   grpc::ServerUnaryReactor* GetSubmap(grpc::CallbackServerContext*, const v1::GetSubmapRequest* request,
                                       v1::GetSubmapResponse* response) override {
-    return Run(context_, {"SubmapService/GetSubmap", request, response}, [=, this]() -> Status {
+    return Run(context_, {"SubmapService/GetSubmap", request, response, request->name()}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
       const Submap* submap = view->snapshot().Find(name.submap);
@@ -66,38 +64,65 @@ class SubmapService final : public v1::SubmapService::CallbackService {
 
   grpc::ServerUnaryReactor* UpdateSubmap(grpc::CallbackServerContext*, const v1::UpdateSubmapRequest* request,
                                          v1::UpdateSubmapResponse* response) override {
-    return Edit({"SubmapService/UpdateSubmap", request}, response, [=]() -> Result<PlannedEdit> {
+    const auto plan = [=, this]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->submap().name(), "submap.name"));
       DHPMAP_ASSIGN_OR_RETURN(SubmapPatch patch, PatchFromProto(*request));
-      return PlannedEdit{
-          name.map,
-          [id = name.submap, etag = request->submap().etag(), patch = std::move(patch)](Map& map) -> Result<SubmapId> {
-            DHPMAP_RETURN_IF_ERROR(PatchSubmap(map, id, etag, patch));
-            return id;
-          }};
-    });
+      DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf("UpdateSubmap", *request));
+      auto change = [id = name.submap, etag = request->submap().etag(), patch = std::move(patch),
+                     lost = context_.registry.LostRevisionsOf(name.map)](Map& map) -> Result<EditMade> {
+        DHPMAP_RETURN_IF_ERROR(PatchSubmap(map, id, etag, patch, *lost));
+        return EditMade{id, SummaryOfPatch(id, patch)};
+      };
+      return PlannedEdit{name.map, {.change = std::move(change), .source = std::move(source)}};
+    };
+    return RunEdit(context_,
+                   {.method = "SubmapService/UpdateSubmap", .request = request, .opens = request->submap().name()},
+                   response, plan, kFillAnswer);
   }
 
   grpc::ServerUnaryReactor* CloneSubmap(grpc::CallbackServerContext*, const v1::CloneSubmapRequest* request,
                                         v1::CloneSubmapResponse* response) override {
-    return Edit({"SubmapService/CloneSubmap", request}, response, [=]() -> Result<PlannedEdit> {
+    const auto plan = [=, this]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(SubmapPatch patch, PatchFromProto(*request));
-      return PlannedEdit{name.map, [id = name.submap, etag = request->etag(), patch = std::move(patch)](Map& map) {
-                           return dhpmap::CloneSubmap(map, id, etag, patch);
-                         }};
-    });
+      DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf("CloneSubmap", *request));
+      auto change = [id = name.submap, etag = request->etag(), patch = std::move(patch),
+                     lost = context_.registry.LostRevisionsOf(name.map)](Map& map) -> Result<EditMade> {
+        DHPMAP_ASSIGN_OR_RETURN(const SubmapId copy, dhpmap::CloneSubmap(map, id, etag, patch, *lost));
+        return EditMade{copy, SummaryOfClone(id, copy)};
+      };
+      return PlannedEdit{name.map, {.change = std::move(change), .source = std::move(source)}};
+    };
+    return RunEdit(context_, {.method = "SubmapService/CloneSubmap", .request = request, .opens = request->name()},
+                   response, plan, kFillAnswer);
   }
 
   grpc::ServerUnaryReactor* DeleteSubmap(grpc::CallbackServerContext*, const v1::DeleteSubmapRequest* request,
                                          v1::DeleteSubmapResponse* response) override {
-    return Edit({"SubmapService/DeleteSubmap", request}, response, [=]() -> Result<PlannedEdit> {
+    const auto plan = [=, this]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
-      return PlannedEdit{name.map, [id = name.submap, etag = request->etag()](Map& map) -> Result<SubmapId> {
-                           DHPMAP_RETURN_IF_ERROR(dhpmap::DeleteSubmap(map, id, etag));
-                           return id;
-                         }};
-    });
+      DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf("DeleteSubmap", *request));
+      auto change = [id = name.submap, etag = request->etag(),
+                     lost = context_.registry.LostRevisionsOf(name.map)](Map& map) -> Result<EditMade> {
+        DHPMAP_RETURN_IF_ERROR(dhpmap::DeleteSubmap(map, id, etag, *lost));
+        return EditMade{id, SummaryOfDelete(id)};
+      };
+      return PlannedEdit{name.map, {.change = std::move(change), .source = std::move(source)}};
+    };
+    return RunEdit(context_, {.method = "SubmapService/DeleteSubmap", .request = request, .opens = request->name()},
+                   response, plan, kFillAnswer);
+  }
+
+  grpc::ServerUnaryReactor* UndeleteSubmap(grpc::CallbackServerContext*, const v1::UndeleteSubmapRequest* request,
+                                           v1::UndeleteSubmapResponse* response) override {
+    const auto plan = [=, this]() -> Result<PlannedEdit> {
+      DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
+      DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf("UndeleteSubmap", *request));
+      return PlannedEdit{name.map,
+                         {.change = context_.registry.UndeletionOf(name.submap), .source = std::move(source)}};
+    };
+    return RunEdit(context_, {.method = "SubmapService/UndeleteSubmap", .request = request, .opens = request->name()},
+                   response, plan, kFillAnswer);
   }
 
   grpc::ServerWriteReactor<v1::StreamSubmapVoxelsResponse>* StreamSubmapVoxels(
@@ -139,26 +164,6 @@ class SubmapService final : public v1::SubmapService::CallbackService {
   }
 
  private:
-  /// What is to be done on which map's writer thread.
-  struct PlannedEdit {
-    std::string map;
-    std::function<Result<SubmapId>(Map&)> change;
-  };
-
-  /// Runs an edit without holding a thread while it waits for the writer and the disk.
-  template <typename Response, typename Plan>
-  grpc::ServerUnaryReactor* Edit(const CallMessages& call, Response* response, Plan plan) {
-    return RunAsync(context_, call, [this, response, plan](const Respond& respond, const std::stop_token&) {
-      auto planned = plan();
-      if (!planned.ok()) return respond(planned.status());
-      const auto session = context_.registry.OpenSession(planned->map);
-      if (!session.ok()) return respond(session.status());
-      (*session)->Edit(std::move(planned->change), [respond, response](const Result<EditOutcome>& outcome) {
-        respond(RunGuarded([&] { return FillOutcome(outcome, *response); }));
-      });
-    });
-  }
-
   const ServiceContext& context_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mapping/base/this_thread.h"
+#include "server/wire/mapping_conversion.h"
 #include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
@@ -199,14 +200,19 @@ Result<bool> WatchStream::ReadPage() {
   return !page_.changes.empty();
 }
 
-/// If it is time to say something.
+/// If it is time to say something, or FinishMapping has come to another stage or has ended.
 bool WatchStream::FillProgress() {
+  const auto finishing = context_.registry.FinishingOf(map_.name);
+  const auto stage = finishing ? std::optional(finishing->stage) : std::nullopt;
   {
     const MutexLock lock(mutex_);
-    if (Clock::now() < say_by_) return false;
+    if (Clock::now() < say_by_ && stage == told_stage_) return false;
   }
-  if (position_.revision == last_said_) response_.mutable_heartbeat();
+  const bool is_news = finishing || told_stage_;
+  told_stage_ = stage;
+  if (!is_news && position_.revision == last_said_) response_.mutable_heartbeat();
   else response_.mutable_progress();
+  if (finishing) *response_.mutable_progress()->mutable_finishing() = ToProto(*finishing);
   return true;
 }
 
@@ -217,7 +223,7 @@ void WatchStream::Write() {
   if (!share_.Resize(2 * response_.ByteSizeLong())) return End(TooManyBytes());
   {
     const MutexLock lock(mutex_);
-    say_by_ = Clock::now() + progress_after_;
+    say_by_ = Clock::now() + (told_stage_ ? std::min(progress_after_, kFinishProgressAfter) : progress_after_);
   }
   StartWrite(&response_);
 }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "mapping/base/mutex.h"
 #include "server/app/change_feed.h"
 #include "server/app/lazy_thread.h"
+#include "server/app/map_session.h"
 #include "server/app/watch_position.h"
 #include "server/grpc/call_runner.h"
 #include "server/wire/watch_conversion.h"
@@ -64,6 +66,8 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// While FinishMapping is under way.
+  static constexpr Clock::duration kFinishProgressAfter = std::chrono::seconds(1);
 
   WatchStream(const ServiceContext& context, WatchStreams& streams, const v1::WatchMapRequest& request)
       : context_(context),
@@ -107,7 +111,8 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
   std::size_t next_in_page_ = 0;
   ChangeMessages messages_;  ///< of the change that is being told
   std::int64_t change_end_ = 0;
-  std::int64_t last_said_ = -1;  ///< revision of the position in the last message
+  std::optional<FinishStage> told_stage_;  ///< of FinishMapping, in the last message; nothing: it is not under way
+  std::int64_t last_said_ = -1;            ///< revision of the position in the last message
   v1::WatchMapResponse response_;
 
   mutable Mutex mutex_;

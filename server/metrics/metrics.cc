@@ -12,6 +12,8 @@
 #include <fstream>
 #include <utility>
 
+#include "mapping/base/free_memory.h"
+
 namespace dhpmap {
 namespace {
 
@@ -112,6 +114,8 @@ std::string Metrics::Text(const Gauges& gauges) const {
       GaugeFamily("dhpmap_map_revision", "Published revision of an open map", gauges.maps, &MapGauges::revision));
   families.push_back(
       GaugeFamily("dhpmap_map_memory_bytes", "Memory that an open map takes", gauges.maps, &MapGauges::memory_bytes));
+  families.push_back(
+      GaugeFamily("dhpmap_map_feeds", "Streams that feed an open map", gauges.maps, &MapGauges::num_feeds));
   families.push_back(GaugeFamily("dhpmap_store_behind_seconds", "For how long what was fused has not been stored",
                                  gauges.maps, &MapGauges::behind_s));
   families.push_back(Gauge("dhpmap_surface_memory_bytes", "Memory of surfaces and distance fields made for queries",
@@ -120,11 +124,19 @@ std::string Metrics::Text(const Gauges& gauges) const {
   families.push_back(Gauge("dhpmap_inflight_bytes",
                            "Memory of requests, answers and of what only states held for them still need",
                            static_cast<double>(gauges.inflight_bytes)));
+  families.push_back(Gauge("dhpmap_record_bytes", "Size of the records of frames that are kept",
+                           static_cast<double>(gauges.record_bytes)));
   constexpr double kKiB = 1024;
   families.push_back(
       Gauge("process_resident_memory_bytes", "Memory of the process that is in RAM", kKiB * ProcessStatus("VmRSS")));
   families.push_back(Gauge("dhpmap_anonymous_memory_bytes", "Of it, what is not of files: maps and all else",
                            kKiB * ProcessStatus("RssAnon")));
+  if (const auto heap = HeapUseNow()) {
+    families.push_back(Gauge("dhpmap_heap_live_bytes", "Memory that the server has allocated and not freed",
+                             static_cast<double>(heap->live_bytes)));
+    families.push_back(Gauge("dhpmap_heap_resident_bytes", "Memory of the allocator that is in RAM, gaps included",
+                             static_cast<double>(heap->resident_bytes)));
+  }
   families.push_back(Gauge("process_threads", "Threads of the process", ProcessStatus("Threads")));
   return prometheus::TextSerializer().Serialize(families);
 }

@@ -19,7 +19,7 @@ class Metrics {
   /// One open map, as it is when the metrics are read.
   struct MapGauges {
     std::string name;
-    std::int64_t num_submaps = 0, num_blocks = 0, revision = 0, memory_bytes = 0;
+    std::int64_t num_submaps = 0, num_blocks = 0, revision = 0, memory_bytes = 0, num_feeds = 0;
     double behind_s = 0;
   };
   /// How things are when the metrics are read.
@@ -28,6 +28,7 @@ class Metrics {
     std::size_t surface_bytes = 0;  ///< of what was made to answer queries, of all maps
     std::size_t num_watchers = 0;
     std::size_t inflight_bytes = 0;  ///< of requests, answers and what only states that are held for them still need
+    std::int64_t record_bytes = 0;   ///< of the records of frames, all together
   };
 
   Metrics();
@@ -39,9 +40,9 @@ class Metrics {
   void RecordCommit(StatusCode code, double seconds);                         ///< dhpmap_commit_seconds
   void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
-  /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes} of the maps given, dhpmap_surface_memory_bytes,
-  /// dhpmap_watchers, dhpmap_inflight_bytes, and what the process takes: process_resident_memory_bytes,
-  /// dhpmap_anonymous_memory_bytes, process_threads.
+  /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes,feeds} of the maps given,
+  /// dhpmap_surface_memory_bytes, dhpmap_watchers, dhpmap_inflight_bytes, dhpmap_record_bytes, and what the process
+  /// takes: process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
   [[nodiscard]] std::string Text(const Gauges& gauges) const;
 
  private:

@@ -57,16 +57,19 @@ bool MeshChunks::Next(v1::GetSubmapMeshResponse& message) {
   return true;
 }
 
-Result<bool> BackupChunks::Next(v1::BackupMapResponse& message) {
+template <typename Message>
+Result<bool> FileChunks::NextOf(Message& message) {
   constexpr std::size_t kBytesPerMessage = 256u << 10;
   const bool is_first = !std::exchange(has_begun_, true);
-  DHPMAP_ASSIGN_OR_RETURN(*message.mutable_data(), backup_->Read(kBytesPerMessage));
+  DHPMAP_ASSIGN_OR_RETURN(*message.mutable_data(), file_->Read(kBytesPerMessage));
   if (is_first) {
     message.set_content_type("application/vnd.sqlite3");
-    message.set_total_bytes(backup_->size_bytes());
+    message.set_total_bytes(file_->size_bytes());
   }
   return is_first || !message.data().empty();
 }
+template Result<bool> FileChunks::NextOf(v1::BackupMapResponse& message);
+template Result<bool> FileChunks::NextOf(v1::ExportMapResponse& message);
 
 Result<MeshRequest> MeshRequestFromProto(const v1::GetSubmapMeshRequest& request, std::optional<SubmapId> submap) {
   const bool is_format_known = v1::MeshFormat_IsValid(request.format());

@@ -37,15 +37,19 @@ class MeshChunks {
   bool has_begun_ = false;
 };
 
-/// A backup.
-class BackupChunks {
+/// A file of the store: a backup, or one map.
+class FileChunks {
  public:
-  explicit BackupChunks(std::shared_ptr<StoreBackup> backup) : backup_(std::move(backup)) {}
-  /// Fills the next message, which is empty; false: there is none. Passes on what reading the backup answers.
-  Result<bool> Next(v1::BackupMapResponse& message);
+  explicit FileChunks(std::shared_ptr<StoreBackup> file) : file_(std::move(file)) {}
+  /// Fills the next message, which is empty; false: there is none. Passes on what reading the file answers.
+  Result<bool> Next(v1::BackupMapResponse& message) { return NextOf(message); }
+  Result<bool> Next(v1::ExportMapResponse& message) { return NextOf(message); }
 
  private:
-  std::shared_ptr<StoreBackup> backup_;
+  template <typename Message>
+  Result<bool> NextOf(Message& message);
+
+  std::shared_ptr<StoreBackup> file_;
   bool has_begun_ = false;
 };
 

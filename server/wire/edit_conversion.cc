@@ -21,7 +21,8 @@ class Reader {
     place_ = std::string("edits[").append(std::to_string(index)).append("]");
     Edit edit;
     if (!proto.submap().empty()) edit.target = Target(proto.submap(), "submap");
-    else if (!proto.has_clear()) Bad("submap", "is missing");
+    else if (!proto.has_clear() && !IsOfMap(proto)) Bad("submap", "is missing");
+    if (!proto.submap().empty() && IsOfMap(proto)) Bad("submap", "is not asked for: the edit is one of the map");
     edit.etag = proto.etag();
     switch (proto.edit_case()) {
       case v1::Edit::kMove: edit.action = PatchEdit{Move(proto.move())}; break;
@@ -33,6 +34,12 @@ class Reader {
       case v1::Edit::kSplit: edit.action = Split(proto.split()); break;
       case v1::Edit::kClear: edit.action = Clear(proto.clear()); break;
       case v1::Edit::kSetPresence: edit.action = SetPresence(proto.set_presence()); break;
+      case v1::Edit::kLock: edit.action = PatchEdit{Lock(true)}; break;
+      case v1::Edit::kUnlock: edit.action = PatchEdit{Lock(false)}; break;
+      case v1::Edit::kKeepClear:
+        edit.action = KeepClearEdit{{proto.keep_clear().name(), RegionOf(proto.keep_clear(), "keep_clear")}};
+        break;
+      case v1::Edit::kLift: edit.action = LiftEdit{proto.lift().name()}; break;
       case v1::Edit::EDIT_NOT_SET: Bad("edit", "says nothing to do"); break;
     }
     return edit;
@@ -42,6 +49,8 @@ class Reader {
 
  private:
   void Bad(const std::string& field, std::string what) { bad_.AddViolation(place_ + "." + field, std::move(what)); }
+
+  static bool IsOfMap(const v1::Edit& proto) { return proto.has_keep_clear() || proto.has_lift(); }
 
   EditTarget Target(const std::string& name, const std::string& field) {
     if (name.starts_with('#')) {
@@ -105,6 +114,12 @@ class Reader {
     return patch;
   }
 
+  static SubmapPatch Lock(bool is_locked) {
+    SubmapPatch patch;
+    patch.is_locked = is_locked;
+    return patch;
+  }
+
   MergeEdit Merge(const v1::MergeEdit& proto) {
     MergeEdit merge;
     if (proto.others().empty()) Bad("merge.others", "is empty");
@@ -135,18 +150,7 @@ class Reader {
   }
 
   ClearEdit Clear(const v1::ClearEdit& proto) {
-    ClearEdit clear;
-    if (proto.has_box()) {
-      clear.region = BoxOf(proto.box(), "clear.box");
-    } else if (proto.has_sphere()) {
-      const BoundingSphere sphere{VectorFromProto(proto.sphere().center_m()), proto.sphere().radius_m()};
-      if (!sphere.center_m.allFinite() || !std::isfinite(sphere.radius_m) || sphere.radius_m <= 0) {
-        Bad("clear.sphere", "must be finite, with a radius_m above 0");
-      }
-      clear.region = sphere;
-    } else {
-      Bad("clear", "says no region");
-    }
+    ClearEdit clear{.region = RegionOf(proto, "clear"), .classes = {}, .keep_clear = proto.keep_clear()};
     for (const std::string& name : proto.class_names()) {
       if (const auto id = ClassOf(name, "clear.class_names")) clear.classes.push_back(*id);
     }
@@ -158,6 +162,21 @@ class Reader {
       Bad("set_presence.presence", "must be PRESENT or ABSENT");
     }
     return {proto.presence() == v1::ABSENT ? Presence::kAbsent : Presence::kPresent};
+  }
+
+  /// Of a message that has a box or a sphere.
+  template <typename Message>
+  Region RegionOf(const Message& proto, const std::string& field) {
+    if (proto.has_box()) return BoxOf(proto.box(), field + ".box");
+    if (!proto.has_sphere()) {
+      Bad(field, "says no region");
+      return {};
+    }
+    const BoundingSphere sphere{VectorFromProto(proto.sphere().center_m()), proto.sphere().radius_m()};
+    if (!sphere.center_m.allFinite() || !std::isfinite(sphere.radius_m) || sphere.radius_m <= 0) {
+      Bad(field + ".sphere", "must be finite, with a radius_m above 0");
+    }
+    return sphere;
   }
 
   Eigen::AlignedBox3d BoxOf(const v1::Box& proto, const std::string& field) {
@@ -203,6 +222,20 @@ v1::EditResult ToProto(const EditResult& result, const std::string& map) {
   for (const SubmapId id : result.created) proto.add_created(SubmapResourceName(map, id));
   for (const SubmapId id : result.removed) proto.add_removed(SubmapResourceName(map, id));
   proto.set_num_voxels(result.num_voxels);
+  return proto;
+}
+
+v1::KeptClearRegion ToProto(const KeptClearRegion& region) {
+  v1::KeptClearRegion proto;
+  proto.set_name(region.name);
+  if (const auto* box = std::get_if<Eigen::AlignedBox3d>(&region.region)) {
+    *proto.mutable_box()->mutable_min_m() = ToProto(Eigen::Vector3d(box->min()));
+    *proto.mutable_box()->mutable_max_m() = ToProto(Eigen::Vector3d(box->max()));
+  } else {
+    const auto& sphere = std::get<BoundingSphere>(region.region);
+    *proto.mutable_sphere()->mutable_center_m() = ToProto(sphere.center_m);
+    proto.mutable_sphere()->set_radius_m(sphere.radius_m);
+  }
   return proto;
 }
 

@@ -95,8 +95,15 @@ Transform PoseOf(const v1::Frame& frame, Status& bad) {
   return Transform::Identity();
 }
 
+constexpr int kMaxSegments = 1 << 16;
+
 std::vector<SegmentInfo> SegmentTableOf(const v1::Frame& frame, Status& bad) {
   std::vector<SegmentInfo> table;
+  if (frame.segments_size() > kMaxSegments) {
+    bad.AddViolation("segments", "has " + std::to_string(frame.segments_size()) + " rows, more than " +
+                                     std::to_string(kMaxSegments));
+    return table;
+  }
   table.reserve(static_cast<std::size_t>(frame.segments_size()));
   for (int i = 0; i < frame.segments_size(); ++i) {
     const v1::Segment& segment = frame.segments(i);

@@ -8,6 +8,8 @@
 #include <string>
 #include <type_traits>
 
+#include "mapping/sensor/image_header.h"
+
 namespace dhpmap {
 namespace {
 
@@ -51,14 +53,18 @@ Result<Image<Pixel>> RawImage(const v1::Image& image, int width_px, int height_p
   return result;
 }
 
-/// A decoded file under the name of its field, if it has the size wanted.
-template <typename Pixel>
-Result<Image<Pixel>> Checked(Result<Image<Pixel>> decoded, int width_px, int height_px, std::string_view field) {
-  if (!decoded.ok()) return BadImage(field, "cannot be decoded: " + decoded.status().message());
-  if (decoded->width_px != width_px || decoded->height_px != height_px) {
-    return BadImage(field, "is " + std::to_string(decoded->width_px) + " x " + std::to_string(decoded->height_px) +
+/// A file decoded, if it is of the size wanted. Its head is asked first: decoding takes the memory that the head says.
+template <typename Decode>
+auto DecodeFile(const v1::Image& image, int width_px, int height_px, std::string_view field, Decode decode)
+    -> decltype(decode(Bytes(image))) {
+  const Result<ImageHeader> header = ReadImageHeader(Bytes(image));
+  if (!header.ok()) return BadImage(field, "cannot be decoded: " + header.status().message());
+  if (header->width_px != width_px || header->height_px != height_px) {
+    return BadImage(field, "is " + std::to_string(header->width_px) + " x " + std::to_string(header->height_px) +
                                " pixels, the camera " + std::to_string(width_px) + " x " + std::to_string(height_px));
   }
+  auto decoded = decode(Bytes(image));
+  if (!decoded.ok()) return BadImage(field, "cannot be decoded: " + decoded.status().message());
   return decoded;
 }
 
@@ -83,8 +89,8 @@ Result<std::vector<float>> DepthFromProto(const v1::Image& image, int width_px, 
     case v1::FILE: break;
     default: return WrongEncoding(image, field, "FILE, RAW_F32 or RAW_U16");
   }
-  DHPMAP_ASSIGN_OR_RETURN(auto decoded,
-                          Checked(DecodeDepth(Bytes(image), image.scale_m()), width_px, height_px, field));
+  const auto decode = [&image](std::span<const std::byte> file) { return DecodeDepth(file, image.scale_m()); };
+  DHPMAP_ASSIGN_OR_RETURN(auto decoded, DecodeFile(image, width_px, height_px, field, decode));
   return std::move(decoded.pixels);
 }
 
@@ -92,7 +98,7 @@ Result<Image<Color>> ColorFromProto(const v1::Image& image, int width_px, int he
   static_assert(sizeof(Color) == 3);
   switch (image.encoding()) {
     case v1::RAW_RGB8: return RawImage<Color, Color>(image, width_px, height_px, field);
-    case v1::FILE: return Checked(DecodeColor(Bytes(image)), width_px, height_px, field);
+    case v1::FILE: return DecodeFile(image, width_px, height_px, field, DecodeColor);
     default: return WrongEncoding(image, field, "FILE or RAW_RGB8");
   }
 }
@@ -103,7 +109,7 @@ Result<Image<std::uint32_t>> SegmentsFromProto(const v1::Image& image, int width
     case v1::RAW_U8: return RawImage<std::uint8_t, std::uint32_t>(image, width_px, height_px, field);
     case v1::RAW_U16: return RawImage<std::uint16_t, std::uint32_t>(image, width_px, height_px, field);
     case v1::RAW_U32: return RawImage<std::uint32_t, std::uint32_t>(image, width_px, height_px, field);
-    case v1::FILE: return Checked(DecodeSegments(Bytes(image)), width_px, height_px, field);
+    case v1::FILE: return DecodeFile(image, width_px, height_px, field, DecodeSegments);
     default: return WrongEncoding(image, field, "FILE, RAW_U8, RAW_U16 or RAW_U32");
   }
 }

@@ -111,6 +111,10 @@ v1::MapConfig ToProto(const MapConfig& config) {
   return proto;
 }
 
+ImportRequest ImportRequestFromProto(const v1::ImportMapRequest& request) {
+  return {.name = request.map_id(), .total_bytes = request.total_bytes()};
+}
+
 v1::Map ToProto(const MapSummary& map) {
   v1::Map proto;
   proto.set_name(MapResourceName(map.info.name));

@@ -20,6 +20,9 @@ v1::MapConfig ToProto(const MapConfig& config);
 /// all bad fields at once.
 Result<MapInfo> InfoFromProto(const v1::CreateMapRequest& request, const MapConfig& default_config);
 
+/// Of the first message of an import.
+ImportRequest ImportRequestFromProto(const v1::ImportMapRequest& request);
+
 v1::Map ToProto(const MapSummary& map);
 /// INVALID_ARGUMENT if the mask names another field than display_name, name and etag.
 Result<MapPatch> PatchFromProto(const v1::UpdateMapRequest& request);

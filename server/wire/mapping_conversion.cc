@@ -68,6 +68,35 @@ v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& out
   return ack;
 }
 
+v1::FeedSession ToProto(const SessionStatus& status) {
+  v1::FeedSession proto;
+  proto.set_session(status.session);
+  proto.set_feeding(status.is_feeding);
+  proto.set_lease_s(status.lease_left_s);
+  if (status.accepted_sequence) proto.set_accepted_sequence(*status.accepted_sequence);
+  if (status.stored_sequence) proto.set_committed_sequence(*status.stored_sequence);
+  const FeedCounts& counts = status.counts;
+  proto.set_num_frames(counts.num_fused);
+  proto.set_num_refused(counts.num_refused);
+  proto.set_num_duplicates(counts.num_duplicates);
+  proto.set_num_points(counts.num_points);
+  proto.set_num_bytes(counts.num_bytes);
+  proto.set_last_seen_ns(counts.last_seen_ns);
+  proto.set_frames_per_s(counts.frames_per_s);
+  return proto;
+}
+
+v1::FinishProgress ToProto(const FinishProgress& progress) {
+  v1::FinishProgress proto;
+  proto.set_elapsed_s(progress.elapsed_s);
+  switch (progress.stage) {
+    case FinishStage::kWaiting: proto.set_stage(v1::FinishProgress::WAITING); break;
+    case FinishStage::kRefining: proto.set_stage(v1::FinishProgress::REFINING); break;
+    case FinishStage::kStoring: proto.set_stage(v1::FinishProgress::STORING); break;
+  }
+  return proto;
+}
+
 v1::FinishMappingResponse ToProto(const FinishOutcome& outcome) {
   const MapSnapshot& snapshot = outcome.view->snapshot();
   v1::FinishMappingResponse proto;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "dhpmap/v1/mapping_service.pb.h"
+#include "dhpmap/v1/watch_service.pb.h"
 #include "server/app/map_session.h"
 
 namespace dhpmap {
@@ -18,5 +19,7 @@ v1::IntegrateFramesResponse AnswerOf(std::int64_t sequence, const FeedProgress& 
 v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& outcome);
 
 v1::FinishMappingResponse ToProto(const FinishOutcome& outcome);
+v1::FeedSession ToProto(const SessionStatus& status);
+v1::FinishProgress ToProto(const FinishProgress& progress);
 
 }  // namespace dhpmap

@@ -44,7 +44,7 @@ std::optional<std::vector<ClassId>> ClassesFromProto(const v1::ListSubmapsReques
   return both;
 }
 
-constexpr const char* kChangeable[] = {"map_from_submap", "class_id", "display_name"};
+constexpr const char* kChangeable[] = {"map_from_submap", "class_id", "display_name", "locked"};
 
 FieldMask MaskOf(const v1::UpdateSubmapRequest& request) {
   const auto& paths = request.update_mask().paths();
@@ -57,6 +57,7 @@ FieldMask MaskOf(const v1::UpdateSubmapRequest& request) {
   if (request.submap().has_map_from_submap()) mask.add_paths("map_from_submap");
   if (request.submap().class_id() != 0) mask.add_paths("class_id");
   if (!request.submap().display_name().empty()) mask.add_paths("display_name");
+  if (request.submap().locked()) mask.add_paths("locked");
   return mask;
 }
 
@@ -113,6 +114,7 @@ v1::Submap ToProto(const SubmapInfo& info, const BoundingSphere& observed, std::
   proto.set_num_frames_observed(info.num_frames_observed);
   proto.set_first_observed_ns(info.first_observed_ns);
   proto.set_last_observed_ns(info.last_observed_ns);
+  proto.set_locked(info.is_locked);
   proto.set_revision(info.revision);
   proto.set_etag(EtagOf(info, map));
   return proto;
@@ -197,6 +199,7 @@ Result<SubmapPatch> PatchFromProto(const v1::UpdateSubmapRequest& request) {
   Status bad = InvalidArgument("the submap cannot be changed like this").WithReason("BAD_EDIT");
   SubmapPatch patch;
   if (Covers(mask, "display_name")) patch.display_name = submap.display_name();
+  if (Covers(mask, "locked")) patch.is_locked = submap.locked();
   if (Covers(mask, "class_id")) {
     patch.class_id = ClassIdFromProto(submap.class_id());
     if (!patch.class_id) {

@@ -49,6 +49,7 @@ constexpr std::pair<SubmapPart, v1::SubmapEvent::Part> kParts[] = {
     {SubmapPart::kGeometry, v1::SubmapEvent::GEOMETRY},
     {SubmapPart::kVoxelLabels, v1::SubmapEvent::VOXEL_LABELS},
     {SubmapPart::kObservation, v1::SubmapEvent::OBSERVATION},
+    {SubmapPart::kLock, v1::SubmapEvent::LOCK},
 };
 
 constexpr ChangeKind kKinds[] = {ChangeKind::kCreated, ChangeKind::kChanged, ChangeKind::kRemoved, ChangeKind::kMerged};

@@ -5,134 +5,13 @@
 #include <utility>
 
 #include "storage/codec/envelope.h"
+#include "storage/codec/field_coder.h"
 
 namespace dhpmap {
 namespace {
 
-/// Checksums of blobs cover an index of three numbers; here it is the last revision.
-BlockIndex KeyOf(std::int64_t revision) {
-  return {static_cast<std::int32_t>(revision), static_cast<std::int32_t>(revision >> 32), 0};
-}
-
-/// Of the doubles of an event alone: pose, voxel size, truncation, sphere.
-constexpr std::size_t kLeastEvent_bytes = sizeof(double) * (12 + 2 + 4);
-
-// One function for both ways, so that they cannot differ: a Coder is a Writer or a Reader.
-
-class Writer {
- public:
-  explicit Writer(Bytes& bytes) : out_(bytes) {}
-
-  template <typename Int>
-  requires(std::is_integral_v<Int> || std::is_enum_v<Int>) void Do(const Int& value) {
-    out_.PutVarint(ZigZag(static_cast<std::int64_t>(value)));
-  }
-  template <typename Tag, typename Int>
-  void Do(const StrongId<Tag, Int>& id) {
-    Do(id.value);
-  }
-  void Do(const double& value) { out_.PutF64(value); }
-  void Do(const float& value) { out_.PutF32(value); }
-  void Do(const std::string& text) { out_.PutText(text); }
-  /// Of a list: how many. Each takes `least_bytes` or more.
-  template <typename Item>
-  void DoSize(const std::vector<Item>& list, std::size_t /*least_bytes*/) {
-    out_.PutVarint(list.size());
-  }
-
- private:
-  static std::uint64_t ZigZag(std::int64_t value) {
-    return static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
-  }
-  ByteWriter out_;
-};
-
-class Reader {
- public:
-  explicit Reader(ByteView bytes) : in_(bytes) {}
-
-  [[nodiscard]] bool IsAtGoodEnd() const { return good_ && in_.ok() && in_.remaining() == 0; }
-
-  template <typename Int>
-  requires(std::is_integral_v<Int> || std::is_enum_v<Int>) void Do(Int& value) {
-    const std::uint64_t stored = in_.GetVarint();
-    const auto number = static_cast<std::int64_t>(stored >> 1 ^ (~(stored & 1) + 1));
-    value = static_cast<Int>(number);
-    good_ = good_ && static_cast<std::int64_t>(value) == number;
-  }
-  template <typename Tag, typename Int>
-  void Do(StrongId<Tag, Int>& id) {
-    Do(id.value);
-  }
-  void Do(double& value) { value = in_.GetF64(); }
-  void Do(float& value) { value = in_.GetF32(); }
-  void Do(std::string& text) {
-    const ByteView view = in_.GetBytes(in_.GetVarint());
-    text.assign(view.begin(), view.end());
-  }
-  /// No length that is not there asks for memory.
-  template <typename Item>
-  void DoSize(std::vector<Item>& list, std::size_t least_bytes) {
-    const std::uint64_t size = in_.GetVarint();
-    if (size > in_.remaining() / least_bytes) good_ = false;
-    else list.resize(size);
-  }
-
- private:
-  ByteReader in_;
-  bool good_ = true;
-};
-
-/// Says first whether there is one.
-template <typename Coder, typename Optional, typename Visit>
-void DoOptional(Coder& coder, Optional& value, Visit&& visit) {
-  bool has_value = value.has_value();
-  coder.Do(has_value);
-  if constexpr (!std::is_const_v<Optional>) {
-    if (has_value && !value) value.emplace();
-  }
-  if (has_value) visit(*value);
-}
-
-template <typename Coder, typename Sphere>
-void DoSphere(Coder& coder, Sphere& sphere) {
-  for (int axis = 0; axis < 3; ++axis) coder.Do(sphere.center_m[axis]);
-  coder.Do(sphere.radius_m);
-}
-
-template <typename Coder, typename Info>
-void DoInfo(Coder& coder, Info& info) {
-  coder.Do(info.id);
-  coder.Do(info.panoptic);
-  coder.Do(info.class_id);
-  coder.Do(info.class_is_fixed);
-  coder.Do(info.display_name);
-  auto& matrix = info.T_map_submap.matrix();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) coder.Do(matrix(row, column));
-  }
-  coder.Do(info.voxel_size_m);
-  coder.Do(info.truncation_m);
-  coder.DoSize(info.class_counts, 2);
-  for (auto& entry : info.class_counts) {
-    coder.Do(entry.id);
-    coder.Do(entry.count);
-  }
-  coder.Do(info.instance_confidence);
-  coder.Do(info.activity);
-  coder.Do(info.is_confirmed);
-  coder.Do(info.num_frames_observed);
-  coder.Do(info.num_frames_missed);
-  coder.Do(info.num_frames_overlooked);
-  coder.Do(info.first_observed_ns);
-  coder.Do(info.last_observed_ns);
-  coder.Do(info.presence);
-  coder.Do(info.last_contradicted_ns);
-  coder.Do(info.is_placed);
-  coder.Do(info.track_id);
-  coder.Do(info.revision);
-  coder.Do(info.edited_revision);
-}
+/// Of the doubles of an event alone: a row's, and the sphere's.
+constexpr std::size_t kLeastEvent_bytes = kLeastInfo_bytes + sizeof(double) * 4;
 
 template <typename Coder, typename Box>
 void DoBox(Coder& coder, Box& box) {
@@ -144,7 +23,7 @@ void DoBox(Coder& coder, Box& box) {
 }
 
 template <typename Coder, typename Event>
-void DoEvent(Coder& coder, Event& event) {
+void DoEvent(Coder& coder, BlobKind kind, Event& event) {
   coder.Do(event.kind);
   std::uint32_t bits = event.parts.bits();
   coder.Do(bits);
@@ -160,31 +39,34 @@ void DoEvent(Coder& coder, Event& event) {
     coder.Do(before.class_id);
     DoSphere(coder, before.sphere);
   });
+  if (kind >= BlobKind::kChangeV2) coder.Do(event.info.is_locked);
 }
 
 template <typename Coder, typename Change>
-void DoChange(Coder& coder, Change& change) {
+void DoChange(Coder& coder, BlobKind kind, Change& change) {
   DoOptional(coder, change.display_name, [&coder](auto& name) { coder.Do(name); });
   coder.DoSize(change.submaps, kLeastEvent_bytes);
-  for (auto& event : change.submaps) DoEvent(coder, event);
+  for (auto& event : change.submaps) DoEvent(coder, kind, event);
 }
 
 }  // namespace
 
 Bytes EncodeChange(const MapChange& change) {
   Payload payload;
-  Writer writer(payload.packable);
-  DoChange(writer, change);
-  return Seal(BlobKind::kChangeV1, KeyOf(change.last_revision), payload);
+  FieldWriter writer(payload.packable);
+  DoChange(writer, BlobKind::kChangeV2, change);
+  return Seal(BlobKind::kChangeV2, SealIndexOf(change.last_revision), payload);
 }
 
 Status DecodeChange(ByteView blob, MapChange& change) {
   Payload payload;
-  DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kChangeV1, KeyOf(change.last_revision), blob, payload));
+  const bool is_older = KindByte(blob) == static_cast<std::uint8_t>(BlobKind::kChangeV1);
+  const BlobKind kind = is_older ? BlobKind::kChangeV1 : BlobKind::kChangeV2;
+  DHPMAP_RETURN_IF_ERROR(Unseal(kind, SealIndexOf(change.last_revision), blob, payload));
   change.display_name.reset();
   change.submaps.clear();
-  Reader reader(payload.packable);
-  DoChange(reader, change);
+  FieldReader reader(payload.packable);
+  DoChange(reader, kind, change);
   if (!payload.plain.empty() || !reader.IsAtGoodEnd()) return DataLoss("has a wrong length");
   return Status::Ok();
 }

@@ -3,6 +3,7 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -21,6 +22,7 @@ constexpr int kZstdLevel = 1;
 // length can ask for more memory.
 constexpr std::size_t kFreeGrowthBytes = 512 * 1024;
 constexpr std::size_t kMaxGrowth = 64;
+constexpr std::size_t kMostUnpackedBytes = 256u << 20;  // some ten times the largest tile
 
 struct ContextDeleter {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
@@ -52,7 +54,9 @@ std::uint32_t Checksum(BlockIndex index, ByteView sealed) {
   return Crc32c(sealed, Crc32c(key));
 }
 
-std::size_t MaxUnpacked(std::size_t packed_bytes) { return kFreeGrowthBytes + kMaxGrowth * packed_bytes; }
+std::size_t MaxUnpacked(std::size_t packed_bytes) {
+  return std::min(kFreeGrowthBytes + kMaxGrowth * packed_bytes, kMostUnpackedBytes);
+}
 
 /// Appends the compressed bytes; false, with `blob` as it was, if that gains nothing.
 bool AppendCompressed(ByteView bytes, Bytes& blob) {

@@ -25,7 +25,12 @@ enum class BlobKind : std::uint8_t {
   kTsdfBlocks = 0x1F,
   kLabelsBlocks = 0x2F,
   kGoneBlocks = 0x4F,
-  kChangeV1 = 0x61,  // what a commit changed
+  kChangeV1 = 0x61,       // what a commit changed
+  kChangeV2 = 0x62,       // with which submaps are locked
+  kEditSummaryV1 = 0x71,  // what an edit did
+  kEditRowsV1 = 0x81,     // rows before and after an edit
+  kEditRowsV2 = 0x82,     // with what sessions know of them
+  kEditRowsV3 = 0x83,     // with which are locked, and regions that are kept clear
 };
 
 /// Which layer a kind is of.
@@ -39,6 +44,10 @@ struct Payload {
 
 /// What blobs of tiles are sealed for: checksums cover three numbers, and what they count is the kind's own matter.
 constexpr BlockIndex SealIndexOf(TileIndex tile) { return {tile.x, tile.y, tile.z}; }
+/// What is of a revision is sealed for its halves.
+constexpr BlockIndex SealIndexOf(std::int64_t revision) {
+  return {static_cast<std::int32_t>(revision), static_cast<std::int32_t>(revision >> 32), 0};
+}
 
 /// Wraps a payload: kind, plain part, packable part (with zstd if that makes it smaller), and a CRC-32C over the
 /// block's index and all of that, so that neither a flipped byte nor a blob under another block's key goes unseen. See

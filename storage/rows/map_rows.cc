@@ -7,6 +7,7 @@
 #include "mapping/map/history_id.h"
 #include "storage/rows/class_rows.h"
 #include "storage/rows/config_rows.h"
+#include "storage/rows/kept_clear_rows.h"
 #include "storage/rows/map_checksum_v1.h"
 #include "storage/rows/object_rows.h"
 #include "storage/rows/session_rows.h"
@@ -30,8 +31,8 @@ Status Damaged(const std::string& name, const std::string& what) {
 
 /// The version that map rows are sealed with now: it stands for the columns of their parts, too.
 int SealVersion() {
-  return std::max(
-      {Maps().version(), Classes().version(), Sessions().version(), MergedTable().version(), PairTable().version()});
+  return std::max({Maps().version(), Classes().version(), Sessions().version(), MergedTable().version(),
+                   PairTable().version(), KeptClearTable().version()});
 }
 
 /// What stands in other tables.
@@ -41,6 +42,7 @@ struct MapParts {
   std::vector<SessionRow> sessions;
   std::vector<MergedRow> merged;
   std::vector<PairRow> pairs;
+  std::vector<KeptClearRow> kept_clear;
 };
 
 Result<MapParts> ReadParts(Database& database, std::int64_t map_key) {
@@ -50,6 +52,7 @@ Result<MapParts> ReadParts(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(parts.sessions, ReadSessionRows(database, map_key));
   DHPMAP_ASSIGN_OR_RETURN(parts.merged, ReadMergedRows(database, map_key));
   DHPMAP_ASSIGN_OR_RETURN(parts.pairs, ReadPairRows(database, map_key));
+  DHPMAP_ASSIGN_OR_RETURN(parts.kept_clear, ReadKeptClearRows(database, map_key));
   return parts;
 }
 
@@ -59,6 +62,7 @@ void SealParts(MapRow& row, const MapParts& parts) {
   row.sessions_checksum = SessionsChecksum(parts.sessions, SealVersion());
   row.merged_checksum = MergedChecksum(parts.merged, SealVersion());
   row.pairs_checksum = PairsChecksum(parts.pairs, SealVersion());
+  row.kept_clear_checksum = KeptClearChecksum(parts.kept_clear, SealVersion());
 }
 
 /// With the checksums of its parts as they are in it.
@@ -70,6 +74,7 @@ Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
   // What came with a later version has nothing to cover it.
   const bool has_objects = !parts.merged.empty() || !parts.pairs.empty();
   if (version < 5 && (has_objects || row.merged_checksum != 0 || row.pairs_checksum != 0)) return false;
+  if (version < 7 && (!parts.kept_clear.empty() || row.kept_clear_checksum != 0)) return false;
   if (version < 6 && row.tiles.sum != 0) return false;
   if (version < 4 && row.tiles.num_rows != 0) return false;
   if (version < 3 && (!parts.sessions.empty() || row.sessions_checksum != 0)) return false;
@@ -82,6 +87,7 @@ Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
          (version < 3 || row.sessions_checksum == SessionsChecksum(parts.sessions, version)) &&
          (version < 5 || (row.merged_checksum == MergedChecksum(parts.merged, version) &&
                           row.pairs_checksum == PairsChecksum(parts.pairs, version))) &&
+         (version < 7 || row.kept_clear_checksum == KeptClearChecksum(parts.kept_clear, version)) &&
          row.seal.checksum == Maps().Checksum(row, version);
 }
 
@@ -95,6 +101,7 @@ Status ReadInfo(Database& database, MapRow& row) {
   DHPMAP_ASSIGN_OR_RETURN(row.info.sessions, SessionMarksOf(parts.sessions));
   DHPMAP_ASSIGN_OR_RETURN(row.info.merged, MergedIdsOf(parts.merged));
   DHPMAP_ASSIGN_OR_RETURN(row.info.pairs, ObjectPairsOf(parts.pairs));
+  DHPMAP_ASSIGN_OR_RETURN(row.info.kept_clear, KeptClearOf(parts.kept_clear));
   return Status::Ok();
 }
 
@@ -121,7 +128,8 @@ Status Rewrite(Database& database, MapRow& row) {
   return update.Bind(row.key).Run();
 }
 
-/// Writes what is known of objects, with the checksums of it, where it differs from `before`.
+/// Writes what is known of objects, and regions that are kept clear, with the checksums of it, where it differs from
+/// `before`.
 Status UpdateObjects(Database& database, const MapRow& head, const MapInfo& before, MapRow& row) {
   const bool is_older = head.seal.version < SealVersion();
   const bool is_new = head.seal.version == 0;  // nothing is stored yet, whatever `before` says
@@ -136,6 +144,12 @@ Status UpdateObjects(Database& database, const MapRow& head, const MapInfo& befo
     DHPMAP_ASSIGN_OR_RETURN(const auto pairs,
                             WritePairRows(database, head.key, is_new ? ObjectPairs() : before.pairs, row.info.pairs));
     row.pairs_checksum = PairsChecksum(pairs, SealVersion());
+  }
+  row.kept_clear_checksum = head.kept_clear_checksum;
+  if (is_older || row.info.kept_clear != before.kept_clear) {
+    const KeptClear stored = is_new ? KeptClear() : before.kept_clear;
+    DHPMAP_ASSIGN_OR_RETURN(const auto kept_clear, WriteKeptClearRows(database, head.key, stored, row.info.kept_clear));
+    row.kept_clear_checksum = KeptClearChecksum(kept_clear, SealVersion());
   }
   return Status::Ok();
 }

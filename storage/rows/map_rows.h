@@ -13,9 +13,9 @@
 
 namespace dhpmap {
 
-// Rows of maps, map_config, label_classes, feed_sessions, merged_ids and object_pairs <-> MapInfo. A map's row is
-// sealed by a checksum that covers the others by checksums of their own, of what is stored in them; readers answer
-// DATA_LOSS where one does not match.
+// Rows of maps, map_config, label_classes, feed_sessions, merged_ids, object_pairs and kept_clear <-> MapInfo. A map's
+// row is sealed by a checksum that covers the others by checksums of their own, of what is stored in them; readers
+// answer DATA_LOSS where one does not match.
 
 struct MapRow {
   std::int64_t key = 0;
@@ -28,6 +28,7 @@ struct MapRow {
   TileTotals tiles;  ///< of the layers that belong to the map itself
   std::uint32_t merged_checksum = 0;
   std::uint32_t pairs_checksum = 0;
+  std::uint32_t kept_clear_checksum = 0;
   RowSeal seal;
 
   /// Whether it says what its rows in tiles are; those that schema 6 and before sealed only count them.
@@ -62,6 +63,7 @@ std::vector<Column<Row>> MapColumns() {
       MakeColumn<Row>("merged_checksum", kAlways, 5, DHPMAP_MEMBER(merged_checksum)),
       MakeColumn<Row>("pairs_checksum", kAlways, 5, DHPMAP_MEMBER(pairs_checksum)),
       MakeColumn<Row>("tiles_sum", kAlways, 6, DHPMAP_MEMBER(tiles.sum)),
+      MakeColumn<Row>("kept_clear_checksum", kAlways, 7, DHPMAP_MEMBER(kept_clear_checksum)),
   };
 }
 const Table<MapRow>& Maps();

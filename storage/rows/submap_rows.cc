@@ -76,19 +76,24 @@ Result<std::optional<SubmapRowWriter::Stored>> SubmapRowWriter::Find(std::int64_
 
 Result<std::int64_t> SubmapRowWriter::Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
                                             std::int64_t tiles_sum) {
-  SubmapRow row{.map_key = map_key,
+  return Write({.map_key = map_key,
                 .info = submap.info(),
                 .sphere = submap.bounding_sphere(),
                 .counts = counts,
                 .tiles_sum = tiles_sum,
-                .seal = {}};
+                .seal = {}});
+}
+
+Result<std::int64_t> SubmapRowWriter::Write(SubmapRow row) {
   row.seal = Submaps().SealOf(row);
   Submaps().BindAll(row, upsert_);
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, upsert_.Step());
   if (!has_row) return Internal("writing a submap gave no key");
   const std::int64_t key = upsert_.Int(0);
   DHPMAP_RETURN_IF_ERROR(upsert_.Run());
-  DHPMAP_RETURN_IF_ERROR(WriteBox(map_key, key, submap.BoundingSphereInMap()));
+  BoundingSphere in_map = row.sphere;
+  in_map.center_m = row.info.T_map_submap * in_map.center_m;
+  DHPMAP_RETURN_IF_ERROR(WriteBox(row.map_key, key, in_map));
   return key;
 }
 

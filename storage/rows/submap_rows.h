@@ -63,6 +63,8 @@ std::vector<Column<Row>> SubmapColumns() {
       MakeColumn<Row>("is_placed", kAlways, 2, DHPMAP_MEMBER(info.is_placed)),
       MakeColumn<Row>("tiles_sum", kAlways, 3, DHPMAP_MEMBER(tiles_sum)),
       MakeColumn<Row>("edited_revision", kAlways, 3, DHPMAP_MEMBER(info.edited_revision)),
+      MakeColumn<Row>("sightings", kAlways, 4, DHPMAP_MEMBER(info.sightings)),
+      MakeColumn<Row>("is_locked", kAlways, 5, DHPMAP_MEMBER(info.is_locked)),
   };
 }
 const Table<SubmapRow>& Submaps();
@@ -89,6 +91,8 @@ class SubmapRowWriter {
   /// Adds or replaces a row. Returns its key.
   Result<std::int64_t> Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
                              std::int64_t tiles_sum);
+  /// Likewise, of a row that was read; its key and seal do not matter.
+  Result<std::int64_t> Write(SubmapRow row);
   /// With its tiles.
   Status Erase(std::int64_t submap_key);
 

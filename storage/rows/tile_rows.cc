@@ -197,27 +197,45 @@ TileRowReader::Row TileRowReader::Current() const {
   return row;
 }
 
-Result<std::int64_t> CollectDeadBlobs(Database& database, std::int64_t max_blobs) {
-  const std::string some =
-      "(SELECT blob_key FROM dead_blobs ORDER BY blob_key LIMIT " + std::to_string(max_blobs) + ")";
-  DHPMAP_RETURN_IF_ERROR(database.Execute("DELETE FROM tile_blobs WHERE blob_key IN " + some, kCollectTask));
-  DHPMAP_RETURN_IF_ERROR(database.Execute("DELETE FROM dead_blobs WHERE blob_key IN " + some, kCollectTask));
-  return database.NumChanges();
+Result<std::int64_t> CollectDeadBlobs(Database& database, std::int64_t max_blobs, const KeptBlobs& kept) {
+  // Ranges are sought, so that what is kept between them costs nothing.
+  constexpr char kDeleteBlobs[] =
+      "DELETE FROM tile_blobs WHERE blob_key IN (SELECT blob_key FROM dead_blobs WHERE blob_key BETWEEN ? AND ? ORDER "
+      "BY blob_key LIMIT ?)";
+  constexpr char kDeleteDead[] =
+      "DELETE FROM dead_blobs WHERE blob_key IN (SELECT blob_key FROM dead_blobs WHERE blob_key BETWEEN ? AND ? ORDER "
+      "BY blob_key LIMIT ?)";
+  DHPMAP_ASSIGN_OR_RETURN(Statement delete_blobs, database.Prepare(kDeleteBlobs, kCollectTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement delete_dead, database.Prepare(kDeleteDead, kCollectTask));
+  std::int64_t num_collected = 0;
+  for (const BlobRange& range : kept.Others()) {
+    for (Statement* statement : {&delete_blobs, &delete_dead}) {
+      DHPMAP_RETURN_IF_ERROR(statement->Bind(range.first).Bind(range.last).Bind(max_blobs - num_collected).Run());
+    }
+    num_collected += database.NumChanges();
+  }
+  return num_collected;
 }
 
-Result<bool> HasDeadBlobs(Database& database) {
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t has,
-                          database.QueryInt("SELECT EXISTS (SELECT 1 FROM dead_blobs)", kCollectTask));
-  return has != 0;
+Result<bool> HasDeadBlobs(Database& database, const KeptBlobs& kept) {
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement select,
+      database.Prepare("SELECT EXISTS (SELECT 1 FROM dead_blobs WHERE blob_key BETWEEN ? AND ?)", kCollectTask));
+  for (const BlobRange& range : kept.Others()) {
+    DHPMAP_RETURN_IF_ERROR(select.Bind(range.first).Bind(range.last).Step().status());
+    if (select.Int(0) != 0) return true;
+    select.Reset();
+  }
+  return false;
 }
 
-Status CollectBacklog(Database& database, std::int64_t num_written) {
+Status CollectBacklog(Database& database, std::int64_t num_written, const KeptBlobs& kept) {
   DHPMAP_ASSIGN_OR_RETURN(
       const std::int64_t is_large,
       database.QueryInt("SELECT EXISTS (SELECT 1 FROM dead_blobs LIMIT 1 OFFSET " + std::to_string(kMaxBacklog) + ")",
                         kCollectTask));
   constexpr std::int64_t kFactor = 2;
-  return is_large == 0 ? Status::Ok() : CollectDeadBlobs(database, kFactor * num_written).status();
+  return is_large == 0 ? Status::Ok() : CollectDeadBlobs(database, kFactor * num_written, kept).status();
 }
 
 }  // namespace dhpmap

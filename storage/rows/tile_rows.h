@@ -7,6 +7,7 @@
 
 #include "mapping/map/block_table.h"
 #include "storage/codec/bytes.h"
+#include "storage/rows/kept_blobs.h"
 #include "storage/sqlite/database.h"
 
 namespace dhpmap {
@@ -109,13 +110,14 @@ class TileRowReader {
   sqlite::Statement select_;
 };
 
-/// Deletes up to `max_blobs` blobs that no row refers to any more, within the caller's transaction. Returns how many.
-/// States in memory may still name their keys: whoever wants to refer to one again asks Share first.
-Result<std::int64_t> CollectDeadBlobs(sqlite::Database& database, std::int64_t max_blobs);
-Result<bool> HasDeadBlobs(sqlite::Database& database);
+/// Deletes up to `max_blobs` blobs that no row refers to any more, but none that are kept, within the caller's
+/// transaction. Returns how many. States in memory may still name their keys: whoever wants to refer to one again asks
+/// Share first.
+Result<std::int64_t> CollectDeadBlobs(sqlite::Database& database, std::int64_t max_blobs, const KeptBlobs& kept = {});
+Result<bool> HasDeadBlobs(sqlite::Database& database, const KeptBlobs& kept = {});
 /// Part of each commit, within its transaction: where many are dead, as others wait for commits that follow upon each
 /// other, it deletes more than it made, so that their number has a bound. `num_written`: blobs that the commit wrote.
-Status CollectBacklog(sqlite::Database& database, std::int64_t num_written);
+Status CollectBacklog(sqlite::Database& database, std::int64_t num_written, const KeptBlobs& kept = {});
 inline constexpr std::int64_t kMaxBacklog = 512;  ///< of dead blobs, beyond which commits help
 
 }  // namespace dhpmap

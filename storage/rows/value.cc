@@ -56,6 +56,35 @@ bool FromBytes(ByteView bytes, BoundingSphere& sphere) {
   return reader.ok() && reader.remaining() == 0;
 }
 
+Bytes ToBytes(const Region& region) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  writer.PutU8(static_cast<std::uint8_t>(region.index()));
+  if (const auto* box = std::get_if<Eigen::AlignedBox3d>(&region)) {
+    for (const auto* corner : {&box->min(), &box->max()}) {
+      for (int axis = 0; axis < 3; ++axis) writer.PutF64((*corner)[axis]);
+    }
+  } else {
+    writer.PutBytes(ToBytes(std::get<BoundingSphere>(region)));
+  }
+  return bytes;
+}
+
+bool FromBytes(ByteView bytes, Region& region) {
+  if (bytes.empty() || bytes[0] > 1) return false;
+  if (bytes[0] == 1) {
+    region = BoundingSphere();
+    return FromBytes(bytes.subspan(1), std::get<BoundingSphere>(region));
+  }
+  Eigen::AlignedBox3d box;
+  ByteReader reader(bytes.subspan(1));
+  for (auto* corner : {&box.min(), &box.max()}) {
+    for (int axis = 0; axis < 3; ++axis) (*corner)[axis] = reader.GetF64();
+  }
+  region = box;
+  return reader.ok() && reader.remaining() == 0;
+}
+
 Bytes ToBytes(const std::vector<ClassTotal>& counts) {
   Bytes bytes;
   ByteWriter writer(bytes);
@@ -75,6 +104,43 @@ bool FromBytes(ByteView bytes, std::vector<ClassTotal>& counts) {
     counts.push_back({ClassId(static_cast<std::uint16_t>(id)), reader.GetU64()});
   }
   return reader.ok();
+}
+
+Bytes ToBytes(const Sightings& sightings) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  for (const Sighting& sighting : sightings.all()) {
+    writer.PutText(sighting.session);
+    writer.PutVarint(sighting.track_id);
+    writer.PutU8(sighting.has_in_sight ? 1 : 0);
+    writer.PutVarint(static_cast<std::uint64_t>(sighting.num_frames_missed));
+    writer.PutVarint(static_cast<std::uint64_t>(sighting.last_frame));
+  }
+  return bytes;
+}
+
+bool FromBytes(ByteView bytes, Sightings& sightings) {
+  std::vector<Sighting> all;
+  ByteReader reader(bytes);
+  while (reader.remaining() > 0) {
+    Sighting& sighting = all.emplace_back();
+    const ByteView session = reader.GetBytes(reader.GetVarint());
+    sighting.session.assign(session.begin(), session.end());
+    const std::uint64_t track_id = reader.GetVarint();
+    const std::uint8_t has_in_sight = reader.GetU8();
+    const std::uint64_t num_missed = reader.GetVarint(), last_frame = reader.GetVarint();
+    const bool is_in_range = std::in_range<std::uint32_t>(track_id) && has_in_sight <= 1 &&
+                             std::in_range<std::int32_t>(num_missed) && std::in_range<std::int64_t>(last_frame);
+    if (!reader.ok() || !is_in_range) return false;
+    sighting.track_id = static_cast<std::uint32_t>(track_id);
+    sighting.has_in_sight = has_in_sight == 1;
+    sighting.num_frames_missed = static_cast<std::int32_t>(num_missed);
+    sighting.last_frame = static_cast<std::int64_t>(last_frame);
+  }
+  Result<Sightings> created = Sightings::Create(std::move(all));
+  if (!created.ok()) return false;
+  sightings = *std::move(created);
+  return true;
 }
 
 }  // namespace dhpmap

@@ -10,6 +10,8 @@
 #include "mapping/base/ids.h"
 #include "mapping/base/transform.h"
 #include "mapping/map/bounding_sphere.h"
+#include "mapping/map/region.h"
+#include "mapping/map/sightings.h"
 #include "mapping/map/submap.h"
 #include "storage/codec/bytes.h"
 #include "storage/sqlite/statement.h"
@@ -107,9 +109,16 @@ bool FromBytes(ByteView bytes, Transform& T);
 /// 4 doubles: centre, radius.
 Bytes ToBytes(const BoundingSphere& sphere);
 bool FromBytes(ByteView bytes, BoundingSphere& sphere);
+/// u8: 0 = a box, then 6 doubles: its low and high corner; 1 = a sphere, then as above. Metres, map frame.
+Bytes ToBytes(const Region& region);
+bool FromBytes(ByteView bytes, Region& region);
 /// Each class as u32, its count as u64.
 Bytes ToBytes(const std::vector<ClassTotal>& counts);
 bool FromBytes(ByteView bytes, std::vector<ClassTotal>& counts);
+/// Each session as text, its track id as varint, whether it has the thing in sight as u8, frames missed and the number
+/// of its last frame as varints.
+Bytes ToBytes(const Sightings& sightings);
+bool FromBytes(ByteView bytes, Sightings& sightings);
 
 template <typename T>
 requires requires(const T& value) {

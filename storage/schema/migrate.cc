@@ -116,6 +116,17 @@ Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps)
   return version < VersionOf(steps) || has_work_left ? SchemaState::kOlder : SchemaState::kCurrent;
 }
 
+Status CheckNothingElse(sqlite::Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
+  if (version < 1 || version > SchemaVersion()) return Internal("the schema was not looked at");
+  DHPMAP_ASSIGN_OR_RETURN(const std::vector<SchemaObject> ours,
+                          ReferenceObjects(ReleasedSteps().first(static_cast<std::size_t>(version))));
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_objects,
+                          database.QueryInt("SELECT count(*) FROM sqlite_schema", kTask));
+  if (num_objects == static_cast<std::int64_t>(ours.size())) return Status::Ok();
+  return DataLoss("the database has more than our schema").WithReason("BAD_SCHEMA");
+}
+
 Status MigrateSchema(sqlite::Database& database, SchemaSteps steps, const SchemaProgress& progress) {
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
   for (std::int64_t number = 0; number < VersionOf(steps); ++number) {

@@ -20,6 +20,10 @@ enum class SchemaState { kEmpty, kOlder, kCurrent };
 /// application's, or newer.
 Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps = ReleasedSteps());
 
+/// DATA_LOSS, reason BAD_SCHEMA, if a database that InspectSchema has accepted holds tables, triggers or views beside
+/// ours.
+Status CheckNothingElse(sqlite::Database& database);
+
 /// Hears of work that takes long: what it is at, in words for an operator's log.
 using SchemaProgress = std::function<void(const std::string& message)>;
 

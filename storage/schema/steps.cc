@@ -14,6 +14,9 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[4]},                          // 0005_gone.sql
       {.sql = SchemaSql()[5]},                          // 0006_objects.sql
       {.sql = SchemaSql()[6], .work = &kBundleBlocks},  // 0007_tiles_and_changes.sql
+      {.sql = SchemaSql()[7]},                          // 0008_edits.sql
+      {.sql = SchemaSql()[8]},                          // 0009_sightings.sql
+      {.sql = SchemaSql()[9]},                          // 0010_locks_and_kept_clear.sql
   };
   return steps;
 }

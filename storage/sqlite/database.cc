@@ -69,7 +69,7 @@ Result<Statement> Database::Prepare(const std::string& sql, const char* task) {
   sqlite3_stmt* statement = nullptr;
   const int code = sqlite3_prepare_v3(database_.get(), sql.c_str(), static_cast<int>(sql.size()),
                                       SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
-  if (code != SQLITE_OK) return ErrorFrom(code, task);
+  if (code != SQLITE_OK) return ErrorOfStatement(code, task);
   return Statement(statement, task);
 }
 
@@ -83,6 +83,8 @@ Result<std::int64_t> Database::QueryInt(const std::string& sql, const char* task
 void Database::ReleaseMemory() { (void)sqlite3_db_release_memory(database_.get()); }
 
 std::int64_t Database::BytesInUse() { return sqlite3_memory_used(); }
+
+void Database::LimitLength(int max_bytes) { sqlite3_limit(database_.get(), SQLITE_LIMIT_LENGTH, max_bytes); }
 
 void Database::Interrupt() { sqlite3_interrupt(database_.get()); }
 

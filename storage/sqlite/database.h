@@ -32,6 +32,9 @@ class Database {
   /// The first column of the first row.
   Result<std::int64_t> QueryInt(const std::string& sql, const char* task);
 
+  /// Of a file of somebody else: texts, blobs and rows beyond are errors.
+  void LimitLength(int max_bytes);
+
   /// Ends the statement that runs, if one does, with CANCELLED. From any thread.
   void Interrupt();
 

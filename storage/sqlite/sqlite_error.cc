@@ -44,8 +44,14 @@ StatusCode CodeOf(int code) {
 }  // namespace
 
 Status ErrorFrom(int code, std::string_view task) {
-  return {CodeOf(code),
-          "cannot " + std::string(task) + ": " + sqlite3_errstr(code) + " (SQLite " + std::to_string(code) + ")"};
+  Status status(CodeOf(code),
+                "cannot " + std::string(task) + ": " + sqlite3_errstr(code) + " (SQLite " + std::to_string(code) + ")");
+  return code == SQLITE_TOOBIG ? Status(status).WithReason("BODY_TOO_LARGE") : status;
+}
+
+Status ErrorOfStatement(int code, std::string_view task) {
+  if (code == SQLITE_ERROR) return DataLoss("cannot " + std::string(task) + ": a table or column is gone (SQLite 1)");
+  return ErrorFrom(code, task);
 }
 
 }  // namespace dhpmap::sqlite

@@ -48,7 +48,7 @@ Result<bool> Statement::Step() {
   if (code == SQLITE_ROW) return true;
   Reset();
   if (code == SQLITE_DONE) return false;
-  return ErrorFrom(code, task_);
+  return ErrorOfStatement(code, task_);
 }
 
 Status Statement::Run() {

@@ -20,6 +20,7 @@ struct FusionBenchOptions {
   int repetitions = 3;
   bool carving = false;
   bool free_space = true, gone = true;
+  std::size_t num_kept_clear = 0;  ///< regions of 0.3 m along the way that hold no surface, so that they only cost
 };
 /// Time of fusing a frame by stage, and the size of the map.
 Status RunFusionBench(const FusionBenchOptions& options);
@@ -77,5 +78,19 @@ struct QueryBenchOptions {
 /// What one core answers a second on the data set's map, as it is and with a third of the things moved, the errors
 /// against brute force over all triangles, and how the time grows with the number of submaps.
 Status RunQueryBench(const QueryBenchOptions& options);
+
+struct StoreBenchOptions {
+  std::string directory;
+  std::string scratch = "/tmp";  ///< folder in which the database is made, and removed again
+  double size_mib = 200;         ///< of encoded blobs
+  double voxel_size_m = 0;       ///< 0: the preset's; the truncation goes with it
+  std::size_t num_frames = 0;    ///< of a walk
+  int commit_frames = 10;
+  int repetitions = 3;  ///< imports beside commits; 0: none
+  double commit_every_s = 0.1, alone_s = 5;
+};
+/// Rates of the store on a fused map of a given size, walk beside walk: commit, load, verify, export, import; and how
+/// long commits of a map that is being mapped wait while others come in.
+Status RunStoreBench(const StoreBenchOptions& options);
 
 }  // namespace dhpmap::bench

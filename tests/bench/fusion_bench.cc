@@ -3,7 +3,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
+#include <string>
 
+#include "mapping/fusion/kept_clear_points.h"
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/space/presence.h"
 #include "tests/bench/bench.h"
@@ -38,6 +41,33 @@ Result<MapInfo> MakeInfo(const FusionBenchOptions& options, const Dataset& datas
   DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(std::move(classes)));
   info.label_set = std::make_shared<LabelSet>(std::move(label_set));
   return info;
+}
+
+/// Half way to what the middle of a frame sees, of frames all along the way.
+Status KeepClearAlong(const std::vector<PanopticFrame>& frames, std::size_t count, KeptClear& kept_clear) {
+  for (std::size_t n = 0; n < count; ++n) {
+    const PanopticFrame& frame = frames[n * frames.size() / count];
+    Eigen::Vector3d p_m(3, 0, 0);
+    if (frame.camera) {
+      const PinholeCamera& camera = frame.camera->camera;
+      const auto middle = static_cast<std::size_t>(camera.height_px / 2 * camera.width_px + camera.width_px / 2);
+      p_m = {0, 0, 0.5 * static_cast<double>(frame.camera->depth_m[middle])};
+    }
+    const BoundingSphere sphere{frame.T_map_sensor * p_m, 0.3};
+    DHPMAP_RETURN_IF_ERROR(kept_clear.Add({"region-" + std::to_string(n), sphere}));
+  }
+  return Status::Ok();
+}
+
+/// What it takes to leave out points of regions that are kept clear, alone.
+void PrintCutting(const std::vector<PanopticFrame>& frames, const KeptClear& kept_clear) {
+  if (kept_clear.empty()) return;
+  std::size_t num_changed = 0;
+  const std::clock_t cpu_before = std::clock();
+  for (const PanopticFrame& frame : frames) num_changed += WithoutKeptClear(frame, kept_clear).has_value();
+  const auto cpu_s = static_cast<double>(std::clock() - cpu_before) / CLOCKS_PER_SEC;
+  std::printf("kept clear: %.3f ms a frame to cut points out, of %zu of %zu frames\n",
+              1e3 * cpu_s / static_cast<double>(frames.size()), num_changed, frames.size());
 }
 
 /// What the map takes for gone, which is wrong where nothing has moved.
@@ -93,7 +123,8 @@ Status RunFusionBench(const FusionBenchOptions& options) {
   if (options.labels == "one") {
     for (PanopticFrame& frame : loaded.frames) LabelAsOne(frame);
   }
-  DHPMAP_ASSIGN_OR_RETURN(const MapInfo info, MakeInfo(options, *loaded.dataset));
+  DHPMAP_ASSIGN_OR_RETURN(MapInfo info, MakeInfo(options, *loaded.dataset));
+  DHPMAP_RETURN_IF_ERROR(KeepClearAlong(loaded.frames, options.num_kept_clear, info.kept_clear));
 
   std::printf("%zu frames (%zu skipped), voxel %g m, truncation %g m, labels %s, %d thread(s), carving %s\n",
               loaded.frames.size(), loaded.num_skipped, options.voxel_size_m, options.truncation_m,
@@ -102,6 +133,7 @@ Status RunFusionBench(const FusionBenchOptions& options) {
       "ms a frame:    mean  median     p95 | bundle   track    fuse activity | free: mean  median     p95 | points  "
       "voxel updates\n");
   for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+    const std::clock_t cpu_before = std::clock();
     MapBuilder builder(info, options.num_threads);
     std::vector<double> times_ms, free_ms;
     FrameReport sum;
@@ -123,7 +155,10 @@ Status RunFusionBench(const FusionBenchOptions& options) {
                 repetition + 1, total.mean, total.median, total.p95, 1e3 * sum.bundle_s / n, 1e3 * sum.track_s / n,
                 1e3 * sum.fuse_s / n, 1e3 * sum.activity_s / n, free.mean, free.median, free.p95,
                 static_cast<double>(sum.num_points) / n, static_cast<double>(sum.num_voxels_updated) / n);
+    const auto cpu_s = static_cast<double>(std::clock() - cpu_before) / CLOCKS_PER_SEC;
+    std::printf("            %.2f ms a frame of all cores together\n", 1e3 * cpu_s / n);
     if (repetition + 1 != options.repetitions) continue;
+    PrintCutting(loaded.frames, info.kept_clear);
     PrintGone(builder.map());
     PrintSize(builder.map());
   }

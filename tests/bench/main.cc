@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
   fusion_command->add_flag("!--no-free", fusion.free_space, "Do not keep which voxels were looked through");
 
   fusion_command->add_flag("!--no-gone", fusion.gone, "Do not look for what is no longer there");
+  fusion_command->add_option("--kept-clear", fusion.num_kept_clear, "Keep so many regions clear along the way")
+      ->check(CLI::Range(0, 64));
 
   dhpmap::bench::GeometryCheckOptions geometry;
   CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against frames that were held out");
@@ -74,11 +76,38 @@ int main(int argc, char** argv) {
   fray_command->add_option("--threads", fray.num_threads, "Threads, 0 = one a core")->capture_default_str();
   fray_command->add_flag("--list", fray.list, "List the things by the true object that they lie on");
 
+  dhpmap::bench::StoreBenchOptions store;
+  CLI::App* store_command = app.add_subcommand(
+      "store",
+      "Rates of the store on a fused map of a given size: commit, load, verify, export, import, in MB of blobs, or of "
+      "the "
+      "file, a second of the clock and of the process's cores; then how long commits of another map, which is mapped "
+      "meanwhile, take while the file comes in. Import has four parts: what came is kept; looked through, as verify "
+      "does; its blobs are brought in steps between which commits go on; its rows are added, which commits wait for");
+  store_command
+      ->add_option("directory", store.directory, "Data set; it is walked again and again, each walk beside the last")
+      ->required();
+  store_command->add_option("--mib", store.size_mib, "MiB of encoded blobs that the map is to have")
+      ->capture_default_str();
+  store_command
+      ->add_option("--voxel", store.voxel_size_m, "Voxel size in m, 0 = the preset's; the truncation goes with it")
+      ->capture_default_str();
+  store_command->add_option("--frames", store.num_frames, "Frames of a walk, 0 = all");
+  store_command->add_option("--commit-frames", store.commit_frames, "Frames a commit")->capture_default_str();
+  store_command->add_option("--repetitions", store.repetitions, "Imports beside commits, 0 = none")
+      ->capture_default_str();
+  store_command
+      ->add_option("--commit-every", store.commit_every_s, "Pause in s between a frame with its commit and the next")
+      ->capture_default_str();
+  store_command->add_option("--scratch", store.scratch, "Folder for the database, three times the map's size")
+      ->capture_default_str();
+
   CLI11_PARSE(app, argc, argv);
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
                                 : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
                                 : change_command->parsed()   ? dhpmap::bench::RunChangeBench(change)
+                                : store_command->parsed()    ? dhpmap::bench::RunStoreBench(store)
                                 : fray_command->parsed()     ? dhpmap::bench::RunFrayBench(fray)
                                                              : dhpmap::bench::RunCrfBench(crf);
   if (!status.ok()) std::fprintf(stderr, "dhpmap-bench: %s\n", status.ToString().c_str());

@@ -173,8 +173,45 @@ TEST_F(CommandLine, EditsObjects) {
   const Outcome shown = Run({"submaps", "room", copy, "--json"});
   EXPECT_NE(shown.out.find("\"display_name\": \"lamp\""), std::string::npos) << shown.out;
   EXPECT_NE(shown.out.find("\"class_name\": \"Ball\""), std::string::npos) << shown.out;
+  EXPECT_EQ(Run({"edit", "lock", "room", copy}).exit_code, 0);
+  EXPECT_NE(Run({"submaps", "room"}).out.find(", locked"), std::string::npos);
+  EXPECT_EQ(Run({"edit", "unlock", "room", copy}).exit_code, 0);
+  EXPECT_EQ(Run({"edit", "keep-clear", "room", "door", "--box", "0", "0", "0", "1", "1", "2"}).exit_code, 0);
+  EXPECT_EQ(Run({"edit", "keep-clear", "room", "door", "--sphere", "0", "0", "9", "1"}).exit_code, 4) << "is taken";
+  EXPECT_EQ(Run({"edit", "clear", "room", "--sphere", "0", "0", "9", "1", "--keep-clear", "roof"}).exit_code, 0);
+  const Outcome kept = Run({"edit", "kept-clear", "room"});
+  EXPECT_NE(kept.out.find("0.00 0.00 0.00 to 1.00 1.00 2.00"), std::string::npos) << kept.out;
+  EXPECT_NE(kept.out.find("roof"), std::string::npos) << kept.out;
+  EXPECT_EQ(Run({"edit", "lift", "room", "door"}).exit_code, 0);
+  EXPECT_EQ(Run({"edit", "lift", "room", "door"}).exit_code, 3);
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 0);
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 3);
+}
+
+TEST_F(CommandLine, LogsUndoesAndRedoesEdits) {
+  ASSERT_EQ(Run({"edit", "rename", "room", "1", "first", "--author", "anna"}).exit_code, 0);
+  ASSERT_EQ(Run({"edit", "rename", "room", "1", "second", "--author", "anna"}).exit_code, 0);
+  const Outcome log = Run({"log", "room", "--author", "anna", "-n", "2"});
+  EXPECT_NE(log.out.find("anna  rename 1, changed 1"), std::string::npos) << log.out << log.err;
+  EXPECT_EQ(std::count(log.out.begin(), log.out.end(), '\n'), 2);
+  const auto name = [] { return Run({"submaps", "room", "1", "--json"}).out; };
+  EXPECT_EQ(Run({"undo", "room", "--author", "anna", "--try"}).exit_code, 0);
+  EXPECT_NE(name().find("\"second\""), std::string::npos) << "only tried";
+  EXPECT_EQ(Run({"undo", "room", "--author", "anna"}).exit_code, 0);
+  EXPECT_NE(name().find("\"first\""), std::string::npos);
+  EXPECT_EQ(Run({"redo", "room", "--author", "anna"}).exit_code, 0);
+  EXPECT_NE(name().find("\"second\""), std::string::npos);
+  EXPECT_NE(Run({"redo", "room", "--author", "anna"}).exit_code, 0) << "there is nothing left";
+  const std::string url = server_->http_url() + "/v1/maps/room";
+  const Outcome undone =
+      RunProgram(temp_->path(), {"curl", "-sf", url + ":undoEdits", "-d", R"({"author": "anna", "count": 2})"});
+  EXPECT_NE(undone.out.find("maps/room/edits/"), std::string::npos) << undone.out << undone.err;
+  EXPECT_EQ(RunProgram(temp_->path(), {"curl", "-sf", url + ":redoEdits", "-d", R"({"author": "anna"})"}).exit_code, 0);
+  EXPECT_NE(RunProgram(temp_->path(), {"curl", "-s", url + "/edits?author=anna"}).out.find("\"REDO\""),
+            std::string::npos);
+  ASSERT_EQ(Run({"edit", "delete", "room", "2"}).exit_code, 0);
+  EXPECT_EQ(Run({"undelete", "room", "2"}).exit_code, 0);
+  EXPECT_EQ(Run({"submaps", "room", "2"}).exit_code, 0);
 }
 
 TEST_F(CommandLine, ExportsMeshesAndVoxels) {

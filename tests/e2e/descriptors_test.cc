@@ -7,11 +7,14 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "tests/e2e/server_process.h"
+#include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::testing {
@@ -36,7 +39,7 @@ class DescriptorLimit {
 /// TCP connections to "host:port" on which nothing is said.
 class SilentConnections {
  public:
-  explicit SilentConnections(std::string address) {
+  explicit SilentConnections(const std::string& address) {
     address_.sin_family = AF_INET;
     address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     address_.sin_port = htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
@@ -47,6 +50,10 @@ class SilentConnections {
   SilentConnections(const SilentConnections&) = delete;
   SilentConnections& operator=(const SilentConnections&) = delete;
 
+  /// Keeps the first `count`.
+  void CloseAllBut(std::size_t count) {
+    for (; sockets_.size() > count; sockets_.pop_back()) ::close(sockets_.back());
+  }
   bool Open(int count) {
     for (; count > 0; --count) {
       sockets_.push_back(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -67,13 +74,23 @@ bool IsAnswering(const ServerProcess& server) {
   return v1::MapService::NewStub(server.Connect())->ListMaps(&context, {}, &response).ok();
 }
 
+/// GetMap of "room", by a client that has 20 s.
+grpc::Status AskForRoom(const std::shared_ptr<grpc::Channel>& channel) {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(20));
+  v1::GetMapRequest request;
+  request.set_name("maps/room");
+  v1::GetMapResponse response;
+  return v1::MapService::NewStub(channel)->GetMap(&context, request, &response);
+}
+
 TEST(Descriptors, MoreConnectionsThanAProcessMayHaveAtFirstAreNoHarmToEitherDoor) {
   constexpr int kAtFirst = 100;
   TempDir folder;
   std::unique_ptr<ServerProcess> server;
   {
     const DescriptorLimit limit(kAtFirst);
-    if (limit.most() < 4 * kAtFirst) GTEST_SKIP() << "this process may not have more";
+    if (limit.most() < rlim_t{4} * kAtFirst) GTEST_SKIP() << "this process may not have more";
     server = std::make_unique<ServerProcess>(folder.path(), folder.path() / "maps.db");
   }
   ASSERT_TRUE(server->is_serving());
@@ -96,6 +113,32 @@ TEST(Descriptors, WhenThereAreNoneForMoreConnectionsTheServerGoesOnAfterwards) {
     EXPECT_EQ(RunProgram(folder.path(), {"curl", "--silent", "--fail", server.http_url() + "/healthz"}).exit_code, 0);
   }
   EXPECT_TRUE(IsAnswering(server));
+}
+
+TEST(Descriptors, WhenThereAreNoneWhoIsConnectedIsAnsweredOverGrpcAndOthersOnceThereAreSome) {
+  constexpr int kAtMost = 100;
+  TempDir folder;
+  ServerProcess server(folder.path(), folder.path() / "maps.db");
+  ASSERT_TRUE(server.is_serving());
+  const auto before = server.Connect();
+  {
+    grpc::ClientContext context;
+    v1::CreateMapResponse created;
+    ASSERT_TRUE(v1::MapService::NewStub(before)->CreateMap(&context, CreateRequest("room"), &created).ok());
+  }
+  const rlimit limit{.rlim_cur = kAtMost, .rlim_max = kAtMost};
+  ASSERT_EQ(::prlimit(server.process().pid(), RLIMIT_NOFILE, &limit, nullptr), 0);
+  SilentConnections silent(server.grpc_address());
+  ASSERT_TRUE(silent.Open(2 * kAtMost));
+  for (int i = 0; i < 10; ++i) {
+    const grpc::Status asked = AskForRoom(before);
+    EXPECT_TRUE(asked.ok()) << asked.error_message();
+  }
+  EXPECT_EQ(RunProgram(folder.path(), {"curl", "--silent", "--fail", server.http_url() + "/healthz"}).exit_code, 0);
+
+  silent.CloseAllBut(kAtMost / 10);
+  EXPECT_TRUE(Eventually([&] { return AskForRoom(server.Connect()).ok(); })) << "a new connection";
+  EXPECT_TRUE(AskForRoom(before).ok());
 }
 
 }  // namespace

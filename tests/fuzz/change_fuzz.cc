@@ -37,7 +37,7 @@ std::vector<std::string> fuzz::Seeds() {
   const auto add = [&] {
     const Bytes blob = EncodeChange(change);
     Payload payload;
-    Require(Unseal(BlobKind::kChangeV1, kKey, blob, payload).ok());
+    Require(Unseal(BlobKind::kChangeV2, kKey, blob, payload).ok());
     seeds.push_back(kBlob + std::string(blob.begin(), blob.end()));
     seeds.push_back(kPacked + std::string(payload.packable.begin(), payload.packable.end()));
   };
@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   Bytes given(data + 1, data + size);
   const Bytes blob =
-      data[0] == kPacked ? Seal(BlobKind::kChangeV1, kKey, {.packable = std::move(given), .plain = {}}) : given;
+      data[0] == kPacked ? Seal(BlobKind::kChangeV2, kKey, {.packable = std::move(given), .plain = {}}) : given;
   MapChange change{.last_revision = kRevision};
   if (!DecodeChange(blob, change).ok()) return 0;
   const Bytes encoded = EncodeChange(change);

@@ -161,6 +161,86 @@ TEST_F(ApplyEditsTest, WhatWasClearedIsUnknownAndComesBackWhenItIsSeen) {
   EXPECT_GE(List().size(), 4u);
 }
 
+TEST_F(ApplyEditsTest, WhatIsLockedOnlyTellsWhenItWasSeen) {
+  v1::ApplyEditsRequest request;
+  Add(request, ball).mutable_lock();
+  Apply(request);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  const auto of_ball = [this] {
+    for (const v1::Submap& submap : List()) {
+      if (submap.name() == ball) return submap;
+    }
+    return v1::Submap();
+  };
+  v1::Submap before = of_ball();
+  EXPECT_TRUE(before.locked());
+  const std::size_t num_submaps = List().size();
+  ASSERT_TRUE(Feed(server, "room", 12, 24).status.ok());
+  v1::Submap after = of_ball();
+  EXPECT_GT(after.last_observed_ns(), before.last_observed_ns());
+  EXPECT_EQ(List().size(), num_submaps);
+  for (v1::Submap* submap : {&before, &after}) {
+    submap->clear_last_observed_ns();
+    submap->clear_revision();
+    submap->clear_etag();
+  }
+  EXPECT_EQ(after.SerializeAsString(), before.SerializeAsString());
+
+  v1::ApplyEditsRequest unlock;
+  Add(unlock, ball).mutable_unlock();
+  Apply(unlock);
+  ASSERT_TRUE(Feed(server, "room", 24, 30).status.ok());
+  EXPECT_GT(of_ball().num_frames_observed(), before.num_frames_observed());
+  grpc::ClientContext context;
+  v1::ListEditsRequest log;
+  log.set_parent("maps/room");
+  v1::ListEditsResponse logged;
+  ASSERT_TRUE(edits->ListEdits(&context, log, &logged).ok());
+  ASSERT_EQ(logged.edits_size(), 2);
+  EXPECT_EQ(logged.edits(0).steps(0).action(), v1::LoggedEdit::UNLOCK);
+  EXPECT_EQ(logged.edits(1).steps(0).action(), v1::LoggedEdit::LOCK);
+}
+
+TEST_F(ApplyEditsTest, WhatIsClearedAndKeptClearStaysEmptyUntilItIsLifted) {
+  v1::ApplyEditsRequest request;
+  v1::ClearEdit& clear = *request.add_edits()->mutable_clear();
+  clear.mutable_sphere()->set_radius_m(50);
+  clear.set_keep_clear("hall");
+  Apply(request);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_TRUE(Feed(server, "room", 12, 24).status.ok());
+  EXPECT_EQ(List().size(), 1u) << "the unknown submap";
+  const auto kept = [this] {
+    grpc::ClientContext context;
+    v1::ListKeptClearRequest list;
+    list.set_parent("maps/room");
+    v1::ListKeptClearResponse response;
+    EXPECT_TRUE(edits->ListKeptClear(&context, list, &response).ok());
+    return response;
+  };
+  ASSERT_EQ(kept().regions_size(), 1);
+  EXPECT_EQ(kept().regions(0).name(), "hall");
+  EXPECT_EQ(kept().regions(0).sphere().radius_m(), 50);
+  EXPECT_EQ((*store->LoadMap("room"))->info().kept_clear.list().size(), 1u);
+  EXPECT_EQ(kept().revision(), Revision());
+
+  v1::ApplyEditsRequest again;
+  again.add_edits()->mutable_keep_clear()->set_name("hall");
+  again.mutable_edits(0)->mutable_keep_clear()->mutable_box()->mutable_max_m()->set_x(1);
+  Apply(again);
+  EXPECT_EQ(status.error_code(), grpc::ALREADY_EXISTS);
+  EXPECT_EQ(ReasonOf(status), "KEPT_CLEAR_EXISTS");
+  v1::ApplyEditsRequest lift;
+  lift.add_edits()->mutable_lift()->set_name("hall");
+  Apply(lift);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  Apply(lift);
+  EXPECT_EQ(ReasonOf(status), "KEPT_CLEAR_NOT_FOUND");
+  EXPECT_EQ(kept().regions_size(), 0);
+  ASSERT_TRUE(Feed(server, "room", 24, 40).status.ok());
+  EXPECT_GE(List().size(), 4u);
+}
+
 TEST_F(ApplyEditsTest, FieldsThatAreNotUsableAreNamedAllTogether) {
   v1::ApplyEditsRequest request;
   Add(request, ball);

@@ -74,7 +74,7 @@ TEST(Doors, EveryRpcInTheDescriptorsIsImplemented) {
       // An empty request is a mistake of the client's, except where nothing is required.
       const bool needs_nothing =
           method->name() == "ListMaps" || method->name() == "QueryStream";  // says so in its answer
-      const bool needs_a_file = method->name() == "BackupMap";
+      const bool needs_a_file = method->name() == "BackupMap" || method->name() == "ImportMap";
       EXPECT_EQ(status.error_code(), needs_nothing  ? grpc::OK
                                      : needs_a_file ? grpc::FAILED_PRECONDITION
                                                     : grpc::INVALID_ARGUMENT)

@@ -125,6 +125,20 @@ TEST_F(EditTest, RelabelAndRenameStayThroughMoreMapping) {
   EXPECT_EQ(now.display_name(), "beach ball");
 }
 
+TEST_F(EditTest, AnObjectIsLockedAndUnlockedByItsField) {
+  v1::Submap wanted;
+  wanted.set_name(ball.name());
+  wanted.set_locked(true);
+  EXPECT_TRUE(Update(wanted, {}).locked()) << "without a mask: what is set";
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  wanted.set_display_name("mine");
+  EXPECT_TRUE(Update(wanted, {"display_name"}).locked());
+  EXPECT_EQ(Get(ball.name()).display_name(), "mine") << "edits of what is locked are made as ever";
+  wanted.set_locked(false);
+  EXPECT_FALSE(Update(wanted, {"locked"}).locked());
+  EXPECT_TRUE(status.ok()) << status.error_message();
+}
+
 TEST_F(EditTest, ACloneHasItsOwnIdAndPlaceAndSharesTheShape) {
   v1::CloneSubmapRequest request;
   request.set_name(box.name());

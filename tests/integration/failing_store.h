@@ -18,6 +18,8 @@ class FailingStore final : public MapStore {
   void set_full(bool is_full) { is_full_ = is_full; }
   /// Runs before each commit that is not refused. Not while one runs.
   void set_before_commit(std::function<void()> hook) { before_commit_ = std::move(hook); }
+  /// Runs before each map is loaded. Not while one is.
+  void set_before_load(std::function<void()> hook) { before_load_ = std::move(hook); }
   [[nodiscard]] int num_refused() const { return num_refused_; }
 
   Result<std::vector<StoredMap>> ListMaps() override { return store_->ListMaps(); }
@@ -28,7 +30,10 @@ class FailingStore final : public MapStore {
     if (before_commit_) before_commit_();
     return store_->Commit(before, after, durability);
   }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return store_->LoadMap(name); }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
+    if (before_load_) before_load_();
+    return store_->LoadMap(name);
+  }
   Status DeleteMap(const std::string& name) override { return is_full_ ? Full() : store_->DeleteMap(name); }
   Status Reserve(const std::string& name, const NumberMarks& marks) override {
     return is_full_ ? Full() : store_->Reserve(name, marks);
@@ -41,7 +46,7 @@ class FailingStore final : public MapStore {
   }
 
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
-  std::function<void()> before_commit_;
+  std::function<void()> before_commit_, before_load_;
   std::atomic<bool> is_full_ = false;
   std::atomic<int> num_refused_ = 0;
 };

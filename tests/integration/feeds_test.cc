@@ -2,11 +2,12 @@
 // What a client that streams frames is told: up to where they are stored, and by sessions after whatever has happened.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
-#include <future>
 #include <thread>
 #include <vector>
 
+#include "tests/integration/busy_writer.h"
 #include "tests/integration/failing_store.h"
 #include "tests/integration/feeder.h"
 #include "tests/integration/tcp_proxy.h"
@@ -32,27 +33,6 @@ grpc::Status Delete(TestServer& server, const std::string& map_id) {
 
 /// Nothing is stored but by a full sync at a stream's end.
 const SessionOptions kLazy{.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000};
-
-/// Keeps the writer of a map busy from here to the end of life.
-class BusyWriter {
- public:
-  explicit BusyWriter(MapSession& session) {
-    auto begun = std::make_shared<std::promise<void>>();
-    const auto has_begun = begun->get_future();
-    session.Edit(
-        [begun, go = go_.get_future().share()](Map&) -> Result<SubmapId> {
-          begun->set_value();
-          go.wait();
-          return SubmapId(0);
-        },
-        [](const Result<EditOutcome>&) {});
-    has_begun.wait();
-  }
-  ~BusyWriter() { go_.set_value(); }
-
- private:
-  std::promise<void> go_;
-};
 
 TEST(Feeds, NoAcknowledgementSaysMoreThanTheStoreHolds) {
   FailingStore store;
@@ -130,6 +110,32 @@ TEST(Feeds, IfTheEndCannotBeStoredTheLastFrameIsAcknowledgedAndTheStreamFails) {
     EXPECT_FALSE(feeder.last()) << "no second answer";
     store.set_full(false);
   }
+}
+
+/// Who counts the answers calls Finish at once, which gRPC lets wait for ever if there is one more to be read.
+TEST(Feeds, AStreamWithoutSessionThatHalfClosesLateIsOwedNoMoreAnswersAndEndsWhenAllIsStored) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, kLazy);
+  Create(server, "room");
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + kPatience);
+  const auto stream = server.mapping->IntegrateFrames(&context);
+  for (int i = 0; i < 3; ++i) {
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/room");
+    request.set_sequence(i);
+    *request.mutable_frame() = TestFrame(i);
+    ASSERT_TRUE(stream->Write(request));
+    v1::IntegrateFramesResponse ack;
+    ASSERT_TRUE(stream->Read(&ack));
+    EXPECT_EQ(ack.outcome(), v1::FUSED);
+    EXPECT_FALSE(ack.has_committed_sequence());
+  }
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 0);
+  stream->WritesDone();
+  const grpc::Status status = stream->Finish();
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
 }
 
 TEST(Feeds, ASessionEndsWithAnAnswerForNoFrame) {
@@ -255,7 +261,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
   Feeder first(server, "room", {.session = "first"});
   ASSERT_EQ(first.Feed(0)->outcome(), v1::FUSED);
   {
-    Feeder polite(server, "room", {.session = "polite"});
+    Feeder polite(server, "room");
     EXPECT_FALSE(polite.Feed(0));
     const grpc::Status refused = polite.Finish();
     EXPECT_EQ(refused.error_code(), grpc::ABORTED);

@@ -4,9 +4,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <future>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include "tests/integration/failing_store.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/eventually.h"
 
@@ -41,7 +44,11 @@ class Lanes : public ::testing::Test {
   }
 
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
-  TestServer server_{*store_, {}, {.num_threads = 2, .num_bulk_threads = 1}};
+  static constexpr std::size_t kEnoughForAll_bytes = 512u << 20;
+  TestServer server_{
+      *store_,
+      {},
+      {.num_threads = 2, .num_bulk_threads = 1, .inflight = std::make_shared<ByteBudget>(kEnoughForAll_bytes)}};
 };
 
 TEST_F(Lanes, AQuickCallIsAnsweredWhileBulkCallsWait) {
@@ -49,6 +56,7 @@ TEST_F(Lanes, AQuickCallIsAnsweredWhileBulkCallsWait) {
   const v1::QueryPointsRequest request = ManyPoints("room");
   std::atomic<int> num_begun = 0, num_ended = 0;
   std::vector<std::thread> clients;
+  clients.reserve(kNumBulk);
   for (int i = 0; i < kNumBulk; ++i) {
     clients.emplace_back([&] {
       grpc::ClientContext context;
@@ -76,6 +84,7 @@ TEST_F(Lanes, CallsWhoseClientIsGoneLeaveTheQueueUnserved) {
   }
   const auto one_call = std::chrono::steady_clock::now() - start;
   std::vector<std::thread> clients;
+  clients.reserve(kNumAbandoned);
   for (int i = 0; i < kNumAbandoned; ++i) {
     clients.emplace_back([&] {
       grpc::ClientContext context;
@@ -106,6 +115,51 @@ TEST_F(Lanes, AMeshThatNobodyTakesAnyMoreEnds) {
   }
   EXPECT_EQ(mesh->Finish().error_code(), grpc::StatusCode::CANCELLED);
   EXPECT_TRUE(server_.Stop().ok()) << "nothing is left that would hold up the end";
+}
+
+TEST(LanesOfClosedMaps, CallsThatWaitForTheDiskDoNotHoldUpThoseOnOpenMaps) {
+  FailingStore store;
+  TestServer server(store, {}, {.num_threads = 2, .num_bulk_threads = 1});
+  const auto create = [&](const std::string& map_id) {
+    grpc::ClientContext context;
+    v1::CreateMapResponse created;
+    ASSERT_TRUE(server.maps->CreateMap(&context, CreateRequest(map_id), &created).ok());
+  };
+  const auto list = [&](const std::string& map_id, std::chrono::seconds patience) {
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + patience);
+    v1::ListSubmapsRequest request;
+    request.set_parent("maps/" + map_id);
+    v1::ListSubmapsResponse response;
+    return server.submaps->ListSubmaps(&context, request, &response).ok();
+  };
+  constexpr int kNumClosed = 6;  // more than there are quick threads, and than are loaded at a time
+  constexpr std::chrono::seconds kSoon{5}, kLate{60};
+  create("open");
+  for (int i = 0; i < kNumClosed; ++i) create("closed" + std::to_string(i));
+  ASSERT_TRUE(list("open", kSoon));
+
+  std::promise<void> disk;
+  std::atomic<int> num_loading = 0;
+  store.set_before_load([&num_loading, done = disk.get_future().share()] {
+    ++num_loading;
+    done.wait();
+  });
+  std::vector<std::future<bool>> waiting;
+  waiting.reserve(kNumClosed);
+  for (int i = 0; i < kNumClosed; ++i) {
+    waiting.push_back(std::async(std::launch::async, [&, i] { return list("closed" + std::to_string(i), kLate); }));
+  }
+  EXPECT_TRUE(Eventually([&] { return num_loading >= 2; }));
+  EXPECT_TRUE(list("open", kSoon)) << "it waited for the disk";
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + kSoon);
+  v1::GetMapRequest request;
+  request.set_name("maps/closed0");
+  v1::GetMapResponse response;
+  EXPECT_TRUE(server.maps->GetMap(&context, request, &response).ok()) << "for which no map is loaded";
+  disk.set_value();
+  for (std::future<bool>& answer : waiting) EXPECT_TRUE(answer.get());
 }
 
 }  // namespace

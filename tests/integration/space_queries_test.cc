@@ -9,7 +9,7 @@
 
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
-#include "tests/integration/test_server.h"
+#include "tests/integration/mapped_scene.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -24,25 +24,9 @@ std::string FirstBadField(const std::string& status_bytes) {
   return "";
 }
 
-class SpaceQueries : public ::testing::Test {
+class SpaceQueries : public MappedScene {
  protected:
-  static void SetUpTestSuite() {
-    store_ = MakeMemoryStore();
-    server_ = std::make_unique<TestServer>(*store_);
-    v1::CreateMapResponse created;
-    grpc::ClientContext context;
-    ASSERT_TRUE(server_->maps->CreateMap(&context, CreateRequest("room"), &created).ok());
-    ASSERT_TRUE(Feed(*server_, "room", 0, 40).status.ok());
-    v1::FinishMappingRequest finish;
-    finish.set_map("maps/room");
-    v1::FinishMappingResponse finished;
-    grpc::ClientContext finishing;
-    ASSERT_TRUE(server_->mapping->FinishMapping(&finishing, finish, &finished).ok());
-  }
-  static void TearDownTestSuite() {
-    server_.reset();
-    store_.reset();
-  }
+  static void SetUpTestSuite() { SetUpWith({}, 40); }
   /// The two doors: TCP, and the one that REST goes through.
   static std::vector<std::shared_ptr<grpc::Channel>> Doors() {
     return {server_->channel(), server_->grpc().InProcessChannel()};
@@ -103,13 +87,9 @@ class SpaceQueries : public ::testing::Test {
     EXPECT_EQ(FirstBadField(status.error_details()), field);
   }
 
-  static std::unique_ptr<MapStore> store_;
-  static std::unique_ptr<TestServer> server_;
   grpc::Status status;
   int num_parts = 0;
 };
-std::unique_ptr<MapStore> SpaceQueries::store_;
-std::unique_ptr<TestServer> SpaceQueries::server_;
 
 TEST_F(SpaceQueries, ASliceShowsTheScene) {
   v1::GetOccupancySliceRequest request = SliceRequest(0.1, 0.6);

@@ -7,8 +7,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
+#include <limits>
 
 namespace dhpmap::testing {
 namespace {
@@ -27,11 +30,23 @@ void Check(bool good) {
   if (!good) std::abort();
 }
 
-/// False if the connection is over.
-bool Forward(int from, int to) {
+/// A listening socket, and its port.
+int Listen(int& port) {
+  const int listener = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address = Local(0);
+  socklen_t size = sizeof address;
+  Check(bind(listener, reinterpret_cast<sockaddr*>(&address), size) == 0 && listen(listener, 4) == 0);
+  Check(getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size) == 0);
+  port = ntohs(address.sin_port);
+  return listener;
+}
+
+/// False if the connection is over. Takes what it passes on from `num_bytes`, and no more than that.
+bool ForwardSome(int from, int to, std::size_t& num_bytes) {
   std::array<char, 65536> bytes{};
-  const ssize_t size = recv(from, bytes.data(), bytes.size(), 0);
+  const ssize_t size = recv(from, bytes.data(), std::min(bytes.size(), num_bytes), 0);
   if (size <= 0) return false;
+  num_bytes -= static_cast<std::size_t>(size);
   for (ssize_t sent = 0; sent < size;) {
     const ssize_t more = send(to, bytes.data() + sent, static_cast<std::size_t>(size - sent), MSG_NOSIGNAL);
     if (more <= 0) return false;
@@ -42,12 +57,7 @@ bool Forward(int from, int to) {
 
 }  // namespace
 
-TcpProxy::TcpProxy(int to_port) : to_port_(to_port), listener_(socket(AF_INET, SOCK_STREAM, 0)) {
-  sockaddr_in address = Local(0);
-  socklen_t size = sizeof address;
-  Check(bind(listener_, reinterpret_cast<sockaddr*>(&address), size) == 0 && listen(listener_, 4) == 0);
-  Check(getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) == 0);
-  port_ = ntohs(address.sin_port);
+TcpProxy::TcpProxy(int to_port) : to_port_(to_port), listener_(Listen(port_)) {
   thread_ = std::thread([this] { Run(); });
 }
 
@@ -67,15 +77,51 @@ void TcpProxy::Run() {
   Check(client >= 0 && connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
   std::array<pollfd, 2> ends{
       {{.fd = client, .events = POLLIN, .revents = 0}, {.fd = server, .events = POLLIN, .revents = 0}}};
+  std::size_t num_bytes = std::numeric_limits<std::size_t>::max();
   for (bool is_open = true; is_open && !is_over_ && !is_frozen_;) {
     if (poll(ends.data(), ends.size(), kTick_ms) <= 0) continue;
     if (is_frozen_) break;
-    if (ends[0].revents != 0) is_open = Forward(client, server);
-    if (is_open && ends[1].revents != 0) is_open = Forward(server, client);
+    if (ends[0].revents != 0) is_open = ForwardSome(client, server, num_bytes);
+    if (is_open && ends[1].revents != 0) is_open = ForwardSome(server, client, num_bytes);
   }
   while (is_frozen_ && !is_over_) std::this_thread::sleep_for(std::chrono::milliseconds(kTick_ms));
   close(client);
   close(server);
+}
+
+CuttingProxy::CuttingProxy(int to_port, std::uint32_t seed)
+    : to_port_(to_port), listener_(Listen(port_)), random_(seed) {
+  thread_ = std::thread([this] { Run(); });
+}
+
+CuttingProxy::~CuttingProxy() {
+  is_over_ = true;
+  thread_.join();
+  close(listener_);
+}
+
+void CuttingProxy::Run() {
+  constexpr std::size_t kMostBytes = 6000;  // some ten small calls
+  while (!is_over_) {
+    pollfd coming{.fd = listener_, .events = POLLIN, .revents = 0};
+    if (poll(&coming, 1, kTick_ms) <= 0) continue;
+    const int client = accept(listener_, nullptr, nullptr), server = socket(AF_INET, SOCK_STREAM, 0);
+    const sockaddr_in address = Local(to_port_);
+    Check(client >= 0 && connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+    Forward(client, server, random_() % kMostBytes);
+    close(client);
+    close(server);
+  }
+}
+
+void CuttingProxy::Forward(int client, int server, std::size_t num_bytes) {
+  std::array<pollfd, 2> ends{
+      {{.fd = client, .events = POLLIN, .revents = 0}, {.fd = server, .events = POLLIN, .revents = 0}}};
+  for (bool is_open = true; is_open && !is_over_ && num_bytes > 0;) {
+    if (poll(ends.data(), ends.size(), kTick_ms) <= 0) continue;
+    if (ends[0].revents != 0) is_open = ForwardSome(client, server, num_bytes);
+    if (is_open && num_bytes > 0 && ends[1].revents != 0) is_open = ForwardSome(server, client, num_bytes);
+  }
 }
 
 }  // namespace dhpmap::testing

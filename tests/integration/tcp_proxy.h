@@ -2,6 +2,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <random>
 #include <string>
 #include <thread>
 
@@ -26,6 +28,29 @@ class TcpProxy {
   int port_ = 0;
   int listener_ = -1;
   std::atomic<bool> is_frozen_ = false, is_over_ = false;
+  std::thread thread_;
+};
+
+/// Forwards connections to a port of this machine, one after the other, and cuts each after a number of bytes that is
+/// drawn, in either direction.
+class CuttingProxy {
+ public:
+  CuttingProxy(int to_port, std::uint32_t seed);
+  ~CuttingProxy();
+  CuttingProxy(const CuttingProxy&) = delete;
+  CuttingProxy& operator=(const CuttingProxy&) = delete;
+
+  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+
+ private:
+  void Run();
+  void Forward(int client, int server, std::size_t num_bytes);
+
+  const int to_port_;
+  int port_ = 0;
+  int listener_ = -1;
+  std::mt19937 random_;
+  std::atomic<bool> is_over_ = false;
   std::thread thread_;
 };
 

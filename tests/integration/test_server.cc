@@ -104,7 +104,8 @@ v1::CreateMapRequest CreateRequest(const std::string& map_id) {
   return request;
 }
 
-FeedResult Feed(v1::MappingService::Stub& mapping, const std::string& map_id, int begin, int end) {
+FeedResult Feed(v1::MappingService::Stub& mapping, const std::string& map_id, int begin, int end,
+                const std::function<v1::Frame(int)>& frame_of) {
   ::grpc::ClientContext context;
   auto stream = mapping.IntegrateFrames(&context);
   std::thread writer([&] {
@@ -112,7 +113,7 @@ FeedResult Feed(v1::MappingService::Stub& mapping, const std::string& map_id, in
       v1::IntegrateFramesRequest request;
       if (i == begin) request.set_map("maps/" + map_id);
       request.set_sequence(i);
-      *request.mutable_frame() = TestFrame(i);
+      *request.mutable_frame() = frame_of(i);
       if (!stream->Write(request)) break;
     }
     stream->WritesDone();
@@ -129,10 +130,13 @@ v1::QueryPointsRequest TestQuery(const std::string& map_id) {
   v1::QueryPointsRequest request;
   request.set_map("maps/" + map_id);
   request.set_packed(true);
-  for (double x = -1; x < 2; x += 0.07) {
-    for (double y = -1; y < 1; y += 0.07) {
-      for (double z = -0.05; z < 1; z += 0.07) {
-        for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+  constexpr double kSpacing_m = 0.07;
+  for (int column = 0; column < 43; ++column) {
+    for (int row = 0; row < 29; ++row) {
+      for (int layer = 0; layer < 15; ++layer) {
+        for (const double value : {-1 + kSpacing_m * column, -1 + kSpacing_m * row, -0.05 + kSpacing_m * layer}) {
+          request.add_xyz_m(static_cast<float>(value));
+        }
       }
     }
   }

@@ -3,6 +3,7 @@
 
 #include <grpcpp/grpcpp.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,8 +57,9 @@ struct FeedResult {
   std::vector<v1::IntegrateFramesResponse> acks;
   grpc::Status status;
 };
-/// Sends frames [begin, end) of the walk to maps/{map_id}, reading acknowledgements meanwhile.
-FeedResult Feed(v1::MappingService::Stub& mapping, const std::string& map_id, int begin, int end);
+/// Sends frames [begin, end), of the walk unless told otherwise, to maps/{map_id}, reading acknowledgements meanwhile.
+FeedResult Feed(v1::MappingService::Stub& mapping, const std::string& map_id, int begin, int end,
+                const std::function<v1::Frame(int)>& frame_of = TestFrame);
 inline FeedResult Feed(TestServer& server, const std::string& map_id, int begin, int end) {
   return Feed(*server.mapping, map_id, begin, end);
 }

@@ -10,6 +10,7 @@ Connection::Connection(const Life& life, Ledger& ledger)
     : maps(v1::MapService::NewStub(life.channel)),
       mapping(v1::MappingService::NewStub(life.channel)),
       submaps(v1::SubmapService::NewStub(life.channel)),
+      edits(v1::EditService::NewStub(life.channel)),
       life_(life),
       ledger_(ledger) {}
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
@@ -62,6 +63,7 @@ class Connection {
   std::unique_ptr<v1::MapService::Stub> maps;
   std::unique_ptr<v1::MappingService::Stub> mapping;
   std::unique_ptr<v1::SubmapService::Stub> submaps;
+  std::unique_ptr<v1::EditService::Stub> edits;
 
   static constexpr std::chrono::seconds kTimeout{60};
 

@@ -59,12 +59,21 @@ EditBook::Versions& EditBook::VersionsOf(const ObjectKey& key, const Wish& befor
 }
 
 std::optional<EditId> EditBook::Begin(EditPlan plan, Moment begun) {
+  Wish wish;
+  if (plan.id) {
+    const Versions& versions = VersionsOf({plan.history, *plan.id}, plan.before);
+    if (!versions.back().made) return std::nullopt;
+    wish = Changed(versions.back().wish, plan.change);
+  }
+  return Enter(std::move(plan), std::move(wish), begun);
+}
+
+/// `wish`: what the plan's object, if it has an id, is asked to be from now on.
+EditId EditBook::Enter(EditPlan plan, Wish wish, Moment begun) {
   const EditId edit = static_cast<EditId>(edits_.size()) + 1;
   if (plan.id) {
-    const ObjectKey key{plan.history, *plan.id};
-    Versions& versions = VersionsOf(key, plan.before);
-    if (!versions.back().made) return std::nullopt;
-    versions.push_back({.wish = Changed(versions.back().wish, plan.change), .begun = begun, .edit = edit});
+    VersionsOf({plan.history, *plan.id}, plan.before)
+        .push_back({.wish = std::move(wish), .begun = begun, .made = std::nullopt, .edit = edit});
   }
   if (plan.change.display_name) names_[*plan.change.display_name] = edit;
   Edit& entry = edits_[edit];
@@ -79,7 +88,12 @@ void EditBook::Adopt(EditId edit, const ObjectKey& key) {
   Edit& entry = edits_.at(edit);
   entry.key = key;
   Versions& versions = VersionsOf(key, {.presence = Presence::kGone});
-  if (versions.size() > 1) complaints_.push_back("law 1: a copy has the id of another object: " + entry.plan.what);
+  if (versions.size() > 1) {
+    std::string known = InWords(versions.front().wish);
+    for (std::size_t v = 1; v < versions.size(); ++v) known += ", then " + edits_.at(versions[v].edit).plan.what;
+    complaints_.push_back("law 1: a copy has the id of another object: " + entry.plan.what + " is " + ToString(key) +
+                          ", which was " + known);
+  }
   versions.push_back({.wish = Changed(versions.back().wish, entry.plan.change), .begun = entry.begun, .edit = edit});
 }
 
@@ -165,6 +179,7 @@ void EditBook::OnWhole(const std::string& history, const std::map<std::int64_t, 
   for (auto it = objects_.lower_bound({history, 0}); it != objects_.end() && it->first.history == history; ++it) {
     if (!sights.contains(it->first.id)) Check(it->first, nullptr, asked, answered);
   }
+  CheckLists(history, sights, asked);
 }
 
 int EditBook::OnRestarted(const std::string& history, const std::map<std::int64_t, Sight>& sights, Moment asked,
@@ -174,7 +189,8 @@ int EditBook::OnRestarted(const std::string& history, const std::map<std::int64_
   for (auto& [edit, entry] : edits_) {
     if (entry.is_over || !entry.is_cut || entry.plan.history != history) continue;
     bool was_made = false;
-    if (entry.key) {
+    // One in vain leaves no trace, though what it asked for may be so: an id of another map's is free here as yet.
+    if (entry.key && !entry.plan.is_vain) {
       const Versions& versions = objects_.at(*entry.key);
       const auto sight = sights.find(entry.key->id);
       was_made = versions.back().edit == edit &&

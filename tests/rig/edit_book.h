@@ -47,11 +47,12 @@ struct EditPlan {
   std::optional<std::int64_t> id;  ///< nothing: of a copy that is to be made, known by its display name
   Wish change;                     ///< goes on top of what the object was asked to be before
   Wish before;                     ///< of an object that no edit has touched yet
+  bool is_vain = false;            ///< its etag is not the present one: it cannot be made
 };
 
 /// Law 3: an edit that was made is there, one that was refused is not, one whose answer was cut off is there or not, as
-/// a whole, and stays so. Display names that begin with kMark are given by edits of the rig alone, each once.
-/// Thread-compatible.
+/// a whole, and stays so. Of a list of edits all are there or none. Display names that begin with kMark are given by
+/// edits of the rig alone, each once. Thread-compatible.
 class EditBook {
  public:
   static constexpr const char* kMark = "rig-";
@@ -60,6 +61,19 @@ class EditBook {
 
   /// Nothing if another edit of the object is under way.
   std::optional<EditId> Begin(EditPlan plan, Moment begun);
+  /// Edits of one history that are made together, at most one of an object. Nothing if one of them cannot begin, or its
+  /// object is none of which it can always be told whether it was changed: see IsHeld.
+  std::optional<std::vector<EditId>> BeginList(std::vector<EditPlan> plans, Moment begun);
+  /// Takes back what these edits, which were made together, have changed, or does it again; all else of their objects
+  /// stays. Nothing as above, or if it would change nothing that can be told.
+  std::optional<std::vector<EditId>> BeginUndo(const std::vector<EditId>& made, bool is_redo, const std::string& what,
+                                               Moment begun);
+  /// Whether edits alone have made the object, named it and may take it away, and none is under way: mapping leaves it
+  /// alone.
+  [[nodiscard]] bool IsHeld(const ObjectKey& key) const;
+
+  [[nodiscard]] const std::string& HistoryOf(EditId edit) const { return edits_.at(edit).plan.history; }
+
   /// `id` and `sight`: what the answer says of the object, if it says anything.
   void OnMade(EditId edit, std::optional<std::int64_t> id, const Sight* sight, Moment answered);
   void OnRefused(EditId edit);
@@ -91,8 +105,16 @@ class EditBook {
     bool is_cut = false, is_seen = false, is_over = false, was_made = false;
   };
   using Versions = std::vector<Version>;
+  struct List {
+    std::vector<EditId> edits;
+    bool is_told = false;  ///< that it is there in part; one complaint each
+  };
 
   [[nodiscard]] static bool Allows(const Wish& wish, const Sight* sight);
+  EditId Enter(EditPlan plan, Wish wish, Moment begun);
+  std::optional<Wish> WishAfter(EditId made, bool is_redo) const;
+  void CheckLists(const std::string& history, const std::map<std::int64_t, Sight>& sights, Moment asked);
+  std::optional<bool> Shows(EditId edit, const std::map<std::int64_t, Sight>& sights, Moment asked) const;
   Versions& VersionsOf(const ObjectKey& key, const Wish& before);
   void Adopt(EditId edit, const ObjectKey& key);
   bool MayHaveItsName(const ObjectKey& key, const Sight& sight);
@@ -103,6 +125,7 @@ class EditBook {
   std::map<EditId, Edit> edits_;
   std::map<ObjectKey, Versions> objects_;
   std::map<std::string, EditId> names_;
+  std::vector<List> open_lists_;
 };
 
 }  // namespace dhpmap::rig

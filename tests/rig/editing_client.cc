@@ -87,7 +87,7 @@ void EditingClient::Remember(const std::string& history, const v1::Submap& subma
 
 SubmapEdit EditingClient::Plan(const FedMap& map, const ReadState& read, bool with_etag, std::string what) {
   SubmapEdit edit{.plan = {.what = std::move(what), .history = map.history, .id = read.submap.instance_id()}};
-  if (with_etag) edit.etag = {{read.history, read.submap.instance_id()}, read.submap.revision()};
+  if (with_etag) edit.etag = StateOf(read.history, read.submap);
   return edit;
 }
 

@@ -3,12 +3,20 @@
 #include <csignal>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <sstream>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "mapping/base/this_thread.h"
+#include "tests/rig/at_once.h"
+#include "tests/rig/lying_frames.h"
+#include "tests/rig/quick_probes.h"
 #include "tests/rig/rig.h"
 #include "tests/rig/server_under_test.h"
+#include "tests/rig/unfinished_loads.h"
+#include "tests/rig/unread_loads.h"
 #include "tests/unit/server/http/http_client.h"
 
 namespace dhpmap::rig {
@@ -16,20 +24,15 @@ namespace {
 
 constexpr char kMap[] = "hostile";
 constexpr std::chrono::seconds kStay{5};  ///< how long each load stays once it stands
+constexpr int kNicenessOfLoads = 10;
 constexpr double kBudget_mib = 256, kBeside_mib = 200;
 
-/// Runs `attack` in `count` threads at once.
-void AtOnce(int count, const std::function<void()>& attack) {
-  std::vector<std::jthread> threads;
-  for (int i = 0; i < count; ++i) threads.emplace_back(attack);
-}
-
 void HangUpOnMeshes(const Target& target) {
-  AtOnce(60, [&target] { BulkCalls(target).AbandonedMesh(); });
+  AtOnce(60, [&target](int) { BulkCalls(target).AbandonedMesh(); });
 }
 
 void AskForManyPoints(const Target& target) {
-  AtOnce(8, [&target] { BulkCalls(target).ManyPoints(500'000); });
+  AtOnce(8, [&target](int) { BulkCalls(target).ManyPoints(500'000); });
 }
 
 void LeaveBodiesUnfinished(const Target& target) {
@@ -67,36 +70,87 @@ void LeaveCallsUnread(const ServerUnderTest& server, const Target& target, const
   client->Signal(SIGKILL);
 }
 
+/// Half of the watchers in another process, half over REST.
+bool LeaveWatchesUnread(const ServerUnderTest& server, const Target& target, int num_watchers) {
+  constexpr double kEdited_s = 8;
+  const auto client =
+      StartSelf(server.folder(), {"stalled-client", target.grpc_address, std::to_string(target.http_port),
+                                  target.map_id, "watches", std::to_string(num_watchers / 2)});
+  const bool held = EditWhileNobodyReads(target, num_watchers - num_watchers / 2, kEdited_s);
+  client->Signal(SIGKILL);
+  return held;
+}
+
+struct Load {
+  const char* name;
+  std::function<bool()> run;  ///< less than 15 s; whether what it was answered was well
+};
+
+std::vector<Load> LoadsOn(const ServerUnderTest& server, const Target& target) {
+  // So that most of them need not say that they held.
+  const auto unheard = [](auto load) { return [load = std::move(load)] { return load(), true; }; };
+  return {
+      {"60 clients that hang up on a mesh", unheard([&] { HangUpOnMeshes(target); })},
+      {"8 queries of 500,000 points", unheard([&] { AskForManyPoints(target); })},
+      {"15 bodies of 60 MiB that do not end", unheard([&] { LeaveBodiesUnfinished(target); })},
+      {"40 meshes over REST that nobody reads", unheard([&] { LeaveAnswersUnread(target); })},
+      {"20 meshes over gRPC that nobody reads", unheard([&] { LeaveCallsUnread(server, target, "meshes", 20); })},
+      {"64 answers of 400,000 points that nobody reads",
+       unheard([&] { LeaveCallsUnread(server, target, "points", 64); })},
+      {"40 lines of NDJSON of 32 MiB that do not end", [&] { return LeaveLinesUnfinished(target); }},
+      {"8 lines of NDJSON of 30 MB", [&] { return SendLargeLines(target); }},
+      {"64 gRPC messages of 60 MiB that do not end", [&] { return LeaveMessagesUnfinished(target); }},
+      {"8 streams of frames that lie", [&] { return SendLyingFrames(target); }},
+      {"100 streams of large queries, each with a pin, that nobody reads",
+       unheard([&] { LeaveCallsUnread(server, target, "query-streams", 100); })},
+      {"200 watchers that do not read", [&] { return LeaveWatchesUnread(server, target, 200); }},
+  };
+}
+
+/// In a thread of its own, for the load and all that it starts run at lower priority: the rig is to be slow, not the
+/// server.
+bool RunNicely(const Load& load) {
+  bool held = false;
+  std::jthread([&] {
+    MakeThisThreadNicer(kNicenessOfLoads);
+    held = load.run();
+  }).join();
+  return held;
+}
+
+/// The load, and some time after it, with what the server takes meanwhile and how fast it answers what is quick.
+bool RunWatched(const Load& load, ServerUnderTest& server, const std::shared_ptr<grpc::Channel>& quick,
+                PeakWatch& watch) {
+  const double maps_mib = server.Metric("dhpmap_map_memory_bytes") / (1 << 20);
+  const double limit_mib = maps_mib + kBudget_mib + kBeside_mib;
+  std::printf("%s\n", load.name);
+  watch.Reset();
+  QuickProbes probes(quick, server.http_port(), kMap);
+  bool held = RunNicely(load);
+  std::this_thread::sleep_for(kStay);
+  const ProcessUse peak = watch.peak();
+  probes.Stop();
+  std::printf("        %d threads, %d descriptors\n", peak.num_threads, peak.num_files);
+  held &= Expect("resident memory, with " + std::to_string(static_cast<int>(maps_mib)) + " MiB of maps",
+                 peak.resident_mib, limit_mib, "MiB");
+  held &= Expect("afterwards", UseOf(server.pid()).resident_mib, limit_mib, "MiB");
+  probes.Tell();
+  held &= probes.Held();
+  held &= Expect("quick calls that failed", probes.num_failures(), 0, "");
+  return held;
+}
+
 }  // namespace
 
 bool RunHostile(const HostileOptions& options) {
   ServerUnderTest server;
   if (!server.MapDataset(options.dataset, kMap)) return false;
   const Target target = server.TargetOf(kMap);
-  const struct {
-    const char* name;
-    std::function<void()> run;
-  } loads[] = {
-      {"60 clients that hang up on a mesh", [&] { HangUpOnMeshes(target); }},
-      {"8 queries of 500,000 points", [&] { AskForManyPoints(target); }},
-      {"15 bodies of 60 MiB that do not end", [&] { LeaveBodiesUnfinished(target); }},
-      {"40 meshes over REST that nobody reads", [&] { LeaveAnswersUnread(target); }},
-      {"20 meshes over gRPC that nobody reads", [&] { LeaveCallsUnread(server, target, "meshes", 20); }},
-      {"64 answers of 400,000 points that nobody reads", [&] { LeaveCallsUnread(server, target, "points", 64); }},
-  };
+  const auto quick = server.process().Connect();
+  if (!quick->WaitForConnected(std::chrono::system_clock::now() + kStay)) return false;
   PeakWatch watch(server.pid());
   bool held = true;
-  for (const auto& load : loads) {
-    const double maps_mib = server.Metric("dhpmap_map_memory_bytes") / (1 << 20);
-    watch.Reset();
-    load.run();
-    const ProcessUse peak = watch.peak();
-    std::printf("%s: %d threads, %d descriptors\n", load.name, peak.num_threads, peak.num_files);
-    held &= Expect("resident memory, with " + std::to_string(static_cast<int>(maps_mib)) + " MiB of maps",
-                   peak.resident_mib, maps_mib + kBudget_mib + kBeside_mib, "MiB");
-    std::this_thread::sleep_for(kStay);
-    std::printf("        afterwards: %.0f MiB\n", UseOf(server.pid()).resident_mib);
-  }
+  for (const Load& load : LoadsOn(server, target)) held &= RunWatched(load, server, quick, watch);
   held &= Expect("the server's exit code", server.process().Terminate().value_or(255), 0, "");
   return held;
 }

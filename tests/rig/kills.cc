@@ -12,7 +12,9 @@
 #include <thread>
 
 #include "tests/e2e/server_process.h"
+#include "tests/rig/backing_up_client.h"
 #include "tests/rig/clients.h"
+#include "tests/rig/list_editing_client.h"
 
 namespace dhpmap::rig {
 namespace {
@@ -40,6 +42,12 @@ class KillingLoop {
     for (int i = 0; i < options.num_readers; ++i) {
       clients_.push_back(std::make_unique<ReadingClient>(random_(), ledger_));
     }
+    for (int i = 0; i < options.num_list_editors; ++i) {
+      clients_.push_back(std::make_unique<ListEditingClient>(i, random_(), ledger_));
+    }
+    auto backing_up = std::make_unique<BackingUpClient>(options.directory / "backup.db", random_(), ledger_);
+    backing_up_ = backing_up.get();
+    clients_.push_back(std::move(backing_up));
   }
 
   KillReport Run(std::ostream& progress) {
@@ -65,14 +73,17 @@ class KillingLoop {
   bool TakeStockOf(FedMap& map, Connection& server);
   bool TakeStockOfSmallMaps(Connection& server);
   bool MakeMapsWhoseTimeHasCome(Life& life, Connection& server);
-  bool Make(FedMap& map, std::string name, Connection& server);
+  bool Make(FedMap& map, const std::string& name, Connection& server);
   void WorkUntilKilled(Life& life, ServerProcess& server);
+  void LookInto(const FinishedBackup& backup, const Life& life);
+  void LookInto(const FinishedBackup& backup, const FedMap& map, Connection& server);
 
   const KillOptions options_;
   const Corridor corridor_;
   std::mt19937_64 random_;
   Ledger ledger_;
   std::vector<std::unique_ptr<Client>> clients_;
+  BackingUpClient* backing_up_ = nullptr;  // one of them
   std::vector<FedMap> fed_;
   std::vector<std::string> small_maps_;
   KillReport report_;
@@ -132,6 +143,44 @@ void KillingLoop::WorkUntilKilled(Life& life, ServerProcess& server) {
   server.process().Wait(kEnd_s);
   for (std::thread& thread : threads) thread.join();
   ++report_.num_kills;
+  if (const auto backup = backing_up_->Take()) LookInto(*backup, life);
+}
+
+void KillingLoop::LookInto(const FinishedBackup& backup, const Life& life) {
+  {
+    ServerProcess server(options_.directory, backup.file);
+    if (!server.is_serving()) {
+      return ledger_.Complain("law 6: a backup that was finished does not open: " + server.process().Stderr());
+    }
+    Life of_backup;
+    of_backup.number = life.number;
+    of_backup.channel = server.Connect();
+    Connection connection(of_backup, ledger_);
+    for (const FedMap& map : life.maps) LookInto(backup, map, connection);
+    if (server.Terminate() != 0) {
+      ledger_.Complain("law 6: a server of a backup does not end well: " + server.process().Stderr());
+    }
+  }
+  for (const char* suffix : {"", "-wal", "-shm", "-lock"}) std::filesystem::remove(backup.file.string() + suffix);
+}
+
+void KillingLoop::LookInto(const FinishedBackup& backup, const FedMap& map, Connection& server) {
+  v1::VerifyMapRequest request;
+  request.set_name(map.name);
+  v1::VerifyMapResponse verified;
+  const Outcome outcome = server.Ask("VerifyMap of a backup", {}, [&](grpc::ClientContext* context) {
+    return server.maps->VerifyMap(context, request, &verified);
+  });
+  v1::Map summary;
+  v1::ListSubmapsResponse all;
+  if (outcome.fate != Fate::kAnswered || server.GetMap(map.name, summary).fate != Fate::kAnswered ||
+      server.List(map.name, all).fate != Fate::kAnswered) {
+    return ledger_.Complain("law 6: a backup has no " + map.name + ", or it cannot be read");
+  }
+  if (verified.num_faults() > 0) ledger_.Complain("law 6: a backup is damaged: " + verified.ShortDebugString());
+  const auto stored = backup.num_stored.find(map.history);
+  ledger_.OnBackup(map.history, summary, all, stored == backup.num_stored.end() ? 0 : stored->second, backup.asked,
+                   backup.answered);
 }
 
 bool KillingLoop::TakeStock(Connection& server) {
@@ -182,7 +231,7 @@ bool KillingLoop::MakeMapsWhoseTimeHasCome(Life& life, Connection& server) {
 }
 
 /// One of before that has the name, and was not deleted in its last life, goes first.
-bool KillingLoop::Make(FedMap& map, std::string name, Connection& server) {
+bool KillingLoop::Make(FedMap& map, const std::string& name, Connection& server) {
   v1::DeleteMapRequest old;
   old.set_name("maps/" + name);
   v1::DeleteMapResponse deleted;
@@ -241,6 +290,9 @@ std::string ToText(const KillReport& report) {
        << "edits refused            " << tally.num_edits_refused << "\n"
        << "edits cut off            " << tally.num_edits_cut << ", of which were made " << tally.num_cut_edits_made
        << "\n"
+       << "lists and undos made     " << tally.num_lists_made << ", refused " << tally.num_lists_refused << ", cut off "
+       << tally.num_lists_cut << "; undone or done again: " << tally.num_undone << " asked\n"
+       << "backups looked into      " << tally.num_backups << " maps\n"
        << "edits with a stale etag  " << tally.num_stale_edits << "\n"
        << "sequences told           " << tally.num_sequences_told << ", sessions resumed " << tally.num_resumed << "\n"
        << "old page tokens asked    " << tally.num_lost_tokens_asked << " of lost states, "

@@ -17,6 +17,7 @@ struct KillOptions {
   double min_life_s = 0.05, max_life_s = 1.0;  ///< from the moment that clients are let in
   int num_fed_maps = 2;                        ///< each with a client that feeds it
   int num_editors = 3, num_readers = 2;
+  int num_list_editors = 2;
   int num_places = 6;     ///< of the corridor that is mapped
   int lives_of_map = 25;  ///< then another is made, of a name that a map before the last had, too
   std::filesystem::path directory;
@@ -30,7 +31,8 @@ struct KillReport {
 };
 
 /// Starts dhpmap-server, lets clients work on it, kills it with SIGKILL at a random moment, starts it again on the same
-/// database, and so on; holds what clients are told against the laws of Ledger. Ends early, with a complaint, if the
+/// database, and so on; holds what clients are told against the laws of Ledger, and what is in the backups that were
+/// finished, each served by a server of its own. Ends early, with a complaint, if the
 /// server does not start or ends by itself, and after many complaints. `progress` hears of each complaint at once.
 KillReport RunKills(const KillOptions& options, std::ostream& progress);
 

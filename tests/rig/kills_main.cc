@@ -16,6 +16,8 @@ int main(int argc, char** argv) {
   app.add_option("--min-life", options.min_life_s, "Shortest life of a server in s")->capture_default_str();
   app.add_option("--max-life", options.max_life_s, "Longest")->capture_default_str();
   app.add_option("--editors", options.num_editors, "Clients that edit")->capture_default_str();
+  app.add_option("--list-editors", options.num_list_editors, "Clients that edit by lists, and undo them")
+      ->capture_default_str();
   app.add_option("--readers", options.num_readers, "Clients that read")->capture_default_str();
   app.add_option("--directory", options.directory, "For the database and the server's logs, which are left there");
   CLI11_PARSE(app, argc, argv);

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/rig/ledger.h"
 
+#include <cstdlib>
 #include <utility>
+
+#include "tests/rig/sights.h"
 
 namespace dhpmap::rig {
 namespace {
 
 /// History of the maps themselves in the book of edits.
 constexpr const char* kMaps = "maps";
-
-Sight SightOf(const v1::Submap& submap) {
-  const v1::Vector3& p = submap.map_from_submap().translation_m();
-  return {.display_name = submap.display_name(), .position_m = {p.x(), p.y(), p.z()}, .class_id = submap.class_id()};
-}
-
-Sight SightOf(const v1::Map& map) { return {.display_name = map.display_name()}; }
-
-std::map<std::int64_t, Sight> SightsOf(const v1::ListSubmapsResponse& all) {
-  std::map<std::int64_t, Sight> sights;
-  for (const v1::Submap& submap : all.submaps()) sights[submap.instance_id()] = SightOf(submap);
-  return sights;
-}
 
 /// What an object never changes.
 std::string IdentityOf(const v1::Submap& submap) {
@@ -35,6 +25,14 @@ std::string IdentityOf(const v1::Submap& submap) {
 
 }  // namespace
 
+NamedState StateOf(const std::string& history, const v1::Submap& submap) {
+  NamedState state{.submap = {history, submap.instance_id()}, .revision = submap.revision()};
+  const std::string& etag = submap.etag();
+  const auto at = etag.rfind("-e");
+  if (at != std::string::npos) state.edited_revision = std::strtoll(etag.c_str() + at + 2, nullptr, 10);
+  return state;
+}
+
 Moment Ledger::Now() {
   const MutexLock lock(mutex_);
   return ++now_;
@@ -47,13 +45,14 @@ Progress& Ledger::ProgressOf(const std::string& history) {
 void Ledger::See(const std::string& history, const v1::Submap& submap, std::int64_t map_revision, Moment asked) {
   const std::string object = history + "/" + std::to_string(submap.instance_id());
   names_.Bind("submap " + object + " at revision " + std::to_string(submap.revision()), submap);
-  names_.Bind("etag " + submap.etag() + " of " + submap.name(), object + " " + std::to_string(submap.revision()));
+  names_.Bind("etag " + submap.etag(), object + " " + std::to_string(submap.revision()));
   if (submap.instance_id() != 0) names_.Bind("submap " + object, IdentityOf(submap));
   if (submap.revision() > map_revision) {
     complaints_.push_back("law 2: submap " + object + " is of revision " + std::to_string(submap.revision()) +
                           ", beyond its map's " + std::to_string(map_revision));
   }
-  present_[{history, submap.instance_id()}].newest.Raise(now_, submap.revision());
+  const NamedState state = StateOf(history, submap);
+  present_[state.submap].newest_edit.Raise(now_, state.edited_revision);
   ++tally_.num_answers;
   ProgressOf(history).OnRevision(map_revision, asked, now_);
 }
@@ -169,12 +168,12 @@ EditId Ledger::Pend(EditId edit, Pending pending) {
 
 Ledger::Pending Ledger::Settle(EditId edit) { return std::move(pending_.extract(edit).mapped()); }
 
-/// Whether an etag is certainly not the present one of a history.
+/// Whether an etag certainly does not hold in a history.
 bool Ledger::IsStale(const NamedState& etag, const std::string& history) {
   if (etag.submap.history != history || book_.IsGone(etag.submap, now_)) return true;
   const Present& present = present_[etag.submap];
   const bool is_lost = etag.revision <= present.map_at_restart && etag.revision > present.stored;
-  return is_lost || etag.revision < present.newest.At(now_);
+  return is_lost || etag.edited_revision < present.newest_edit.At(now_);
 }
 
 std::optional<EditId> Ledger::BeginEdit(SubmapEdit edit) {
@@ -182,6 +181,7 @@ std::optional<EditId> Ledger::BeginEdit(SubmapEdit edit) {
   ++now_;
   Pending pending{.what = edit.plan.what, .history = edit.plan.history, .begun = now_};
   pending.is_stale = edit.etag && IsStale(*edit.etag, edit.plan.history);
+  edit.plan.is_vain = pending.is_stale;
   const auto id = book_.Begin(std::move(edit.plan), now_);
   if (!id) return std::nullopt;
   return Pend(*id, std::move(pending));
@@ -192,8 +192,7 @@ void Ledger::OnMade(EditId edit, const v1::Submap* after, std::int64_t map_revis
   ++now_;
   ++tally_.num_edits_made;
   const Pending pending = Settle(edit);
-  if (pending.is_stale)
-    complaints_.push_back("law 5: made, with an etag that was not the present one: " + pending.what);
+  if (pending.is_stale) complaints_.push_back("law 5: made, with an etag that did not hold: " + pending.what);
   ProgressOf(pending.history).OnDurable(map_revision);
   if (after == nullptr) {
     ProgressOf(pending.history).OnRevision(map_revision, pending.begun, now_);
@@ -225,7 +224,8 @@ std::optional<EditId> Ledger::BeginMapEdit(std::int64_t number, std::string what
                                .history = kMaps,
                                .id = number,
                                .change = std::move(change),
-                               .before = {.presence = Presence::kGone}},
+                               .before = {.presence = Presence::kGone},
+                               .is_vain = is_stale},
                               ++now_);
   if (!id) return std::nullopt;
   return Pend(*id, {.what = std::move(what), .history = kMaps, .begun = now_, .is_stale = is_stale});
@@ -236,8 +236,7 @@ void Ledger::OnMapMade(EditId edit, const v1::Map* after) {
   ++now_;
   ++tally_.num_edits_made;
   const Pending pending = Settle(edit);
-  if (pending.is_stale)
-    complaints_.push_back("law 5: made, with an etag that was not the present one: " + pending.what);
+  if (pending.is_stale) complaints_.push_back("law 5: made, with an etag that did not hold: " + pending.what);
   if (after == nullptr) return book_.OnMade(edit, std::nullopt, nullptr, now_);
   SeeMap(*after, pending.begun);
   ProgressOf(after->history_id()).OnDurable(after->revision());

@@ -22,7 +22,10 @@ namespace dhpmap::rig {
 struct NamedState {
   ObjectKey submap;
   std::int64_t revision = 0;
+  std::int64_t edited_revision = 0;  ///< of its last edit or merge by then
 };
+/// What the etag of a submap names. Clients need not know how; the ledger does, so that it sees more than they.
+NamedState StateOf(const std::string& history, const v1::Submap& submap);
 
 /// An edit of a submap, with what its etag names if it gives one: of a copy, that is a state of the original.
 struct SubmapEdit {
@@ -34,6 +37,9 @@ struct SubmapEdit {
 struct Tally {
   std::int64_t num_answers = 0, num_listings = 0;
   std::int64_t num_edits_made = 0, num_edits_refused = 0, num_edits_cut = 0, num_cut_edits_made = 0;
+  std::int64_t num_lists_made = 0, num_lists_refused = 0, num_lists_cut = 0;  ///< undos included
+  std::int64_t num_undone = 0;                                                ///< of them; done again included
+  std::int64_t num_backups = 0;
   std::int64_t num_stale_edits = 0;  ///< with an etag that was certainly not the present one
   std::int64_t num_names = 0;        ///< etags, revisions and listings, each with its state
   std::int64_t num_sequences_told = 0, num_resumed = 0;
@@ -47,9 +53,12 @@ struct Tally {
 ///      what names one that was stored is not.
 ///   3. An edit that was answered OK is there, one that was answered with an error is not; one whose answer was cut off
 ///   is
-///      there or not, as a whole, and stays so.
+///      there or not, as a whole, and stays so. Edits of one list are all there or none, in every state; an undo is the
+///      list that takes back what another has changed.
 ///   4. What a session was told is stored is stored, and a map has exactly the frames that its sessions have stored.
-///   5. An edit with an etag that is not the present one is never made.
+///   5. An edit with an etag of before another edit or merge, of another history or of a lost state is never made. What
+///      frames have changed since does not matter.
+///   6. A backup that was finished has what was told before it was begun: edits that were made, frames that are stored.
 /// Every answer of a kind below is handed in, with the moment before its question was sent. Thread-safe.
 class Ledger {
  public:
@@ -81,6 +90,18 @@ class Ledger {
   void OnRefused(EditId edit);
   void OnCut(EditId edit);
 
+  /// Edits that are made together. Nothing as EditBook::BeginList says.
+  std::optional<std::vector<EditId>> BeginList(std::vector<SubmapEdit> list);
+  /// Nothing as EditBook::BeginUndo says.
+  std::optional<std::vector<EditId>> BeginUndo(const std::vector<EditId>& made, bool is_redo);
+  /// `ids`: for each edit, that of the copy that it made, if it did.
+  void OnListMade(const std::vector<EditId>& list, const std::vector<std::optional<std::int64_t>>& ids,
+                  std::int64_t map_revision);
+  void OnListRefused(const std::vector<EditId>& list);
+  void OnListCut(const std::vector<EditId>& list);
+  /// Of objects that lists are made of: see EditBook::IsHeld.
+  [[nodiscard]] bool IsHeld(const std::string& history, std::int64_t id) const;
+
   // Maps that only one client makes and deletes. `number` stands for the name.
   std::optional<EditId> BeginMapEdit(std::int64_t number, std::string what, Wish change, bool is_stale);
   void OnMapMade(EditId edit, const v1::Map* after);
@@ -89,6 +110,13 @@ class Ledger {
   /// What is there first after a restart: what was cut off is decided by it.
   void OnRestarted(const v1::Map& map, const v1::ListSubmapsResponse& all, Moment asked);
   void OnMapsRestarted(const std::map<std::int64_t, v1::Map>& maps, Moment asked);
+
+  /// How many frames of the history somebody was told are stored.
+  [[nodiscard]] std::int64_t NumStoredFrames(const std::string& history);
+  /// What a backup has of the map, which was asked for and was whole at these moments. `num_stored`: NumStoredFrames
+  /// before it was asked for.
+  void OnBackup(const std::string& history, const v1::Map& map, const v1::ListSubmapsResponse& all,
+                std::int64_t num_stored, Moment asked, Moment answered);
 
   void Complain(std::string text);
   [[nodiscard]] Complaints complaints() const;
@@ -102,7 +130,7 @@ class Ledger {
   };
   /// Which of a submap's states may be the present one. A crash takes it back to the one that is stored.
   struct Present {
-    Floor newest;                                   ///< revision, told since the last restart
+    Floor newest_edit;                              ///< its edited_revision, told since the last restart
     std::int64_t stored = Floor::kNothing;          ///< its revision at the last restart; nothing: it was not there
     std::int64_t map_at_restart = Floor::kNothing;  ///< its map's then: what was told before is not beyond
   };
@@ -114,6 +142,7 @@ class Ledger {
   void SeeMap(const v1::Map& map, Moment asked) DHPMAP_REQUIRES(mutex_);
   EditId Pend(EditId edit, Pending pending) DHPMAP_REQUIRES(mutex_);
   Pending Settle(EditId edit) DHPMAP_REQUIRES(mutex_);
+  void PendAll(const std::vector<EditId>& list, const Pending& pending) DHPMAP_REQUIRES(mutex_);
 
   mutable Mutex mutex_;
   Moment now_ DHPMAP_GUARDED_BY(mutex_) = 0;

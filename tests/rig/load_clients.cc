@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/rig/rig.h"
+#include "tests/rig/unread_loads.h"
 
 namespace dhpmap::rig {
 
@@ -47,6 +48,8 @@ struct Stalled {
 }  // namespace
 
 void RunStalledClient(const Target& target, Stall stall, int num_calls) {
+  if (stall == Stall::kQueryStreams) return HoldQueryStreams(target, num_calls);
+  if (stall == Stall::kWatches) return HoldWatches(target, num_calls);
   constexpr int kPoints = 400'000, kCallsPerConnection = 16;
   const v1::QueryPointsRequest points = PointsEverywhere(target.map_id, kPoints);
   v1::GetSubmapMeshRequest mesh;

@@ -67,8 +67,10 @@ int main(int argc, char** argv) {
   AddTarget(*command, target);
   command->add_option("stall", stall)
       ->required()
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Stall>{{"meshes", Stall::kMeshes}, {"points", Stall::kPoints}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Stall>{{"meshes", Stall::kMeshes},
+                                                                       {"points", Stall::kPoints},
+                                                                       {"query-streams", Stall::kQueryStreams},
+                                                                       {"watches", Stall::kWatches}}));
   command->add_option("calls", num_calls)->required();
   command->callback([&] { RunStalledClient(target, stall, num_calls); });
 

@@ -48,6 +48,12 @@ void Progress::OnStored(const std::string& session, std::int64_t sequence) {
   known->second = std::max(known->second, sequence);
 }
 
+std::int64_t Progress::num_stored() const {
+  std::int64_t num = 0;
+  for (const auto& [session, sequence] : stored_) num += sequence + 1;
+  return num;
+}
+
 void Progress::OnResumed(const std::string& session, std::optional<std::int64_t> sequence) {
   if (sequence) return OnStored(session, *sequence);
   if (const auto known = stored_.find(session); known != stored_.end()) {

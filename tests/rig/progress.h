@@ -51,6 +51,8 @@ class Progress {
   void OnToken(std::string token, std::int64_t revision);
 
   void OnStored(const std::string& session, std::int64_t sequence);
+  /// Frames of all sessions that somebody was told are stored. Sequences begin at 0.
+  [[nodiscard]] std::int64_t num_stored() const;
   /// What the first answer of a stream says.
   void OnResumed(const std::string& session, std::optional<std::int64_t> sequence);
 

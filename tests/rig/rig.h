@@ -53,8 +53,8 @@ bool RunSoak(const SoakOptions& options);
 /// Bulk calls from `num_clients` connections until killed.
 void RunBulkClients(const Target& target, int num_clients);
 
-enum class Stall { kMeshes, kPoints };
-/// Begins `num_calls` calls whose answers it does not read, and stops itself.
+enum class Stall { kMeshes, kPoints, kQueryStreams, kWatches };
+/// Begins `num_calls` calls whose answers it does not read, and stands still until it is killed.
 void RunStalledClient(const Target& target, Stall stall, int num_calls);
 
 }  // namespace dhpmap::rig

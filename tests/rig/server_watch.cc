@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "tests/e2e/process.h"
@@ -12,6 +13,26 @@ namespace dhpmap::rig {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{50};
+
+/// gRPC's own, which come with load and not with maps.
+bool IsOfGrpc(const std::string& thread) {
+  constexpr const char* kNames[] = {"default-exec",   "resolver-exec", "event_engine",
+                                    "nexting_thread", "timer_manager", "grpc"};
+  return std::any_of(std::begin(kNames), std::end(kNames), [&](const char* name) { return thread.starts_with(name); });
+}
+
+int NumThreadsOfGrpc(const std::filesystem::path& proc) {
+  int num = 0;
+  std::error_code error;
+  for (auto task = std::filesystem::directory_iterator(proc / "task", error);
+       !error && task != std::filesystem::directory_iterator(); task.increment(error)) {
+    std::ifstream in(task->path() / "comm");
+    std::string name;
+    std::getline(in, name);
+    num += IsOfGrpc(name);
+  }
+  return num;
+}
 
 }  // namespace
 
@@ -28,6 +49,7 @@ ProcessUse UseOf(pid_t pid) {
     if (key == "RssAnon:") use.anonymous_mib = value / 1024;
     if (key == "Threads:") use.num_threads = static_cast<int>(value);
   }
+  use.num_threads -= NumThreadsOfGrpc(proc);
   std::error_code error;
   for (auto file = std::filesystem::directory_iterator(proc / "fd", error);
        !error && file != std::filesystem::directory_iterator(); file.increment(error)) {

@@ -14,7 +14,8 @@ namespace dhpmap::rig {
 /// What a process takes of the machine.
 struct ProcessUse {
   double resident_mib = 0, anonymous_mib = 0;
-  int num_threads = 0, num_files = 0;
+  int num_threads = 0;  ///< but gRPC's own
+  int num_files = 0;
 };
 ProcessUse UseOf(pid_t pid);
 

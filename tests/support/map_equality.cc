@@ -37,15 +37,16 @@ AssertionResult BlocksAreEqual(const BlockEntry& a, const BlockEntry& b, double 
 }
 
 AssertionResult InfosAreEqual(const SubmapInfo& a, const SubmapInfo& b) {
-  const bool same =
-      a.id == b.id && a.panoptic == b.panoptic && a.class_id == b.class_id && a.class_is_fixed == b.class_is_fixed &&
-      a.display_name == b.display_name && a.T_map_submap.matrix() == b.T_map_submap.matrix() &&
-      a.voxel_size_m == b.voxel_size_m && a.truncation_m == b.truncation_m && a.class_counts == b.class_counts &&
-      a.activity == b.activity && a.is_confirmed == b.is_confirmed && a.num_frames_observed == b.num_frames_observed &&
-      a.num_frames_missed == b.num_frames_missed && a.num_frames_overlooked == b.num_frames_overlooked &&
-      a.first_observed_ns == b.first_observed_ns && a.last_observed_ns == b.last_observed_ns &&
-      a.track_id == b.track_id && a.presence == b.presence && a.last_contradicted_ns == b.last_contradicted_ns &&
-      a.is_placed == b.is_placed && a.edited_revision == b.edited_revision;
+  const bool same = a.id == b.id && a.panoptic == b.panoptic && a.class_id == b.class_id &&
+                    a.class_is_fixed == b.class_is_fixed && a.display_name == b.display_name &&
+                    a.T_map_submap.matrix() == b.T_map_submap.matrix() && a.voxel_size_m == b.voxel_size_m &&
+                    a.truncation_m == b.truncation_m && a.class_counts == b.class_counts && a.activity == b.activity &&
+                    a.is_confirmed == b.is_confirmed && a.num_frames_observed == b.num_frames_observed &&
+                    a.num_frames_missed == b.num_frames_missed && a.num_frames_overlooked == b.num_frames_overlooked &&
+                    a.first_observed_ns == b.first_observed_ns && a.last_observed_ns == b.last_observed_ns &&
+                    a.track_id == b.track_id && a.sightings == b.sightings && a.presence == b.presence &&
+                    a.last_contradicted_ns == b.last_contradicted_ns && a.is_placed == b.is_placed &&
+                    a.is_locked == b.is_locked && a.edited_revision == b.edited_revision;
   return same ? AssertionSuccess() : AssertionFailure() << "rows differ";
 }
 
@@ -63,6 +64,21 @@ AssertionResult FreeSpacesAreEqual(const FreeSpace& a, const FreeSpace& b) {
   return AssertionSuccess();
 }
 
+AssertionResult VoxelsAreEqual(const Submap& a, const Submap& b, double distance_tolerance_m, double weight_tolerance) {
+  if (a.blocks().size() != b.blocks().size()) {
+    return AssertionFailure() << a.blocks().size() << " and " << b.blocks().size() << " blocks";
+  }
+  for (const BlockEntry& entry : a.blocks().entries()) {
+    const BlockEntry* other = b.blocks().Find(entry.index);
+    if (other == nullptr) return AssertionFailure() << "lacks a block";
+    if (AssertionResult same = BlocksAreEqual(entry, *other, distance_tolerance_m, weight_tolerance); !same) {
+      return AssertionFailure() << "block " << entry.index.x << ' ' << entry.index.y << ' ' << entry.index.z << ": "
+                                << same.message();
+    }
+  }
+  return AssertionSuccess();
+}
+
 }  // namespace
 
 AssertionResult MapsAreEqual(const MapSnapshot& a, const MapSnapshot& b, double distance_tolerance_m,
@@ -74,25 +90,19 @@ AssertionResult MapsAreEqual(const MapSnapshot& a, const MapSnapshot& b, double 
   if (AssertionResult same = FreeSpacesAreEqual(*a.free_space(), *b.free_space()); !same) return same;
   if (AssertionResult same = FreeSpacesAreEqual(*a.vacated(), *b.vacated()); !same) return same << " (vacated)";
   for (std::size_t s = 0; s < a.submaps().size(); ++s) {
-    const Submap& left = *a.submaps()[s];
-    const Submap& right = *b.submaps()[s];
-    if (AssertionResult same = InfosAreEqual(left.info(), right.info()); !same) {
-      return AssertionFailure() << "submap " << left.id().value << ": " << same.message();
-    }
-    if (left.blocks().size() != right.blocks().size()) {
-      return AssertionFailure() << "submap " << left.id().value << ": " << left.blocks().size() << " and "
-                                << right.blocks().size() << " blocks";
-    }
-    for (const BlockEntry& entry : left.blocks().entries()) {
-      const BlockEntry* other = right.blocks().Find(entry.index);
-      if (other == nullptr) return AssertionFailure() << "submap " << left.id().value << " lacks a block";
-      if (AssertionResult same = BlocksAreEqual(entry, *other, distance_tolerance_m, weight_tolerance); !same) {
-        return AssertionFailure() << "submap " << left.id().value << ", block " << entry.index.x << ' ' << entry.index.y
-                                  << ' ' << entry.index.z << ": " << same.message();
-      }
-    }
+    const Submap &left = *a.submaps()[s], &right = *b.submaps()[s];
+    AssertionResult same = InfosAreEqual(left.info(), right.info());
+    if (same) same = VoxelsAreEqual(left, right, distance_tolerance_m, weight_tolerance);
+    if (!same) return AssertionFailure() << "submap " << left.id().value << ": " << same.message();
   }
   return AssertionSuccess();
+}
+
+AssertionResult SubmapsAreEqual(const Submap& a, const Submap& b) {
+  if (AssertionResult same = InfosAreEqual(a.info(), b.info()); !same) return same;
+  const BoundingSphere &left = a.bounding_sphere(), &right = b.bounding_sphere();
+  if (left.center_m != right.center_m || left.radius_m != right.radius_m) return AssertionFailure() << "spheres differ";
+  return VoxelsAreEqual(a, b, 0, 0);
 }
 
 }  // namespace dhpmap::testing

@@ -12,4 +12,7 @@ namespace dhpmap::testing {
 ::testing::AssertionResult MapsAreEqual(const MapSnapshot& a, const MapSnapshot& b, double distance_tolerance_m = 0,
                                         double weight_tolerance = 0);
 
+/// Of two submaps: rows, spheres and voxels, bit for bit.
+::testing::AssertionResult SubmapsAreEqual(const Submap& a, const Submap& b);
+
 }  // namespace dhpmap::testing

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "clients/evaluator/baselines/whole_frame.h"
 #include "mapping/fusion/grid_ray.h"
 
 namespace dhpmap::evaluator {
@@ -26,12 +27,19 @@ struct Part {
 
 }  // namespace
 
-void MergedRays::Assign(const PanopticFrame& frame, double voxel_size_m) {
-  const auto& merged = geometry_.BundleFrame(WithoutSegments(frame), frame.T_map_sensor, voxel_size_m);
-  rays_ = merged.empty() ? nullptr : &merged.front();
+Status MergedRays::Assign(const PanopticFrame& frame, double voxel_size_m) {
+  rays_ = nullptr;
   labels_.clear();
-  first_label_.assign(rays_ == nullptr ? 1 : rays_->bundles.size() + 1, 0);
-  if (rays_ != nullptr) CountLabels(frame, labelled_.BundleFrame(frame, frame.T_map_sensor, voxel_size_m));
+  first_label_.assign(1, 0);
+  const auto& merged = geometry_.BundleFrame(WithoutSegments(frame), frame.T_map_sensor, voxel_size_m);
+  DHPMAP_RETURN_IF_ERROR(CheckIsWhole(merged));
+  if (merged.empty()) return Status::Ok();
+  const auto& labelled = labelled_.BundleFrame(frame, frame.T_map_sensor, voxel_size_m);
+  DHPMAP_RETURN_IF_ERROR(CheckIsWhole(labelled));
+  rays_ = &merged.front();
+  first_label_.assign(rays_->bundles.size() + 1, 0);
+  CountLabels(frame, labelled);
+  return Status::Ok();
 }
 
 void MergedRays::CountLabels(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments) {

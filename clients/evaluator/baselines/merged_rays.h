@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clients/evaluator/baselines/semantic_layer.h"
+#include "mapping/base/status.h"
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
 
@@ -17,7 +18,8 @@ class MergedRays {
   MergedRays(const IntegrationConfig& config, ThreadPool& pool) : geometry_(config, pool), labelled_(config, pool) {}
 
   /// Rays on the grid of the map frame. The frame must be valid. What it gives holds until the next call.
-  void Assign(const PanopticFrame& frame, double voxel_size_m);
+  /// RESOURCE_EXHAUSTED, FRAME_TOO_LARGE: see CheckIsWhole; there are no rays then.
+  [[nodiscard]] Status Assign(const PanopticFrame& frame, double voxel_size_m);
 
   /// All points as one segment; null if no point is in range.
   [[nodiscard]] const SegmentBundles* rays() const { return rays_; }

@@ -6,6 +6,7 @@
 
 #include "clients/evaluator/baselines/baselines.h"
 #include "clients/evaluator/baselines/panmap_merging.h"
+#include "clients/evaluator/baselines/whole_frame.h"
 
 namespace dhpmap::evaluator {
 
@@ -21,6 +22,7 @@ Status Panmap::Integrate(const PanopticFrame& frame) {
   const auto start = std::chrono::steady_clock::now();
   settings_ = PanmapSettingsFor(frame);
   const auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, setup_.config.voxel_size_m);
+  DHPMAP_RETURN_IF_ERROR(CheckIsWhole(segments));
   const std::vector<SubmapId> assigned = tracker_.Assign(frame, segments, settings_, submaps_, next_id_);
   integrator_.Integrate(frame, segments, assigned, submaps_);
   UpdateActivity();

@@ -32,7 +32,7 @@ Status SingleMap::Integrate(const PanopticFrame& frame) {
   DHPMAP_RETURN_IF_ERROR(ValidateFrame(frame, *setup_.label_set));
   const auto start = std::chrono::steady_clock::now();
   const MapConfig& config = setup_.config;
-  rays_.Assign(frame, config.voxel_size_m);
+  DHPMAP_RETURN_IF_ERROR(rays_.Assign(frame, config.voxel_size_m));
   const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
   // The two layers do not know of each other: one thread each.
   pool_.ParallelFor(2, [&](std::size_t task) {

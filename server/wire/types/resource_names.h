@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,7 +31,19 @@ struct ObjectName {
 /// Either form.
 Result<ObjectName> ParseObjectName(std::string_view name, std::string_view field);
 
+/// {map} of any name below "maps/{map}", however it goes on; empty if it does not begin like that.
+std::string MapOfResource(std::string_view name);
+
+struct EditName {
+  std::string map;
+  std::int64_t revision = 0;
+};
+/// "maps/{map}/edits/{revision in decimal}".
+Result<EditName> ParseEditName(std::string_view name, std::string_view field);
+
 std::string MapResourceName(std::string_view map);
 std::string SubmapResourceName(std::string_view map, SubmapId submap);
+/// An edit is known by the revision that has it.
+std::string EditResourceName(std::string_view map, std::int64_t revision);
 
 }  // namespace dhpmap

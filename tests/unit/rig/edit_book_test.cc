@@ -149,6 +149,30 @@ TEST_F(Edits, ThatWereSeenAndCutOffMayNotBeLost) {
   ExpectBroken();
 }
 
+TEST_F(Edits, InVainThatWereCutOffLeaveNoTrace) {
+  const EditId edit = Begin({.what = "delete what has this id in a map of before",
+                             .history = kChair.history,
+                             .id = kChair.id,
+                             .change = {.presence = Presence::kGone},
+                             .is_vain = true});
+  book.OnCut(edit);
+  EXPECT_EQ(Restart({}), 0);
+  See("chair 6");  // the first object of this map that has the id
+  ExpectKept();
+}
+
+TEST_F(Edits, InVainThatWereMadeAllTheSame) {
+  const EditId edit = Begin({.what = "rename",
+                             .history = kChair.history,
+                             .id = kChair.id,
+                             .change = {.display_name = "rig-1"},
+                             .is_vain = true});
+  book.OnCut(edit);
+  EXPECT_EQ(Restart({{kChair.id, {.display_name = "rig-1"}}}), 0);
+  See("rig-1");
+  ExpectBroken();
+}
+
 TEST_F(Edits, WhatIsDeletedNeverComesBack) {
   Made(Delete());
   SeeNothing();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kHistory = "h1";
 
-v1::Submap Chair(std::int64_t id, std::int64_t revision) {
+v1::Submap Chair(std::int64_t id, std::int64_t revision, std::int64_t edited_revision = 0) {
   v1::Submap submap;
   submap.set_name("maps/room/submaps/" + std::to_string(id));
   submap.set_instance_id(id);
@@ -21,7 +21,8 @@ v1::Submap Chair(std::int64_t id, std::int64_t revision) {
   submap.set_display_name("chair " + std::to_string(id));
   submap.set_first_observed_ns(1000 + id);
   submap.set_revision(revision);
-  submap.set_etag(std::string(kHistory) + "-r" + std::to_string(revision));
+  submap.set_etag(std::string(kHistory) + "-s" + std::to_string(id) + "-r" + std::to_string(revision) + "-e" +
+                  std::to_string(edited_revision));
   return submap;
 }
 
@@ -90,6 +91,22 @@ TEST_F(LedgerLaws, AnIdOfAnotherObject) {
   v1::Submap other = Chair(6, 12);
   other.set_first_observed_ns(77);
   See(other, 12);
+  ExpectBroken("law 1");
+}
+
+TEST_F(LedgerLaws, TwoObjectsWithOneEtag) {
+  See(Chair(6, 10), 10);
+  v1::Submap other = Chair(7, 10);
+  other.set_etag(Chair(6, 10).etag());
+  See(other, 10);
+  ExpectBroken("law 1");
+}
+
+TEST_F(LedgerLaws, AnEtagThatStaysWhileFramesChangeWhatItNames) {
+  See(Chair(6, 10), 10);
+  v1::Submap later = Chair(6, 12);
+  later.set_etag(Chair(6, 10).etag());
+  See(later, 12);
   ExpectBroken("law 1");
 }
 
@@ -210,9 +227,17 @@ TEST_F(LedgerLaws, AnEditWithThePresentEtagMayBeMade) {
   EXPECT_EQ(ledger.tally().num_stale_edits, 0);
 }
 
-TEST_F(LedgerLaws, AnEditWithAnEtagOfBeforeAChange) {
+TEST_F(LedgerLaws, AnEditWithAnEtagOfBeforeFramesMayBeMade) {
+  See(Chair(6, 10, 9), 10);
+  See(Chair(6, 12, 9), 12);
+  ledger.OnMade(BeginDelete(6, NamedState{{kHistory, 6}, 10, 9}), nullptr, 13);
+  ExpectKept();
+  EXPECT_EQ(ledger.tally().num_stale_edits, 0);
+}
+
+TEST_F(LedgerLaws, AnEditWithAnEtagOfBeforeAnotherEdit) {
   See(Chair(6, 10), 10);
-  See(Chair(6, 12), 12);
+  See(Chair(6, 12, 11), 12);
   const EditId refused = BeginDelete(6, NamedState{{kHistory, 6}, 10});
   ledger.OnRefused(refused);
   ExpectKept();
@@ -249,8 +274,15 @@ TEST_F(LedgerLaws, AnEditWithAnEtagOfAMapOfBefore) {
   ExpectBroken("law 5");
 }
 
+TEST_F(LedgerLaws, AnEditWithAnEtagOfAMapOfBeforeThatIsCutOffSaysNothingOfAnIdThatIsFree) {
+  ledger.OnCut(BeginDelete(12, NamedState{{"h0", 12}, 10}));
+  ledger.OnRestarted(Room(1000, 0), Listing(1000, {}), ledger.Now());
+  See(Chair(12, 1001), 1001);
+  ExpectKept();
+}
+
 TEST_F(LedgerLaws, ACopyOfAnObjectByAStaleEtag) {
-  See(Chair(6, 12), 12);
+  See(Chair(6, 12, 12), 12);
   const EditPlan plan{
       .what = "copy", .change = {.presence = Presence::kThere}, .before = {.presence = Presence::kGone}};
   const EditId edit = Begin(plan, NamedState{{kHistory, 6}, 10});

@@ -211,6 +211,7 @@ TEST_P(ChangesTest, EachPartThatChangesIsTold) {
   EXPECT_EQ(parts_of([](Submap& s) { s.mutable_info().T_map_submap.translation().x() += 1; }), SubmapParts({kPose}));
   EXPECT_EQ(parts_of([](Submap& s) { s.mutable_info().class_id = ClassId(7); }), SubmapParts({kLabels}));
   EXPECT_EQ(parts_of([](Submap& s) { s.mutable_info().display_name = "a new one"; }), SubmapParts({kName}));
+  EXPECT_EQ(parts_of([](Submap& s) { s.mutable_info().is_locked = !s.info().is_locked; }), SubmapParts({kLock}));
   EXPECT_EQ(
       parts_of([](Submap& s) { s.mutable_info().presence = s.IsAbsent() ? Presence::kPresent : Presence::kAbsent; }),
       SubmapParts({kActivity}));
@@ -253,13 +254,27 @@ TEST_P(ChangesTest, AMapsNewNameIsTold) {
   EXPECT_EQ(Commit(*map, before).display_name, "My house");
 }
 
-TEST_P(ChangesTest, WhatComesAndGoesBetweenTwoCommitsIsNotTold) {
+TEST_P(ChangesTest, WhatComesAndGoesBetweenTwoCommitsIsToldAsGoneForWhoeverListedItMeanwhile) {
   const auto map = Create("house");
   const auto before = map->published();
-  const SubmapId id = generator_.AddSubmap(*map, 2).id();
+  const SubmapId removed = generator_.AddSubmap(*map, 2).id(), merged = generator_.AddSubmap(*map, 2).id();
+  const SubmapId stays = generator_.AddSubmap(*map, 2).id();
   map->Publish(1);
-  map->Remove(id);
-  EXPECT_TRUE(Commit(*map, before).submaps.empty());
+  map->Remove(removed);
+  map->Remove(merged);
+  map->mutable_info().merged.Add(merged, stays);
+  const MapChange change = Commit(*map, before);
+  ASSERT_EQ(change.submaps.size(), 3u);
+  EXPECT_EQ(change.submaps[0].kind, ChangeKind::kRemoved);
+  EXPECT_EQ(change.submaps[0].info.id, removed);
+  EXPECT_EQ(change.submaps[1].kind, ChangeKind::kMerged);
+  EXPECT_EQ(change.submaps[1].info.id, merged);
+  EXPECT_EQ(change.submaps[1].into, stays);
+  EXPECT_EQ(change.submaps[2].kind, ChangeKind::kCreated);
+  for (const SubmapEvent& event : change.submaps) EXPECT_FALSE(event.before) << event.info.id.value;
+  const auto then = map->published();
+  map->mutable_info().display_name = "My house";
+  EXPECT_TRUE(Commit(*map, then).submaps.empty()) << "told once";
 }
 
 TEST_P(ChangesTest, UnknownMapsAreNotFound) {

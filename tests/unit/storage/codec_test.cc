@@ -296,6 +296,33 @@ TEST(LabelCodec, EveryFlippedOrMissingByteIsDataLoss) {
   ExpectDamageIsSeen<LabelBlock>(EncodeLabelBlock(SomeLabels(1), kIndex), DecodeLabelBlock);
 }
 
+/// What zstd begins a frame with that says how much it unpacks to.
+Bytes FrameOf(std::uint64_t unpacked_bytes, std::size_t packed_bytes) {
+  Bytes frame{0x28, 0xB5, 0x2F, 0xFD, 0xE0};
+  for (int shift = 0; shift < 64; shift += 8) frame.push_back(static_cast<std::uint8_t>(unpacked_bytes >> shift));
+  frame.resize(packed_bytes);
+  return frame;
+}
+
+TEST(Envelope, WhatSaysItUnpacksToMoreThanAnyTileTakesIsNotUnpacked) {
+  for (const std::uint64_t unpacked_bytes : {std::uint64_t{257} << 20, std::uint64_t{300} << 20, ~std::uint64_t{0}}) {
+    // Sealed as it is, since it does not pack any further; then said to be packed.
+    Bytes blob = Seal(BlobKind::kTsdfTile, kIndex, {.packable = {}, .plain = {}});
+    blob.resize(blob.size() - 4);
+    blob[1] = 1;
+    const Bytes frame = FrameOf(unpacked_bytes, 5u << 20);
+    blob.insert(blob.end(), frame.begin(), frame.end());
+    Bytes key;
+    ByteWriter numbers(key);
+    for (const std::int32_t number : {kIndex.x, kIndex.y, kIndex.z}) numbers.PutU32(static_cast<std::uint32_t>(number));
+    ByteWriter(blob).PutU32(Crc32c(blob, Crc32c(key)));
+    Payload payload;
+    const Status status = Unseal(BlobKind::kTsdfTile, kIndex, blob, payload);
+    EXPECT_EQ(status.message(), "says an implausible length");
+    EXPECT_EQ(payload.packable.capacity(), 0u);
+  }
+}
+
 /// Forged payloads with a right checksum: the codecs behind the envelope must stand on their own.
 template <typename Block, typename Decode>
 void ExpectForgeriesAreHarmless(BlobKind kind, const Payload& payload, Decode decode) {

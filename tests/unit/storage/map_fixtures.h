@@ -114,13 +114,25 @@ class MapGenerator {
     info.first_observed_ns = 1'600'000'000'000'000'001 + Below(9);
     info.last_observed_ns = 1'600'000'000'000'000'011 + Below(9);
     info.track_id = static_cast<std::uint32_t>(Below(3));
+    info.sightings = SomeSightings(info.num_frames_observed);
     info.presence = Below(2) ? Presence::kPresent : Presence::kAbsent;
     info.last_contradicted_ns = 1'600'000'000'000'000'021 + Below(9);
     info.is_placed = Below(2) != 0;
+    info.is_locked = info.num_frames_observed % 4 == 0;
     info.edited_revision = Below(100);
     Submap& submap = map.Create(info);
     AddBlocks(submap, num_blocks);
     return submap;
+  }
+
+  /// Of one of a few kinds.
+  static Sightings SomeSightings(std::int64_t kind) {
+    Sightings sightings;
+    for (std::int64_t i = 0; i < kind % 3; ++i)
+      sightings.OnSeen("robot-" + std::to_string((kind + 5 * i) % 4), 1 + kind);
+    if (sightings.IsInSight()) sightings.OnMissed(sightings.all().front().session, 300 + kind);
+    if (kind % 2 == 0) sightings.SetTrack(kind % 4 == 0 ? "" : "robot-9", 0x8000'0000u >> (kind % 32));
+    return sightings;
   }
 
   /// Whole blocks and parts of blocks of a tile.
@@ -193,6 +205,7 @@ inline void ExpectSameTsdf(const TsdfBlock& expected, const TsdfBlock& actual, d
   }
 }
 
+/// All but the sightings, which changes do not tell of.
 inline void ExpectSameInfo(const SubmapInfo& expected, const SubmapInfo& actual) {
   EXPECT_EQ(expected.id, actual.id);
   EXPECT_EQ(expected.panoptic, actual.panoptic);
@@ -219,6 +232,7 @@ inline void ExpectSameInfo(const SubmapInfo& expected, const SubmapInfo& actual)
   EXPECT_EQ(expected.presence, actual.presence);
   EXPECT_EQ(expected.last_contradicted_ns, actual.last_contradicted_ns);
   EXPECT_EQ(expected.is_placed, actual.is_placed);
+  EXPECT_EQ(expected.is_locked, actual.is_locked);
   EXPECT_EQ(expected.edited_revision, actual.edited_revision);
   EXPECT_EQ(expected.revision, actual.revision);
 }
@@ -248,6 +262,7 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
   EXPECT_EQ(e.sessions, a.sessions);
   EXPECT_EQ(e.merged, a.merged);
   EXPECT_EQ(e.pairs, a.pairs);
+  EXPECT_TRUE(e.kept_clear == a.kept_clear);
   ExpectSameVoxels(*expected.free_space(), *actual.free_space());
   ExpectSameVoxels(*expected.vacated(), *actual.vacated());
   ASSERT_EQ(expected.submaps().size(), actual.submaps().size());
@@ -255,6 +270,7 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
     const Submap &one = *expected.submaps()[s], &other = *actual.submaps()[s];
     SCOPED_TRACE("submap " + std::to_string(one.id().value));
     ExpectSameInfo(one.info(), other.info());
+    EXPECT_TRUE(one.info().sightings == other.info().sightings);
     EXPECT_EQ(one.bounding_sphere().center_m, other.bounding_sphere().center_m);
     EXPECT_EQ(one.bounding_sphere().radius_m, other.bounding_sphere().radius_m);
     ASSERT_EQ(one.blocks().size(), other.blocks().size());

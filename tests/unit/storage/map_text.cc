@@ -112,11 +112,26 @@ std::string RowText(const Submap& submap) {
     text += Line("  presence %d contradicted_ns %" PRId64 "%s", static_cast<int>(info.presence),
                  info.last_contradicted_ns, info.is_placed ? " placed" : "");
   }
+  if (info.is_locked) text += Line("  locked");            // from schema 10 on
+  for (const Sighting& sighting : info.sightings.all()) {  // from schema 9 on
+    text += Line("  session '%s' track %u%s missed %d last frame %" PRId64, sighting.session.c_str(), sighting.track_id,
+                 sighting.has_in_sight ? " in sight" : "", sighting.num_frames_missed, sighting.last_frame);
+  }
   text += "  class_counts";
   for (const ClassTotal& entry : info.class_counts) {
     Append(text, entry.id.value, entry.count);
   }
   return text + "\n";
+}
+
+/// Corners of a box, or centre and radius of a sphere.
+std::vector<double> NumbersOf(const Region& region) {
+  if (const auto* box = std::get_if<Eigen::AlignedBox3d>(&region)) {
+    const Eigen::Vector3d low = box->min(), high = box->max();
+    return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+  }
+  const auto& sphere = std::get<BoundingSphere>(region);
+  return {sphere.center_m.x(), sphere.center_m.y(), sphere.center_m.z(), sphere.radius_m};
 }
 
 /// Its tiles by their first block, whatever order they were loaded in.
@@ -165,6 +180,10 @@ std::string TextOf(const MapSnapshot& map) {
   for (const ObjectPair& pair : info.pairs.pairs()) {
     text += Line("pair %u %u verdict %d evidence %d", pair.first.value, pair.second.value,
                  static_cast<int>(pair.verdict), pair.evidence);
+  }
+  for (const KeptClearRegion& region : info.kept_clear.list()) {  // from schema 10 on
+    text += Line("kept clear '%s'", region.name.c_str());
+    for (const double number : NumbersOf(region.region)) text += Line("  %.17g", number);
   }
   for (const auto& submap : map.submaps()) text += RowText(*submap) + BlocksText(*submap);
   return text;

@@ -335,6 +335,8 @@ TEST_F(SpaceReclaimerTest, AFileOfBeforeKeepsItsSpaceAndItsBackupDoesNot) {
     ASSERT_TRUE(written.ok()) << written.ToString();
   }
   Delete("house");
+  ASSERT_TRUE(testing::Eventually([&] { return Query("SELECT count(*) FROM dead_blobs") == 0; }))
+      << "its thread collects";
   store_ = nullptr;
   const std::int64_t bytes_before = FileBytes();
   ASSERT_GT(bytes_before, 400'000);

@@ -7,8 +7,10 @@
 #include <array>
 #include <atomic>
 #include <future>
+#include <new>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -161,6 +163,42 @@ TEST(Lane, WhatHasNotBegunWhenAnItemThrowsIsLeftOut) {
   };
   EXPECT_THROW(lane.Share(10'000, body), std::runtime_error);
   EXPECT_EQ(begun, 6);
+}
+
+TEST(Lane, OutlivesWhatItsTasksThrow) {
+  std::vector<std::string> told;
+  std::vector<int> order;
+  const auto held = std::make_shared<int>(7);
+  {
+    Lane lane({.num_threads = 1, .on_exception = [&told](const char* what) { told.emplace_back(what); }});
+    Plug plug(lane);
+    lane.Post([&order, held] {
+      order.push_back(0);
+      throw std::runtime_error("task 0");
+    });
+    ASSERT_TRUE(lane.TryPost(Task([] { throw 1; })));
+    ASSERT_TRUE(lane.TryPostLast(Task([] { throw std::bad_alloc(); })));
+    lane.Post([&order] { order.push_back(1); });
+    plug.Release();
+    EXPECT_TRUE(testing::Eventually([&held] { return held.use_count() == 1; })) << "what it held is freed";
+    lane.Post([&order] { order.push_back(2); });
+  }
+  EXPECT_EQ(order, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(told, (std::vector<std::string>{"task 0", "an exception of an unknown type", "std::bad_alloc"}));
+}
+
+TEST(Lane, KeepsAllItsThreadsWhateverIsThrown) {
+  constexpr int kThreads = 3;
+  std::atomic<int> arrived = 0;
+  Lane lane({.num_threads = kThreads, .on_exception = [](const char*) { throw std::bad_alloc(); }});
+  for (int i = 0; i < 2 * kThreads; ++i) lane.Post([] { throw std::runtime_error("as meant by the test"); });
+  for (int i = 0; i < kThreads; ++i) {
+    lane.Post([&] {
+      // They end together only if each has a thread.
+      ++arrived;
+      EXPECT_TRUE(testing::Eventually([&] { return arrived == kThreads; }));
+    });
+  }
 }
 
 TEST(Lane, ItsThreadsAreAsNiceAsAsked) {

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <set>
+#include <string>
 #include <unordered_set>
 
 #include "mapping/base/ids.h"
@@ -32,6 +33,14 @@ TEST(Status, TextNamesCodeMessageAndEveryViolation) {
   status.AddViolation("a.b", "is 0");
   status.AddViolation("c", "is missing");
   EXPECT_EQ(status.ToString(), "INVALID_ARGUMENT: bad [a.b: is 0; c: is missing]");
+}
+
+TEST(Status, KeepsTheFirstViolationsOfVeryMany) {
+  constexpr std::size_t kKept = 64;
+  Status status = InvalidArgument("bad");
+  for (int i = 0; i < 1000; ++i) status.AddViolation("rows[" + std::to_string(i) + "]", "is bad");
+  ASSERT_EQ(status.violations().size(), kKept);
+  EXPECT_EQ(status.violations().back().field, "rows[" + std::to_string(kKept - 1) + "]");
 }
 
 TEST(Status, EveryCodeHasItsOwnName) {

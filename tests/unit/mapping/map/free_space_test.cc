@@ -131,6 +131,40 @@ TEST(FreeSpace, TheSameVoxelsHaveTheSameFormWhateverTheWayThere) {
   EXPECT_EQ(step_by_step.NumFreeVoxels(), kBlockVoxels);
 }
 
+TEST(FreeSpace, WhatIsTakenOutIsGoneWhateverWasThere) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 50; ++round) {
+    const auto draw = [&random] {
+      FreeBlocks blocks;
+      for (std::size_t cell = 0; cell < 8; ++cell) {
+        const std::uint64_t bit = std::uint64_t{1} << cell;
+        const auto kind = random() % 3;
+        if (kind == 1) blocks.full |= bit;
+        if (kind != 2) continue;
+        blocks.mixed |= bit;
+        for (std::uint64_t& word : blocks.masks[cell]) {
+          word = random() % 3 == 0 ? ~std::uint64_t{0} : std::uint64_t{random()} << 32 | random();
+        }
+      }
+      return blocks;
+    };
+    FreeTile tile, gone;
+    tile.Add(draw());
+    const FreeBlocks taken = draw();
+    gone.Add(taken);
+    FreeTile rest = tile, twice = tile;
+    rest.Remove(taken);
+    for (int cell = 0; cell < 9; ++cell) {
+      for (int i = 0; i < kBlockVoxels; ++i) {
+        ASSERT_EQ(rest.IsFree(cell, i), tile.IsFree(cell, i) && !gone.IsFree(cell, i));
+      }
+    }
+    twice.Remove(taken);
+    twice.Remove(taken);
+    EXPECT_EQ(twice, rest);
+  }
+}
+
 TEST(FreeSpace, HoldsNoTileInWhichNothingIsFree) {
   FreeSpace space(1);
   EXPECT_FALSE(space.Add({0, 0, 0}, {}, 5));

@@ -12,7 +12,7 @@
 
 #include "mapping/map/diff_submap.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(DHPMAP_SANITIZED)
 // GCC's sanitizers have it, but Debian packs no header that declares it.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT(bugprone-reserved-identifier)
 #endif
@@ -41,7 +41,7 @@ Map RowOfBlocks(int num_blocks) {
 
 /// Of memory that was asked for and not given back.
 std::size_t BytesInUse() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(DHPMAP_SANITIZED)
   return __sanitizer_get_current_allocated_bytes();
 #else
   return mallinfo2().uordblks;

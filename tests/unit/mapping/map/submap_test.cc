@@ -167,5 +167,33 @@ TEST(Submap, ABackgroundKeepsTheClassThatItWasMadeFor) {
   EXPECT_EQ(submap.info().class_counts, (std::vector<ClassTotal>{{ClassId(2), 3}}));
 }
 
+TEST(SubmapInfo, WhatWasRelabelledIsStillMeantByTheClassThatItWasSeenAs) {
+  SubmapInfo info;
+  info.class_id = ClassId(2);
+  info.class_counts = {{ClassId(1), 3}, {ClassId(2), 9}};
+  EXPECT_TRUE(info.IsSeenAs(ClassId(2)));
+  EXPECT_FALSE(info.IsSeenAs(ClassId(1)));
+  EXPECT_FALSE(IsEdited(info));
+  info.class_id = ClassId(5);
+  EXPECT_FALSE(info.IsSeenAs(ClassId(2))) << "as long as nobody has set it";
+  info.class_is_fixed = true;
+  EXPECT_TRUE(info.IsSeenAs(ClassId(5)));
+  EXPECT_TRUE(info.IsSeenAs(ClassId(2)));
+  EXPECT_FALSE(info.IsSeenAs(ClassId(1)));
+  EXPECT_TRUE(IsEdited(info));
+}
+
+TEST(SubmapInfo, WhatWasRelabelledIsMeantByItsOldClassThoughFramesHaveUsedTheNewOneSince) {
+  SubmapInfo info;
+  info.class_id = ClassId(5);
+  info.class_is_fixed = true;
+  info.class_counts = {{ClassId(2), 10}, {ClassId(3), 9}, {ClassId(5), 11}};
+  EXPECT_TRUE(info.IsSeenAs(ClassId(2)));
+  EXPECT_FALSE(info.IsSeenAs(ClassId(3))) << "less than a third";
+  info.class_counts = {{ClassId(1), 1}, {ClassId(2), 3}, {ClassId(3), 2}, {ClassId(4), 2}, {ClassId(6), 2}};
+  EXPECT_TRUE(info.IsSeenAs(ClassId(2))) << "the most frequent, though less than a third";
+  EXPECT_FALSE(info.IsSeenAs(ClassId(3)));
+}
+
 }  // namespace
 }  // namespace dhpmap

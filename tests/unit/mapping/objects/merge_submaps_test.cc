@@ -177,6 +177,26 @@ TEST(MergeSubmaps, ChainsAreResolvedAndPairsFollow) {
   EXPECT_TRUE(map.info().pairs.pairs().empty());
 }
 
+TEST(MergeForGood, IsNotedAsLongAsTheWholeIsThereWhateverItIsMergedInto) {
+  Map map(Info());
+  const SubmapId a = AddThing(map), b = AddThing(map), c = AddThing(map);
+  for (const SubmapId id : {a, b, c}) map.FindMutable(id)->mutable_info().is_confirmed = false;
+  MergeSubmaps(c, b, map);
+  EXPECT_FALSE(map.info().pairs.HasVerdict(PairVerdict::kMustBeOne)) << "frames alone have said so";
+  EXPECT_FALSE(map.Find(b)->info().is_confirmed);
+
+  MergeForGood(b, a, map);
+  EXPECT_EQ(map.info().pairs.Of(a, b).verdict, PairVerdict::kMustBeOne);
+  EXPECT_EQ(map.info().merged.Into(c), a);
+  EXPECT_TRUE(map.Find(a)->info().is_confirmed) << "not to be dissolved";
+  const SubmapId d = AddThing(map);
+  MergeSubmaps(a, d, map);
+  EXPECT_EQ(map.info().pairs.Of(b, d).verdict, PairVerdict::kMustBeOne);
+  EXPECT_EQ(map.info().merged.Into(b), d);
+  EXPECT_TRUE(map.Remove(d));
+  EXPECT_TRUE(map.info().pairs.pairs().empty());
+}
+
 TEST(MergeSubmaps, OnlyThingsOnOneGridCanBeMerged) {
   Map map(Info());
   const SubmapId a = AddThing(map), b = AddThing(map), moved = AddThing(map), wall = AddThing(map);

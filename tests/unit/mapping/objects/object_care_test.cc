@@ -134,6 +134,8 @@ TEST_F(ObjectCareTest, VerdictsHoldWhateverFramesSay) {
   EXPECT_EQ(MergePairs(map_, 100), 1);
   EXPECT_NE(map_.Find(b), nullptr);
   EXPECT_EQ(map_.info().merged.Into(d), c);
+  EXPECT_EQ(map_.info().pairs.Of(c, d).verdict, PairVerdict::kMustBeOne) << "as somebody has said";
+  EXPECT_EQ(MergePairs(map_, 100), 0) << "once";
 }
 
 TEST_F(ObjectCareTest, MoreThanAFrameMayWaitForIsLeftForTheNextTime) {

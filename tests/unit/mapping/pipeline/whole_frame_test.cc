@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A frame is taken whole or not at all, wherever memory ends while it is fused.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <new>
 #include <random>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 #include "mapping/fusion/band_size.h"
+#include "mapping/fusion/bundler.h"
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
 #include "tests/support/scenes.h"
@@ -20,6 +25,19 @@ namespace {
 /// Allocations left before one fails, on whatever thread; negative: none fails.
 std::atomic<std::int64_t> allocations_left{-1};
 
+/// While it is on: bytes handed out and not yet freed, and how many these were at most.
+std::atomic<bool> is_heap_counted{false};
+std::atomic<std::int64_t> live_bytes{0}, peak_bytes{0};
+
+std::int64_t UsableBytes(void* memory) { return static_cast<std::int64_t>(malloc_usable_size(memory)); }
+
+void CountBytes(std::int64_t num_bytes) {
+  const std::int64_t live = live_bytes.fetch_add(num_bytes) + num_bytes;
+  std::int64_t peak = peak_bytes.load();
+  while (live > peak && !peak_bytes.compare_exchange_weak(peak, live)) {
+  }
+}
+
 void* Allocate(std::size_t size, std::size_t alignment) {
   if (allocations_left.load(std::memory_order_relaxed) >= 0 && allocations_left.fetch_sub(1) == 0) {
     throw std::bad_alloc();
@@ -28,11 +46,15 @@ void* Allocate(std::size_t size, std::size_t alignment) {
                      ? std::malloc(size == 0 ? 1 : size)
                      : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (memory == nullptr) throw std::bad_alloc();
+  if (is_heap_counted) CountBytes(UsableBytes(memory));
   return memory;
 }
 
 /// Not inlined: GCC would warn of memory from `operator new` that std::free takes.
-[[gnu::noinline]] void Free(void* memory) { std::free(memory); }
+[[gnu::noinline]] void Free(void* memory) {
+  if (is_heap_counted && memory != nullptr) CountBytes(-UsableBytes(memory));
+  std::free(memory);
+}
 
 }  // namespace
 
@@ -41,7 +63,11 @@ void* operator new(std::size_t size) { return Allocate(size, alignof(std::max_al
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return Allocate(size, static_cast<std::size_t>(alignment));
 }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size == 0 ? 1 : size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  void* memory = std::malloc(size == 0 ? 1 : size);
+  if (is_heap_counted && memory != nullptr) CountBytes(UsableBytes(memory));
+  return memory;
+}
 void operator delete(void* memory) noexcept { Free(memory); }
 void operator delete(void* memory, const std::nothrow_t&) noexcept { Free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { Free(memory); }
@@ -193,6 +219,18 @@ TEST(WholeFrame, AFinishThatFailsLeavesTheMapAsItWas) {
   EXPECT_GT(num_failed, 5);
 }
 
+/// Every pixel at a depth of its own.
+PanopticFrame Noise(const PinholeCamera& camera, float nearest_m, float farthest_m) {
+  PanopticFrame noise;
+  DepthCameraData& data = noise.camera.emplace();
+  data.camera = camera;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> depth_m(nearest_m, farthest_m);
+  data.depth_m.reserve(static_cast<std::size_t>(camera.num_pixels()));
+  for (int i = 0; i < camera.num_pixels(); ++i) data.depth_m.push_back(depth_m(random));
+  return noise;
+}
+
 TEST(WholeFrame, IsRefusedBeforehandIfItTouchesTooManyBlocks) {
   MapInfo info = Info();
   info.config.voxel_size_m = 0.004;
@@ -200,19 +238,111 @@ TEST(WholeFrame, IsRefusedBeforehandIfItTouchesTooManyBlocks) {
   MapBuilder builder(info, 1);
   ASSERT_TRUE(builder.Integrate(Frame(0)).ok());
   const auto before = builder.map().Publish(0);
-  PanopticFrame noise;
-  DepthCameraData& data = noise.camera.emplace();
-  data.camera = {320, 240, 160, 160, 160, 120};
-  std::mt19937 random(1);
-  std::uniform_real_distribution<float> depth_m(0.5f, 5.0f);
-  for (int i = 0; i < data.camera.num_pixels(); ++i) data.depth_m.push_back(depth_m(random));
-  const auto report = builder.Integrate(noise);
+  const auto report = builder.Integrate(Noise({320, 240, 160, 160, 160, 120}, 0.5f, 5.0f));
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.status().code(), StatusCode::kResourceExhausted);
   EXPECT_NE(report.status().message().find(std::to_string(kMaxBlocksAFrame)), std::string::npos);
   EXPECT_EQ(report.status().reason(), Reason("FRAME_TOO_LARGE"));
   EXPECT_EQ(builder.map().Publish(1), before);
   EXPECT_TRUE(builder.Integrate(Frame(1)).ok());
+}
+
+constexpr std::int64_t kMiB = std::int64_t{1} << 20;
+/// That a frame which is refused may take meanwhile, and leave behind.
+constexpr std::int64_t kMostTaken_bytes = 300'000'000, kMostLeft_bytes = 4 * kMiB;
+
+/// What is handed out since it was made.
+class HeapGrowth {
+ public:
+  HeapGrowth() {
+    live_bytes = peak_bytes = 0;
+    is_heap_counted = true;
+  }
+  ~HeapGrowth() { is_heap_counted = false; }
+  HeapGrowth(const HeapGrowth&) = delete;
+  HeapGrowth& operator=(const HeapGrowth&) = delete;
+  [[nodiscard]] std::int64_t now_bytes() const { return live_bytes; }
+  [[nodiscard]] std::int64_t most_bytes() const { return peak_bytes; }
+};
+
+/// The most memory that the process ever had, as the kernel counts it.
+std::int64_t HighWater_bytes() {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word && word != "VmHWM:") {
+  }
+  std::int64_t high_kib = 0;
+  status >> high_kib;
+  return high_kib * 1024;
+}
+
+/// On a map of 2 mm voxels: refused within the bounds of memory, all of it given back, and the map and what is fused
+/// next as if it had never come.
+void ExpectIsRefusedWithoutATrace(const PanopticFrame& huge, int num_threads) {
+  MapInfo info = Info();
+  info.config.voxel_size_m = 0.002;
+  info.config.truncation_m = 0.016;
+  info.config.space.free = info.config.space.gone = false;  // a long way in such steps
+  MapBuilder builder(info, num_threads), untroubled(info, num_threads);
+  for (MapBuilder* b : {&builder, &untroubled}) ASSERT_TRUE(b->Integrate(Frame(0)).ok());
+  const auto before = builder.map().Publish(0);
+  {
+    const HeapGrowth growth;
+    const auto report = builder.Integrate(huge);
+    ASSERT_FALSE(report.ok());
+    EXPECT_EQ(report.status().code(), StatusCode::kResourceExhausted);
+    EXPECT_EQ(report.status().reason(), Reason("FRAME_TOO_LARGE"));
+    EXPECT_LT(growth.most_bytes(), kMostTaken_bytes);
+    EXPECT_LT(growth.now_bytes(), kMostLeft_bytes);
+  }
+  EXPECT_EQ(builder.map().Publish(1), before);
+  untroubled.map().Publish(0);
+  for (MapBuilder* b : {&builder, &untroubled}) ASSERT_TRUE(b->Integrate(Frame(1)).ok());
+  EXPECT_TRUE(MapsAreEqual(*builder.map().Publish(2), *untroubled.map().Publish(2)));
+}
+
+TEST(WholeFrame, OfNoiseIsRefusedBeforeItTakesTheMemoryThatItAsksFor) {
+  // Four million pixels, nearly each in a block of its own: 4 GB.
+  const PanopticFrame noise = Noise({2000, 2000, 1000, 1000, 1000, 1000}, 0.5f, 4.0f);
+  const std::int64_t before_bytes = HighWater_bytes();
+  ASSERT_GT(before_bytes, 0);
+  for (const int num_threads : {1, 3}) ExpectIsRefusedWithoutATrace(noise, num_threads);
+  EXPECT_LT(HighWater_bytes() - before_bytes, kMostTaken_bytes);
+}
+
+TEST(WholeFrame, OfManyObjectsInTheSameFewBlocksIsRefusedBeforeItTakesTheMemoryThatItAsksFor) {
+  // Some 3,500 blocks, each of which nearly all of 100 objects share.
+  constexpr std::uint32_t kNumObjects = 100;
+  PanopticFrame frame = Noise({1000, 800, 4600, 4600, 500, 400}, 1.0f, 1.25f);
+  frame.segments.reserve(kNumObjects);
+  for (std::uint32_t i = 1; i <= kNumObjects; ++i) {
+    frame.segments.push_back({.id = SegmentId(i), .class_id = ClassId(2)});
+  }
+  std::mt19937 random(2);
+  std::vector<std::uint32_t>& segments = frame.camera->segments;
+  segments.reserve(frame.camera->depth_m.size());
+  for (std::size_t i = 0; i < frame.camera->depth_m.size(); ++i) {
+    segments.push_back(1 + static_cast<std::uint32_t>(random() % kNumObjects));
+  }
+  for (const int num_threads : {1, 3}) ExpectIsRefusedWithoutATrace(frame, num_threads);
+}
+
+TEST(WholeFrame, WhoseRaysTouchTooManyBlocksLeavesNoTraceEither) {
+  ExpectIsRefusedWithoutATrace(Noise({320, 240, 160, 160, 160, 120}, 0.5f, 4.0f), 1);
+}
+
+TEST(WholeFrame, ThatFailsWhileItIsBundledGivesTheBuffersBack) {
+  const MapInfo info = Info();
+  ThreadPool pool(2);
+  Bundler bundler(info.config.integration, pool);
+  const PanopticFrame noise = Noise({640, 480, 320, 320, 320, 240}, 1.0f, 1.5f);
+  const HeapGrowth growth;
+  (void)bundler.BundleFrame(noise, noise.T_map_sensor, 0.02);
+  ASSERT_GT(growth.now_bytes(), 8 * kMiB) << "kept for the next frame";
+  allocations_left = 2;
+  EXPECT_THROW((void)bundler.BundleFrame(noise, noise.T_map_sensor, 0.02), std::bad_alloc);
+  allocations_left = -1;
+  EXPECT_LT(growth.now_bytes(), kMiB / 4);
 }
 
 }  // namespace

@@ -34,15 +34,19 @@ inline bool IsOnSameGrid(const Submap& a, const Submap& b) {
   return a.info().T_map_submap.isApprox(b.info().T_map_submap, 0) && a.info().voxel_size_m == b.info().voxel_size_m;
 }
 
+inline bool MayBeTakenOver(const Submap& old, const Submap& now) {
+  return IsOnSameGrid(old, now) && old.info().edited_revision == now.info().edited_revision &&
+         old.info().is_placed == now.info().is_placed && !now.info().is_locked;
+}
+
 /// Positions that must stay as they are now.
 inline Positions PositionsThatStay(const MapSnapshot& before, const MapSnapshot& refined, const Map& map) {
   Positions stay;
   for (const auto& old : before.submaps()) {
-    if (!IsSettled(old->info())) continue;
+    if (!IsRefined(old->info(), before.info().config)) continue;
     const Submap* now = map.Find(old->id());
-    if (now != nullptr && IsOnSameGrid(*old, *now)) {
-      AddDifferences(old.get(), now, stay);
-    } else {  // removed or moved: neither what it held nor what it was given can be put anywhere
+    if (now != nullptr && IsOnSameGrid(*old, *now)) AddDifferences(old.get(), now, stay);
+    if (now == nullptr || !MayBeTakenOver(*old, *now)) {  // neither what it held nor what it was given has a place
       AddDifferences(old.get(), nullptr, stay);
       AddDifferences(old.get(), refined.Find(old->id()), stay);
     }
@@ -82,7 +86,7 @@ inline std::int64_t AdoptByStates(const MapSnapshot& before, const MapSnapshot& 
     const SubmapId id = old->id();
     const Submap* better = refined.Find(id);
     const Submap* now = map.Find(id);
-    if (better == old.get() || now == nullptr || !IsOnSameGrid(*old, *now)) continue;
+    if (better == old.get() || now == nullptr || !MayBeTakenOver(*old, *now)) continue;
     Submap& submap = *map.FindMutable(id);
     if (!TakeBlocks(old.get(), better, stay, submap, deferred)) continue;
     const bool is_gone =

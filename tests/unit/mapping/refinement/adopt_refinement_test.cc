@@ -113,6 +113,17 @@ TEST_P(Adoption, WhatWasMovedMeanwhileKeepsItsVoxels) {
   EXPECT_EQ(Sum(map_), sum);
 }
 
+TEST_P(Adoption, WhatWasLockedMeanwhileStaysAsItIs) {
+  const SubmapId locked = AllIds(map_).back();
+  map_.FindMutable(locked)->mutable_info().is_locked = true;
+  const auto now = map_.Freeze();
+  const auto sum = Sum(map_);
+  Adopt(map_);
+  ASSERT_NE(map_.Find(locked), nullptr);
+  EXPECT_TRUE(testing::SubmapsAreEqual(*now->Find(locked), *map_.Find(locked)));
+  EXPECT_EQ(Sum(map_), sum);
+}
+
 TEST_P(Adoption, ActiveThingsAreNoHindrance) {
   testing::AddSubmap(map_);
   Put(*map_.FindMutable(AllIds(map_).back()), {0, 0, 0}, 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});
@@ -126,7 +137,7 @@ void GoOn(std::mt19937& random, Map& map) {
   const SubmapId id = ids[static_cast<std::size_t>(pick(0, static_cast<int>(ids.size()) - 1))];
   const BlockIndex block{pick(-2, 1), pick(-1, 0), pick(-1, 0)};
   Submap& submap = *map.FindMutable(id);
-  switch (pick(0, 9)) {
+  switch (pick(0, 12)) {
     case 0: map.Remove(id); break;
     case 1: map.Clone(id); break;
     case 2: submap.mutable_info().T_map_submap.translation().y() = 0.5; break;
@@ -135,6 +146,9 @@ void GoOn(std::mt19937& random, Map& map) {
     case 5:
       if (submap.blocks().Find(block) != nullptr) submap.MutableGone(block).Set(7, 1);
       break;
+    case 6: submap.mutable_info().edited_revision = map.info().revision + 1; break;
+    case 7: submap.mutable_info().is_placed = true; break;
+    case 8: submap.mutable_info().is_locked = true; break;
     default: Put(submap, VoxelIn(block, pick(0, kBlockVoxels - 1)), 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});
   }
 }

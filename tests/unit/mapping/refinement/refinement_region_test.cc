@@ -12,6 +12,7 @@
 #include "mapping/refinement/pending_cubes.h"
 #include "mapping/refinement/refine_map.h"
 #include "mapping/refinement/refinement_round.h"
+#include "mapping/refinement/region_part.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/mapping/refinement/random_map.h"
 
@@ -77,24 +78,61 @@ TEST_P(Regions, OneAfterTheOtherInAnyOrderMakeWhatAllAtOnceMake) {
   EXPECT_TRUE(testing::MapsAreEqual(*map_.Freeze(), *at_once.Freeze()));
 }
 
+TEST_P(Regions, NeedNoMoreOfAMapThanTheirPartOfIt) {
+  Map at_once = map_.Fork();
+  RefineMap(at_once, pool_);
+  const int rim = RimOfLabels(map_.info().config);
+  PendingCubes pending;
+  pending.Note(*map_.Freeze(), rim);
+  const std::vector<CubeIndex> cubes(pending.cubes().begin(), pending.cubes().end());
+  std::size_t num_left_out = 0;
+  for (const CubeIndex cube : cubes) {
+    const RegionPart part(RefinementRegion(std::span(&cube, 1)), rim);
+    const auto state = map_.Freeze();
+    pending.Note(*state, rim);
+    Map side = GoOnFrom(*state, part);
+    const RefinementRegion region(std::span(&cube, 1));
+    RefineRegion(side, pool_, &region);
+    const auto refined = side.Freeze();
+    EXPECT_EQ(AdoptRefinement(OutcomeOf(pending.marks(), *refined, part), map_), 0);
+    pending.Remove(std::span(&cube, 1));
+    pending.NoteRefined(*refined, part);
+    for (const auto& submap : state->submaps()) {
+      const Submap* cut = refined->Find(submap->id());
+      num_left_out += cut == nullptr || cut->blocks().size() < submap->blocks().size();
+    }
+  }
+  EXPECT_GT(num_left_out, 0u);
+  pending.Note(*map_.Freeze(), rim);
+  EXPECT_TRUE(pending.cubes().empty()) << "what a part made and was taken over is pending no longer";
+  RefineStrayVoxels(map_, pool_);
+  EXPECT_TRUE(testing::MapsAreEqual(*map_.Freeze(), *at_once.Freeze()));
+}
+
 TEST_P(Regions, OfARoundMakeWhatAllAtOnceMakeWhereNothingHappensMeanwhile) {
   Map at_once = map_.Fork();
   RefineMap(at_once, pool_);
-  RefinementRound round;
-  int num_steps = 0;
-  do {
-    const auto state = map_.Freeze();
-    round.Begin(*state, 4);
-    Map side(state);
-    round.RefineNext(side, pool_);
-    const auto refined = side.Freeze();
-    EXPECT_EQ(AdoptRefinement(OutcomeOf(round.pending().marks(), *refined), map_), 0);
-    round.End(*refined);
-    ++num_steps;
-  } while (!round.IsFinished());
-  EXPECT_TRUE(testing::MapsAreEqual(*map_.Freeze(), *at_once.Freeze()));
-  round.Begin(*map_.Freeze(), 4);
-  EXPECT_TRUE(round.IsFinished()) << "what was refined and taken over is pending no longer";
+  for (const int most_steps : {1, 2, 5}) {
+    Map map = map_.Fork();
+    RefinementRound round;
+    int num_steps = 0;
+    do {
+      const auto state = map.Freeze();
+      round.Begin(*state, most_steps, 1);
+      const RegionPart part = round.NextPart();
+      Map side = GoOnFrom(*state, part);
+      round.RefineNext(side, pool_);
+      const auto refined = side.Freeze();
+      EXPECT_EQ(AdoptRefinement(OutcomeOf(round.pending().marks(), *refined, part), map), 0);
+      round.End(*refined, part);
+      ++num_steps;
+    } while (!round.IsFinished());
+    EXPECT_LE(num_steps, most_steps);
+    EXPECT_TRUE(most_steps < 5 || num_steps > 2) << "stray voxels have a step of their own";
+    EXPECT_TRUE(testing::MapsAreEqual(*map.Freeze(), *at_once.Freeze()));
+    round.Begin(*map.Freeze(), most_steps, 1);
+    EXPECT_TRUE(round.IsFinished()) << "what was refined and taken over is pending no longer";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Regions, ::testing::Range(0u, 6u));

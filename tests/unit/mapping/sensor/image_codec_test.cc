@@ -281,8 +281,8 @@ TEST(ImageCodec, RefusesTilesLargerThanTheImage) {
     }
     return std::size_t{0};
   };
-  const auto set = [&tiff](std::size_t entry, std::uint16_t tag, std::uint16_t value) {
-    const std::uint16_t words[] = {tag, 3, 1, 0, value, 0};
+  const auto set = [&tiff](std::size_t entry, std::uint16_t tag, std::uint16_t value, std::uint16_t type) {
+    const std::uint16_t words[] = {tag, type, 1, 0, value, 0};
     for (std::size_t i = 0; i < 6; ++i) {
       tiff[entry + 2 * i] = static_cast<std::byte>(words[i] & 0xFF);
       tiff[entry + 2 * i + 1] = static_cast<std::byte>(words[i] >> 8);
@@ -293,9 +293,14 @@ TEST(ImageCodec, RefusesTilesLargerThanTheImage) {
   ASSERT_NE(first, 0u);
   ASSERT_NE(second, 0u);
   ASSERT_TRUE(DecodeDepth(tiff, 0).ok());
-  set(first, 322, 16'000);
-  set(second, 323, 16'000);
+  constexpr std::uint16_t kShort = 3, kSignedShort = 8, kSignedLong = 9;
+  set(first, 322, 16'000, kShort);
+  set(second, 323, 16'000, kShort);
   ExpectTooManyBytes(DecodeDepth(tiff, 0).status());
+  for (const std::uint16_t type : {kSignedShort, kSignedLong}) {  // which libtiff reads as well
+    set(first, 322, 16'000, type);
+    ExpectBadImage(DecodeDepth(tiff, 0), "neither SHORT nor LONG");
+  }
 }
 
 TEST(ImageCodec, SurvivesEveryFlippedByteOfSmallFiles) {

@@ -105,6 +105,103 @@ TEST_F(ActivityTest, AnUnconfirmedThingIsDissolvedWhenOverlookedOftenEnoughWithF
   EXPECT_TRUE(map_.Find(kUnknownSubmap)->blocks().Find({2, 0, 0})->tsdf->IsObserved(0));
 }
 
+TEST_F(ActivityTest, WhatAPersonHasEditedIsNotDissolvedThoughItIsOverlookedAndNotConfirmed) {
+  const auto edits = {+[](SubmapInfo& info) { info.display_name = "throne"; },
+                      +[](SubmapInfo& info) { info.class_is_fixed = true; }};
+  for (const auto edit : edits) {
+    SubmapInfo info = Thing(false);
+    edit(info);
+    const SubmapId id = Add(info);
+    EXPECT_EQ(Miss(id, 10, here_), 0);
+    ASSERT_NE(map_.Find(id), nullptr);
+    EXPECT_EQ(ActivityOf(id), Activity::kInactive);
+    map_.Remove(id);
+  }
+}
+
+TEST_F(ActivityTest, WhatOneRobotLooksAtDoesNotSettleForAnothersFrames) {
+  const SubmapId id = Add(Thing(true));
+  PanopticFrame a = here_, b = away_;
+  a.session = "a", b.session = "b";
+  for (int round = 0; round < 4; ++round) {
+    UpdateActivity(a, {id}, map_);
+    EXPECT_EQ(Miss(id, 50, b), 0);
+    EXPECT_EQ(ActivityOf(id), Activity::kActive);
+    EXPECT_EQ(map_.Find(id)->info().num_frames_missed, 0);
+  }
+  const auto before = map_.Publish(1);
+  Miss(id, 20, b);
+  EXPECT_EQ(map_.Publish(2), before) << "frames that say nothing of it write nothing";
+  Miss(id, 2, a);
+  EXPECT_EQ(ActivityOf(id), Activity::kActive);
+  Miss(id, 5, b);
+  Miss(id, 1, a);
+  EXPECT_EQ(ActivityOf(id), Activity::kInactive) << "a has missed it three times";
+}
+
+TEST_F(ActivityTest, WhatSeveralLookAtSettlesWhenTheLastHasLookedAway) {
+  const SubmapId id = Add(Thing(true));
+  PanopticFrame a = here_, b = here_;
+  a.session = "a", b.session = "b";
+  UpdateActivity(a, {id}, map_);
+  UpdateActivity(b, {id}, map_);
+  Miss(id, 10, b);
+  EXPECT_EQ(ActivityOf(id), Activity::kActive);
+  Miss(id, 3, a);
+  EXPECT_EQ(ActivityOf(id), Activity::kInactive);
+}
+
+TEST_F(ActivityTest, WhatASilentRobotHasSeenLastSettlesAllTheSame) {
+  const SubmapId id = Add(Thing(true));
+  PanopticFrame a = here_, b = away_;
+  a.session = "a", b.session = "b";
+  UpdateActivity(a, {id}, map_);
+  map_.mutable_info().num_frames = 1 + kMaxSilentFrames - 1;
+  Miss(id, 1, b);
+  EXPECT_EQ(ActivityOf(id), Activity::kActive);
+  map_.mutable_info().num_frames += 1;
+  Miss(id, 1, b);
+  EXPECT_EQ(ActivityOf(id), Activity::kInactive);
+  EXPECT_TRUE(map_.Find(id)->info().sightings.all().empty());
+}
+
+TEST_F(ActivityTest, WhatAnotherRobotOverlooksIsNotDissolvedWhileOneLooksAtIt) {
+  const SubmapId id = Add(Thing(false));
+  PanopticFrame a = here_, b = here_;
+  a.session = "a", b.session = "b";
+  UpdateActivity(a, {id}, map_);
+  EXPECT_EQ(Miss(id, 20, b), 0);
+  EXPECT_EQ(ActivityOf(id), Activity::kActive);
+  a.T_map_sensor = away_.T_map_sensor;  // looks elsewhere
+  EXPECT_EQ(Miss(id, 3, a), 1) << "b saw past it often enough, and nobody contradicts any longer";
+}
+
+TEST_F(ActivityTest, WhatLiesWhereItIsKeptClearIsNotOverlookedUntilThatIsLifted) {
+  const SubmapId id = Add(Thing(false)), beside = Add(Thing(false), {0, 3, 0});
+  const BoundingSphere around{map_.Find(id)->BoundingSphereInMap().center_m, 0.3};
+  ASSERT_TRUE(map_.mutable_info().kept_clear.Add({"here", around}).ok());
+  EXPECT_EQ(Miss(id, 20, here_), 1) << "the one beside it";
+  EXPECT_EQ(map_.Find(beside), nullptr);
+  ASSERT_NE(map_.Find(id), nullptr);
+  EXPECT_EQ(map_.Find(id)->info().num_frames_overlooked, 0);
+  EXPECT_EQ(ActivityOf(id), Activity::kInactive) << "nobody sees it any longer";
+  EXPECT_EQ(map_.Find(kUnknownSubmap)->blocks().Find({2, 0, 0}), nullptr) << "nothing is put there";
+  ASSERT_TRUE(map_.mutable_info().kept_clear.Lift("here"));
+  EXPECT_EQ(Miss(id, 3, here_), 1);
+}
+
+TEST_F(ActivityTest, WhatWasOverlookedBeforeItsPlaceIsKeptClearStays) {
+  const SubmapId id = Add(Thing(false));
+  PanopticFrame a = here_, b = here_;
+  a.session = "a", b.session = "b";
+  UpdateActivity(a, {id}, map_);
+  EXPECT_EQ(Miss(id, 20, b), 0);
+  const BoundingSphere around{map_.Find(id)->BoundingSphereInMap().center_m, 0.3};
+  ASSERT_TRUE(map_.mutable_info().kept_clear.Add({"here", around}).ok());
+  EXPECT_EQ(Miss(id, 20, a), 0) << "all of its points are cut out";
+  EXPECT_NE(map_.Find(id), nullptr);
+}
+
 TEST_F(ActivityTest, AnUnconfirmedThingThatWasMovedStays) {
   const SubmapId id = Add(Thing(false));
   map_.FindMutable(id)->mutable_info().T_map_submap.translation().y() = 0.5;

@@ -95,6 +95,63 @@ TEST_F(TrackerTest, SwappedIdsStillFindTheirSubmaps) {
   EXPECT_EQ(second[2].submap, first[2].submap);
 }
 
+TEST_F(TrackerTest, PersistentIdsMeanWhatTheirSessionSays) {
+  PanopticFrame a = FrameOf(TwoBoxes());
+  a.has_persistent_ids = true;
+  a.session = "a";
+  const auto of_a = Feed(a);
+  ASSERT_TRUE(of_a[0].is_new && of_a[1].is_new);
+
+  // Another robot calls the left box 2 and the right one 1.
+  PanopticFrame b = a;
+  b.session = "b";
+  for (std::uint32_t& id : b.camera->segments) id = id == 1 ? 2 : id == 2 ? 1 : id;
+  const auto of_b = Feed(b);
+  EXPECT_FALSE(of_b[0].is_new || of_b[1].is_new);
+  EXPECT_EQ(of_b[0].submap, of_a[1].submap);
+  EXPECT_EQ(of_b[1].submap, of_a[0].submap);
+  const Sightings& sightings = map_.Find(of_a[0].submap)->info().sightings;
+  EXPECT_EQ(sightings.TrackOf("a"), 1u);
+  EXPECT_EQ(sightings.TrackOf("b"), 2u);
+
+  // From then on the ids count, wherever the boxes are seen.
+  Scene moved = TwoBoxes();
+  for (const std::size_t i : {0u, 1u}) moved.solids[i].center_m.z() += 0.3;
+  for (const bool is_b : {false, true}) {
+    PanopticFrame later = FrameOf(moved);
+    later.has_persistent_ids = true;
+    later.session = is_b ? "b" : "a";
+    const auto assigned = Feed(later);
+    EXPECT_EQ(assigned[0].submap, of_a[is_b ? 1 : 0].submap);
+    EXPECT_EQ(assigned[1].submap, of_a[is_b ? 0 : 1].submap);
+  }
+}
+
+TEST_F(TrackerTest, AnIdThatASessionHasGivenToAnotherThingIsNoCandidate) {
+  PanopticFrame frame = FrameOf(TwoBoxes());
+  frame.has_persistent_ids = true;
+  frame.session = "a";
+  const auto first = Feed(frame);
+  // The same robot sees new ids where its own things are: it says that they are others.
+  for (std::uint32_t& id : frame.camera->segments) id = id == 1 || id == 2 ? id + 10 : id;
+  frame.segments[0].id = SegmentId(11);
+  frame.segments[1].id = SegmentId(12);
+  const auto second = Feed(frame);
+  EXPECT_TRUE(second[0].is_new && second[1].is_new);
+}
+
+TEST_F(TrackerTest, ATrackOfWhichNobodyKnowsWhoseItIsBelongsToWhoNamesIt) {
+  PanopticFrame frame = FrameOf(TwoBoxes());
+  frame.has_persistent_ids = true;
+  const auto first = Feed(frame);
+  for (const std::size_t i : {0u, 1u})
+    map_.FindMutable(first[i].submap)->mutable_info().sightings = {};  // as of schema 7
+  frame.session = "robot";
+  const auto again = Feed(frame);
+  EXPECT_EQ(again[0].submap, first[0].submap);
+  EXPECT_EQ(map_.Find(first[0].submap)->info().sightings.TrackOf("robot"), 1u);
+}
+
 TEST_F(TrackerTest, OverlapCountsAreThoseOfAPointByPointTest) {
   const PanopticFrame frame = FrameOf(TwoBoxes());
   Feed(frame);

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <future>
+#include <new>
+#include <optional>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -24,20 +28,41 @@ class ScriptedStore final : public MapStore {
   };
 
   Result<std::vector<StoredMap>> ListMaps() override { return std::vector<StoredMap>{}; }
-  Result<StoredMap> GetMap(const std::string&) override { return NotFound("not here"); }
+  Result<StoredMap> GetMap(const std::string&) override {
+    if (!stored) return NotFound("not here");
+    return *stored;
+  }
   Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return NotFound("not here"); }
-  Status DeleteMap(const std::string&) override { return Status::Ok(); }
+  Status DeleteMap(const std::string&) override {
+    if (is_lost_in_answering) stored = std::nullopt;
+    Throw();
+    stored = std::nullopt;
+    return Status::Ok();
+  }
   Status Reserve(const std::string&, const NumberMarks&) override { return Status::Ok(); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     const std::lock_guard lock(mutex);  // held by the test: the disk is slow
     calls.push_back({before.revision(), after.revision(), durability});
+    if (is_lost_in_answering) stored = StoredMap{.info = after.info()};
+    Throw();
     return std::exchange(next_outcome, Status::Ok());
+  }
+  /// The next call throws it.
+  template <typename Exception>
+  void ThrowNext(const Exception& exception) {
+    next_exception = std::make_exception_ptr(exception);
+  }
+  void Throw() {
+    if (const auto exception = std::exchange(next_exception, nullptr)) std::rethrow_exception(exception);
   }
 
   std::mutex mutex;
   std::vector<Call> calls;
   Status next_outcome;
+  std::optional<StoredMap> stored;
+  bool is_lost_in_answering = false;  ///< all is done before it throws
+  std::exception_ptr next_exception;
 };
 
 class CommitWorkerTest : public ::testing::Test {
@@ -53,6 +78,11 @@ class CommitWorkerTest : public ::testing::Test {
   std::shared_ptr<const MapSnapshot> Change() {
     map->mutable_info().num_frames++;
     return map->Publish(0);
+  }
+  Status Delete() {
+    std::promise<Status> outcome;
+    worker->DeleteMap([&outcome](const Status& status) { outcome.set_value(status); });
+    return outcome.get_future().get();
   }
   std::future<Status> Request(std::shared_ptr<const MapSnapshot> snapshot, Durability durability) {
     auto promise = std::make_shared<std::promise<Status>>();
@@ -137,6 +167,88 @@ TEST_F(CommitWorkerTest, AfterDeletionThereIsNothingToCommitTo) {
   EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kNotFound);
   worker->Stop();
   EXPECT_TRUE(store.calls.empty());
+}
+
+TEST_F(CommitWorkerTest, ACommitThatThrowsIsOneThatFailed) {
+  store.ThrowNext(std::bad_alloc());
+  const Status no_memory = Request(Change(), Durability::kNormal).get();
+  EXPECT_EQ(no_memory.code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(no_memory.reason(), Reason("OUT_OF_MEMORY"));
+  EXPECT_EQ(worker->last_outcome().code(), StatusCode::kResourceExhausted);
+  store.ThrowNext(std::runtime_error("of the store"));
+  const Status other = Request(Change(), Durability::kNormal).get();
+  EXPECT_EQ(other.code(), StatusCode::kInternal);
+  EXPECT_NE(other.message().find("of the store"), std::string::npos) << other.message();
+  store.ThrowNext(1);
+  EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kInternal);
+  EXPECT_EQ(worker->committed_revision(), 1);
+
+  EXPECT_TRUE(Request(Change(), Durability::kNormal).get().ok());
+  EXPECT_TRUE(worker->last_outcome().ok());
+  ASSERT_EQ(store.calls.size(), 4u);
+  EXPECT_EQ(store.calls.back().before, 1) << "nothing is left out";
+  EXPECT_EQ(store.calls.back().after, 5);
+}
+
+TEST_F(CommitWorkerTest, WhatACommitThatThrewLeftIsStoredAtTheNextAttempt) {
+  worker.emplace(store, first, /*retry_s=*/0.01, CommitWorker::Observer());
+  store.ThrowNext(std::bad_alloc());
+  EXPECT_FALSE(Request(Change(), Durability::kNormal).get().ok());
+  EXPECT_TRUE(testing::Eventually([&] { return worker->committed_revision() == 2; }));
+}
+
+TEST_F(CommitWorkerTest, AnUnseenStateWhoseCommitThrowsIsDropped) {
+  store.ThrowNext(std::bad_alloc());
+  EXPECT_EQ(worker->CommitUnseen(Change()).reason(), Reason("OUT_OF_MEMORY"));
+  worker->Stop();
+  EXPECT_EQ(worker->committed_revision(), 1);
+  ASSERT_EQ(store.calls.size(), 1u) << "no later commit writes it";
+}
+
+TEST_F(CommitWorkerTest, ACommitThatThrowsWhenAllIsWrittenIsDone) {
+  store.is_lost_in_answering = true;
+  store.ThrowNext(std::bad_alloc());
+  EXPECT_TRUE(worker->CommitUnseen(Change()).ok());
+  EXPECT_EQ(worker->committed_revision(), 2);
+  EXPECT_TRUE(worker->last_outcome().ok());
+  EXPECT_TRUE(Request(Change(), Durability::kNormal).get().ok());
+  EXPECT_EQ(store.calls.back().before, 2) << "where the store is";
+}
+
+TEST_F(CommitWorkerTest, ADeletionThatThrowsChangesNothing) {
+  store.stored = StoredMap{.info = first->info()};
+  store.ThrowNext(std::bad_alloc());
+  EXPECT_EQ(Delete().reason(), Reason("OUT_OF_MEMORY"));
+  EXPECT_TRUE(Request(Change(), Durability::kNormal).get().ok());
+  EXPECT_TRUE(Delete().ok());
+  EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kNotFound);
+}
+
+TEST_F(CommitWorkerTest, ADeletionThatThrowsWhenAllIsGoneIsDone) {
+  store.stored = StoredMap{.info = first->info()};
+  store.is_lost_in_answering = true;
+  store.ThrowNext(std::bad_alloc());
+  EXPECT_TRUE(Delete().ok());
+  EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kNotFound);
+}
+
+TEST_F(CommitWorkerTest, WhoThrowsWhenToldKeepsNobodyFromTheAnswer) {
+  int num_heard = 0;
+  worker.emplace(store, first, /*retry_s=*/1000.0, [&num_heard](double, const Status&) {
+    ++num_heard;
+    throw std::bad_alloc();
+  });
+  std::unique_lock slow(store.mutex);
+  const auto rude = [](const Status&) { throw std::runtime_error("of the listener"); };
+  for (int i = 0; i < 3; ++i) worker->Request(Change(), Durability::kNormal, rude);
+  auto answer = Request(Change(), Durability::kNormal);
+  slow.unlock();
+  EXPECT_TRUE(answer.get().ok());
+  EXPECT_TRUE(Request(Change(), Durability::kNormal).get().ok());
+  EXPECT_EQ(worker->committed_revision(), 6);
+  worker->Stop();
+  EXPECT_GE(num_heard, 2);
+  worker->Request(Change(), Durability::kNormal, rude);  // refused here and now
 }
 
 }  // namespace

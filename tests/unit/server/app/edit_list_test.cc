@@ -132,6 +132,75 @@ TEST_F(EditListTest, ExpectedRevisionSeesEditsAndNotFrames) {
   EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
 }
 
+TEST_F(EditListTest, EtagsSeeEditsAndNotFrames) {
+  EditList list;
+  list.edits.push_back(On(things_[0], Rename("first")));
+  list.edits[0].etag = EtagOf(*map_.Find(things_[0]), map_.info());
+  map_.FindMutable(things_[0])->MutableTsdf({0, 0, 0}).weight[0] = 9;  // as a frame does
+  map_.Publish(2);
+  ASSERT_TRUE(ApplyEdits(list, map_).ok());
+  map_.Publish(3);
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
+  list.edits[0].etag = EtagOf(*map_.Find(things_[1]), map_.info());
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH") << "of another object";
+}
+
+TEST_F(EditListTest, WhatTheListClearsFirstIsStillComparedAsItWasBefore) {
+  const std::int64_t known = map_.info().revision;
+  const std::string etag = EtagOf(*map_.Find(things_[0]), map_.info());
+  ASSERT_TRUE(ApplyEdits({.edits = {On(things_[0], Rename("of another client"))}}, map_).ok());
+  map_.Publish(2);
+  const BoundingSphere corner{Eigen::Vector3d::Zero(), 0.3 * block_m()};
+  EditList list{.edits = {}, .expected_revision = known};
+  list.edits.push_back({.target = {}, .etag = {}, .action = ClearEdit{corner, {}}});
+  list.edits.push_back(On(things_[0], Rename("mine")));
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
+  map_ = Map(map_.published());
+  list.expected_revision = 0;
+  list.edits[1].etag = etag;
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
+  map_ = Map(map_.published());
+  list.edits[1].etag = EtagOf(*map_.Find(things_[0]), map_.info());
+  EXPECT_TRUE(ApplyEdits(list, map_).ok());
+}
+
+TEST_F(EditListTest, WhatWasLostIsNeitherExpectedNorNamedByAnEtag) {
+  const std::int64_t lost = map_.info().revision;
+  EditList list{.edits = {}, .expected_revision = lost, .lost = {{lost, lost}}};
+  list.edits.push_back(On(things_[0], Rename("x")));
+  const std::string etag = EtagOf(*map_.Find(things_[0]), map_.info());
+  map_.FindMutable(things_[0])->MutableTsdf({0, 0, 0}).weight[0] = 9;
+  map_.Publish(2);
+  const Status refused = ApplyEdits(list, map_).status();
+  EXPECT_EQ(refused.code(), StatusCode::kOutOfRange);
+  EXPECT_EQ(ReasonOf(refused), "HISTORY_LOST");
+  list.expected_revision = 0;
+  list.edits[0].etag = etag;
+  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
+  list.expected_revision = map_.info().revision;
+  list.edits[0].etag = EtagOf(*map_.Find(things_[0]), map_.info());
+  EXPECT_TRUE(ApplyEdits(list, map_).ok());
+}
+
+TEST_F(EditListTest, WhatIsSoAlreadyIsNoRevisionAndNoChange) {
+  SubmapPatch patch{.T_map_submap = Transform(Eigen::Translation3d(0, 0, 1)), .class_id = ClassId(1)};
+  patch.is_locked = true;
+  EditList list;
+  list.edits = {On(things_[0], PatchEdit{patch}), On(things_[1], PresenceEdit{Presence::kAbsent}),
+                On(things_[2], Rename(""))};
+  const auto first = ApplyEdits(list, map_);
+  ASSERT_TRUE(first.ok()) << first.status().ToString();
+  EXPECT_EQ(first->at(0).changed, std::vector<SubmapId>{things_[0]});
+  EXPECT_EQ(first->at(1).changed, std::vector<SubmapId>{things_[1]});
+  EXPECT_EQ(first->at(2).changed, std::vector<SubmapId>{}) << "it follows its class already";
+  const auto before = map_.Publish(2);
+  list.edits.push_back(On(things_[3], PresenceEdit{Presence::kPresent}));
+  const auto again = ApplyEdits(list, map_);
+  ASSERT_TRUE(again.ok());
+  for (const EditResult& result : *again) EXPECT_TRUE(result.changed.empty());
+  EXPECT_EQ(map_.Publish(3), before);
+}
+
 TEST_F(EditListTest, MergesCountAsEditsOfWhatIsLeft) {
   const std::int64_t known = map_.info().revision;
   EditList merge;
@@ -181,6 +250,45 @@ TEST_F(EditListTest, AnObjectIsAbsentUntilSomebodySaysOtherwise) {
   list.edits[0].action = PresenceEdit{Presence::kPresent};
   ASSERT_TRUE(ApplyEdits(list, map_).ok());
   EXPECT_FALSE(map_.Find(things_[0])->IsAbsent());
+}
+
+TEST_F(EditListTest, WhatIsLockedIsEditedAsEverAndWhatIsMadeOfItFollows) {
+  const auto apply = [this](Edit edit) {
+    auto results = ApplyEdits({.edits = {std::move(edit)}}, map_);
+    EXPECT_TRUE(results.ok()) << results.status().ToString();
+    return results.ok() ? results->front() : EditResult();
+  };
+  SubmapPatch lock;
+  lock.is_locked = true;
+  apply(On(things_[0], PatchEdit{lock}));
+  const auto is_locked = [this](SubmapId id) { return map_.Find(id)->info().is_locked; };
+  ASSERT_TRUE(is_locked(things_[0]));
+  apply(On(things_[0], Rename("mine")));
+  EXPECT_EQ(map_.Find(things_[0])->info().display_name, "mine");
+  EXPECT_FALSE(is_locked(apply(On(things_[0], CloneEdit{})).created[0]));
+  EXPECT_TRUE(is_locked(apply(On(things_[0], SplitAfterBlocks(1))).created[0])) << "its voxels stay left alone";
+  apply(On(things_[1], MergeEdit{{things_[0]}}));
+  EXPECT_TRUE(is_locked(things_[1])) << "its voxels stay left alone";
+  apply(On(things_[1], DeleteEdit{}));
+  EXPECT_EQ(map_.Find(things_[1]), nullptr);
+}
+
+TEST_F(EditListTest, RegionsAreKeptClearUpToSoManyAndLifted) {
+  const auto reason_of = [this](decltype(Edit::action) action) {
+    return ReasonOf(ApplyEdits({.edits = {{.target = {}, .etag = {}, .action = std::move(action)}}}, map_).status());
+  };
+  const BoundingSphere sphere{Eigen::Vector3d::Zero(), 1.0};
+  const auto keep = [&](const std::string& name) { return reason_of(KeepClearEdit{{name, sphere}}); };
+  for (int i = 0; i < 64; ++i) EXPECT_EQ(keep("r" + std::to_string(i)), "");
+  EXPECT_EQ(keep("r64"), "TOO_MANY_KEPT_CLEAR");
+  EXPECT_EQ(keep("r1"), "KEPT_CLEAR_EXISTS");
+  EXPECT_EQ(reason_of(ClearEdit{sphere, {}, "r64"}), "TOO_MANY_KEPT_CLEAR");
+  EXPECT_EQ(reason_of(LiftEdit{"r64"}), "KEPT_CLEAR_NOT_FOUND");
+  EXPECT_EQ(reason_of(LiftEdit{"r7"}), "");
+  EXPECT_EQ(keep("Not a name"), "BAD_EDIT");
+  EXPECT_EQ(reason_of(KeepClearEdit{{"far", BoundingSphere{Eigen::Vector3d(1e10, 0, 0), 1}}}), "BAD_EDIT");
+  EXPECT_EQ(reason_of(ClearEdit{sphere, {}, "r7"}), "");
+  EXPECT_EQ(map_.info().kept_clear.list().size(), 64u);
 }
 
 TEST_F(EditListTest, ARegionIsClearedOfAllOrOfOneObject) {

@@ -2,6 +2,8 @@
 // Edits, and a store that refuses or falls behind.
 #include <atomic>
 #include <chrono>
+#include <new>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -43,7 +45,12 @@ TEST_F(MapSessionTest, AnEditThatThrowsIsAnswered) {
   Open({});
   const auto outcome = Wait<Result<EditOutcome>>(
       [&](auto done) { session->Edit([](Map&) -> Result<SubmapId> { throw std::bad_alloc(); }, done); });
-  EXPECT_EQ(outcome.status().code(), StatusCode::kInternal);
+  EXPECT_EQ(outcome.status().code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(outcome.status().reason(), Reason("OUT_OF_MEMORY"));
+  const auto other = Wait<Result<EditOutcome>>([&](auto done) {
+    session->Edit([](Map&) -> Result<SubmapId> { throw std::runtime_error("of the edit"); }, done);
+  });
+  EXPECT_EQ(other.status().code(), StatusCode::kInternal);
   EXPECT_TRUE(Integrate(0).report.ok());
 }
 
@@ -58,7 +65,7 @@ TEST_F(MapSessionTest, AnEditThatFailsHalfWayChangesNothing) {
         },
         done);
   });
-  EXPECT_EQ(outcome.status().code(), StatusCode::kInternal);
+  EXPECT_EQ(outcome.status().reason(), Reason("OUT_OF_MEMORY"));
   const std::size_t num_submaps = session->View()->snapshot().submaps().size();
   EXPECT_TRUE(Integrate(2).report.ok());
   EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());

@@ -2,13 +2,16 @@
 #include "server/app/map_session.h"
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <future>
+#include <memory>
 #include <stop_token>
 #include <thread>
 #include <vector>
 
 #include "server/app/submap_edits.h"
+#include "tests/integration/busy_writer.h"
 #include "tests/integration/failing_store.h"
 #include "tests/support/eventually.h"
 #include "tests/unit/server/app/map_session_fixture.h"
@@ -135,6 +138,61 @@ TEST_F(MapSessionTest, FinishingEndsWhenNobodyWaitsForIt) {
   EXPECT_TRUE(Wait<Result<FinishOutcome>>([&](auto done) { session->Finish(done); }).ok());
 }
 
+TEST_F(MapSessionTest, FinishingThatWaitsForItsTurnEndsAtOnceWhenNobodyWaitsForIt) {
+  Open({.publish_s = 1000, .commit_s = 1000});
+  Integrate(0);
+  auto busy = std::make_unique<testing::BusyWriter>(*session);
+  std::stop_source gone;
+  int num_answers = 0;
+  Status answer;
+  session->Finish(
+      [&](const Result<FinishOutcome>& outcome) {
+        ++num_answers;
+        answer = outcome.status();
+      },
+      gone.get_token());
+  ASSERT_TRUE(session->Finishing().has_value());
+  gone.request_stop();
+  EXPECT_EQ(answer.code(), StatusCode::kCancelled);
+  EXPECT_FALSE(session->Finishing().has_value());
+  busy = nullptr;
+  EXPECT_EQ(Integrate(1).report.status().code(), StatusCode::kOk);
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ(num_answers, 1) << "its turn came, and nothing was left to do";
+  EXPECT_EQ(session->View()->snapshot().info().num_frames, 2);
+  for (const auto& submap : session->View()->snapshot().submaps()) {
+    if (submap->info().panoptic != Panoptic::kThing) continue;
+    EXPECT_EQ(submap->info().activity, Activity::kActive);
+  }
+}
+
+TEST_F(MapSessionTest, TheEndKeepsNobodyWaitingWhileAFinishingIsCancelled) {
+  Open({});
+  auto busy = std::make_unique<testing::BusyWriter>(*session);
+  std::stop_source gone;
+  std::promise<void> is_told, may_go;
+  session->Finish(
+      [&](const Result<FinishOutcome>&) {
+        is_told.set_value();
+        may_go.get_future().wait();
+      },
+      gone.get_token());
+  std::jthread cancelling([&] { gone.request_stop(); });
+  is_told.get_future().wait();
+  std::jthread ending([&] { (void)session->Stop(); });
+  EXPECT_TRUE(testing::Eventually([&] {  // that it has begun
+    const auto is_refused = std::make_shared<std::atomic<bool>>(false);
+    session->Flush([is_refused](const Status&) { *is_refused = true; });
+    return is_refused->load();
+  }));
+  busy = nullptr;
+  std::this_thread::sleep_for(
+      std::chrono::milliseconds(50));  // the writer lets go of the job, whose callback still runs
+  auto asked = std::async(std::launch::async, [&] { return session->Finishing().has_value(); });
+  EXPECT_EQ(asked.wait_for(std::chrono::seconds(5)), std::future_status::ready) << "the writer holds its lock";
+  may_go.set_value();
+}
+
 TEST_F(MapSessionTest, TheEndDoesNotWaitForARefinement) {
   const auto slots = std::make_shared<RefinementSlots>(1);
   Open({.refinement_slots = slots});
@@ -149,27 +207,20 @@ TEST_F(MapSessionTest, TheEndDoesNotWaitForARefinement) {
 
 TEST_F(MapSessionTest, FramesThatWaitWhenAnotherTakesOverAreRefused) {
   Open({});
-  std::promise<void> begun, go;
-  session->Edit(
-      [&](Map&) -> Result<SubmapId> {
-        begun.set_value();
-        go.get_future().wait();
-        return SubmapId(0);
-      },
-      [](const Result<EditOutcome>&) {});
-  begun.get_future().wait();  // the writer is busy
+  auto busy = std::make_unique<testing::BusyWriter>(*session);
   Status told;
   const auto old_feed = *session->BeginFeed({.on_evicted = [&told](const Status& why) { told = why; }});
   std::vector<std::future<FrameOutcome>> answers;
   for (int i = 0; i < 3; ++i) {
     auto promise = std::make_shared<std::promise<FrameOutcome>>();
     answers.push_back(promise->get_future());
-    session->Integrate(old_feed, i, FrameOf(i), [promise](FrameOutcome outcome) { promise->set_value(outcome); });
+    session->Integrate(old_feed, i, FrameOf(i),
+                       [promise](const FrameOutcome& outcome) { promise->set_value(outcome); });
   }
   const auto feed = session->BeginFeed({.take_over = true});
   ASSERT_TRUE(feed.ok());
   EXPECT_EQ(told.reason(), Reason("FEED_TAKEN_OVER"));
-  go.set_value();
+  busy = nullptr;
   for (auto& answer : answers) EXPECT_EQ(answer.get().report.status().reason(), Reason("FEED_TAKEN_OVER"));
   EXPECT_TRUE(Wait<FrameOutcome>([&](auto done) { session->Integrate(*feed, 0, FrameOf(0), done); }).report.ok());
   EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());

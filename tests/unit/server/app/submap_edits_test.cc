@@ -115,6 +115,96 @@ TEST_F(SubmapEditsTest, ARelabelledClassIsFixed) {
   EXPECT_NE(EtagOf(*map.Find(thing), map.info()), EtagOf(*snapshot->Find(thing), snapshot->info()));
 }
 
+TEST_F(SubmapEditsTest, WhatIsSoAlreadyIsNoNewRevision) {
+  Transform T = Transform::Identity();
+  T.translation() = Eigen::Vector3d(1, 2, 3);
+  T.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const SubmapPatch patch{
+      .T_map_submap = T, .class_id = ClassId(2), .display_name = std::string("lamp"), .is_locked = true};
+  ASSERT_TRUE(PatchSubmap(map, thing, "", patch).ok());
+  const auto before = map.Publish(1);
+  SubmapPatch answered = patch;  // the pose as a client reads it
+  const Eigen::Quaterniond q(ThingInfo().T_map_submap.linear());
+  answered.T_map_submap = TransformFromQuaternion(T.translation(), q.coeffs(), "").value();
+  PoseChange same;
+  same.translation_m[1] = 2;
+  for (const SubmapPatch& again : {patch, answered, SubmapPatch{.pose_change = same}}) {
+    const auto is_changed = PatchSubmap(map, thing, again);
+    ASSERT_TRUE(is_changed.ok());
+    EXPECT_FALSE(*is_changed);
+    EXPECT_EQ(map.Publish(2), before);
+  }
+  SubmapPatch one_differs = patch;
+  one_differs.is_locked = false;
+  EXPECT_TRUE(PatchSubmap(map, thing, one_differs).value());
+  EXPECT_EQ(map.Publish(3)->revision(), before->revision() + 1);
+  EXPECT_EQ(ThingInfo().edited_revision, before->revision() + 1);
+}
+
+TEST_F(SubmapEditsTest, WhatItHadByItselfIsAChangeTheFirstTimeSomebodySetsIt) {
+  const SubmapPatch patches[] = {{.class_id = ClassId(1)},
+                                 {.T_map_submap = Transform::Identity()},
+                                 {.display_name = DisplayNameOf(ThingInfo(), *map.info().label_set)}};
+  for (const SubmapPatch& patch : patches) {
+    EXPECT_TRUE(PatchSubmap(map, thing, patch).value());
+    EXPECT_FALSE(PatchSubmap(map, thing, patch).value());
+  }
+  EXPECT_TRUE(ThingInfo().class_is_fixed);
+  EXPECT_TRUE(ThingInfo().is_placed);
+  EXPECT_FALSE(ThingInfo().display_name.empty());
+  EXPECT_EQ(map.Publish(1)->revision(), snapshot->revision() + 1);
+}
+
+TEST_F(SubmapEditsTest, WhatIsAbsentOrPartlyGoneIsPutBackByAMoveToWhereItIs) {
+  const SubmapPatch stay{.T_map_submap = Transform::Identity()};
+  ASSERT_TRUE(PatchSubmap(map, thing, stay).value());
+  map.FindMutable(thing)->mutable_info().presence = Presence::kAbsent;
+  EXPECT_TRUE(PatchSubmap(map, thing, stay).value());
+  EXPECT_EQ(ThingInfo().presence, Presence::kPresent);
+  map.FindMutable(thing)->MutableGone({0, 0, 0}).Set(3, 2);
+  EXPECT_TRUE(PatchSubmap(map, thing, stay).value());
+  EXPECT_FALSE(HasGone(*map.Find(thing)));
+  EXPECT_FALSE(PatchSubmap(map, thing, stay).value());
+}
+
+TEST_F(SubmapEditsTest, AnEtagHoldsThroughFramesUntilTheNextEdit) {
+  const std::string read = EtagOf(*map.Find(thing), map.info());
+  map.FindMutable(thing)->MutableTsdf({0, 0, 0}).weight[0] = 9;  // as a frame does
+  map.Publish(1);
+  EXPECT_NE(EtagOf(*map.Find(thing), map.info()), read);
+  ASSERT_TRUE(PatchSubmap(map, thing, read, {.display_name = "lamp"}).ok());
+  map.Publish(2);
+  EXPECT_EQ(PatchSubmap(map, thing, read, {.display_name = "sofa"}).reason(), Reason("ETAG_MISMATCH"));
+  EXPECT_EQ(CloneSubmap(map, thing, read, {}).status().reason(), Reason("ETAG_MISMATCH"));
+  EXPECT_EQ(DeleteSubmap(map, thing, read).reason(), Reason("ETAG_MISMATCH"));
+  EXPECT_TRUE(DeleteSubmap(map, thing, EtagOf(*map.Find(thing), map.info())).ok());
+}
+
+TEST_F(SubmapEditsTest, AnEtagIsOfOneObjectAndACopyLeavesThatOfTheOriginalAlone) {
+  const auto copy = CloneSubmap(map, thing, "", {});
+  ASSERT_TRUE(copy.ok());
+  ASSERT_TRUE(PatchSubmap(map, thing, "", {.display_name = "lamp"}).ok());
+  map.Publish(1);
+  const std::string of_thing = EtagOf(*map.Find(thing), map.info()), of_copy = EtagOf(*map.Find(*copy), map.info());
+  ASSERT_EQ(ThingInfo().revision, map.Find(*copy)->info().revision);
+  EXPECT_EQ(DeleteSubmap(map, thing, of_copy).reason(), Reason("ETAG_MISMATCH"));
+  ASSERT_TRUE(CloneSubmap(map, thing, of_thing, {}).ok());
+  map.Publish(2);
+  EXPECT_EQ(EtagOf(*map.Find(thing), map.info()), of_thing);
+  EXPECT_TRUE(DeleteSubmap(map, thing, of_thing).ok());
+}
+
+TEST_F(SubmapEditsTest, AnEtagOfAStateThatWasLostIsRefused) {
+  const LostRevisions lost = {{ThingInfo().revision, ThingInfo().revision}};
+  const std::string read = EtagOf(*map.Find(thing), map.info());
+  map.FindMutable(thing)->MutableTsdf({0, 0, 0}).weight[0] = 9;
+  map.Publish(1);
+  EXPECT_EQ(PatchSubmap(map, thing, read, {.display_name = "x"}, lost).reason(), Reason("ETAG_MISMATCH"));
+  EXPECT_EQ(CloneSubmap(map, thing, read, {}, lost).status().reason(), Reason("ETAG_MISMATCH"));
+  EXPECT_EQ(DeleteSubmap(map, thing, read, lost).reason(), Reason("ETAG_MISMATCH"));
+  EXPECT_TRUE(DeleteSubmap(map, thing, EtagOf(*map.Find(thing), map.info()), lost).ok());
+}
+
 TEST_F(SubmapEditsTest, AMoveLeavesTheVoxelsAlone) {
   SubmapPatch move{.T_map_submap = Transform::Identity()};
   move.T_map_submap->translation() = Eigen::Vector3d(3, 0, 0);

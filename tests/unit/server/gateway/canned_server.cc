@@ -48,6 +48,7 @@ class Reactor final : public grpc::ServerGenericBidiReactor {
   void OnReadDone(bool ok) override {
     if (!ok) {
       read_ended_ = true;
+      if (answer_.at_end) return WriteNext();
       if (!answering_) End();
       return;
     }
@@ -56,7 +57,7 @@ class Reactor final : public grpc::ServerGenericBidiReactor {
     if (answer_.acknowledge) {
       answer_.messages = {answer_.acknowledge(call_.requests.back())};
       next_ = 0;
-    } else if (call_.requests.size() > 1) {
+    } else if (call_.requests.size() > 1 || answer_.at_end) {
       return StartRead(&incoming_);
     }
     WriteNext();

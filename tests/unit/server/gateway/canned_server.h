@@ -18,7 +18,8 @@ struct CannedAnswer {
   std::vector<std::string> messages;  ///< serialised, in answer to the first request message
   std::function<std::string(const std::string& request)> acknowledge;  ///< instead: one for each request message
   grpc::Status status;
-  bool hang = false;  ///< never ends, until it is cancelled
+  bool hang = false;    ///< never ends, until it is cancelled
+  bool at_end = false;  ///< `messages` are in answer to the end of the requests instead
 };
 
 /// What the server heard of one call.

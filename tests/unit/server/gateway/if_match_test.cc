@@ -31,5 +31,13 @@ TEST_F(GatewayTest, IfMatchThatCannotBeKeptIsRefusedNotIgnored) {
       << "two that differ";
 }
 
+// No state of anything has an empty tag, so nothing may be changed for it.
+TEST_F(GatewayTest, IfMatchOfAnEmptyTagIsRefusedNotIgnored) {
+  EXPECT_EQ(client->Ask("DELETE", "/v1/maps/a", "", {{"If-Match", ""}}).status, 400);
+  EXPECT_EQ(client->Ask("DELETE", "/v1/maps/a", "", {{"If-Match", "\"\""}}).status, 400);
+  EXPECT_EQ(client->Ask("PATCH", "/v1/maps/a", R"({"displayName":"x"})", {{"If-Match", "\"\""}}).status, 400);
+  EXPECT_EQ(server.num_calls(), 0u);
+}
+
 }  // namespace
 }  // namespace dhpmap::gateway

@@ -26,6 +26,47 @@ TEST(MessageSplitter, CutsTheSameWhereverThePiecesEnd) {
   }
 }
 
+TEST(MessageSplitter, ALargeMessageThatIsTakenIsNotKept) {
+  const std::string large = R"({"a":")" + std::string(10'000, 'x') + "\"}";
+  MessageSplitter splitter(BodyFormat::kJson, true, 100'000);
+  splitter.Add("{}\n" + large + "\n{\"b\":");
+  EXPECT_EQ(splitter.Next(), "{}");
+  EXPECT_EQ(splitter.Next(), large);
+  EXPECT_LE(splitter.buffered_bytes(), 6u) << "what follows";
+  EXPECT_FALSE(splitter.has_nothing_left());
+  EXPECT_FALSE(splitter.Next());
+  splitter.Add("1}");
+  EXPECT_EQ(splitter.Next(), R"({"b":1})");
+}
+
+TEST(MessageSplitter, AFileIsCutIntoPartsOfBoundedSizeAndHasOneAtLeast) {
+  std::string bytes(700'000, '\0');
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i % 251);
+  for (const std::size_t piece : {1'000u, 300'000u, 700'000u}) {
+    MessageSplitter splitter(BodyFormat::kFile, true, 100'000'000);
+    std::string got;
+    const auto take = [&] {
+      while (auto part = splitter.Next()) {
+        EXPECT_GT(part->size(), 0u);
+        EXPECT_LE(part->size(), 256u << 10);
+        got += *part;
+      }
+    };
+    for (std::size_t at = 0; at < bytes.size(); at += piece) {
+      splitter.Add(std::string_view(bytes).substr(at, piece));
+      take();
+    }
+    splitter.AddEnd();
+    take();
+    EXPECT_TRUE(got == bytes) << piece;
+  }
+  MessageSplitter empty(BodyFormat::kFile, true, 100);
+  EXPECT_FALSE(empty.Next());
+  empty.AddEnd();
+  EXPECT_EQ(empty.Next(), "");
+  EXPECT_FALSE(empty.Next());
+}
+
 TEST(MessageSplitter, FindsCutOffAndOversizedDelimitedMessages) {
   MessageSplitter cut(BodyFormat::kDelimitedProtobuf, true, 100);
   cut.Add(

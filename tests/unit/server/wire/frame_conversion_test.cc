@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <set>
@@ -16,6 +17,7 @@ namespace dhpmap {
 namespace {
 
 constexpr int kWidth = 4, kHeight = 3;
+constexpr std::size_t kNumPixels = std::size_t{kWidth} * kHeight;
 
 template <typename T>
 void SetRaw(const std::vector<T>& values, v1::ImageEncoding encoding, v1::Image* image) {
@@ -32,7 +34,7 @@ v1::Frame CameraFrame() {
   camera->set_height_px(kHeight);
   camera->set_fx_px(4);
   camera->set_fy_px(4);
-  SetRaw(std::vector<float>(kWidth * kHeight, 1.5f), v1::RAW_F32, frame.mutable_depth_camera()->mutable_depth());
+  SetRaw(std::vector<float>(kNumPixels, 1.5f), v1::RAW_F32, frame.mutable_depth_camera()->mutable_depth());
   v1::Segment* segment = frame.add_segments();
   segment->set_id(5);
   segment->set_class_id(0);
@@ -69,7 +71,7 @@ TEST(FrameFromProto, TakesACameraFrame) {
   EXPECT_EQ(frame->stamp_ns, 7);
   EXPECT_EQ(frame->T_map_sensor.translation().x(), 2);
   ASSERT_TRUE(frame->camera.has_value());
-  EXPECT_EQ(frame->camera->depth_m, std::vector<float>(kWidth * kHeight, 1.5f));
+  EXPECT_EQ(frame->camera->depth_m, std::vector<float>(kNumPixels, 1.5f));
   ASSERT_EQ(frame->segments.size(), 2u);
   EXPECT_EQ(frame->segments[0].class_id, ClassId(0));  // 0 is a class; not set is not
   EXPECT_FALSE(frame->segments[1].class_id.has_value());
@@ -77,7 +79,7 @@ TEST(FrameFromProto, TakesACameraFrame) {
 
 TEST(FrameFromProto, ScalesIntegerDepthAndKeepsItsNoReturns) {
   v1::Frame frame = CameraFrame();
-  std::vector<std::uint16_t> depth(kWidth * kHeight, 2000);
+  std::vector<std::uint16_t> depth(kNumPixels, 2000);
   depth[0] = 0;
   depth[1] = 65535;
   SetRaw(depth, v1::RAW_U16, frame.mutable_depth_camera()->mutable_depth());
@@ -126,6 +128,28 @@ TEST(FrameFromProto, ImagesOfTheWrongSizeOrTypeAreNamed) {
   EXPECT_EQ(
       BadFieldsAfter(CameraFrame(), [&](auto& f) { segments(f)->set_encoding(static_cast<v1::ImageEncoding>(99)); }),
       Set{"depth_camera.segments"});
+}
+
+/// A PNG by its chunks, with no pixels in it.
+std::string HeadOfAPng(std::uint8_t width_of_256_px, std::uint8_t height_of_256_px) {
+  const std::string width = {0, 0, static_cast<char>(width_of_256_px), 0};
+  const std::string height = {0, 0, static_cast<char>(height_of_256_px), 0};
+  const std::string no_crc(4, '\0');
+  const std::string grey_8_bit("\x08\0\0\0\0", 5);
+  return std::string("\x89PNG\r\n\x1a\n") + std::string("\0\0\0\rIHDR", 8) + width + height + grey_8_bit + no_crc +
+         std::string("\0\0\0\0IEND", 8) + no_crc;
+}
+
+TEST(FrameFromProto, AFileIsHeldAgainstTheCameraBeforeItIsDecoded) {
+  v1::Frame frame = CameraFrame();
+  v1::Image& segments = *frame.mutable_depth_camera()->mutable_segments();
+  segments.set_encoding(v1::FILE);
+  segments.set_data(HeadOfAPng(32, 16));
+  const Status status = FrameFromProto(frame).status();
+  ASSERT_EQ(status.violations().size(), 1u);
+  EXPECT_EQ(status.violations()[0].field, "depth_camera.segments");
+  EXPECT_NE(status.violations()[0].description.find("is 8192 x 4096 pixels, the camera "), std::string::npos)
+      << "by its head, which is all there is: " << status.violations()[0].description;
 }
 
 TEST(FrameFromProto, AnUnusableCameraIsNamedBeforeItsImages) {
@@ -182,6 +206,14 @@ TEST(FrameFromProto, EveryBadFieldIsNamedAtOnce) {
   EXPECT_EQ(BadFields(frame), (Set{"map_from_sensor", "segments[1].class_id", "sensor"}));
 }
 
+TEST(FrameFromProto, ATableOfTooManySegmentsIsOneFault) {
+  v1::Frame frame = CameraFrame();
+  for (int i = 0; i < 70'000; ++i) frame.add_segments()->set_class_id(70'000);
+  const auto result = FrameFromProto(frame);
+  ASSERT_EQ(result.status().violations().size(), 1u);
+  EXPECT_EQ(result.status().violations()[0].field, "segments");
+}
+
 TEST(FrameFromProto, TakesALidarFrame) {
   v1::Frame frame = LidarFrame();
   frame.mutable_lidar()->add_segment_ids(1);
@@ -235,7 +267,7 @@ TEST(PoseConversion, IsItsOwnInverse) {
 }
 
 TEST(DecodedBytes, FollowTheSizesThatAFrameTells) {
-  EXPECT_GE(DecodedBytes(CameraFrame()), kWidth * kHeight * (sizeof(float) + sizeof(Color) + sizeof(std::uint32_t)));
+  EXPECT_GE(DecodedBytes(CameraFrame()), kNumPixels * (sizeof(float) + sizeof(Color) + sizeof(std::uint32_t)));
   EXPECT_GE(DecodedBytes(LidarFrame()), 2 * (sizeof(Eigen::Vector3f) + sizeof(std::uint32_t)));
   v1::Frame large = CameraFrame();
   large.mutable_depth_camera()->mutable_camera()->set_width_px(4000);

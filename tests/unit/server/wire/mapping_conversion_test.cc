@@ -31,6 +31,17 @@ TEST(AckOf, CarriesTheReportOfAFusedFrame) {
   EXPECT_EQ(ack.num_created(), 2);
 }
 
+TEST(AckOf, TheTimeOfFusionIsThatOfBundlingTrackingAndFusionAlone) {
+  FrameReport report;
+  report.bundle_s = 1;
+  report.track_s = 2;
+  report.fuse_s = 4;
+  report.free_s = 8;
+  report.activity_s = 16;
+  report.refine_s = 32;
+  EXPECT_EQ(AckOf(1, {.report = report}).fuse_s(), 7);
+}
+
 TEST(AckOf, TellsWhatIsStoredAndOfDuplicates) {
   const auto ack = AckOf(42, {.report = FrameReport{}, .revision = 9, .is_duplicate = true, .committed_sequence = 0});
   EXPECT_EQ(ack.outcome(), v1::DUPLICATE);

@@ -47,6 +47,20 @@ TEST(PatchFromProto, AMaskSetsWhatItNamesToWhatIsThereOrNot) {
   EXPECT_FALSE(patch->class_id.has_value());
 }
 
+TEST(PatchFromProto, AStarSetsAllThatCanBeChanged) {
+  v1::UpdateSubmapRequest request;
+  request.mutable_submap()->set_class_id(7);
+  request.mutable_submap()->mutable_map_from_submap()->mutable_translation_m()->set_x(2);
+  request.mutable_update_mask()->add_paths("*");
+  const auto patch = PatchFromProto(request);
+  ASSERT_TRUE(patch.ok());
+  EXPECT_EQ(patch->class_id, ClassId(7));
+  EXPECT_EQ(patch->display_name, "") << "what is not there, too";
+  EXPECT_EQ(patch->is_locked, false);
+  ASSERT_TRUE(patch->T_map_submap.has_value());
+  EXPECT_EQ(patch->T_map_submap->translation(), Eigen::Vector3d(2, 0, 0));
+}
+
 using Numbers = std::vector<std::optional<double>>;
 Numbers ChangeOf(const std::vector<std::string>& paths, bool with_rotation) {
   v1::UpdateSubmapRequest request;

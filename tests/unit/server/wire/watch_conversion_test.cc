@@ -68,6 +68,9 @@ TEST(WatchConversion, AFilterPassesWhatMeetsAllItsConditionsBeforeOrAfter) {
   event.kind = ChangeKind::kRemoved;
   event.before->sphere.center_m.x() = 8;
   EXPECT_FALSE(FilterOf(Region(4, 6)).Passes(event)) << "it was elsewhere, and is nowhere";
+  event.before.reset();
+  EXPECT_TRUE(FilterOf(Region(4, 6)).Passes(event)) << "it may have been there between the two states";
+  EXPECT_FALSE(FilterOf(filter).Passes(event)) << "another was asked for";
 }
 
 TEST(WatchConversion, AFilterOfPartsIsOneOfChangesOnly) {

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap log: who has edited what of a map.
+#include <google/protobuf/util/time_util.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <iostream>
+
+#include "clients/cli/connection.h"
+#include "dhpmap/v1/edit_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+struct LogOptions {
+  std::string map, author;
+  int most = 50;
+};
+
+std::string Lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::string Id(const std::string& name) { return name.substr(name.rfind('/') + 1); }
+
+void PrintIds(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
+  if (names.empty()) return;
+  std::cout << ", " << what;
+  for (const std::string& name : names) std::cout << " " << Id(name);
+}
+
+/// "17  2026-11-24T15:45:37Z  anna  move 7, rename 7: changed 7 (undone)".
+void Print(const v1::LoggedEdit& edit) {
+  std::cout << edit.revision() << "  " << google::protobuf::util::TimeUtil::ToString(edit.time()) << "  "
+            << (edit.author().empty() ? "-" : edit.author()) << "  ";
+  if (edit.kind() != v1::LoggedEdit::EDIT) std::cout << Lower(v1::LoggedEdit::Kind_Name(edit.kind()));
+  for (const std::string& target : edit.targets()) std::cout << " " << Id(target);
+  const char* separator = "";
+  for (const v1::LoggedEdit::Step& step : edit.steps()) {
+    std::cout << separator << Lower(v1::LoggedEdit::Action_Name(step.action()));
+    if (!step.submap().empty()) std::cout << " " << Id(step.submap());
+    separator = ", ";
+  }
+  PrintIds("changed", edit.changed());
+  PrintIds("created", edit.created());
+  PrintIds("removed", edit.removed());
+  if (edit.num_voxels() > 0) std::cout << ", " << edit.num_voxels() << " voxels";
+  std::cout << (edit.undone() ? " (undone)" : "") << "\n";
+}
+
+/// The newest edits, page by page, until there are enough.
+ExitCode RunLog(const Session& session, const LogOptions& options) {
+  const auto stub = v1::EditService::NewStub(Connect(session));
+  v1::ListEditsRequest request;
+  request.set_parent(MapName(options.map));
+  request.set_author(options.author);
+  request.set_page_size(std::min(options.most, 1000));
+  v1::ListEditsResponse all;
+  do {
+    grpc::ClientContext context;
+    v1::ListEditsResponse page;
+    const grpc::Status status = stub->ListEdits(&context, request, &page);
+    if (!status.ok()) return ReportError(session, status);
+    for (v1::LoggedEdit& edit : *page.mutable_edits()) {
+      if (all.edits_size() < options.most) *all.add_edits() = std::move(edit);
+    }
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty() && all.edits_size() < options.most);
+  if (session.json) PrintJson(all);
+  else std::for_each(all.edits().begin(), all.edits().end(), Print);
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddLogCommand(CLI::App& app, Session& session) {
+  CLI::App* log = app.add_subcommand("log", "Who has edited what of a map, the newest first");
+  auto options = std::make_shared<LogOptions>();
+  log->add_option("map", options->map, "Name of the map")->required();
+  log->add_option("--author", options->author, "Edits of this author only");
+  log->add_option("-n,--number", options->most, "So many at most [50]")->check(CLI::PositiveNumber);
+  log->callback([options, &session] { session.exit_code = RunLog(session, *options); });
+}
+
+}  // namespace dhpmap

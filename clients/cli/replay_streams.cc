@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/cli/replay_streams.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace dhpmap {
+namespace {
+
+constexpr int kMaxUnanswered = 4;
+/// A server takes 16 at once if nobody has told it otherwise, and others may feed other maps.
+constexpr std::size_t kMaxStreams = 8;
+
+}  // namespace
+
+ReplayStreams::ReplayStreams(v1::MappingService::Stub& stub, std::string map, OnAnswer on_answer)
+    : stub_(stub), map_(std::move(map)), on_answer_(std::move(on_answer)) {}
+
+ReplayStreams::~ReplayStreams() {
+  for (auto& [session, stream] : streams_) {
+    stream->context.TryCancel();
+    (void)stream->calls->Finish();
+  }
+}
+
+grpc::Status ReplayStreams::Send(const std::string& session, std::int64_t sequence,
+                                 v1::IntegrateFramesRequest request) {
+  const auto found = streams_.find(session);
+  if (found == streams_.end() || found->second.get() != last_) {
+    if (grpc::Status status = Drain(); !status.ok()) return status;
+  }
+  const bool is_new = found == streams_.end();
+  if (is_new) {
+    if (grpc::Status status = MakeRoomFor(session); !status.ok()) return status;
+    auto stream = std::make_unique<Stream>();
+    stream->calls = stub_.IntegrateFrames(&stream->context);
+    streams_.emplace(session, std::move(stream));
+  }
+  Stream& stream = *streams_.at(session);
+  last_ = &stream;
+  stream.last_used = ++num_sent_;
+  request.set_map(is_new ? map_ : "");
+  request.set_session(is_new ? session : "");
+  request.set_take_over(false);
+  request.set_sequence(sequence);
+  ++stream.num_unanswered;
+  if (!stream.calls->Write(request)) return Hear(stream);  // it has ended, and says why
+  while (stream.num_unanswered >= kMaxUnanswered) {
+    if (grpc::Status status = Hear(stream); !status.ok()) return status;
+  }
+  return grpc::Status::OK;
+}
+
+grpc::Status ReplayStreams::Hear(Stream& stream) {
+  v1::IntegrateFramesResponse answer;
+  while (stream.calls->Read(&answer)) {
+    if (answer.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) continue;
+    --stream.num_unanswered;
+    on_answer_(answer);
+    return grpc::Status::OK;
+  }
+  grpc::Status status = stream.calls->Finish();
+  const auto is_it = [&stream](const auto& entry) { return entry.second.get() == &stream; };
+  if (last_ == &stream) last_ = nullptr;
+  streams_.erase(std::find_if(streams_.begin(), streams_.end(), is_it));
+  if (status.ok()) status = {grpc::StatusCode::INTERNAL, "the server has ended the stream before its last answer"};
+  return status;
+}
+
+grpc::Status ReplayStreams::Drain() {
+  while (last_ != nullptr && last_->num_unanswered > 0) {
+    if (grpc::Status status = Hear(*last_); !status.ok()) return status;
+  }
+  return grpc::Status::OK;
+}
+
+/// One without a name is alone; of others the longest unused go.
+grpc::Status ReplayStreams::MakeRoomFor(const std::string& session) {
+  std::vector<std::string> in_the_way;
+  for (const auto& [name, stream] : streams_) {
+    if (name.empty() || session.empty()) in_the_way.push_back(name);
+  }
+  if (in_the_way.empty() && streams_.size() >= kMaxStreams) {
+    const auto oldest = std::min_element(streams_.begin(), streams_.end(), [](const auto& a, const auto& b) {
+      return a.second->last_used < b.second->last_used;
+    });
+    in_the_way.push_back(oldest->first);
+  }
+  for (const std::string& name : in_the_way) {
+    if (grpc::Status status = CloseOne(name); !status.ok()) return status;
+  }
+  return grpc::Status::OK;
+}
+
+grpc::Status ReplayStreams::CloseOne(const std::string& session) {
+  const auto stream = std::move(streams_.extract(session).mapped());
+  if (last_ == stream.get()) last_ = nullptr;
+  stream->calls->WritesDone();
+  v1::IntegrateFramesResponse answer;
+  while (stream->calls->Read(&answer)) {
+    if (answer.outcome() != v1::FRAME_OUTCOME_UNSPECIFIED) on_answer_(answer);
+  }
+  return stream->calls->Finish();
+}
+
+grpc::Status ReplayStreams::Close() {
+  grpc::Status status = Drain();
+  while (status.ok() && !streams_.empty()) status = CloseOne(streams_.begin()->first);
+  return status;
+}
+
+}  // namespace dhpmap

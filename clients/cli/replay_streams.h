@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "dhpmap/v1/mapping_service.grpc.pb.h"
+
+namespace dhpmap {
+
+/// Sends frames of several sessions to a map so that it takes them in the order of the calls: of one session several
+/// are on their way at once, of two sessions never. Thread-compatible.
+class ReplayStreams {
+ public:
+  using OnAnswer = std::function<void(const v1::IntegrateFramesResponse&)>;
+
+  /// `on_answer`: for each frame, in order.
+  ReplayStreams(v1::MappingService::Stub& stub, std::string map, OnAnswer on_answer);
+  ~ReplayStreams();
+
+  /// OK, or why a stream has ended.
+  grpc::Status Send(const std::string& session, std::int64_t sequence, v1::IntegrateFramesRequest request);
+  /// Waits until everything sent is answered.
+  grpc::Status Drain();
+  /// Drain; then ends all streams, so that everything is stored.
+  grpc::Status Close();
+
+ private:
+  struct Stream {
+    grpc::ClientContext context;
+    std::unique_ptr<grpc::ClientReaderWriterInterface<v1::IntegrateFramesRequest, v1::IntegrateFramesResponse>> calls;
+    int num_unanswered = 0;
+    std::int64_t last_used = 0;
+  };
+
+  grpc::Status Hear(Stream& stream);
+  grpc::Status MakeRoomFor(const std::string& session);
+  grpc::Status CloseOne(const std::string& session);
+
+  v1::MappingService::Stub& stub_;
+  const std::string map_;
+  const OnAnswer on_answer_;
+  std::map<std::string, std::unique_ptr<Stream>> streams_;  ///< by session
+  Stream* last_ = nullptr;                                  ///< the only one that may have unanswered frames
+  std::int64_t num_sent_ = 0;
+};
+
+}  // namespace dhpmap

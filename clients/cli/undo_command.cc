@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap undo, redo and undelete.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "clients/cli/connection.h"
+#include "dhpmap/v1/edit_service.grpc.pb.h"
+#include "dhpmap/v1/submap_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+struct UndoOptions {
+  std::string map, author, request_id;
+  int count = 0;
+  std::int64_t edit = 0;
+  std::int64_t id = 0;
+  bool only_try = false;
+};
+
+void PrintIds(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
+  if (names.empty()) return;
+  std::cout << what;
+  for (const std::string& name : names) std::cout << " " << name.substr(name.rfind('/') + 1);
+}
+
+/// `call(stub, context, request, response)` is the RPC, `done` what it does.
+template <typename Request, typename Response, typename Call>
+ExitCode Run(const Session& session, const UndoOptions& options, const char* done, Call call) {
+  Request request;
+  request.set_map(MapName(options.map));
+  request.set_author(options.author);
+  request.set_count(options.count);
+  request.set_validate_only(options.only_try);
+  request.set_request_id(options.request_id);
+  if (options.edit > 0) request.set_edit(MapName(options.map) + "/edits/" + std::to_string(options.edit));
+  grpc::ClientContext context;
+  Response response;
+  const grpc::Status status = call(*v1::EditService::NewStub(Connect(session)), &context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) {
+    PrintJson(response);
+    return ExitCode::kOk;
+  }
+  PrintIds(options.only_try ? "would be:" : done, response.edits());
+  PrintIds(", changed", response.changed());
+  PrintIds(", created", response.created());
+  PrintIds(", removed", response.removed());
+  std::cout << ", revision " << response.revision() << "\n";
+  return ExitCode::kOk;
+}
+
+ExitCode RunUndo(const Session& session, const UndoOptions& options) {
+  return Run<v1::UndoEditsRequest, v1::UndoEditsResponse>(
+      session, options, "undone:", [](auto& stub, auto* context, const auto& request, auto* response) {
+        return stub.UndoEdits(context, request, response);
+      });
+}
+
+ExitCode RunRedo(const Session& session, const UndoOptions& options) {
+  return Run<v1::RedoEditsRequest, v1::RedoEditsResponse>(
+      session, options, "done again:", [](auto& stub, auto* context, const auto& request, auto* response) {
+        return stub.RedoEdits(context, request, response);
+      });
+}
+
+ExitCode RunUndelete(const Session& session, const UndoOptions& options) {
+  v1::UndeleteSubmapRequest request;
+  request.set_name(SubmapName(options.map, options.id));
+  request.set_author(options.author);
+  request.set_request_id(options.request_id);
+  grpc::ClientContext context;
+  v1::UndeleteSubmapResponse response;
+  const grpc::Status status =
+      v1::SubmapService::NewStub(Connect(session))->UndeleteSubmap(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) PrintJson(response);
+  else std::cout << "brought back " << response.submap().name() << ", revision " << response.revision() << "\n";
+  return ExitCode::kOk;
+}
+
+CLI::App* Add(CLI::App& app, const char* name, const char* what, Session& session,
+              ExitCode (*run)(const Session&, const UndoOptions&), std::shared_ptr<UndoOptions>& options) {
+  CLI::App* command = app.add_subcommand(name, what);
+  options = std::make_shared<UndoOptions>();
+  command->add_option("map", options->map, "Name of the map")->required();
+  command->add_option("--author", options->author, "Who does it, and whose edits")->envname("DHPMAP_AUTHOR");
+  command->add_option("--request-id", options->request_id, "UUID: sent again with the same one, it is not done again");
+  command->callback([options, run, &session] { session.exit_code = run(session, *options); });
+  return command;
+}
+
+}  // namespace
+
+void AddUndoCommands(CLI::App& app, Session& session) {
+  std::shared_ptr<UndoOptions> options;
+  for (const bool is_undo : {true, false}) {
+    CLI::App* command = is_undo ? Add(app, "undo", "Undo the author's last edits, or one", session, RunUndo, options)
+                                : Add(app, "redo", "Do again what was undone last, or one", session, RunRedo, options);
+    CLI::Option* count = command->add_option("-n,--number", options->count, "So many [1]")->check(CLI::PositiveNumber);
+    command->add_option("--edit", options->edit, "This edit, by its revision as `dhpmap log` tells it")
+        ->excludes(count);
+    command->add_flag("--try", options->only_try, "Say what would become of it, and change nothing");
+  }
+  CLI::App* undelete = Add(app, "undelete", "Bring back a deleted object", session, RunUndelete, options);
+  undelete->add_option("id", options->id, "Instance id of the object")->required();
+}
+
+}  // namespace dhpmap

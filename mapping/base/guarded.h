@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "mapping/base/status.h"
+
+// For threads that must outlive whatever goes wrong in one job, such as an allocation that fails.
+namespace dhpmap {
+
+/// Its text is so short that it takes no memory.
+inline Status OutOfMemory() { return ResourceExhausted("out of memory").WithReason("OUT_OF_MEMORY"); }
+
+/// Of the exception that is being handled: OutOfMemory, or INTERNAL for any other.
+inline Status StatusOfException() noexcept {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return OutOfMemory();
+  } catch (const std::exception& error) {
+    try {
+      return Internal(std::string("unexpected failure: ") + error.what());
+    } catch (...) {
+      return OutOfMemory();
+    }
+  } catch (...) {
+    return Internal("unknown failure");
+  }
+}
+
+/// What `work` gives, or StatusOfException if it throws.
+template <typename Outcome, typename Work>
+Outcome Guarded(Work&& work) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (...) {
+    return Outcome(StatusOfException());
+  }
+}
+
+/// A copy, or OutOfMemory where there is none for its text: so whoever waits is answered.
+inline Status CopyOf(const Status& status) noexcept {
+  return Guarded<Status>([&status] { return status; });
+}
+
+/// Tells somebody whose failure must not become the teller's: what `call` throws ends here.
+template <typename Call>
+void TellSafely(Call&& call) noexcept {
+  try {
+    std::forward<Call>(call)();
+  } catch (...) {
+    // Whoever is called answers for it.
+  }
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "mapping/map/kept_clear.h"
+#include "mapping/map/submap.h"
+#include "mapping/map/voxel_mask.h"
+
+namespace dhpmap {
+
+/// The voxels of a submap's grid that have their centres in regions that are kept clear. Block by block, as somebody
+/// asks. Thread-compatible; has a view of the regions.
+class KeptClearVoxels {
+ public:
+  KeptClearVoxels(const KeptClear& kept_clear, const SubmapInfo& info)
+      : kept_clear_(kept_clear), T_map_submap_(info.T_map_submap), voxel_size_m_(info.voxel_size_m) {}
+
+  /// Whether there may be one in the block or one of the 26 around it.
+  [[nodiscard]] bool MayBeAround(BlockIndex block) const;
+  /// Null if the block has none. Valid as long as this is.
+  const VoxelMask* In(BlockIndex block);
+
+ private:
+  const KeptClear& kept_clear_;
+  const Transform T_map_submap_;
+  const double voxel_size_m_;
+  std::unordered_map<BlockIndex, VoxelMask, BlockIndexHash> masks_;
+};
+
+}  // namespace dhpmap

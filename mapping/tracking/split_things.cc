@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/tracking/split_things.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "mapping/fusion/band_size.h"
+#include "mapping/map/map_grid.h"
+#include "mapping/tracking/find_track.h"
+#include "mapping/tracking/things_in_view.h"
+
+namespace dhpmap {
+namespace {
+
+/// Of a thing that it takes for a segment to show it, or that share of the segment where that is fewer: what a mask
+/// bleeds onto a neighbour is no sight of it. The first as for the evidence of pairs.
+constexpr std::int64_t kLeastPointsShown = 60, kLeastPercentShown = 5;
+
+bool MustBeTwo(const Map& map, SubmapId a, SubmapId b) {
+  return map.info().pairs.Of(a, b).verdict == PairVerdict::kMustBeTwo;
+}
+
+bool IsOnGridOf(const Map& map, SubmapId id) { return IsOnMapGrid(map.Find(id)->info(), map.info().config); }
+
+/// What hits what, bundle by bundle and summed up.
+struct FrameHits {
+  FrameHits(const ThingsInView& things, const std::vector<SegmentBundles>& segments, ThreadPool& pool)
+      : hit_by(segments.size()),
+        of_segment(segments.size(), std::vector<std::int64_t>(things.list().size(), 0)),
+        of_frame(things.list().size(), 0) {
+    pool.ParallelFor(segments.size(), [&](std::size_t s) {
+      hit_by[s] = things.HitsOf(segments[s]);
+      for (std::size_t b = 0; b < hit_by[s].size(); ++b) {
+        if (hit_by[s][b] != ThingsInView::kNone) of_segment[s][hit_by[s][b]] += segments[s].bundles[b].num_points;
+      }
+    });
+    for (const auto& hits : of_segment) {
+      for (std::size_t t = 0; t < hits.size(); ++t) of_frame[t] += hits[t];
+    }
+  }
+
+  std::vector<std::vector<std::uint32_t>> hit_by;     ///< by segment, then bundle
+  std::vector<std::vector<std::int64_t>> of_segment;  ///< points, by segment, then thing
+  std::vector<std::int64_t> of_frame;                 ///< by thing
+};
+
+/// Where the segment as a whole goes. Nothing: it is not to be cut.
+std::optional<SubmapId> WholeOf(const PanopticFrame& frame, const SegmentBundles& segment, const ThingsInView& things,
+                                const std::vector<std::int64_t>& hits, const Map& map) {
+  if (frame.has_persistent_ids) {
+    const SegmentId id = frame.segments[static_cast<std::size_t>(segment.row)].id;
+    const Submap* known = FindTrack(map, frame.session, id.value);
+    // What has a grid of its own takes the whole segment: see FuseFrame.
+    return known != nullptr && IsOnGridOf(map, known->id()) ? std::optional(known->id()) : std::nullopt;
+  }
+  const auto most = std::max_element(hits.begin(), hits.end());
+  if (most == hits.end() || *most == 0) return std::nullopt;
+  const ThingInView& thing = things.list()[static_cast<std::size_t>(most - hits.begin())];
+  return thing.is_on_map_grid ? std::optional(thing.submap->id()) : std::nullopt;
+}
+
+/// For each thing the number of the piece that lies on it; 0: it stays with the rest of the segment. A thing that most
+/// of its points in the frame belong to another segment is told apart by the frame itself.
+std::vector<std::uint32_t> PiecesOf(SubmapId whole, const ThingsInView& things, std::int64_t num_points,
+                                    const std::vector<std::int64_t>& hits, const std::vector<std::int64_t>& of_frame,
+                                    const Map& map, std::uint32_t& num_pieces) {
+  std::vector<std::uint32_t> piece_of(things.list().size(), 0);
+  num_pieces = 1;
+  const std::int64_t least_points =
+      std::clamp<std::int64_t>(kLeastPercentShown * num_points / 100, 1, kLeastPointsShown);
+  for (std::size_t t = 0; t < piece_of.size(); ++t) {
+    const ThingInView& thing = things.list()[t];
+    const bool is_shown = hits[t] >= least_points && 2 * hits[t] > of_frame[t] && thing.is_on_map_grid;
+    if (is_shown && MustBeTwo(map, whole, thing.submap->id())) piece_of[t] = num_pieces++;
+  }
+  return piece_of;
+}
+
+std::vector<VoxelIndex> VoxelsOf(const SegmentBundles& segment) {
+  std::vector<VoxelIndex> voxels(segment.bundles.size());
+  for (const BundleCell& cell : segment.cells) {
+    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+      voxels[b] = VoxelIn(cell.block, segment.bundles[b].linear);
+    }
+  }
+  return voxels;
+}
+
+/// The bundle of the segment that ends there; kNone: there is none.
+std::uint32_t BundleAt(const SegmentBundles& segment, VoxelIndex voxel) {
+  const BundleCell* cell = segment.Find(BlockOf(voxel));
+  const auto slot = cell != nullptr ? cell->slot[static_cast<std::size_t>(LinearIndex(voxel))] : std::uint16_t{0};
+  return slot != 0 ? cell->first_bundle + slot - 1u : ThingsInView::kNone;
+}
+
+/// Sides that were not seen before hit nothing: they are of the piece that they are next to on the segment's surface,
+/// if of any.
+void SpreadPieces(const SegmentBundles& segment, std::vector<std::uint32_t>& piece_of_bundle) {
+  const std::vector<VoxelIndex> voxels = VoxelsOf(segment);
+  std::vector<std::uint32_t> reached;
+  reached.reserve(voxels.size());
+  for (std::uint32_t b = 0; b < voxels.size(); ++b) {
+    if (piece_of_bundle[b] != ThingsInView::kNone) reached.push_back(b);
+  }
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const VoxelIndex v = voxels[reached[next]];
+    for (int n = 0; n < 27; ++n) {
+      const std::uint32_t b = BundleAt(segment, {v.x + n % 3 - 1, v.y + n / 3 % 3 - 1, v.z + n / 9 - 1});
+      if (b == ThingsInView::kNone || piece_of_bundle[b] != ThingsInView::kNone) continue;
+      piece_of_bundle[b] = piece_of_bundle[reached[next]];
+      reached.push_back(b);
+    }
+  }
+}
+
+/// Pieces with points, the one with most of them first. `hit_by`: see ThingsInView::HitsOf.
+std::vector<SegmentBundles> CutSegment(const SegmentBundles& segment, const std::vector<std::uint32_t>& hit_by,
+                                       const std::vector<std::uint32_t>& piece_of, std::uint32_t num_pieces) {
+  std::vector<std::uint32_t> piece_of_bundle(hit_by.size(), ThingsInView::kNone);
+  for (std::size_t b = 0; b < hit_by.size(); ++b) {
+    if (hit_by[b] != ThingsInView::kNone) piece_of_bundle[b] = piece_of[hit_by[b]];
+  }
+  SpreadPieces(segment, piece_of_bundle);
+  std::vector<SegmentBundles> pieces(num_pieces);
+  for (const BundleCell& cell : segment.cells) {
+    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+      const Bundle& bundle = segment.bundles[b];
+      SegmentBundles& piece = pieces[piece_of_bundle[b] != ThingsInView::kNone ? piece_of_bundle[b] : 0];
+      BundleCell& own = piece.FindOrInsert(cell.block);
+      if (own.num_bundles == 0) own.first_bundle = static_cast<std::uint32_t>(piece.bundles.size());
+      own.slot[bundle.linear] = static_cast<std::uint16_t>(++own.num_bundles);
+      piece.bundles.push_back(bundle);
+      piece.num_points += bundle.num_points;
+      piece.row = segment.row;
+    }
+  }
+  std::erase_if(pieces, [](const SegmentBundles& piece) { return piece.bundles.empty(); });
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const auto& x, const auto& y) { return x.num_points > y.num_points; });
+  return pieces;
+}
+
+bool IsOfThing(const PanopticFrame& frame, const SegmentBundles& segment, const Map& map) {
+  if (segment.row < 0 || segment.is_cut_short) return false;
+  const auto& class_id = frame.segments[static_cast<std::size_t>(segment.row)].class_id;
+  const LabelClass* label_class = class_id ? map.info().label_set->Find(*class_id) : nullptr;
+  return label_class != nullptr && label_class->panoptic == Panoptic::kThing;
+}
+
+/// Whether frames may show two things that are in view and were one.
+bool HasSplit(const ThingsInView& things, const Map& map) {
+  const auto is_in_view = [&things](SubmapId id) {
+    return std::any_of(things.list().begin(), things.list().end(),
+                       [id](const ThingInView& thing) { return thing.submap->id() == id; });
+  };
+  const auto pairs = map.info().pairs.pairs();
+  return std::any_of(pairs.begin(), pairs.end(), [&](const ObjectPair& pair) {
+    return pair.verdict == PairVerdict::kMustBeTwo && is_in_view(pair.first) && is_in_view(pair.second);
+  });
+}
+
+}  // namespace
+
+void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool& pool,
+                         std::vector<SegmentBundles>& segments) {
+  if (!map.info().pairs.HasVerdict(PairVerdict::kMustBeTwo)) return;
+  const ThingsInView things(frame, map);
+  if (!HasSplit(things, map)) return;
+  const FrameHits hits(things, segments, pool);
+  std::size_t num_cells = 0;
+  for (const SegmentBundles& segment : segments) num_cells += segment.cells.size();
+  std::vector<SegmentBundles> result;
+  result.reserve(segments.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    std::uint32_t num_pieces = 1;
+    std::vector<std::uint32_t> piece_of;
+    const auto whole = IsOfThing(frame, segments[s], map) ? WholeOf(frame, segments[s], things, hits.of_segment[s], map)
+                                                          : std::optional<SubmapId>();
+    if (whole) {
+      piece_of = PiecesOf(*whole, things, segments[s].num_points, hits.of_segment[s], hits.of_frame, map, num_pieces);
+    }
+    const std::size_t most_added = (num_pieces - 1) * segments[s].cells.size();
+    if (num_pieces == 1 || num_cells + most_added > kMaxBlocksAFrame) {  // bounded as what the bundler makes
+      result.push_back(std::move(segments[s]));
+      continue;
+    }
+    num_cells += most_added;
+    std::vector<SegmentBundles> pieces = CutSegment(segments[s], hits.hit_by[s], piece_of, num_pieces);
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(result));
+  }
+  segments = std::move(result);
+}
+
+void HandToSplitParts(const std::vector<SegmentBundles>& segments, const OverlapTable& overlaps, const Map& map,
+                      std::vector<Assignment>& assignments) {
+  const auto is_of_row = [&segments](std::size_t s, int row) { return s < segments.size() && segments[s].row == row; };
+  for (std::size_t begin = 0, end = 0; begin < segments.size(); begin = end) {
+    for (end = begin + 1; is_of_row(end, segments[begin].row);) ++end;
+    if (segments[begin].row < 0) continue;
+    const bool is_whole = end == begin + 1;  // then what it lies on must be clear
+    const std::vector<Assignment> of_row(assignments.begin() + static_cast<std::ptrdiff_t>(begin),
+                                         assignments.begin() + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t s = begin; s < end; ++s) {
+      const auto most = std::max_element(overlaps.hits[s].begin(), overlaps.hits[s].end());
+      if (most == overlaps.hits[s].end() || *most == 0) continue;
+      if (is_whole && 2 * *most <= segments[s].num_points) continue;
+      const auto c = static_cast<std::size_t>(most - overlaps.hits[s].begin());
+      if (!IsOnGridOf(map, overlaps.candidates[c])) continue;  // it would get the other parts, too
+      const bool was_split = std::any_of(of_row.begin(), of_row.end(), [&](const Assignment& whole) {
+        return whole.submap != kUnknownSubmap && MustBeTwo(map, whole.submap, overlaps.candidates[c]);
+      });
+      if (!was_split) continue;
+      assignments[s] = {overlaps.candidates[c], false, static_cast<float>(overlaps.Iou(s, c, segments[s].num_points))};
+    }
+  }
+}
+
+}  // namespace dhpmap

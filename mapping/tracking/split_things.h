@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+#include "mapping/fusion/bundler.h"
+#include "mapping/map/map.h"
+#include "mapping/sensor/frame.h"
+#include "mapping/tracking/overlap_table.h"
+#include "mapping/tracking/tracker.h"
+
+namespace dhpmap {
+
+// Things that somebody has split (PairVerdict::kMustBeTwo) and that frames go on to show as one.
+
+/// See Tracker::CutAtSplits.
+void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool& pool,
+                         std::vector<SegmentBundles>& segments);
+
+/// A part of a segment that lies most on what was split from the thing that it, or another part of the segment, goes to
+/// goes there instead; so does a segment in one part if more than half of its points lie there. Not to what has a grid
+/// of its own. Segments and overlaps are those of Tracker::Assign.
+void HandToSplitParts(const std::vector<SegmentBundles>& segments, const OverlapTable& overlaps, const Map& map,
+                      std::vector<Assignment>& assignments);
+
+}  // namespace dhpmap

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "mapping/base/mutex.h"
+
+namespace dhpmap {
+
+/// What came of the frames of one session since its map was opened.
+struct FeedCounts {
+  std::int64_t num_fused = 0, num_refused = 0, num_duplicates = 0;  ///< frames
+  std::int64_t num_points = 0;                                      ///< of fused frames
+  std::int64_t num_bytes = 0;                                       ///< of all messages, as they came
+  std::optional<std::int64_t> accepted_sequence;                    ///< of the frame that was fused last
+  std::int64_t last_seen_ns = 0;                                    ///< when the last message came, UTC; 0: none has
+  double frames_per_s = 0;                                          ///< fused within the last FeedTally::kRate_s
+};
+
+/// Counts that for the streams of a session, one after the other. Thread-safe.
+class FeedTally {
+ public:
+  static constexpr std::int64_t kRate_s = 10;
+  /// Of fused frames that are remembered for the rate; beyond it the rate is that of the last so many.
+  static constexpr std::size_t kMaxRemembered = 512;
+
+  void OnMessage(std::size_t num_bytes, std::int64_t now_ns) DHPMAP_EXCLUDES(mutex_);
+  void OnFused(std::int64_t sequence, std::int64_t num_points, std::int64_t now_ns) DHPMAP_EXCLUDES(mutex_);
+  void OnRefused() DHPMAP_EXCLUDES(mutex_);
+  void OnDuplicate() DHPMAP_EXCLUDES(mutex_);
+
+  /// 0: no message has come.
+  [[nodiscard]] std::int64_t last_seen_ns() const DHPMAP_EXCLUDES(mutex_);
+  [[nodiscard]] FeedCounts Counts(std::int64_t now_ns) const DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  mutable Mutex mutex_;
+  FeedCounts counts_ DHPMAP_GUARDED_BY(mutex_);  ///< but the rate
+  std::int64_t first_seen_ns_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::deque<std::int64_t> fused_ns_ DHPMAP_GUARDED_BY(mutex_);  ///< of late, by time
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/grpc/import_stream.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "server/wire/map_conversion.h"
+
+namespace dhpmap {
+namespace {
+
+Status GoneAway() { return Cancelled("the client went away"); }
+
+Status Silent(double seconds) {
+  return {StatusCode::kDeadlineExceeded,
+          "the file comes too slowly, " + std::to_string(seconds) + " s behind 16 KiB/s: what had come is let go"};
+}
+
+Status OtherMap() {
+  return InvalidArgument("one stream brings one map")
+      .WithReason("MAP_CHANGED")
+      .WithViolation("map_id", "must be empty, or as in the first message");
+}
+
+}  // namespace
+
+ImportStream* ImportStream::Start(const ServiceContext& context, v1::ImportMapResponse* response) {
+  auto* stream = new ImportStream(context, response);
+  stream->self_.reset(stream);
+  {
+    const MutexLock lock(stream->mutex_);
+    stream->Watch(
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(context.options.import_idle_s)));
+  }
+  stream->Read();
+  return stream;
+}
+
+void ImportStream::Read() {
+  const MutexLock lock(mutex_);
+  if (is_over_) return;
+  is_reading_ = true;
+  reads_since_ = Clock::now();
+  StartRead(&request_);
+}
+
+void ImportStream::Hear(std::size_t num_bytes) {
+  const std::chrono::duration<double> paid_for(static_cast<double>(num_bytes) / kLeast_bytes_per_s);
+  behind_ += Clock::now() - reads_since_;
+  behind_ -= std::min(behind_, std::chrono::duration_cast<Clock::duration>(paid_for));
+}
+
+void ImportStream::Watch(Clock::duration after) {
+  // A new one each time: the one that has just fired is still in use.
+  alarm_ = std::make_unique<grpc::Alarm>();
+  alarm_->Set(std::chrono::system_clock::now() + after, [stream = std::weak_ptr(self_)](bool has_fired) {
+    const auto self = stream.lock();
+    if (has_fired && self != nullptr) self->OnAlarm();
+  });
+}
+
+void ImportStream::OnAlarm() {
+  const double idle_s = context_.options.import_idle_s;
+  const auto idle = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(idle_s));
+  {
+    const MutexLock lock(mutex_);
+    if (is_over_) return;
+    if (!is_reading_) return Watch(idle);
+    const Clock::duration behind = behind_ + (Clock::now() - reads_since_);
+    if (behind < idle) return Watch(std::max<Clock::duration>(idle - behind, std::chrono::milliseconds(1)));
+    is_over_ = true;  // what it reads now comes too late
+  }
+  LetGo(Silent(idle_s));
+}
+
+void ImportStream::OnReadDone(bool ok) {
+  {
+    const MutexLock lock(mutex_);
+    is_reading_ = false;
+    if (is_over_) return;
+    Hear(ok ? request_.data().size() : 0);
+  }
+  if (stop_.stop_requested()) return End(GoneAway());
+  if (!ok) {  // all of it has come; or the client is gone, which OnCancel tells
+    context_.lanes.bulk.Post([self = self_] { self->Prepare(); });
+    return;
+  }
+  if (!share_.Resize(std::max(kKept_bytes, request_.ByteSizeLong()))) return End(TooManyBytes());
+  const auto take = std::make_shared<LaneTask>([self = self_] {
+    const Status status = RunGuarded([&] { return self->TakePart(); });
+    self->context_.lanes.answers.Post([self, status] {
+      if (status.ok()) self->Read();
+      else self->End(status);
+    });
+  });
+  if (incoming_ != nullptr) return context_.lanes.bulk.Post(take);  // one a stream, of which few have begun
+  if (context_.lanes.bulk.TryPost(take)) return;
+  take->GiveUp();
+  End(TooBusy());
+}
+
+Status ImportStream::TakePart() {
+  if (stop_.stop_requested()) return GoneAway();
+  if (incoming_ == nullptr) {
+    map_id_ = request_.map_id();
+    DHPMAP_ASSIGN_OR_RETURN(incoming_, context_.registry.BeginImport(ImportRequestFromProto(request_)));
+  } else if (!request_.map_id().empty() && request_.map_id() != map_id_) {
+    return OtherMap();
+  }
+  return incoming_->Write(request_.data());
+}
+
+void ImportStream::Prepare() {
+  const Status status = RunGuarded([this]() -> Status {
+    if (incoming_ == nullptr) {
+      return InvalidArgument("nothing was sent").WithReason("BAD_MAP").WithViolation("data", "is required");
+    }
+    if (stop_.stop_requested()) return GoneAway();
+    return incoming_->Prepare(stop_.get_token());
+  });
+  if (status.ok()) return context_.lanes.quick.Post([self = self_] { self->Show(); });
+  context_.lanes.answers.Post([self = self_, status] { self->End(status); });
+}
+
+void ImportStream::Show() {
+  End(RunGuarded([this]() -> Status {
+    if (stop_.stop_requested()) return GoneAway();
+    DHPMAP_ASSIGN_OR_RETURN(const MapSummary map, incoming_->Show());
+    *response_->mutable_map() = ToProto(map);
+    response_->set_revision(map.info.revision);
+    return Status::Ok();
+  }));
+}
+
+void ImportStream::OnCancel() { stop_.request_stop(); }
+
+void ImportStream::End(const Status& status) {
+  {
+    const MutexLock lock(mutex_);
+    if (std::exchange(is_over_, true)) return;
+  }
+  LetGo(status);
+}
+
+void ImportStream::LetGo(const Status& status) {
+  context_.lanes.bulk.Post([self = self_, status] {
+    self->incoming_.reset();
+    self->context_.lanes.answers.Post([self, status] {
+      self->record_.End(status);
+      self->Finish(ToGrpc(status));
+    });
+  });
+}
+
+void ImportStream::OnDone() {
+  std::unique_ptr<grpc::Alarm> alarm;
+  {
+    const MutexLock lock(mutex_);
+    alarm = std::move(alarm_);
+  }
+  alarm.reset();
+  const auto last = std::move(self_);
+}
+
+}  // namespace dhpmap

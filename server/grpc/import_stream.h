@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/alarm.h>
+#include <grpcpp/support/server_callback.h>
+
+#include <chrono>
+#include <memory>
+#include <stop_token>
+
+#include "dhpmap/v1/map_service.pb.h"
+#include "mapping/base/byte_budget.h"
+#include "mapping/base/mutex.h"
+#include "server/app/map_import.h"
+#include "server/grpc/call_runner.h"
+
+namespace dhpmap {
+
+/// One client's file with a map. The next part is read once the one before is on the disk, so none pile up: gRPC's flow
+/// control holds the client back. All of it is done on the bulk lane but for the last step, which other maps' commits
+/// wait for: that is the quick lane's, as a thread that is nice would keep them waiting for a core. A client that goes
+/// away, or gets too far behind the least rate, ends it. Owns itself: lives until gRPC is done with the call and
+/// nobody uses it.
+class ImportStream final : public grpc::ServerReadReactor<v1::ImportMapRequest> {
+ public:
+  static ImportStream* Start(const ServiceContext& context, v1::ImportMapResponse* response);
+
+  void OnReadDone(bool ok) override;
+  void OnCancel() override;
+  void OnDone() override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  /// A part of the file, and what is read and written of it at a time.
+  static constexpr std::size_t kKept_bytes = 1u << 20;
+  /// Time that is waited for a client counts, but for what this gives it: who sends a byte now and then is silent.
+  static constexpr double kLeast_bytes_per_s = 16 << 10;
+
+  ImportStream(const ServiceContext& context, v1::ImportMapResponse* response)
+      : context_(context),
+        response_(response),
+        record_(context, "MapService/ImportMap"),
+        share_(context.options.inflight.get()) {}
+
+  void Read() DHPMAP_EXCLUDES(mutex_);
+  /// Of the client, whose part has come.
+  void Hear(std::size_t num_bytes) DHPMAP_REQUIRES(mutex_);
+  /// Looks again whether the client is silent when it may be so.
+  void Watch(Clock::duration after) DHPMAP_REQUIRES(mutex_);
+  void OnAlarm() DHPMAP_EXCLUDES(mutex_);
+
+  // On the lanes.
+  Status TakePart();
+  void Prepare();
+  void Show();
+
+  /// By whoever works on it.
+  void End(const Status& status) DHPMAP_EXCLUDES(mutex_);
+  /// Once it is over: what is kept of the file is gone before the client knows.
+  void LetGo(const Status& status);
+
+  const ServiceContext& context_;
+  v1::ImportMapResponse* const response_;
+  CallRecord record_;
+  ByteShare share_;  ///< of the part that was read; nothing before the first
+  std::shared_ptr<ImportStream> self_;
+  std::stop_source stop_;
+
+  // Of gRPC while it reads, else of the one who works on it.
+  v1::ImportMapRequest request_;
+  std::unique_ptr<IncomingMap> incoming_;  ///< null before the first message
+  std::string map_id_;
+
+  Mutex mutex_;
+  bool is_reading_ DHPMAP_GUARDED_BY(mutex_) = false;
+  bool is_over_ DHPMAP_GUARDED_BY(mutex_) = false;
+  Clock::time_point reads_since_ DHPMAP_GUARDED_BY(mutex_);  ///< while it is read
+  Clock::duration behind_ DHPMAP_GUARDED_BY(mutex_){};       ///< the least rate, without the present read
+  std::unique_ptr<grpc::Alarm> alarm_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <google/protobuf/message.h>
+
+#include <string>
+#include <string_view>
+
+#include "dhpmap/v1/edit_service.pb.h"
+#include "server/app/edit_undo.h"
+#include "server/app/map_session.h"
+#include "server/wire/paging.h"
+
+namespace dhpmap {
+
+inline constexpr std::size_t kMaxAuthorBytes = 256;
+
+/// Who asks, and in which request of `method`. INVALID_ARGUMENT for an id that is no UUID, reason BAD_REQUEST_ID, and
+/// for an author above kMaxAuthorBytes, reason BAD_AUTHOR.
+Result<EditSource> MakeEditSource(std::string_view method, const std::string& author, const std::string& request_id,
+                                  const google::protobuf::Message& request);
+template <typename Request>
+Result<EditSource> EditSourceOf(std::string_view method, const Request& request) {
+  return MakeEditSource(method, request.author(), request.request_id(), request);
+}
+
+/// Which edits a page has, one more than fit. INVALID_ARGUMENT for a token of another list.
+Result<EditQuery> EditQueryFromProto(const v1::ListEditsRequest& request, const Pager& pager);
+
+/// INVALID_ARGUMENT for a count out of bounds, and for an edit of another map or none.
+Result<UndoRequest> UndoFromProto(const v1::UndoEditsRequest& request, const std::string& map);
+Result<UndoRequest> UndoFromProto(const v1::RedoEditsRequest& request, const std::string& map);
+
+v1::LoggedEdit ToProto(const LoggedEdit& edit, const std::string& map);
+
+}  // namespace dhpmap

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mapping/base/status.h"
+#include "mapping/map/edit_entry.h"
+#include "mapping/map/state_delta.h"
+#include "storage/codec/bytes.h"
+
+namespace dhpmap {
+
+// What an edit of the log did, and what it takes to undo it, as blobs. See FORMAT.md.
+
+/// All of `entry.summary` but its kind, which is a column. Sealed for the entry's revision.
+Bytes EncodeEditSummary(const EditEntry& entry);
+/// Fills that. `entry` has the revision. Errors as Unseal.
+Status DecodeEditSummary(ByteView blob, EditEntry& entry);
+
+/// All of a delta but its tiles. Sealed for the revision of the edit.
+Bytes EncodeEditRows(const StateDelta& delta, std::int64_t revision);
+/// Fills that. Errors as Unseal.
+Status DecodeEditRows(ByteView blob, std::int64_t revision, StateDelta& delta);
+
+}  // namespace dhpmap

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "mapping/base/ids.h"
+#include "mapping/map/region.h"
+#include "mapping/map/sightings.h"
+#include "storage/codec/bytes.h"
+
+namespace dhpmap {
+
+// One function for both ways, so that they cannot differ: a Coder is a FieldWriter or a
+// FieldReader.
+
+class FieldWriter {
+ public:
+  explicit FieldWriter(Bytes& bytes) : out_(bytes) {}
+
+  template <typename Int>
+  requires(std::is_integral_v<Int> || std::is_enum_v<Int>) void Do(const Int& value) {
+    out_.PutVarint(ZigZag(static_cast<std::int64_t>(value)));
+  }
+  template <typename Tag, typename Int>
+  void Do(const StrongId<Tag, Int>& id) {
+    Do(id.value);
+  }
+  void Do(const double& value) { out_.PutF64(value); }
+  void Do(const float& value) { out_.PutF32(value); }
+  void Do(const std::string& text) { out_.PutText(text); }
+  /// Of a list: how many. Each takes `least_bytes` or more.
+  template <typename Item>
+  void DoSize(const std::vector<Item>& list, std::size_t /*least_bytes*/) {
+    out_.PutVarint(list.size());
+  }
+
+ private:
+  static std::uint64_t ZigZag(std::int64_t value) {
+    return static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
+  }
+  ByteWriter out_;
+};
+
+class FieldReader {
+ public:
+  explicit FieldReader(ByteView bytes) : in_(bytes) {}
+
+  [[nodiscard]] bool IsAtGoodEnd() const { return good_ && in_.ok() && in_.remaining() == 0; }
+  /// What was read makes no sense together.
+  void Refuse() { good_ = false; }
+
+  template <typename Int>
+  requires(std::is_integral_v<Int> || std::is_enum_v<Int>) void Do(Int& value) {
+    const std::uint64_t stored = in_.GetVarint();
+    const auto number = static_cast<std::int64_t>(stored >> 1 ^ (~(stored & 1) + 1));
+    value = static_cast<Int>(number);
+    good_ = good_ && static_cast<std::int64_t>(value) == number;
+  }
+  template <typename Tag, typename Int>
+  void Do(StrongId<Tag, Int>& id) {
+    Do(id.value);
+  }
+  void Do(double& value) { value = in_.GetF64(); }
+  void Do(float& value) { value = in_.GetF32(); }
+  void Do(std::string& text) {
+    const ByteView view = in_.GetBytes(in_.GetVarint());
+    text.assign(view.begin(), view.end());
+  }
+  /// No length that is not there asks for memory.
+  template <typename Item>
+  void DoSize(std::vector<Item>& list, std::size_t least_bytes) {
+    const std::uint64_t size = in_.GetVarint();
+    if (size > in_.remaining() / least_bytes) good_ = false;
+    else list.resize(size);
+  }
+
+ private:
+  ByteReader in_;
+  bool good_ = true;
+};
+
+/// Says first whether there is one.
+template <typename Coder, typename Optional, typename Visit>
+void DoOptional(Coder& coder, Optional& value, Visit&& visit) {
+  bool has_value = value.has_value();
+  coder.Do(has_value);
+  if constexpr (!std::is_const_v<Optional>) {
+    if (has_value && !value) value.emplace();
+  }
+  if (has_value) visit(*value);
+}
+
+template <typename Coder, typename Sphere>
+void DoSphere(Coder& coder, Sphere& sphere) {
+  for (int axis = 0; axis < 3; ++axis) coder.Do(sphere.center_m[axis]);
+  coder.Do(sphere.radius_m);
+}
+
+/// No part of DoInfo: changes do not tell of them.
+template <typename Coder, typename AllSightings>
+void DoSightings(Coder& coder, AllSightings& sightings) {
+  std::vector<Sighting> all = sightings.all();
+  coder.DoSize(all, 5);
+  for (Sighting& sighting : all) {
+    coder.Do(sighting.session);
+    coder.Do(sighting.track_id);
+    coder.Do(sighting.has_in_sight);
+    coder.Do(sighting.num_frames_missed);
+    coder.Do(sighting.last_frame);
+  }
+  if constexpr (std::is_same_v<Coder, FieldReader>) {
+    Result<Sightings> created = Sightings::Create(std::move(all));
+    if (created.ok()) sightings = *std::move(created);
+    else coder.Refuse();
+  }
+}
+
+/// A region, as its kind and its numbers.
+template <typename Coder, typename AnyRegion>
+void DoRegion(Coder& coder, AnyRegion& region) {
+  bool is_box = region.index() == 0;
+  coder.Do(is_box);
+  if constexpr (std::is_same_v<Coder, FieldReader>) {
+    if (is_box) region = Eigen::AlignedBox3d();
+    else region = BoundingSphere();
+  }
+  if (is_box) {
+    auto& box = std::get<Eigen::AlignedBox3d>(region);
+    for (auto* corner : {&box.min(), &box.max()}) {
+      for (int axis = 0; axis < 3; ++axis) coder.Do((*corner)[axis]);
+    }
+  } else {
+    DoSphere(coder, std::get<BoundingSphere>(region));
+  }
+}
+
+/// Of the doubles of a row alone: pose, voxel size, truncation.
+inline constexpr std::size_t kLeastInfo_bytes = sizeof(double) * (12 + 2);
+
+/// A SubmapInfo as schema 7 had it. What is new in a row comes after it, with a kind of blob that has it.
+template <typename Coder, typename Info>
+void DoInfo(Coder& coder, Info& info) {
+  coder.Do(info.id);
+  coder.Do(info.panoptic);
+  coder.Do(info.class_id);
+  coder.Do(info.class_is_fixed);
+  coder.Do(info.display_name);
+  auto& matrix = info.T_map_submap.matrix();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) coder.Do(matrix(row, column));
+  }
+  coder.Do(info.voxel_size_m);
+  coder.Do(info.truncation_m);
+  coder.DoSize(info.class_counts, 2);
+  for (auto& entry : info.class_counts) {
+    coder.Do(entry.id);
+    coder.Do(entry.count);
+  }
+  coder.Do(info.instance_confidence);
+  coder.Do(info.activity);
+  coder.Do(info.is_confirmed);
+  coder.Do(info.num_frames_observed);
+  coder.Do(info.num_frames_missed);
+  coder.Do(info.num_frames_overlooked);
+  coder.Do(info.first_observed_ns);
+  coder.Do(info.last_observed_ns);
+  coder.Do(info.presence);
+  coder.Do(info.last_contradicted_ns);
+  coder.Do(info.is_placed);
+  coder.Do(info.track_id);
+  coder.Do(info.revision);
+  coder.Do(info.edited_revision);
+}
+
+}  // namespace dhpmap

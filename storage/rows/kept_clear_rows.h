@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mapping/map/kept_clear.h"
+#include "storage/rows/table.h"
+#include "storage/sqlite/database.h"
+
+namespace dhpmap {
+
+/// A region that a map keeps clear.
+struct KeptClearRow {
+  std::int64_t map_key = 0;
+  KeptClearRegion region;
+};
+
+/// The columns of table kept_clear.
+template <typename Row = KeptClearRow>
+std::vector<Column<Row>> KeptClearColumns() {
+  using enum Written;
+  return {
+      MakeColumn<Row>("map_key", kOnce, 0, DHPMAP_MEMBER(map_key)),
+      MakeColumn<Row>("name", kOnce, 7, DHPMAP_MEMBER(region.name)),
+      MakeColumn<Row>("region", kAlways, 7, DHPMAP_MEMBER(region.region)),
+  };
+}
+const Table<KeptClearRow>& KeptClearTable();
+
+/// By ascending name. DATA_LOSS for a row that is none.
+Result<std::vector<KeptClearRow>> ReadKeptClearRows(sqlite::Database& database, std::int64_t map_key);
+/// Brings the rows from what `before` says to what `after` says, writing those that differ. Returns them all.
+Result<std::vector<KeptClearRow>> WriteKeptClearRows(sqlite::Database& database, std::int64_t map_key,
+                                                     const KeptClear& before, const KeptClear& after);
+
+/// `version`: of the checksum in the map's row, which stands for these rows, too; 7 or later.
+std::uint32_t KeptClearChecksum(const std::vector<KeptClearRow>& rows, int version);
+
+/// DATA_LOSS if they are not what a map may keep clear.
+Result<KeptClear> KeptClearOf(const std::vector<KeptClearRow>& rows);
+
+}  // namespace dhpmap

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A server that gets SIGTERM while it fuses for long keeps its grace, and what it has acknowledged.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <string>
+
+#include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "tests/e2e/rest_fixture.h"
+#include "tests/integration/test_server.h"
+#include "tests/support/scenes.h"
+#include "tests/support/wire_frame.h"
+
+namespace dhpmap::testing {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+double SecondsSince(SteadyClock::time_point then) {
+  return std::chrono::duration<double>(SteadyClock::now() - then).count();
+}
+
+/// A wall, in voxels so small that fusing it takes long. Without colour, and ids of one byte: many wait in memory.
+v1::IntegrateFramesRequest WallAt(int sequence) {
+  constexpr std::size_t kNumPixels = std::size_t{640} * 480;
+  constexpr std::uint32_t kWall = 1, kStuffClass = 3;
+  PanopticFrame frame;
+  const double y_m = 1e-4 * sequence;
+  frame.T_map_sensor = LookAt({0, y_m, 1}, {1, y_m, 1});
+  frame.camera.emplace().camera = {640, 480, 640, 640, 320, 240};
+  frame.camera->depth_m.assign(kNumPixels, 1.0f);
+  v1::IntegrateFramesRequest request;
+  request.set_sequence(sequence);
+  *request.mutable_frame() = ToWire(frame);
+  request.mutable_frame()->set_stamp_ns(sequence);
+  v1::DepthCameraFrame& camera = *request.mutable_frame()->mutable_depth_camera();
+  camera.clear_color();
+  camera.mutable_segments()->set_encoding(v1::RAW_U8);
+  camera.mutable_segments()->set_data(std::string(kNumPixels, static_cast<char>(kWall)));
+  v1::Segment& wall = *request.mutable_frame()->add_segments();
+  wall.set_id(kWall);
+  wall.set_class_id(kStuffClass);
+  wall.set_score(0.9f);
+  return request;
+}
+
+class ShutdownGrace : public RestTest {
+ protected:
+  static constexpr double kGrace_s = 2, kMore_s = 3;
+  static constexpr int kMostWaiting = 250;
+
+  void SetUp() override {
+    Start({{"DHPMAP_SHUTDOWN_GRACE_S", std::to_string(kGrace_s)},
+           {"DHPMAP_MAPPING_NUM_THREADS", "1"},
+           {"DHPMAP_MAPPING_MAX_FRAMES_IN_FLIGHT", std::to_string(kMostWaiting)},
+           {"DHPMAP_LIMITS_INFLIGHT_MIB", "4000"}});
+    v1::CreateMapRequest request = CreateRequest("room");
+    request.mutable_config()->set_voxel_size_m(0.002);
+    request.mutable_config()->set_truncation_m(0.016);
+    const http::HttpAnswer made = Ask("POST", "/v1/maps", JsonOf(request));
+    ASSERT_EQ(made.status, 200) << made.body;
+  }
+};
+
+TEST_F(ShutdownGrace, IsKeptWhileFramesAreFusedForLongAndWhatWasAcknowledgedIsThereAfterwards) {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::minutes(2));
+  const auto stream = mapping_->IntegrateFrames(&context);
+  v1::IntegrateFramesRequest first = WallAt(0);
+  first.set_map("maps/room");
+  first.set_session("robot");
+  v1::IntegrateFramesResponse answer;
+  ASSERT_TRUE(stream->Write(first));
+  ASSERT_TRUE(stream->Read(&answer));
+  ASSERT_EQ(answer.outcome(), v1::FUSED) << answer.error_message();
+  // The next are measured; the first made the blocks that they find.
+  int sequence = 1;
+  double frame_s = 1000;
+  for (; sequence < 4; ++sequence) {
+    const auto begin = SteadyClock::now();
+    ASSERT_TRUE(stream->Write(WallAt(sequence)));
+    ASSERT_TRUE(stream->Read(&answer));
+    ASSERT_EQ(answer.outcome(), v1::FUSED) << answer.error_message();
+    frame_s = std::min(frame_s, SecondsSince(begin));
+  }
+
+  // So many wait that to fuse them all takes twice what the server may need to end.
+  const int num_waiting = std::clamp(static_cast<int>(2 * (kGrace_s + kMore_s) / frame_s), 8, kMostWaiting);
+  const int end = sequence + num_waiting;
+  for (; sequence < end; ++sequence) ASSERT_TRUE(stream->Write(WallAt(sequence)));
+  const auto told = SteadyClock::now();
+  server_->process().Signal(SIGTERM);
+  std::int64_t last_fused = answer.sequence();
+  while (stream->Read(&answer)) {
+    if (answer.outcome() == v1::FUSED) last_fused = std::max(last_fused, answer.sequence());
+  }
+  EXPECT_FALSE(stream->Finish().ok()) << "the client had not ended it";
+  const auto exit_code = server_->process().Wait(std::max(0.0, kGrace_s + kMore_s - SecondsSince(told)));
+  EXPECT_EQ(exit_code, 0) << "after " << SecondsSince(told) << " s; a frame takes " << frame_s << " s";
+  EXPECT_LT(last_fused, end - 1) << "it had time for all: this shows nothing";
+
+  ASSERT_TRUE(exit_code.has_value());
+  server_.emplace(root(), db());
+  ASSERT_TRUE(server_->is_serving()) << server_->process().Stderr();
+  EXPECT_GE(Get<v1::GetMapResponse>("maps/room").map().num_frames(), last_fused + 1);
+  const auto sessions = Get<v1::ListSessionsResponse>("maps/room/sessions");
+  ASSERT_EQ(sessions.sessions_size(), 1);
+  EXPECT_GE(sessions.sessions(0).committed_sequence(), last_fused);
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// ExportMap and ImportMap through the door: a map goes out and comes in again, and what does not come in leaves
+// nothing.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
+#include "tests/support/status_reason.h"
+
+namespace dhpmap::testing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+class MapFileCalls : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    store_ = std::move(OpenSqliteStore((folder_.path() / "maps.db").string())).value();
+    Start({}, {});
+    grpc::ClientContext create;
+    v1::CreateMapResponse made;
+    ASSERT_TRUE(server_->maps->CreateMap(&create, CreateRequest("room"), &made).ok());
+    ASSERT_TRUE(Feed(*server_, "room", 0, 6).status.ok());
+    ASSERT_TRUE(Export("room", bytes_).ok());
+    ASSERT_GT(bytes_.size(), 50'000u);
+    num_files_ = NumFiles();
+  }
+  void Start(SessionOptions session, GrpcOptions grpc) {
+    server_ = nullptr;
+    server_ = std::make_unique<TestServer>(*store_, std::move(session), std::move(grpc));
+  }
+
+  grpc::Status Export(const std::string& map, std::string& bytes) {
+    grpc::ClientContext context;
+    v1::ExportMapRequest request;
+    request.set_name("maps/" + map);
+    const auto stream = server_->maps->ExportMap(&context, request);
+    bytes.clear();
+    v1::ExportMapResponse part;
+    std::int64_t total_bytes = 0;
+    while (stream->Read(&part)) {
+      if (bytes.empty()) total_bytes = part.total_bytes();
+      EXPECT_LE(part.data().size(), 256u << 10);
+      bytes += part.data();
+    }
+    EXPECT_EQ(total_bytes, static_cast<std::int64_t>(bytes.size()));
+    return stream->Finish();
+  }
+
+  struct Sent {
+    grpc::Status status;
+    v1::ImportMapResponse response;
+    std::size_t num_bytes = 0;  ///< that the client could send
+  };
+  /// `total_bytes`: as announced.
+  Sent Import(const std::string& map_id, const std::string& bytes, std::int64_t total_bytes = 0) {
+    constexpr std::size_t kPiece = 10'000;
+    Sent sent;
+    grpc::ClientContext context;
+    const auto stream = server_->maps->ImportMap(&context, &sent.response);
+    v1::ImportMapRequest part;
+    part.set_map_id(map_id);
+    part.set_total_bytes(total_bytes);
+    for (bool is_taken = stream->Write(part); is_taken && sent.num_bytes < bytes.size();) {
+      part.Clear();
+      part.set_data(bytes.substr(sent.num_bytes, kPiece));
+      is_taken = stream->Write(part);
+      sent.num_bytes += part.data().size();
+    }
+    stream->WritesDone();
+    sent.status = stream->Finish();
+    return sent;
+  }
+
+  int NumFiles() const {
+    return static_cast<int>(std::distance(std::filesystem::directory_iterator(folder_.path()), {}));
+  }
+  void ExpectNothingLeft(const std::string& map) {
+    EXPECT_EQ(NumFiles(), num_files_);
+    EXPECT_EQ(server_->registry().Get(map).status().code(), StatusCode::kNotFound);
+    EXPECT_EQ(store_->GetMap(map).status().code(), StatusCode::kNotFound);
+  }
+
+  TempDir folder_;
+  std::unique_ptr<MapStore> store_;
+  std::unique_ptr<TestServer> server_;
+  std::string bytes_;
+  int num_files_ = 0;
+};
+
+/// What a map answers, with its name left out.
+std::map<std::string, std::string> AnswersOf(TestServer& server, const std::string& map_id) {
+  std::map<std::string, std::string> answers;
+  const auto keep = [&](const std::string& what, const grpc::Status& status, const google::protobuf::Message& answer) {
+    EXPECT_TRUE(status.ok()) << what << ": " << status.error_message();
+    std::string text = answer.DebugString();
+    const std::string name = "maps/" + map_id + "/";
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at))
+      text.replace(at, name.size(), "M/");
+    answers[what] += text;
+  };
+  const std::string map = "maps/" + map_id;
+  {
+    grpc::ClientContext context;
+    v1::QueryPointsResponse response;
+    keep("points", server.queries->QueryPoints(&context, TestQuery(map_id), &response), response);
+  }
+  {
+    grpc::ClientContext context;
+    v1::QueryDistancesRequest request;
+    request.set_map(map);
+    request.set_packed(true);
+    *request.mutable_xyz_m() = TestQuery(map_id).xyz_m();
+    v1::QueryDistancesResponse response;
+    keep("distances", server.queries->QueryDistances(&context, request, &response), response);
+  }
+  v1::ListSubmapsResponse submaps;
+  {
+    grpc::ClientContext context;
+    v1::ListSubmapsRequest request;
+    request.set_parent(map);
+    const grpc::Status status = server.submaps->ListSubmaps(&context, request, &submaps);
+    v1::ListSubmapsResponse plain = submaps;
+    for (v1::Submap& submap : *plain.mutable_submaps()) submap.clear_etag();  // which names the history
+    keep("submaps", status, plain);
+  }
+  for (const v1::Submap& submap : submaps.submaps()) {
+    grpc::ClientContext context;
+    v1::StreamSubmapVoxelsRequest request;
+    request.set_name(submap.name());
+    const auto stream = server.submaps->StreamSubmapVoxels(&context, request);
+    for (v1::StreamSubmapVoxelsResponse part; stream->Read(&part);) keep("voxels", grpc::Status::OK, part);
+    EXPECT_TRUE(stream->Finish().ok());
+  }
+  grpc::ClientContext context;
+  v1::GetSubmapMeshRequest request;
+  request.set_name(map);
+  const auto stream = server.submaps->GetSubmapMesh(&context, request);
+  for (v1::GetSubmapMeshResponse part; stream->Read(&part);) keep("mesh", grpc::Status::OK, part);
+  EXPECT_TRUE(stream->Finish().ok());
+  return answers;
+}
+
+TEST_F(MapFileCalls, AMapThatWentOutAndCameInAnswersAllQueriesAsItDid) {
+  const Sent sent = Import("copy", bytes_, static_cast<std::int64_t>(bytes_.size()));
+  ASSERT_TRUE(sent.status.ok()) << sent.status.error_message();
+  EXPECT_EQ(sent.response.map().name(), "maps/copy");
+  EXPECT_EQ(NumFiles(), num_files_);
+  std::string again;
+  ASSERT_TRUE(Export("room", again).ok());
+  EXPECT_TRUE(again == bytes_) << "a state is always the same file";
+  Start({}, {});  // what the original holds in memory is finer than what it has stored
+  const auto original = AnswersOf(*server_, "room"), copy = AnswersOf(*server_, "copy");
+  ASSERT_EQ(original.size(), 5u);
+  for (const auto& [what, answer] : original) {
+    EXPECT_GT(answer.size(), 1000u) << what;
+    EXPECT_TRUE(copy.at(what) == answer) << what;
+  }
+  const auto room = server_->registry().Get("room"), other = server_->registry().Get("copy");
+  EXPECT_NE(room->info.history_id, other->info.history_id);
+  EXPECT_EQ(room->info.revision, sent.response.revision());
+  ASSERT_TRUE(Feed(*server_, "copy", 6, 9).status.ok()) << "mapping goes on";
+}
+
+TEST_F(MapFileCalls, AMapComesInUnderTheNameThatItHad) {
+  grpc::ClientContext context;
+  v1::DeleteMapRequest request;
+  request.set_name("maps/room");
+  v1::DeleteMapResponse response;
+  ASSERT_TRUE(server_->maps->DeleteMap(&context, request, &response).ok());
+  const Sent sent = Import("", bytes_);
+  ASSERT_TRUE(sent.status.ok()) << sent.status.error_message();
+  EXPECT_EQ(sent.response.map().name(), "maps/room");
+  EXPECT_EQ(AnswersOf(*server_, "room").size(), 5u);
+}
+
+TEST_F(MapFileCalls, ANameThatIsTakenIsToldBeforeTheFileIsSent) {
+  grpc::ClientContext context;
+  v1::ImportMapResponse response;
+  const auto stream = server_->maps->ImportMap(&context, &response);
+  v1::ImportMapRequest first;
+  first.set_map_id("room");
+  ASSERT_TRUE(stream->Write(first));
+  const grpc::Status status = stream->Finish();  // although it was not half-closed
+  EXPECT_EQ(status.error_code(), grpc::ALREADY_EXISTS);
+  EXPECT_EQ(ReasonOf(status), "MAP_EXISTS");
+  EXPECT_EQ(Import("", bytes_).status.error_code(), grpc::ALREADY_EXISTS) << "the name that it had";
+  EXPECT_EQ(Import("a/b", bytes_).status.error_code(), grpc::INVALID_ARGUMENT);
+}
+
+TEST_F(MapFileCalls, ANameThatWasTakenMeanwhileIsSeenAtTheEnd) {
+  grpc::ClientContext context;
+  v1::ImportMapResponse response;
+  const auto stream = server_->maps->ImportMap(&context, &response);
+  v1::ImportMapRequest part;
+  part.set_map_id("copy");
+  part.set_data(bytes_);
+  ASSERT_TRUE(stream->Write(part));
+  ASSERT_TRUE(Eventually([&] { return NumFiles() > num_files_; }));
+  grpc::ClientContext create;
+  v1::CreateMapResponse made;
+  ASSERT_TRUE(server_->maps->CreateMap(&create, CreateRequest("copy"), &made).ok());
+  stream->WritesDone();
+  EXPECT_EQ(stream->Finish().error_code(), grpc::ALREADY_EXISTS);
+  EXPECT_EQ(NumFiles(), num_files_);
+  EXPECT_EQ(server_->registry().Get("copy")->info.revision, made.revision()) << "the other's stands";
+}
+
+TEST_F(MapFileCalls, WhatIsNoMapIsATypedErrorAndLeavesNothing) {
+  std::string newer = bytes_, flipped = bytes_;
+  newer[63] = 99;  // user_version, the last byte of it
+  const std::size_t labels =
+      bytes_.find(std::string("\x22\x01\x00\x28\xB5\x2F\xFD", 7));  // of a tile, as a frame of zstd
+  ASSERT_NE(labels, std::string::npos);
+  flipped[labels + 23] ^= 0x20;
+  struct Case {
+    const char* what;
+    std::string bytes;
+    std::int64_t total_bytes;
+    grpc::StatusCode code;
+    const char* reason;
+  };
+  const auto size = static_cast<std::int64_t>(bytes_.size());
+  const Case cases[] = {
+      {"nothing", "", 0, grpc::INVALID_ARGUMENT, "BAD_MAP"},
+      {"a picture", std::string(30'000, 'p'), 0, grpc::INVALID_ARGUMENT, "BAD_MAP"},
+      {"of a later version", newer, size, grpc::FAILED_PRECONDITION, "NEWER_SCHEMA"},
+      {"damaged", flipped, size, grpc::DATA_LOSS, "DAMAGED_MAP"},
+      {"less than announced", bytes_.substr(0, bytes_.size() - 1), size, grpc::INVALID_ARGUMENT, "BAD_MAP"},
+      {"more than announced", bytes_ + "x", size, grpc::INVALID_ARGUMENT, "BAD_MAP"},
+      {"of no size", bytes_, -1, grpc::INVALID_ARGUMENT, "BAD_MAP"},
+  };
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.what);
+    const Sent sent = Import("copy", one.bytes, one.total_bytes);
+    EXPECT_EQ(sent.status.error_code(), one.code) << sent.status.error_message();
+    EXPECT_EQ(ReasonOf(sent.status), one.reason) << sent.status.error_message();
+    ExpectNothingLeft("copy");
+  }
+  std::string none;
+  EXPECT_EQ(Export("nowhere", none).error_code(), grpc::NOT_FOUND);
+  EXPECT_TRUE(Import("copy", bytes_).status.ok());
+}
+
+TEST_F(MapFileCalls, WhatIsTooLargeIsRefusedAtOnceIfItSaysSoAndElseWhenItIs) {
+  Start({.max_import_bytes = 50'000}, {});
+  const Sent told = Import("copy", bytes_, static_cast<std::int64_t>(bytes_.size()));
+  EXPECT_EQ(told.status.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(ReasonOf(told.status), "BODY_TOO_LARGE");
+  const Sent untold = Import("copy", bytes_);
+  EXPECT_EQ(untold.status.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(ReasonOf(untold.status), "BODY_TOO_LARGE");
+  ExpectNothingLeft("copy");
+}
+
+/// A client that has sent some of it.
+struct HalfSent {
+  grpc::ClientContext context;
+  v1::ImportMapResponse response;
+  std::unique_ptr<grpc::ClientWriter<v1::ImportMapRequest>> stream;
+
+  HalfSent(TestServer& server, const std::string& map_id, const std::string& bytes)
+      : stream(server.maps->ImportMap(&context, &response)) {
+    v1::ImportMapRequest part;
+    part.set_map_id(map_id);
+    part.set_data(bytes);
+    EXPECT_TRUE(stream->Write(part));
+  }
+};
+
+TEST_F(MapFileCalls, ClientsThatGoAwayMakePlaceWithinMilliseconds) {
+  auto one = std::make_unique<HalfSent>(*server_, "one", bytes_.substr(0, 20'000));
+  auto two = std::make_unique<HalfSent>(*server_, "two", bytes_.substr(0, 20'000));
+  ASSERT_TRUE(Eventually([&] { return NumFiles() == num_files_ + 2; }));
+  const Sent third = Import("three", bytes_);
+  EXPECT_EQ(third.status.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(ReasonOf(third.status), "TOO_BUSY");
+
+  const auto begin = Clock::now();
+  one->context.TryCancel();
+  two->context.TryCancel();
+  EXPECT_TRUE(Eventually([&] { return NumFiles() == num_files_; }));
+  RecordProperty("ms", static_cast<int>(std::chrono::duration<double, std::milli>(Clock::now() - begin).count()));
+  EXPECT_EQ(one->stream->Finish().error_code(), grpc::CANCELLED);
+  EXPECT_EQ(two->stream->Finish().error_code(), grpc::CANCELLED);
+  EXPECT_TRUE(Import("three", bytes_).status.ok());
+  ExpectNothingLeft("one");
+}
+
+TEST_F(MapFileCalls, AClientThatIsSilentIsGivenUp) {
+  GrpcOptions options;
+  options.import_idle_s = 3;  // more than a sanitizer needs for the whole file
+  Start({}, options);
+  HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
+  const grpc::Status status = half.stream->Finish();
+  EXPECT_EQ(status.error_code(), grpc::DEADLINE_EXCEEDED) << status.error_message();
+  ExpectNothingLeft("copy");
+  EXPECT_TRUE(Import("copy", bytes_).status.ok()) << "one that goes on is not silent, however long it takes";
+}
+
+TEST_F(MapFileCalls, WhoSendsAByteNowAndThenKeepsNoPlace) {
+  GrpcOptions options;
+  options.import_idle_s = 0.3;
+  Start({}, options);
+  HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
+  v1::ImportMapRequest byte;
+  byte.set_data("x");
+  const auto end = Clock::now() + kPatience;
+  while (half.stream->Write(byte) && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(half.stream->Finish().error_code(), grpc::DEADLINE_EXCEEDED);
+  ExpectNothingLeft("copy");
+}
+
+TEST_F(MapFileCalls, AServerThatEndsDoesNotWaitForAMapThatComesIn) {
+  HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
+  ASSERT_TRUE(Eventually([&] { return NumFiles() == num_files_ + 1; }));
+  ASSERT_TRUE(server_->Stop().ok());
+  EXPECT_FALSE(half.stream->Finish().ok());
+  EXPECT_EQ(NumFiles(), num_files_);
+}
+
+TEST_F(MapFileCalls, OneStreamBringsOneMap) {
+  HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
+  v1::ImportMapRequest part;
+  part.set_map_id("other");
+  (void)half.stream->Write(part);
+  const grpc::Status status = half.stream->Finish();
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(ReasonOf(status), "MAP_CHANGED");
+  ExpectNothingLeft("copy");
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every query before and after a restart: of a map with free space, something that is gone and something that was
+// moved.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "tests/integration/server_on_file.h"
+#include "tests/integration/walked_room.h"
+
+namespace dhpmap::testing {
+namespace {
+
+using QueryStub = v1::QueryService::Stub;
+
+/// A server on a file, with a room from which the chair was carried off.
+class RestartAnswers : public ServerOnFile {
+ protected:
+  void MapUntilTheChairIsGone() {
+    CreateWalkedMap(*server, "room");
+    Walk(*server, "room", WalkedRoom(true, true), 0, 12);
+    Walk(*server, "room", WalkedRoom(false, true), 12, 26);
+    v1::FinishMappingRequest request;
+    request.set_map("maps/room");
+    v1::FinishMappingResponse response;
+    grpc::ClientContext context;
+    ASSERT_TRUE(server->mapping->FinishMapping(&context, request, &response).ok());
+  }
+  void MoveTheCrate(double x_m) {
+    v1::UpdateSubmapRequest request;
+    request.mutable_submap()->set_name(ListedOfClass(*server, "room", kCrateClass).name());
+    request.mutable_submap()->mutable_map_from_submap()->mutable_translation_m()->set_x(x_m);
+    request.mutable_update_mask()->add_paths("map_from_submap");
+    v1::UpdateSubmapResponse response;
+    grpc::ClientContext context;
+    const grpc::Status status = server->submaps->UpdateSubmap(&context, request, &response);
+    ASSERT_TRUE(status.ok()) << status.error_message();
+  }
+
+  template <typename Request, typename Response>
+  Response Ask(grpc::Status (QueryStub::*rpc)(grpc::ClientContext*, const Request&, Response*), Request request) {
+    request.set_map("maps/room");
+    Response response;
+    grpc::ClientContext context;
+    const grpc::Status status = (server->queries.get()->*rpc)(&context, request, &response);
+    EXPECT_TRUE(status.ok()) << Request::descriptor()->name() << ": " << status.error_message();
+    return response;
+  }
+  /// visit(x, y, z) at places all over the room, also behind its walls.
+  template <typename Visit>
+  static void ForEachPlace(double step_m, const Visit& visit) {
+    const auto num_steps = [step_m](double length_m) { return static_cast<int>(length_m / step_m) + 1; };
+    for (int i = 0; i < num_steps(3.2); ++i) {
+      for (int j = 0; j < num_steps(3.3); ++j) {
+        for (int k = 0; k < num_steps(1.4); ++k) visit(0.1 + step_m * i, step_m * j - 1, step_m * k - 0.1);
+      }
+    }
+  }
+  v1::QueryPointsResponse Points() {
+    v1::QueryPointsRequest request;
+    request.set_packed(true);
+    ForEachPlace(0.09, [&](double x, double y, double z) {
+      for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+    });
+    return Ask(&QueryStub::QueryPoints, request);
+  }
+  v1::QueryDistancesResponse Distances(v1::Vacated::Policy vacated) {
+    v1::QueryDistancesRequest request;
+    request.set_packed(true);
+    request.mutable_options()->set_vacated(vacated);
+    ForEachPlace(0.11, [&](double x, double y, double z) {
+      for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+    });
+    return Ask(&QueryStub::QueryDistances, request);
+  }
+  v1::CastRaysResponse Rays() {
+    v1::CastRaysRequest request;
+    request.set_packed(true);
+    for (const float value : {0.2f, 0.3f, 1.2f}) request.add_origin_xyz_m(value);
+    for (int i = 0; i < 300; ++i) {
+      const int column = i % 60, row = i / 60;
+      const double azimuth = 0.021 * column - 0.6, elevation = 0.2 * row - 0.7;
+      for (const double value : {std::cos(azimuth), std::sin(azimuth), std::tan(elevation)}) {
+        request.add_direction_xyz(static_cast<float>(value));
+      }
+    }
+    return Ask(&QueryStub::CastRays, request);
+  }
+  v1::CheckCollisionsResponse Collisions() {
+    v1::CheckCollisionsRequest request;
+    request.set_packed(true);
+    ForEachPlace(0.23, [&](double x, double y, double z) {
+      for (const double value : {x, y, z, 0.12}) request.add_spheres(static_cast<float>(value));
+    });
+    return Ask(&QueryStub::CheckCollisions, request);
+  }
+  v1::CheckTrajectoryResponse Trajectories() {
+    v1::CheckTrajectoryRequest request;
+    request.set_all_contacts(true);
+    for (const double z : {0.2, 0.6}) {
+      v1::Sphere& sphere = *request.add_robot();
+      sphere.mutable_center_m()->set_z(z);
+      sphere.set_radius_m(0.15);
+    }
+    for (int i = 0; i < 12; ++i) {
+      v1::Trajectory& trajectory = *request.add_trajectories();
+      for (const double x : {0.4, 1.7, 2.9}) {
+        v1::Vector3& at_m = *trajectory.add_waypoints()->mutable_translation_m();
+        at_m.set_x(x);
+        at_m.set_y(0.2 + 0.15 * i * (x - 1.2));
+      }
+    }
+    return Ask(&QueryStub::CheckTrajectory, request);
+  }
+  v1::GetOccupancySliceResponse Slice() {
+    v1::GetOccupancySliceRequest request;
+    request.set_min_z_m(0.15);
+    request.set_max_z_m(0.9);
+    request.set_with_objects(true);
+    return Ask(&QueryStub::GetOccupancySlice, request);
+  }
+  v1::SearchSubmapsResponse Search() {
+    v1::SearchSubmapsRequest request;
+    request.mutable_near_m()->set_x(1);
+    request.mutable_near_m()->set_z(1);
+    return Ask(&QueryStub::SearchSubmaps, request);
+  }
+  v1::ListRelationsResponse Relations() { return Ask(&QueryStub::ListRelations, v1::ListRelationsRequest()); }
+  std::string Grid() {
+    v1::GetDistanceGridRequest request;
+    request.set_map("maps/room");
+    request.mutable_box()->mutable_max_m()->set_x(3.2);
+    request.mutable_box()->mutable_max_m()->set_y(2.2);
+    request.mutable_box()->mutable_max_m()->set_z(1.2);
+    request.set_resolution_m(0.1);
+    request.set_with_gradients(true);
+    request.set_with_objects(true);
+    grpc::ClientContext context;
+    const auto reader = server->queries->GetDistanceGrid(&context, request);
+    std::string bytes;
+    for (v1::GetDistanceGridResponse part; reader->Read(&part);) bytes += part.SerializeAsString();
+    EXPECT_TRUE(reader->Finish().ok());
+    return bytes;
+  }
+  v1::ListSubmapsResponse Submaps() {
+    v1::ListSubmapsRequest request;
+    request.set_parent("maps/room");
+    v1::ListSubmapsResponse response;
+    grpc::ClientContext context;
+    EXPECT_TRUE(server->submaps->ListSubmaps(&context, request, &response).ok());
+    return response;
+  }
+  std::map<std::string, std::string> AllBytes() {
+    return {{"points", Points().SerializeAsString()},
+            {"distances", Distances(v1::Vacated::UNKNOWN).SerializeAsString()},
+            {"distances with what was left free", Distances(v1::Vacated::FREE).SerializeAsString()},
+            {"rays", Rays().SerializeAsString()},
+            {"collisions", Collisions().SerializeAsString()},
+            {"trajectories", Trajectories().SerializeAsString()},
+            {"slice", Slice().SerializeAsString()},
+            {"grid", Grid()},
+            {"search", Search().SerializeAsString()},
+            {"relations", Relations().SerializeAsString()},
+            {"submaps", Submaps().SerializeAsString()}};
+  }
+};
+
+TEST_F(RestartAnswers, OfAMapThatWasLoadedAreTheSameBytes) {
+  MapUntilTheChairIsGone();
+  Restart();  // from here on distances are as the store rounds them
+  MoveTheCrate(0.6);
+  const auto before = AllBytes();
+  EXPECT_NE(before.at("distances"), before.at("distances with what was left free")) << "so that is looked at, too";
+  const v1::QueryPointsResponse points = Points();
+  EXPECT_GT(std::count(points.packed().free().begin(), points.packed().free().end(), true), 500);
+  EXPECT_GT(std::count(points.packed().observed().begin(), points.packed().observed().end(), true), 500);
+  EXPECT_EQ(ListedOfClass(*server, "room", kChairClass).presence(), v1::ABSENT);
+  Restart();
+  const auto after = AllBytes();
+  for (const auto& [query, bytes] : before) EXPECT_TRUE(after.at(query) == bytes) << query;
+}
+
+/// How many of two lists, as long as each other, differ.
+template <typename List, typename Differ>
+int NumDiffering(const List& a, const List& b, const Differ& differ) {
+  EXPECT_EQ(a.size(), b.size());
+  int count = 0;
+  for (int i = 0; i < std::min(a.size(), b.size()); ++i) count += differ(a[i], b[i]) ? 1 : 0;
+  return count;
+}
+template <typename List>
+int NumDiffering(const List& a, const List& b) {
+  return NumDiffering(a, b, [](const auto& x, const auto& y) { return x != y; });
+}
+
+TEST_F(RestartAnswers, OfAMapThatWasJustMadeAreThoseOfTheStoreButForItsRounding) {
+  MapUntilTheChairIsGone();
+  MoveTheCrate(0.6);
+  const v1::ListSubmapsResponse submaps = Submaps();
+  const v1::PackedPointResults points = Points().packed();
+  const v1::PackedDistanceResults distances = Distances(v1::Vacated::FREE).packed();
+  const v1::PackedRayResults rays = Rays().packed();
+  const v1::PackedCollisionResults collisions = Collisions().packed();
+  const v1::GetOccupancySliceResponse slice = Slice();
+  const v1::ListRelationsResponse relations = Relations();
+  Restart();
+  EXPECT_EQ(Submaps().SerializeAsString(), submaps.SerializeAsString()) << "with what is absent, and since when";
+  const v1::PackedPointResults points_after = Points().packed();
+  EXPECT_EQ(NumDiffering(points_after.free(), points.free()), 0);
+  EXPECT_EQ(NumDiffering(points_after.observed(), points.observed()), 0) << "contradicted voxels are not";
+  EXPECT_LE(NumDiffering(points_after.instance_id(), points.instance_id()), 2) << "where votes are as many";
+  EXPECT_LE(NumDiffering(points_after.class_id(), points.class_id()), 2);
+  const auto is_off = [](double tolerance_m) {
+    return [=](float a, float b) { return std::isnan(a) != std::isnan(b) || std::abs(a - b) > tolerance_m; };
+  };
+  EXPECT_LE(NumDiffering(points_after.distance_m(), points.distance_m(), is_off(0.08 / 4096 + 1e-7)), 2);
+  // A rounding may decide where two surfaces are as near, and whether a ray meets an edge.
+  const auto allowed = [](int size) { return size / 200; };
+  const v1::PackedDistanceResults distances_after = Distances(v1::Vacated::FREE).packed();
+  const int num_distances = distances.status_size();
+  EXPECT_LE(NumDiffering(distances_after.status(), distances.status()), allowed(num_distances));
+  EXPECT_LE(NumDiffering(distances_after.instance_id(), distances.instance_id()), allowed(num_distances));
+  EXPECT_LE(NumDiffering(distances_after.distance_m(), distances.distance_m(), is_off(1e-3)), allowed(num_distances));
+  const v1::PackedRayResults rays_after = Rays().packed();
+  EXPECT_LE(NumDiffering(rays_after.instance_id(), rays.instance_id()), 3);
+  EXPECT_LE(NumDiffering(rays_after.free_m(), rays.free_m(), is_off(1e-3)), 3);
+  const v1::PackedCollisionResults collisions_after = Collisions().packed();
+  EXPECT_LE(NumDiffering(collisions_after.colliding(), collisions.colliding()), allowed(collisions.colliding_size()));
+  EXPECT_LE(NumDiffering(collisions_after.status(), collisions.status()), allowed(collisions.status_size()));
+  const v1::GetOccupancySliceResponse slice_after = Slice();
+  ASSERT_EQ(slice_after.cells().size(), slice.cells().size());
+  int num_cells = 0;
+  for (std::size_t i = 0; i < slice.cells().size(); ++i) num_cells += slice.cells()[i] != slice_after.cells()[i];
+  EXPECT_LE(num_cells, allowed(static_cast<int>(slice.cells().size())));
+  ASSERT_EQ(Relations().relations_size(), relations.relations_size());
+}
+
+TEST_F(RestartAnswers, WhatWasLookedThroughBeforeARestartCountsAfterIt) {
+  const auto whole_store = MakeMemoryStore();
+  TestServer whole(*whole_store);
+  CreateWalkedMap(whole, "room");
+  CreateWalkedMap(*server, "room");
+  Walk(whole, "room", WalkedRoom(true), 0, 12);
+  Walk(*server, "room", WalkedRoom(true), 0, 12);
+  // So soon after it was carried off nothing can have been seen past three times.
+  Walk(*server, "room", WalkedRoom(false), 12, 14);
+  EXPECT_EQ(ListedOfClass(*server, "room", kChairClass).last_contradicted_ns(), 0);
+  Restart();
+  Walk(*server, "room", WalkedRoom(false), 14, 26);
+  Walk(whole, "room", WalkedRoom(false), 12, 26);
+  const v1::Submap chair = ListedOfClass(*server, "room", kChairClass);
+  const v1::Submap expected = ListedOfClass(whole, "room", kChairClass);
+  EXPECT_EQ(expected.presence(), v1::ABSENT);
+  EXPECT_EQ(chair.presence(), v1::ABSENT);
+  EXPECT_EQ(chair.name(), expected.name());
+  EXPECT_EQ(chair.first_observed_ns(), expected.first_observed_ns());
+  EXPECT_EQ(chair.last_observed_ns(), expected.last_observed_ns());
+  EXPECT_GE(chair.last_contradicted_ns(), WalkStamp_ns(14));
+  EXPECT_EQ(chair.num_blocks(), expected.num_blocks());
+  const auto num_near_chair = [](TestServer& of) {
+    const auto vertices_m = MeshVerticesOf(of, "maps/room");
+    return std::count_if(vertices_m.begin(), vertices_m.end(), [](const Eigen::Vector3f& p) {
+      return p.z() > 0.16f && (p.cast<double>() - kChairMiddle_m).cwiseAbs().maxCoeff() < 0.45;
+    });
+  };
+  EXPECT_LE(num_near_chair(*server), num_near_chair(whole) + 20);
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+
+#include "storage/store.h"
+#include "tests/integration/test_server.h"
+#include "tests/support/scenes.h"
+
+namespace dhpmap::testing {
+
+/// A server over a database in a folder of its own, which can be started anew.
+class ServerOnFile : public ::testing::Test {
+ protected:
+  void SetUp() override { Start(); }
+  void TearDown() override { server.reset(); }
+
+  void Start() {
+    auto opened = OpenSqliteStore((dir.path() / "maps.db").string());
+    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    store = std::move(*opened);
+    server = std::make_unique<TestServer>(*store);
+  }
+  void Restart() {
+    ASSERT_TRUE(server->Stop().ok());
+    server.reset();
+    store.reset();
+    Start();
+  }
+
+  TempDir dir;
+  std::unique_ptr<MapStore> store;
+  std::unique_ptr<TestServer> server;
+};
+
+}  // namespace dhpmap::testing

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/app/edit_list.h"
+#include "server/app/edit_summary.h"
+#include "server/app/map_registry.h"
+#include "tests/support/scenes.h"
+#include "tests/unit/server/app/map_session_fixture.h"
+
+// A small room that is mapped, refined and edited by a real session, on a store that outlives it.
+
+namespace dhpmap::testing {
+
+/// How a frame of the room differs from another.
+struct RoomView {
+  int place = 0;                 ///< of kNumPlaces on an arc around the room
+  bool has_crate = true;         ///< one of the things, which somebody carries away now and then
+  bool has_other_class = false;  ///< the network takes the ball for a crate
+  auto operator<=>(const RoomView&) const = default;
+};
+inline constexpr int kNumPlaces = 24;
+
+// Segments; classes 1 to 3 are things, 4 and 5 backgrounds.
+inline constexpr std::uint32_t kBall = 1, kCrate = 2, kCrateBeside = 3, kPosts = 4, kGround = 5, kBackWall = 6;
+
+/// A ball, two crates side by side, two posts that are one segment, a floor and a wall.
+inline Scene CrowdedRoom(bool has_crate) {
+  using Shape = Solid::Shape;
+  Scene room{{{Shape::kHalfSpace, {0, 0, 0}, {0, 0, 1}, kGround, {90, 80, 60}},
+              {Shape::kHalfSpace, {1.2, 0, 0}, {-1, 0, 0}, kBackWall, {200, 200, 190}},
+              {Shape::kSphere, {0.2, -0.7, 0.3}, {0.3, 0, 0}, kBall, {220, 30, 30}},
+              {Shape::kBox, {0.1, 0.55, 0.25}, {0.2, 0.15, 0.25}, kCrateBeside, {30, 90, 210}},
+              {Shape::kBox, {-0.5, -0.35, 0.3}, {0.1, 0.1, 0.3}, kPosts, {40, 160, 40}},
+              {Shape::kBox, {-0.5, 0.75, 0.3}, {0.1, 0.1, 0.3}, kPosts, {40, 160, 40}}}};
+  if (has_crate) room.solids.push_back({Shape::kBox, {0.1, 0.25, 0.25}, {0.2, 0.15, 0.25}, kCrate, {30, 60, 210}});
+  return room;
+}
+
+/// Frames of the room, each of which is rendered once.
+class RoomFrames {
+ public:
+  PanopticFrame Take(const RoomView& view, bool has_persistent_ids, std::int64_t stamp_ns) {
+    auto found = rendered_.find(view);
+    if (found == rendered_.end()) found = rendered_.emplace(view, RenderView(view)).first;
+    PanopticFrame frame = found->second;
+    frame.has_persistent_ids = has_persistent_ids;
+    frame.stamp_ns = stamp_ns;
+    return frame;
+  }
+
+ private:
+  static PanopticFrame RenderView(const RoomView& view) {
+    const double angle = -1.2 + 2.4 * view.place / kNumPlaces;
+    const Eigen::Vector3d eye_m(-2.0 * std::cos(angle), 2.0 * std::sin(angle), 1.3);
+    const PinholeCamera camera{.width_px = 80, .height_px = 60, .fx_px = 45, .fy_px = 45, .cx_px = 40, .cy_px = 30};
+    PanopticFrame frame = Render(CrowdedRoom(view.has_crate), camera, LookAt(eye_m, {0, 0, 0.2}));
+    const std::uint16_t classes[] = {0, 1, 2, 2, 3, 4, 5};
+    for (std::uint32_t id = kBall; id <= kBackWall; ++id) {
+      const bool is_mistaken = id == kBall && view.has_other_class;
+      frame.segments.push_back({.id = SegmentId(id), .class_id = ClassId(is_mistaken ? classes[kCrate] : classes[id])});
+    }
+    return frame;
+  }
+
+  std::map<RoomView, PanopticFrame> rendered_;
+};
+
+inline MapInfo EditedRoomInfo() {
+  MapInfo info;
+  info.name = "room";
+  info.label_set = MakeLabelSet(3, 2);
+  MapConfig& config = info.config;
+  config.voxel_size_m = 0.05;
+  config.truncation_m = 0.1;
+  config.integration.max_range_m = 4;
+  config.tracking.min_points_small = config.tracking.min_points_medium = config.tracking.min_points_large = 20;
+  config.tracking.min_points_stuff = 100;
+  config.tracking.split_gap_vox = 0;   // so that the posts are one thing
+  config.refinement.every_frames = 8;  // a round on the side, step by step
+  return info;
+}
+
+/// What an edit did that was made.
+struct MadeInRoom {
+  std::int64_t revision = 0;
+  std::vector<EditResult> results;
+};
+
+/// The room in a session whose every frame is seen and whose refinements are taken over at their turn, so that the same
+/// calls make the same map. Thread-compatible.
+class EditedRoom {
+ public:
+  enum class Store { kMemory, kSqlite };
+
+  explicit EditedRoom(Store kind) : kind_(kind) {
+    if (kind_ == Store::kMemory) store_ = MakeMemoryStore();
+    Open();
+    if (session_ == nullptr && registry_ != nullptr) {
+      EXPECT_TRUE(registry_->Create(EditedRoomInfo()).ok());
+      session_ = *registry_->OpenSession("room");
+    }
+  }
+
+  [[nodiscard]] std::shared_ptr<const MapSnapshot> Now() const { return session_->View()->shared_snapshot(); }
+  [[nodiscard]] MapStore& store() { return *store_; }
+
+  Status Integrate(const RoomView& view, bool has_persistent_ids) {
+    constexpr std::int64_t kPeriod_ns = 200'000'000;
+    PanopticFrame frame = frames_.Take(view, has_persistent_ids, ++num_frames_ * kPeriod_ns);
+    const auto outcome =
+        Wait<FrameOutcome>([&](auto done) { session_->Integrate(Result<PanopticFrame>(std::move(frame)), done); });
+    return outcome.report.status();
+  }
+  Status Finish() {
+    return Wait<Result<FinishOutcome>>([&](auto done) { session_->Finish(done); }).status();
+  }
+  Status Flush() {
+    return Wait<Status>([&](auto done) { session_->Flush(done); });
+  }
+
+  /// The list as one edit of an author.
+  Result<MadeInRoom> Make(const EditList& list, const std::string& author) {
+    MadeInRoom made;
+    const auto change = [&](Map& map) -> Result<EditMade> {
+      DHPMAP_ASSIGN_OR_RETURN(made.results, ApplyEdits(list, map));
+      return EditMade{.submap = SubmapId(), .summary = SummaryOfList(list, made.results)};
+    };
+    DHPMAP_ASSIGN_OR_RETURN(made.revision, Edit(change, author));
+    return made;
+  }
+  /// Undoes or does again; the revision that has it.
+  Result<std::int64_t> Undo(UndoRequest request) {
+    const std::string author = request.author;
+    return Edit(registry_->UndoOf(std::move(request)), author);
+  }
+  Result<std::int64_t> Undelete(SubmapId id, const std::string& author) {
+    return Edit(registry_->UndeletionOf(id), author);
+  }
+
+  /// The server ends and begins again, on the same database.
+  void Restart() {
+    session_ = nullptr;
+    EXPECT_TRUE(registry_->Shutdown().ok());
+    registry_ = nullptr;
+    Open();
+  }
+
+ private:
+  Result<std::int64_t> Edit(std::function<Result<EditMade>(Map&)> change, const std::string& author) {
+    EditRequest request{.change = std::move(change), .source = {.author = author}};
+    const auto outcome = Wait<Result<EditOutcome>>([&](auto done) { session_->Edit(std::move(request), done); });
+    if (!outcome.ok()) return outcome.status();
+    return outcome->view->snapshot().revision();
+  }
+
+  void Open() {
+    if (kind_ == Store::kSqlite) {
+      store_ = nullptr;
+      auto opened = OpenSqliteStore((folder_.path() / "maps.db").string());
+      ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+      store_ = std::move(opened).value();
+    }
+    constexpr int kNever = 1'000'000'000;
+    SessionOptions options;
+    options.num_threads = 1;
+    options.publish_frames = 1;
+    options.commit_s = options.max_behind_s = kNever;
+    options.idle_close_s = 0;
+    options.refinement_timing = RefinementTiming::kReproducible;
+    options.now_ns = [this] { return ++now_ns_; };
+    auto registry = MapRegistry::Open(*store_, std::move(options));
+    ASSERT_TRUE(registry.ok()) << registry.status().ToString();
+    registry_ = std::move(registry).value();
+    if (!store_->GetMap("room").ok()) return;
+    auto session = registry_->OpenSession("room");
+    ASSERT_TRUE(session.ok()) << session.status().ToString();
+    session_ = *session;
+  }
+
+  const Store kind_;
+  TempDir folder_;
+  RoomFrames frames_;
+  std::int64_t num_frames_ = 0;
+  std::atomic<std::int64_t> now_ns_ = 0;  // outlives the sessions, which ask for it
+  std::unique_ptr<MapStore> store_;
+  std::unique_ptr<MapRegistry> registry_;
+  std::shared_ptr<MapSession> session_;
+};
+
+}  // namespace dhpmap::testing
