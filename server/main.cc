@@ -67,7 +67,7 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
       Gateway::Start(
           GatewayOptionsOf(config, inflight), grpc->InProcessChannel(),
           {.is_ready = [&] { return grpc->is_serving() && !IsStoreBehind(*registry, config.store.max_behind_s); },
-           .metrics_text = [&] { return metrics.Text(GaugesOf(*registry, *inflight, records.get())); }}));
+           .metrics_text = [&] { return metrics.Text(GaugesOf(*registry, *inflight, *grpc, records.get())); }}));
   grpc->SetServing(true);
   std::printf("dhpmap-server: gRPC on %s, REST on http://%s\n", WithPort(config.grpc.address, grpc->port()).c_str(),
               WithPort(config.http.address, gateway->port()).c_str());

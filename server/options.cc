@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mapping/map/tile_page.h"
 #include "server/app/map_stats.h"
 
 namespace dhpmap {
@@ -21,6 +22,12 @@ std::vector<std::string> SplitByComma(const std::string& text) {
     }
   }
   return parts;
+}
+
+/// Of a map's memory_bytes, what MemoryKind::kBlocks counts.
+std::int64_t CountedBlockBytes(const MapStats& stats) {
+  return stats.num_tsdf_blocks_in_memory * static_cast<std::int64_t>(sizeof(TsdfBlock)) +
+         stats.num_label_blocks_in_memory * static_cast<std::int64_t>(LabelBlock::CountedBytes());
 }
 
 }  // namespace
@@ -42,7 +49,8 @@ SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
                     .max_age_s = config.edits.log_s,
                     .max_histories = config.edits.history_edits,
                     .max_history_bytes = std::int64_t{config.edits.history_mib} << 20,
-                    .max_history_age_s = config.edits.history_s}};
+                    .max_history_age_s = config.edits.history_s},
+          .pages_tiles = config.store.memory_budget_mib > 0};
 }
 
 Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config) {
@@ -69,6 +77,7 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, Re
       .commit_retry_s = config.store.retry_s,
       .max_behind_s = config.store.max_behind_s,
       .idle_close_s = config.maps.idle_close_s,
+      .page_bytes = std::int64_t{config.store.memory_budget_mib} << 20,
       .feed_idle_s = config.mapping.feed_idle_s,
       .max_feeds = static_cast<std::size_t>(config.mapping.max_feeds),
       .refinement_timing = is_reproducible ? RefinementTiming::kReproducible : RefinementTiming::kNeverWait,
@@ -83,7 +92,9 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, Re
           [&metrics](const RefinementReport& report) { metrics.RecordRefinement(report.management_s, report.crf_s); },
       .make_recorder = std::move(make_recorder),
       .max_watchers = static_cast<std::size_t>(config.watch.max_watchers),
-      .max_import_bytes = std::int64_t{config.limits.import_mib} << 20};
+      .max_import_bytes = std::int64_t{config.limits.import_mib} << 20,
+      .max_kept_states = static_cast<std::size_t>(config.history.kept_states),
+      .kept_states_bytes = static_cast<std::size_t>(config.history.kept_states_mib) << 20};
 }
 
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config) {
@@ -127,21 +138,31 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
           .head_timeout_s = config.http.head_timeout_s};
 }
 
-Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const RecordDir* records) {
+Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const GrpcServer& grpc,
+                         const RecordDir* records) {
   Metrics::Gauges gauges{.surface_bytes = registry.surface_bytes(),
                          .num_watchers = registry.changes().num_followers(),
                          .inflight_bytes = inflight.used_bytes(),
-                         .record_bytes = records != nullptr ? records->num_bytes() : 0};
+                         .record_bytes = records != nullptr ? records->num_bytes() : 0,
+                         .store_bytes = SqliteMemoryBytes(),
+                         .frame_bytes = grpc.frame_bytes()};
+  const PageCounts pages = CountPages();
+  gauges.page_bytes = pages.resident_bytes;
+  gauges.num_pages_read = pages.num_reads;
+  gauges.num_pages_unreadable = pages.num_failures;
+  gauges.num_pages_let_go = pages.num_let_go;
   for (const auto& session : registry.OpenSessions()) {
     const auto view = session->View();
     const MapStats stats = ComputeStats(view->snapshot(), /*with_voxels=*/false);
+    gauges.past_bytes += session->kept_states()->bytes();
     gauges.maps.push_back({.name = view->snapshot().info().name,
                            .num_submaps = stats.num_submaps,
                            .num_blocks = stats.num_tsdf_blocks,
                            .revision = view->snapshot().revision(),
                            .memory_bytes = stats.memory_bytes,
                            .num_feeds = static_cast<std::int64_t>(session->num_feeds()),
-                           .behind_s = session->BehindSeconds()});
+                           .behind_s = session->BehindSeconds(),
+                           .block_bytes = CountedBlockBytes(stats)});
   }
   return gauges;
 }

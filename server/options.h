@@ -30,7 +30,8 @@ GrpcObserver ObserverOf(Metrics& metrics);
 GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
 
 /// Of the maps that are open now, and of what there is for those who ask. Visits every block, which takes milliseconds.
-Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const RecordDir* records);
+Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const GrpcServer& grpc,
+                         const RecordDir* records);
 /// Whether a map has waited for its store for longer than that.
 bool IsStoreBehind(const MapRegistry& registry, double max_behind_s);
 

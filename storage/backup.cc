@@ -51,6 +51,30 @@ Status AllowCopyGivingBack(sqlite::Database& original) {
   return is_allowed ? Status::Ok() : sqlite::AllowGivingBack(original);  // which changes only what VACUUM makes
 }
 
+/// While it is there, the copy that VACUUM makes is written as it is made. With the connection's own cache one of a few
+/// megabytes is written all at the end, which nothing stops.
+class SmallCache {
+ public:
+  static Result<SmallCache> For(sqlite::Database& database) {
+    constexpr char kTask[] = "see how much is cached";
+    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t before, database.QueryInt("PRAGMA cache_size", kTask));
+    DHPMAP_RETURN_IF_ERROR(database.Execute("PRAGMA cache_size = -1024", kTask));
+    return SmallCache(database, before);
+  }
+  SmallCache(SmallCache&& other) noexcept
+      : database_(std::exchange(other.database_, nullptr)), before_(other.before_) {}
+  SmallCache& operator=(SmallCache&&) = delete;
+  ~SmallCache() {
+    if (database_ == nullptr) return;
+    (void)database_->Execute("PRAGMA cache_size = " + std::to_string(before_), "cache as much as before");
+  }
+
+ private:
+  SmallCache(sqlite::Database& database, std::int64_t before) : database_(&database), before_(before) {}
+  sqlite::Database* database_;
+  std::int64_t before_;
+};
+
 /// A file of which only we know.
 class OpenBackup final : public StoreBackup {
  public:
@@ -83,12 +107,11 @@ class OpenBackup final : public StoreBackup {
 Status WriteBackup(sqlite::Database& database, const std::string& path, const std::stop_token& stop) {
   DHPMAP_RETURN_IF_ERROR(CheckPlace(path));
   DHPMAP_RETURN_IF_ERROR(AllowCopyGivingBack(database));
+  DHPMAP_ASSIGN_OR_RETURN(const SmallCache small_cache, SmallCache::For(database));
   Status status;
   {
-    const std::stop_callback interrupt(stop, [&database] { database.Interrupt(); });
-    // An interrupt before the statement begins means nothing to SQLite.
-    status = stop.stop_requested() ? Cancelled("the backup is not wanted any more")
-                                   : database.Execute("VACUUM INTO " + Quoted(path), "write the backup");
+    const sqlite::StoppedBy stopped(database, stop);
+    status = database.Execute("VACUUM INTO " + Quoted(path), "write the backup");
   }
   if (status.ok()) status = MarkFile(path);
   if (status.ok() && stop.stop_requested()) status = Cancelled("the backup is not wanted any more");

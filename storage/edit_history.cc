@@ -2,6 +2,7 @@
 #include "storage/edit_history.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <string>
@@ -26,14 +27,8 @@ constexpr char kTrimTask[] = "delete what undoes edits of long ago";
 
 /// Of those beyond the limits so many go with one edit.
 constexpr int kMostTrimmed = 16;
-
-/// What a row of edit_tiles adds to the sum, by that of two rows of tiles.
-void AddTo(TileTotals& totals, std::int64_t submap_id, TileIndex index, std::int64_t layer, std::int64_t before_key,
-           std::int64_t after_key) {
-  constexpr std::int64_t kLayersAnOwner = 256;
-  totals.Add(index, submap_id * kLayersAnOwner + layer, {.key = before_key});
-  totals.Add(index, ~(submap_id * kLayersAnOwner + layer), {.key = after_key});
-}
+/// What a row of edit_tiles counts.
+constexpr std::int64_t kRowBytes = 64;
 
 Status Damaged(const MapRow& map, std::int64_t revision, const std::string& what) {
   return DataLoss("map '" + map.info.name + "': what undoes edit " + std::to_string(revision) + " " + what)
@@ -61,26 +56,6 @@ Row RowAt(const Statement& statement) {
   row.before_key = columns.Int();
   row.after_key = columns.Int();
   return row;
-}
-
-/// Sum and size of all that an edit keeps of tiles.
-Result<TileTotals> CountTiles(Database& database, std::int64_t edit_key) {
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement select,
-      database.Prepare("SELECT submap_id, x, y, z, layer, before_key, after_key, ifnull(length(b.blob), 0) + "
-                       "ifnull(length(a.blob), 0) FROM edit_tiles LEFT JOIN tile_blobs b ON b.blob_key = before_key "
-                       "LEFT JOIN tile_blobs a ON a.blob_key = after_key WHERE edit_key = ?",
-                       kReadTask));
-  TileTotals totals;
-  select.Bind(edit_key);
-  for (;;) {
-    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
-    if (!has_row) return totals;
-    const Row row = RowAt(select);
-    AddTo(totals, row.submap_id, row.index, row.layer, row.before_key, row.after_key);
-    constexpr std::int64_t kRowBytes = 64;
-    totals.bytes += select.Int(7) + kRowBytes;
-  }
 }
 
 /// One side of the tiles of a delta, layer by layer.
@@ -160,7 +135,7 @@ Status ReadTiles(Database& database, const MapRow& map, const EditHistoryRow& hi
     Row row = RowAt(select);
     row.before = select.Blob(7);
     row.after = select.Blob(8);
-    AddTo(totals, row.submap_id, row.index, row.layer, row.before_key, row.after_key);
+    AddEditTile(totals, row.submap_id, row.index, row.layer, row.before_key, row.after_key);
     const Status added = AddTile(row, store, delta);
     if (!added.ok()) return Damaged(map, history.revision, added.message());
   }
@@ -169,67 +144,91 @@ Status ReadTiles(Database& database, const MapRow& map, const EditHistoryRow& hi
 
 }  // namespace
 
-EditTileRecorder::EditTileRecorder(std::int64_t edit_key, Statement insert, Statement share, Statement note_new,
-                                   Statement note_removed, Statement share_all)
-    : edit_key_(edit_key),
-      insert_(std::move(insert)),
-      share_(std::move(share)),
-      note_new_(std::move(note_new)),
-      note_removed_(std::move(note_removed)),
-      share_all_(std::move(share_all)) {}
-
-Result<EditTileRecorder> EditTileRecorder::Prepare(Database& database, std::int64_t edit_key) {
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement insert,
-      database.Prepare("INSERT INTO edit_tiles (edit_key, submap_id, x, y, z, layer, before_key, after_key) VALUES (?, "
-                       "?, ?, ?, ?, ?, ?, ?)",
-                       kWriteTask));
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement share,
-      database.Prepare("INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, 1) ON CONFLICT (blob_key) DO UPDATE "
-                       "SET num_more = num_more + 1",
-                       kWriteTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement note_new, database.Prepare("INSERT INTO edit_tiles SELECT ?, ?, x, y, z, layer, 0, "
-                                                               "blob_key FROM tiles WHERE owner_key = ?",
-                                                               kWriteTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement note_removed,
-                          database.Prepare("INSERT INTO edit_tiles SELECT ?, ?, x, y, z, layer, blob_key, 0 FROM tiles "
-                                           "WHERE owner_key = ?",
-                                           kWriteTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement share_all,
-                          database.Prepare("INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, 1 FROM "
-                                           "tiles WHERE owner_key = ? ON CONFLICT (blob_key) DO UPDATE SET num_more = "
-                                           "num_more + 1",
-                                           kWriteTask));
-  return EditTileRecorder(edit_key, std::move(insert), std::move(share), std::move(note_new), std::move(note_removed),
-                          std::move(share_all));
+void AddEditTile(TileTotals& totals, std::int64_t submap_id, TileIndex index, std::int64_t layer,
+                 std::int64_t before_key, std::int64_t after_key) {
+  constexpr std::int64_t kLayersAnOwner = 256;
+  totals.Add(index, submap_id * kLayersAnOwner + layer, {.key = before_key});
+  totals.Add(index, ~(submap_id * kLayersAnOwner + layer), {.key = after_key});
 }
 
-Status EditTileRecorder::Note(std::int64_t submap_id, TileIndex index, std::int64_t layer, std::int64_t before_key,
-                              std::int64_t after_key) {
-  if (before_key == after_key) return Status::Ok();
-  insert_.Bind(edit_key_).Bind(submap_id).Bind(index.x).Bind(index.y).Bind(index.z).Bind(layer);
-  DHPMAP_RETURN_IF_ERROR(insert_.Bind(before_key).Bind(after_key).Run());
-  for (const std::int64_t key : {before_key, after_key}) {
-    if (key != 0) DHPMAP_RETURN_IF_ERROR(share_.Bind(key).Run());
+Result<EditTileRecorder> EditTileRecorder::Prepare(Database& database, std::int64_t edit_key) {
+  EditTileRecorder recorder(edit_key);
+  struct Text {
+    OptionalStatement* statement;
+    const char* sql;
+  };
+  const std::initializer_list<Text> texts = {
+      {&recorder.insert_,
+       "INSERT INTO edit_tiles (edit_key, submap_id, x, y, z, layer, before_key, after_key) VALUES (?, ?, ?, ?, ?, ?, "
+       "?, ?)"},
+      {&recorder.share_,
+       "INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, 1) ON CONFLICT (blob_key) DO UPDATE SET num_more = "
+       "num_more + 1"},
+      {&recorder.note_new_,
+       "INSERT INTO edit_tiles SELECT ?, ?, x, y, z, layer, 0, blob_key FROM tiles WHERE owner_key = ?"},
+      {&recorder.note_removed_,
+       "INSERT INTO edit_tiles SELECT ?, ?, x, y, z, layer, blob_key, 0 FROM tiles WHERE owner_key = ?"},
+      {&recorder.share_all_,
+       "INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, 1 FROM tiles WHERE owner_key = ? ON CONFLICT "
+       "(blob_key) DO UPDATE SET num_more = num_more + 1"},
+      {&recorder.rows_, "SELECT x, y, z, layer, blob_key FROM tiles WHERE owner_key = ?"},
+  };
+  for (const Text& text : texts) {
+    DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(text.sql, kWriteTask));
+    text.statement->emplace(std::move(statement));
   }
+  return recorder;
+}
+
+Status EditTileRecorder::Note(std::int64_t submap_id, TileIndex index, std::int64_t layer, const StoredBlob& before,
+                              const StoredBlob& after) {
+  if (before.key == after.key) return Status::Ok();
+  insert_->Bind(edit_key_).Bind(submap_id).Bind(index.x).Bind(index.y).Bind(index.z).Bind(layer);
+  DHPMAP_RETURN_IF_ERROR(insert_->Bind(before.key).Bind(after.key).Run());
+  for (const StoredBlob& blob : {before, after}) {
+    if (blob.key != 0) DHPMAP_RETURN_IF_ERROR(share_->Bind(blob.key).Run());
+  }
+  AddEditTile(totals_, submap_id, index, layer, before.key, after.key);
+  totals_.bytes += before.bytes + after.bytes + kRowBytes;
   return Status::Ok();
 }
 
-Status EditTileRecorder::NoteAll(Statement& note, SubmapId id, std::int64_t owner_key) {
+Status EditTileRecorder::NoteNew(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes, bool is_counted) {
+  DHPMAP_RETURN_IF_ERROR(NoteAll(Side::kAfter, id, owner_key, blob_bytes));
+  return is_counted ? Status::Ok() : share_all_->Bind(owner_key).Run();
+}
+
+Status EditTileRecorder::NoteRemoved(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes) {
+  DHPMAP_RETURN_IF_ERROR(NoteAll(Side::kBefore, id, owner_key, blob_bytes));
+  return share_all_->Bind(owner_key).Run();
+}
+
+/// Touches rows, and no page of a blob.
+Status EditTileRecorder::NoteAll(Side side, SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes) {
+  Statement& note = side == Side::kAfter ? *note_new_ : *note_removed_;
   DHPMAP_RETURN_IF_ERROR(note.Bind(edit_key_).Bind(std::int64_t{id.value}).Bind(owner_key).Run());
-  return share_all_.Bind(owner_key).Run();
+  totals_.bytes += blob_bytes;
+  rows_->Bind(owner_key);
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_row, rows_->Step());
+    if (!has_row) return Status::Ok();
+    Columns columns(*rows_);
+    TileIndex index;
+    for (std::int32_t* axis : {&index.x, &index.y, &index.z}) *axis = static_cast<std::int32_t>(columns.Int());
+    const std::int64_t layer = columns.Int(), key = columns.Int();
+    AddEditTile(totals_, id.value, index, layer, side == Side::kBefore ? key : 0, side == Side::kAfter ? key : 0);
+    totals_.bytes += kRowBytes;
+  }
 }
 
 Status RecordHistory(Database& database, std::int64_t map_key, std::int64_t edit_key, const EditRecord& edit,
-                     const MapSnapshot& after) {
-  DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles, CountTiles(database, edit_key));
+                     const MapSnapshot& after, const EditTileRecorder& tiles) {
   EditHistoryRow row{.key = edit_key,
                      .map_key = map_key,
                      .revision = edit.entry.revision,
                      .time_ns = edit.entry.time_ns,
-                     .num_bytes = tiles.bytes,
-                     .tiles_sum = tiles.sum,
+                     .num_bytes = tiles.num_bytes(),
+                     .tiles_sum = tiles.tiles_sum(),
                      .blob = {EncodeEditRows(DiffRows(*edit.before, after), edit.entry.revision)},
                      .seal = {}};
   row.num_bytes += static_cast<std::int64_t>(row.blob.bytes.size());
@@ -253,7 +252,10 @@ Status TrimHistories(Database& database, std::int64_t map_key, std::int64_t now_
                                            kTrimTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase,
                           database.Prepare("DELETE FROM edit_histories WHERE edit_key = ?", kTrimTask));
-  for (int n = 0; n < kMostTrimmed; ++n) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement count,
+                          database.Prepare("SELECT count(*) FROM edit_tiles WHERE edit_key = ?", kTrimTask));
+  std::int64_t num_tiles = 0;
+  for (int n = 0; n < kMostTrimmed && num_tiles < kMostTilesTrimmed; ++n) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, oldest.Bind(map_key).Step());
     if (!has_row) return Status::Ok();
     const std::int64_t key = oldest.Int(0);
@@ -261,6 +263,10 @@ Status TrimHistories(Database& database, std::int64_t map_key, std::int64_t now_
                            static_cast<double>(now_ns - oldest.Int(1)) > limits.max_history_age_s * 1e9;
     oldest.Reset();
     if (!is_beyond) return Status::Ok();
+    DHPMAP_RETURN_IF_ERROR(count.Bind(key).Step().status());
+    num_tiles += count.Int(0);
+    count.Reset();
+    if (n > 0 && num_tiles > kMostTilesTrimmed) return Status::Ok();
     DHPMAP_RETURN_IF_ERROR(erase.Bind(key).Run());
   }
   return Status::Ok();

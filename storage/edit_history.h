@@ -13,34 +13,47 @@ namespace dhpmap {
 
 // What it takes to undo an edit: rows as blobs, tiles as references to blobs. As long as it is kept, so are these.
 
-inline constexpr std::int64_t kMapsOwnTiles = -1;  ///< column edit_tiles.submap_id
+inline constexpr std::int64_t kMapsOwnTiles = -1;       ///< column edit_tiles.submap_id
+inline constexpr std::int64_t kMostTilesTrimmed = 256;  ///< rows of edit_tiles, with one edit
 
 /// Notes which blobs the tiles were before an edit and are after it, within the edit's transaction. One for each edit.
 class EditTileRecorder {
  public:
   static Result<EditTileRecorder> Prepare(sqlite::Database& database, std::int64_t edit_key);
 
-  /// Before a row of tiles is changed, from one blob to another; 0: there was none, or will be.
-  Status Note(std::int64_t submap_id, TileIndex index, std::int64_t layer, std::int64_t before_key,
-              std::int64_t after_key);
-  /// All rows of an owner that is new, once they are there.
-  Status NoteNew(SubmapId id, std::int64_t owner_key) { return NoteAll(note_new_, id, owner_key); }
-  /// All rows of an owner, before they go.
-  Status NoteRemoved(SubmapId id, std::int64_t owner_key) { return NoteAll(note_removed_, id, owner_key); }
+  /// Before a row of tiles is changed, from one blob to another; a key of 0: there was none, or will be.
+  Status Note(std::int64_t submap_id, TileIndex index, std::int64_t layer, const StoredBlob& before,
+              const StoredBlob& after);
+  /// All rows of an owner that is new, once they are there, with the bytes of their blobs. `is_counted`: these count
+  /// one more already that refers to them.
+  Status NoteNew(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes, bool is_counted);
+  /// All rows of an owner, before they go, likewise.
+  Status NoteRemoved(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes);
+
+  /// Of all that was noted: the sum over the rows, and the bytes of the blobs and rows.
+  [[nodiscard]] std::int64_t tiles_sum() const { return totals_.sum; }
+  [[nodiscard]] std::int64_t num_bytes() const { return totals_.bytes; }
 
  private:
-  EditTileRecorder(std::int64_t edit_key, sqlite::Statement insert, sqlite::Statement share, sqlite::Statement note_new,
-                   sqlite::Statement note_removed, sqlite::Statement share_all);
-  Status NoteAll(sqlite::Statement& note, SubmapId id, std::int64_t owner_key);
+  explicit EditTileRecorder(std::int64_t edit_key) : edit_key_(edit_key) {}
+  enum class Side { kBefore, kAfter };
+  Status NoteAll(Side side, SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes);
+  using OptionalStatement = std::optional<sqlite::Statement>;
   std::int64_t edit_key_;
-  sqlite::Statement insert_, share_, note_new_, note_removed_, share_all_;
+  OptionalStatement insert_, share_, note_new_, note_removed_, share_all_, rows_;
+  TileTotals totals_;
 };
 
-/// Writes the rest of it.
+/// What a row of edit_tiles adds to the sum over the rows of its edit, by that of two rows of tiles.
+void AddEditTile(TileTotals& totals, std::int64_t submap_id, TileIndex index, std::int64_t layer,
+                 std::int64_t before_key, std::int64_t after_key);
+
+/// Writes the rest of it. `tiles`: what was noted.
 Status RecordHistory(sqlite::Database& database, std::int64_t map_key, std::int64_t edit_key, const EditRecord& edit,
-                     const MapSnapshot& after);
+                     const MapSnapshot& after, const EditTileRecorder& tiles);
 /// Deletes some of what is beyond the limits at the time `now_ns`, the oldest first, and first of all the newest, if it
-/// alone is larger than they allow.
+/// alone is larger than they allow. Of tiles few more than kMostTilesTrimmed, so that no edit waits long for what
+/// others left, but one edit's at least, as it adds one.
 Status TrimHistories(sqlite::Database& database, std::int64_t map_key, std::int64_t now_ns,
                      const EditLogLimits& limits);
 

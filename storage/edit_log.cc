@@ -118,15 +118,6 @@ Result<std::int64_t> RecordEdit(Database& database, std::int64_t map_key, const 
   return key;
 }
 
-Status ForgetEdits(Database& database, std::int64_t map_key) {
-  for (const char* sql : {"DELETE FROM edits WHERE map_key = ?", "DELETE FROM edit_targets WHERE map_key = ?",
-                          "DELETE FROM edit_totals WHERE map_key = ?"}) {
-    DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare(sql, kWriteTask));
-    DHPMAP_RETURN_IF_ERROR(erase.Bind(map_key).Run());
-  }
-  return Status::Ok();
-}
-
 Result<std::vector<LoggedEdit>> ReadEdits(Database& database, const MapRow& map, const EditQuery& query) {
   DHPMAP_ASSIGN_OR_RETURN(TargetStates states, TargetStates::Prepare(database));
   const char* const which = query.author

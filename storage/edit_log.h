@@ -24,9 +24,6 @@ std::int64_t LogBytesOf(const EditRecord& edit, std::size_t summary_bytes);
 Result<std::int64_t> RecordEdit(sqlite::Database& database, std::int64_t map_key, const EditRecord& edit,
                                 const EditLogLimits& limits);
 
-/// Of a map that became another state than its edits made it.
-Status ForgetEdits(sqlite::Database& database, std::int64_t map_key);
-
 /// See MapStore::ListEdits and FindAnswer. `map` is its row as it is now.
 Result<std::vector<LoggedEdit>> ReadEdits(sqlite::Database& database, const MapRow& map, const EditQuery& query);
 Result<std::optional<StoredAnswer>> ReadAnswer(sqlite::Database& database, const MapRow& map,

@@ -48,8 +48,9 @@ struct Brought {
 class TileRowCopier {
  public:
   static Result<TileRowCopier> Prepare(Database& file, Database& database, const Brought& brought) {
-    DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                            file.Prepare("SELECT x, y, z, layer, blob_key FROM tiles WHERE owner_key = ?", kReadTask));
+    DHPMAP_ASSIGN_OR_RETURN(
+        Statement select,
+        file.Prepare("SELECT x, y, z, layer, blob_key, cells FROM tiles WHERE owner_key = ?", kReadTask));
     DHPMAP_ASSIGN_OR_RETURN(TileRows rows, TileRows::Prepare(database));
     return TileRowCopier(std::move(select), std::move(rows), brought);
   }
@@ -67,7 +68,10 @@ class TileRowCopier {
       const std::size_t rank = RankOf(columns.Int());
       if (rank == brought_.sizes.size()) return DataLoss("a tile is missing").WithReason("DAMAGED_MAP");
       const BroughtSize& size = brought_.sizes[rank];
-      const StoredBlob blob{brought_.first_key + static_cast<std::int64_t>(rank), size.num_blocks, size.bytes};
+      const StoredBlob blob{.key = brought_.first_key + static_cast<std::int64_t>(rank),
+                            .num_blocks = size.num_blocks,
+                            .bytes = size.bytes,
+                            .cells = static_cast<std::uint64_t>(columns.Int())};
       ++num_uses_[rank];
       DHPMAP_RETURN_IF_ERROR(rows_.Put(to_owner_key, index, layer, {}, blob, totals));
     }

@@ -129,7 +129,7 @@ Status CheckSense(Database& file, const std::string& name) {
 
 Status VerifyFile(Database& file, const std::string& name, const std::stop_token& stop) {
   DHPMAP_ASSIGN_OR_RETURN(const Transaction transaction, Transaction::BeginRead(file));
-  DHPMAP_ASSIGN_OR_RETURN(const Verification found, VerifyRows(file, name, stop));
+  DHPMAP_ASSIGN_OR_RETURN(const Verification found, VerifyRows(file, name, VerifyScope::kState, stop));
   if (found.report.num_faults == 0) return CheckSense(file, name);
   const MapFault& first = found.report.faults.front();
   return DataLoss("the file is damaged in " + std::to_string(found.report.num_faults) + " places: " + first.place +
@@ -143,7 +143,7 @@ Status WriteMapFile(const std::string& source_path, const std::string& name, con
                     const std::stop_token& stop) {
   const auto write = [&]() -> Status {
     DHPMAP_ASSIGN_OR_RETURN(Database file, Database::Open(path, sqlite::OpenMode::kReadWriteOrCreate, kBusyTimeout_ms));
-    const std::stop_callback interrupt(stop, [&file] { file.Interrupt(); });
+    const sqlite::StoppedBy stopped(file, stop);
     return WriteTo(file, source_path, name, stop);
   };
   Status status = write();
@@ -158,7 +158,7 @@ Result<MapFile> MapFile::Open(const std::string& path, const std::stop_token& st
   DHPMAP_ASSIGN_OR_RETURN(Database file, Database::Open(path, sqlite::OpenMode::kReadWrite, kBusyTimeout_ms));
   file.LimitLength(kMostValueBytes);
   const auto prepare = [&]() -> Status {
-    const std::stop_callback interrupt(stop, [&file] { file.Interrupt(); });
+    const sqlite::StoppedBy stopped(file, stop);
     DHPMAP_RETURN_IF_ERROR(CheckFile(file));
     return BringUpToDate(file);
   };

@@ -23,9 +23,8 @@ Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const F
   const std::size_t layer = LayerNumber(kind);
   for (const TileIndex index : change.erased) {
     DHPMAP_ASSIGN_OR_RETURN(const StoredLayers stored, rows.Find(owner_key, index));
-    constexpr std::int64_t kNoBlob = 0;
     if (recorder != nullptr) {
-      DHPMAP_RETURN_IF_ERROR(recorder->Note(kMapsOwnTiles, index, LayerNumber(kind), stored[layer].key, kNoBlob));
+      DHPMAP_RETURN_IF_ERROR(recorder->Note(kMapsOwnTiles, index, LayerNumber(kind), stored[layer], StoredBlob()));
     }
     DHPMAP_RETURN_IF_ERROR(rows.Erase(owner_key, index, LayerNumber(kind), stored[layer], totals));
   }
@@ -35,8 +34,7 @@ Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const F
     DHPMAP_ASSIGN_OR_RETURN(const StoredBlob blob,
                             rows.Insert(EncodeFreeTile(kind, *entry->tile, entry->index), kNoBlocks));
     if (recorder != nullptr) {
-      DHPMAP_RETURN_IF_ERROR(
-          recorder->Note(kMapsOwnTiles, entry->index, LayerNumber(kind), stored[layer].key, blob.key));
+      DHPMAP_RETURN_IF_ERROR(recorder->Note(kMapsOwnTiles, entry->index, LayerNumber(kind), stored[layer], blob));
     }
     DHPMAP_RETURN_IF_ERROR(rows.Put(owner_key, entry->index, LayerNumber(kind), stored[layer], blob, totals));
   }

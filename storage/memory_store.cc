@@ -278,7 +278,10 @@ class MemoryStore final : public MapStore {
     if (stored == maps_.end()) return NoSuchMap(before.info().name);
     const MapInfo& head = stored->second.state->info();
     DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.revision, head.create_time_ns));
-    if (before.revision() != after.revision()) stored->second.changes.Add(ChangeBetween(before, after), limits_);
+    if (before.revision() != after.revision()) {
+      const std::vector<RegionEvent> cleared = edit != nullptr ? edit->cleared : std::vector<RegionEvent>();
+      stored->second.changes.Add(ChangeBetween(before, after, cleared), limits_);
+    }
     NameTiles(before, after, *stored->second.state);
     stored->second.state = std::make_shared<const MapSnapshot>(after);
     if (edit != nullptr) stored->second.edits.Add(*edit, stored->second.state, edit_limits_);
@@ -304,8 +307,9 @@ class MemoryStore final : public MapStore {
 
   static constexpr std::uint16_t kNumber = 0xFFFF;  ///< no store of files has it unless there were too many
 
-  static ChangePtr ChangeBetween(const StateMarks& before, const MapSnapshot& after) {
-    return std::make_shared<const MapChange>(DescribeChange(before, after, DiffTiles(before, after)));
+  static ChangePtr ChangeBetween(const StateMarks& before, const MapSnapshot& after,
+                                 const std::vector<RegionEvent>& cleared = {}) {
+    return std::make_shared<const MapChange>(DescribeChange(before, after, DiffTiles(before, after), cleared));
   }
 
   const ChangeHistoryLimits limits_;

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,6 +49,84 @@ void Decode(Job& job, std::uint16_t store) {
   job.tile = std::move(tile);
 }
 
+/// Whether the row says of the tiles what is so.
+Status CheckStored(const SubmapRow& row, const Submap& submap, const TileTotals& totals) {
+  const SubmapCounts counts = CountBlocks(submap);
+  for (const ObjectLayer& layer : ObjectLayers()) {
+    if (layer.count == nullptr || counts.*layer.count == row.counts.*layer.count) continue;
+    return DataLoss("submap " + std::to_string(row.info.id.value) + ": has " + std::to_string(counts.*layer.count) +
+                    " " + std::string(layer.name) + " blocks, not " + std::to_string(row.counts.*layer.count));
+  }
+  if (row.CoversTiles() && totals.sum != row.tiles_sum) {
+    return DataLoss("submap " + std::to_string(row.info.id.value) + ": has other tiles than were stored");
+  }
+  return Status::Ok();
+}
+
+/// Reads what rows say of tiles, and no blob. Gives null where some row does not say which blocks it has.
+class PagedSubmapReader {
+ public:
+  PagedSubmapReader(TileRowReader& rows, std::uint16_t store, std::shared_ptr<TileBlobs> blobs, std::string map)
+      : rows_(rows), store_(store), blobs_(std::move(blobs)), map_(std::move(map)) {}
+
+  Result<std::shared_ptr<const Submap>> Read(const SubmapRow& row) {
+    constexpr std::uint64_t kOlderThanAnyWriter = 0;
+    auto submap = std::make_shared<Submap>(row.info, kOlderThanAnyWriter);
+    submap->set_bounding_sphere(row.sphere);
+    source_ = std::make_shared<SubmapTiles>(blobs_, map_, row.info.id, TileOwner{row.map_key, row.key});
+    TileTotals totals;
+    std::optional<PagedTile> tile;
+    bool lacks_cells = false;
+    DHPMAP_RETURN_IF_ERROR(rows_.ForEach(row.key, [&](const TileRowReader::Row& stored) -> Status {
+      totals.Add(stored.index, stored.layer, {.key = stored.blob_key});
+      const ObjectLayer* layer = FindObjectLayer(stored.layer);
+      if (layer == nullptr) {
+        return FailedPrecondition(TileName(row.info.id.value, stored.layer, stored.index) +
+                                  " is of a layer unknown to this version");
+      }
+      if (tile && tile->on_disk.index != stored.index) {
+        if (!lacks_cells) Put(*tile, *submap);
+        tile.reset();
+      }
+      if (!tile) {
+        tile.emplace().on_disk.index = stored.index;
+        tile->on_disk.store = store_;
+      }
+      const auto i = static_cast<std::size_t>(layer->layer);
+      tile->on_disk.keys[i] = stored.blob_key;
+      tile->on_disk.cells[i] = stored.cells;
+      lacks_cells = lacks_cells || stored.cells == 0;
+      tile->is_shared = tile->is_shared || stored.is_shared;
+      return Status::Ok();
+    }));
+    if (lacks_cells) return std::shared_ptr<const Submap>();
+    if (tile) Put(*tile, *submap);
+    DHPMAP_RETURN_IF_ERROR(CheckStored(row, *submap, totals));
+    return std::shared_ptr<const Submap>(std::move(submap));
+  }
+
+ private:
+  struct PagedTile {
+    TileOnDisk on_disk;
+    bool is_shared = false;  ///< another submap may have the very same tile
+  };
+
+  void Put(const PagedTile& tile, Submap& submap) {
+    const auto known = tile.is_shared ? shared_.find(tile.on_disk.keys) : shared_.end();
+    if (known != shared_.end()) return submap.PutTile(tile.on_disk.index, known->second);
+    const auto made = std::make_shared<const BlockTile>(std::make_shared<const TilePage>(tile.on_disk, source_));
+    if (tile.is_shared) shared_.emplace(tile.on_disk.keys, made);
+    submap.PutTile(tile.on_disk.index, made);
+  }
+
+  TileRowReader& rows_;
+  const std::uint16_t store_;
+  const std::shared_ptr<TileBlobs> blobs_;
+  const std::string map_;
+  std::shared_ptr<SubmapTiles> source_;
+  std::map<TileKeys, std::shared_ptr<const BlockTile>> shared_;  ///< clones share them in memory, too
+};
+
 class SubmapReader {
  public:
   SubmapReader(TileRowReader& rows, std::uint16_t store, ThreadPool& pool) : rows_(rows), store_(store), pool_(pool) {}
@@ -61,10 +141,7 @@ class SubmapReader {
       return Take(tile, *submap);
     }));
     DHPMAP_RETURN_IF_ERROR(DecodeBatch(*submap));
-    DHPMAP_RETURN_IF_ERROR(CheckCounts(row, *submap));
-    if (row.CoversTiles() && totals.sum != row.tiles_sum) {
-      return DataLoss("submap " + std::to_string(row.info.id.value) + ": has other tiles than were stored");
-    }
+    DHPMAP_RETURN_IF_ERROR(CheckStored(row, *submap, totals));
     return std::shared_ptr<const Submap>(std::move(submap));
   }
 
@@ -108,16 +185,6 @@ class SubmapReader {
     return Status::Ok();
   }
 
-  static Status CheckCounts(const SubmapRow& row, const Submap& submap) {
-    const SubmapCounts counts = CountBlocks(submap);
-    for (const ObjectLayer& layer : ObjectLayers()) {
-      if (layer.count == nullptr || counts.*layer.count == row.counts.*layer.count) continue;
-      return DataLoss("submap " + std::to_string(row.info.id.value) + ": has " + std::to_string(counts.*layer.count) +
-                      " " + std::string(layer.name) + " blocks, not " + std::to_string(row.counts.*layer.count));
-    }
-    return Status::Ok();
-  }
-
   TileRowReader& rows_;
   const std::uint16_t store_;
   ThreadPool& pool_;
@@ -126,16 +193,28 @@ class SubmapReader {
 };
 
 Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::Database& database, const MapRow& map,
-                                                                        std::uint16_t store, ThreadPool& pool) {
+                                                                        std::uint16_t store, ThreadPool& pool,
+                                                                        Paging* paging) {
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> rows, ReadSubmaps(database, map.key));
   if (static_cast<std::int64_t>(rows.size()) != map.num_submaps) {
     return DataLoss("has " + std::to_string(rows.size()) + " submaps, not " + std::to_string(map.num_submaps));
   }
   DHPMAP_ASSIGN_OR_RETURN(TileRowReader tiles, TileRowReader::Prepare(database));
+  DHPMAP_ASSIGN_OR_RETURN(TileRowReader heads, TileRowReader::PrepareWithoutBlobs(database));
   SubmapReader reader(tiles, store, pool);
+  PagedSubmapReader paged_reader(heads, store, paging != nullptr ? paging->blobs : nullptr, map.info.name);
   std::vector<std::shared_ptr<const Submap>> submaps;
   for (const SubmapRow& row : rows) {
-    DHPMAP_ASSIGN_OR_RETURN(submaps.emplace_back(), reader.Read(row));
+    std::shared_ptr<const Submap>& submap = submaps.emplace_back();
+    if (paging != nullptr) {
+      DHPMAP_ASSIGN_OR_RETURN(submap, paged_reader.Read(row));
+    }
+    if (submap != nullptr) continue;
+    if (paging != nullptr) {
+      paging->lacks_cells = true;
+      if (!paging->reads_the_rest) return Unavailable("some tiles do not say which blocks they have");
+    }
+    DHPMAP_ASSIGN_OR_RETURN(submap, reader.Read(row));
   }
   return submaps;
 }
@@ -150,9 +229,9 @@ Status Damaged(const std::string& name, const Status& status) {
 }  // namespace
 
 Result<std::shared_ptr<const MapSnapshot>> ReadSnapshot(sqlite::Database& database, const std::string& name,
-                                                        std::uint16_t store, ThreadPool& pool) {
+                                                        std::uint16_t store, ThreadPool& pool, Paging* paging) {
   DHPMAP_ASSIGN_OR_RETURN(MapRow map, ReadMap(database, name));
-  Result<std::vector<std::shared_ptr<const Submap>>> submaps = ReadSubmapsWithTiles(database, map, store, pool);
+  Result<std::vector<std::shared_ptr<const Submap>>> submaps = ReadSubmapsWithTiles(database, map, store, pool, paging);
   if (!submaps.ok()) return Damaged(name, submaps.status());
   Result<MapLayers> layers = ReadMapLayers(database, map);
   if (!layers.ok()) return Damaged(name, layers.status());

@@ -24,6 +24,7 @@ struct Target {
   SubmapCounts counts;  ///< as stored, kept up to date with what is written
   TileTotals tiles;     ///< likewise, of the bytes and the sum
   bool is_new = false;
+  bool is_copy = false;  ///< its rows are those of its original, and count for what undoes the edit, too, if one does
 };
 
 /// One layer of one tile to encode.
@@ -52,7 +53,7 @@ class Writer {
       SubmapCounts counts = target.counts;
       counts.blob_bytes = target.tiles.bytes;
       if (recorder_ != nullptr && target.is_new) {
-        DHPMAP_RETURN_IF_ERROR(recorder_->NoteNew(target.submap->id(), target.key));
+        DHPMAP_RETURN_IF_ERROR(recorder_->NoteNew(target.submap->id(), target.key, counts.blob_bytes, target.is_copy));
       }
       DHPMAP_RETURN_IF_ERROR(submaps_.Write(map_key, *target.submap, counts, target.tiles.sum).status());
     }
@@ -70,7 +71,8 @@ class Writer {
     DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> stored, submaps_.Find(map_key, id));
     if (!stored) return NotTheStateBefore(id);
     tiles_.NoteDeadBlobs();
-    if (recorder_ != nullptr) DHPMAP_RETURN_IF_ERROR(recorder_->NoteRemoved(id, stored->key));
+    if (recorder_ != nullptr)
+      DHPMAP_RETURN_IF_ERROR(recorder_->NoteRemoved(id, stored->key, stored->counts.blob_bytes));
     return submaps_.Erase(stored->key);
   }
 
@@ -110,7 +112,9 @@ class Writer {
     DHPMAP_ASSIGN_OR_RETURN(Target target, TargetOf(*change.after, *original));
     DHPMAP_ASSIGN_OR_RETURN(const Target copy, NewTarget(map_key, *change.after));
     target.key = copy.key;
-    DHPMAP_RETURN_IF_ERROR(tiles_.Copy(original->key, target.key));
+    target.is_copy = change.tiles.empty();  // else some rows are another's, and all are counted at the end
+    const std::int64_t num_more = recorder_ != nullptr && target.is_copy ? 2 : 1;
+    DHPMAP_RETURN_IF_ERROR(tiles_.Copy(original->key, target.key, num_more));
     return target;
   }
 
@@ -134,8 +138,7 @@ class Writer {
   Status WriteLayer(Target& target, const TileChange& change, const ObjectLayer& layer, const StoredBlob& before) {
     const auto i = static_cast<std::size_t>(layer.layer);
     if (change.num_after[i] == 0) {
-      constexpr std::int64_t kNoBlob = 0;
-      DHPMAP_RETURN_IF_ERROR(NoteChange(target, change, layer, before.key, kNoBlob));
+      DHPMAP_RETURN_IF_ERROR(NoteChange(target, change, layer, before, StoredBlob()));
       return tiles_.Erase(target.key, change.index, layer.number, before, target.tiles);
     }
     if (!change.is_written[i]) {  // its blob goes on to be that of the tile in memory
@@ -162,15 +165,17 @@ class Writer {
   Status Put(Target& target, const TileChange& change, const ObjectLayer& layer, const StoredBlob& before,
              const StoredBlob& blob) {
     written_.Note(*change.after, layer.layer, blob.key);
-    DHPMAP_RETURN_IF_ERROR(NoteChange(target, change, layer, before.key, blob.key));
-    return tiles_.Put(target.key, change.index, layer.number, before, blob, target.tiles);
+    DHPMAP_RETURN_IF_ERROR(NoteChange(target, change, layer, before, blob));
+    StoredBlob row = blob;
+    row.cells = change.after->CellsWith(layer.layer);
+    return tiles_.Put(target.key, change.index, layer.number, before, row, target.tiles);
   }
 
   /// For who undoes the edit. Of what is new all is noted at the end.
-  Status NoteChange(const Target& target, const TileChange& change, const ObjectLayer& layer, std::int64_t before_key,
-                    std::int64_t after_key) {
+  Status NoteChange(const Target& target, const TileChange& change, const ObjectLayer& layer, const StoredBlob& before,
+                    const StoredBlob& after) {
     if (recorder_ == nullptr || target.is_new) return Status::Ok();
-    return recorder_->Note(target.submap->id().value, change.index, layer.number, before_key, after_key);
+    return recorder_->Note(target.submap->id().value, change.index, layer.number, before, after);
   }
 
   /// Encodes and writes what is waiting for it.

@@ -17,10 +17,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-// SQLite looks for each page of the file's end in the list of free ones, so a page takes longer the more are free:
-// from 10 us with a hundred MB to 100 us with a GB.
-constexpr std::int64_t kMinAStep = 8;
-constexpr milliseconds kShortStep{5}, kLongStep{15};
+// Between two looks at the clock. SQLite looks for each page of the file's end in the list of free ones, so a page
+// takes longer the more are free: from 10 us with a hundred MB to 100 us with a GB.
+constexpr std::int64_t kPagesAtATime = 8;
 constexpr milliseconds kRetry{1000};
 /// Shorter than where a commit copies the log itself: 4096 pages (see connection.cc).
 constexpr std::int64_t kCommitsCopyLogBytes = 12'000'000;
@@ -31,9 +30,7 @@ SpaceReclaimer::SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t
     : writer_(std::move(writer)),
       num_spare_pages_(num_spare_pages),
       kept_(kept != nullptr ? *kept : none_kept_),
-      log_(std::move(log)),
-      num_pages_a_step_(kMinAStep),
-      num_blobs_a_step_(kMinAStep) {}
+      log_(std::move(log)) {}
 
 SpaceReclaimer::~SpaceReclaimer() {
   std::thread thread;
@@ -98,25 +95,22 @@ SpaceReclaimer::Progress SpaceReclaimer::Step() {
 }
 
 Result<SpaceReclaimer::Work> SpaceReclaimer::CollectAndGiveBack(sqlite::Database& database) {
-  Clock::time_point begin = Clock::now();
-  Work work;
-  DHPMAP_ASSIGN_OR_RETURN(work.num_blobs, CollectDeadBlobs(database, num_blobs_a_step_, kept_));
-  const bool may_have_more = work.num_blobs == num_blobs_a_step_;
-  Adapt(num_blobs_a_step_, work.num_blobs, Clock::now() - begin);
+  const Clock::time_point end = Clock::now() + kStep;
+  DHPMAP_ASSIGN_OR_RETURN(
+      const Collected collected,
+      CollectDeadBlobs(database, {.max_blobs = kMaxAStep, .max_bytes = kMaxBytesAStep, .end = end}, kept_));
+  Work work{.num_blobs = collected.num_blobs};
   // Else in the same step: where each commit leaves a few blobs there would never be one for pages.
-  if (may_have_more || num_spare_pages_ == kKeepAll) return work;
-  begin = Clock::now();
+  if (collected.has_more || num_spare_pages_ == kKeepAll) return work;
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_free, sqlite::NumFreePages(database));
-  work.num_pages = std::clamp<std::int64_t>(num_free - num_spare_pages_, 0, num_pages_a_step_);
-  if (work.num_pages == 0) return work;
-  DHPMAP_RETURN_IF_ERROR(sqlite::GiveBackPages(database, work.num_pages));
-  Adapt(num_pages_a_step_, work.num_pages, Clock::now() - begin);
+  const std::int64_t num_pages = std::clamp<std::int64_t>(num_free - num_spare_pages_, 0, kMaxAStep);
+  while (work.num_pages < num_pages) {
+    const std::int64_t num_next = std::min(kPagesAtATime, num_pages - work.num_pages);
+    DHPMAP_RETURN_IF_ERROR(sqlite::GiveBackPages(database, num_next));
+    work.num_pages += num_next;
+    if (Clock::now() >= end) break;
+  }
   return work;
-}
-
-void SpaceReclaimer::Adapt(std::int64_t& num_a_step, std::int64_t num_done, Clock::duration took) {
-  if (took < kShortStep && num_done == num_a_step) num_a_step = std::min(kMaxAStep, num_a_step * 2);
-  if (took > kLongStep) num_a_step = std::max(kMinAStep, num_a_step / 2);
 }
 
 // While a commit on one connection begins the log anew, which it does where all of it was copied, SQLite before 3.51.3

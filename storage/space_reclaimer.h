@@ -30,7 +30,10 @@ class SpaceReclaimer {
   /// A log beyond is copied into the file and cut to nothing: well below what would make a commit copy it itself (see
   /// connection.cc). Some 1024 pages of 4 kB.
   static constexpr std::int64_t kMaxLogBytes = 4'200'000;
-  static constexpr std::int64_t kMaxAStep = 512;
+  // A step keeps commits waiting: it does no more than this, and nothing more once it has taken kStep.
+  static constexpr std::int64_t kMaxAStep = 512;           ///< blobs, and as many pages
+  static constexpr std::int64_t kMaxBytesAStep = 2 << 20;  ///< of blobs; a larger one has a step of its own
+  static constexpr std::chrono::milliseconds kStep{10};
 
   /// Free pages up to `num_spare_pages` stay, for what is stored next; kKeepAll where the file cannot shrink. `log` is
   /// a connection of its own to the same database that never waits for others. Leaves alone the blobs that are `kept`,
@@ -55,7 +58,7 @@ class SpaceReclaimer {
     kBlocked,  ///< a reader, such as a backup, needs the log, or the disk is full: to be tried again later
     kDone,
   };
-  /// One step: kMaxAStep blobs and as many pages at most. For the thread, and for tests that have none.
+  /// One step. For the thread, and for tests that have none.
   Progress Step();
 
  private:
@@ -64,9 +67,6 @@ class SpaceReclaimer {
     std::int64_t num_pages = 0;  ///< given back
   };
   Result<Work> CollectAndGiveBack(sqlite::Database& database);
-  /// What is done a step, at most, follows from how long it takes.
-  static void Adapt(std::int64_t& num_a_step, std::int64_t num_done, std::chrono::steady_clock::duration took);
-
   void Loop();
   Progress EmptyLog(Progress then);
   /// Most of it, beside commits, where that is safe.
@@ -79,7 +79,6 @@ class SpaceReclaimer {
 
   // Of whoever steps.
   sqlite::Database log_;
-  std::int64_t num_pages_a_step_, num_blobs_a_step_;
   std::chrono::steady_clock::duration kept_writer_{};  ///< by the last step
   bool is_log_new_ = false;                            ///< nothing of it was copied yet
   bool has_given_back_ = false;                        ///< the file is cut when the log is copied

@@ -28,6 +28,8 @@
 #include "storage/sqlite/free_pages.h"
 #include "storage/sqlite/transaction.h"
 #include "storage/store.h"
+#include "storage/tile_blobs.h"
+#include "storage/tile_cells.h"
 #include "storage/verify.h"
 
 namespace dhpmap {
@@ -98,7 +100,14 @@ class SqliteStore final : public MapStore {
         change_limits_(options.changes),
         edit_limits_(options.edits),
         writer_(std::move(writer)),
-        readers_(std::move(path), reader_mode, options.busy_timeout_ms) {}
+        readers_(path, reader_mode, options.busy_timeout_ms),
+        paging_(options.pages_tiles ? std::make_shared<TileBlobs>(std::move(path), reader_mode, options.busy_timeout_ms)
+                                    : nullptr) {}
+  ~SqliteStore() override {
+    if (paging_ != nullptr) paging_->Close();  // while this process has the database
+  }
+  SqliteStore(const SqliteStore&) = delete;
+  SqliteStore& operator=(const SqliteStore&) = delete;
 
   Result<std::vector<StoredMap>> ListMaps() override {
     return Read<std::vector<StoredMap>>([](Database& database) -> Result<std::vector<StoredMap>> {
@@ -118,10 +127,17 @@ class SqliteStore final : public MapStore {
   }
 
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
-    return Read<std::shared_ptr<const MapSnapshot>>([&](Database& database) {
-      ThreadPool pool(NumThreads());
-      return ReadSnapshot(database, name, number_, pool);
-    });
+    Paging paging{.blobs = paging_, .reads_the_rest = writer_ == nullptr};
+    auto map = LoadMap(name, paging);
+    if (!paging.lacks_cells || writer_ == nullptr) return map;
+    // Where it cannot be done the tiles are read at once, and whatever is wrong with them is told then.
+    (void)NoteTileCells(
+        [this](const std::function<Status(Database&)>& body) {
+          return Write(Durability::kNormal, [&](Writer& writer) { return body(writer.database); });
+        },
+        name);
+    paging.reads_the_rest = true;
+    return LoadMap(name, paging);
   }
 
   Status CreateMap(const MapSnapshot& snapshot) override {
@@ -181,8 +197,9 @@ class SqliteStore final : public MapStore {
   }
 
   Result<VerifyReport> VerifyMap(const std::string& name, bool repair, const std::stop_token& stop) override {
-    DHPMAP_ASSIGN_OR_RETURN(Verification found,
-                            Read<Verification>([&](Database& database) { return VerifyRows(database, name, stop); }));
+    DHPMAP_ASSIGN_OR_RETURN(Verification found, Read<Verification>([&](Database& database) {
+                              return VerifyRows(database, name, VerifyScope::kAll, stop);
+                            }));
     if (repair && found.report.num_faults > 0) {
       DHPMAP_RETURN_IF_ERROR(
           Write(Durability::kFull, [&](Writer& writer) { return RepairRows(writer.database, name, found); }));
@@ -263,6 +280,13 @@ class SqliteStore final : public MapStore {
     return Status::Ok();
   }
 
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name, Paging& paging) {
+    return Read<std::shared_ptr<const MapSnapshot>>([&](Database& database) {
+      ThreadPool pool(NumThreads());
+      return ReadSnapshot(database, name, number_, pool, paging.blobs != nullptr ? &paging : nullptr);
+    });
+  }
+
   /// `edit`: what made the state after; null: not an edit.
   Status CommitState(const StateMarks& before, const MapSnapshot& after, Durability durability,
                      const EditRecord* edit) {
@@ -279,9 +303,9 @@ class SqliteStore final : public MapStore {
       // What undoes an undo is kept with the edit that it undid.
       const bool is_kept = edit->entry.summary.kind == EditKind::kEdit && edit_limits_.max_histories > 0;
       DHPMAP_ASSIGN_OR_RETURN(EditTileRecorder recorder, EditTileRecorder::Prepare(writer.database, key));
-      DHPMAP_ASSIGN_OR_RETURN(written,
-                              WriteState(writer, head, before.info(), before, after, is_kept ? &recorder : nullptr));
-      if (is_kept) DHPMAP_RETURN_IF_ERROR(RecordHistory(writer.database, head.key, key, *edit, after));
+      DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after,
+                                                  is_kept ? &recorder : nullptr, edit->cleared));
+      if (is_kept) DHPMAP_RETURN_IF_ERROR(RecordHistory(writer.database, head.key, key, *edit, after, recorder));
       return TrimHistories(writer.database, head.key, edit->entry.time_ns, edit_limits_);
     });
     if (done.ok()) written.TellTiles(number_);
@@ -291,7 +315,7 @@ class SqliteStore final : public MapStore {
   /// Writes what differs between two states of the map that `head` is the row of.
   Result<WrittenTiles> WriteState(Writer& writer, const MapRow& head, const MapInfo& info_before,
                                   const StateMarks& before, const MapSnapshot& after,
-                                  EditTileRecorder* recorder = nullptr) {
+                                  EditTileRecorder* recorder = nullptr, const std::vector<RegionEvent>& cleared = {}) {
     DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles, WriteMapLayers(writer.database, head, before, after, recorder));
     DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, info_before, after, tiles));
     const std::vector<SubmapTileChange> changes = DiffTiles(before, after);
@@ -299,7 +323,7 @@ class SqliteStore final : public MapStore {
                             WriteChanges(writer.database, head.key, changes, number_, writer.pool, recorder));
     if (before.revision() != after.revision()) {
       DHPMAP_RETURN_IF_ERROR(RecordChange(writer.database, head.key, after.info(),
-                                          DescribeChange(before, after, changes), change_limits_));
+                                          DescribeChange(before, after, changes, cleared), change_limits_));
     }
     DHPMAP_RETURN_IF_ERROR(CollectBacklog(writer.database, written.num_new_blobs(), kept_));
     return written;
@@ -321,6 +345,7 @@ class SqliteStore final : public MapStore {
   FairMutex writer_mutex_;  // fair, or commits that follow upon each other would leave the reclaimer no turn
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
+  const std::shared_ptr<TileBlobs> paging_;  // null: maps are read as a whole
   KeptBlobs kept_;
   std::unique_ptr<SpaceReclaimer> reclaimer_;  // last, as it uses all others; null: read-only
 };
@@ -342,5 +367,7 @@ Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const
   DHPMAP_RETURN_IF_ERROR(store->GoOn());
   return std::unique_ptr<MapStore>(std::move(store));
 }
+
+std::int64_t SqliteMemoryBytes() { return Database::BytesInUse(); }
 
 }  // namespace dhpmap

@@ -49,15 +49,23 @@ struct MapFault {
     kBlob,       ///< a tile is missing or damaged
     kCount,      ///< a row says of its tiles what is not so
     kBounds,     ///< a sphere or box does not contain what it should
-    kReference,  ///< blobs belong to nothing, or to others than is noted: of the whole store
+    kReference,  ///< blobs or rows belong to nothing, or to others than is noted: of the whole store, or the edits
   };
   Kind kind = Kind::kRow;
   std::string place;  ///< "submap 3: tsdf tile (1, -2, 0)"
   std::string what;   ///< goes on after the place
 };
 
+/// A block of which two settled objects show the same voxels.
+struct SharedPlace {
+  SubmapId first, second;
+  BlockIndex block;
+  std::int64_t num_voxels = 0;
+};
+
 struct VerifyReport {
   static constexpr std::size_t kMaxFaults = 1000;
+  static constexpr std::size_t kMaxSharedPlaces = 100;
 
   std::int64_t revision = 0;  ///< that was looked at; after a repair, the one that it made
   std::int64_t num_submaps = 0;
@@ -67,6 +75,7 @@ struct VerifyReport {
   /// Voxels that more than one settled object shows, where nobody has moved any: none once all is refined. -1: the map
   /// is too large to tell.
   std::int64_t num_shared_voxels = 0;
+  std::vector<SharedPlace> shared_places;  ///< the first of them
   std::int64_t num_faults = 0;
   std::vector<MapFault> faults;  ///< the first of them
   bool is_repaired = false;      ///< what could not be read was dropped; the faults tell what
@@ -106,6 +115,7 @@ struct EditRecord {
   EditEntry entry;
   std::string answer;                         ///< to its request, if that has an id; the store does not look into it
   std::shared_ptr<const MapSnapshot> before;  ///< the state that it met, which is the one last committed
+  std::vector<RegionEvent> cleared = {};      ///< told with the change, and not in the log
 };
 
 /// An edit of the log.
@@ -258,6 +268,11 @@ struct SqliteStoreOptions {
   std::function<void(const std::string& message)> on_progress;
   ChangeHistoryLimits changes = {};
   EditLogLimits edits = {};
+  /// LoadMap leaves the voxels of objects on the disk until somebody reads them (BlockTile). Maps of schema 10 and
+  /// before are read once for it. Whoever reads a state throws StatusError where the disk fails: DATA_LOSS, UNAVAILABLE
+  /// once the store is closed, or what SQLite says. States of the same map that were loaded apart know nothing of each
+  /// other: what commits from one have replaced, and nobody has read of the other, is ABORTED, reason SNAPSHOT_EXPIRED.
+  bool pages_tiles = false;
 };
 
 /// Opens or creates a database file. DATA_LOSS if it is damaged or no database; FAILED_PRECONDITION, by reason:
@@ -265,6 +280,9 @@ struct SqliteStoreOptions {
 /// this or another process, writes to it; names the process). NOT_FOUND if its folder is not there. With read_only,
 /// which works beside a writer: NOT_FOUND if there is no file, reason OLDER_SCHEMA if it must be migrated first.
 Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const SqliteStoreOptions& options = {});
+
+/// What SQLite has in memory, for all stores of the process. Thread-safe.
+std::int64_t SqliteMemoryBytes();
 
 /// Keeps everything in memory, for tests and benchmarks: the same contract, without loss of precision.
 std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes = {}, const EditLogLimits& edits = {});

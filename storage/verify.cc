@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/verify.h"
 
-#include <array>
-#include <bitset>
-#include <set>
-#include <unordered_map>
 #include <utility>
 
-#include "storage/change_history.h"
 #include "storage/codec/free_codec.h"
-#include "storage/edit_log.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/rows/tile_rows.h"
+#include "storage/shared_voxels.h"
 #include "storage/tiles/object_layers.h"
 #include "storage/tiles/tile_name.h"
 
@@ -24,7 +19,6 @@ using sqlite::Statement;
 using Kind = MapFault::Kind;
 
 constexpr char kTask[] = "verify the map";
-constexpr char kRepairTask[] = "repair the map";
 
 /// How often a request to stop is looked for.
 constexpr std::int64_t kTilesALook = 64;
@@ -35,38 +29,10 @@ Status NewerLayer(const std::string& place) {
   return FailedPrecondition(place + " is of a layer or codec unknown to this version").WithReason("NEWER_LAYER");
 }
 
-/// Which voxels settled objects hold, and how many more than one does.
-class SharedVoxels {
- public:
-  void Add(const BlockTile& tile) {
-    for (const BlockEntry& entry : tile.entries()) {
-      if (entry.tsdf == nullptr) continue;
-      if (held_.size() >= kMaxBlocks && !held_.contains(entry.index)) {
-        is_too_large_ = true;
-        continue;
-      }
-      Voxels& held = held_[entry.index];
-      for (int v = 0; v < kBlockVoxels; ++v) {
-        if (!entry.Shows(v)) continue;
-        num_shared_ += held.test(static_cast<std::size_t>(v));
-        held.set(static_cast<std::size_t>(v));
-      }
-    }
-  }
-  [[nodiscard]] std::int64_t num_shared() const { return is_too_large_ ? -1 : num_shared_; }
-
- private:
-  using Voxels = std::bitset<kBlockVoxels>;
-  static constexpr std::size_t kMaxBlocks = 1 << 20;  // some 100 MB
-  std::unordered_map<BlockIndex, Voxels, BlockIndexHash> held_;
-  std::int64_t num_shared_ = 0;
-  bool is_too_large_ = false;
-};
-
 class Verifier {
  public:
-  Verifier(Database& database, const std::string& name, const std::stop_token& stop)
-      : database_(database), name_(name), stop_(stop) {}
+  Verifier(Database& database, const std::string& name, VerifyScope scope, const std::stop_token& stop)
+      : database_(database), name_(name), scope_(scope), stop_(stop) {}
 
   Result<Verification> Run() {
     DHPMAP_ASSIGN_OR_RETURN(const MapRow map, ReadMapRow());
@@ -82,11 +48,20 @@ class Verifier {
     if (num_rows != map.num_submaps) {
       Fault(Kind::kCount, "map",
             "has " + std::to_string(num_rows) + " submaps, not " + std::to_string(map.num_submaps));
+      found_.is_number_wrong = true;
     }
     for (const SubmapRow& row : submaps) DHPMAP_RETURN_IF_ERROR(VerifySubmap(row));
     DHPMAP_RETURN_IF_ERROR(VerifyOwnTiles(map));
+    if (scope_ == VerifyScope::kAll) {
+      const auto check_stop = [this] { return CheckStop(); };
+      const auto fault = [this](Kind kind, std::string place, std::string what) {
+        Fault(kind, std::move(place), std::move(what));
+      };
+      DHPMAP_ASSIGN_OR_RETURN(found_.history, VerifyHistory(database_, map, check_stop, fault));
+    }
     DHPMAP_RETURN_IF_ERROR(VerifyReferences());
     found_.report.num_shared_voxels = shared_.num_shared();
+    found_.report.shared_places = shared_.places();
     return std::move(found_);
   }
 
@@ -165,6 +140,9 @@ class Verifier {
       Fault(Kind::kCount, place,
             "holds " + std::to_string(num_blocks) + " blocks, not " + std::to_string(stored.num_blocks));
     }
+    if (stored.cells != 0 && stored.cells != decoded.cells()) {
+      Fault(Kind::kCount, place, "holds blocks at other cells than its row says");
+    }
     for (const BlockEntry& entry : decoded.entries()) {
       ForEachLayer(
           [](BlockLayer, const auto& from, auto& to) {
@@ -193,19 +171,18 @@ class Verifier {
     const bool is_settled = row.info.activity == Activity::kInactive && row.info.presence == Presence::kPresent &&
                             !row.info.is_placed && !row.info.is_locked && row.info.id != kUnknownSubmap &&
                             row.info.T_map_submap.matrix() == Transform::Identity().matrix();
-    if (is_settled) shared_.Add(tile);
+    if (is_settled) shared_.Add(row.info.id, tile);
   }
 
   Status VerifyBox(const SubmapRow& row) {
-    if (row.sphere.IsEmpty()) return Status::Ok();
     DHPMAP_ASSIGN_OR_RETURN(Statement select, database_.Prepare("SELECT min_x_m, max_x_m, min_y_m, max_y_m, min_z_m, "
                                                                 "max_z_m FROM submap_boxes WHERE submap_key = ?",
                                                                 kTask));
     DHPMAP_ASSIGN_OR_RETURN(const bool has_box, select.Bind(row.key).Step());
-    if (!has_box) {
-      Fault(Kind::kBounds, SubmapName(row.info.id), "has no box");
-      return Status::Ok();
+    if (has_box == row.sphere.IsEmpty()) {
+      Fault(Kind::kBounds, SubmapName(row.info.id), has_box ? "has a box, but no sphere" : "has no box");
     }
+    if (!has_box || row.sphere.IsEmpty()) return Status::Ok();
     const Eigen::Vector3d center_m = row.info.T_map_submap * row.sphere.center_m;
     for (int axis = 0; axis < 3; ++axis) {
       if (select.Real(2 * axis) <= center_m[axis] - row.sphere.radius_m &&
@@ -249,119 +226,76 @@ class Verifier {
     return Status::Ok();
   }
 
-  /// Of all maps: blobs that nobody refers to and that are not listed as such, and wrong counts of those that refer.
+  /// Of all maps: what belongs to nothing, and wrong counts of what refers to blobs. Blobs that are noted as dead
+  /// belong to nothing by right.
   Status VerifyReferences() {
-    DHPMAP_ASSIGN_OR_RETURN(
-        const std::int64_t num_orphans,
-        database_.QueryInt(
-            "SELECT count(*) FROM (SELECT blob_key FROM tile_blobs EXCEPT SELECT blob_key FROM blob_references "
-            "EXCEPT SELECT blob_key FROM dead_blobs)",
-            kTask));
-    DHPMAP_ASSIGN_OR_RETURN(
-        const std::int64_t num_wrong,
-        database_.QueryInt(
-            "SELECT (SELECT count(*) FROM (SELECT blob_key, count(*) - 1 FROM blob_references GROUP BY blob_key "
-            "HAVING count(*) > 1 EXCEPT SELECT blob_key, num_more FROM shared_blobs)) + "
-            "(SELECT count(*) FROM (SELECT blob_key, num_more FROM shared_blobs EXCEPT "
-            "SELECT blob_key, count(*) - 1 FROM blob_references GROUP BY blob_key)) + "
-            "(SELECT count(*) FROM dead_blobs WHERE blob_key IN (SELECT blob_key FROM blob_references))",
-            kTask));
-    if (num_orphans > 0) Fault(Kind::kReference, "database", std::to_string(num_orphans) + " blobs belong to nothing");
-    if (num_wrong > 0) {
-      Fault(Kind::kReference, "database",
-            std::to_string(num_wrong) + " blobs have a wrong count of what refers to them");
+    struct Question {
+      const char* sql;  ///< a number a fault, and what belongs before and after it
+      const char *before, *after;
+    };
+    constexpr Question kQuestions[] = {
+        {"SELECT blob_key FROM tile_blobs EXCEPT SELECT blob_key FROM blob_references EXCEPT SELECT blob_key FROM "
+         "dead_blobs",
+         "blob ", " belongs to nothing"},
+        {"SELECT blob_key FROM (SELECT blob_key, count(*) - 1 FROM blob_references GROUP BY blob_key HAVING count(*) > "
+         "1 EXCEPT SELECT blob_key, num_more FROM shared_blobs) UNION SELECT blob_key FROM (SELECT blob_key, num_more "
+         "FROM shared_blobs EXCEPT SELECT blob_key, count(*) - 1 FROM blob_references GROUP BY blob_key)",
+         "blob ", " has a wrong count of what refers to it"},
+        {"SELECT blob_key FROM dead_blobs WHERE blob_key IN (SELECT blob_key FROM blob_references)", "blob ",
+         " is noted as not needed, but is"},
+        {"SELECT owner_key FROM tiles GROUP BY owner_key HAVING NOT EXISTS (SELECT 1 FROM submaps WHERE submap_key = "
+         "owner_key) AND NOT EXISTS (SELECT 1 FROM maps WHERE map_key = -owner_key)",
+         "the tiles of owner ", " belong to no object and no map"},
+        {"SELECT submap_key FROM submap_boxes WHERE submap_key NOT IN (SELECT submap_key FROM submaps)", "the box of ",
+         " belongs to no submap"},
+        {"SELECT edit_key FROM edit_tiles GROUP BY edit_key HAVING NOT EXISTS (SELECT 1 FROM edit_histories h WHERE "
+         "h.edit_key = edit_tiles.edit_key)",
+         "the tiles that undo edit row ", " belong to no edit"},
+    };
+    const std::int64_t num_faults_before = found_.report.num_faults;
+    for (const Question& question : kQuestions) {
+      DHPMAP_ASSIGN_OR_RETURN(Statement select, database_.Prepare(question.sql, kTask));
+      for (;;) {
+        DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
+        if (!has_row) break;
+        DHPMAP_RETURN_IF_ERROR(CheckStop());
+        Fault(Kind::kReference, "database", question.before + std::to_string(select.Int(0)) + question.after);
+      }
     }
-    found_.are_references_wrong = num_orphans + num_wrong > 0;
+    DHPMAP_RETURN_IF_ERROR(VerifyParents());
+    found_.are_references_wrong = found_.report.num_faults != num_faults_before;
     return Status::Ok();
+  }
+
+  /// Rows whose map, or edit, is not there.
+  Status VerifyParents() {
+    DHPMAP_ASSIGN_OR_RETURN(
+        Statement select,
+        database_.Prepare("SELECT \"table\", \"parent\", count(*) FROM pragma_foreign_key_check GROUP BY 1, 2 ORDER BY "
+                          "1, 2",
+                          kTask));
+    for (;;) {
+      DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
+      if (!has_row) return Status::Ok();
+      Fault(Kind::kReference, "database",
+            std::to_string(select.Int(2)) + " rows of " + select.Text(0) + " belong to none of " + select.Text(1));
+    }
   }
 
   Database& database_;
   const std::string& name_;
+  const VerifyScope scope_;
   const std::stop_token& stop_;
   Verification found_;
   SharedVoxels shared_;
   std::int64_t num_looks_ = 0;
 };
 
-/// Has the row of a submap say what can be read of it.
-Status Reseal(Database& database, const SubmapRow& row, std::int64_t revision) {
-  constexpr std::uint64_t kGeneration = 1;
-  Submap submap(row.info, kGeneration);
-  submap.mutable_info().revision = revision;
-  DHPMAP_ASSIGN_OR_RETURN(TileRowReader rows, TileRowReader::Prepare(database));
-  TileTotals totals;
-  std::vector<StoredBlob> miscounted;
-  const Status read = rows.ForEach(row.key, [&](const TileRowReader::Row& stored) -> Status {
-    BlockTile tile;
-    DHPMAP_RETURN_IF_ERROR(FindObjectLayer(stored.layer)->decode(stored.blob, stored.index, tile));
-    totals.Add(stored.index, stored.layer,
-               {.key = stored.blob_key, .bytes = static_cast<std::int64_t>(stored.blob.size())});
-    for (const BlockEntry& entry : tile.entries()) submap.AddLayers(entry);
-    const auto num_blocks = static_cast<std::int64_t>(tile.entries().size());
-    if (num_blocks != stored.num_blocks) miscounted.push_back({.key = stored.blob_key, .num_blocks = num_blocks});
-    return Status::Ok();
-  });
-  DHPMAP_RETURN_IF_ERROR(read);
-  DHPMAP_ASSIGN_OR_RETURN(Statement count,
-                          database.Prepare("UPDATE tile_blobs SET num_blocks = ? WHERE blob_key = ?", kRepairTask));
-  for (const StoredBlob& blob : miscounted) DHPMAP_RETURN_IF_ERROR(count.Bind(blob.num_blocks).Bind(blob.key).Run());
-  submap.UpdateBoundingSphere();
-  SubmapCounts counts = CountBlocks(submap);
-  counts.blob_bytes = totals.bytes;
-  DHPMAP_ASSIGN_OR_RETURN(SubmapRowWriter writer, SubmapRowWriter::Prepare(database));
-  return writer.Write(row.map_key, submap, counts, totals.sum).status();
-}
-
-/// With a TSDF all of the tile goes: labels of nothing, and what is gone of it, say nothing.
-Status Drop(const BadTile& bad, TileRows& tiles) {
-  DHPMAP_ASSIGN_OR_RETURN(const StoredLayers stored, tiles.Find(bad.owner_key, bad.index));
-  const bool is_all = bad.layer == LayerNumber(BlobKind::kTsdfTile);
-  TileTotals ignored;  // counted anew when all is dropped
-  for (std::size_t layer = 0; layer < stored.size(); ++layer) {
-    const auto number = static_cast<std::int64_t>(layer);
-    if (!is_all && number != bad.layer) continue;
-    DHPMAP_RETURN_IF_ERROR(tiles.Erase(bad.owner_key, bad.index, number, stored[layer], ignored));
-  }
-  return Status::Ok();
-}
-
-Status RepairReferences(Database& database) {
-  return database.Execute(
-      "DELETE FROM shared_blobs; INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, count(*) - 1 FROM "
-      "blob_references GROUP BY blob_key HAVING count(*) > 1; DELETE FROM dead_blobs; INSERT INTO dead_blobs "
-      "(blob_key) SELECT "
-      "blob_key "
-      "FROM tile_blobs EXCEPT SELECT blob_key FROM blob_references",
-      kRepairTask);
-}
-
 }  // namespace
 
-Result<Verification> VerifyRows(Database& database, const std::string& name, const std::stop_token& stop) {
-  return Verifier(database, name, stop).Run();
-}
-
-Status RepairRows(Database& database, const std::string& name, Verification& found) {
-  if (found.report.num_faults == 0) return Status::Ok();
-  DHPMAP_ASSIGN_OR_RETURN(MapRow map, ReadMap(database, name));
-  DHPMAP_ASSIGN_OR_RETURN(TileRows tiles, TileRows::Prepare(database));
-  DHPMAP_ASSIGN_OR_RETURN(SubmapRowWriter writer, SubmapRowWriter::Prepare(database));
-  for (const BadTile& bad : found.bad_tiles) DHPMAP_RETURN_IF_ERROR(Drop(bad, tiles));
-  for (const std::int64_t key : found.bad_submaps) DHPMAP_RETURN_IF_ERROR(writer.Erase(key));
-  DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> submaps, ReadSubmaps(database, map.key));
-  const std::set<std::int64_t> wrong(found.wrong_submaps.begin(), found.wrong_submaps.end());
-  for (const SubmapRow& row : submaps) {
-    if (wrong.contains(row.key)) DHPMAP_RETURN_IF_ERROR(Reseal(database, row, map.info.revision + 1));
-  }
-  DHPMAP_RETURN_IF_ERROR(RepairReferences(database));
-  DHPMAP_RETURN_IF_ERROR(ForgetChanges(database, map.key));
-  DHPMAP_RETURN_IF_ERROR(ForgetEdits(database, map.key));
-  DHPMAP_ASSIGN_OR_RETURN(map.tiles, tiles.Count(OwnerOfMap(map.key)));
-  map.num_submaps = static_cast<std::int64_t>(submaps.size());
-  DHPMAP_RETURN_IF_ERROR(WriteRepairedMap(database, map));
-  found.report.is_repaired = true;
-  found.report.revision = map.info.revision;
-  return Status::Ok();
+Result<Verification> VerifyRows(Database& database, const std::string& name, VerifyScope scope,
+                                const std::stop_token& stop) {
+  return Verifier(database, name, scope, stop).Run();
 }
 
 }  // namespace dhpmap

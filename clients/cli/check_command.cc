@@ -112,6 +112,7 @@ ExitCode RunCollisions(const Session& session, const CollisionFlags& flags) {
     capsule.set_radius_m(flags.capsules[i + 6]);
   }
   *request.mutable_options() = OptionsToProto(flags.check);
+  request.set_read_revision(flags.check.query.world.asker.read_revision);
   request.set_all_contacts(flags.check.all_contacts);
   grpc::ClientContext context;
   v1::CheckCollisionsResponse response;
@@ -146,15 +147,13 @@ void PrintTable(const v1::CheckTrajectoryResponse& response) {
 
 /// Something that the robot takes up at its first waypoint: where it is on the robot from then on.
 /// `frame`: in which the waypoint is.
-Result<v1::AttachedSubmap> TakeUp(const Session& session, const std::string& name, const v1::Pose& frame,
+Result<v1::AttachedSubmap> TakeUp(const Session& session, const v1::GetSubmapRequest& request, const v1::Pose& frame,
                                   const v1::Pose& first_waypoint, grpc::Status& status) {
-  v1::GetSubmapRequest request;
-  request.set_name(name);
   v1::GetSubmapResponse response;
   grpc::ClientContext context;
   status = v1::SubmapService::NewStub(Connect(session))->GetSubmap(&context, request, &response);
   v1::AttachedSubmap attached;
-  attached.set_submap(name);
+  attached.set_submap(request.name());
   DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_submap,
                           TransformFromProto(response.submap().map_from_submap(), "map_from_submap"));
   DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_asker, TransformFromProto(frame, "frame"));
@@ -186,8 +185,10 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
   options = OptionsToProto(flags.check);
   for (const std::int64_t id : flags.attached) {
     grpc::Status status;
-    const auto attached =
-        TakeUp(session, SubmapName(flags.check.map, id), options.frame(), trajectory.waypoints(0), status);
+    v1::GetSubmapRequest taken;
+    taken.set_name(SubmapName(flags.check.map, id));
+    taken.set_read_revision(flags.check.query.world.asker.read_revision);
+    const auto attached = TakeUp(session, taken, options.frame(), trajectory.waypoints(0), status);
     if (!status.ok()) return ReportError(session, status);
     if (!attached.ok()) return ReportLocalError(attached.status().message(), ExitCode::kUsage);
     *options.add_attached() = *attached;
@@ -197,6 +198,7 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
       pair.set_submap(SubmapName(flags.check.map, other));
     }
   }
+  request.set_read_revision(flags.check.query.world.asker.read_revision);
   request.set_all_contacts(flags.check.all_contacts);
   grpc::ClientContext context;
   v1::CheckTrajectoryResponse response;

@@ -54,6 +54,7 @@ void AddExportCommands(CLI::App& app, Session& session);
 void AddWatchCommand(CLI::App& app, Session& session);
 void AddSessionsCommands(CLI::App& app, Session& session);
 void AddReplayCommand(CLI::App& app, Session& session);
+void AddRestoreCommand(CLI::App& app, Session& session);
 // Likewise, subcommands of `maps`.
 void AddMapFileCommands(CLI::App& maps, Session& session);
 // Likewise, subcommands of `query`.

@@ -10,7 +10,9 @@
 
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
+#include "clients/cli/edit_flags.h"
 #include "clients/cli/new_map.h"
+#include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
@@ -18,14 +20,7 @@
 namespace dhpmap {
 namespace {
 
-struct EditOptions {
-  // Of whoever edits, and of the request, for who repeats it.
-  template <typename Request>
-  void Sign(Request& request) const {
-    if (!author.empty()) request.set_author(author);
-    if (!request_id.empty()) request.set_request_id(request_id);
-  }
-
+struct EditOptions : EditFlags {
   std::string map, text;
   std::int64_t id = 0;
   std::vector<double> to_m, by_m, rotation;
@@ -34,8 +29,7 @@ struct EditOptions {
   std::vector<std::string> classes;
   std::string keep_clear;
   int min_voxels = 0;
-  bool only_try = false;
-  std::string author, request_id;
+  std::int64_t read_revision = 0;  ///< of `kept-clear`
   [[nodiscard]] std::string name() const { return SubmapName(map, id); }
   [[nodiscard]] bool has_pose() const { return !to_m.empty() || !by_m.empty() || !rotation.empty(); }
 };
@@ -70,10 +64,11 @@ void ChangePose(const EditOptions& options, v1::Pose& pose) {
 }
 
 template <typename Response>
-ExitCode Done(const Session& session, const grpc::Status& status, const Response& response, const std::string& text) {
+ExitCode Done(const Session& session, const EditOptions& options, const grpc::Status& status, const Response& response,
+              const std::string& text) {
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
-  else std::cout << text << ", revision " << response.revision() << "\n";
+  else std::cout << (options.only_try ? "would be: " : "") << text << ", revision " << response.revision() << "\n";
   return ExitCode::kOk;
 }
 
@@ -82,11 +77,12 @@ ExitCode Update(const Session& session, const EditOptions& options, v1::SubmapSe
   v1::UpdateSubmapRequest request;
   options.Sign(request);
   *request.mutable_submap() = submap;
+  if (!options.etag.empty()) request.mutable_submap()->set_etag(options.etag);
   request.mutable_update_mask()->add_paths(field);
   grpc::ClientContext context;
   v1::UpdateSubmapResponse response;
   const grpc::Status status = stub.UpdateSubmap(&context, request, &response);
-  return Done(session, status, response, text);
+  return Done(session, options, status, response, text);
 }
 
 ExitCode RunMove(const Session& session, const EditOptions& options) {
@@ -105,6 +101,7 @@ ExitCode RunClone(const Session& session, const EditOptions& options) {
   options.Sign(request);
   request.set_name(options.name());
   request.set_display_name(options.text);
+  request.set_etag(options.etag);
   if (options.has_pose()) {
     v1::Submap submap;
     const grpc::Status status = GetSubmap(*stub, options.name(), submap);
@@ -115,17 +112,18 @@ ExitCode RunClone(const Session& session, const EditOptions& options) {
   grpc::ClientContext context;
   v1::CloneSubmapResponse response;
   const grpc::Status status = stub->CloneSubmap(&context, request, &response);
-  return Done(session, status, response, "cloned to " + response.submap().name());
+  return Done(session, options, status, response, "cloned to " + response.submap().name());
 }
 
 ExitCode RunDelete(const Session& session, const EditOptions& options) {
   v1::DeleteSubmapRequest request;
   options.Sign(request);
   request.set_name(options.name());
+  request.set_etag(options.etag);
   grpc::ClientContext context;
   v1::DeleteSubmapResponse response;
   const grpc::Status status = Submaps(session)->DeleteSubmap(&context, request, &response);
-  return Done(session, status, response, "deleted " + options.name());
+  return Done(session, options, status, response, "deleted " + options.name());
 }
 
 ExitCode RunRelabel(const Session& session, const EditOptions& options) {
@@ -180,7 +178,7 @@ void PrintNames(const char* what, const google::protobuf::RepeatedPtrField<std::
 ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const EditOptions& options) {
   request.set_map(MapName(options.map));
   options.Sign(request);
-  request.set_validate_only(request.validate_only() || options.only_try);
+  if (!options.etag.empty() && options.id == 0) request.set_etag(options.etag);
   grpc::ClientContext context;
   v1::ApplyEditsResponse response;
   const grpc::Status status = v1::EditService::NewStub(Connect(session))->ApplyEdits(&context, request, &response);
@@ -205,7 +203,9 @@ ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const E
 v1::ApplyEditsRequest One(const EditOptions& options, v1::Edit*& edit) {
   v1::ApplyEditsRequest request;
   edit = request.add_edits();
-  if (options.id > 0) edit->set_submap(options.name());
+  if (options.id == 0) return request;
+  edit->set_submap(options.name());
+  edit->set_etag(options.etag);
   return request;
 }
 
@@ -283,6 +283,7 @@ ExitCode RunListKeptClear(const Session& session, const EditOptions& options) {
   grpc::ClientContext context;
   v1::ListKeptClearRequest request;
   request.set_parent(MapName(options.map));
+  request.set_read_revision(options.read_revision);
   v1::ListKeptClearResponse response;
   const grpc::Status status = v1::EditService::NewStub(Connect(session))->ListKeptClear(&context, request, &response);
   if (!status.ok()) return ReportError(session, status);
@@ -334,10 +335,6 @@ void AddPoseOptions(CLI::App& command, EditOptions& options) {
   command.add_option("--rotation", options.rotation, "New rotation as quaternion X Y Z W")->expected(4);
 }
 
-void AddTryOption(CLI::App& command, EditOptions& options) {
-  command.add_flag("--try", options.only_try, "Say what would become of it, and change nothing");
-}
-
 void AddRegionOptions(CLI::App& command, EditOptions& options) {
   command.add_option("--box", options.box_m, "The box X Y Z to X Y Z (metres)")->expected(6);
   command.add_option("--sphere", options.sphere_m, "The sphere X Y Z RADIUS (metres)")->expected(4);
@@ -359,9 +356,10 @@ void AddKeepClearCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& op
   CLI::App* lift = AddMapEdit(edit, "lift", "Keep a region clear no longer", options, session, RunLift);
   for (CLI::App* command : {keep, lift}) {
     command->add_option("name", options->keep_clear, "Name of the region")->required();
-    AddTryOption(*command, *options);
   }
-  AddMapEdit(edit, "kept-clear", "List the regions that are kept clear", options, session, RunListKeptClear);
+  CLI::App* list =
+      AddMapEdit(edit, "kept-clear", "List the regions that are kept clear", options, session, RunListKeptClear);
+  AddRevisionFlag(*list, options->read_revision);
 }
 
 void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
@@ -382,7 +380,6 @@ void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& optio
       ->allow_extra_args(false);
   AddRegionOptions(*clear, *options);
   clear->add_option("--keep-clear", options->keep_clear, "Keep the region clear from now on, under this name");
-  for (CLI::App* command : {merge, split, clear}) AddTryOption(*command, *options);
 }
 
 }  // namespace
@@ -392,8 +389,7 @@ void AddEditCommands(CLI::App& app, Session& session) {
   edit->require_subcommand(1);
   auto options = std::make_shared<EditOptions>();
   edit->fallthrough();
-  edit->add_option("--author", options->author, "Who edits, for the log")->envname("DHPMAP_AUTHOR");
-  edit->add_option("--request-id", options->request_id, "UUID: sent again with the same one, it is not done again");
+  AddEditFlags(*edit, *options, "the object, or of the map where none is named");
   AddPoseOptions(*AddEdit(*edit, "move", "Change its pose", options, session, RunMove), *options);
   CLI::App* clone = AddEdit(*edit, "clone", "Copy it under a new instance id", options, session, RunClone);
   AddPoseOptions(*clone, *options);
@@ -414,7 +410,6 @@ void AddEditCommands(CLI::App& app, Session& session) {
   CLI::App* apply = edit->add_subcommand("apply", "Apply a list of edits as one: all of them or none");
   apply->add_option("map", options->map, "Name of the map")->required();
   apply->add_option("file", options->text, "JSON as of :applyEdits over REST; - reads standard input")->required();
-  AddTryOption(*apply, *options);
   apply->callback([options, &session] { session.exit_code = RunApply(session, *options); });
 }
 

@@ -6,6 +6,7 @@
 #include "clients/cli/connection.h"
 #include "clients/cli/file_download.h"
 #include "clients/cli/output_file.h"
+#include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
 
@@ -17,6 +18,7 @@ struct ExportOptions {
   std::int64_t id = -1;  ///< -1: all objects
   v1::MeshFormat format = v1::PLY;
   double max_abs_distance_m = 0;
+  std::int64_t read_revision = 0;
 };
 
 v1::MeshColoring ColoringOf(const std::string& name) {
@@ -39,6 +41,7 @@ ExitCode RunMesh(const Session& session, const ExportOptions& options) {
   request.set_name(options.id >= 0 ? SubmapName(options.map, options.id) : MapName(options.map));
   request.set_format(options.format);
   request.set_coloring(ColoringOf(options.coloring));
+  request.set_read_revision(options.read_revision);
   auto file = OutputFile::Open(options.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
   grpc::ClientContext context;
@@ -69,6 +72,7 @@ ExitCode RunVoxels(const Session& session, const ExportOptions& options) {
   v1::StreamSubmapVoxelsRequest request;
   request.set_name(SubmapName(options.map, options.id));
   request.set_max_abs_distance_m(options.max_abs_distance_m);
+  request.set_read_revision(options.read_revision);
   auto file = OutputFile::Open(options.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
   file->Write("x_m,y_m,z_m,distance_m,weight,r,g,b,class_id,class_confidence\n");
@@ -104,6 +108,7 @@ void AddMesh(CLI::App& parent, const char* name, const char* what, v1::MeshForma
   command->add_option("--color", options->coloring, "Colour of the vertices")
       ->check(CLI::IsMember({"sensor", "class", "instance"}))
       ->capture_default_str();
+  AddRevisionFlag(*command, options->read_revision);
   command->callback([options, &session] { session.exit_code = RunMesh(session, *options); });
 }
 
@@ -120,6 +125,7 @@ void AddExportCommands(CLI::App& app, Session& session) {
   voxels->add_option("id", options->id, "Instance id of the object")->required();
   voxels->add_option("-o,--output", options->file, "File to write, - for stdout")->required();
   voxels->add_option("--max-distance", options->max_abs_distance_m, "Only voxels so near the surface (metres)");
+  AddRevisionFlag(*voxels, options->read_revision);
   voxels->callback([options, &session] { session.exit_code = RunVoxels(session, *options); });
 }
 

@@ -31,7 +31,7 @@ void PrintIds(const char* what, const google::protobuf::RepeatedPtrField<std::st
   for (const std::string& name : names) std::cout << " " << Id(name);
 }
 
-/// "17  2026-11-24T15:45:37Z  anna  move 7, rename 7: changed 7 (undone)".
+/// "17  2026-11-24T15:45:37Z  anna  move 7, rename 7, changed 7 (undone)".
 void Print(const v1::LoggedEdit& edit) {
   std::cout << edit.revision() << "  " << google::protobuf::util::TimeUtil::ToString(edit.time()) << "  "
             << (edit.author().empty() ? "-" : edit.author()) << "  ";
@@ -41,6 +41,9 @@ void Print(const v1::LoggedEdit& edit) {
   for (const v1::LoggedEdit::Step& step : edit.steps()) {
     std::cout << separator << Lower(v1::LoggedEdit::Action_Name(step.action()));
     if (!step.submap().empty()) std::cout << " " << Id(step.submap());
+    if (step.action() == v1::LoggedEdit::RESTORE && edit.restored_revision() > 0) {
+      std::cout << " to revision " << edit.restored_revision();
+    }
     separator = ", ";
   }
   PrintIds("changed", edit.changed());

@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   dhpmap::AddEditCommands(app, session);
   dhpmap::AddLogCommand(app, session);
   dhpmap::AddUndoCommands(app, session);
+  dhpmap::AddRestoreCommand(app, session);
   dhpmap::AddExportCommands(app, session);
   dhpmap::AddBackupCommand(app, session);
   dhpmap::AddVerifyCommand(app, session);

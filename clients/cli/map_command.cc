@@ -10,6 +10,7 @@
 
 #include "clients/cli/ack_summary.h"
 #include "clients/cli/connection.h"
+#include "clients/cli/finish_call.h"
 #include "clients/cli/frame_selection.h"
 #include "clients/cli/frame_stream.h"
 #include "clients/cli/map_settings.h"
@@ -138,12 +139,13 @@ class Run {
   std::set<std::size_t> skipped_;  // used by one queue's thread at a time
 };
 
+/// Ctrl-C cancels it, and the frames stay: as if it had been pressed before.
 grpc::Status Finish(const std::shared_ptr<grpc::Channel>& channel, const std::string& map) {
-  grpc::ClientContext context;
-  v1::FinishMappingRequest request;
-  request.set_map(map);
   v1::FinishMappingResponse response;
-  return v1::MappingService::NewStub(channel)->FinishMapping(&context, request, &response);
+  grpc::Status status = FinishAndTell(channel, map, response);
+  if (status.error_code() != grpc::StatusCode::CANCELLED) return status;
+  g_is_interrupted = true;
+  return grpc::Status::OK;
 }
 
 ExitCode RunMap(const Session& session, const MapOptions& options) {

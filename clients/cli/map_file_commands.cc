@@ -16,10 +16,6 @@ namespace {
 
 constexpr std::size_t kPartBytes = 256u << 10;
 
-std::string MegabytesASecond(std::int64_t num_bytes, double elapsed_s) {
-  return Fixed(static_cast<double>(num_bytes) / 1e6 / std::max(elapsed_s, 1e-3), 1) + " MB/s";
-}
-
 struct ExportFile {
   std::string map, path;
   bool replaces = false;
@@ -36,13 +32,7 @@ ExitCode RunExport(const Session& session, const ExportFile& options) {
   request.set_name(MapName(options.map));
   const auto stub = v1::MapService::NewStub(Connect(session));
   const auto stream = stub->ExportMap(&context, request);
-  std::optional<ProgressBar> progress;
-  const ExitCode code = Download(session, *stream, "map", *file, [&](const v1::ExportMapResponse& part) {
-    if (!progress) progress.emplace(static_cast<std::size_t>(part.total_bytes()), "bytes");
-    progress->Show(static_cast<std::size_t>(file->num_bytes()),
-                   MegabytesASecond(file->num_bytes(), progress->elapsed_s()));
-  });
-  progress.reset();
+  const ExitCode code = Download(session, *stream, "map", *file, [](const v1::ExportMapResponse&) {});
   if (code != ExitCode::kOk || options.path == "-") return code;
   if (session.json) std::cout << "{\n  \"bytes\": " << file->num_bytes() << "\n}\n";
   else std::cout << options.path << ": " << Bytes(static_cast<double>(file->num_bytes())) << ", as committed\n";

@@ -5,11 +5,13 @@
 
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
+#include "clients/cli/edit_flags.h"
+#include "clients/cli/finish_call.h"
 #include "clients/cli/new_map.h"
 #include "clients/cli/pages.h"
+#include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
-#include "dhpmap/v1/mapping_service.grpc.pb.h"
 
 namespace dhpmap {
 namespace {
@@ -39,9 +41,15 @@ ExitCode RunList(const Session& session) {
   return ExitCode::kOk;
 }
 
-ExitCode RunShow(const Session& session, const std::string& name) {
+/// A map as it is, or was at a revision.
+struct MapAt {
+  std::string name;
+  std::int64_t read_revision = 0;
+};
+
+ExitCode RunShow(const Session& session, const MapAt& wanted) {
   v1::Map map;
-  const grpc::Status status = GetMap(Connect(session), name, map);
+  const grpc::Status status = GetMap(Connect(session), wanted.name, map, wanted.read_revision);
   if (!status.ok()) return ReportError(session, status);
   if (session.json) {
     PrintJson(map);
@@ -83,17 +91,25 @@ ExitCode RunCreate(const Session& session, const CreateOptions& options) {
   return ExitCode::kOk;
 }
 
-ExitCode RunRename(const Session& session, const std::string& name, const std::string& title) {
+struct MapRename : EditFlags {
+  std::string name, title;
+};
+
+ExitCode RunRenameMap(const Session& session, const MapRename& rename) {
   grpc::ClientContext context;
   v1::UpdateMapRequest request;
-  request.mutable_map()->set_name(MapName(name));
-  request.mutable_map()->set_display_name(title);
+  request.mutable_map()->set_name(MapName(rename.name));
+  request.mutable_map()->set_display_name(rename.title);
+  request.mutable_map()->set_etag(rename.etag);
   request.mutable_update_mask()->add_paths("display_name");
+  rename.Sign(request);
   v1::UpdateMapResponse response;
   const grpc::Status status = Maps(session)->UpdateMap(&context, request, &response);
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
-  else std::cout << MapName(name) << " is now called '" << title << "'\n";
+  else
+    std::cout << MapName(rename.name) << (rename.only_try ? " would be called '" : " is now called '") << rename.title
+              << "'\n";
   return ExitCode::kOk;
 }
 
@@ -109,10 +125,11 @@ ExitCode RunDelete(const Session& session, const std::string& name) {
   return ExitCode::kOk;
 }
 
-ExitCode RunStats(const Session& session, const std::string& name) {
+ExitCode RunStats(const Session& session, const MapAt& wanted) {
   grpc::ClientContext context;
   v1::GetMapStatsRequest request;
-  request.set_name(MapName(name));
+  request.set_name(MapName(wanted.name));
+  request.set_read_revision(wanted.read_revision);
   v1::GetMapStatsResponse stats;
   const grpc::Status status = Maps(session)->GetMapStats(&context, request, &stats);
   if (!status.ok()) return ReportError(session, status);
@@ -120,7 +137,7 @@ ExitCode RunStats(const Session& session, const std::string& name) {
     PrintJson(stats);
     return ExitCode::kOk;
   }
-  TextTable table({MapName(name), "revision " + std::to_string(stats.revision())});
+  TextTable table({MapName(wanted.name), "revision " + std::to_string(stats.revision())});
   table.Add({"frames", std::to_string(stats.num_frames())});
   table.Add({"things", std::to_string(stats.num_things()) + " (" + std::to_string(stats.num_active()) + " active)"});
   table.Add({"stuff", std::to_string(stats.num_stuff())});
@@ -142,12 +159,9 @@ std::string Describe(const v1::Refinement& refinement) {
 }
 
 ExitCode RunFinish(const Session& session, const std::string& name) {
-  grpc::ClientContext context;
-  v1::FinishMappingRequest request;
-  request.set_map(MapName(name));
   v1::FinishMappingResponse response;
-  const grpc::Status status =
-      v1::MappingService::NewStub(Connect(session))->FinishMapping(&context, request, &response);
+  const grpc::Status status = FinishAndTell(Connect(session), MapName(name), response);
+  if (status.error_code() == grpc::StatusCode::CANCELLED) return ExitCode::kInterrupted;
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
   else
@@ -165,6 +179,25 @@ void AddNamed(CLI::App& app, const char* name, const char* what, Session& sessio
   command->callback([map, run, &session] { session.exit_code = run(session, *map); });
 }
 
+/// Likewise, one that reads the map and can do so in its past.
+void AddNamed(CLI::App& app, const char* name, const char* what, Session& session,
+              ExitCode (*run)(const Session&, const MapAt&)) {
+  auto wanted = std::make_shared<MapAt>();
+  CLI::App* command = app.add_subcommand(name, what);
+  command->add_option("map", wanted->name, "Name of the map")->required();
+  AddRevisionFlag(*command, wanted->read_revision);
+  command->callback([wanted, run, &session] { session.exit_code = run(session, *wanted); });
+}
+
+void AddRenameMap(CLI::App& maps, Session& session) {
+  auto rename = std::make_shared<MapRename>();
+  CLI::App* command = maps.add_subcommand("rename", "Give a map another title; its name stays");
+  command->add_option("map", rename->name, "Name of the map")->required();
+  command->add_option("title", rename->title, "Its title from now on")->required();
+  AddEditFlags(*command, *rename, "the map");
+  command->callback([rename, &session] { session.exit_code = RunRenameMap(session, *rename); });
+}
+
 }  // namespace
 
 void AddMapsCommands(CLI::App& app, Session& session) {
@@ -176,11 +209,7 @@ void AddMapsCommands(CLI::App& app, Session& session) {
     if (maps->get_subcommands().empty()) session.exit_code = RunList(session);
   });
   AddNamed(*maps, "show", "One map with its configuration and classes", session, RunShow);
-  auto renamed = std::make_shared<std::pair<std::string, std::string>>();
-  CLI::App* rename = maps->add_subcommand("rename", "Give a map another title; its name stays");
-  rename->add_option("map", renamed->first, "Name of the map")->required();
-  rename->add_option("title", renamed->second, "Its title from now on")->required();
-  rename->callback([renamed, &session] { session.exit_code = RunRename(session, renamed->first, renamed->second); });
+  AddRenameMap(*maps, session);
   AddNamed(*maps, "delete", "Delete a map with all its submaps", session, RunDelete);
   auto options = std::make_shared<CreateOptions>();
   CLI::App* create = maps->add_subcommand("create", "Create an empty map");
@@ -191,7 +220,9 @@ void AddMapsCommands(CLI::App& app, Session& session) {
   create->callback([options, &session] { session.exit_code = RunCreate(session, *options); });
   AddMapFileCommands(*maps, session);
   AddNamed(app, "stats", "What a map holds and what it costs", session, RunStats);
-  AddNamed(app, "finish", "End a mapping session: all things settle, everything is committed", session, RunFinish);
+  AddNamed(app, "finish",
+           "End a mapping session: all things settle, everything is committed; Ctrl-C leaves the map as it was",
+           session, RunFinish);
 }
 
 }  // namespace dhpmap

@@ -50,10 +50,12 @@ Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset
   return request;
 }
 
-grpc::Status GetMap(const std::shared_ptr<grpc::Channel>& channel, const std::string& name, v1::Map& map) {
+grpc::Status GetMap(const std::shared_ptr<grpc::Channel>& channel, const std::string& name, v1::Map& map,
+                    std::int64_t read_revision) {
   grpc::ClientContext context;
   v1::GetMapRequest request;
   request.set_name(MapName(name));
+  request.set_read_revision(read_revision);
   v1::GetMapResponse response;
   const grpc::Status status = v1::MapService::NewStub(channel)->GetMap(&context, request, &response);
   map = response.map();

@@ -3,6 +3,7 @@
 
 #include <grpcpp/channel.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,7 +24,9 @@ void AddNewMapOptions(CLI::App& command, NewMap& map);
 /// The request for `map`, with the preset and classes of `dataset` where there is one.
 Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset);
 
-grpc::Status GetMap(const std::shared_ptr<grpc::Channel>& channel, const std::string& name, v1::Map& map);
+/// `read_revision`: as it was at that revision; 0: as it is.
+grpc::Status GetMap(const std::shared_ptr<grpc::Channel>& channel, const std::string& name, v1::Map& map,
+                    std::int64_t read_revision = 0);
 
 /// Creates the map unless it is there. A map that is there must have the data set's classes, and cannot be configured.
 ExitCode EnsureMap(const Session& session, const std::shared_ptr<grpc::Channel>& channel, const NewMap& map,

@@ -39,6 +39,7 @@ v1::SearchSubmapsRequest ToRequest(const SearchCommand& command) {
   request.set_map(MapName(command.map));
   request.set_name_part(command.name_part);
   *request.mutable_options() = ToProto(command.asker);
+  request.set_read_revision(command.asker.read_revision);
   request.mutable_options()->mutable_class_names()->Assign(command.class_names.begin(), command.class_names.end());
   if (!command.near_m.empty()) SetVector(command.near_m.data(), *request.mutable_near_m());
   if (command.max_distance_m != 0) request.mutable_options()->set_max_distance_m(command.max_distance_m);
@@ -102,6 +103,7 @@ ExitCode RunRelations(const Session& session, const RelationsCommand& command) {
   for (const std::string& kind : command.kinds) request.add_kinds(KindOf(kind));
   request.set_max_gap_m(command.max_gap_m);
   *request.mutable_options() = ToProto(command.asker);
+  request.set_read_revision(command.asker.read_revision);
   grpc::ClientContext context;
   v1::ListRelationsResponse response;
   const grpc::Status status = v1::QueryService::NewStub(Connect(session))->ListRelations(&context, request, &response);

@@ -24,6 +24,7 @@ constexpr std::size_t kMostColumns = 10;
 struct PointOptions {
   std::string map, file;
   std::vector<float> xyz_m;
+  std::int64_t read_revision = 0;  ///< of `query point`; the others have it in their flags
 };
 
 struct DistancesOptions {
@@ -88,6 +89,7 @@ ExitCode RunPoint(const Session& session, const PointOptions& options) {
   v1::QueryPointsRequest request;
   request.set_map(MapName(options.map));
   request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
+  request.set_read_revision(options.read_revision);
   grpc::ClientContext context;
   v1::QueryPointsResponse response;
   const grpc::Status status = v1::QueryService::NewStub(Connect(session))->QueryPoints(&context, request, &response);
@@ -129,6 +131,7 @@ ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   request.set_map(MapName(options.points.map));
   request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
   *request.mutable_options() = ToProto(options.flags, options.points.map);
+  request.set_read_revision(options.flags.world.asker.read_revision);
   if (options.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_m(options.padding_m);
   if (options.tolerance_vox != 0) request.mutable_options()->set_tolerance_vox(options.tolerance_vox);
   grpc::ClientContext context;
@@ -170,6 +173,7 @@ ExitCode RunRays(const Session& session, const DistancesOptions& options) {
     (i % 6 < 3 ? request.mutable_origin_xyz_m() : request.mutable_direction_xyz())->Add(numbers[i]);
   }
   *request.mutable_options() = ToProto(options.flags, options.points.map);
+  request.set_read_revision(options.flags.world.asker.read_revision);
   grpc::ClientContext context;
   v1::CastRaysResponse response;
   const grpc::Status status = v1::QueryService::NewStub(Connect(session))->CastRays(&context, request, &response);
@@ -215,6 +219,7 @@ void AddQueryCommands(CLI::App& app, Session& session) {
   auto options = std::make_shared<PointOptions>();
   CLI::App* point = query->add_subcommand("point", "What is at these points (metres, in the map's frame)?");
   AddPointOptions(*point, *options);
+  AddRevisionFlag(*point, options->read_revision);
   point->callback([options, &session] { session.exit_code = RunPoint(session, *options); });
   AddDistances(*query, session);
   AddRays(*query, session);

@@ -8,10 +8,15 @@
 
 namespace dhpmap {
 
+void AddRevisionFlag(CLI::App& command, std::int64_t& read_revision) {
+  command.add_option("--at-revision", read_revision, "As it was at this revision, of the recent past");
+}
+
 void AddAskerFlags(CLI::App& command, AskerFlags& flags) {
   command.add_option("--frame", flags.frame, "X Y Z YAW_DEG of the frame in which is asked and answered, in the map's")
       ->expected(4);
   command.add_option("--min-revision", flags.min_revision, "Wait until the map is at this revision");
+  AddRevisionFlag(command, flags.read_revision);
 }
 
 void AddPaddingFlag(CLI::App& command, double& padding_m) {
@@ -26,6 +31,7 @@ void AddWorldFlags(CLI::App& command, WorldFlags& flags) {
   command.add_option("--max-age-s", flags.max_age_s,
                      "Space that was looked through so long before the newest look is no longer known to be free");
   command.add_flag("--vacated-free", flags.vacated_is_free, "What moved and deleted objects have left is free");
+  command.add_flag("--include-absent", flags.include_absent, "Objects that are absent are there, too");
 }
 
 void AddQueryFlags(CLI::App& command, QueryFlags& flags) {
@@ -54,6 +60,7 @@ v1::QueryOptions ToProto(const WorldFlags& flags, const std::string& map) {
   options.mutable_class_names()->Assign(flags.class_names.begin(), flags.class_names.end());
   if (flags.max_age_s) options.set_max_age_s(*flags.max_age_s);
   if (flags.vacated_is_free) options.set_vacated(v1::Vacated::FREE);
+  if (flags.include_absent) options.set_include_absent(true);
   return options;
 }
 

@@ -20,6 +20,7 @@ struct Session;
 struct AskerFlags {
   std::vector<double> frame;  ///< X Y Z YAW_DEG; empty: the map's
   std::int64_t min_revision = 0;
+  std::int64_t read_revision = 0;  ///< 0: the present state
 };
 /// What a query takes as the world, as far as the command line says so.
 struct WorldFlags {
@@ -28,6 +29,7 @@ struct WorldFlags {
   std::vector<std::string> excluded_class_names, class_names;
   std::optional<double> max_age_s;
   bool vacated_is_free = false;
+  bool include_absent = false;
 };
 /// The same of one that looks so far.
 struct QueryFlags {
@@ -35,6 +37,8 @@ struct QueryFlags {
   double max_distance_m = 3;
 };
 
+/// --at-revision, which everything has that reads a map.
+void AddRevisionFlag(CLI::App& command, std::int64_t& read_revision);
 void AddAskerFlags(CLI::App& command, AskerFlags& flags);
 void AddWorldFlags(CLI::App& command, WorldFlags& flags);
 void AddPaddingFlag(CLI::App& command, double& padding_m);

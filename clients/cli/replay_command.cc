@@ -11,6 +11,7 @@
 #include "clients/cli/connection.h"
 #include "clients/cli/map_settings.h"
 #include "clients/cli/new_map.h"
+#include "clients/cli/replay_edits.h"
 #include "clients/cli/replay_streams.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "server/wire/types/record_file.h"
@@ -25,9 +26,10 @@ struct ReplayOptions {
 };
 
 struct Counts {
-  std::size_t num_sent = 0, num_fused = 0, num_refused = 0, num_skipped = 0, num_edits = 0, num_finished = 0;
+  std::size_t num_sent = 0, num_fused = 0, num_refused = 0, num_skipped = 0, num_finished = 0;
+  std::size_t num_edits = 0, num_edits_refused = 0, num_edits_missing = 0;
   std::set<std::string> sessions;
-  std::string first_refusal;
+  std::string first_refusal, first_edit_refusal;
   bool is_full = false;
 };
 
@@ -71,9 +73,11 @@ grpc::Status Finish(v1::MappingService::Stub& stub, const std::string& map) {
 /// One run of a record into a map.
 class Replay {
  public:
-  Replay(RecordReader& reader, v1::MappingService::Stub& stub, const ReplayOptions& options, Counts& counts)
+  Replay(RecordReader& reader, v1::MappingService::Stub& stub, ReplayEdits& edits, const ReplayOptions& options,
+         Counts& counts)
       : reader_(reader),
         stub_(stub),
+        edits_(edits),
         map_(MapName(options.map)),
         counts_(counts),
         pace_(options.rate),
@@ -86,7 +90,7 @@ class Replay {
       // What was refused then has changed nothing. That of a server which died over it has no refusal, and is sent.
       if (record.has_frame() && next && next->has_refused()) ++counts_.num_skipped;
       else if (record.has_frame()) Send(record);
-      else if (record.has_edited()) ++counts_.num_edits;
+      else if (record.has_edited()) Edit(record.edited());
       else if (record.has_finished()) FinishAll();
       else if (record.has_full()) counts_.is_full = true;
     }
@@ -108,6 +112,21 @@ class Replay {
     status_ = streams_.Send(record.frame().session(), record.frame().sequence(), std::move(request));
   }
 
+  /// In its turn among the frames. One that the server refuses is only told: with other settings there may be other
+  /// objects.
+  void Edit(const v1::RecordedEdit& edit) {
+    if (!ReplayEdits::Knows(edit)) {
+      ++counts_.num_edits_missing;
+      return;
+    }
+    status_ = streams_.Drain();
+    if (!status_.ok()) return;
+    const grpc::Status made = edits_.Make(edit);
+    if (made.ok()) ++counts_.num_edits;
+    else if (made.error_code() == grpc::StatusCode::UNAVAILABLE) status_ = made;
+    else if (counts_.num_edits_refused++ == 0) counts_.first_edit_refusal = made.error_message();
+  }
+
   void FinishAll() {
     status_ = streams_.Drain();
     if (status_.ok()) status_ = Finish(stub_, map_);
@@ -123,6 +142,7 @@ class Replay {
 
   RecordReader& reader_;
   v1::MappingService::Stub& stub_;
+  ReplayEdits& edits_;
   const std::string map_;
   Counts& counts_;
   Pace pace_;
@@ -138,7 +158,14 @@ void Print(const Counts& counts, const RecordReader& reader, const std::string& 
   if (counts.num_refused > 0) {
     std::cout << counts.num_refused << " frames were refused now, the first of them: " << counts.first_refusal << "\n";
   }
-  if (counts.num_edits > 0) std::cout << counts.num_edits << " edits were made in between, which the record lacks\n";
+  if (counts.num_edits > 0) std::cout << counts.num_edits << " edits were made again in between\n";
+  if (counts.num_edits_refused > 0) {
+    std::cout << counts.num_edits_refused << " edits were refused now, the first of them: " << counts.first_edit_refusal
+              << "\n";
+  }
+  if (counts.num_edits_missing > 0) {
+    std::cout << counts.num_edits_missing << " edits were made in between, which the record lacks\n";
+  }
   if (counts.is_full) std::cout << "the record ends where there was no room for more\n";
   if (reader.is_torn()) std::cout << "the record ends with one that was not written as a whole\n";
 }
@@ -146,7 +173,8 @@ void Print(const Counts& counts, const RecordReader& reader, const std::string& 
 void PrintJson(const Counts& counts, const RecordReader& reader) {
   std::cout << "{\"frames\": " << counts.num_fused << ", \"refused\": " << counts.num_refused
             << ", \"leftOut\": " << counts.num_skipped << ", \"sessions\": " << counts.sessions.size()
-            << ", \"edits\": " << counts.num_edits << ", \"finished\": " << counts.num_finished
+            << ", \"edits\": " << counts.num_edits << ", \"editsRefused\": " << counts.num_edits_refused
+            << ", \"editsMissing\": " << counts.num_edits_missing << ", \"finished\": " << counts.num_finished
             << ", \"full\": " << (counts.is_full ? "true" : "false")
             << ", \"torn\": " << (reader.is_torn() ? "true" : "false") << "}\n";
 }
@@ -166,11 +194,13 @@ ExitCode RunReplay(const Session& session, const ReplayOptions& options) {
   if (!status.ok()) return ReportError(session, status);
   Counts counts;
   const auto stub = v1::MappingService::NewStub(channel);
-  status = Replay(*reader, *stub, options, counts).Run();
+  ReplayEdits edits(channel, reader->start().map().name(), MapName(options.map));
+  status = edits.KeepClear(reader->start());
+  if (status.ok()) status = Replay(*reader, *stub, edits, options, counts).Run();
   if (session.json) PrintJson(counts, *reader);
   else Print(counts, *reader, MapName(options.map));
   if (!status.ok()) return ReportError(session, status);
-  return counts.num_refused > 0 ? ExitCode::kPartly : ExitCode::kOk;
+  return counts.num_refused + counts.num_edits_refused > 0 ? ExitCode::kPartly : ExitCode::kOk;
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ v1::GetOccupancySliceRequest ToRequest(const SliceCommand& command) {
     request.mutable_area()->set_max_y_m(command.area_m[3]);
   }
   *request.mutable_options() = ToProto(command.world, command.map);
+  request.set_read_revision(command.world.asker.read_revision);
   return request;
 }
 

@@ -7,6 +7,7 @@
 #include "clients/cli/connection.h"
 #include "clients/cli/new_map.h"
 #include "clients/cli/pages.h"
+#include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
 
@@ -19,6 +20,7 @@ struct SubmapsOptions {
   std::vector<std::string> classes;
   std::string kind;
   std::vector<double> near, box;
+  std::int64_t read_revision = 0;
 };
 
 void SetVector(v1::Vector3& out, const double* values) {
@@ -52,6 +54,7 @@ ExitCode RunGet(const Session& session, const SubmapsOptions& options) {
   grpc::ClientContext context;
   v1::GetSubmapRequest request;
   request.set_name(SubmapName(options.map, options.id));
+  request.set_read_revision(options.read_revision);
   v1::GetSubmapResponse response;
   const grpc::Status status = v1::SubmapService::NewStub(Connect(session))->GetSubmap(&context, request, &response);
   if (!status.ok()) return ReportError(session, status);
@@ -64,6 +67,7 @@ ExitCode RunList(const Session& session, const SubmapsOptions& options) {
   const auto channel = Connect(session);
   v1::ListSubmapsRequest request;
   request.set_parent(MapName(options.map));
+  request.set_read_revision(options.read_revision);
   if (!options.classes.empty()) {
     v1::Map map;
     const grpc::Status status = GetMap(channel, options.map, map);
@@ -107,6 +111,7 @@ void AddSubmapsCommand(CLI::App& app, Session& session) {
   command->add_option("--kind", options->kind, "Of this kind only")->check(CLI::IsMember({"thing", "stuff"}));
   command->add_option("--near", options->near, "Bounding sphere touches the sphere X Y Z RADIUS (metres)")->expected(4);
   command->add_option("--box", options->box, "Bounding sphere touches the box X Y Z to X Y Z (metres)")->expected(6);
+  AddRevisionFlag(*command, options->read_revision);
   command->callback([options, &session] {
     session.exit_code = options->id >= 0 ? RunGet(session, *options) : RunList(session, *options);
   });

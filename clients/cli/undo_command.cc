@@ -4,18 +4,18 @@
 #include <iostream>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/edit_flags.h"
 #include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
 
 namespace dhpmap {
 namespace {
 
-struct UndoOptions {
-  std::string map, author, request_id;
+struct UndoOptions : EditFlags {
+  std::string map;
   int count = 0;
   std::int64_t edit = 0;
   std::int64_t id = 0;
-  bool only_try = false;
 };
 
 void PrintIds(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
@@ -29,10 +29,9 @@ template <typename Request, typename Response, typename Call>
 ExitCode Run(const Session& session, const UndoOptions& options, const char* done, Call call) {
   Request request;
   request.set_map(MapName(options.map));
-  request.set_author(options.author);
   request.set_count(options.count);
-  request.set_validate_only(options.only_try);
-  request.set_request_id(options.request_id);
+  request.set_etag(options.etag);
+  options.Sign(request);
   if (options.edit > 0) request.set_edit(MapName(options.map) + "/edits/" + std::to_string(options.edit));
   grpc::ClientContext context;
   Response response;
@@ -67,15 +66,17 @@ ExitCode RunRedo(const Session& session, const UndoOptions& options) {
 ExitCode RunUndelete(const Session& session, const UndoOptions& options) {
   v1::UndeleteSubmapRequest request;
   request.set_name(SubmapName(options.map, options.id));
-  request.set_author(options.author);
-  request.set_request_id(options.request_id);
+  request.set_etag(options.etag);
+  options.Sign(request);
   grpc::ClientContext context;
   v1::UndeleteSubmapResponse response;
   const grpc::Status status =
       v1::SubmapService::NewStub(Connect(session))->UndeleteSubmap(&context, request, &response);
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
-  else std::cout << "brought back " << response.submap().name() << ", revision " << response.revision() << "\n";
+  else
+    std::cout << (options.only_try ? "would be: brought back " : "brought back ") << response.submap().name()
+              << ", revision " << response.revision() << "\n";
   return ExitCode::kOk;
 }
 
@@ -84,8 +85,7 @@ CLI::App* Add(CLI::App& app, const char* name, const char* what, Session& sessio
   CLI::App* command = app.add_subcommand(name, what);
   options = std::make_shared<UndoOptions>();
   command->add_option("map", options->map, "Name of the map")->required();
-  command->add_option("--author", options->author, "Who does it, and whose edits")->envname("DHPMAP_AUTHOR");
-  command->add_option("--request-id", options->request_id, "UUID: sent again with the same one, it is not done again");
+  AddEditFlags(*command, *options, "the map, or of what was deleted", "Who does it, and whose edits");
   command->callback([options, run, &session] { session.exit_code = run(session, *options); });
   return command;
 }
@@ -100,7 +100,6 @@ void AddUndoCommands(CLI::App& app, Session& session) {
     CLI::Option* count = command->add_option("-n,--number", options->count, "So many [1]")->check(CLI::PositiveNumber);
     command->add_option("--edit", options->edit, "This edit, by its revision as `dhpmap log` tells it")
         ->excludes(count);
-    command->add_flag("--try", options->only_try, "Say what would become of it, and change nothing");
   }
   CLI::App* undelete = Add(app, "undelete", "Bring back a deleted object", session, RunUndelete, options);
   undelete->add_option("id", options->id, "Instance id of the object")->required();

@@ -65,12 +65,53 @@ void PrintEvent(const v1::SubmapEvent& event) {
   std::cout << "\n";
 }
 
+/// "box 0 0 0 to 1 1 1 m", "sphere 0 0 0 of 0.5 m".
+std::string RegionText(const v1::RegionEvent& event) {
+  const auto point = [](const v1::Vector3& p_m) {
+    return Fixed(p_m.x(), 2) + " " + Fixed(p_m.y(), 2) + " " + Fixed(p_m.z(), 2);
+  };
+  if (event.has_box()) return "box " + point(event.box().min_m()) + " to " + point(event.box().max_m()) + " m";
+  return "sphere " + point(event.sphere().center_m()) + " of " + Fixed(event.sphere().radius_m(), 2) + " m";
+}
+
+/// "cleared box 0 0 0 to 1 1 1 m of chair: 120 voxels", "kept clear 'door': ...", "lifted 'door': ...".
+void PrintRegion(const v1::RegionEvent& event) {
+  switch (event.kind()) {
+    case v1::RegionEvent::KEPT_CLEAR: std::cout << "  kept clear '" << event.name() << "': "; break;
+    case v1::RegionEvent::LIFTED: std::cout << "  lifted '" << event.name() << "': "; break;
+    default: std::cout << "  cleared ";
+  }
+  std::cout << RegionText(event);
+  if (event.kind() == v1::RegionEvent::CLEARED) {
+    if (!event.submap().empty()) std::cout << " of " << event.submap();
+    const char* separator = " of ";
+    for (const std::string& name : event.class_names()) {
+      std::cout << separator << name;
+      separator = ", ";
+    }
+    std::cout << ": " << event.num_voxels() << " voxels";
+  }
+  std::cout << "\n";
+}
+
+/// "export 3, map_file: sending, 1.5 MB of 12 MB, after 0.4 s".
+void PrintExport(const v1::ExportProgress& told) {
+  std::cout << "export " << told.id() << ", " << Lower(v1::ExportProgress::Kind_Name(told.kind())) << ": "
+            << Lower(v1::ExportProgress::Stage_Name(told.stage()));
+  if (told.total_bytes() > 0) {
+    std::cout << ", " << Bytes(static_cast<double>(told.done_bytes())) << " of "
+              << Bytes(static_cast<double>(told.total_bytes()));
+  }
+  std::cout << ", after " << Fixed(told.elapsed_s(), 1) << " s\n";
+}
+
 void Print(const v1::WatchMapResponse& message) {
+  for (const v1::ExportProgress& told : message.progress().exports()) PrintExport(told);
   if (message.has_progress() && message.progress().has_finishing()) {
     const v1::FinishProgress& finishing = message.progress().finishing();
     std::cout << "mapping is being finished: " << Lower(v1::FinishProgress::Stage_Name(finishing.stage())) << ", after "
               << Fixed(finishing.elapsed_s(), 1) << " s\n";
-  } else if (message.has_progress()) {
+  } else if (message.has_progress() && message.progress().exports().empty()) {
     std::cout << "all up to revision " << message.progress().revision() << " is told\n";
   }
   if (!message.has_change()) return;
@@ -80,6 +121,7 @@ void Print(const v1::WatchMapResponse& message) {
   std::cout << ":";
   if (change.has_display_name()) std::cout << " the map is called '" << change.display_name() << "'";
   std::cout << "\n";
+  for (const v1::RegionEvent& event : change.regions()) PrintRegion(event);
   for (const v1::SubmapEvent& event : change.submaps()) PrintEvent(event);
 }
 

@@ -25,6 +25,8 @@ std::vector<std::string> DatasetFormats();
 struct DatasetOptions {
   /// LiDAR scans with SemanticKITTI labels beside them: leave out points that are not labelled or move.
   bool drop_moving_points = true;
+  /// Where they stay: those that move have no label in the ground truth, as the others.
+  bool unlabel_moving_points = false;
 };
 
 /// An image file as it is on disk.

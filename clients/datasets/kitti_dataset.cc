@@ -98,6 +98,7 @@ class KittiDataset : public Dataset {
         ReadKittiLabels(sequence_.folder / "labels" / (frame.id + ".label"), frame.lidar->points_m.size()));
     if (options_.drop_moving_points) DropUnlabelledAndMoving(frame.lidar->points_m, words);
     if (!is_truth) return Status::Ok();
+    if (options_.unlabel_moving_points) UnlabelMoving(words);
     std::transform(words.begin(), words.end(), words.begin(), PersistentId);
     frame.segments = SegmentsOf(words);
     frame.lidar->segments = std::move(words);

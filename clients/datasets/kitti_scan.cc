@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/datasets/kitti_scan.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "clients/datasets/file_reader.h"
@@ -50,6 +51,11 @@ void DropUnlabelledAndMoving(std::vector<Eigen::Vector3f>& points_m, std::vector
   }
   points_m.resize(kept);
   words.resize(kept);
+}
+
+void UnlabelMoving(std::vector<std::uint32_t>& words) {
+  std::replace_if(
+      words.begin(), words.end(), [](std::uint32_t word) { return KittiLabel(word).is_moving(); }, 0u);
 }
 
 }  // namespace dhpmap

@@ -19,4 +19,7 @@ Result<std::vector<std::uint32_t>> ReadKittiLabels(const std::filesystem::path& 
 /// Leaves out, in both lists, points that are not labelled and points of things that move.
 void DropUnlabelledAndMoving(std::vector<Eigen::Vector3f>& points_m, std::vector<std::uint32_t>& words);
 
+/// Words of points of things that move become 0, not labelled.
+void UnlabelMoving(std::vector<std::uint32_t>& words);
+
 }  // namespace dhpmap

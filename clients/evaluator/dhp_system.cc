@@ -60,6 +60,10 @@ std::unique_ptr<MappingSystem> MakeDhp(std::string name, const SystemSetup& setu
                                      is_exclusive ? SurfaceKind::kOneField : SurfaceKind::kEachSubmap);
 }
 
+std::unique_ptr<MappingSystem> MakeDhpOfOneField(std::string name, const SystemSetup& setup) {
+  return std::make_unique<DhpSystem>(std::move(name), setup, SurfaceKind::kOneField);
+}
+
 std::unique_ptr<MappingSystem> MakeTruthMap(SystemSetup setup) {
   MapConfig& config = setup.config;
   config.refinement.management = false;

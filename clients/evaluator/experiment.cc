@@ -18,14 +18,22 @@ Result<std::shared_ptr<const LabelSet>> MakeLabelSet(const std::vector<LabelClas
   return std::make_shared<const LabelSet>(std::move(label_set));
 }
 
-/// `points`, if not null, gets the frames, too.
-Status Map(MappingSystem& system, Recording& recording, TruthPoints* points = nullptr) {
-  DHPMAP_RETURN_IF_ERROR(recording.ForEach([&](const PanopticFrame& frame) {
-    if (points != nullptr) points->Add(frame);
-    return system.Integrate(frame);
-  }));
+Status Map(MappingSystem& system, Recording& recording) {
+  DHPMAP_RETURN_IF_ERROR(recording.ForEach([&](const PanopticFrame& frame) { return system.Integrate(frame); }));
   system.Finish();
   return Status::Ok();
+}
+
+/// What the sensor measured, whether or not somebody has labelled it: where a system has a surface, it was there.
+Result<TruthPoints> MeasuredPoints(const ExperimentOptions& options, const IntegrationConfig& config) {
+  DHPMAP_ASSIGN_OR_RETURN(Recording recording,
+                          Recording::OpenMeasured(options.directory, options.format, options.num_frames));
+  TruthPoints points(config);
+  DHPMAP_RETURN_IF_ERROR(recording.ForEach([&points](const PanopticFrame& frame) {
+    points.Add(frame);
+    return Status::Ok();
+  }));
+  return points;
 }
 
 Result<ClassMap> ReadClasses(const ExperimentOptions& options, const std::vector<LabelClass>& truth,
@@ -64,11 +72,11 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
   SystemSetup truth_setup{experiment.config, nullptr, options.num_threads};
   DHPMAP_ASSIGN_OR_RETURN(truth_setup.label_set, MakeLabelSet(truth_recording.label_classes()));
   auto truth_system = MakeTruthMap(truth_setup);
-  TruthPoints points(experiment.config.integration);
-  DHPMAP_RETURN_IF_ERROR(Map(*truth_system, truth_recording, &points));
+  DHPMAP_RETURN_IF_ERROR(Map(*truth_system, truth_recording));
   const Truth truth(truth_system->Surface().mesh, experiment.classes, experiment.protocol);
   truth_system.reset();
   experiment.num_truth_samples = static_cast<std::int64_t>(truth.samples().size());
+  DHPMAP_ASSIGN_OR_RETURN(TruthPoints points, MeasuredPoints(options, experiment.config.integration));
   experiment.points_protocol = ProtocolForElements(experiment.protocol, points.cell_m());
   const Truth truth_points(points.Elements(), experiment.classes, experiment.points_protocol);
   points = TruthPoints(experiment.config.integration);  // its memory

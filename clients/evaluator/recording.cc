@@ -29,8 +29,19 @@ std::size_t BytesOf(const PanopticFrame& frame) {
 
 Result<Recording> Recording::Open(const std::string& directory, const std::string& format, LabelSource labels,
                                   std::size_t num_frames, std::size_t cache_bytes) {
-  // Only the truth leaves out what moves: a system is not told what does.
-  const DatasetOptions options{.drop_moving_points = labels == LabelSource::kGroundTruth};
+  // Only the map of the true labels leaves out what moves: a system is not told what does.
+  return Open(directory, format, labels, {.drop_moving_points = labels == LabelSource::kGroundTruth}, num_frames,
+              cache_bytes);
+}
+
+Result<Recording> Recording::OpenMeasured(const std::string& directory, const std::string& format,
+                                          std::size_t num_frames) {
+  return Open(directory, format, LabelSource::kGroundTruth,
+              {.drop_moving_points = false, .unlabel_moving_points = true}, num_frames, 0);
+}
+
+Result<Recording> Recording::Open(const std::string& directory, const std::string& format, LabelSource labels,
+                                  const DatasetOptions& options, std::size_t num_frames, std::size_t cache_bytes) {
   DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<Dataset> dataset, OpenDataset(directory, format, labels, options));
   DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(dataset->label_classes()));
   const std::size_t available = dataset->num_frames();

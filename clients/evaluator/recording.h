@@ -22,6 +22,11 @@ class Recording {
   static Result<Recording> Open(const std::string& directory, const std::string& format, LabelSource labels,
                                 std::size_t num_frames, std::size_t cache_bytes);
 
+  /// All that the sensor measured, with the ground truth's labels: points of scans that move or that nobody has
+  /// labelled are there, and have no label.
+  static Result<Recording> OpenMeasured(const std::string& directory, const std::string& format,
+                                        std::size_t num_frames);
+
   /// TrackingConfig::min_score; before the first ForEach.
   void set_min_score(double min_score) { min_score_ = min_score; }
   [[nodiscard]] const std::vector<LabelClass>& label_classes() const { return dataset_->label_classes(); }
@@ -41,6 +46,8 @@ class Recording {
         label_set_(std::move(label_set)),
         num_frames_(num_frames),
         cache_bytes_(cache_bytes) {}
+  static Result<Recording> Open(const std::string& directory, const std::string& format, LabelSource labels,
+                                const DatasetOptions& options, std::size_t num_frames, std::size_t cache_bytes);
   Result<PanopticFrame> Decode(std::size_t index);
 
   std::unique_ptr<Dataset> dataset_;

@@ -21,11 +21,20 @@ std::unique_ptr<MappingSystem> MakeVariant(const char* name, SystemSetup setup) 
   return MakeDhp(name, setup);
 }
 
+std::unique_ptr<MappingSystem> MakeUnrefinedOneField(SystemSetup setup) {
+  setup.config.refinement.management = setup.config.refinement.crf = false;
+  return MakeDhpOfOneField("dhp_no_refine_one_field", setup);
+}
+
 constexpr Entry kEntries[] = {
     {"panmap", [](SystemSetup setup) { return MakePanmap(setup); }},
+    {"panmap_whole_segments", [](SystemSetup setup) { return MakePanmapOfWholeSegments(std::move(setup)); }},
     {"kimera", [](SystemSetup setup) { return MakeKimera(setup); }},
+    {"kimera_carving", [](SystemSetup setup) { return MakeKimeraWithCarving(std::move(setup)); }},
     {"votes", [](SystemSetup setup) { return MakeVotes(setup); }},
+    {"votes_objects", [](SystemSetup setup) { return MakeVotesWithObjects(setup); }},
     {"dhp_no_refine", [](SystemSetup setup) { return MakeVariant<false, false>("dhp_no_refine", std::move(setup)); }},
+    {"dhp_no_refine_one_field", [](SystemSetup setup) { return MakeUnrefinedOneField(std::move(setup)); }},
     {"dhp_management_only",
      [](SystemSetup setup) { return MakeVariant<true, false>("dhp_management_only", std::move(setup)); }},
     {"dhp_crf_only", [](SystemSetup setup) { return MakeVariant<false, true>("dhp_crf_only", std::move(setup)); }},

@@ -14,7 +14,8 @@ namespace dhpmap::evaluator {
 std::vector<std::string> SystemNames();
 
 /// `dhp` maps with the setup's configuration as it is; the others switch parts of the refinement off, or are other
-/// systems. INVALID_ARGUMENT for an unknown name, listing those there are, and for a configuration out of range.
+/// systems, some of them in two ways, since it is the data that decides which helps them. INVALID_ARGUMENT for an
+/// unknown name, listing those there are, and for a configuration out of range.
 Result<std::unique_ptr<MappingSystem>> MakeSystem(const std::string& name, SystemSetup setup);
 
 /// OK if MakeSystem knows the name.

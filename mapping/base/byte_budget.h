@@ -45,9 +45,11 @@ class ByteBudget {
 /// What one request, answer or frame has taken of a budget; gives it back at its end. Thread-compatible.
 class ByteShare {
  public:
-  /// `budget` outlives this.
+  /// `budget` is there as long as this holds anything of it.
   explicit ByteShare(ByteBudget* budget) : budget_(budget) {}
-  ~ByteShare() { budget_->GiveBack(Cost(bytes_)); }
+  ~ByteShare() {
+    if (bytes_ > 0) Release();
+  }
   ByteShare(ByteShare&& other) noexcept : budget_(other.budget_), bytes_(std::exchange(other.bytes_, 0)) {}
   ByteShare(const ByteShare&) = delete;
   ByteShare& operator=(const ByteShare&) = delete;
@@ -66,11 +68,14 @@ class ByteShare {
   [[nodiscard]] bool Grow(std::size_t bytes) { return Resize(std::min(bytes_ + bytes, budget_->limit_bytes())); }
   void Release() { (void)Resize(0); }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  [[nodiscard]] const ByteBudget& budget() const { return *budget_; }
+  /// Another one of the same budget, with nothing in it. At any time, on any thread.
+  [[nodiscard]] ByteShare Another() const { return ByteShare(budget_); }
 
  private:
   [[nodiscard]] std::size_t Cost(std::size_t bytes) const { return bytes <= budget_->free_bytes() ? 0 : bytes; }
 
-  ByteBudget* budget_;
+  ByteBudget* const budget_;
   std::size_t bytes_ = 0;
 };
 

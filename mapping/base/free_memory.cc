@@ -9,6 +9,7 @@
 // jemalloc's, in programs that are linked with it.
 extern "C" __attribute__((weak)) int mallctl(const char* name, void* old_value, std::size_t* old_bytes, void* new_value,
                                              std::size_t new_bytes);
+extern "C" __attribute__((weak)) std::size_t nallocx(std::size_t bytes, int flags);
 
 namespace dhpmap {
 
@@ -18,6 +19,12 @@ void GiveBackFreeMemory() {
   } else {
     malloc_trim(0);
   }
+}
+
+std::size_t HeapBytesFor(std::size_t bytes) {
+  if (nallocx != nullptr) return nallocx(bytes, 0);
+  constexpr std::size_t kHeadBytes = 8, kStep = 16;  // glibc's
+  return (bytes + kHeadBytes + kStep - 1) / kStep * kStep;
 }
 
 std::optional<HeapUse> HeapUseNow() {

@@ -11,6 +11,9 @@ namespace dhpmap {
 /// others, such as those of the sanitizers, it may do nothing. Thread-safe.
 void GiveBackFreeMemory();
 
+/// What the allocator takes for one piece of so many bytes: more or less, where it is not jemalloc. Thread-safe.
+[[nodiscard]] std::size_t HeapBytesFor(std::size_t bytes);
+
 struct HeapUse {
   std::size_t live_bytes = 0;      ///< handed out and not yet freed
   std::size_t resident_bytes = 0;  ///< of the allocator, in RAM: with its book-keeping, gaps and what is kept for later

@@ -4,9 +4,11 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "mapping/base/status.h"
+#include "mapping/base/status_error.h"
 
 // For threads that must outlive whatever goes wrong in one job, such as an allocation that fails.
 namespace dhpmap {
@@ -14,14 +16,27 @@ namespace dhpmap {
 /// Its text is so short that it takes no memory.
 inline Status OutOfMemory() { return ResourceExhausted("out of memory").WithReason("OUT_OF_MEMORY"); }
 
-/// Of the exception that is being handled: OutOfMemory, or INTERNAL for any other.
+/// Where the system gives no thread: for want of address space, too.
+inline Status NoThread() {
+  return ResourceExhausted("the system has no thread for this: try again later").WithReason("TOO_BUSY");
+}
+
+/// Of the exception that is being handled: OutOfMemory, NoThread, what a StatusError says, or INTERNAL for any other.
 inline Status StatusOfException() noexcept {
   try {
     throw;
   } catch (const std::bad_alloc&) {
     return OutOfMemory();
+  } catch (const StatusError& error) {
+    try {
+      return error.status();
+    } catch (...) {
+      return OutOfMemory();
+    }
   } catch (const std::exception& error) {
     try {
+      const auto* system = dynamic_cast<const std::system_error*>(&error);
+      if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) return NoThread();
       return Internal(std::string("unexpected failure: ") + error.what());
     } catch (...) {
       return OutOfMemory();

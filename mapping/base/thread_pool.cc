@@ -20,9 +20,9 @@ struct ThreadPool::Loop {
   [[nodiscard]] bool IsDone() const { return !IsOpen() && num_running == 0; }
 };
 
-ThreadPool::ThreadPool(int num_threads) {
+ThreadPool::ThreadPool(int num_threads, int niceness) {
   if (num_threads <= 0) num_threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  for (int i = 1; i < num_threads; ++i) workers_.emplace_back([this] { WorkerLoop(); });
+  for (int i = 1; i < num_threads; ++i) workers_.emplace_back([this, niceness] { WorkerLoop(niceness); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -76,8 +76,9 @@ void ThreadPool::Close(Loop& loop) {
   std::erase(open_, &loop);
 }
 
-void ThreadPool::WorkerLoop() {
+void ThreadPool::WorkerLoop(int niceness) {
   NameThisThread("pool");
+  MakeThisThreadNicer(niceness);
   (void)TakeTurns(Turns::kOrdinary);  // whoever made the pool
   const MutexLock lock(mutex_);
   while (true) {

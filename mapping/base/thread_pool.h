@@ -15,8 +15,9 @@ namespace dhpmap {
 /// a body may run a loop of its own.
 class ThreadPool {
  public:
-  /// `num_threads` counts the caller; 0 means one a core.
-  explicit ThreadPool(int num_threads);
+  /// `num_threads` counts the caller; 0 means one a core. Those that it starts are by `niceness` nicer than the
+  /// process: see MakeThisThreadNicer.
+  explicit ThreadPool(int num_threads, int niceness = 0);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -31,7 +32,7 @@ class ThreadPool {
  private:
   struct Loop;
 
-  void WorkerLoop() DHPMAP_EXCLUDES(mutex_);
+  void WorkerLoop(int niceness) DHPMAP_EXCLUDES(mutex_);
   /// Runs the next item of a loop that has one left. Lets go of the mutex while the body runs.
   void RunItem(Loop& loop) DHPMAP_REQUIRES(mutex_);
   /// No further item of it begins.

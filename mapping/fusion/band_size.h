@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <span>
 
-#include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
+#include "mapping/fusion/segment_bundles.h"
 
 namespace dhpmap {
 

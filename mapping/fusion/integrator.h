@@ -6,8 +6,9 @@
 #include <span>
 #include <stop_token>
 
-#include "mapping/fusion/bundler.h"
 #include "mapping/fusion/kept_clear_voxels.h"
+#include "mapping/fusion/segment_bundles.h"
+#include "mapping/map/map_config.h"
 #include "mapping/map/submap.h"
 
 namespace dhpmap {

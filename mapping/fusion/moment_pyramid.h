@@ -6,8 +6,8 @@
 #include <deque>
 #include <vector>
 
-#include "mapping/fusion/bundler.h"
 #include "mapping/fusion/plane_fit.h"
+#include "mapping/fusion/segment_bundles.h"
 
 namespace dhpmap {
 

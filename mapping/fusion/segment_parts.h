@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/segment_bundles.h"
 
 namespace dhpmap {
 

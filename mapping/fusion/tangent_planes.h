@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/segment_bundles.h"
 
 namespace dhpmap {
 

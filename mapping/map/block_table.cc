@@ -48,6 +48,7 @@ BlockTile& BlockTable::Own(TileEntry& entry, std::uint64_t generation) {
 }
 
 BlockEntry& BlockTable::FindOrInsert(BlockIndex index, std::uint64_t generation) {
+  extent_.Forget();
   const TileIndex tile_index = TileOf(index);
   std::uint32_t number = numbers_.Find(tile_index);
   if (number == kNone) {
@@ -64,13 +65,15 @@ BlockEntry& BlockTable::FindOrInsert(BlockIndex index, std::uint64_t generation)
 
 void BlockTable::PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) {
   constexpr std::uint64_t kOlderThanAnyWriter = 0;
-  num_blocks_ += tile->entries().size();
+  extent_.Forget();
+  num_blocks_ += tile->size();
   numbers_.Set(index, static_cast<std::uint32_t>(tiles_.size()));
   tiles_.push_back({index, std::move(tile), kOlderThanAnyWriter});
 }
 
 bool BlockTable::Erase(BlockIndex index, std::uint64_t generation) {
   if (Find(index) == nullptr) return false;
+  extent_.Forget();
   const TileIndex tile_index = TileOf(index);
   const std::uint32_t number = numbers_.Find(tile_index);
   BlockTile& tile = Own(tiles_[number], generation);
@@ -91,13 +94,14 @@ void BlockTable::EraseTile(std::uint32_t number) {
 
 void BlockTable::PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers) {
   constexpr std::uint64_t kOlderThanAnyWriter = 0;
+  extent_.Forget();
   const std::uint32_t number = numbers_.Find(index);
   BlockLayers others{};
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) others[i] = !layers[i];
   auto tile = std::make_shared<BlockTile>();
   AddLayersOf(number == kNone ? nullptr : tiles_[number].tile.get(), others, *tile);
   AddLayersOf(from, layers, *tile);
-  if (number != kNone) num_blocks_ -= tiles_[number].tile->entries().size();
+  if (number != kNone) num_blocks_ -= tiles_[number].tile->size();
   if (tile->empty()) {
     if (number != kNone) EraseTile(number);
   } else if (number == kNone) {
@@ -106,6 +110,17 @@ void BlockTable::PutLayers(TileIndex index, const BlockTile* from, const BlockLa
     num_blocks_ += tile->entries().size();
     tiles_[number] = {index, std::move(tile), kOlderThanAnyWriter};
   }
+}
+
+bool BlockTable::LetGoOfPages(bool even_used) {
+  bool has_any = false;
+  for (TileEntry& entry : tiles_) {
+    if (!entry.tile->CanBeUnread()) continue;
+    if (entry.tile->page()->WasUsed() && !even_used) continue;
+    entry.tile = entry.tile->Unread();
+    has_any = true;
+  }
+  return has_any;
 }
 
 void BlockTable::ShareTiles() {

@@ -9,6 +9,7 @@
 
 #include "mapping/base/index_map.h"
 #include "mapping/map/block_tile.h"
+#include "mapping/map/kept_extent.h"
 
 namespace dhpmap {
 
@@ -58,12 +59,19 @@ class BlockTable {
   /// Calls visit(BlockEntry&) for all blocks; it leaves every index as it is.
   template <typename Visitor>
   void ForEachMutable(std::uint64_t generation, Visitor&& visit) {
+    extent_.Forget();
     for (TileEntry& tile : tiles_) {
       for (BlockEntry& entry : Own(tile, generation).mutable_entries()) visit(entry);
     }
   }
+  /// Leaves tiles on the disk again that were read from there, those that nobody has asked for since the last time, or
+  /// with `even_used` all. The table then has the same tiles, others keep their blocks. Returns whether there were any.
+  bool LetGoOfPages(bool even_used);
   /// Makes every tile count as shared, whatever its generation: for two copies that go on with the same one.
   void ShareTiles();
+
+  /// SphereOfObserved, as found by whoever asked for it first since the table was last written to.
+  [[nodiscard]] const KeptExtent& extent() const { return extent_; }
 
   [[nodiscard]] std::size_t MemoryBytes() const;
 
@@ -75,6 +83,7 @@ class BlockTable {
   std::vector<TileEntry> tiles_;
   IndexMap<TileIndex> numbers_;  ///< position in tiles_
   std::size_t num_blocks_ = 0;
+  KeptExtent extent_;
 };
 
 class BlockTable::Range {

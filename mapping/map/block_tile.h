@@ -3,99 +3,77 @@
 
 #include <array>
 #include <bit>
-#include <compare>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "mapping/base/grid.h"
-#include "mapping/map/gone_block.h"
-#include "mapping/map/label_block.h"
+#include "mapping/map/block_entry.h"
+#include "mapping/map/part_id.h"
 #include "mapping/map/stored_key.h"
-#include "mapping/map/tsdf_block.h"
+#include "mapping/map/tile_page.h"
 
 namespace dhpmap {
 
-/// One block of a submap: its layers, shared with every snapshot that holds the same state. `labels` is null where
-/// nothing was ever labelled (the unknown submap, dropped labels), `gone` where nothing was looked through.
-struct BlockEntry {
-  BlockIndex index;
-  // Set by the writer on what it has made since it took over the tile: nobody else holds it.
-  bool owns_tsdf = false;
-  bool owns_labels = false;
-  bool owns_gone = false;
-  std::shared_ptr<const TsdfBlock> tsdf;
-  std::shared_ptr<const LabelBlock> labels;
-  std::shared_ptr<const GoneBlock> gone;
-
-  /// Whether a voxel was looked through so often that what it says of a surface no longer holds.
-  [[nodiscard]] bool IsContradicted(int linear) const { return gone != nullptr && gone->IsContradicted(linear); }
-  /// Whether a voxel says something of a surface: it was observed, and not contradicted since. Needs a TSDF.
-  [[nodiscard]] bool Shows(int linear) const { return tsdf->IsObserved(linear) && !IsContradicted(linear); }
-};
-
-/// The layers of a block.
-enum class BlockLayer : std::uint8_t { kTsdf, kLabels, kGone };
-inline constexpr std::size_t kNumBlockLayers = 3;
-/// Some of them, by number.
-using BlockLayers = std::array<bool, kNumBlockLayers>;
-
-/// The one list of them: calls visit(layer, part...) for each layer, with what each of `blocks` has of it: a
-/// BlockEntry, or anything else with members of these names.
-template <typename Visitor, typename... Blocks>
-void ForEachLayer(Visitor&& visit, Blocks&... blocks) {
-  visit(BlockLayer::kTsdf, blocks.tsdf...);
-  visit(BlockLayer::kLabels, blocks.labels...);
-  visit(BlockLayer::kGone, blocks.gone...);
-}
-
-// A tile is a cube of 4 x 4 x 4 blocks: what is copied when a writer goes on from a published state. Surfaces fill some
-// 10 to 20 blocks of one.
-inline constexpr int kTileSideLog2 = 2;
-inline constexpr int kTileSide = 1 << kTileSideLog2;
-inline constexpr int kTileBlocks = kTileSide * kTileSide * kTileSide;
-
-struct TileIndex {
-  std::int32_t x = 0, y = 0, z = 0;
-  constexpr auto operator<=>(const TileIndex&) const = default;
-};
-
-constexpr TileIndex TileOf(BlockIndex b) { return {b.x >> kTileSideLog2, b.y >> kTileSideLog2, b.z >> kTileSideLog2}; }
-
-/// Position of a block in its tile: x fastest, then y, then z.
-constexpr int CellOf(BlockIndex b) {
-  constexpr int mask = kTileSide - 1;
-  return (b.x & mask) | ((b.y & mask) << kTileSideLog2) | ((b.z & mask) << (2 * kTileSideLog2));
-}
-
-/// Inverse of TileOf and CellOf taken together.
-constexpr BlockIndex BlockIn(TileIndex t, int cell) {
-  constexpr int mask = kTileSide - 1;
-  return {(t.x << kTileSideLog2) + (cell & mask), (t.y << kTileSideLog2) + ((cell >> kTileSideLog2) & mask),
-          (t.z << kTileSideLog2) + (cell >> (2 * kTileSideLog2))};
-}
-
 /// The blocks of a tile, by ascending cell. Thread-compatible.
+///
+/// One that is made of a TilePage has its blocks on the disk until they are first asked for; who does throws
+/// StatusError if they cannot be read. It is never written to: a copy, which is, has them in memory.
 class BlockTile {
  public:
+  BlockTile() = default;
+  /// Neither null nor of no block.
+  explicit BlockTile(std::shared_ptr<const TilePage> page) : cells_(page->cells()), page_(std::move(page)) {
+    part_id_.Restore(page_->tile_id());
+    const TileOnDisk& there = page_->tile();
+    for (std::size_t i = 0; i < kNumBlockLayers; ++i) stored_[i].Set(there.store, there.keys[i]);
+  }
+  /// With the same blocks, in memory. Throws StatusError.
+  BlockTile(const BlockTile& other);
+  BlockTile& operator=(const BlockTile& other) = delete;
+  BlockTile(BlockTile&& other) = default;
+  BlockTile& operator=(BlockTile&& other) = default;
+
   [[nodiscard]] bool empty() const { return cells_ == 0; }
-  [[nodiscard]] std::span<const BlockEntry> entries() const { return entries_; }
-  /// The caller leaves every index as it is.
+  /// Number of blocks; reads none.
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(std::popcount(cells_)); }
+  /// Bit c: there is a block at cell c. Reads none.
+  [[nodiscard]] std::uint64_t cells() const { return cells_; }
+  /// The cells of blocks that have a layer. Reads none.
+  [[nodiscard]] std::uint64_t CellsWith(BlockLayer layer) const;
+  /// Throws StatusError.
+  [[nodiscard]] std::span<const BlockEntry> entries() const {
+    if (page_ != nullptr) [[unlikely]]
+      return page_->blocks();
+    return entries_;
+  }
+  /// The caller leaves every index as it is. Only of blocks in memory.
   [[nodiscard]] std::span<BlockEntry> mutable_entries() { return entries_; }
 
-  /// Null if there is no block at this cell.
+  /// Null if there is no block at this cell. Throws StatusError.
   [[nodiscard]] const BlockEntry* Find(int cell) const {
-    return (cells_ >> cell & 1u) != 0 ? &entries_[PositionOf(cell)] : nullptr;
+    return (cells_ >> cell & 1u) != 0 ? entries().data() + PositionOf(cell) : nullptr;
   }
-  /// Finds the entry or adds one without layers. May invalidate pointers to entries.
+  /// Finds the entry or adds one without layers. May invalidate pointers to entries. Only of blocks in memory.
   BlockEntry& FindOrInsert(BlockIndex index);
-  /// Returns whether it was there.
+  /// Returns whether it was there. Only of blocks in memory.
   bool Erase(int cell);
 
   /// Where a store has a layer of all blocks. Meaningful while nobody writes to the tile.
   [[nodiscard]] const StoredKey& stored(BlockLayer layer) const { return stored_[static_cast<std::size_t>(layer)]; }
 
+  /// The same for tiles that were let go of and read again.
+  [[nodiscard]] std::uint64_t part_id() const { return part_id_.value(); }
+  /// Null: its blocks have been in memory all along.
+  [[nodiscard]] const std::shared_ptr<const TilePage>& page() const { return page_; }
+  /// Whether its blocks were read from where the store has them now, so that they can be left there again.
+  [[nodiscard]] bool CanBeUnread() const;
+  /// The same tile with its blocks on the disk again; of one that can be.
+  [[nodiscard]] std::shared_ptr<const BlockTile> Unread() const;
+  /// Whether its blocks are in memory.
+  [[nodiscard]] bool IsRead() const { return page_ == nullptr || page_->IsRead(); }
+
+  /// Of what is in memory.
   [[nodiscard]] std::size_t MemoryBytes() const;
 
  private:
@@ -103,9 +81,11 @@ class BlockTile {
     return static_cast<std::size_t>(std::popcount(cells_ & ((std::uint64_t{1} << cell) - 1)));
   }
 
+  PartId part_id_;
   std::uint64_t cells_ = 0;  ///< bit c: there is a block at cell c
   std::vector<BlockEntry> entries_;
   std::array<StoredKey, kNumBlockLayers> stored_;
+  std::shared_ptr<const TilePage> page_;
 };
 static_assert(kTileBlocks <= 64, "one bit a block");
 

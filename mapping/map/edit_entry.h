@@ -30,6 +30,7 @@ enum class EditAction : std::uint8_t {
   kUnlock = 13,
   kKeepClear = 14,
   kLift = 15,
+  kRestore = 16,
 };
 
 /// One thing that was asked for, and of which object; kUnknownSubmap: of none in particular.
@@ -49,6 +50,8 @@ struct EditSummary {
   std::vector<SubmapId> created;
   std::vector<SubmapId> removed;
   std::int64_t num_voxels = 0;  ///< that changed hands, or were cleared
+  /// Of kRestore: back to which; 0: not told, as of those that were made before the log told it.
+  std::int64_t restored_revision = 0;
   friend bool operator==(const EditSummary&, const EditSummary&) = default;
 };
 

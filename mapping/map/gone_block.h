@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "mapping/map/part_id.h"
 #include "mapping/map/voxel_mask.h"
 
 namespace dhpmap {
@@ -25,6 +26,8 @@ class GoneBlock {
   static constexpr int kContradicted = 3;
   static constexpr double kDistinct_m = 0.1;
   static constexpr std::int64_t kDistinct_ns = 1'000'000'000;
+
+  PartId part_id;  ///< of this block; no part of what it says
 
   GoneBlock() = default;
   /// As it was stored.

@@ -8,11 +8,10 @@
 namespace dhpmap {
 namespace {
 
-constexpr std::uint32_t kOwnInstance = 0;
-
-void Increment(std::vector<LabelCount>& counts, std::uint32_t id) {
+template <typename Id>
+void Increment(std::vector<SeenCount<Id>>& counts, Id id) {
   const auto it = std::lower_bound(counts.begin(), counts.end(), id,
-                                   [](const LabelCount& entry, std::uint32_t wanted) { return entry.id < wanted; });
+                                   [](const SeenCount<Id>& entry, Id wanted) { return entry.id < wanted; });
   if (it != counts.end() && it->id == id) {
     ++it->count;
   } else {
@@ -20,12 +19,11 @@ void Increment(std::vector<LabelCount>& counts, std::uint32_t id) {
   }
 }
 
-}  // namespace
-
-BestLabel FindBest(std::span<const LabelCount> counts) {
-  BestLabel best;
+template <typename Id>
+BestSeen<Id> FindBest(const std::vector<SeenCount<Id>>& counts) {
+  BestSeen<Id> best;
   std::uint64_t total = 0;
-  for (const LabelCount& entry : counts) {
+  for (const SeenCount<Id>& entry : counts) {
     total += entry.count;
     if (entry.count > best.count) best = {entry.id, entry.count, 0.0f};
   }
@@ -33,22 +31,7 @@ BestLabel FindBest(std::span<const LabelCount> counts) {
   return best;
 }
 
-std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const LabelCount> b) {
-  std::vector<LabelCount> sum;
-  sum.reserve(a.size() + b.size());
-  std::size_t i = 0, j = 0;
-  while (i < a.size() || j < b.size()) {
-    if (j == b.size() || (i < a.size() && a[i].id < b[j].id)) {
-      sum.push_back(a[i++]);
-    } else if (i == a.size() || b[j].id < a[i].id) {
-      sum.push_back(b[j++]);
-    } else {
-      sum.push_back({a[i].id, a[i].count + b[j].count});
-      ++i, ++j;
-    }
-  }
-  return sum;
-}
+}  // namespace
 
 void LabelBlock::AddObservationSlowly(int linear, ClassId c) {
   Cell& cell = cells_[linear];
@@ -66,7 +49,7 @@ void LabelBlock::AddObservationSlowly(int linear, ClassId c) {
     }
   }
   LabelHistograms& histograms = MoveToOverflow(linear);
-  Increment(histograms.classes, c.value);
+  Increment(histograms.classes, std::uint32_t{c.value});
   Increment(histograms.instances, kOwnInstance);
 }
 
@@ -109,21 +92,23 @@ void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
   MoveToOverflow(linear) = histograms;
 }
 
-bool LabelBlock::HasSeenInstance(std::uint32_t instance) const {
+bool LabelBlock::HasSeenInstance(SubmapId other) const {
+  const SeenInstance instance(other);
   return std::any_of(overflow_.begin(), overflow_.end(), [instance](const LabelHistograms& entry) {
     return std::any_of(entry.instances.begin(), entry.instances.end(),
-                       [instance](const LabelCount& seen) { return seen.id == instance; });
+                       [instance](const InstanceCount& seen) { return seen.id == instance; });
   });
 }
 
-void LabelBlock::RenameInstance(std::uint32_t from, std::uint32_t to) {
+void LabelBlock::RenameInstance(SubmapId from, SeenInstance to) {
+  const SeenInstance old(from);
   for (LabelHistograms& entry : overflow_) {
     const auto found = std::find_if(entry.instances.begin(), entry.instances.end(),
-                                    [from](const LabelCount& seen) { return seen.id == from; });
+                                    [old](const InstanceCount& seen) { return seen.id == old; });
     if (found == entry.instances.end()) continue;
-    const LabelCount renamed{to, found->count};
+    const InstanceCount renamed{to, found->count};
     entry.instances.erase(found);
-    entry.instances = SumCounts(entry.instances, std::vector<LabelCount>{renamed});
+    entry.instances = SumCounts(entry.instances, std::vector<InstanceCount>{renamed});
   }
 }
 
@@ -153,7 +138,7 @@ BestLabel LabelBlock::BestClass(int linear) const {
   return {b_wins ? cell.class_b : cell.class_a, best, static_cast<float>(best) / static_cast<float>(total)};
 }
 
-BestLabel LabelBlock::BestInstance(int linear) const {
+BestSeen<SeenInstance> LabelBlock::BestInstance(int linear) const {
   const Cell& cell = cells_[linear];
   if (cell.class_a == kOverflow) return FindBest(Overflow(cell).instances);
   if (cell.count_a == 0) return {};
@@ -177,9 +162,9 @@ void LabelBlock::AddTo(LabelTotals& totals) const {
       continue;
     }
     if (!IsConcluded(linear)) VisitClasses(linear, [&](LabelCount seen) { add_class(seen.id, seen.count); });
-    VisitInstances(linear, [&totals](LabelCount seen) {
+    VisitInstances(linear, [&totals](InstanceCount seen) {
       totals.instances += seen.count;
-      if (seen.id == 0) totals.own += seen.count;
+      if (seen.id.IsOwn()) totals.own += seen.count;
     });
   }
 }
@@ -188,7 +173,7 @@ std::uint64_t LabelBlock::NumObservations(int linear) const {
   const Cell& cell = cells_[linear];
   if (cell.class_a != kOverflow) return static_cast<std::uint64_t>(cell.count_a) + cell.count_b;
   std::uint64_t total = 0;
-  for (const LabelCount& entry : Overflow(cell).instances) total += entry.count;
+  for (const InstanceCount& entry : Overflow(cell).instances) total += entry.count;
   return total;
 }
 
@@ -198,7 +183,7 @@ std::size_t LabelBlock::MemoryBytes() const {
   std::size_t bytes = sizeof(*this) + decltype(cells_)::kBytes + overflow_.capacity() * sizeof(LabelHistograms) +
                       free_overflow_.capacity() * sizeof(std::uint32_t);
   for (const LabelHistograms& entry : overflow_) {
-    bytes += (entry.classes.capacity() + entry.instances.capacity()) * sizeof(LabelCount);
+    bytes += entry.classes.capacity() * sizeof(LabelCount) + entry.instances.capacity() * sizeof(InstanceCount);
   }
   return bytes;
 }

@@ -1,43 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "mapping/base/grid.h"
 #include "mapping/base/ids.h"
+#include "mapping/labels/seen_instance.h"
+#include "mapping/map/part_id.h"
 #include "mapping/map/voxel_mask.h"
 #include "mapping/map/voxel_plane.h"
 
 namespace dhpmap {
 
-/// How often an id (a class, or an instance) was seen at a voxel.
-struct LabelCount {
-  std::uint32_t id = 0;
+/// How often something was seen at a voxel: a class, an instance as the voxel names it, or that of a submap.
+template <typename Id>
+struct SeenCount {
+  Id id{};
   std::uint32_t count = 0;
-  constexpr bool operator==(const LabelCount&) const = default;
+  constexpr bool operator==(const SeenCount&) const = default;
 };
+using LabelCount = SeenCount<std::uint32_t>;
+using InstanceCount = SeenCount<SeenInstance>;
+using SubmapCount = SeenCount<SubmapId>;
 
-/// Everything a voxel has seen, each list by ascending id. In an instance list, id 0 stands for "the submap that holds
-/// this voxel", so that a submap can be cloned or renumbered without touching its voxels.
+/// Everything a voxel has seen, each list by ascending id.
 struct LabelHistograms {
   std::vector<LabelCount> classes;
-  std::vector<LabelCount> instances;
+  std::vector<InstanceCount> instances;
   bool operator==(const LabelHistograms&) const = default;
 };
 
 /// The id with the largest count, and that count's share of all counts. Ties go to the smaller id, which for instances
-/// means: to the submap that holds the voxel. `id` is 0 and `share` 0 for an empty list.
-struct BestLabel {
-  std::uint32_t id = 0;
+/// means: to the submap that holds the voxel. `count` and `share` are 0 for an empty list.
+template <typename Id>
+struct BestSeen {
+  Id id{};
   std::uint32_t count = 0;
   float share = 0.0f;
 };
-BestLabel FindBest(std::span<const LabelCount> counts);
+using BestLabel = BestSeen<std::uint32_t>;
 
 /// Sums two lists that are sorted by id.
-std::vector<LabelCount> SumCounts(std::span<const LabelCount> a, std::span<const LabelCount> b);
+template <typename Id>
+std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const std::vector<SeenCount<Id>>& b);
 
 /// What voxels have seen, summed up.
 struct LabelTotals {
@@ -54,6 +61,8 @@ struct LabelTotals {
 /// dropping the bits (see ForgetConclusions) leaves what was seen.
 class LabelBlock {
  public:
+  PartId part_id;  ///< of this block; no part of what it says
+
   /// Adds one observation of class `c` that also counts for the own instance (paper II-C).
   void AddObservation(int linear, ClassId c) {
     Cell& cell = cells_[linear];
@@ -78,17 +87,17 @@ class LabelBlock {
   void Set(int linear, const LabelHistograms& histograms);
   void Clear(int linear) { Set(linear, {}); }
 
-  /// Whether some voxel has seen the instance, which is not 0. Quick: few voxels have seen another than their own.
-  [[nodiscard]] bool HasSeenInstance(std::uint32_t instance) const;
-  /// What was seen of instance `from`, not 0, was `to`, 0 for the own one: their counts are added up.
-  void RenameInstance(std::uint32_t from, std::uint32_t to);
+  /// Whether some voxel has seen the instance of `other`, as one that is not its own. Quick: few voxels have seen such.
+  [[nodiscard]] bool HasSeenInstance(SubmapId other) const;
+  /// What was seen of the instance of `from`, as one that is not the own, was `to`: their counts are added up.
+  void RenameInstance(SubmapId from, SeenInstance to);
 
   [[nodiscard]] bool IsEmpty(int linear) const;
   [[nodiscard]] LabelHistograms Get(int linear) const;
 
-  /// Without building lists: the most seen class, the most seen instance (0 = own), and the number of observations.
+  /// Without building lists: the most seen class, the most seen instance, and the number of observations.
   [[nodiscard]] BestLabel BestClass(int linear) const;
-  [[nodiscard]] BestLabel BestInstance(int linear) const;
+  [[nodiscard]] BestSeen<SeenInstance> BestInstance(int linear) const;
   /// Sum of the instance counts.
   [[nodiscard]] std::uint64_t NumObservations(int linear) const;
   /// Adds what all voxels have seen.
@@ -97,12 +106,14 @@ class LabelBlock {
   /// Calls visit(LabelCount) for each class that the voxel has seen, in no fixed order.
   template <typename Visitor>
   void VisitClasses(int linear, Visitor&& visit) const;
-  /// The same for instances, with id 0 for the own one.
+  /// Calls visit(InstanceCount), likewise.
   template <typename Visitor>
   void VisitInstances(int linear, Visitor&& visit) const;
 
   [[nodiscard]] std::size_t NumOverflowVoxels() const;
   [[nodiscard]] std::size_t MemoryBytes() const;
+  /// Of them, what is counted as MemoryKind::kBlocks.
+  [[nodiscard]] static constexpr std::size_t CountedBytes() { return decltype(cells_)::kBytes; }
   bool operator==(const LabelBlock& other) const;
 
  private:
@@ -126,6 +137,24 @@ class LabelBlock {
   VoxelMask concluded_{};
 };
 
+template <typename Id>
+std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const std::vector<SeenCount<Id>>& b) {
+  std::vector<SeenCount<Id>> sum;
+  sum.reserve(a.size() + b.size());
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    if (j == b.size() || (i < a.size() && a[i].id < b[j].id)) {
+      sum.push_back(a[i++]);
+    } else if (i == a.size() || b[j].id < a[i].id) {
+      sum.push_back(b[j++]);
+    } else {
+      sum.push_back({a[i].id, a[i].count + b[j].count});
+      ++i, ++j;
+    }
+  }
+  return sum;
+}
+
 template <typename Visitor>
 void LabelBlock::VisitClasses(int linear, Visitor&& visit) const {
   const Cell& cell = cells_[static_cast<std::size_t>(linear)];
@@ -141,11 +170,11 @@ template <typename Visitor>
 void LabelBlock::VisitInstances(int linear, Visitor&& visit) const {
   const Cell& cell = cells_[static_cast<std::size_t>(linear)];
   if (cell.class_a == kOverflow) {
-    for (const LabelCount& entry : Overflow(cell).instances) visit(entry);
+    for (const InstanceCount& entry : Overflow(cell).instances) visit(entry);
     return;
   }
   const std::uint32_t own = std::uint32_t{cell.count_a} + cell.count_b;
-  if (own != 0) visit(LabelCount{0, own});
+  if (own != 0) visit(InstanceCount{kOwnInstance, own});
 }
 
 }  // namespace dhpmap

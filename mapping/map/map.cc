@@ -5,6 +5,7 @@
 #include <cassert>
 #include <utility>
 
+#include "mapping/base/status_error.h"
 #include "mapping/map/diff_submap.h"
 
 namespace dhpmap {
@@ -20,6 +21,17 @@ SubmapList::const_iterator LowerBound(const SubmapList& submaps, SubmapId id) {
 const Submap* FindIn(const SubmapList& submaps, SubmapId id) {
   const auto it = LowerBound(submaps, id);
   return it != submaps.end() && (*it)->id() == id ? it->get() : nullptr;
+}
+
+/// What is on the disk only: its blobs go with the submap, and older states still answer.
+void ReadAll(const Submap& submap) {
+  for (const TileEntry& tile : submap.blocks().tiles()) {
+    try {
+      (void)tile.tile->entries();
+    } catch (const StatusError&) {
+      continue;  // whoever asks an older state for it is told
+    }
+  }
 }
 
 }  // namespace
@@ -134,6 +146,7 @@ bool Map::Remove(SubmapId id) {
   const std::size_t position = Position(id);
   if (id == kUnknownSubmap || position == submaps_.size() || submaps_[position]->id() != id) return false;
   changed_ = true;
+  ReadAll(*submaps_[position]);
   submaps_.erase(submaps_.begin() + static_cast<std::ptrdiff_t>(position));
   info_.pairs.Remove(id);
   return true;
@@ -161,6 +174,22 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
   published_ = std::make_shared<MapSnapshot>(info_, submaps_, free_space_, vacated_);
   ++generation_;
   changed_ = false;
+  return published_;
+}
+
+std::shared_ptr<const MapSnapshot> Map::LetGoOfPages(bool even_used) {
+  if (changed_ || published_ == nullptr) return published_;
+  SubmapList same = submaps_;  // of older generations, all of them: no writer's own
+  bool has_any = false;
+  for (auto& submap : same) {
+    auto without = submap->WithoutPages(even_used);
+    if (without == nullptr) continue;
+    submap = std::move(without);
+    has_any = true;
+  }
+  if (!has_any) return published_;
+  published_ = std::make_shared<const MapSnapshot>(info_, same, free_space_, vacated_);
+  submaps_ = std::move(same);
   return published_;
 }
 
@@ -197,7 +226,7 @@ std::vector<SubmapChange> DiffSnapshots(const MapSnapshot* before, const MapSnap
   std::vector<SubmapChange> changes;
   for (const auto& submap : after.submaps()) {
     const Submap* old = before ? before->Find(submap->id()) : nullptr;
-    if (old != submap.get()) changes.push_back(DiffSubmap(old, *submap));
+    if (old == nullptr || old->part_id() != submap->part_id()) changes.push_back(DiffSubmap(old, *submap));
   }
   if (before == nullptr) return changes;
   for (const auto& old : before->submaps()) {

@@ -106,6 +106,14 @@ class Map {
   /// snapshot.
   std::shared_ptr<const MapSnapshot> Publish(std::int64_t time_ns);
   [[nodiscard]] const std::shared_ptr<const MapSnapshot>& published() const { return published_; }
+  /// Whether something was written since.
+  [[nodiscard]] bool is_changed() const { return changed_; }
+
+  /// Has the map, and its published state, leave voxels on the disk again that were read from there (see TilePage):
+  /// what was not asked for since the last time, or with `even_used` all. It is the same revision and the same parts;
+  /// who holds the state of before keeps what it has read. Returns the published state, which may be the one that it
+  /// was. Does nothing while there is something that was not published.
+  std::shared_ptr<const MapSnapshot> LetGoOfPages(bool even_used);
 
   /// A second writer's map of the same state, published or not: to go back to by assigning it. Whatever either writes
   /// afterwards is copied first.

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mapping/base/status_error.h"
 #include "mapping/map/observed_sphere.h"
 
 namespace dhpmap {
@@ -99,11 +100,20 @@ void AddPassing(const StateMarks& before, const MapSnapshot& after, std::vector<
   }
 }
 
+/// Around all blocks where some cannot be read: nobody's commit waits for a disk to be mended.
+BoundingSphere ObservedOrAll(const Submap& submap) {
+  try {
+    return SphereOfObservedInMap(submap);
+  } catch (const StatusError&) {
+    return submap.BoundingSphereInMap();
+  }
+}
+
 SubmapEvent EventOfPresent(const SubmapMarks* before, const SubmapTileChange& change) {
   const Submap& submap = *change.after;
   SubmapEvent event{.kind = before == nullptr ? ChangeKind::kCreated : ChangeKind::kChanged,
                     .info = submap.info(),
-                    .observed = SphereOfObservedInMap(submap),
+                    .observed = ObservedOrAll(submap),
                     .num_blocks = static_cast<std::int64_t>(submap.blocks().size())};
   if (before == nullptr) return event;
   event.before = PlaceOf(*before);
@@ -116,14 +126,30 @@ SubmapEvent EventOfPresent(const SubmapMarks* before, const SubmapTileChange& ch
   return event;
 }
 
+/// A region of the same name that is another one is lifted and kept clear.
+void AddKeptClear(const KeptClear& before, const KeptClear& after, std::vector<RegionEvent>& events) {
+  const auto add = [&events](const KeptClear& of, const KeptClear& other, RegionEventKind kind) {
+    for (const KeptClearRegion& region : of.list()) {
+      const KeptClearRegion* same = other.Find(region.name);
+      if (same == nullptr || !(*same == region)) {
+        events.push_back({.kind = kind, .region = region.region, .name = region.name});
+      }
+    }
+  };
+  add(before, after, RegionEventKind::kLifted);
+  add(after, before, RegionEventKind::kKeptClear);
+}
+
 }  // namespace
 
 MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after,
-                         const std::vector<SubmapTileChange>& submaps) {
+                         const std::vector<SubmapTileChange>& submaps, const std::vector<RegionEvent>& cleared) {
   MapChange change{.first_revision = before.revision() + 1,
                    .last_revision = after.revision(),
                    .time_ns = after.info().update_time_ns,
-                   .submaps = {}};
+                   .submaps = {},
+                   .regions = cleared};
+  AddKeptClear(before.info().kept_clear, after.info().kept_clear, change.regions);
   if (before.revision() > 0 && before.info().display_name != after.info().display_name) {
     change.display_name = after.info().display_name;
   }
@@ -143,6 +169,9 @@ std::size_t BytesOf(const MapChange& change) {
   for (const SubmapEvent& event : change.submaps) {
     bytes += sizeof event + event.info.display_name.size() + event.tiles.size() * sizeof(TileBox) +
              event.info.class_counts.size() * sizeof(ClassTotal);
+  }
+  for (const RegionEvent& event : change.regions) {
+    bytes += sizeof event + event.name.size() + event.classes.size() * sizeof(ClassId);
   }
   return bytes;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mapping/map/map.h"
+#include "mapping/map/region.h"
 #include "mapping/map/state_marks.h"
 
 namespace dhpmap {
@@ -77,6 +78,18 @@ struct SubmapEvent {
   std::optional<SubmapPlace> before;  ///< with the sphere around its blocks; none of what was not in the state before
 };
 
+enum class RegionEventKind : std::uint8_t { kCleared = 1, kKeptClear = 2, kLifted = 3 };
+
+/// What became of a part of space.
+struct RegionEvent {
+  RegionEventKind kind = RegionEventKind::kCleared;
+  Region region = {};                 ///< of kLifted: as it was
+  std::string name = {};              ///< of kKeptClear and kLifted
+  SubmapId submap = {};               ///< of kCleared: of this one alone; the unknown submap: of more than one
+  std::vector<ClassId> classes = {};  ///< of kCleared without a submap: of these alone, by ascending id; empty: of all
+  std::int64_t num_voxels = 0;        ///< of kCleared: that were observed and are no more
+};
+
 /// What became of a map from one state that was stored to the next.
 struct MapChange {
   std::int64_t first_revision = 0;                         ///< the one after the state before
@@ -84,14 +97,15 @@ struct MapChange {
   std::int64_t time_ns = 0;                                ///< UTC, of the state after
   std::optional<std::string> display_name = std::nullopt;  ///< of the map, if that has changed
   std::vector<SubmapEvent> submaps;                        ///< by ascending id
+  std::vector<RegionEvent> regions = {};  ///< cleared, in the order of the edits; then lifted, then kept clear, by name
 };
 
 /// Of one submap no more than so many; beyond, one box around them all.
 inline constexpr std::size_t kMaxTileBoxes = 32;
 
-/// `submaps` is DiffTiles of the two states.
+/// `submaps` is DiffTiles of the two states. `cleared`: what cannot be told from them.
 MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after,
-                         const std::vector<SubmapTileChange>& submaps);
+                         const std::vector<SubmapTileChange>& submaps, const std::vector<RegionEvent>& cleared = {});
 
 /// In memory, roughly.
 std::size_t BytesOf(const MapChange& change);

@@ -56,6 +56,7 @@ struct RefinementConfig {
   bool drop_voxel_labels = false;  ///< at FinishMapping, when positions are exclusive, keep only the submaps' labels
   int crf_iterations = 3;          ///< of mean field
   double evidence_radius_m = 0;    ///< up to where what a voxel has seen is evidence for others; 0 = for itself alone
+  int least_apart_voxels = 0;  ///< at FinishMapping, parts of a thing that lie apart become things from this size on
   CrfKernelConfig smoothness{.position_m = 0.04, .color = 0, .weight = 1.0};
   CrfKernelConfig appearance{.position_m = 0.12, .color = 8.0, .weight = 5.0};
 };
@@ -128,6 +129,8 @@ void VisitFields(Config& c, Visitor&& visit) {
   visit("refinement.crf_iterations", c.refinement.crf_iterations, 1.0, 100.0, "of mean field");
   visit("refinement.evidence_radius_m", c.refinement.evidence_radius_m, 0.0, 1e3,
         "up to where what was seen at the surface is evidence for others, 8 voxels at most; 0 = for itself alone");
+  visit("refinement.least_apart_voxels", c.refinement.least_apart_voxels, 0.0, 1e9,
+        "voxels at the surface that a part of a thing that lies apart needs to become one at FinishMapping; 0 = never");
   visit("refinement.smoothness.position_m", c.refinement.smoothness.position_m, 1e-3, 1e3,
         "standard deviation of the smoothness kernel");
   visit("refinement.smoothness.weight", c.refinement.smoothness.weight, 0.0, 1e3,

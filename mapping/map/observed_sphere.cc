@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace dhpmap {
 namespace {
@@ -32,6 +34,7 @@ Box Cube(const Index& index, int side) {
   return {low, low + side};
 }
 
+Box CubeOf(BlockIndex block) { return Cube(block, kBlockSide); }
 Box CubeOf(const BlockEntry& entry) { return Cube(entry.index, kBlockSide); }
 Box CubeOf(const TileEntry& tile) { return Cube(tile.index, kBlockSide * kTileSide); }
 
@@ -67,12 +70,23 @@ void ForEachBlock(const BlockTable& blocks, IsLeftOut&& left_out, Visitor&& visi
   }
 }
 
+/// Visits only where they are, and reads none.
+template <typename IsLeftOut, typename Visitor>
+void ForEachIndex(const BlockTable& blocks, IsLeftOut&& left_out, Visitor&& visit) {
+  for (const TileEntry& tile : blocks.tiles()) {
+    if (left_out(CubeOf(tile))) continue;
+    for (std::uint64_t left = tile.tile->cells(); left != 0; left &= left - 1) {
+      visit(BlockIn(tile.index, std::countr_zero(left)));
+    }
+  }
+}
+
 /// Of the blocks, first those at the rim of their box: few of the others reach out of what these hold.
 Box BoxOfObserved(const BlockTable& blocks) {
   Box allocated, observed;
-  ForEachBlock(
+  ForEachIndex(
       blocks, [&](const Box& tile) { return allocated.Contains(tile); },
-      [&](const BlockEntry& entry) { allocated.Add(CubeOf(entry)); });
+      [&](BlockIndex block) { allocated.Add(CubeOf(block)); });
   ForEachBlock(
       blocks, [&](const Box& tile) { return !tile.IsAtRimOf(allocated); },
       [&](const BlockEntry& entry) {
@@ -104,14 +118,14 @@ double FarthestObservedSquared(const BlockTable& blocks, const Array3d& from) {
     }
   };
   double reach = 0;
-  const BlockEntry* outermost = nullptr;
-  ForEachBlock(
+  std::optional<BlockIndex> outermost;
+  ForEachIndex(
       blocks, [&](const Box& tile) { return FarthestSquared(tile, from) <= reach; },
-      [&](const BlockEntry& entry) {
-        const double its = FarthestSquared(CubeOf(entry), from);
-        if (its > reach) reach = its, outermost = &entry;
+      [&](BlockIndex block) {
+        const double its = FarthestSquared(CubeOf(block), from);
+        if (its > reach) reach = its, outermost = block;
       });
-  if (outermost != nullptr) look_into(*outermost);
+  if (outermost) look_into(*blocks.Find(*outermost));
   ForEachBlock(
       blocks, [&](const Box& tile) { return FarthestSquared(tile, from) <= farthest; },
       [&](const BlockEntry& entry) {
@@ -120,14 +134,25 @@ double FarthestObservedSquared(const BlockTable& blocks, const Array3d& from) {
   return farthest;
 }
 
+KeptExtent::Values FindExtent(const BlockTable& blocks) {
+  const Box box = BoxOfObserved(blocks);
+  if (box.IsEmpty()) return {0, 0, 0, -1};
+  const Array3d center = (box.low + box.high).cast<double>() / 2;
+  return {center.x(), center.y(), center.z(), FarthestObservedSquared(blocks, center)};
+}
+
 }  // namespace
 
 BoundingSphere SphereOfObserved(const Submap& submap) {
-  const Box box = BoxOfObserved(submap.blocks());
-  if (box.IsEmpty()) return {};
-  const Array3d center = (box.low + box.high).cast<double>() / 2;
+  std::optional<KeptExtent::Values> extent = submap.blocks().extent().Find();
+  if (!extent) {
+    extent = FindExtent(submap.blocks());
+    submap.blocks().extent().Keep(*extent);
+  }
+  const auto& [x, y, z, squared] = *extent;
+  if (squared < 0) return {};
   const double voxel_size_m = submap.info().voxel_size_m;
-  return {center.matrix() * voxel_size_m, std::sqrt(FarthestObservedSquared(submap.blocks(), center)) * voxel_size_m};
+  return {Eigen::Vector3d(x, y, z) * voxel_size_m, std::sqrt(squared) * voxel_size_m};
 }
 
 BoundingSphere SphereOfObservedInMap(const Submap& submap) {

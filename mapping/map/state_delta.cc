@@ -8,6 +8,8 @@
 #include <span>
 #include <tuple>
 
+#include "mapping/map/diff_submap.h"
+
 namespace dhpmap {
 namespace {
 
@@ -44,6 +46,9 @@ bool IsLessMerged(const MergedId& a, const MergedId& b) {
   return std::tie(a.merged, a.into) < std::tie(b.merged, b.into);
 }
 
+/// `a` may be null.
+bool IsSameRow(const Submap* a, const Submap& b) { return a != nullptr && a->part_id() == b.part_id(); }
+
 std::optional<SubmapRowState> RowOf(const Submap* submap) {
   if (submap == nullptr) return std::nullopt;
   return SubmapRowState{submap->info(), submap->bounding_sphere()};
@@ -58,7 +63,7 @@ BlockLayers DifferingLayers(const BlockTile* before, const BlockTile* after) {
     const BlockEntry* b = after != nullptr ? after->Find(cell) : nullptr;
     ForEachLayer(
         [&differs](BlockLayer layer, const auto& x, const auto& y) {
-          if (x != y) differs[static_cast<std::size_t>(layer)] = true;
+          if (!IsSamePart(x, y)) differs[static_cast<std::size_t>(layer)] = true;
         },
         a != nullptr ? *a : none, b != nullptr ? *b : none);
   }
@@ -84,7 +89,7 @@ std::vector<TileDelta> DiffTilesOf(const Submap* before, const Submap* after) {
   for (const TileIndex index : indices) {
     const TileEntry* a = before != nullptr ? before->blocks().FindTile(index) : nullptr;
     const TileEntry* b = after != nullptr ? after->blocks().FindTile(index) : nullptr;
-    if (a != nullptr && b != nullptr && a->tile == b->tile) continue;
+    if (a != nullptr && b != nullptr && IsSamePart(a->tile, b->tile)) continue;
     const BlockTile* x = a != nullptr ? a->tile.get() : nullptr;
     const BlockTile* y = b != nullptr ? b->tile.get() : nullptr;
     const BlockLayers differs = DifferingLayers(x, y);
@@ -100,10 +105,10 @@ StateDelta DiffRows(const MapSnapshot& before, const MapSnapshot& after) {
   StateDelta delta;
   std::set<SubmapId> ids;
   for (const auto& submap : before.submaps()) {
-    if (after.Find(submap->id()) != submap.get()) ids.insert(submap->id());
+    if (!IsSameRow(after.Find(submap->id()), *submap)) ids.insert(submap->id());
   }
   for (const auto& submap : after.submaps()) {
-    if (before.Find(submap->id()) != submap.get()) ids.insert(submap->id());
+    if (!IsSameRow(before.Find(submap->id()), *submap)) ids.insert(submap->id());
   }
   for (const SubmapId id : ids) {
     delta.submaps.push_back({.id = id, .before = RowOf(before.Find(id)), .after = RowOf(after.Find(id)), .tiles = {}});

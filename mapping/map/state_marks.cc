@@ -12,15 +12,28 @@ namespace {
 BlockMark MarkBlock(const BlockEntry& block) {
   BlockMark mark;
   mark.index = block.index;
-  ForEachLayer([](BlockLayer, const auto& layer, auto& name) { name = layer; }, block, mark);
+  ForEachLayer([](BlockLayer, const auto& layer, auto& name) { name = PartIdOf(layer); }, block, mark);
+  return mark;
+}
+
+BlockMark MarkOnPage(const TilePage& page, int cell) {
+  BlockMark mark;
+  mark.index = BlockIn(page.tile().index, cell);
+  ForEachLayer([&](BlockLayer layer, auto& name) { name = page.PartIdOf(layer, cell); }, mark);
   return mark;
 }
 
 std::shared_ptr<const TileMarks> MarkTile(const TileEntry& entry) {
   auto marks = std::make_shared<TileMarks>();
   marks->index = entry.index;
-  marks->tile = entry.tile;
-  marks->blocks.reserve(entry.tile->entries().size());
+  marks->tile = entry.tile->part_id();
+  marks->blocks.reserve(entry.tile->size());
+  if (const TilePage* page = entry.tile->page().get()) {  // known without reading it
+    for (int cell = 0; cell < kTileBlocks; ++cell) {
+      if ((page->cells() >> cell & 1u) != 0) marks->blocks.push_back(MarkOnPage(*page, cell));
+    }
+    return marks;
+  }
   for (const BlockEntry& block : entry.tile->entries()) marks->blocks.push_back(MarkBlock(block));
   return marks;
 }
@@ -85,7 +98,10 @@ SubmapTileChange DiffTilesOf(const SubmapMarks* before, const Submap& after) {
   SubmapTileChange change{.id = after.id(), .after = &after};
   const auto compare = [&change](TileIndex index, const TileMarks* old, const std::shared_ptr<const BlockTile>& now) {
     TileChange tile = CompareTile(index, old, now);
-    if (std::find(tile.is_written.begin(), tile.is_written.end(), true) == tile.is_written.end()) return;
+    // One that holds what was there as another object has yet to learn under which keys that is stored.
+    const bool holds_any = std::any_of(tile.num_after.begin(), tile.num_after.end(), [](auto num) { return num > 0; });
+    const bool is_written = std::find(tile.is_written.begin(), tile.is_written.end(), true) != tile.is_written.end();
+    if (!is_written && !holds_any) return;
     change.tiles.push_back(std::move(tile));
   };
   for (const TileEntry& entry : after.blocks().tiles()) {
@@ -109,7 +125,7 @@ bool BlockMark::IsOf(const BlockEntry& entry) const {
   return is_same;
 }
 
-bool TileMarks::IsOf(const TileEntry& entry) const { return IsSamePart(tile, entry.tile); }
+bool TileMarks::IsOf(const TileEntry& entry) const { return tile == entry.tile->part_id(); }
 
 const BlockMark* TileMarks::Find(int cell) const {
   const auto found = std::lower_bound(blocks.begin(), blocks.end(), cell,
@@ -118,7 +134,7 @@ const BlockMark* TileMarks::Find(int cell) const {
 }
 
 SubmapMarks::SubmapMarks(const std::shared_ptr<const Submap>& submap, const SubmapMarks* before)
-    : info_(submap->info()), sphere_in_map_(submap->BoundingSphereInMap()), submap_(submap) {
+    : info_(submap->info()), sphere_in_map_(submap->BoundingSphereInMap()), submap_(submap->part_id()) {
   const std::span<const TileEntry> tiles = submap->blocks().tiles();
   tiles_.reserve(tiles.size());
   numbers_.Reserve(tiles.size());
@@ -147,7 +163,7 @@ void SubmapMarks::Add(std::shared_ptr<const TileMarks> tile) {
   tiles_.push_back(std::move(tile));
 }
 
-bool SubmapMarks::IsOf(const std::shared_ptr<const Submap>& submap) const { return IsSamePart(submap_, submap); }
+bool SubmapMarks::IsOf(const std::shared_ptr<const Submap>& submap) const { return submap_ == submap->part_id(); }
 
 const TileMarks* SubmapMarks::FindTile(TileIndex index) const {
   const std::uint32_t number = numbers_.Find(index);
@@ -241,7 +257,7 @@ FreeSpaceChange StateMarks::Diff(const LayerMarks& before, const FreeSpace& afte
   };
   for (const FreeTileEntry& entry : after.tiles()) {
     const auto* old = find(entry.index);
-    if (old == nullptr || !IsSamePart(old->tile, entry.tile)) change.written.push_back(&entry);
+    if (old == nullptr || !IsSameObject(old->tile, entry.tile)) change.written.push_back(&entry);
   }
   for (const FreeTileMark& old : before) {
     if (after.FindEntry(old.index) == nullptr) change.erased.push_back(old.index);

@@ -19,10 +19,10 @@ namespace dhpmap {
 /// What stays of a block when its state is let go of: the names of its layers. Thread-compatible.
 struct BlockMark {
   BlockIndex index;
-  // Empty where there was no layer. They keep a layer's name from being given to another, but not the layer.
-  std::weak_ptr<const TsdfBlock> tsdf;
-  std::weak_ptr<const LabelBlock> labels;
-  std::weak_ptr<const GoneBlock> gone;
+  // See PartId; 0 where there was no layer.
+  std::uint64_t tsdf = 0;
+  std::uint64_t labels = 0;
+  std::uint64_t gone = 0;
 
   /// Whether these are the very layers of `entry`.
   [[nodiscard]] bool IsOf(const BlockEntry& entry) const;
@@ -31,7 +31,7 @@ struct BlockMark {
 /// The blocks of one tile, by ascending cell. Immutable, shared by the marks of all states that have the same tile.
 struct TileMarks {
   TileIndex index;
-  std::weak_ptr<const BlockTile> tile;
+  std::uint64_t tile = 0;  ///< see PartId; 0: of none that there was as a whole
   std::vector<BlockMark> blocks;
 
   /// Whether it is this very tile.
@@ -66,13 +66,13 @@ class SubmapMarks {
 
   SubmapInfo info_;
   BoundingSphere sphere_in_map_;
-  std::weak_ptr<const Submap> submap_;
+  std::uint64_t submap_ = 0;  ///< see PartId; 0: of none that there was as a whole
   std::vector<std::shared_ptr<const TileMarks>> tiles_;
   IndexMap<TileIndex> numbers_;  ///< position in tiles_
 };
 
 /// Tells later what of a state was written since, without keeping the state: parts are told apart by their identity,
-/// and only their names stay, some 150 bytes a block. Immutable, thread-safe.
+/// and only their names stay, some 100 bytes a block. Immutable, thread-safe.
 class StateMarks {
  public:
   /// Of nothing: everything was written since.

@@ -2,6 +2,7 @@
 #include "mapping/map/submap.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +20,14 @@ Layer& Own(std::shared_ptr<const Layer>& layer, bool& is_owned) {
   }
   is_owned = true;
   return const_cast<Layer&>(*layer);  // nobody else holds it
+}
+
+/// Calls visit(BlockIndex) for the blocks of a tile, and reads none.
+template <typename Visitor>
+void VisitBlocks(const TileEntry& tile, Visitor&& visit) {
+  for (std::uint64_t left = tile.tile->cells(); left != 0; left &= left - 1) {
+    visit(BlockIn(tile.index, std::countr_zero(left)));
+  }
 }
 
 bool HasLabels(const LabelBlock* labels) {
@@ -94,8 +103,9 @@ void Submap::AddLayers(const BlockEntry& block) {
 
 void Submap::DropGone() {
   std::vector<BlockIndex> marked;
-  for (const BlockEntry& entry : blocks_.entries()) {
-    if (entry.gone != nullptr) marked.push_back(entry.index);
+  for (const TileEntry& tile : blocks_.tiles()) {
+    std::uint64_t left = tile.tile->CellsWith(BlockLayer::kGone);  // reads none
+    for (; left != 0; left &= left - 1) marked.push_back(BlockIn(tile.index, std::countr_zero(left)));
   }
   for (const BlockIndex index : marked) PutGone(index, nullptr);
 }
@@ -114,6 +124,13 @@ void Submap::DropLabels() {
   blocks_.ForEachMutable(generation_, [](BlockEntry& entry) { entry.labels = nullptr; });
 }
 
+std::shared_ptr<const Submap> Submap::WithoutPages(bool even_used) const {
+  auto same = std::make_shared<Submap>(*this);
+  if (!same->blocks_.LetGoOfPages(even_used)) return nullptr;
+  same->part_id_.Restore(part_id_.value());
+  return same;
+}
+
 void Submap::UpdateBoundingSphere() {
   sphere_ = {};
   if (blocks_.empty()) return;
@@ -122,11 +139,11 @@ void Submap::UpdateBoundingSphere() {
   for (const TileEntry& tile : blocks_.tiles()) {
     const Eigen::Array3i tile_low = Eigen::Array3i(tile.index.x, tile.index.y, tile.index.z) * kTileSide;
     if ((tile_low >= low).all() && (tile_low + kTileSide <= high).all()) continue;  // adds nothing to the box
-    for (const BlockEntry& entry : tile.tile->entries()) {
-      const Eigen::Array3i corner(entry.index.x, entry.index.y, entry.index.z);
+    VisitBlocks(tile, [&](BlockIndex index) {
+      const Eigen::Array3i corner(index.x, index.y, index.z);
       low = low.min(corner);
       high = high.max(corner + 1);
-    }
+    });
   }
   // In block units; the farthest corner of a cube from c is |its centre - c| + half a side along each axis.
   const Eigen::Array3d center = (low.cast<double>() + high.cast<double>()) / 2;
@@ -137,9 +154,8 @@ void Submap::UpdateBoundingSphere() {
   double radius_squared = 0;
   for (const TileEntry& tile : blocks_.tiles()) {
     if (farthest_squared(tile.index, kTileSide) <= radius_squared) continue;  // nor does any block in it reach farther
-    for (const BlockEntry& entry : tile.tile->entries()) {
-      radius_squared = std::max(radius_squared, farthest_squared(entry.index, 1.0));
-    }
+    VisitBlocks(tile,
+                [&](BlockIndex index) { radius_squared = std::max(radius_squared, farthest_squared(index, 1.0)); });
   }
   const double side_m = kBlockSide * info_.voxel_size_m;
   sphere_ = {center.matrix() * side_m, std::sqrt(radius_squared) * side_m};

@@ -12,6 +12,7 @@
 #include "mapping/labels/panoptic.h"
 #include "mapping/map/block_table.h"
 #include "mapping/map/bounding_sphere.h"
+#include "mapping/map/part_id.h"
 #include "mapping/map/sightings.h"
 
 namespace dhpmap {
@@ -96,6 +97,8 @@ class Submap {
   [[nodiscard]] SubmapInfo& mutable_info() { return info_; }
   [[nodiscard]] SubmapId id() const { return info_.id; }
   [[nodiscard]] const BlockTable& blocks() const { return blocks_; }
+  /// See PartId.
+  [[nodiscard]] std::uint64_t part_id() const { return part_id_.value(); }
 
   [[nodiscard]] bool IsAbsent() const { return info_.presence == Presence::kAbsent; }
 
@@ -129,6 +132,9 @@ class Submap {
   /// Makes every present layer count as shared: the next write to one copies it first. For clones.
   void ShareBlocks() { blocks_.ShareTiles(); }
 
+  /// The same submap (see part_id) with tiles left on the disk again: see BlockTable. Null if there are none.
+  [[nodiscard]] std::shared_ptr<const Submap> WithoutPages(bool even_used) const;
+
   /// Recomputes the sphere from the blocks: centre of their box, radius to the farthest corner of a block.
   void UpdateBoundingSphere();
   /// For a loaded map, whose sphere is in its row.
@@ -145,6 +151,7 @@ class Submap {
   [[nodiscard]] std::size_t MemoryBytes() const { return sizeof(*this) + blocks_.MemoryBytes(); }
 
  private:
+  PartId part_id_;
   SubmapInfo info_;
   BlockTable blocks_;
   BoundingSphere sphere_;

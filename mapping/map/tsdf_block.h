@@ -7,6 +7,7 @@
 
 #include "mapping/base/grid.h"
 #include "mapping/labels/color.h"
+#include "mapping/map/part_id.h"
 
 namespace dhpmap {
 
@@ -19,11 +20,16 @@ struct TsdfBlock {
   std::array<float, kBlockVoxels> distance_m{};
   std::array<float, kBlockVoxels> weight{};
   std::array<Color, kBlockVoxels> color{};
+  PartId part_id;
 
   [[nodiscard]] bool IsObserved(int linear) const { return weight[linear] >= kMinObservedWeight; }
   [[nodiscard]] bool HasObservedVoxel() const;
   [[nodiscard]] int NumObservedVoxels() const;
   [[nodiscard]] std::size_t MemoryBytes() const { return sizeof(*this); }
+
+  // Blocks made by `new`, as those of maps are, are counted as MemoryKind::kBlocks.
+  static void* operator new(std::size_t bytes);
+  static void operator delete(void* block, std::size_t bytes);
 };
 
 }  // namespace dhpmap

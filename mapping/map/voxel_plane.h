@@ -2,15 +2,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 
 #include "mapping/base/grid.h"
+#include "mapping/base/memory_count.h"
 
 namespace dhpmap {
 
 /// One value a voxel of a block, zero at first, in an allocation of its own: where that is a whole page, the allocator
 /// rounds nothing up and gives the page back with the block, whatever its neighbours do. Indexed by LinearIndex. Copies
-/// are deep; it is never without its values, so there is no moving. Thread-compatible.
+/// are deep; it is never without its values, so there is no moving. Counted as MemoryKind::kBlocks. Thread-compatible.
 template <typename T>
 class VoxelPlane {
  public:
@@ -22,13 +24,17 @@ class VoxelPlane {
   }
   ~VoxelPlane() = default;
 
-  T& operator[](std::size_t linear) { return (*values_)[linear]; }
-  const T& operator[](std::size_t linear) const { return (*values_)[linear]; }
+  T& operator[](std::size_t linear) { return values_->all[linear]; }
+  const T& operator[](std::size_t linear) const { return values_->all[linear]; }
 
   static constexpr std::size_t kBytes = sizeof(std::array<T, kBlockVoxels>);  ///< of the allocation
 
  private:
-  using Values = std::array<T, kBlockVoxels>;
+  struct Values {
+    std::array<T, kBlockVoxels> all{};
+    static void* operator new(std::size_t bytes) { return NewCounted(MemoryKind::kBlocks, bytes, bytes); }
+    static void operator delete(void* values, std::size_t bytes) { DeleteCounted(MemoryKind::kBlocks, values, bytes); }
+  };
   std::unique_ptr<Values> values_;
 };
 

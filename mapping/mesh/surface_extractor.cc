@@ -34,7 +34,7 @@ struct MeshBlock {
   std::array<std::uint8_t, kRows> observed{};        ///< the same: has been observed
   std::array<std::uint64_t, kWords> edges{};         ///< bit 3 * linear + axis: the surface crosses, in a cell we mesh
   std::array<std::uint32_t, kWords> first_vertex{};  ///< number of the first vertex of each word
-  std::vector<ActiveCell> cells;
+  MeshingVector<ActiveCell> cells;
   std::size_t num_triangles = 0, first_triangle = 0;
 };
 
@@ -310,7 +310,7 @@ class SurfaceExtractor::Impl {
   const MeshColoring coloring_;
   const CellCaseTable& cases_ = CellCases();
   const std::array<CellEdge, kCellEdges>& edge_table_ = CellEdgeTable();
-  std::vector<MeshBlock> blocks_;  // as the field's
+  MeshingVector<MeshBlock> blocks_;  // as the field's
   std::size_t num_vertices_ = 0, num_triangles_ = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "mapping/map/voxel_answer.h"
 #include "mapping/map/voxel_average.h"
@@ -11,8 +12,8 @@ namespace dhpmap {
 namespace {
 
 /// Blocks of all submaps by ascending index, those of one index by ascending submap.
-std::vector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps) {
-  std::vector<BlockHolder> sorted;
+MeshingVector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps) {
+  MeshingVector<BlockHolder> sorted;
   for (const Submap* submap : submaps) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
       if (entry.tsdf != nullptr) sorted.push_back({submap, &entry});
@@ -60,14 +61,15 @@ SurfaceField::SurfaceField(std::span<const Submap* const> submaps, ThreadPool& p
     }
     holders_.back().all.push_back(holder);
   }
+  numbers_bytes_.Set(numbers_.MemoryBytes());
   pool.ParallelFor(blocks_.size(), [&](std::size_t i) {
-    const std::vector<BlockHolder>& all = holders_[i].all;
+    const MeshingVector<BlockHolder>& all = holders_[i].all;
     if (all.size() > 1 || all[0].block->gone != nullptr) Merge(holders_[i], blocks_[i]);
   });
 }
 
 void SurfaceField::Merge(Holders& holders, BlockEntry& merged) {
-  auto tsdf = std::make_shared<TsdfBlock>();
+  auto tsdf = std::allocate_shared<TsdfBlock>(CountedAllocator<TsdfBlock, MemoryKind::kMeshing>());
   holders.of_voxel.assign(kBlockVoxels, 0);
   std::array<bool, kBlockVoxels> is_held{}, is_shared{};
   for (std::uint16_t h = 0; h < holders.all.size(); ++h) {

@@ -3,13 +3,17 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "mapping/base/index_map.h"
+#include "mapping/base/memory_count.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/submap.h"
 
 namespace dhpmap {
+
+/// For what a mesh is made with: counted as MemoryKind::kMeshing.
+template <typename T>
+using MeshingVector = CountedVector<T, MemoryKind::kMeshing>;
 
 /// A submap that has a block at some index.
 struct BlockHolder {
@@ -51,17 +55,18 @@ class SurfaceField {
 
  private:
   struct Holders {
-    std::vector<BlockHolder> all;
-    std::vector<std::uint16_t> of_voxel;  ///< position in `all`; empty: there is only one
+    MeshingVector<BlockHolder> all;
+    MeshingVector<std::uint16_t> of_voxel;  ///< position in `all`; empty: there is only one
   };
 
   static void Merge(Holders& holders, BlockEntry& merged);
 
   Transform T_map_field_;
   double voxel_size_m_;
-  std::vector<BlockEntry> blocks_;
+  MeshingVector<BlockEntry> blocks_;
   IndexMap<BlockIndex> numbers_;  ///< position in blocks_
-  std::vector<Holders> holders_;  ///< one an entry of blocks_
+  CountedBytes numbers_bytes_{MemoryKind::kMeshing};
+  MeshingVector<Holders> holders_;  ///< one an entry of blocks_
 };
 
 }  // namespace dhpmap

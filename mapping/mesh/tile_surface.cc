@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 
+#include "mapping/base/memory_count.h"
 #include "mapping/map/slope.h"
 #include "mapping/mesh/cell_cases.h"
 
@@ -61,16 +62,19 @@ Flags8 Load8(const std::uint8_t* flags) {
 }
 constexpr std::size_t kWords = (kSide + 7) / 8;  ///< for a row and a little more
 
+template <typename T>
+using RoomVector = CountedVector<T, MemoryKind::kTileRooms>;
+
 /// Room for a tile and what is around it, which a thread keeps: to clear what a surface touched of it takes a tenth of
 /// clearing all.
 class TileRoom {
  public:
   static constexpr std::size_t kRows = std::size_t{kSide} * kSide;  ///< of kSide voxels along x
 
-  std::vector<float> distance_m = std::vector<float>(kVoxels, std::numeric_limits<float>::quiet_NaN());
-  std::vector<std::uint8_t> flags = std::vector<std::uint8_t>(kVoxels + 8 * kWords, 0);  // rows are read in words
-  std::vector<float> sum_m = std::vector<float>(kVoxels, 0), weight = std::vector<float>(kVoxels, 0);
-  std::vector<int> reached;
+  RoomVector<float> distance_m = RoomVector<float>(kVoxels, std::numeric_limits<float>::quiet_NaN());
+  RoomVector<std::uint8_t> flags = RoomVector<std::uint8_t>(kVoxels + 8 * kWords, 0);  // rows are read in words
+  RoomVector<float> sum_m = RoomVector<float>(kVoxels, 0), weight = RoomVector<float>(kVoxels, 0);
+  RoomVector<int> reached;
 
   void Touch(std::size_t row) {
     if (is_touched_[row]) return;
@@ -94,7 +98,7 @@ class TileRoom {
   }
 
  private:
-  std::vector<std::size_t> touched_;
+  RoomVector<std::size_t> touched_;
   std::array<bool, kRows> is_touched_{};
 };
 
@@ -305,18 +309,47 @@ TileNeighbourhood FindNeighbourhood(const BlockTable& blocks, TileIndex tile) {
   return around;
 }
 
-TileBlocks FindBlocks(const TileNeighbourhood& around, TileIndex tile) {
-  TileBlocks blocks{};
+namespace {
+
+/// Calls visit(number, tile, cell) for the places of FindBlocks where there is a tile.
+template <typename Visitor>
+void ForEachPlace(const TileNeighbourhood& around, TileIndex tile, Visitor&& visit) {
   const BlockIndex first = BlockIn(tile, 0);
-  for (int i = 0; i < static_cast<int>(blocks.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(std::tuple_size_v<TileBlocks>); ++i) {
     const BlockIndex offset = OffsetOf(i);
     const TileIndex beside = TileOf(offset);
     const TileEntry* entry = around[static_cast<std::size_t>((beside.x + 1) + 3 * (beside.y + 1) + 9 * (beside.z + 1))];
     if (entry == nullptr) continue;
-    const BlockEntry* block = entry->tile->Find(CellOf({first.x + offset.x, first.y + offset.y, first.z + offset.z}));
-    if (block != nullptr && block->tsdf != nullptr) blocks[static_cast<std::size_t>(i)] = block;
+    visit(static_cast<std::size_t>(i), *entry->tile,
+          CellOf({first.x + offset.x, first.y + offset.y, first.z + offset.z}));
   }
+}
+
+SurfaceNames NamesOf(const BlockTile& tile, int cell) {
+  if (const TilePage* page = tile.page().get()) {
+    const std::uint64_t tsdf = page->PartIdOf(BlockLayer::kTsdf, cell);
+    return tsdf == 0 ? SurfaceNames() : SurfaceNames{tsdf, page->PartIdOf(BlockLayer::kGone, cell)};
+  }
+  const BlockEntry* block = tile.Find(cell);
+  if (block == nullptr || block->tsdf == nullptr) return {};
+  return {block->tsdf->part_id.value(), block->gone != nullptr ? block->gone->part_id.value() : 0};
+}
+
+}  // namespace
+
+TileBlocks FindBlocks(const TileNeighbourhood& around, TileIndex tile) {
+  TileBlocks blocks{};
+  ForEachPlace(around, tile, [&](std::size_t i, const BlockTile& there, int cell) {
+    const BlockEntry* block = there.Find(cell);
+    if (block != nullptr && block->tsdf != nullptr) blocks[i] = block;
+  });
   return blocks;
+}
+
+TileNames FindNames(const TileNeighbourhood& around, TileIndex tile) {
+  TileNames names{};
+  ForEachPlace(around, tile, [&](std::size_t i, const BlockTile& there, int cell) { names[i] = NamesOf(there, cell); });
+  return names;
 }
 
 std::vector<SurfaceTriangle> ExtractTileSurface(const TileBlocks& blocks, double voxel_size_m) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "mapping/map/submap.h"
@@ -21,6 +22,14 @@ TileNeighbourhood FindNeighbourhood(const BlockTable& blocks, TileIndex tile);
 /// first, x fastest. Null where there is no TSDF. While what these show of a surface is the same, so is the surface.
 using TileBlocks = std::array<const BlockEntry*, std::size_t{kTileSide + 2} * (kTileSide + 2) * (kTileSide + 2)>;
 TileBlocks FindBlocks(const TileNeighbourhood& around, TileIndex tile);
+
+/// What such a block shows a surface by (see PartId); 0 where there is none.
+struct SurfaceNames {
+  std::uint64_t tsdf = 0, gone = 0;
+};
+/// Of all of FindBlocks, without reading any that are on the disk.
+using TileNames = std::array<SurfaceNames, std::tuple_size_v<TileBlocks>>;
+TileNames FindNames(const TileNeighbourhood& around, TileIndex tile);
 
 /// The part of a submap's zero surface that belongs to one of its tiles, relative to the tile's corner of least
 /// coordinates (TileCorner), along the axes of the submap's frame. Marching cubes as in a mesh of the submap alone, but

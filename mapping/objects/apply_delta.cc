@@ -2,6 +2,8 @@
 #include "mapping/objects/apply_delta.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -140,21 +142,15 @@ bool HoldsAllBlocks(const Submap& submap) {
   };
   const auto tiles = submap.blocks().tiles();
   return std::all_of(tiles.begin(), tiles.end(), [&](const TileEntry& tile) {
-    const auto blocks = tile.tile->entries();
-    return holds(tile.index, kTileSide * side_m) ||
-           std::all_of(blocks.begin(), blocks.end(),
-                       [&](const BlockEntry& block) { return holds(block.index, side_m); });
+    if (holds(tile.index, kTileSide * side_m)) return true;
+    for (std::uint64_t left = tile.tile->cells(); left != 0; left &= left - 1) {  // reads none
+      if (!holds(BlockIn(tile.index, std::countr_zero(left)), side_m)) return false;
+    }
+    return true;
   });
 }
 
-bool HasLayer(const BlockTile* tile, BlockLayer wanted) {
-  if (tile == nullptr) return false;
-  bool has = false;
-  for (const BlockEntry& entry : tile->entries()) {
-    ForEachLayer([&](BlockLayer layer, const auto& part) { has = has || (layer == wanted && part != nullptr); }, entry);
-  }
-  return has;
-}
+bool HasLayer(const BlockTile* tile, BlockLayer wanted) { return tile != nullptr && tile->CellsWith(wanted) != 0; }
 
 /// Whether a layer is what it was on the side `from`.
 bool IsAsItWas(const BlockTile* now, const BlockTile* from, BlockLayer layer) {
@@ -175,8 +171,11 @@ class Application {
 
   Status Apply(const StateDelta& delta) {
     const ListDelta<MergedId>& merged = delta.merged;
-    for (const SubmapDelta& submap : delta.submaps) {
-      DHPMAP_RETURN_IF_ERROR(Apply(submap, WayTo(to_, merged.before, merged.after).from));
+    for (const bool goes : {true, false}) {  // what goes makes place for what comes
+      for (const SubmapDelta& submap : delta.submaps) {
+        if (WayTo(to_, submap.before, submap.after).to.has_value() == goes) continue;
+        DHPMAP_RETURN_IF_ERROR(Apply(submap, WayTo(to_, merged.before, merged.after).from));
+      }
     }
     SettleTracks(delta);
     for (const VacatedDelta& tile : delta.vacated) Apply(tile);

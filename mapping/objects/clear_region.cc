@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "mapping/evidence/submap_labels.h"
 #include "mapping/objects/voxel_transfer.h"
-#include "mapping/refinement/submap_labels.h"
 
 namespace dhpmap {
 namespace {

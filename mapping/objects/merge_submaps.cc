@@ -6,13 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/evidence/submap_labels.h"
 #include "mapping/map/voxel_average.h"
-#include "mapping/refinement/submap_labels.h"
 
 namespace dhpmap {
 namespace {
-
-constexpr std::uint32_t kOwn = 0;
 
 /// The geometry of one voxel, and how often it was looked through.
 void MergeGeometry(const BlockEntry& from, int linear, float max_weight, TsdfBlock& into, GoneBlock& gone) {
@@ -31,22 +29,36 @@ void MergeGeometry(const BlockEntry& from, int linear, float max_weight, TsdfBlo
   gone.Set(linear, replaces ? from_count : std::min(from_count, gone.Count(linear)));
 }
 
+/// Whether they say of the whole, where it has none, what they say of the part.
+bool AreTheSameOf(SubmapId into, const LabelBlock& labels) {
+  if (labels.HasSeenInstance(into)) return false;  // which then is their own
+  if (HasNone(labels.concluded())) return true;
+  for (int linear = 0; linear < kBlockVoxels; ++linear) {
+    if (!labels.IsConcluded(linear)) continue;
+    if (labels.IsEmpty(linear) || labels.BestInstance(linear).id.IsOwn()) return false;
+  }
+  return true;
+}
+
 void MergeLabels(const LabelBlock& from, SubmapId into_id, LabelBlock& into) {
   LabelBlock renamed = from;
-  if (renamed.HasSeenInstance(into_id.value)) renamed.RenameInstance(into_id.value, kOwn);
+  if (renamed.HasSeenInstance(into_id)) renamed.RenameInstance(into_id, kOwnInstance);
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
     if (renamed.IsEmpty(linear)) continue;
     const bool was_concluded = renamed.IsConcluded(linear) || into.IsConcluded(linear);
     into.Add(linear, renamed.Get(linear));
-    into.SetConcluded(linear, was_concluded && into.BestInstance(linear).id != kOwn);
+    into.SetConcluded(linear, was_concluded && !into.BestInstance(linear).id.IsOwn());
   }
 }
 
+/// Blocks where the whole has none are shared with the part, as they are.
 void MergeOneBlock(const BlockEntry& from, float max_weight, Submap& into) {
   const BlockEntry* known = into.blocks().Find(from.index);
   if (known == nullptr) {
-    into.PutBlock(from.index, from.tsdf, nullptr);
+    const bool are_the_same = from.labels != nullptr && AreTheSameOf(into.id(), *from.labels);
+    into.PutBlock(from.index, from.tsdf, are_the_same ? from.labels : nullptr);
     if (from.gone != nullptr) into.PutGone(from.index, from.gone);
+    if (are_the_same) return;
   } else {
     const std::shared_ptr<const GoneBlock> before = known->gone;
     GoneBlock gone = before != nullptr ? *before : GoneBlock();
@@ -85,12 +97,12 @@ void RenameEverywhere(SubmapId from, SubmapId into, Map& map) {
   std::vector<std::pair<SubmapId, BlockIndex>> found;
   for (const auto& submap : map.submaps()) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
-      const bool has_seen = entry.labels != nullptr && entry.labels->HasSeenInstance(from.value);
+      const bool has_seen = entry.labels != nullptr && entry.labels->HasSeenInstance(from);
       if (has_seen) found.emplace_back(submap->id(), entry.index);
     }
   }
   for (const auto& [id, index] : found) {
-    map.FindMutable(id)->MutableLabels(index).RenameInstance(from.value, id == into ? kOwn : into.value);
+    map.FindMutable(id)->MutableLabels(index).RenameInstance(from, SeenInstance::Of(into, id));
   }
 }
 

@@ -22,7 +22,7 @@ bool IsNamedByLocked(SubmapId id, const Map& map) {
     if (!submap->info().is_locked) return false;
     const auto entries = submap->blocks().entries();
     return std::any_of(entries.begin(), entries.end(), [id](const BlockEntry& entry) {
-      return entry.labels != nullptr && entry.labels->HasSeenInstance(id.value);
+      return entry.labels != nullptr && entry.labels->HasSeenInstance(id);
     });
   });
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/segment_bundles.h"
 #include "mapping/map/map.h"
 #include "mapping/tracking/overlap_table.h"
 

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "mapping/evidence/submap_labels.h"
 #include "mapping/objects/voxel_transfer.h"
-#include "mapping/refinement/submap_labels.h"
 
 namespace dhpmap {
 namespace {

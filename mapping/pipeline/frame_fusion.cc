@@ -5,9 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
 #include "mapping/fusion/kept_clear_voxels.h"
 #include "mapping/map/map_grid.h"
+#include "mapping/pipeline/assigned_parts.h"
 #include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
@@ -53,11 +55,14 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
   const RayOrigin origin(T_submap_sensor.translation(), info.voxel_size_m);
   const std::size_t num_blocks = submap.blocks().size();
 
-  // A moved object has a grid of its own: bundle the frame again on that one, whole segments.
+  // A moved object has a grid of its own: bundle the frame again on that one, without what was assigned elsewhere.
   ThreadPool here(1);
   Bundler own_bundler(config, here);
   const std::vector<SegmentBundles>* bundled = nullptr;
-  if (!on_map_grid) bundled = &own_bundler.BundleFrame(frame, T_submap_sensor, info.voxel_size_m);
+  if (!on_map_grid) {
+    const auto rest = WithoutPartsOfOthers(frame, segments, work.segments, map_config.voxel_size_m);
+    bundled = &own_bundler.BundleFrame(rest ? *rest : frame, T_submap_sensor, info.voxel_size_m);
+  }
 
   std::optional<KeptClearVoxels> kept_clear = KeptClearVoxelsOf(map, info);
   int last_row = -2;
@@ -66,7 +71,9 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
     const SegmentBundles* bundles = &segments[s];
     if (!on_map_grid) {
       if (std::exchange(last_row, row) == row) continue;  // another part of the same segment
-      bundles = &*std::find_if(bundled->begin(), bundled->end(), [row](const auto& b) { return b.row == row; });
+      const auto own = std::find_if(bundled->begin(), bundled->end(), [row](const auto& b) { return b.row == row; });
+      if (own == bundled->end()) continue;  // a point or two, on the face of a voxel of another's
+      bundles = &*own;
     }
     std::optional<ClassId> class_id;
     if (!is_unknown) class_id = frame.segments[static_cast<std::size_t>(row)].class_id;

@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "mapping/base/free_memory.h"
+#include "mapping/base/status_error.h"
 #include "mapping/base/stopped.h"
 #include "mapping/fusion/band_size.h"
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/kept_clear_points.h"
 #include "mapping/fusion/segment_parts.h"
+#include "mapping/objects/apart_things.h"
 #include "mapping/objects/object_care.h"
 #include "mapping/objects/pair_evidence.h"
 #include "mapping/pipeline/background_refinement.h"
@@ -290,6 +292,9 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
   } catch (const std::bad_alloc&) {
     if (before) impl_->GoBackTo(*std::move(before));
     return ResourceExhausted("there is not enough memory for the frame").WithReason("OUT_OF_MEMORY");
+  } catch (const StatusError& error) {  // voxels that the frame needs cannot be read
+    if (before) impl_->GoBackTo(*std::move(before));
+    return error.status();
   } catch (const std::exception& error) {
     if (before) impl_->GoBackTo(*std::move(before));
     return Internal(std::string("the frame could not be fused: ") + error.what());
@@ -314,6 +319,10 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   RefinementReport report = RefineMap(map, *pool, &all, is_cancelled);
   if (is_cancelled && is_cancelled()) return std::nullopt;
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);  // of what was given to others, nothing is left to see
+  const MapConfig& config = map.info().config;
+  if (config.refinement.least_apart_voxels > 0) {
+    SplitApartThings(2 * config.tracking.split_gap_vox, config.refinement.least_apart_voxels, map);
+  }
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
     report.num_bytes_dropped = DropVoxelLabels(map);
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 
 namespace dhpmap {
 namespace {
@@ -35,11 +36,17 @@ CarriedBody::Ball BallAround(const std::vector<CarriedBody::Ball>& balls) {
   return {box.center(), radius_m};
 }
 
+/// Whether anything was counted against any of its blocks.
+bool IsLookedThrough(const Submap& submap) {
+  for (const BlockEntry& block : submap.blocks().entries()) {
+    if (block.gone != nullptr) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-CarriedBody CarriedBodyOf(const MapSurfaces& surfaces, std::size_t number, std::size_t max_balls) {
-  const Submap& submap = surfaces.index().entries()[number].submap();
-  const SubmapSurface& surface = surfaces.surface(number);
+CarriedBody CarriedBodyOf(const Submap& submap, const SubmapSurface& surface, std::size_t max_balls) {
   const double size_m = submap.info().voxel_size_m;
   // A triangle of marching cubes lies in one cell, which has a voxel's size and voxel centres for corners.
   const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * size_m);
@@ -63,6 +70,21 @@ CarriedBody CarriedBodyOf(const MapSurfaces& surfaces, std::size_t number, std::
     body.reach_m = std::max(body.reach_m, group.around.center_m.norm() + group.around.radius_m);
   }
   return body;
+}
+
+CarriedBody WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t max_balls) {
+  const Submap* submap = surfaces.state().Find(id);
+  if (submap == nullptr) return {};
+  const SubmapSurface* known = surfaces.SurfaceOf(id);
+  if (!IsLookedThrough(*submap) && known != nullptr) return CarriedBodyOf(*submap, *known, max_balls);
+  Submap whole = *submap;
+  whole.ShareBlocks();  // before anything is written to them
+  whole.DropGone();
+  const auto ledger = std::make_shared<SurfaceLedger>();
+  const SubmapSurface surface(whole, [&](const TileNeighbourhood& around, TileIndex tile) {
+    return std::make_shared<const TileSurfaceSlot>(around, tile, whole.info().voxel_size_m, ledger);
+  });
+  return CarriedBodyOf(whole, surface, max_balls);
 }
 
 }  // namespace dhpmap

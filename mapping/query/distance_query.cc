@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "mapping/query/point_order.h"
@@ -112,7 +113,17 @@ class DistanceQuery::Limit {
 };
 
 void DistanceQuery::At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const {
-  std::vector<std::uint32_t> order = OrderAlongCurve(points_m);
+  AtOrdered(points_m, OrderAlongCurve(points_m), answers);
+}
+
+void DistanceQuery::AtInOrder(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const {
+  std::vector<std::uint32_t> order(points_m.size());
+  std::iota(order.begin(), order.end(), 0u);
+  AtOrdered(points_m, std::move(order), answers);
+}
+
+void DistanceQuery::AtOrdered(std::span<const Eigen::Vector3d> points_m, std::vector<std::uint32_t> order,
+                              std::span<SurfaceDistance> answers) const {
   if (takes_fields_) order = AtByFields(points_m, order, answers);
   if (world_.grown().size() == 1) {
     AtTogether(points_m, order, answers);
@@ -259,11 +270,19 @@ bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell
     if (distance_m <= band_m || !world_.SightAt(p_map, found).is_front) return false;
     found.is_behind = false;
   }
+  if (found.is_behind && !nearest.is_across) {
+    // Which edges of a surface are its last ones no field knows. Of no account, if the place itself was seen to be
+    // inside, or, beyond the band, to be in front.
+    const double band_m = world_.surfaces().index().entries()[found.number].submap().info().truncation_m;
+    const QueryWorld::Sight sight = world_.SightAt(p_map, found);
+    if (!sight.is_seen || (sight.is_front && distance_m <= band_m)) return false;
+  }
   double side = 1;
   Tell(p_map, found, distance_m, padding_m, answer, side);
   const Eigen::Vector3d away = nearest.away.cast<double>();
   answer.nearest_m = p_map - away;
-  answer.gradient = distance_m > kLeast_m ? Eigen::Vector3d(side / distance_m * away) : nearest.normal.cast<double>();
+  answer.gradient = distance_m > kLeast_m ? Eigen::Vector3d(side / distance_m * away)
+                                          : Eigen::Vector3d(nearest.normal.stableNormalized().cast<double>());
   return true;
 }
 
@@ -292,13 +311,15 @@ void DistanceQuery::Tell(const Eigen::Vector3d& p_map, const NearestSurface& fou
   // In front of the surface, or in its band, a place need only be seen; what is farther behind must be known not to be
   // in front of anything.
   QueryWorld::Sight sight{.is_seen = options_.unknown_is_free};
-  if (found.is_behind && !is_in_band) {
+  if (found.is_behind && (!is_in_band || found.is_beside)) {
     sight = world_.SightAt(p_map, found);
   } else if (!sight.is_seen) {
     sight.is_seen = world_.IsSeenAt(p_map, found);
   }
   answer.status = sight.is_seen || options_.unknown_is_free ? DistanceStatus::kOk : DistanceStatus::kUnknown;
-  side = found.is_behind && (is_in_band || !sight.is_front) ? -1 : 1;
+  // Where the surface ends it does not tell what is beside it; a voxel that was seen there does.
+  const bool is_inside = found.is_beside ? sight.is_seen && !sight.is_front : is_in_band || !sight.is_front;
+  side = found.is_behind && is_inside ? -1 : 1;
   answer.distance_m = side * distance_m - padding_m;
 }
 

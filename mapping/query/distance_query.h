@@ -23,7 +23,8 @@ enum class DistanceStatus : std::uint8_t {
 struct SurfaceDistance {
   DistanceStatus status = DistanceStatus::kClamped;
   /// Euclidean. Negative behind a surface: in the submap's band, and farther behind where the point was not seen in
-  /// front of any, nor free. Less the submap's padding. Clamped: the limit.
+  /// front of any, nor free. Beside a surface, where it ends at the nearest point, only if the point's own voxel was
+  /// seen, and behind a surface. Less the submap's padding. Clamped: the limit.
   double distance_m = 0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< of the distance, map frame, unit; clamped: zero
   Eigen::Vector3d nearest_m;                           ///< on the surface, map frame; clamped: NaN
@@ -56,6 +57,8 @@ class DistanceQuery {
 
   /// The same for many points, in their order; faster, as it goes from each to one close by. As many answers as points.
   void At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const;
+  /// The same for points that already come in an order in which each is close to the one before: see OrderAlongCurve.
+  void AtInOrder(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const;
 
   /// Whether any grown surface is within `radius_m` (finite, not negative) of a point, on whichever side of it: told as
   /// soon as it is known, in no time where nothing is near. What is farther by 1e-5 of that may count, too.
@@ -64,6 +67,8 @@ class DistanceQuery {
  private:
   class Searches;
   class Limit;
+  void AtOrdered(std::span<const Eigen::Vector3d> points_m, std::vector<std::uint32_t> order,
+                 std::span<SurfaceDistance> answers) const;
   void AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,
                   std::span<SurfaceDistance> answers) const;
   std::vector<std::uint32_t> AtByFields(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,

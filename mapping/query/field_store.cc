@@ -5,8 +5,30 @@
 #include <utility>
 
 namespace dhpmap {
+namespace {
 
-std::optional<std::uint64_t> FieldStore::Append(std::uint64_t before, std::vector<Eigen::AlignedBox3d> changed) {
+/// Whether a field may be wrong after that. What goes counts by its distance alone: whatever a field holds of it lies
+/// within the horizon. What comes must be nearer than the field's own surfaces somewhere in the cell.
+bool Concerns(const SurfaceChange& change, const NearField& field, const FieldReach& reach) {
+  constexpr double kSlack_m = 1e-4;
+  const std::vector<SubmapId>& held = field.submaps();
+  if (change.is_gone && std::find(held.begin(), held.end(), change.submap) == held.end()) return false;
+  const Eigen::Vector3d centre_m = change.T_submap_map * field.centre_m();
+  const double horizon_m = field.horizon_m() + kSlack_m;
+  const auto is_in_horizon = [&](const Eigen::AlignedBox3d& box) {
+    return box.squaredExteriorDistance(centre_m) <= horizon_m * horizon_m;
+  };
+  if (!is_in_horizon(change.around_m)) return false;
+  if (change.is_gone) return std::any_of(change.boxes_m.begin(), change.boxes_m.end(), is_in_horizon);
+  const FieldReach in_submap = reach.In(change.T_submap_map.linear().cast<float>(), Eigen::Vector3f::Zero());
+  return std::any_of(change.boxes_m.begin(), change.boxes_m.end(), [&](const Eigen::AlignedBox3d& box) {
+    return in_submap({(box.min() - centre_m).cast<float>(), (box.max() - centre_m).cast<float>()});
+  });
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> FieldStore::Append(std::uint64_t before, std::vector<SurfaceChange> changed) {
   constexpr std::size_t kMostChanges = 256;  // what nobody asked for in as many states is made again
   const MutexLock lock(mutex_);
   if (before != last_) return std::nullopt;
@@ -17,11 +39,10 @@ std::optional<std::uint64_t> FieldStore::Append(std::uint64_t before, std::vecto
 
 bool FieldStore::Holds(const Entry& entry, std::uint64_t state) const {
   if (last_ - entry.checked > changes_.size()) return false;  // forgotten
-  const Eigen::Vector3d& centre_m = entry.field->centre_m();
-  const double horizon2 = entry.field->horizon_m() * entry.field->horizon_m();
+  const FieldReach reach = entry.field->Reach();
   for (std::uint64_t next = entry.checked + 1; next <= state; ++next) {
-    for (const Eigen::AlignedBox3d& box : changes_[changes_.size() - 1 - (last_ - next)]) {
-      if (box.squaredExteriorDistance(centre_m) <= horizon2) return false;
+    for (const SurfaceChange& change : changes_[changes_.size() - 1 - (last_ - next)]) {
+      if (Concerns(change, *entry.field, reach)) return false;
     }
   }
   return true;

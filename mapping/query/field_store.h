@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -14,11 +12,13 @@
 #include "mapping/base/grid.h"
 #include "mapping/base/mutex.h"
 #include "mapping/query/near_field.h"
+#include "mapping/query/surface_change.h"
 #include "mapping/query/surface_ledger.h"
 
 namespace dhpmap {
 
-/// The near fields of a map, from state to state: one serves until something changes nearer to it than what it holds.
+/// The near fields of a map, from state to state: one serves until something comes nearer to it than what it holds, or
+/// some of that goes. What goes of others is no loss: what it holds was as near.
 /// States have numbers, in the order in which they were first asked about. Thread-safe.
 class FieldStore {
  public:
@@ -29,10 +29,8 @@ class FieldStore {
 
   /// The first state.
   static constexpr std::uint64_t kFirst = 0;
-  /// The number of a state that differs from `before` in surfaces within these boxes of the map frame, old and new.
-  /// Nothing if another came after that.
-  std::optional<std::uint64_t> Append(std::uint64_t before, std::vector<Eigen::AlignedBox3d> changed)
-      DHPMAP_EXCLUDES(mutex_);
+  /// The number of a state that differs from `before` in these. Nothing if another came after that.
+  std::optional<std::uint64_t> Append(std::uint64_t before, std::vector<SurfaceChange> changed) DHPMAP_EXCLUDES(mutex_);
 
   /// Null: there is none that is right in that state.
   std::shared_ptr<const NearField> Find(BlockIndex block, std::uint64_t state) DHPMAP_EXCLUDES(mutex_);
@@ -57,7 +55,7 @@ class FieldStore {
   std::unordered_map<BlockIndex, Entry, BlockIndexHash> entries_ DHPMAP_GUARDED_BY(mutex_);
   std::size_t bytes_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::uint64_t last_ DHPMAP_GUARDED_BY(mutex_) = kFirst;
-  std::deque<std::vector<Eigen::AlignedBox3d>> changes_ DHPMAP_GUARDED_BY(mutex_);  ///< up to the last state
+  std::deque<std::vector<SurfaceChange>> changes_ DHPMAP_GUARDED_BY(mutex_);  ///< up to the last state
 };
 
 }  // namespace dhpmap

@@ -67,8 +67,19 @@ std::uint32_t NearField::NearestOf(const Eigen::Vector3f& p, const List& list) c
   return lists_[list.first + std::min(best, list.count - 1)];
 }
 
+/// To lay two side by side takes longer than to look at both.
+std::uint32_t NearField::NearestOfTwo(const Eigen::Vector3f& p, std::uint32_t first) const {
+  const std::uint32_t a = lists_[first], b = lists_[first + 1];
+  const auto distance2 = [&](std::uint32_t i) {
+    return (p - NearestPointOf(CornersOf(triangles_[i]), p)).squaredNorm();
+  };
+  return distance2(b) < distance2(a) ? b : a;
+}
+
 NearField::Nearest NearField::Find(const Eigen::Vector3f& p, const List& list) const {
-  const Triangle& triangle = triangles_[list.count == 1 ? lists_[list.first] : NearestOf(p, list)];
+  const Triangle& triangle = triangles_[list.count == 1   ? lists_[list.first]
+                                        : list.count == 2 ? NearestOfTwo(p, list.first)
+                                                          : NearestOf(p, list)];
   const TriangleCorners corners = CornersOf(triangle);
   Nearest nearest;
   const Eigen::Vector3f point = NearestPointOf(corners, p);
@@ -80,7 +91,8 @@ NearField::Nearest NearField::Find(const Eigen::Vector3f& p, const List& list) c
   float side = nearest.normal.dot(nearest.away);
   const float across2 = side * side, face2 = nearest.normal.squaredNorm() * nearest.away.squaredNorm();
   constexpr float kFace = 1 - 1e-4f;  // squared cosine, above which it does not matter what else is there
-  if (across2 < kFace * face2) {
+  nearest.is_across = across2 >= kFace * face2;
+  if (!nearest.is_across) {
     std::size_t corner = 0;
     while (corner < 3 && point != corners[corner]) ++corner;
     if (corner < 3) {
@@ -96,7 +108,6 @@ NearField::Nearest NearField::Find(const Eigen::Vector3f& p, const List& list) c
       side = UnpackNormal(triangle.edge_normals[edge]).dot(nearest.away);
     }
   }
-  nearest.normal.stableNormalize();
   nearest.is_behind = side < 0;
   return nearest;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/map/submap.h"
+#include "mapping/query/field_reach.h"
 #include "mapping/query/surface_ledger.h"
 #include "mapping/query/triangle_packet.h"
 
@@ -29,8 +30,9 @@ class NearField {
   /// Of what is nearest to a point.
   struct Nearest {
     Eigen::Vector3f away;    ///< from the surface to the point, the map's axes
-    Eigen::Vector3f normal;  ///< of the surface at its nearest point, unit, to the front
+    Eigen::Vector3f normal;  ///< of the surface at its nearest point, to the front; of any length but 0
     bool is_behind = false;
+    bool is_across = false;    ///< from the face, rather than from an edge or a corner of it
     std::uint32_t submap = 0;  ///< position in submaps()
   };
   /// The triangles for a place.
@@ -44,6 +46,11 @@ class NearField {
   [[nodiscard]] bool is_far() const { return is_far_; }
   /// What lies farther than this from the centre is nearest to no point.
   [[nodiscard]] double horizon_m() const { return horizon_m_; }
+  /// Where else a surface would have to be to be nearest to one of its points; of the frame at the centre.
+  [[nodiscard]] FieldReach Reach() const {
+    return is_far_ ? FieldReach(horizon_m_) : FieldReach(double{half_}, horizon_m_, nearest_);
+  }
+  /// Those of what it holds.
   [[nodiscard]] const std::vector<SubmapId>& submaps() const { return submaps_; }
   [[nodiscard]] std::size_t MemoryBytes() const;
   [[nodiscard]] std::size_t num_triangles() const { return triangles_.size(); }
@@ -98,12 +105,14 @@ class NearField {
     return kSpread[static_cast<std::size_t>(cell < 0 ? 0 : cell > 15 ? 15 : cell)];
   }
   [[nodiscard]] static TriangleCorners CornersOf(const Triangle& triangle);
+  [[nodiscard]] std::uint32_t NearestOfTwo(const Eigen::Vector3f& p, std::uint32_t first) const;
   [[nodiscard]] std::uint32_t NearestOf(const Eigen::Vector3f& p, const List& list) const;
 
   Eigen::Vector3d centre_m_ = Eigen::Vector3d::Zero();
   bool is_far_ = false;
   double horizon_m_ = 0;
-  float half_ = 0, scale_ = 0;  ///< half a side; sixteenths a metre
+  Eigen::Vector3f nearest_ = Eigen::Vector3f::Zero();  ///< point of a surface to the centre, from there; not if far
+  float half_ = 0, scale_ = 0;                         ///< half a side; sixteenths a metre
   int grid_shift_ = 0;
   std::vector<std::uint32_t> grid_;  ///< leaves or nodes of all cubes of one size, along the curve of CubeAt
   std::vector<std::array<std::uint32_t, 8>> nodes_;

@@ -24,26 +24,6 @@ constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
 
 constexpr float Sign(std::size_t corner, int axis) { return (corner >> axis & 1u) != 0 ? 1.0f : -1.0f; }
 
-/// Whether something in a box may be nearest to a point of a cube, in whose frame that lies anyhow.
-struct BoxTest {
-  Eigen::Vector3f middle;
-  std::array<Eigen::Vector3f, 8> offsets;  ///< of the corners
-  std::array<float, 8> known;              ///< that far from them there is a surface, all in one point
-  float horizon;
-
-  bool operator()(const Eigen::AlignedBox3f& box) const {
-    const Eigen::Vector3f away = middle - middle.cwiseMax(box.min()).cwiseMin(box.max());
-    const float distance = away.norm();
-    if (distance > horizon) return false;
-    const float rounding = 1e-5f + 1e-6f * middle.cwiseAbs().maxCoeff();
-    if (distance < rounding) return true;
-    for (std::size_t k = 0; k < known.size(); ++k) {
-      if (distance + away.dot(offsets[k]) / distance < known[k] + rounding) return true;
-    }
-    return false;
-  }
-};
-
 }  // namespace
 
 void NearFieldMaker::Pool::Clear() {
@@ -77,7 +57,8 @@ std::shared_ptr<const NearField> NearFieldMaker::Make(BlockIndex block, std::sha
     const Transform& T = surfaces_.index().entries()[nearest.number].submap().info().T_map_submap;
     most_tolerance_ = static_cast<float>(NearField::kTolerance_vox * voxel_m);
     has_failed_ = false;
-    Gather(field_->centre_m_, field_->horizon_m_, half_m, (T * nearest.point_submap - field_->centre_m_).cast<float>());
+    field_->nearest_ = (T * nearest.point_submap - field_->centre_m_).cast<float>();
+    Gather(field_->centre_m_, field_->Reach());
     nodes_.clear();
     const std::uint32_t root = has_failed_ ? 0 : Divide(0, Eigen::Vector3f::Zero(), field_->half_);
     if (has_failed_) return nullptr;
@@ -93,35 +74,25 @@ std::shared_ptr<const NearField> NearFieldMaker::Make(BlockIndex block, std::sha
 }
 
 /// All triangles that are nearest to any point of the cell, and some more: none that is as near is missing.
-void NearFieldMaker::Gather(const Eigen::Vector3d& centre_m, double horizon_m, double half_m,
-                            const Eigen::Vector3f& nearest) {
+void NearFieldMaker::Gather(const Eigen::Vector3d& centre_m, const FieldReach& reach) {
   pools_[0].Clear();
   numbers_.clear();
-  BoxTest in_map{.horizon = static_cast<float>(horizon_m) + 1e-5f};
-  for (std::size_t k = 0; k < 8; ++k) {
-    in_map.offsets[k] = static_cast<float>(half_m) * Eigen::Vector3f(Sign(k, 0), Sign(k, 1), Sign(k, 2));
-    in_map.known[k] = (in_map.offsets[k] - nearest).norm();
-  }
   const SubmapIndex& index = surfaces_.index();
-  in_map.middle = index.InTree(centre_m);
-  index.tree().VisitWhere(in_map, [&](std::size_t item) {
+  index.tree().VisitWhere(reach.At(index.InTree(centre_m)), [&](std::size_t item) {
     const std::uint32_t number = index.tree().items()[item];
     const SubmapIndex::Entry& entry = index.entries()[number];
     const SubmapSurface& surface = surfaces_.surface(number);
     const Eigen::Vector3d middle_m = entry.ToSubmap(centre_m);
     const Eigen::Matrix3f turn = entry.submap().info().T_map_submap.linear().cast<float>();
-    BoxTest in_submap = in_map;
-    for (Eigen::Vector3f& offset : in_submap.offsets) offset = turn.transpose() * offset;
-    in_submap.middle = surface.InTree(middle_m);
+    const FieldReach in_submap = reach.In(turn.transpose(), surface.InTree(middle_m));
     surface.tree().VisitWhere(in_submap, [&](std::size_t tile) {
       const TriangleTree& triangles = surface.Surface(entry.submap(), tile);
-      BoxTest in_tile = in_submap;
-      in_tile.middle = surface.InTile(middle_m, tile);
-      triangles.tree().VisitWhere(in_tile, [&](std::size_t leaf) {
+      const Eigen::Vector3f middle = surface.InTile(middle_m, tile);
+      triangles.tree().VisitWhere(in_submap.At(middle), [&](std::size_t leaf) {
         const std::size_t end = std::min((leaf + 1) * kLanes, triangles.num_triangles());
         for (std::size_t i = leaf * kLanes; i < end && !has_failed_; ++i) {
           TriangleCorners triangle = triangles.triangle(i);
-          for (Eigen::Vector3f& corner : triangle) corner = turn * (corner - in_tile.middle);
+          for (Eigen::Vector3f& corner : triangle) corner = turn * (corner - middle);
           pools_[0].Add(triangle, static_cast<std::uint32_t>(numbers_.size()));
           numbers_.push_back(number);
           has_failed_ = numbers_.size() > kMostCandidates;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/base/grid.h"
+#include "mapping/query/field_reach.h"
 #include "mapping/query/near_field.h"
 #include "mapping/query/surface_cache.h"
 #include "mapping/query/triangle_packet.h"
@@ -43,7 +44,7 @@ class NearFieldMaker {
   };
   using AtCorners = std::array<float, 8>;
 
-  void Gather(const Eigen::Vector3d& centre_m, double horizon_m, double half_m, const Eigen::Vector3f& nearest);
+  void Gather(const Eigen::Vector3d& centre_m, const FieldReach& reach);
   std::uint32_t Divide(std::size_t level, const Eigen::Vector3f& middle, float half);
   void Measure(const Pool& pool, const Eigen::Vector3f& middle, float half);
   static void MeasureSides(const TrianglePacket& packet, const Float8 (&middle)[3], float half, std::uint8_t& front,

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mapping/query/surface_rim.h"
 #include "mapping/query/vector_clones.h"
 
 namespace dhpmap {
@@ -321,30 +322,33 @@ bool NearestSearch::VisitNode() {
 NearestSurface NearestSearch::Found() {
   NearestSurface found;
   found.sight = cell_ == nullptr ? nullptr : &cell_->sight;
-  // In one order, however they were found, so that the same is said of a seam each time.
+  float most2 = std::numeric_limits<float>::infinity();
   if (touches_.size() > 1) {
+    // In one order, however they were found, so that the same is said of a seam each time.
     std::sort(touches_.begin(), touches_.end(), [](const Touch& a, const Touch& b) {
       return std::tie(a.tile.number, a.tile.tile, a.position) < std::tie(b.tile.number, b.tile.tile, b.position);
     });
+    // Measured again, and not to the last bit as it was: the nearest of them counts for this, so that there is one.
+    float nearest2 = std::numeric_limits<float>::infinity();
+    for (const Touch& touch : touches_) {
+      const Eigen::Vector3f point = NearestPointOf(touch.tile.triangles->triangle(touch.position), touch.tile.p);
+      nearest2 = std::min(nearest2, (touch.tile.p - point).squaredNorm());
+    }
+    most2 = std::max(limit2_, WithRounding(nearest2));
   }
-  // Measured again, and not to the last bit as it was: the nearest of them counts for this, so that there is one.
-  float least2 = std::numeric_limits<float>::infinity();
-  for (const Touch& touch : touches_) {
-    const Eigen::Vector3f point = NearestPointOf(touch.tile.triangles->triangle(touch.position), touch.tile.p);
-    least2 = std::min(least2, (touch.tile.p - point).squaredNorm());
-  }
-  const float most2 = std::max(limit2_, WithRounding(least2));
-  float side = 0;
-  least2 = std::numeric_limits<float>::infinity();
+  float side = 0, least2 = std::numeric_limits<float>::infinity();
+  const Touch* nearest = nullptr;
   for (const Touch& touch : touches_) {
     const TriangleCorners triangle = touch.tile.triangles->triangle(touch.position);
     const Eigen::Vector3f point = NearestPointOf(triangle, touch.tile.p), away = touch.tile.p - point;
     const float distance2 = away.squaredNorm();
     if (distance2 > most2) continue;  // was as near as the nearest of that time
     const Eigen::Vector3f normal = NormalOf(triangle);
-    side += AngleAt(triangle, point) * normal.dot(away);
+    // Alone it says which side that is with whatever angle.
+    side += touches_.size() == 1 ? normal.dot(away) : AngleAt(triangle, point) * normal.dot(away);
     if (distance2 >= least2) continue;
     least2 = distance2;
+    nearest = &touch;
     found.is_any = true;
     found.number = touch.tile.number;
     found.p_submap = surfaces_.index().entries()[found.number].ToSubmap(p_map_);
@@ -352,7 +356,29 @@ NearestSurface NearestSearch::Found() {
     found.normal_submap = normal.cast<double>();
   }
   found.is_behind = side < 0;
+  found.is_beside = found.is_behind && nearest != nullptr && IsBeside(*nearest);
   return found;
+}
+
+bool NearestSearch::IsBeside(const Touch& nearest) {
+  const TriangleCorners triangle = nearest.tile.triangles->triangle(nearest.position);
+  const Eigen::Vector3f point = NearestPointOf(triangle, nearest.tile.p), away = nearest.tile.p - point;
+  const float distance_m = away.norm(), same_m = 4 * rounding_m_;
+  // Across the face it matters as little whether the surface ends there as it does on it.
+  constexpr float kAcross = 0.9998f;  // cosine of a degree
+  if (distance_m <= same_m || -NormalOf(triangle).dot(away) >= kAcross * distance_m) return false;
+  const SubmapSurface& surface = surfaces_.surface(nearest.tile.number);
+  const Eigen::Vector3d point_submap = surface.FromTile(point, nearest.tile.tile);
+  around_.assign(1, triangle);
+  for (Eigen::Vector3f& corner : around_[0]) corner -= point;
+  for (const Touch& touch : touches_) {
+    const bool is_other = touch.tile.tile != nearest.tile.tile || touch.position != nearest.position;
+    if (touch.tile.number != nearest.tile.number || !is_other) continue;
+    const Eigen::Vector3f origin = surface.InTile(point_submap, touch.tile.tile);
+    TriangleCorners& other = around_.emplace_back(touch.tile.triangles->triangle(touch.position));
+    for (Eigen::Vector3f& corner : other) corner -= origin;
+  }
+  return EndsAtOrigin(around_, same_m);
 }
 
 }  // namespace dhpmap

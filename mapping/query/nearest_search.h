@@ -19,6 +19,8 @@ struct NearestSurface {
   Eigen::Vector3d point_submap = Eigen::Vector3d::Zero();   ///< on the surface, in the submap's frame
   Eigen::Vector3d normal_submap = Eigen::Vector3d::Zero();  ///< unit, to the front
   bool is_behind = false;                                   ///< the place is behind the surface
+  /// It is behind, but aside: the surface ends at its nearest point, so that it says nothing of what is at the place.
+  bool is_beside = false;
   const CellSight* sight = nullptr;  ///< what is known of the voxels around the place; null: nothing
 };
 
@@ -109,6 +111,9 @@ class NearestSearch {
   bool VisitNode();
   void SearchTile(const Tile& tile);
 
+  /// Of the touch that is nearest, with the place behind it.
+  [[nodiscard]] bool IsBeside(const Touch& nearest);
+
   const MapSurfaces& surfaces_;
   const std::vector<bool>& is_held_;
   float rounding_m_;  ///< of coordinates
@@ -128,6 +133,7 @@ class NearestSearch {
   std::vector<Scope> scopes_;
   std::vector<Pending> heap_;  ///< the nearest on top
   std::vector<Touch> touches_;
+  std::vector<TriangleCorners> around_;            ///< a point of a surface
   std::array<Node, BoxTree::kMostPending> nodes_;  ///< of the tile, the nearest last
 };
 

@@ -77,11 +77,14 @@ bool IsLookedThrough(const MapSnapshot& map, const Eigen::Vector3d& p_map) {
 }  // namespace
 
 PointLookup::PointLookup(std::shared_ptr<const MapSnapshot> snapshot)
-    : snapshot_(std::move(snapshot)), index_(snapshot_->submaps()) {}
+    : snapshot_(std::move(snapshot)), index_(std::make_shared<const SubmapIndex>(snapshot_->submaps())) {}
+
+PointLookup::PointLookup(std::shared_ptr<const MapSnapshot> snapshot, IndexTrail& trail)
+    : snapshot_(std::move(snapshot)), index_(trail.Of(*snapshot_)) {}
 
 PointInfo PointLookup::At(const Eigen::Vector3d& p_map) const {
   Votes votes;
-  index_.VisitAround(p_map, [&](const SubmapIndex::Entry& entry) {
+  index_->VisitAround(p_map, [&](const SubmapIndex::Entry& entry) {
     const Submap& submap = entry.submap();
     const VoxelIndex voxel = VoxelAt(entry.ToSubmap(p_map), submap.info().voxel_size_m);
     const BlockEntry* block = submap.blocks().Find(BlockOf(voxel));

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "mapping/map/map.h"
+#include "mapping/query/index_trail.h"
 #include "mapping/query/submap_index.h"
 
 namespace dhpmap {
@@ -30,15 +31,19 @@ struct PointInfo {
 class PointLookup {
  public:
   explicit PointLookup(std::shared_ptr<const MapSnapshot> snapshot);
+  /// The same with an index made from that of another state of the map, and kept for the next.
+  PointLookup(std::shared_ptr<const MapSnapshot> snapshot, IndexTrail& trail);
 
   [[nodiscard]] const MapSnapshot& snapshot() const { return *snapshot_; }
+
+  [[nodiscard]] const SubmapIndex& index() const { return *index_; }
 
   /// `p_map`: finite, in metres of the map frame.
   [[nodiscard]] PointInfo At(const Eigen::Vector3d& p_map) const;
 
  private:
   std::shared_ptr<const MapSnapshot> snapshot_;
-  SubmapIndex index_;  // of the snapshot's submaps
+  std::shared_ptr<const SubmapIndex> index_;  // of the snapshot's submaps
 };
 
 }  // namespace dhpmap

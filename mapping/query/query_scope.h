@@ -42,6 +42,8 @@ struct QueryScope {
   /// Whether what objects have left that an edit has moved or deleted (MapSnapshot::vacated) is free, as long as nobody
   /// has seen anything there.
   bool vacated_is_free = false;
+  /// Also submaps that are absent, but for what of them was looked through: see SurfaceCache::Of.
+  bool with_absent = false;
 
   /// Whether every submap is there.
   [[nodiscard]] bool IsAll() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/query/submap_index.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dhpmap {
@@ -20,13 +21,33 @@ SubmapIndex::Entry::Entry(const Submap& submap, const Eigen::AlignedBox3d& box_m
       is_on_map_axes_(IsIdentity(submap.info().T_map_submap)),
       box_m_(box_m) {}
 
-SubmapIndex::SubmapIndex(std::span<const std::shared_ptr<const Submap>> submaps) {
-  for (const auto& submap : submaps) {
-    if (!submap->IsAbsent() && !submap->bounding_sphere().IsEmpty())
-      entries_.emplace_back(*submap, CubeAround(submap->bounding_sphere()));
-  }
-  Build();
+bool SubmapIndex::Entry::IsPlacedAs(const Entry& other) const {
+  return box_m_.min() == other.box_m_.min() && box_m_.max() == other.box_m_.max() &&
+         T_submap_map_.matrix() == other.T_submap_map_.matrix();
 }
+
+std::vector<SubmapIndex::Entry> SubmapIndex::EntriesOf(std::span<const std::shared_ptr<const Submap>> submaps) {
+  std::vector<Entry> entries;
+  entries.reserve(submaps.size());
+  for (const auto& submap : submaps) {
+    if (submap->IsAbsent() || submap->bounding_sphere().IsEmpty()) continue;
+    entries.emplace_back(*submap, CubeAround(submap->bounding_sphere()));
+  }
+  return entries;
+}
+
+SubmapIndex SubmapIndex::After(const SubmapIndex& before, std::vector<Entry> entries) {
+  std::vector<std::size_t> changed;
+  for (std::size_t number = 0; number < std::min(entries.size(), before.entries_.size()); ++number) {
+    if (!entries[number].IsPlacedAs(before.entries_[number])) changed.push_back(number);
+  }
+  return {before, std::move(entries), changed};
+}
+
+SubmapIndex::SubmapIndex(std::span<const std::shared_ptr<const Submap>> submaps) : SubmapIndex(EntriesOf(submaps)) {}
+
+SubmapIndex::SubmapIndex(const SubmapIndex& before, std::span<const std::shared_ptr<const Submap>> submaps)
+    : SubmapIndex(After(before, EntriesOf(submaps))) {}
 
 SubmapIndex::SubmapIndex(std::vector<Entry> entries) : entries_(std::move(entries)) { Build(); }
 

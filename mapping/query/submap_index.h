@@ -32,6 +32,8 @@ class SubmapIndex {
     [[nodiscard]] const Transform& T_submap_map() const { return T_submap_map_; }
     /// Whether the two frames are one.
     [[nodiscard]] bool IsInMapFrame() const { return is_on_map_axes_; }
+    /// Whether the boxes of two, and their ways there, are the same. Does not look at the submaps.
+    [[nodiscard]] bool IsPlacedAs(const Entry& other) const;
 
     /// Whether its box and its bounding sphere hold a point of its own frame.
     [[nodiscard]] bool MayHold(const Eigen::Vector3d& p_submap) const {
@@ -50,11 +52,16 @@ class SubmapIndex {
 
   /// By the submaps' bounding spheres.
   explicit SubmapIndex(std::span<const std::shared_ptr<const Submap>> submaps);
+  /// The same made from an index of any other submaps, which may be gone: costs a copy of it, and what lies elsewhere.
+  SubmapIndex(const SubmapIndex& before, std::span<const std::shared_ptr<const Submap>> submaps);
   /// By boxes around what they hold, each in its submap's own frame; none is empty.
   explicit SubmapIndex(std::vector<Entry> entries);
   /// The same for entries of which only those with the numbers in `changed` differ from an index of as many: costs a
   /// copy, and what has changed.
   SubmapIndex(const SubmapIndex& before, std::vector<Entry> entries, std::span<const std::size_t> changed);
+
+  /// Boxes that were put elsewhere since the tree was built; 0: it was built for this.
+  [[nodiscard]] std::size_t num_replaced() const { return num_replaced_; }
 
   /// Those that hold something and are not absent, in the order given.
   [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
@@ -72,6 +79,8 @@ class SubmapIndex {
   [[nodiscard]] Eigen::Vector3f InTree(const Eigen::Vector3d& p_map) const { return (p_map - origin_m_).cast<float>(); }
 
  private:
+  static std::vector<Entry> EntriesOf(std::span<const std::shared_ptr<const Submap>> submaps);
+  static SubmapIndex After(const SubmapIndex& before, std::vector<Entry> entries);
   void Build();
   /// In the map frame; and as floats in the frame of the tree, so much larger that rounding loses no voxel at the rim.
   [[nodiscard]] static Eigen::AlignedBox3d BoxInMap(const Entry& entry);

@@ -2,6 +2,7 @@
 #include "mapping/query/submap_surface.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace dhpmap {
@@ -11,9 +12,8 @@ namespace {
 Eigen::AlignedBox3d BoxOf(const TileEntry& tile, double voxel_size_m) {
   Eigen::AlignedBox3d box;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(voxel_size_m);
-  for (const BlockEntry& block : tile.tile->entries()) {
-    if (block.tsdf == nullptr) continue;
-    const Eigen::Vector3d corner = BlockCorner(block.index, voxel_size_m);
+  for (std::uint64_t left = tile.tile->CellsWith(BlockLayer::kTsdf); left != 0; left &= left - 1) {
+    const Eigen::Vector3d corner = BlockCorner(BlockIn(tile.index, std::countr_zero(left)), voxel_size_m);
     box.extend(corner - reach);
     box.extend(corner + kBlockSide * reach + reach);
   }
@@ -64,23 +64,24 @@ void SubmapSurface::PrepareUsedSince(std::uint64_t time, const Submap& submap, c
   }
 }
 
-void SubmapSurface::AppendChanges(const SubmapSurface& before, std::vector<Eigen::AlignedBox3d>& boxes_m) const {
-  auto was = before.by_index_.begin(), is = by_index_.begin();
-  while (was != before.by_index_.end() && is != by_index_.end()) {
-    const Tile &old_tile = before.tiles_[*was], &new_tile = tiles_[*is];
-    if (old_tile.index < new_tile.index) {
-      boxes_m.push_back(old_tile.box_m);
-      ++was;
-    } else if (new_tile.index < old_tile.index) {
-      boxes_m.push_back(new_tile.box_m);
-      ++is;
-    } else {
-      if (old_tile.slot != new_tile.slot) boxes_m.push_back(old_tile.box_m.merged(new_tile.box_m));
-      ++was, ++is;
+void SubmapSurface::AppendBoxes(const SubmapSurface* other, std::vector<Eigen::AlignedBox3d>& boxes_m) const {
+  std::size_t next = 0;
+  for (const std::uint32_t position : by_index_) {
+    const Tile& tile = tiles_[position];
+    if (other != nullptr) {
+      const auto there = [&] { return &other->tiles_[other->by_index_[next]]; };
+      while (next < other->by_index_.size() && there()->index < tile.index) ++next;
+      const bool is_there = next < other->by_index_.size() && there()->index == tile.index;
+      if (is_there && there()->slot == tile.slot) continue;
+    }
+    const TriangleTree* made = tile.slot->IfMade();
+    if (made == nullptr) {
+      boxes_m.push_back(tile.box_m);
+    } else if (made->num_triangles() > 0) {
+      boxes_m.emplace_back(tile.corner_m + made->bounds().min().cast<double>(),
+                           tile.corner_m + made->bounds().max().cast<double>());
     }
   }
-  for (; was != before.by_index_.end(); ++was) boxes_m.push_back(before.tiles_[*was].box_m);
-  for (; is != by_index_.end(); ++is) boxes_m.push_back(tiles_[*is].box_m);
 }
 
 }  // namespace dhpmap

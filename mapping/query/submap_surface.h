@@ -62,8 +62,9 @@ class SubmapSurface {
     return tiles_[position].corner_m + p_tile.cast<double>();
   }
 
-  /// Appends boxes, in the submap's frame, around all in which this differs from an earlier one.
-  void AppendChanges(const SubmapSurface& before, std::vector<Eigen::AlignedBox3d>& boxes_m) const;
+  /// Appends boxes, in the submap's frame, around the surfaces of those tiles that another has not: tight, of what is
+  /// made. `other` null: of all.
+  void AppendBoxes(const SubmapSurface* other, std::vector<Eigen::AlignedBox3d>& boxes_m) const;
 
   /// Calls visit(const TileSurfaceSlot&) for every tile.
   template <typename Visitor>

@@ -46,10 +46,17 @@ const SubmapSurface* MapSurfaces::SurfaceOf(SubmapId id) const {
 }
 
 /// Of what was, only what this has copies of: the state may be gone.
-std::vector<Eigen::AlignedBox3d> MapSurfaces::ChangesSince(const MapSurfaces& before) const {
-  std::vector<Eigen::AlignedBox3d> boxes_m;
-  const auto add_all = [&boxes_m](const SubmapIndex::Entry& entry) {
-    boxes_m.push_back(entry.box_m().transformed(entry.T_submap_map().inverse()));
+std::vector<SurfaceChange> MapSurfaces::ChangesSince(const MapSurfaces& before) const {
+  std::vector<SurfaceChange> changes;
+  const auto add = [&changes](const MapSurfaces& state, std::size_t number, bool is_gone, const SubmapSurface* other) {
+    SurfaceChange change{.submap = state.parts_[number].id,
+                         .is_gone = is_gone,
+                         .T_submap_map = state.index_.entries()[number].T_submap_map(),
+                         .boxes_m = {},
+                         .around_m = {}};
+    state.surface(number).AppendBoxes(other, change.boxes_m);
+    for (const Eigen::AlignedBox3d& box : change.boxes_m) change.around_m.extend(box);
+    if (!change.boxes_m.empty()) changes.push_back(std::move(change));
   };
   const std::span<const SubmapIndex::Entry> old_entries = before.index_.entries(), new_entries = index_.entries();
   std::size_t was = 0, is = 0;
@@ -57,27 +64,21 @@ std::vector<Eigen::AlignedBox3d> MapSurfaces::ChangesSince(const MapSurfaces& be
     const bool is_only_old =
         is == new_entries.size() || (was < old_entries.size() && before.parts_[was].id < parts_[is].id);
     if (is_only_old) {
-      add_all(old_entries[was++]);
+      add(before, was++, true, nullptr);
       continue;
     }
     if (was == old_entries.size() || parts_[is].id < before.parts_[was].id) {
-      add_all(new_entries[is++]);
+      add(*this, is++, false, nullptr);
       continue;
     }
-    const SubmapIndex::Entry &old_one = old_entries[was], &new_one = new_entries[is];
-    const SubmapSurface &old_surface = before.surface(was++), &new_surface = surface(is++);
+    const std::size_t old_one = was++, new_one = is++;
+    const SubmapSurface &old_surface = before.surface(old_one), &new_surface = surface(new_one);
     if (&old_surface == &new_surface) continue;
-    if (old_one.T_submap_map().matrix() != new_one.T_submap_map().matrix()) {
-      add_all(old_one);
-      add_all(new_one);
-      continue;
-    }
-    const std::size_t first = boxes_m.size();
-    const Transform T_map_submap = new_one.T_submap_map().inverse();
-    new_surface.AppendChanges(old_surface, boxes_m);
-    for (std::size_t i = first; i < boxes_m.size(); ++i) boxes_m[i] = boxes_m[i].transformed(T_map_submap);
+    const bool is_moved = old_entries[old_one].T_submap_map().matrix() != new_entries[new_one].T_submap_map().matrix();
+    add(before, old_one, true, is_moved ? nullptr : &new_surface);
+    add(*this, new_one, false, is_moved ? nullptr : &old_surface);
   }
-  return boxes_m;
+  return changes;
 }
 
 /// The surface tells a submap from all others that there have been: submaps that are gone may have had the same
@@ -109,13 +110,14 @@ std::size_t SurfaceCache::num_tiles() const {
   return slots_.size();
 }
 
-std::shared_ptr<const MapSurfaces> SurfaceCache::Of(const std::shared_ptr<const MapSnapshot>& state) {
+std::shared_ptr<const MapSurfaces> SurfaceCache::Of(const std::shared_ptr<const MapSnapshot>& state, bool with_absent) {
   ledger_->time.fetch_add(1, std::memory_order_relaxed);
   {
     const MutexLock lock(mutex_);
     asked_[state->info().name] = Clock::now();
   }
-  return Find(state);
+  const auto is_absent = [](const auto& submap) { return submap->IsAbsent(); };
+  return Find(state, with_absent && std::any_of(state->submaps().begin(), state->submaps().end(), is_absent));
 }
 
 bool SurfaceCache::IsWanted(const std::string& map) const {
@@ -129,38 +131,57 @@ void SurfaceCache::Freshen(const std::shared_ptr<const MapSnapshot>& state, cons
   constexpr std::uint64_t kLately = 64;  // questions
   if (!IsWanted(state->info().name)) return;
   const std::uint64_t now = ledger_->time.load(std::memory_order_relaxed);
-  const std::shared_ptr<const MapSurfaces> surfaces = Find(state);
+  const std::shared_ptr<const MapSurfaces> surfaces = Find(state, false);
   const std::span<const SubmapIndex::Entry> entries = surfaces->index().entries();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     surfaces->surface(i).PrepareUsedSince(now > kLately ? now - kLately : 1, entries[i].submap(), stop);
   }
 }
 
-std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<const MapSnapshot>& state) {
+std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<const MapSnapshot>& state,
+                                                      bool with_absent) {
   std::shared_ptr<const MapSurfaces> before;
   {
     const MutexLock lock(mutex_);
     if (ledger_->bytes + ledger_->cell_bytes > limit_bytes_) Evict();
-    std::erase_if(states_, [](const auto& known) { return known.second.key.expired(); });
-    if (const auto known = states_.find(state.get()); known != states_.end()) {
+    DropOldStates();
+    States& states = states_[with_absent ? 1 : 0];
+    if (const auto known = states.known.find(state.get()); known != states.known.end()) {
+      std::deque<const MapSnapshot*>& asked = states.asked[state->info().name];
+      std::erase(asked, state.get());
+      asked.push_back(state.get());
       return HoldBoth(state, known->second.value);
     }
-    if (const auto latest = latest_.find(state->info().name); latest != latest_.end()) before = latest->second;
+    if (const auto last = states.latest.find(state->info().name); last != states.latest.end()) before = last->second;
   }
-  std::shared_ptr<const MapSurfaces> made = Make(*state, before.get());
+  std::shared_ptr<const MapSurfaces> made = Make(*state, with_absent, before.get());
   const MutexLock lock(mutex_);
   if (slots_.size() + submaps_.size() > sweep_at_) Sweep();
   if (asked_.contains(state->info().name)) {  // else it was forgotten meanwhile
-    states_.insert_or_assign(state.get(), Known<MapSnapshot, MapSurfaces>{state, made});
-    latest_[state->info().name] = made;
+    Remember(states_[with_absent ? 1 : 0], state, made);
   }
   return HoldBoth(state, std::move(made));
 }
 
-std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, const MapSurfaces* before) {
+/// A few of each map: states that are kept to be read some day do not keep all that was made for them, too.
+void SurfaceCache::Remember(States& states, const std::shared_ptr<const MapSnapshot>& state,
+                            const std::shared_ptr<const MapSurfaces>& made) {
+  constexpr std::size_t kMostOfAMap = 4;
+  states.known.insert_or_assign(state.get(), Known<MapSnapshot, MapSurfaces>{state, made});
+  states.latest[state->info().name] = made;
+  std::deque<const MapSnapshot*>& asked = states.asked[state->info().name];
+  std::erase(asked, state.get());
+  asked.push_back(state.get());
+  if (asked.size() <= kMostOfAMap) return;
+  states.known.erase(asked.front());  // another state may have the address by now: it is made again
+  asked.pop_front();
+}
+
+std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, bool with_absent,
+                                                      const MapSurfaces* before) {
   std::vector<MapSurfaces::Part> parts;
   for (const auto& submap : state.submaps()) {
-    if (submap->IsAbsent()) continue;
+    if (submap->IsAbsent() && !with_absent) continue;
     std::shared_ptr<const SubmapSurface> surface =
         SurfaceOf(submap, before == nullptr ? nullptr : before->SurfaceOf(submap->id()));
     if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), submap->id(), std::move(surface)});
@@ -207,10 +228,19 @@ SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, TileInd
 
 void SurfaceCache::Forget(const std::string& map) {
   const MutexLock lock(mutex_);
-  latest_.erase(map);
+  for (States& states : states_) {
+    states.latest.erase(map);
+    states.asked.erase(map);
+  }
   asked_.erase(map);
-  std::erase_if(states_, [](const auto& known) { return known.second.key.expired(); });
+  DropOldStates();
   Sweep();
+}
+
+void SurfaceCache::DropOldStates() {
+  for (States& states : states_) {
+    std::erase_if(states.known, [](const auto& known) { return known.second.key.expired(); });
+  }
 }
 
 /// Forgets what nobody has any longer. Costs as much as there is, so it comes when that has grown by a quarter: while
@@ -223,19 +253,25 @@ void SurfaceCache::Sweep() {
 
 /// Forgets surfaces, until what is left takes three quarters of the limit, and all that refers to them.
 void SurfaceCache::Evict() {
-  latest_.clear();
+  for (States& states : states_) states.latest.clear();
   Sweep();
-  states_.clear();                // and their cells, but for those in use
+  for (States& states : states_) {
+    states.known.clear();  // and their cells, but for those in use
+    states.asked.clear();
+  }
   std::unordered_set<Slot> made;  // several tiles may show the same
   for (const auto& [tile, known] : slots_) {
     if (known.value->bytes() > 0) made.insert(known.value);
   }
-  std::vector<Slot> by_use(made.begin(), made.end());
-  std::sort(by_use.begin(), by_use.end(), [](const Slot& a, const Slot& b) { return a->last_used() < b->last_used(); });
+  // As they were used by now: others go on marking them.
+  std::vector<std::pair<std::uint64_t, Slot>> by_use;
+  by_use.reserve(made.size());
+  for (const Slot& slot : made) by_use.emplace_back(slot->last_used(), slot);
+  std::sort(by_use.begin(), by_use.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::size_t bytes = ledger_->cell_bytes;
-  for (const Slot& slot : by_use) bytes += slot->bytes();
+  for (const auto& [last_used, slot] : by_use) bytes += slot->bytes();
   std::unordered_set<const TileSurfaceSlot*> dropped;
-  for (const Slot& slot : by_use) {
+  for (const auto& [last_used, slot] : by_use) {
     if (bytes <= limit_bytes_ / 4 * 3) break;
     bytes -= slot->bytes();
     dropped.insert(slot.get());

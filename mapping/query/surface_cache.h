@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -16,11 +18,12 @@
 #include "mapping/query/nearby_cells.h"
 #include "mapping/query/submap_index.h"
 #include "mapping/query/submap_surface.h"
+#include "mapping/query/surface_change.h"
 
 namespace dhpmap {
 
-/// The surfaces of all submaps of one state of a map but those that are absent, and an index over them. Keeps the state
-/// alive. Thread-safe.
+/// The surfaces of all submaps of one state of a map but, mostly, those that are absent, and an index over them. Keeps
+/// the state alive. Thread-safe.
 class MapSurfaces {
  public:
   struct Part {
@@ -48,8 +51,8 @@ class MapSurfaces {
  private:
   static SubmapIndex IndexOf(const std::vector<Part>& parts, const MapSurfaces* before);
 
-  /// Boxes of the map frame around all in which this differs from an earlier state.
-  [[nodiscard]] std::vector<Eigen::AlignedBox3d> ChangesSince(const MapSurfaces& before) const;
+  /// All in which this differs from an earlier state.
+  [[nodiscard]] std::vector<SurfaceChange> ChangesSince(const MapSurfaces& before) const;
   [[nodiscard]] DistanceFields FieldsAfter(const MapSurfaces* before,
                                            const std::shared_ptr<SurfaceLedger>& ledger) const;
 
@@ -70,8 +73,10 @@ class SurfaceCache {
   /// too, so who asks for much lets go in between.
   explicit SurfaceCache(std::size_t limit_bytes);
 
-  /// The surfaces of a state. The first to ask for it takes a look at what is new in it.
-  std::shared_ptr<const MapSurfaces> Of(const std::shared_ptr<const MapSnapshot>& state) DHPMAP_EXCLUDES(mutex_);
+  /// The surfaces of a state. The first to ask for it takes a look at what is new in it. `with_absent`: also those of
+  /// absent submaps, but for what of them was looked through.
+  std::shared_ptr<const MapSurfaces> Of(const std::shared_ptr<const MapSnapshot>& state, bool with_absent = false)
+      DHPMAP_EXCLUDES(mutex_);
 
   /// Whether somebody has asked about a map of this name in the last two seconds.
   [[nodiscard]] bool IsWanted(const std::string& map) const DHPMAP_EXCLUDES(mutex_);
@@ -100,13 +105,19 @@ class SurfaceCache {
 
   using Clock = std::chrono::steady_clock;
 
-  std::shared_ptr<const MapSurfaces> Find(const std::shared_ptr<const MapSnapshot>& state) DHPMAP_EXCLUDES(mutex_);
-  std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state, const MapSurfaces* before) DHPMAP_EXCLUDES(mutex_);
+  std::shared_ptr<const MapSurfaces> Find(const std::shared_ptr<const MapSnapshot>& state, bool with_absent)
+      DHPMAP_EXCLUDES(mutex_);
+  std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state, bool with_absent, const MapSurfaces* before)
+      DHPMAP_EXCLUDES(mutex_);
   /// `before`: of an earlier state of the submap; null: there was none.
   std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap,
                                                  const SubmapSurface* before) DHPMAP_EXCLUDES(mutex_);
   Slot SlotOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m, const SubmapSurface* before)
       DHPMAP_EXCLUDES(mutex_);
+  struct States;
+  void Remember(States& states, const std::shared_ptr<const MapSnapshot>& state,
+                const std::shared_ptr<const MapSurfaces>& made) DHPMAP_REQUIRES(mutex_);
+  void DropOldStates() DHPMAP_REQUIRES(mutex_);
   void Sweep() DHPMAP_REQUIRES(mutex_);
   void Evict() DHPMAP_REQUIRES(mutex_);
 
@@ -116,8 +127,14 @@ class SurfaceCache {
   using SlotsByTile = std::unordered_map<const BlockTile*, Known<BlockTile, TileSurfaceSlot>>;
   SlotsByTile slots_ DHPMAP_GUARDED_BY(mutex_);  // by the tile in the middle
   std::unordered_map<const Submap*, Known<Submap, SubmapSurface>> submaps_ DHPMAP_GUARDED_BY(mutex_);
-  std::unordered_map<const MapSnapshot*, Known<MapSnapshot, MapSurfaces>> states_ DHPMAP_GUARDED_BY(mutex_);
-  std::unordered_map<std::string, std::shared_ptr<const MapSurfaces>> latest_ DHPMAP_GUARDED_BY(mutex_);  // by map
+  /// Of all submaps but those that are absent, and of all.
+  struct States {
+    std::unordered_map<const MapSnapshot*, Known<MapSnapshot, MapSurfaces>> known;
+    std::unordered_map<std::string, std::shared_ptr<const MapSurfaces>> latest;  // by map
+    /// Which of those known are of a map, that asked for last at the end. Some may be gone.
+    std::unordered_map<std::string, std::deque<const MapSnapshot*>> asked;
+  };
+  std::array<States, 2> states_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<std::string, Clock::time_point> asked_ DHPMAP_GUARDED_BY(mutex_);  // last, by map
   std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;                                 // so many slots and submaps
 };

@@ -112,7 +112,7 @@ double SweepQuery::DepthAt(const SphereKnot& knot, std::size_t number) const {
   const NearestSurface found = NearestSearch(world_.surfaces(), is_held).Find(knot.center_m, options_.max_distance_m);
   if (!found.is_any) return 0;
   const double distance_m = (found.p_submap - found.point_submap).norm();
-  return std::max(0.0, reach_m - (found.is_behind ? -distance_m : distance_m));
+  return std::max(0.0, reach_m - (found.is_behind && !found.is_beside ? -distance_m : distance_m));
 }
 
 /// By halves, of which those whose box is free as a whole need no more.

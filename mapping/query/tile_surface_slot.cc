@@ -7,22 +7,12 @@
 namespace dhpmap {
 namespace {
 
-std::array<std::weak_ptr<const BlockTile>, 27> TilesOf(const TileNeighbourhood& around) {
-  std::array<std::weak_ptr<const BlockTile>, 27> tiles;
+std::array<std::uint64_t, 27> TilesOf(const TileNeighbourhood& around) {
+  std::array<std::uint64_t, 27> tiles{};
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    if (around[i] != nullptr) tiles[i] = around[i]->tile;
+    if (around[i] != nullptr) tiles[i] = around[i]->tile->part_id();
   }
   return tiles;
-}
-
-/// Of the same object, though it be gone: an address may be used again, what owns it not while a weak pointer is left.
-template <typename Object>
-bool IsSame(const std::weak_ptr<const Object>& was, const std::shared_ptr<const Object>& is) {
-  return !was.owner_before(is) && !is.owner_before(was);
-}
-bool IsSame(const std::weak_ptr<const BlockTile>& was, const TileEntry* is) {
-  static const std::shared_ptr<const BlockTile> kNone;
-  return IsSame(was, is == nullptr ? kNone : is->tile);
 }
 
 }  // namespace
@@ -30,15 +20,15 @@ bool IsSame(const std::weak_ptr<const BlockTile>& was, const TileEntry* is) {
 TileSurfaceSlot::TileSurfaceSlot(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m,
                                  std::shared_ptr<SurfaceLedger> ledger, std::uint64_t last_used)
     : tiles_(TilesOf(around)),
-      layers_(LayersOf(FindBlocks(around, tile))),
+      layers_(LayersOf(FindNames(around, tile))),
       voxel_size_m_(voxel_size_m),
       ledger_(std::move(ledger)),
       last_used_(last_used) {}
 
-std::vector<TileSurfaceSlot::Layers> TileSurfaceSlot::LayersOf(const TileBlocks& blocks) {
+std::vector<TileSurfaceSlot::Layers> TileSurfaceSlot::LayersOf(const TileNames& names) {
   std::vector<Layers> layers;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (blocks[i] != nullptr) layers.push_back({i, blocks[i]->tsdf, blocks[i]->gone});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].tsdf != 0) layers.push_back({i, names[i]});
   }
   layers.shrink_to_fit();
   return layers;
@@ -48,17 +38,15 @@ TileSurfaceSlot::~TileSurfaceSlot() { ledger_->bytes -= bytes(); }
 
 bool TileSurfaceSlot::IsOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m) const {
   if (voxel_size_m != voxel_size_m_) return false;
-  const bool are_same_tiles = std::equal(tiles_.begin(), tiles_.end(), around.begin(),
-                                         [](const auto& was, const TileEntry* is) { return IsSame(was, is); });
-  return are_same_tiles || HasLayersOf(FindBlocks(around, tile));
+  return TilesOf(around) == tiles_ || HasLayersOf(FindNames(around, tile));
 }
 
-bool TileSurfaceSlot::HasLayersOf(const TileBlocks& blocks) const {
+bool TileSurfaceSlot::HasLayersOf(const TileNames& names) const {
   auto known = layers_.begin();
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (blocks[i] == nullptr) continue;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].tsdf == 0) continue;
     if (known == layers_.end() || known->where != i) return false;
-    if (!IsSame(known->tsdf, blocks[i]->tsdf) || !IsSame(known->gone, blocks[i]->gone)) return false;
+    if (known->names.tsdf != names[i].tsdf || known->names.gone != names[i].gone) return false;
     ++known;
   }
   return known == layers_.end();

@@ -41,6 +41,8 @@ class TileSurfaceSlot {
   void Prepare(const BlockTable& blocks, TileIndex tile) const {
     if (ready_.load(std::memory_order_acquire) == nullptr) Make(blocks, tile);
   }
+  /// Null: it is not there. Valid as long as the slot.
+  [[nodiscard]] const TriangleTree* IfMade() const { return ready_.load(std::memory_order_acquire); }
   /// That somebody uses it now.
   void MarkUsed() const {
     if (const std::uint64_t now = ledger_->time.load(std::memory_order_relaxed);
@@ -57,16 +59,15 @@ class TileSurfaceSlot {
  private:
   /// What a block shows of a surface.
   struct Layers {
-    std::size_t where;  ///< in TileBlocks
-    std::weak_ptr<const TsdfBlock> tsdf;
-    std::weak_ptr<const GoneBlock> gone;
+    std::size_t where;  ///< in TileNames
+    SurfaceNames names;
   };
-  static std::vector<Layers> LayersOf(const TileBlocks& blocks);
-  [[nodiscard]] bool HasLayersOf(const TileBlocks& blocks) const;
+  static std::vector<Layers> LayersOf(const TileNames& names);
+  [[nodiscard]] bool HasLayersOf(const TileNames& names) const;
   const TriangleTree& Make(const BlockTable& blocks, TileIndex tile) const;
 
-  const std::array<std::weak_ptr<const BlockTile>, 27> tiles_;  ///< empty where there is none; while these last, no
-                                                                ///< need to look at each block
+  const std::array<std::uint64_t, 27>
+      tiles_;  ///< see PartId; 0 where there is none; if these are the same, so are blocks
   const std::vector<Layers> layers_;
   const double voxel_size_m_;
   const std::shared_ptr<SurfaceLedger> ledger_;

@@ -13,14 +13,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Status NobodyWaits() { return Cancelled("the client went away"); }
 
-std::optional<std::size_t> NumberOf(const MapSurfaces& surfaces, SubmapId id) {
-  const std::span<const SubmapIndex::Entry> entries = surfaces.index().entries();
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (entries[i].submap().id() == id) return i;
-  }
-  return std::nullopt;  // it has no surface
-}
-
 }  // namespace
 
 Result<TrajectoryQuery> TrajectoryQuery::Make(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options,
@@ -29,10 +21,7 @@ Result<TrajectoryQuery> TrajectoryQuery::Make(std::shared_ptr<const MapSurfaces>
   for (std::size_t i = 0; i < query.options_.attached.size(); ++i) {
     if (stop.stop_requested()) return NobodyWaits();
     const AttachedObject& attached = query.options_.attached[i];
-    CarriedBody body;
-    if (const auto number = NumberOf(*query.surfaces_, attached.submap)) {
-      body = CarriedBodyOf(*query.surfaces_, *number, kMostBalls);
-    }
+    CarriedBody body = WholeBodyOf(*query.surfaces_, attached.submap, kMostBalls);
     if (body.num_balls > kMostBalls) {
       return ResourceExhausted("the trajectories cannot be checked")
           .WithViolation("options.attached[" + std::to_string(i) + "].submap", "is too large to be carried");

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/evidence/submap_labels.h"
 #include "mapping/refinement/refine_map.h"
-#include "mapping/refinement/submap_labels.h"
 
 namespace dhpmap {
 namespace {

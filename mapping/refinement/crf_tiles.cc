@@ -25,7 +25,7 @@ struct FirstChoice {
 /// Whether a list of counts has two labels in front: what is around the voxel may choose either.
 class Lead {
  public:
-  void operator()(LabelCount seen) {
+  void operator()(SubmapCount seen) {
     is_tied_ = seen.count == most_ || (is_tied_ && seen.count < most_);
     most_ = std::max(most_, seen.count);
   }
@@ -43,7 +43,7 @@ FirstChoice ChoiceOf(const HeldBlock& block, const KnownInstances& known) {
   for (int i = 0; i < kBlockVoxels && !choice.is_disputed; ++i) {
     if (!block.TakesPart(i)) continue;
     Lead lead;
-    known.Visit(block.holder, labels, i, [&lead](LabelCount seen) { lead(seen); });
+    known.Visit(block.holder, labels, i, [&lead](SubmapCount seen) { lead(seen); });
     choice.Add(
         {.is_disputed = lead.is_tied() || labels.IsConcluded(i), .instance = known.MostSeen(block.holder, labels, i)});
   }
@@ -66,6 +66,7 @@ class Places {
       places_.back().end = i + 1;
     }
     numbers_.Reserve(places_.size());
+    numbers_bytes_.Set(numbers_.MemoryBytes());
     for (std::uint32_t p = 0; p < places_.size(); ++p) numbers_.Set(places_[p].index, p);
     pool.ParallelFor(places_.size(), [&](std::size_t p) {
       for (std::uint32_t i = places_[p].begin; i < places_[p].end; ++i)
@@ -78,7 +79,7 @@ class Places {
     });
   }
 
-  [[nodiscard]] const std::vector<Place>& all() const { return places_; }
+  [[nodiscard]] const ScratchVector<Place>& all() const { return places_; }
 
   /// Calls visit(number of the place) for those within the rim of `index`, itself included.
   template <typename Visitor>
@@ -91,11 +92,12 @@ class Places {
 
  private:
   const int rim_;
-  std::vector<Place> places_;
+  ScratchVector<Place> places_;
   IndexMap<BlockIndex> numbers_;
+  CountedBytes numbers_bytes_{MemoryKind::kRefinement};
 };
 
-void Append(const Place& place, std::vector<std::uint32_t>& blocks) {
+void Append(const Place& place, ScratchVector<std::uint32_t>& blocks) {
   for (std::uint32_t i = place.begin; i < place.end; ++i) blocks.push_back(i);
 }
 
@@ -107,9 +109,9 @@ constexpr std::int32_t FloorDiv(std::int32_t a, std::int32_t b) { return (a >= 0
 
 }  // namespace
 
-std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map, const RefinementRegion* region,
-                                     int rim) {
-  std::vector<HeldBlock> blocks;
+ScratchVector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map, const RefinementRegion* region,
+                                       int rim) {
+  ScratchVector<HeldBlock> blocks;
   const auto most_distance_m = static_cast<float>(kMostDistance_vox * map.info().config.voxel_size_m);
   for (const SubmapId id : ids) {
     const Submap* submap = map.Find(id);
@@ -128,7 +130,7 @@ std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& m
 std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInstances& known, int side, int rim,
                               ThreadPool& pool, const RefinementRegion* region) {
   const Places places(blocks, known, rim, pool);
-  std::map<BlockIndex, std::vector<std::uint32_t>> cubes;  // disputed places; ordered, so that the result is
+  std::map<BlockIndex, ScratchVector<std::uint32_t>> cubes;  // disputed places; ordered, so that the result is
   for (std::uint32_t p = 0; p < places.all().size(); ++p) {
     const BlockIndex& index = places.all()[p].index;
     if (!places.all()[p].is_disputed || (region != nullptr && !region->Has(CubeOf(index)))) continue;
@@ -136,7 +138,7 @@ std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInst
   }
   std::vector<CrfTile> tiles;
   for (const auto& [cube, inner] : cubes) {
-    std::vector<std::uint32_t> around;
+    ScratchVector<std::uint32_t> around;
     for (const std::uint32_t p : inner) {
       places.VisitAround(places.all()[p].index, [&](std::uint32_t n) { around.push_back(n); });
     }

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "mapping/base/ids.h"
+#include "mapping/base/refinement_scratch.h"
 #include "mapping/base/thread_pool.h"
+#include "mapping/evidence/known_instances.h"
+#include "mapping/evidence/refinement_region.h"
 #include "mapping/map/map.h"
-#include "mapping/refinement/refinement_region.h"
-#include "mapping/refinement/seen_instances.h"
 
 namespace dhpmap {
 
@@ -32,8 +33,8 @@ struct HeldBlock {
 
 /// All labelled blocks of the submaps `ids` that share the map's grid (IsExclusive), by ascending index, then holder;
 /// with `region`, those within `rim` blocks of it. Valid until the map is next written.
-std::vector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map,
-                                     const RefinementRegion* region = nullptr, int rim = 0);
+ScratchVector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map& map,
+                                       const RefinementRegion* region = nullptr, int rim = 0);
 
 /// Calls visit(BlockIndex) for all indices within `rim` of `center`, itself included.
 template <typename Visitor>
@@ -48,8 +49,8 @@ void VisitBlocksAround(BlockIndex center, int rim, Visitor&& visit) {
 /// Blocks of a cube that the CRF solves at once, with the blocks around them whose labels reach into them. Indices into
 /// the list of CollectBlocks, ascending.
 struct CrfTile {
-  std::vector<std::uint32_t> inner;
-  std::vector<std::uint32_t> rim;
+  ScratchVector<std::uint32_t> inner;
+  ScratchVector<std::uint32_t> rim;
 };
 
 /// Cuts the blocks into cubes of `side` blocks; with `region`, those blocks that lie in it. What lies within `rim`

@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "mapping/base/refinement_scratch.h"
+#include "mapping/evidence/voxel_handover.h"
 #include "mapping/refinement/bounded_loop.h"
 #include "mapping/refinement/crf_tiles.h"
-#include "mapping/refinement/dense_crf.h"
-#include "mapping/refinement/near_evidence.h"
 #include "mapping/refinement/tied_voxels.h"
+#include "mapping/refinement/tile_marginals.h"
 #include "mapping/refinement/tile_problem.h"
-#include "mapping/refinement/voxel_handover.h"
 
 namespace dhpmap {
 namespace {
@@ -22,28 +20,6 @@ namespace {
 /// Of tiles under way. Some 80 voxels a block and 0.5 kB a voxel make 50 MB of it, on machines of many cores more. The
 /// sample apartment's largest tile has 1,178 blocks.
 constexpr std::size_t kMostBlocksAtOnce = 1400, kMostBlocksAThread = 500;
-/// Sightings of a voxel that has none: below, evidence hardly counts.
-constexpr float kPriorCount = 1.0f;
-
-/// The unary term of paper eq. (3) from evidence instead of from shares, for which 300 against 200 sightings are no
-/// more than 3 against 2: the difference between two labels in standard deviations of what chance alone would make of
-/// it.
-float EnergyOf(float evidence, float all) { return -evidence / std::sqrt(all + kPriorCount); }
-
-/// Evidence becomes unaries. Labels that do not occur within reach of a voxel are impossible there, so that a crowd
-/// elsewhere in the tile says nothing about it; one that does, and that it has not seen, has no evidence.
-void BecomeUnaries(const TileProblem& problem, std::vector<float>& values) {
-  const LabelChannels& channels = problem.channels();
-  const auto num_channels = static_cast<std::size_t>(channels.num_channels());
-  for (std::size_t m = 0; m < problem.members().size(); ++m) {
-    const std::span<float> row(values.data() + m * num_channels, num_channels);
-    const float all = std::accumulate(row.begin(), row.end(), 0.0f);
-    for (std::uint32_t c = 0; c < num_channels; ++c) {
-      const bool is_near = channels.LabelAt(problem.members()[m].place, c) != LabelChannels::kNone;
-      row[c] = is_near ? EnergyOf(row[c], all) : std::numeric_limits<float>::infinity();
-    }
-  }
-}
 
 /// Paper eq. (2) for one voxel: the most likely label within reach of the place; where none is more likely, the one
 /// that was seen most.
@@ -61,9 +37,9 @@ SubmapId LikeliestLabel(std::span<const float> q, const LabelChannels& channels,
 }
 
 /// A label a member, the rim's included, by what the CRF makes of it.
-std::vector<SubmapId> Conclude(const TileProblem& problem, std::span<const float> values) {
+ScratchVector<SubmapId> Conclude(const TileProblem& problem, std::span<const float> values) {
   const auto stride = static_cast<std::size_t>(problem.channels().num_channels());
-  std::vector<SubmapId> labels(problem.members().size());
+  ScratchVector<SubmapId> labels(problem.members().size());
   for (std::size_t m = 0; m < labels.size(); ++m) {
     const TileProblem::Member& member = problem.members()[m];
     labels[m] =
@@ -74,7 +50,7 @@ std::vector<SubmapId> Conclude(const TileProblem& problem, std::span<const float
 }
 
 struct TileOutcome {
-  std::vector<Handover> handovers;
+  ScratchVector<Handover> handovers;
   std::int64_t num_voxels = 0;  // without the rim
 };
 
@@ -82,17 +58,8 @@ struct TileOutcome {
 TileOutcome SolveTile(std::span<const HeldBlock> blocks, const KnownInstances& known, const CrfTile& tile, int rim,
                       const MapConfig& config) {
   const TileProblem problem(blocks, known, tile, rim, config.voxel_size_m);
-  const RefinementConfig& refine = config.refinement;
-  ThreadPool here(1);
-  DenseCrf crf(here);
-  crf.SetPoints(problem.Points(), refine.smoothness, refine.appearance);
-  std::vector<float> values =
-      GatherEvidence(problem, refine.evidence_radius_m / config.voxel_size_m, config.voxel_size_m);
-  BecomeUnaries(problem, values);
-  const int num_channels[] = {problem.channels().num_channels()};
-  crf.Infer(num_channels, refine.crf_iterations, values);
-
-  const std::vector<SubmapId> labels = Conclude(problem, values);
+  const ScratchVector<float> values = TileMarginals(problem, config.refinement);
+  const ScratchVector<SubmapId> labels = Conclude(problem, values);
   TileOutcome outcome{.handovers = {}, .num_voxels = static_cast<std::int64_t>(problem.num_inner())};
   for (std::size_t m = 0; m < problem.num_inner(); ++m) {
     const TileProblem::Member& member = problem.members()[m];
@@ -121,7 +88,7 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
   const MapConfig& config = map.info().config;
   const KnownInstances known(ids, map);
   const int rim = RimOfLabels(config);
-  const std::vector<HeldBlock> blocks = CollectBlocks(ids, map, region, rim);
+  const ScratchVector<HeldBlock> blocks = CollectBlocks(ids, map, region, rim);
   const std::vector<CrfTile> tiles = CutTiles(blocks, known, kCubeSide, rim, pool, region);
   LabelCrfReport report{.num_tiles = static_cast<int>(tiles.size())};
   std::vector<TileOutcome> outcomes(tiles.size());
@@ -134,7 +101,7 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
   });
 
   // Tiles are disjoint, and so is what becomes of their voxels.
-  std::vector<Handover> handovers;
+  ScratchVector<Handover> handovers;
   for (const TileOutcome& outcome : outcomes) {
     handovers.insert(handovers.end(), outcome.handovers.begin(), outcome.handovers.end());
     report.num_voxels += outcome.num_voxels;

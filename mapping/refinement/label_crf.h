@@ -7,8 +7,8 @@
 
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
+#include "mapping/evidence/refinement_region.h"
 #include "mapping/map/map.h"
-#include "mapping/refinement/refinement_region.h"
 
 namespace dhpmap {
 

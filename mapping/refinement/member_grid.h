@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "mapping/base/index_map.h"
+#include "mapping/base/refinement_scratch.h"
 #include "mapping/refinement/tile_problem.h"
 
 namespace dhpmap {
@@ -31,8 +31,8 @@ class MemberGrid {
   }
 
  private:
-  std::vector<std::uint32_t> numbers_;  ///< by place, then voxel
-  std::vector<std::array<std::uint32_t, 27>> around_;
+  ScratchVector<std::uint32_t> numbers_;  ///< by place, then voxel
+  ScratchVector<std::array<std::uint32_t, 27>> around_;
 };
 
 }  // namespace dhpmap

@@ -35,9 +35,9 @@ std::vector<NearTap> NearTaps(double radius_vox) {
   return taps;
 }
 
-std::vector<float> GatherEvidence(const TileProblem& problem, double radius_vox, double voxel_size_m) {
+ScratchVector<float> GatherEvidence(const TileProblem& problem, double radius_vox, double voxel_size_m) {
   const auto num_channels = static_cast<std::size_t>(problem.channels().num_channels());
-  std::vector<float> evidence(problem.members().size() * num_channels, 0.0f);
+  ScratchVector<float> evidence(problem.members().size() * num_channels, 0.0f);
   for (std::size_t m = 0; m < problem.members().size(); ++m) {
     problem.VisitSeen(problem.members()[m], [&](std::uint32_t channel, std::uint32_t count) {
       evidence[m * num_channels + channel] = static_cast<float>(count);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mapping/base/refinement_scratch.h"
 #include "mapping/refinement/tile_problem.h"
 
 namespace dhpmap {
@@ -23,6 +24,6 @@ std::vector<NearTap> NearTaps(double radius_vox);
 /// less its prior. A voxel's own sightings count whole; those of voxels at the surface (within 1.5 voxels of it), where
 /// labels are right, count `kNearWeight` of the kernel for all around them. The result depends on the tile alone.
 inline constexpr float kNearWeight = 0.3f;
-std::vector<float> GatherEvidence(const TileProblem& problem, double radius_vox, double voxel_size_m);
+ScratchVector<float> GatherEvidence(const TileProblem& problem, double radius_vox, double voxel_size_m);
 
 }  // namespace dhpmap

@@ -112,8 +112,8 @@ std::vector<RefinementRegion> CutRegions(const PendingCubes& pending, const MapS
     if (Refined(submap.get(), state.info().config) == nullptr) continue;
     for (const TileEntry& tile : submap->blocks().tiles()) {
       if (!pending.cubes().contains(CubeOf(tile.index))) continue;
-      num_blocks[CubeOf(tile.index)] += tile.tile->entries().size();
-      all += tile.tile->entries().size();
+      num_blocks[CubeOf(tile.index)] += tile.tile->size();
+      all += tile.tile->size();
     }
   }
   const std::size_t most_blocks =

@@ -3,9 +3,9 @@
 
 #include <chrono>
 
+#include "mapping/evidence/stray_voxels.h"
+#include "mapping/evidence/submap_labels.h"
 #include "mapping/map/map_grid.h"
-#include "mapping/refinement/stray_voxels.h"
-#include "mapping/refinement/submap_labels.h"
 
 namespace dhpmap {
 namespace {

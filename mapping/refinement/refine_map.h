@@ -8,10 +8,10 @@
 
 #include "mapping/base/ids.h"
 #include "mapping/base/thread_pool.h"
+#include "mapping/evidence/label_management.h"
+#include "mapping/evidence/refinement_region.h"
 #include "mapping/map/map.h"
 #include "mapping/refinement/label_crf.h"
-#include "mapping/refinement/label_management.h"
-#include "mapping/refinement/refinement_region.h"
 
 namespace dhpmap {
 

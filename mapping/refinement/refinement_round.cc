@@ -10,11 +10,13 @@ namespace {
 
 /// Such labels are restored from what is known of the whole submap.
 bool HasDroppedLabels(const MapSnapshot& state) {
-  const auto is_without = [](const BlockEntry& entry) { return entry.tsdf != nullptr && entry.labels == nullptr; };
+  const auto is_without = [](const TileEntry& tile) {
+    return (tile.tile->CellsWith(BlockLayer::kTsdf) & ~tile.tile->CellsWith(BlockLayer::kLabels)) != 0;
+  };
   return std::any_of(state.submaps().begin(), state.submaps().end(), [&](const auto& submap) {
     if (submap->id() == kUnknownSubmap || !IsRefined(submap->info(), state.info().config)) return false;
-    const auto blocks = submap->blocks().entries();
-    return std::any_of(blocks.begin(), blocks.end(), is_without);
+    const auto tiles = submap->blocks().tiles();
+    return std::any_of(tiles.begin(), tiles.end(), is_without);
   });
 }
 

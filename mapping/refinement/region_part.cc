@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/refinement/region_part.h"
 
-#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -20,12 +21,15 @@ class PartOfSubmap {
 
  private:
   void AddOf(const TileEntry& tile) {
-    const std::span<const BlockEntry> blocks = tile.tile->entries();
-    const auto is_in_part = [this](const BlockEntry& block) { return part_.Has(block.index); };
-    if (std::all_of(blocks.begin(), blocks.end(), is_in_part)) return cut_->PutTile(tile.index, tile.tile);
+    std::size_t num_in_part = 0;
+    for (std::uint64_t left = tile.tile->cells(); left != 0; left &= left - 1) {
+      num_in_part += part_.Has(BlockIn(tile.index, std::countr_zero(left))) ? 1u : 0u;
+    }
+    if (num_in_part == tile.tile->size()) return cut_->PutTile(tile.index, tile.tile);
+    if (num_in_part == 0 && has_one_elsewhere_) return;  // nothing of it is needed, nor read
     const auto some = std::make_shared<BlockTile>();
-    for (const BlockEntry& block : blocks) {
-      if (!is_in_part(block) && !IsFirstElsewhere(block)) continue;
+    for (const BlockEntry& block : tile.tile->entries()) {
+      if (!part_.Has(block.index) && !IsFirstElsewhere(block)) continue;
       BlockEntry& copy = some->FindOrInsert(block.index);
       ForEachLayer([](BlockLayer, const auto& from, auto& to) { to = from; }, block, copy);
     }

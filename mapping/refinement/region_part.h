@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "mapping/evidence/refinement_region.h"
 #include "mapping/map/map.h"
-#include "mapping/refinement/refinement_region.h"
 
 namespace dhpmap {
 

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "mapping/base/refinement_scratch.h"
 #include "mapping/refinement/member_grid.h"
 
 namespace dhpmap {
@@ -50,8 +52,7 @@ struct Across {
   }
 };
 
-Across LookAcross(const TileProblem& problem, const MemberGrid& grid, std::size_t m,
-                  const std::vector<SubmapId>& labels) {
+Across LookAcross(const TileProblem& problem, const MemberGrid& grid, std::size_t m, std::span<const SubmapId> labels) {
   const TileProblem::Member& member = problem.members()[m];
   Across across;
   for (const auto& [dx, dy, dz] : kNeighbours) {
@@ -65,9 +66,9 @@ Across LookAcross(const TileProblem& problem, const MemberGrid& grid, std::size_
 
 }  // namespace
 
-void KeepTiedWithTheirSurface(const TileProblem& problem, std::vector<SubmapId>& likeliest) {
+void KeepTiedWithTheirSurface(const TileProblem& problem, std::span<SubmapId> likeliest) {
   std::optional<MemberGrid> grid;  // most tiles need none
-  std::vector<std::pair<std::size_t, SubmapId>> kept;
+  ScratchVector<std::pair<std::size_t, SubmapId>> kept;
   std::vector<SubmapId> tied;
   for (std::size_t m = 0; m < problem.num_inner(); ++m) {
     FindTied(problem, problem.members()[m], likeliest[m], tied);

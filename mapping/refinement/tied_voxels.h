@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "mapping/base/ids.h"
 #include "mapping/refinement/tile_problem.h"
@@ -16,6 +16,6 @@ namespace dhpmap {
 /// neighbours; of these, to the smallest id.
 ///
 /// `likeliest`: a label a member, read as it was and written.
-void KeepTiedWithTheirSurface(const TileProblem& problem, std::vector<SubmapId>& likeliest);
+void KeepTiedWithTheirSurface(const TileProblem& problem, std::span<SubmapId> likeliest);
 
 }  // namespace dhpmap

@@ -2,6 +2,8 @@
 #include "mapping/refinement/tile_problem.h"
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace dhpmap {
 
@@ -23,6 +25,7 @@ void TileProblem::NumberPlaces(const CrfTile& tile) {
       places_.push_back(blocks_[b].index);
     }
   }
+  place_numbers_bytes_.Set(place_numbers_.MemoryBytes());
 }
 
 void TileProblem::AddMembers(std::span<const std::uint32_t> chosen) {
@@ -36,8 +39,8 @@ void TileProblem::AddMembers(std::span<const std::uint32_t> chosen) {
   }
 }
 
-std::vector<CrfPoint> TileProblem::Points() const {
-  std::vector<CrfPoint> points;
+ScratchVector<CrfPoint> TileProblem::Points() const {
+  ScratchVector<CrfPoint> points;
   points.reserve(members_.size());
   const Eigen::Vector3d origin = BlockCorner(places_.front(), voxel_size_m_);
   for (const Member& member : members_) {
@@ -55,7 +58,7 @@ void TileProblem::AssignChannels(int rim) {
     const Member& member = members_[m];
     const HeldBlock& block = blocks_[member.block];
     known_.Visit(block.holder, *block.entry->labels, member.linear,
-                 [&](LabelCount seen) { instances.push_back(seen.id); });
+                 [&](SubmapCount seen) { instances.push_back(seen.id.value); });
     instances.push_back(MostSeen(member).value);
     if (m + 1 < members_.size() && members_[m + 1].block == member.block) continue;
     std::sort(instances.begin(), instances.end());
@@ -70,6 +73,9 @@ void TileProblem::AssignChannels(int rim) {
       if (n != IndexMap<BlockIndex>::kNone) neighbours[p].push_back(n);
     });
   }
+  const auto add_bytes = [](std::size_t sum, const auto& list) { return sum + CapacityBytes(list); };
+  const CountedBytes neighbours_bytes(MemoryKind::kRefinement, std::accumulate(neighbours.begin(), neighbours.end(),
+                                                                               CapacityBytes(neighbours), add_bytes));
   channels_.Assign(neighbours);
 }
 

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "mapping/base/index_map.h"
+#include "mapping/base/refinement_scratch.h"
+#include "mapping/crf/dense_crf.h"
+#include "mapping/crf/label_channels.h"
+#include "mapping/evidence/known_instances.h"
 #include "mapping/refinement/crf_tiles.h"
-#include "mapping/refinement/dense_crf.h"
-#include "mapping/refinement/label_channels.h"
-#include "mapping/refinement/seen_instances.h"
 
 namespace dhpmap {
 
@@ -28,7 +28,7 @@ class TileProblem {
   TileProblem(std::span<const HeldBlock> blocks, const KnownInstances& known, const CrfTile& tile, int rim,
               double voxel_size_m);
 
-  [[nodiscard]] const std::vector<Member>& members() const { return members_; }
+  [[nodiscard]] const ScratchVector<Member>& members() const { return members_; }
   /// The first members; the others are the rim.
   [[nodiscard]] std::size_t num_inner() const { return num_inner_; }
   [[nodiscard]] std::size_t num_places() const { return places_.size(); }
@@ -40,14 +40,14 @@ class TileProblem {
   [[nodiscard]] const HeldBlock& BlockOf(const Member& member) const { return blocks_[member.block]; }
 
   /// The members as the CRF sees them, against the corner of the tile's first block.
-  [[nodiscard]] std::vector<CrfPoint> Points() const;
+  [[nodiscard]] ScratchVector<CrfPoint> Points() const;
 
   /// Calls visit(channel, count) for the instances that a member has seen and may be.
   template <typename Visitor>
   void VisitSeen(const Member& member, Visitor&& visit) const {
     const HeldBlock& block = blocks_[member.block];
     known_.Visit(block.holder, *block.entry->labels, member.linear,
-                 [&](LabelCount seen) { visit(channels_.ChannelOf(seen.id), seen.count); });
+                 [&](SubmapCount seen) { visit(channels_.ChannelOf(seen.id.value), seen.count); });
   }
   /// See KnownInstances::MostSeen.
   [[nodiscard]] SubmapId MostSeen(const Member& member) const {
@@ -63,10 +63,11 @@ class TileProblem {
   std::span<const HeldBlock> blocks_;
   const KnownInstances& known_;
   const double voxel_size_m_;
-  std::vector<Member> members_;
+  ScratchVector<Member> members_;
   std::size_t num_inner_ = 0;
-  std::vector<BlockIndex> places_;
+  ScratchVector<BlockIndex> places_;
   IndexMap<BlockIndex> place_numbers_;
+  CountedBytes place_numbers_bytes_{MemoryKind::kRefinement};
   LabelChannels channels_;
 };
 

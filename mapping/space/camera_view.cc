@@ -136,16 +136,17 @@ void CameraView::Classify(const CellBatch& cells, CellSights& sights) const {
   }
 }
 
-float CameraView::LeastOver(int u0, int v0, int u1, int v1) const {
+bool CameraView::AllSeeFartherThan(float far_vox, int u0, int v0, int u1, int v1) const {
   // Of few pixels the pyramid would take too many around.
   constexpr int kFew = 64;
-  if ((u1 - u0 + 1) * (v1 - v0 + 1) > kFew) return pyramid_.Over(u0, v0, u1, v1).least;
-  float least = kNoLimit;
+  if ((u1 - u0 + 1) * (v1 - v0 + 1) > kFew) return pyramid_.Over(u0, v0, u1, v1).least > far_vox;
   for (int v = v0; v <= v1; ++v) {
     const float* row = image_.limit_vox.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width);
-    least = std::min(least, *std::min_element(row + u0, row + u1 + 1));
+    unsigned is_any_nearer = 0;  // without branches within a row
+    for (int u = u0; u <= u1; ++u) is_any_nearer |= static_cast<unsigned>(row[u] <= far_vox);
+    if (is_any_nearer != 0) return false;
   }
-  return least;
+  return true;
 }
 
 void CameraView::LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_past) const {
@@ -160,7 +161,7 @@ void CameraView::LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_p
     const float v0 = bounds.v0[i] - kSlack_px, v1 = bounds.v1[i] + kSlack_px;
     if (!(u0 >= 0 && v0 >= 0 && u1 < end_u && v1 < end_v)) continue;
     is_past[i] =
-        LeastOver(static_cast<int>(u0), static_cast<int>(v0), static_cast<int>(u1), static_cast<int>(v1)) > far;
+        AllSeeFartherThan(far, static_cast<int>(u0), static_cast<int>(v0), static_cast<int>(u1), static_cast<int>(v1));
   }
 }
 

@@ -37,8 +37,9 @@ class CameraView {
   [[nodiscard]] const SightImage& image() const { return image_; }
 
  private:
-  /// No more than the least limit of a rectangle of pixels, u1 and v1 included.
-  [[nodiscard]] float LeastOver(int u0, int v0, int u1, int v1) const;
+  /// Whether the limits of a rectangle of pixels, u1 and v1 included, are all beyond `far_vox`; of a large one false if
+  /// those of some pixels around it are not.
+  [[nodiscard]] bool AllSeeFartherThan(float far_vox, int u0, int v0, int u1, int v1) const;
   void BuildImage(const DepthCameraData& data, const LookOptions& options, ThreadPool& pool);
   void BuildGeometry(const PinholeCamera& camera, const Eigen::Matrix3d& R_camera_grid);
 

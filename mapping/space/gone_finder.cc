@@ -39,6 +39,7 @@ bool IsItsTurn(TileIndex tile, std::uint64_t turn) {
 }
 
 bool HasCounts(const BlockTile& tile) {
+  if (!tile.IsRead()) return tile.CellsWith(BlockLayer::kGone) != 0;  // known without reading
   return std::any_of(tile.entries().begin(), tile.entries().end(),
                      [](const BlockEntry& entry) { return entry.gone != nullptr; });
 }

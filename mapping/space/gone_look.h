@@ -105,20 +105,23 @@ class GoneLook {
   /// Of the octant's voxels, those before the limit of their own pixel, or one beside it, may be contradicted.
   void LookAtOctant(const BlockEntry& entry, std::size_t octant, float x, float y, float z) {
     constexpr float kToFirst = -HalfSpanOf(CellSize::kOctant);
-    alignas(64) std::array<std::uint8_t, kOctantVoxels> is_before;
-    const float scale = ScaleToNearer(x, y, z, farther_by_vox_);
-    view_.Test(scale * x + kToFirst, scale * y + kToFirst, scale * z + kToFirst, is_before);
     const TsdfBlock& tsdf = *entry.tsdf;
     const int first = LinearIndex({(octant & 1) != 0 ? kOctantSide : 0, (octant & 2) != 0 ? kOctantSide : 0,
                                    (octant & 4) != 0 ? kOctantSide : 0});
     // Without branches: of what a sensor looks through, hardly anything is at a surface.
+    alignas(64) std::array<std::uint8_t, kOctantVoxels> is_near;
     for (int row = 0; row < kOctantSide * kOctantSide; ++row) {
       const auto at = static_cast<std::size_t>(first + kBlockSide * ((row & 3) + kBlockSide * (row >> 2)));
       for (std::size_t dx = 0; dx < kOctantSide; ++dx) {
-        const bool is_near = tsdf.weight[at + dx] >= kMinObservedWeight && std::abs(tsdf.distance_m[at + dx]) < most_m_;
-        is_before[static_cast<std::size_t>(row) * kOctantSide + dx] &= static_cast<std::uint8_t>(is_near);
+        const bool says_so = tsdf.weight[at + dx] >= kMinObservedWeight && std::abs(tsdf.distance_m[at + dx]) < most_m_;
+        is_near[static_cast<std::size_t>(row) * kOctantSide + dx] = static_cast<std::uint8_t>(says_so);
       }
     }
+    if (!HasAnyOf(is_near)) return;
+    alignas(64) std::array<std::uint8_t, kOctantVoxels> is_before;
+    const float scale = ScaleToNearer(x, y, z, farther_by_vox_);
+    view_.Test(scale * x + kToFirst, scale * y + kToFirst, scale * z + kToFirst, is_before);
+    for (std::size_t i = 0; i < kOctantVoxels; ++i) is_before[i] &= is_near[i];
     for (int i = 0; i < kOctantVoxels; ++i) {
       if ((i & 7) == 0 && !HasAny(is_before.data() + i)) {
         i += 7;
@@ -148,6 +151,14 @@ class GoneLook {
     std::uint64_t word;
     std::memcpy(&word, eight, sizeof(word));
     return word != 0;
+  }
+
+  static bool HasAnyOf(const std::array<std::uint8_t, kOctantVoxels>& all) {
+    std::array<std::uint64_t, kOctantVoxels / 8> words;
+    std::memcpy(words.data(), all.data(), sizeof(words));
+    std::uint64_t any = 0;
+    for (const std::uint64_t word : words) any |= word;
+    return any != 0;
   }
 
   void Decide() {

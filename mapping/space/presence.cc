@@ -7,11 +7,37 @@
 namespace dhpmap {
 namespace {
 
-bool HasGone(const Submap& submap) {
-  for (const BlockEntry& entry : submap.blocks().entries()) {
-    if (entry.gone != nullptr) return true;
+/// Adds what the block's voxels say.
+void AddVoxelsOf(const BlockEntry& entry, const SubmapInfo& info, SurfaceVoxels& voxels) {
+  if (entry.tsdf == nullptr) return;
+  const auto near_m = static_cast<float>(info.voxel_size_m);
+  const bool is_unseen = entry.gone != nullptr && entry.gone->last().stamp_ns > info.last_observed_ns;
+  for (int linear = 0; linear < kBlockVoxels; ++linear) {
+    if (!entry.tsdf->IsObserved(linear)) continue;
+    if (std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) >= near_m) continue;
+    ++voxels.all;
+    voxels.contradicted += entry.IsContradicted(linear);
+    voxels.doubted_unseen += is_unseen && entry.gone->Count(linear) >= 2;
   }
-  return false;
+}
+
+bool IsMostGone(const SurfaceVoxels& voxels) {
+  const auto all = static_cast<double>(voxels.all);
+  return static_cast<double>(voxels.contradicted) > kAbsentShare * all ||
+         static_cast<double>(voxels.doubted_unseen) > kAbsentShareUnseen * all;
+}
+
+/// Blocks against which nothing was counted can only add to what is there: they are looked at if the others alone would
+/// make it absent.
+bool IsMostGone(const Submap& submap) {
+  SurfaceVoxels voxels;
+  for (const TileEntry& tile : submap.blocks().tiles()) {
+    if (!tile.tile->IsRead() && tile.tile->CellsWith(BlockLayer::kGone) == 0) continue;  // known without reading
+    for (const BlockEntry& entry : tile.tile->entries()) {
+      if (entry.gone != nullptr) AddVoxelsOf(entry, submap.info(), voxels);
+    }
+  }
+  return IsMostGone(voxels) && IsMostGone(CountSurfaceVoxels(submap));
 }
 
 void LeaveIfGone(SubmapId id, Map& map) {
@@ -20,29 +46,15 @@ void LeaveIfGone(SubmapId id, Map& map) {
   const SubmapInfo& info = submap->info();
   const bool is_settled = info.panoptic == Panoptic::kThing && info.activity == Activity::kInactive;
   if (!is_settled || info.is_placed || info.is_locked) return;
-  if (!HasGone(*submap)) return;
-  const SurfaceVoxels voxels = CountSurfaceVoxels(*submap);
-  const auto all = static_cast<double>(voxels.all);
-  const bool is_most_gone = static_cast<double>(voxels.contradicted) > kAbsentShare * all;
-  if (!is_most_gone && static_cast<double>(voxels.doubted_unseen) <= kAbsentShareUnseen * all) return;
+  if (!IsMostGone(*submap)) return;
   map.FindMutable(id)->mutable_info().presence = Presence::kAbsent;
 }
 
 }  // namespace
 
 SurfaceVoxels CountSurfaceVoxels(const Submap& submap) {
-  const auto near_m = static_cast<float>(submap.info().voxel_size_m);
   SurfaceVoxels voxels;
-  for (const BlockEntry& entry : submap.blocks().entries()) {
-    const bool is_unseen = entry.gone != nullptr && entry.gone->last().stamp_ns > submap.info().last_observed_ns;
-    for (int linear = 0; entry.tsdf != nullptr && linear < kBlockVoxels; ++linear) {
-      if (!entry.tsdf->IsObserved(linear)) continue;
-      if (std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) >= near_m) continue;
-      ++voxels.all;
-      voxels.contradicted += entry.IsContradicted(linear);
-      voxels.doubted_unseen += is_unseen && entry.gone->Count(linear) >= 2;
-    }
-  }
+  for (const BlockEntry& entry : submap.blocks().entries()) AddVoxelsOf(entry, submap.info(), voxels);
   return voxels;
 }
 

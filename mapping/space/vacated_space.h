@@ -10,7 +10,7 @@ namespace dhpmap {
 /// are reached from behind its surface through nothing but such voxels, so its inside. What was looked through, or what
 /// another object shows, is left out. Nothing, if it is not where it was seen: somebody has put it there
 /// (SubmapInfo::is_placed), or its voxels are not the map's.
-/// Costs in proportion to the object's blocks and, for a thing, to the voxels of its box that nobody has seen; no
+/// Costs in proportion to the object's blocks and, for a thing, to the blocks of its box that nobody has seen; no
 /// inside of boxes above 2 million voxels.
 void NoteVacated(const Submap& leaving, Map& map);
 

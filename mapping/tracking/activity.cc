@@ -28,14 +28,14 @@ bool LiesWithin(const KeptClear& kept_clear, const BoundingSphere& sphere) {
                      [&](const KeptClearRegion& region) { return Contains(region.region, sphere.center_m); });
 }
 
-Miss MissOf(const PanopticFrame& frame, std::int64_t number, const Submap& submap, const MapInfo& map) {
+Miss MissOf(const PanopticFrame& frame, FrameSight& sight, std::int64_t number, const Submap& submap,
+            const MapInfo& map) {
   const SubmapInfo& info = submap.info();
   const BoundingSphere sphere = submap.BoundingSphereInMap();
   const bool is_kept_clear = LiesWithin(map.kept_clear, sphere);
   const bool is_active = info.activity == Activity::kActive;
   return {.counts = is_active && (info.sightings.IsInSightOf(frame.session) || !info.sightings.IsInSight()),
-          .was_overlooked =
-              !info.is_confirmed && !is_kept_clear && ShouldBeSeen(frame, map.config.integration.max_range_m, sphere),
+          .was_overlooked = !info.is_confirmed && !is_kept_clear && sight.ShouldBeSeen(sphere),
           .is_deserted = is_active && info.sightings.IsDeserted(number, kMaxSilentFrames),
           .is_kept_clear = is_kept_clear};
 }
@@ -88,6 +88,7 @@ int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& obse
   for (const auto& submap : map.submaps()) {
     if (submap->info().panoptic == Panoptic::kThing) things.push_back(submap->id());
   }
+  FrameSight sight(frame, config.integration.max_range_m);
   int num_dissolved = 0;
   for (const SubmapId id : things) {
     const SubmapInfo& before = map.Find(id)->info();
@@ -102,7 +103,7 @@ int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& obse
     }
     const bool is_sure = before.is_confirmed || IsEdited(before);
     if (before.activity == Activity::kInactive && is_sure) continue;  // settled: leave its row alone
-    const Miss miss = MissOf(frame, number, *map.Find(id), map.info());
+    const Miss miss = MissOf(frame, sight, number, *map.Find(id), map.info());
     if (!miss.counts && !miss.was_overlooked && !miss.is_deserted) continue;
     SubmapInfo& info = map.FindMutable(id)->mutable_info();
     NoteMiss(frame, number, miss, max_missed, info);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mapping/base/thread_pool.h"
-#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/segment_bundles.h"
 #include "mapping/map/map.h"
 #include "mapping/sensor/frame.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/segment_bundles.h"
 #include "mapping/map/map.h"
 #include "mapping/sensor/frame.h"
 

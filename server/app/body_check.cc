@@ -22,7 +22,7 @@ Status CheckBodies(const MapView& view, SurfaceCache& cache, const CheckQuestion
                    const std::function<void(const BodyAnswer&)>& take) {
   const Transform T_query_map = question.T_map_query.inverse();
   for (std::size_t first = 0; first < bodies.size(); first += kBatch) {
-    const BodyQuery query(cache.Of(view.shared_snapshot()), question.options);
+    const BodyQuery query(cache.Of(view.shared_snapshot(), question.options.scope.with_absent), question.options);
     for (const Body& body : bodies.subspan(first, std::min(kBatch, bodies.size() - first))) {
       if (stop.stop_requested()) return Cancelled("the client went away");
       const Body in_map = std::visit([&](const auto& b) -> Body { return Moved(question.T_map_query, b); }, body);

@@ -14,4 +14,14 @@ bool ChangeFilter::Passes(const SubmapEvent& event) const {
   return place.Passes({event.info.panoptic, event.info.class_id, event.observed});
 }
 
+bool ChangeFilter::Passes(const RegionEvent& event) const {
+  const bool is_of_objects = !submaps.empty() || !kinds.empty() || !parts.empty() || place.classes || place.panoptic;
+  if (is_of_objects) return false;
+  if (!place.region) return true;
+  const Eigen::AlignedBox3d box(place.region->min_m, place.region->max_m);
+  if (const auto* of_event = std::get_if<Eigen::AlignedBox3d>(&event.region)) return box.intersects(*of_event);
+  const auto& sphere = std::get<BoundingSphere>(event.region);
+  return Touches(box, sphere.center_m, sphere.radius_m);
+}
+
 }  // namespace dhpmap

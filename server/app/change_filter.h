@@ -16,6 +16,8 @@ struct ChangeFilter {
   SubmapParts parts;           ///< of kChanged, any of these has changed; empty: any, or none
 
   [[nodiscard]] bool Passes(const SubmapEvent& event) const;
+  /// Of a region only the place counts; a filter that asks for some objects passes none.
+  [[nodiscard]] bool Passes(const RegionEvent& event) const;
 };
 
 }  // namespace dhpmap

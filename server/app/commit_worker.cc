@@ -21,10 +21,11 @@ Status MapIsDeleted(const StateMarks& committed) {
 }  // namespace
 
 CommitWorker::CommitWorker(MapStore& store, const std::shared_ptr<const MapSnapshot>& committed, double retry_s,
-                           Observer observer)
+                           Observer observer, Keeper keeper)
     : store_(store),
       retry_s_(retry_s),
       observer_(std::move(observer)),
+      keeper_(std::move(keeper)),
       committed_(std::make_shared<const StateMarks>(*committed)),
       committed_state_(committed) {}
 
@@ -59,6 +60,13 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
     }
   }
   if (waiter.done) TellSafely([&] { waiter.done(refused); });
+}
+
+void CommitWorker::LetGoOfPages(const std::shared_ptr<const MapSnapshot>& same) {
+  std::shared_ptr<const MapSnapshot> before;  // freed after the mutex: that may take long
+  const MutexLock lock(mutex_);
+  if (newest_ != nullptr && newest_->revision() == same->revision()) before = std::exchange(newest_, same);
+  if (committed_->revision() == same->revision()) committed_state_ = same;
 }
 
 void CommitWorker::DeleteMap(Done done) {
@@ -160,7 +168,8 @@ Status CommitWorker::Delete(const std::string& name) {
 
 void CommitWorker::CommitNewest() {
   auto before = committed_;
-  auto after = newest_ != nullptr ? newest_ : committed_state_.lock();  // nothing is missing: is the store well again?
+  const bool is_missing = newest_ != nullptr;
+  auto after = is_missing ? newest_ : committed_state_.lock();  // nothing is missing: is the store well again?
   const auto is_unseen = [](const Waiter& waiter) { return waiter.is_unseen; };
   std::vector<Waiter> served = std::exchange(waiters_, {});
   const bool full = stopping_ || std::any_of(served.begin(), served.end(), [](const Waiter& waiter) {
@@ -179,12 +188,15 @@ void CommitWorker::CommitNewest() {
   });
   if (!is_deleted) {
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+    if (keeper_ && marks.ok() && after != nullptr) TellSafely([&] { keeper_(after); });
     if (observer_) TellSafely([&] { observer_(elapsed_s, marks.status()); });
     mutex_.Lock();
     if (marks.ok()) {
       committed_ = *marks;
-      committed_state_ = after;
-      if (newest_ == after) newest_ = nullptr;
+      // Which may be another object by now: see LetGoOfPages.
+      const bool is_newest = newest_ != nullptr && after != nullptr && newest_->revision() == after->revision();
+      if (is_newest) committed_state_ = std::exchange(newest_, nullptr);
+      else if (is_missing) committed_state_ = after;
     } else if (std::any_of(served.begin(), served.end(), is_unseen)) {
       newest_ = nullptr;
     }

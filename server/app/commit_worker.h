@@ -23,10 +23,13 @@ class CommitWorker {
  public:
   using Done = std::function<void(const Status&)>;
   using Observer = std::function<void(double seconds, const Status& status)>;
+  using Keeper = std::function<void(const std::shared_ptr<const MapSnapshot>& state)>;
 
   /// `committed`: what the store holds; it is not kept. After a failure the worker tries again every `retry_s`.
-  /// `observer` (may be empty) hears of every commit, on the worker's thread.
-  CommitWorker(MapStore& store, const std::shared_ptr<const MapSnapshot>& committed, double retry_s, Observer observer);
+  /// `observer` (may be empty) hears of every commit, on the worker's thread; `keeper` (may be empty) likewise, and
+  /// before anybody else, of every state that is in the store from then on.
+  CommitWorker(MapStore& store, const std::shared_ptr<const MapSnapshot>& committed, double retry_s, Observer observer,
+               Keeper keeper = {});
   /// Stop().
   ~CommitWorker();
   CommitWorker(const CommitWorker&) = delete;
@@ -42,6 +45,10 @@ class CommitWorker {
   /// CommitUnseen is under way.
   /// The same if it throws. `edit` goes into the log with it; null: nothing does.
   Status CommitUnseen(std::shared_ptr<const MapSnapshot> snapshot, std::shared_ptr<const EditRecord> edit = nullptr);
+
+  /// `same` is a state again that waits to be stored, or is, with voxels left in the store (Map::LetGoOfPages): it
+  /// takes the place of that one, which this would keep in memory, or would look in vain for.
+  void LetGoOfPages(const std::shared_ptr<const MapSnapshot>& same) DHPMAP_EXCLUDES(mutex_);
 
   /// Removes the map from the store; from then on requests fail with NOT_FOUND. On error nothing has changed.
   void DeleteMap(Done done);
@@ -82,6 +89,7 @@ class CommitWorker {
   MapStore& store_;
   const double retry_s_;
   const Observer observer_;
+  const Keeper keeper_;
 
   mutable Mutex mutex_;
   CondVar wake_;

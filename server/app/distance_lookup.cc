@@ -17,7 +17,7 @@ Status LookUpDistances(const MapView& view, SurfaceCache& cache, const DistanceQ
     if (stop.stop_requested()) return Cancelled("the client went away");
     answers.assign(batch.size(), {});
     // One a batch: between two the cache may let go of surfaces, and the caller of the answer.
-    const DistanceQuery query(cache.Of(view.shared_snapshot()), question.options);
+    const DistanceQuery query(cache.Of(view.shared_snapshot(), question.options.scope.with_absent), question.options);
     SpreadAlongCurve(batch, spread, [&](std::span<const std::uint32_t> piece) {
       if (stop.stop_requested()) return;
       std::vector<Eigen::Vector3d> points_map;
@@ -26,7 +26,7 @@ Status LookUpDistances(const MapView& view, SurfaceCache& cache, const DistanceQ
         points_map.push_back(is_map_frame ? batch[i] : question.T_map_query * batch[i]);
       }
       std::vector<SurfaceDistance> of_piece(piece.size());
-      query.At(points_map, of_piece);
+      query.AtInOrder(points_map, of_piece);
       for (std::size_t k = 0; k < piece.size(); ++k) answers[piece[k]] = of_piece[k];
     });
     if (stop.stop_requested()) return Cancelled("the client went away");

@@ -2,6 +2,7 @@
 #include "server/app/edit_list.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "mapping/objects/merge_submaps.h"
@@ -23,16 +24,22 @@ class Application {
 
   Result<std::vector<EditResult>> Run() {
     for (std::size_t i = 0; i < list_.edits.size(); ++i) {
-      Result<EditResult> result = Apply(list_.edits[i]);
+      Result<EditResult> result = RunOne(list_.edits[i]);
       if (!result.ok()) return WithPlace(result.status(), i);
-      for (auto* ids : {&result->changed, &result->created, &result->removed}) {
-        std::sort(ids->begin(), ids->end());
-        ids->erase(std::unique(ids->begin(), ids->end()), ids->end());
-      }
-      for (const auto* ids : {&result->changed, &result->created}) NoteEdited(*ids);
       results_.push_back(std::move(result).value());
     }
     return std::move(results_);
+  }
+
+  Result<EditResult> RunOne(const Edit& edit) {
+    DHPMAP_ASSIGN_OR_RETURN(EditResult result, Apply(edit));
+    for (auto* ids : {&result.changed, &result.created, &result.removed}) {
+      std::sort(ids->begin(), ids->end());
+      ids->erase(std::unique(ids->begin(), ids->end()), ids->end());
+    }
+    for (const auto* ids : {&result.changed, &result.created}) NoteEdited(*ids);
+    removed_.insert(result.removed.begin(), result.removed.end());
+    return result;
   }
 
  private:
@@ -86,11 +93,7 @@ class Application {
       before.edited_revision = edited.value_or(before.edited_revision);
       DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, before, map_.info(), list_.lost));
     }
-    if (list_.expected_revision > 0 && edited && *edited > list_.expected_revision) {
-      return Aborted(Named(id) + " was edited in revision " + std::to_string(*edited) + ", after " +
-                     std::to_string(list_.expected_revision))
-          .WithReason("EDITED_SINCE");
-    }
+    DHPMAP_RETURN_IF_ERROR(CheckNotEditedSince(list_.expected_revision, edited.value_or(0), Named(id)));
     return id;
   }
 
@@ -99,6 +102,7 @@ class Application {
     if (const auto* keep = std::get_if<KeepClearEdit>(&edit.action)) return KeepClear(keep->region);
     if (const auto* lift = std::get_if<LiftEdit>(&edit.action)) return Lift(lift->name);
     if (!edit.target) return InvalidArgument("it names no object").WithReason("BAD_EDIT");
+    if (std::holds_alternative<UndeleteEdit>(edit.action)) return Undelete(*edit.target, edit.etag);
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Editable(*edit.target, edit.etag));
     struct Visitor {
       Application& self;
@@ -112,6 +116,7 @@ class Application {
       Result<EditResult> operator()(const ClearEdit&) const { return Internal("handled above"); }
       Result<EditResult> operator()(const KeepClearEdit&) const { return Internal("handled above"); }
       Result<EditResult> operator()(const LiftEdit&) const { return Internal("handled above"); }
+      Result<EditResult> operator()(const UndeleteEdit&) const { return Internal("handled above"); }
     };
     return std::visit(Visitor{*this, id}, edit.action);
   }
@@ -129,6 +134,17 @@ class Application {
   Result<EditResult> Delete(SubmapId id) {
     DHPMAP_RETURN_IF_ERROR(DeleteSubmap(map_, id, {}));
     return EditResult{.changed = {}, .created = {}, .removed = {id}};
+  }
+
+  Result<EditResult> Undelete(const EditTarget& target, const std::string& etag) {
+    if (!list_.undelete) return InvalidArgument("nothing can be brought back here").WithReason("BAD_EDIT");
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Resolve(target));
+    if (removed_.contains(id)) {  // of which the log knows nothing yet, but maybe of a removal before
+      return NotFound(Named(id) + " was removed by an edit of the same list").WithReason("SUBMAP_NOT_FOUND");
+    }
+    const EditConditions conditions{.etag = etag, .expected_revision = list_.expected_revision, .lost = list_.lost};
+    DHPMAP_RETURN_IF_ERROR(list_.undelete(id, conditions, map_).status());
+    return EditResult{.changed = {}, .created = {id}, .removed = {}};
   }
 
   Result<EditResult> Merge(SubmapId into, const MergeEdit& edit) {
@@ -231,22 +247,28 @@ class Application {
   Map& map_;
   std::vector<std::pair<SubmapId, std::int64_t>> edited_before_;  // by ascending id
   std::vector<EditResult> results_;
+  std::set<SubmapId> removed_;  ///< by edits of the list
 };
 
-}  // namespace
-
-Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map) {
+Status CheckConditions(const EditList& list, const MapInfo& map) {
   if (list.edits.empty()) return InvalidArgument("there is no edit").WithReason("BAD_EDIT");
   if (list.edits.size() > kMaxEdits) {
     return InvalidArgument("there are more than " + std::to_string(kMaxEdits) + " edits").WithReason("BAD_EDIT");
   }
-  DHPMAP_RETURN_IF_ERROR(CheckNotLost(list.expected_revision, list.lost, map.info(), "expected_revision"));
-  if (list.expected_revision > map.info().revision) {
-    return Aborted("the map is at revision " + std::to_string(map.info().revision) + ", not yet at " +
-                   std::to_string(list.expected_revision))
-        .WithReason("EDITED_SINCE");
-  }
+  DHPMAP_RETURN_IF_ERROR(CheckEtag(list.map_etag, EtagOf(map), "map '" + map.name + "'"));
+  return CheckExpectedRevision({.expected_revision = list.expected_revision, .lost = list.lost}, map);
+}
+
+}  // namespace
+
+Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map) {
+  DHPMAP_RETURN_IF_ERROR(CheckConditions(list, map.info()));
   return Application(list, map).Run();
+}
+
+Result<EditResult> ApplyOneEdit(const EditList& list_of_one, Map& map) {
+  DHPMAP_RETURN_IF_ERROR(CheckConditions(list_of_one, map.info()));
+  return Application(list_of_one, map).RunOne(list_of_one.edits.front());
 }
 
 }  // namespace dhpmap

@@ -3,15 +3,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "mapping/base/result.h"
+#include "mapping/map/edit_entry.h"
 #include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
 #include "mapping/objects/clear_region.h"
+#include "server/app/etag.h"
 #include "server/app/submap_edits.h"
 
 namespace dhpmap {
@@ -35,6 +38,8 @@ struct CloneEdit {
   SubmapPatch patch;
 };
 struct DeleteEdit {};
+/// Of an object that an edit before the list has removed; see UndeleteSubmap.
+struct UndeleteEdit {};
 /// Makes other things parts of the target, which keeps its id.
 struct MergeEdit {
   std::vector<EditTarget> others;
@@ -76,7 +81,8 @@ struct PresenceEdit {
 struct Edit {
   std::optional<EditTarget> target;  ///< a ClearEdit may be without; KeepClearEdit and LiftEdit are
   std::string etag;                  ///< of the target before the list (see CheckEtag); empty: whatever it is
-  std::variant<PatchEdit, CloneEdit, DeleteEdit, MergeEdit, SplitEdit, ClearEdit, PresenceEdit, KeepClearEdit, LiftEdit>
+  std::variant<PatchEdit, CloneEdit, DeleteEdit, MergeEdit, SplitEdit, ClearEdit, PresenceEdit, KeepClearEdit, LiftEdit,
+               UndeleteEdit>
       action;
 };
 
@@ -87,6 +93,9 @@ struct EditList {
   std::int64_t expected_revision = 0;
   /// What the map has not in its past: neither expected_revision nor an etag may be of it.
   LostRevisions lost = {};
+  std::string map_etag = {};  ///< of the map itself; empty: whatever it is
+  /// UndeleteSubmap of the store that has the map; empty: an UndeleteEdit is INVALID_ARGUMENT.
+  std::function<Result<EditSummary>(SubmapId id, const EditConditions& conditions, Map& map)> undelete = {};
 };
 
 /// What became of one edit.
@@ -105,5 +114,8 @@ struct EditResult {
 /// NOTHING_TO_SPLIT, NOT_A_THING. An edit that sets what is so already changes nothing. Moves, clones, names and
 /// classes touch rows only, all else the blocks of the objects named.
 Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map);
+
+/// A list of one edit that is asked for by itself: the same, but an error names no edit of a list.
+Result<EditResult> ApplyOneEdit(const EditList& list_of_one, Map& map);
 
 }  // namespace dhpmap

@@ -27,6 +27,7 @@ struct StepsOf {
   }
   void operator()(const PresenceEdit&) const { steps.push_back({EditAction::kSetPresence, id}); }
   void operator()(const KeepClearEdit&) const { steps.push_back({EditAction::kKeepClear, kUnknownSubmap}); }
+  void operator()(const UndeleteEdit&) const { steps.push_back({EditAction::kUndelete, id}); }
   void operator()(const LiftEdit&) const { steps.push_back({EditAction::kLift, kUnknownSubmap}); }
 };
 
@@ -37,27 +38,6 @@ SubmapId IdOf(const std::optional<EditTarget>& target, const std::vector<EditRes
 }
 
 }  // namespace
-
-EditSummary SummaryOfPatch(SubmapId id, const SubmapPatch& patch) {
-  EditSummary summary;
-  AddSteps(id, patch, summary.steps);
-  summary.changed = {id};
-  return summary;
-}
-
-EditSummary SummaryOfClone(SubmapId original, SubmapId copy) {
-  EditSummary summary;
-  summary.steps = {{EditAction::kClone, original}};
-  summary.created = {copy};
-  return summary;
-}
-
-EditSummary SummaryOfDelete(SubmapId id) {
-  EditSummary summary;
-  summary.steps = {{EditAction::kDelete, id}};
-  summary.removed = {id};
-  return summary;
-}
 
 EditSummary SummaryOfList(const EditList& list, const std::vector<EditResult>& results) {
   EditSummary summary;
@@ -79,6 +59,23 @@ EditSummary SummaryOfList(const EditList& list, const std::vector<EditResult>& r
   summary.created.assign(created.begin(), created.end());
   summary.removed.assign(removed.begin(), removed.end());
   return summary;
+}
+
+std::vector<RegionEvent> ClearedBy(const EditList& list, const std::vector<EditResult>& results) {
+  std::vector<RegionEvent> cleared;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Edit& edit = list.edits[i];
+    const auto* clear = std::get_if<ClearEdit>(&edit.action);
+    if (clear == nullptr) continue;
+    RegionEvent& event = cleared.emplace_back(RegionEvent{.kind = RegionEventKind::kCleared,
+                                                          .region = clear->region,
+                                                          .submap = IdOf(edit.target, results),
+                                                          .num_voxels = results[i].num_voxels});
+    if (edit.target) continue;
+    const std::set<ClassId> classes(clear->classes.begin(), clear->classes.end());
+    event.classes.assign(classes.begin(), classes.end());
+  }
+  return cleared;
 }
 
 }  // namespace dhpmap

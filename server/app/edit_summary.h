@@ -4,16 +4,17 @@
 #include <vector>
 
 #include "mapping/map/edit_entry.h"
+#include "mapping/map/map_change.h"
 #include "server/app/edit_list.h"
 
 namespace dhpmap {
 
 // What the log of a map says of an edit that was made.
 
-EditSummary SummaryOfPatch(SubmapId id, const SubmapPatch& patch);
-EditSummary SummaryOfClone(SubmapId original, SubmapId copy);
-EditSummary SummaryOfDelete(SubmapId id);
 /// Of all of a list together: what it made and removed again is in neither.
 EditSummary SummaryOfList(const EditList& list, const std::vector<EditResult>& results);
+
+/// The regions that a list has cleared, in its order: what those who follow the map are told.
+std::vector<RegionEvent> ClearedBy(const EditList& list, const std::vector<EditResult>& results);
 
 }  // namespace dhpmap

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -126,19 +127,87 @@ bool HasGivenOrTakenVoxels(const SubmapDelta& submap) {
   return submap.after && std::any_of(submap.tiles.begin(), submap.tiles.end(), writes_surfaces);
 }
 
+/// Which objects edits have removed after a revision, and which edit last.
+using Removals = std::map<SubmapId, std::int64_t>;
+Result<Removals> RemovedSince(std::int64_t revision, Log& log) {
+  Removals removals;
+  if (revision <= 0) return removals;
+  DHPMAP_RETURN_IF_ERROR(log.Walk(std::nullopt, [&](const LoggedEdit& edit) {
+    if (edit.entry.revision <= revision) return false;
+    for (const SubmapId id : edit.entry.summary.removed) removals.try_emplace(id, edit.entry.revision);
+    return true;
+  }));
+  return removals;
+}
+
+/// Of an edit that is to be undone or done again: neither it nor a later one of what it has changed is after
+/// `expected`.
+Status CheckNoneSince(std::int64_t expected, std::int64_t target, const StateDelta& delta, const Removals& removals,
+                      const Map& map) {
+  if (expected > 0 && target > expected) {
+    return Aborted("edit " + std::to_string(target) + " was made after revision " + std::to_string(expected))
+        .WithReason("EDITED_SINCE");
+  }
+  for (const SubmapDelta& delta_of : delta.submaps) {
+    const Submap* submap = map.Find(delta_of.id);
+    const auto removal = removals.find(delta_of.id);
+    const std::int64_t edited = submap != nullptr           ? submap->info().edited_revision
+                                : removal != removals.end() ? removal->second
+                                                            : 0;
+    if (edited > map.info().revision) continue;  // by this request
+    DHPMAP_RETURN_IF_ERROR(CheckNotEditedSince(expected, edited, "submap " + std::to_string(delta_of.id.value)));
+  }
+  return Status::Ok();
+}
+
+Status CheckUndeletion(SubmapId id, std::int64_t removal, const StateDelta& delta, const EditConditions& conditions,
+                       const MapInfo& map) {
+  const std::string which = "submap " + std::to_string(id.value);
+  if (conditions.expected_revision > 0 && removal > conditions.expected_revision) {
+    return Aborted(which + " was deleted in revision " + std::to_string(removal) + ", after " +
+                   std::to_string(conditions.expected_revision))
+        .WithReason("EDITED_SINCE");
+  }
+  const auto gone = std::find_if(delta.submaps.begin(), delta.submaps.end(),
+                                 [id](const SubmapDelta& submap) { return submap.id == id && submap.before; });
+  if (gone == delta.submaps.end()) return Status::Ok();
+  return CheckEtag(conditions.etag, gone->before->info, map, conditions.lost);
+}
+
 }  // namespace
+
+ListDelta<ObjectPair> PairsThatComeBack(SubmapId id, std::span<const ObjectPair> known, const Map& map) {
+  std::vector<ObjectPair> pairs;
+  for (ObjectPair pair : known) {
+    if (pair.first != id && pair.second != id) continue;
+    const SubmapId other = pair.first == id ? pair.second : pair.first;
+    const std::optional<SubmapId> whole = map.Find(other) == nullptr ? map.info().merged.Into(other) : std::nullopt;
+    if (whole && *whole != id && pair.verdict == PairVerdict::kMustBeTwo) {
+      pair = {.first = std::min(id, *whole), .second = std::max(id, *whole), .verdict = pair.verdict};
+    }
+    pairs.push_back(pair);
+  }
+  // Of several of the same two the first counts.
+  std::stable_partition(pairs.begin(), pairs.end(),
+                        [](const ObjectPair& pair) { return pair.verdict != PairVerdict::kOpen; });
+  return {.before = std::move(pairs), .after = {}};
+}
 
 Result<EditSummary> UndoEdits(const UndoRequest& request, MapStore& store, Map& map) {
   const std::string name = map.info().name;
   Log log(store, name);
   const bool is_undo = request.kind == EditKind::kUndo;
+  DHPMAP_RETURN_IF_ERROR(CheckEtag(request.conditions.etag, EtagOf(map.info()), "map '" + name + "'"));
+  DHPMAP_RETURN_IF_ERROR(CheckExpectedRevision(request.conditions, map.info()));
   DHPMAP_ASSIGN_OR_RETURN(const auto targets, request.edit ? FindNamed(request, log)
                                               : is_undo    ? FindUndoable(request, log)
                                                            : FindRedoable(request, log));
+  DHPMAP_ASSIGN_OR_RETURN(const Removals removals, RemovedSince(request.conditions.expected_revision, log));
   EditSummary summary{.kind = request.kind, .targets = targets};
   Touched touched;
   for (const std::int64_t target : targets) {
     DHPMAP_ASSIGN_OR_RETURN(const StateDelta delta, store.LoadEdit(name, target));
+    DHPMAP_RETURN_IF_ERROR(CheckNoneSince(request.conditions.expected_revision, target, delta, removals, map));
     touched.Note(delta, map);
     const Status applied = ApplyDelta(delta, is_undo ? DeltaSide::kBefore : DeltaSide::kAfter, map);
     if (!applied.ok()) return Status(applied).WithMetadata("edit", std::to_string(target));
@@ -148,7 +217,8 @@ Result<EditSummary> UndoEdits(const UndoRequest& request, MapStore& store, Map& 
   return summary;
 }
 
-Result<EditSummary> UndeleteSubmap(SubmapId id, MapStore& store, Map& map) {
+Result<EditSummary> UndeleteSubmap(SubmapId id, MapStore& store, Map& map, const EditConditions& conditions) {
+  DHPMAP_RETURN_IF_ERROR(CheckExpectedRevision(conditions, map.info()));
   const std::string which = "submap " + std::to_string(id.value);
   if (map.Find(id) != nullptr) return FailedPrecondition(which + " is there").WithReason("NOTHING_TO_UNDO");
   if (map.info().merged.Into(id) || id >= map.info().next_submap_id) return NoSuchSubmap(map.info(), id);
@@ -167,6 +237,7 @@ Result<EditSummary> UndeleteSubmap(SubmapId id, MapStore& store, Map& map) {
   }));
   if (!removal) return NoSuchSubmap(map.info(), id);
   DHPMAP_ASSIGN_OR_RETURN(StateDelta delta, store.LoadEdit(name, *removal));
+  DHPMAP_RETURN_IF_ERROR(CheckUndeletion(id, *removal, delta, conditions, map.info()));
   const bool is_alone = delta.submaps.size() == 1;
   if (std::any_of(delta.submaps.begin(), delta.submaps.end(), HasGivenOrTakenVoxels)) {
     return Aborted(which + " was deleted by an edit that changed the voxels of other objects, too: undo edit " +
@@ -177,7 +248,7 @@ Result<EditSummary> UndeleteSubmap(SubmapId id, MapStore& store, Map& map) {
         .WithMetadata("edit", std::to_string(*removal));
   }
   std::erase_if(delta.submaps, [id](const SubmapDelta& submap) { return submap.id != id; });
-  delta.pairs = {};
+  delta.pairs = PairsThatComeBack(id, delta.pairs.before, map);
   delta.merged = {};
   delta.kept_clear = {};
   delta.display_name = {};

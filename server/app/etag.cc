@@ -70,4 +70,19 @@ Status CheckNotLost(std::int64_t revision, const LostRevisions& lost, const MapI
       .WithViolation(field, "is of a state that was lost");
 }
 
+Status CheckExpectedRevision(const EditConditions& conditions, const MapInfo& map) {
+  DHPMAP_RETURN_IF_ERROR(CheckNotLost(conditions.expected_revision, conditions.lost, map, "expected_revision"));
+  if (conditions.expected_revision <= map.revision) return Status::Ok();
+  return Aborted("the map is at revision " + std::to_string(map.revision) + ", not yet at " +
+                 std::to_string(conditions.expected_revision))
+      .WithReason("EDITED_SINCE");
+}
+
+Status CheckNotEditedSince(std::int64_t expected_revision, std::int64_t edited_revision, const std::string& what) {
+  if (expected_revision <= 0 || edited_revision <= expected_revision) return Status::Ok();
+  return Aborted(what + " was edited in revision " + std::to_string(edited_revision) + ", after " +
+                 std::to_string(expected_revision))
+      .WithReason("EDITED_SINCE");
+}
+
 }  // namespace dhpmap

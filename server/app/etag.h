@@ -26,6 +26,19 @@ Status CheckEtag(std::string_view given, const std::string& present, const std::
 /// merge, or of a state that was lost. What frames and refinement have changed since does not matter.
 Status CheckEtag(std::string_view given, const SubmapInfo& submap, const MapInfo& map, const LostRevisions& lost = {});
 
+/// What the state that an edit meets must be, or it is not made.
+struct EditConditions {
+  std::string etag = {};               ///< of what is edited; empty: whatever it is
+  std::int64_t expected_revision = 0;  ///< no edit or merge of it may be later; 0: whatever was done
+  LostRevisions lost = {};             ///< what the map has not in its past: neither may be of it
+};
+
+/// OUT_OF_RANGE, reason HISTORY_LOST, for a revision expected that was lost; ABORTED, reason EDITED_SINCE, for one that
+/// the map has not reached.
+Status CheckExpectedRevision(const EditConditions& conditions, const MapInfo& map);
+/// ABORTED, reason EDITED_SINCE, if `what` ("submap 7") was edited in a revision after the expected one.
+Status CheckNotEditedSince(std::int64_t expected_revision, std::int64_t edited_revision, const std::string& what);
+
 /// OUT_OF_RANGE, reason HISTORY_LOST, if a revision that a request gives in `field` was seen and is not stored.
 Status CheckNotLost(std::int64_t revision, const LostRevisions& lost, const MapInfo& map, const std::string& field);
 

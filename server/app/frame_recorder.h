@@ -14,6 +14,12 @@ struct ArrivedMessage {
   std::int64_t arrived_ns = 0;  ///< UTC
 };
 
+/// A request that edits, as it came.
+struct ArrivedEdit {
+  std::string method = {};  ///< "EditService/ApplyEdits"
+  std::string bytes = {};   ///< of the message; both are empty where it is not kept
+};
+
 /// Writes down what comes to a map, in the order in which its writer takes it: from the same messages the same map can
 /// be made again. Called on the map's writer thread alone. What it cannot write it tells elsewhere: mapping goes on.
 class FrameRecorder {
@@ -28,7 +34,7 @@ class FrameRecorder {
   /// With the last frame a refinement on the side was taken over.
   virtual void OnRefined() = 0;
   /// Somebody has edited the map, which is at `revision` then.
-  virtual void OnEdited(std::int64_t revision) = 0;
+  virtual void OnEdited(std::int64_t revision, const ArrivedEdit& edit) = 0;
   /// MapBuilder::Finish is done.
   virtual void OnFinished() = 0;
 };

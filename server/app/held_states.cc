@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mapping/base/this_thread.h"
+#include "server/app/state_bytes.h"
 
 namespace dhpmap {
 namespace {
@@ -21,40 +22,13 @@ constexpr int kMostShareOfACore = 25;  // a look is this many times shorter than
 /// What old states take until the next look, at most as a rule: half as much again.
 std::size_t WithGrowth(std::size_t bytes) { return bytes + bytes / 2; }
 
-template <typename Layer>
-std::size_t BytesIfGone(const std::shared_ptr<const Layer>& layer, const std::shared_ptr<const Layer>* later) {
-  return layer == nullptr || (later != nullptr && layer == *later) ? 0 : layer->MemoryBytes();
-}
-
-std::size_t BytesNotIn(const BlockTile& before, const BlockTile* later) {
-  std::size_t bytes = 0;
-  for (const BlockEntry& block : before.entries()) {
-    const BlockEntry* now = later != nullptr ? later->Find(CellOf(block.index)) : nullptr;
-    bytes += BytesIfGone(block.tsdf, now != nullptr ? &now->tsdf : nullptr);
-    bytes += BytesIfGone(block.labels, now != nullptr ? &now->labels : nullptr);
-    bytes += BytesIfGone(block.gone, now != nullptr ? &now->gone : nullptr);
-  }
-  return bytes;
-}
-
-std::size_t BytesNotIn(const Submap& before, const Submap* later) {
-  std::size_t bytes = 0;
-  for (const TileEntry& tile : before.blocks().tiles()) {
-    const TileEntry* now = later != nullptr ? later->blocks().FindTile(tile.index) : nullptr;
-    if (now == nullptr || now->tile != tile.tile) {
-      bytes += BytesNotIn(*tile.tile, now != nullptr ? now->tile.get() : nullptr);
-    }
-  }
-  return bytes;
-}
-
 /// `now_of`: the submap in a later state, or null.
 template <typename NowOf>
 std::size_t BytesNotIn(const MapSnapshot& before, NowOf&& now_of) {
   std::size_t bytes = 0;
   for (const auto& submap : before.submaps()) {
     const Submap* now = now_of(submap->id());
-    if (now != submap.get()) bytes += BytesNotIn(*submap, now);
+    if (now != submap.get()) bytes += BlockBytesNotIn(*submap, now);
   }
   return bytes;
 }
@@ -130,7 +104,9 @@ std::size_t HeldStates::bytes() const {
 bool HeldStates::Count(std::size_t bytes) {
   const MutexLock lock(mutex_);
   bytes_ = bytes;
-  return share_.Resize(WithGrowth(bytes));
+  const bool has_room = share_.Resize(WithGrowth(bytes));
+  reserved_.Set(share_.bytes());
+  return has_room;
 }
 
 std::vector<std::shared_ptr<HeldStates::Held>> HeldStates::StillHeld() {
@@ -161,11 +137,14 @@ std::size_t HeldStates::OldestThatCanLetGo(const std::vector<std::shared_ptr<Hel
 }
 
 /// What the i-th state has that neither a later one nor the present one has: what was written once does not come back.
+/// Nothing, if it is kept anyway.
 std::size_t HeldStates::BytesAlone(const std::vector<std::shared_ptr<Held>>& held, std::size_t i) const {
   const MapSnapshot& state = *held[i]->state;
   std::size_t end = i + 1;
   while (end < held.size() && IsOfSameMap(state, *held[end]->state)) ++end;
   const State present = present_of_(state);
+  const bool is_kept = present != nullptr && present->revision() == state.revision();
+  if (is_kept) end = i + 1;
   return BytesNotIn(state, [&](SubmapId id) -> const Submap* {
     for (std::size_t later = i + 1; later < end; ++later) {
       if (const Submap* submap = held[later]->state->Find(id)) return submap;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mapping/base/byte_budget.h"
+#include "mapping/base/memory_count.h"
 #include "mapping/base/mutex.h"
 #include "mapping/map/map.h"
 
@@ -18,7 +19,8 @@ namespace dhpmap {
 class HeldStates {
  public:
   using State = std::shared_ptr<const MapSnapshot>;
-  /// The present state of the map that a state is of; null if that map is gone, or closed.
+  /// Of the map that a state is of: the state of the same revision, if somebody keeps that anyway and counts it, else
+  /// the present one; null if that map is gone, or closed.
   using PresentOf = std::function<State(const MapSnapshot&)>;
   /// Asks the holder to end; again with every look, if it has not. On a thread of ours; must not wait, or end the Hold.
   using LetGo = std::function<void()>;
@@ -68,6 +70,7 @@ class HeldStates {
   mutable Mutex mutex_;
   CondVar wake_;
   ByteShare share_ DHPMAP_GUARDED_BY(mutex_);
+  CountedBytes reserved_ DHPMAP_GUARDED_BY(mutex_){MemoryKind::kReserved};  ///< that share: blocks are counted as such
   std::size_t bytes_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::vector<std::weak_ptr<Held>> held_ DHPMAP_GUARDED_BY(mutex_);
   bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;

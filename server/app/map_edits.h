@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "mapping/map/display_name.h"
 #include "mapping/map/map.h"
+#include "storage/store.h"
 
 namespace dhpmap {
 
@@ -13,6 +15,10 @@ namespace dhpmap {
 struct MapPatch {
   std::optional<std::string> display_name;
 };
+
+/// ABORTED, reason EDITED_SINCE, if the log has an edit of the map itself (of its name), or an undo or redo of one,
+/// after the revision; 0: whatever it has.
+Status CheckMapNotEditedSince(std::int64_t revision, MapStore& store, const std::string& map);
 
 /// All of it or nothing: INVALID_ARGUMENT for a display name above kMaxDisplayNameBytes, ABORTED for an etag (where not
 /// empty) that is not the present one.

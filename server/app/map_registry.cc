@@ -6,6 +6,7 @@
 
 #include "mapping/base/guarded.h"
 #include "mapping/map/history_id.h"
+#include "mapping/map/tile_page.h"
 #include "server/app/etag.h"
 
 namespace dhpmap {
@@ -25,12 +26,15 @@ std::int64_t Now(const SessionOptions& options) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
-/// One pool, and one set of slots, for all maps.
+/// One pool, one set of slots, and one budget of past states, for all maps.
 SessionOptions WithPool(SessionOptions options) {
-  if (options.pool == nullptr) options.pool = std::make_shared<ThreadPool>(options.num_threads);
+  // Nicer than who answers what is quick, and less so than who makes bulk answers.
+  constexpr int kFusionNiceness = 5;
+  if (options.pool == nullptr) options.pool = std::make_shared<ThreadPool>(options.num_threads, kFusionNiceness);
   if (options.refinement_slots == nullptr) {
     options.refinement_slots = std::make_shared<RefinementSlots>(options.pool->num_threads());
   }
+  if (options.kept_budget == nullptr) options.kept_budget = std::make_shared<ByteBudget>(options.kept_states_bytes);
   return options;
 }
 
@@ -208,7 +212,20 @@ bool MapRegistry::MustLoad(const std::string& name) const {
 
 Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(const auto session, OpenSession(name));
+  KeepPagesInBounds();
   return session->View();
+}
+
+void MapRegistry::KeepPagesInBounds() {
+  if (options_.page_bytes == 0 || CountPages().resident_bytes <= options_.page_bytes) return;
+  for (const auto& session : OpenSessions()) session->KeepPagesInBounds();
+}
+
+Result<std::shared_ptr<const MapView>> MapRegistry::ViewAt(const std::string& name, std::int64_t revision,
+                                                           const std::string& field) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto session, OpenSession(name));
+  KeepPagesInBounds();
+  return dhpmap::ViewAt(revision, session->View(), *session->kept_states(), *LostRevisionsOf(name), field);
 }
 
 std::optional<FinishProgress> MapRegistry::FinishingOf(const std::string& name) const {
@@ -232,7 +249,9 @@ std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& sta
   }
   if (session == nullptr) return nullptr;
   auto present = session->View()->shared_snapshot();
-  return present->info().history_id == state.info().history_id ? present : nullptr;
+  if (present->info().history_id != state.info().history_id) return nullptr;
+  auto kept = session->kept_states()->StateAt(state.revision());
+  return kept != nullptr ? kept : present;
 }
 
 std::function<Result<EditMade>(Map&)> MapRegistry::UndoOf(UndoRequest request) {
@@ -242,10 +261,25 @@ std::function<Result<EditMade>(Map&)> MapRegistry::UndoOf(UndoRequest request) {
   };
 }
 
-std::function<Result<EditMade>(Map&)> MapRegistry::UndeletionOf(SubmapId id) {
-  return [this, id](Map& map) -> Result<EditMade> {
-    DHPMAP_ASSIGN_OR_RETURN(EditSummary summary, UndeleteSubmap(id, store_, map));
+std::function<Result<EditMade>(Map&)> MapRegistry::UndeletionOf(SubmapId id, EditConditions conditions) {
+  return [this, id, conditions = std::move(conditions)](Map& map) -> Result<EditMade> {
+    DHPMAP_ASSIGN_OR_RETURN(EditSummary summary, UndeleteSubmap(id, store_, map, conditions));
     return EditMade{.submap = id, .summary = std::move(summary)};
+  };
+}
+
+std::function<Result<EditSummary>(SubmapId, const EditConditions&, Map&)> MapRegistry::Undeletions() {
+  return [this](SubmapId id, const EditConditions& conditions, Map& map) {
+    return UndeleteSubmap(id, store_, map, conditions);
+  };
+}
+
+std::function<Result<EditMade>(Map&)> MapRegistry::PatchOf(MapPatch patch, EditConditions conditions) {
+  return [this, patch = std::move(patch), conditions = std::move(conditions)](Map& map) -> Result<EditMade> {
+    DHPMAP_RETURN_IF_ERROR(CheckExpectedRevision(conditions, map.info()));
+    DHPMAP_RETURN_IF_ERROR(CheckMapNotEditedSince(conditions.expected_revision, store_, map.info().name));
+    DHPMAP_RETURN_IF_ERROR(PatchMap(map, conditions.etag, patch));
+    return EditMade{.submap = kUnknownSubmap, .summary = {.steps = {{EditAction::kRenameMap, kUnknownSubmap}}}};
   };
 }
 
@@ -254,6 +288,12 @@ Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, c
   const auto entry = FindEntry(name);
   if (entry == nullptr) return NoSuchMap(name);
   if (!repair) return store_.VerifyMap(name, !kRepair, stop);
+  // That a map is open says nothing of voxels that nobody has read yet.
+  if (options_.page_bytes > 0 && IsOpen(*entry)) {
+    auto looked_at = store_.VerifyMap(name, !kRepair, stop);
+    if (!looked_at.ok() || looked_at->num_faults == 0) return looked_at;
+    CloseIfAtRest(*entry, Clock::time_point::max(), Closing::kEvenViewed);
+  }
   const MutexLock busy(entry->busy);  // nobody opens it meanwhile
   bool is_open = false;
   {
@@ -277,6 +317,18 @@ Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, c
 Result<std::int64_t> MapRegistry::DiskBytes(const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(const StoredMap map, store_.GetMap(name));
   return map.blob_bytes;
+}
+
+/// The state is looked for on the writer: a request that is repeated is answered though it is kept no longer.
+Result<std::function<Result<EditMade>(Map&)>> MapRegistry::RestorationOf(const std::string& name,
+                                                                         RestoreRequest request) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto session, OpenSession(name));
+  request.lost = *LostRevisionsOf(name);
+  return std::function(
+      [this, kept = session->kept_states(), request = std::move(request)](Map& map) -> Result<EditMade> {
+        DHPMAP_ASSIGN_OR_RETURN(EditSummary summary, RestoreRevision(request, *kept, store_, map));
+        return EditMade{.submap = request.submap.value_or(kUnknownSubmap), .summary = std::move(summary)};
+      });
 }
 
 std::vector<std::shared_ptr<MapSession>> MapRegistry::OpenSessions() const {
@@ -314,6 +366,7 @@ void MapRegistry::CloserLoop() {
   while (!shut_down_.WaitFor(mutex_, period, [this]() DHPMAP_REQUIRES(mutex_) { return is_shut_down_; })) {
     lock.Unlock();
     TellSafely([this] { CloseIdleMaps(Clock::now()); });  // what lacks memory is closed next time
+    TellSafely([this] { KeepPagesInBounds(); });
     lock.Lock();
   }
 }
@@ -329,15 +382,26 @@ void MapRegistry::CloseIdleMaps(Clock::time_point now) {
   for (const auto& entry : open) CloseIfIdle(*entry, now);
 }
 
+bool MapRegistry::IsOpen(const Entry& entry) const {
+  const MutexLock lock(mutex_);
+  return entry.session != nullptr;
+}
+
 void MapRegistry::CloseIfIdle(Entry& entry, Clock::time_point now) {
   const auto limit = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.idle_close_s));
+  CloseIfAtRest(entry, now - limit, Closing::kIfNotViewed);
+}
+
+void MapRegistry::CloseIfAtRest(Entry& entry, Clock::time_point used_until, Closing closing) {
   const MutexLock busy(entry.busy);  // whoever wants the map meanwhile waits, and loads it again
   std::shared_ptr<MapSession> session;
   {
     const MutexLock lock(mutex_);
     const bool is_held = entry.session.use_count() != 1;  // whoever comes next asks us, under this lock
-    if (is_shut_down_ || !entry.session || is_held || now - entry.last_used < limit) return;
+    if (is_shut_down_ || !entry.session || is_held || entry.last_used > used_until) return;
     if (!entry.session->IsAtRest()) return;
+    // What was not read yet of a state that is held goes with the next change unless that is made in this session.
+    if (closing == Closing::kIfNotViewed && options_.page_bytes > 0 && entry.session->IsViewed()) return;
     entry.stored = Summarise(entry);
     session = std::exchange(entry.session, nullptr);
   }

@@ -18,8 +18,11 @@
 #include "mapping/query/surface_cache.h"
 #include "server/app/change_feed.h"
 #include "server/app/edit_undo.h"
+#include "server/app/map_edits.h"
 #include "server/app/map_session.h"
 #include "server/app/outgoing_files.h"
+#include "server/app/revision_restore.h"
+#include "server/app/running_exports.h"
 #include "server/app/surface_keeper.h"
 #include "storage/store.h"
 
@@ -100,6 +103,10 @@ class MapRegistry {
   [[nodiscard]] bool MustLoad(const std::string& name) const;
   /// The last published state of the map, which is opened if it is not open yet.
   Result<std::shared_ptr<const MapView>> ViewOf(const std::string& name);
+  /// The state at a revision of the recent past, or the last published one; see dhpmap::ViewAt. `field` is what of a
+  /// request names the revision. The map is opened if it is not open yet.
+  Result<std::shared_ptr<const MapView>> ViewAt(const std::string& name, std::int64_t revision,
+                                                const std::string& field);
   /// What becomes of the maps, as they are stored. Reading it opens none.
   [[nodiscard]] ChangeFeed& changes() { return changes_; }
   [[nodiscard]] const ChangeFeed& changes() const { return changes_; }
@@ -114,26 +121,41 @@ class MapRegistry {
   /// What is to be done on a map's writer to undo edits, or to do them again; see UndoEdits.
   std::function<Result<EditMade>(Map&)> UndoOf(UndoRequest request);
   /// Likewise, to bring back what was deleted; see UndeleteSubmap.
-  std::function<Result<EditMade>(Map&)> UndeletionOf(SubmapId id);
+  std::function<Result<EditMade>(Map&)> UndeletionOf(SubmapId id, EditConditions conditions = {});
+  /// Likewise, in a list of edits: EditList::undelete.
+  std::function<Result<EditSummary>(SubmapId, const EditConditions&, Map&)> Undeletions();
+  /// Likewise, to change a map itself; see PatchMap.
+  std::function<Result<EditMade>(Map&)> PatchOf(MapPatch patch, EditConditions conditions);
   /// See MapStore::ExportMap; RESOURCE_EXHAUSTED, reason TOO_BUSY, for too many at once. Opens no map.
   Result<std::unique_ptr<StoreBackup>> Export(const std::string& name, const std::stop_token& stop) {
-    return outgoing_.Open([&] { return store_.ExportMap(name, stop); });
+    return outgoing_.Open(
+        [&] { return exports_->Open(ExportKind::kMapFile, name, [&] { return store_.ExportMap(name, stop); }); });
   }
   /// See MapStore::Backup; likewise.
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) {
-    return outgoing_.Open([&] { return store_.Backup(stop); });
+    return outgoing_.Open([&] { return exports_->Open(ExportKind::kBackup, "", [&] { return store_.Backup(stop); }); });
   }
-  /// See MapStore::VerifyMap. Repairs nothing of a map that is open: all of it could be read.
+  /// How far those are. Knows no map but by its name.
+  [[nodiscard]] const RunningExports& exports() const { return *exports_; }
+  /// What is to be done on a map's writer to take it, or an object of it, back to a revision; see RestoreRevision.
+  /// Opens the map.
+  Result<std::function<Result<EditMade>(Map&)>> RestorationOf(const std::string& name, RestoreRequest request);
+  /// See MapStore::VerifyMap. Repairs nothing of a map that is open: all of it could be read. Where voxels are left in
+  /// the store that is not so: one that is damaged is closed first, if nobody is using it.
   Result<VerifyReport> Verify(const std::string& name, bool repair, const std::stop_token& stop);
   /// Bytes of encoded blocks in the store.
   Result<std::int64_t> DiskBytes(const std::string& name);
   [[nodiscard]] std::vector<std::shared_ptr<MapSession>> OpenSessions() const;
   /// See MapSession::Finishing; nothing if the map is not open. Opens none.
   [[nodiscard]] std::optional<FinishProgress> FinishingOf(const std::string& name) const;
-  /// The present state of the map that `state` is of; null if it is not open. Opens none.
+  /// Of the map that `state` is of: the state of its revision, if that is one of its kept states, else the present one;
+  /// null if the map is not open. Opens none.
   [[nodiscard]] std::shared_ptr<const MapSnapshot> PresentOf(const MapSnapshot& state) const;
+  /// MapSession::KeepPagesInBounds of all that are open, where there is need. Who asks for a view does it first, and
+  /// the registry from time to time.
+  void KeepPagesInBounds();
   /// Closes the maps that are idle at the time `now`, as the registry does by itself from time to time. What views of
-  /// them hold stays.
+  /// them hold stays; where they may still have to read it from the store, so does the map.
   void CloseIdleMaps(Clock::time_point now);
 
   /// Stops every session: see MapSession::Stop. What is open can still be read; a map that is not open can no longer be
@@ -168,7 +190,12 @@ class MapRegistry {
   /// The map is in the store, and there for all.
   MapSummary Show(HeldName& held, MapSummary map);
   Result<MapSummary> ShowStored(HeldName& held);
+  [[nodiscard]] bool IsOpen(const Entry& entry) const;
   void CloseIfIdle(Entry& entry, Clock::time_point now);
+  /// Whether voxels that are left in the store may be lost to those who hold a state of the map.
+  enum class Closing { kIfNotViewed, kEvenViewed };
+  /// If nobody has asked for it after `used_until`.
+  void CloseIfAtRest(Entry& entry, Clock::time_point used_until, Closing closing);
   void CloserLoop();
   /// Puts a session into the entry; null if the registry is shut down.
   std::shared_ptr<MapSession> Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot);
@@ -182,6 +209,7 @@ class MapRegistry {
   SurfaceCache surfaces_;
   SurfaceKeeper keeper_{surfaces_};
   std::atomic<int> num_imports_ = 0;
+  const std::shared_ptr<RunningExports> exports_ = RunningExports::Create();
   OutgoingFiles outgoing_{kMaxOutgoing, kOutgoingIdle};
   std::map<std::string, std::shared_ptr<Entry>> entries_ DHPMAP_GUARDED_BY(mutex_);
   bool is_shut_down_ DHPMAP_GUARDED_BY(mutex_) = false;

@@ -38,6 +38,14 @@ CommitWorker::Observer ObserverOf(const SessionOptions& options) {
   };
 }
 
+/// Of a map that begins with what the store has.
+std::shared_ptr<KeptStates> KeptFrom(const std::shared_ptr<const MapSnapshot>& stored, const SessionOptions& options) {
+  auto budget = options.kept_budget ? options.kept_budget : std::make_shared<ByteBudget>(options.kept_states_bytes);
+  auto kept = std::make_shared<KeptStates>(options.max_kept_states, std::move(budget));
+  kept->Keep(stored);
+  return kept;
+}
+
 std::shared_ptr<ThreadPool> PoolOf(const SessionOptions& options) {
   return options.pool ? options.pool : std::make_shared<ThreadPool>(options.num_threads);
 }
@@ -48,7 +56,9 @@ MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& st
     : options_(WithClock(std::move(options))),
       store_(store),
       numbers_(store, {snapshot->revision(), snapshot->info().next_submap_id}),
-      commits_(store, snapshot, options_.commit_retry_s, ObserverOf(options_)),
+      kept_states_(KeptFrom(snapshot, options_)),
+      commits_(store, snapshot, options_.commit_retry_s, ObserverOf(options_),
+               [this](const std::shared_ptr<const MapSnapshot>& state) { OnStored(state); }),
       seats_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s)),
              options_.max_feeds),
       builder_(snapshot, PoolOf(options_), options_.refinement_timing, options_.refinement_slots),
@@ -232,6 +242,7 @@ void MapSession::WriterLoop() {
     if (!stopping_ && !jobs_.empty()) RunOne();
     lock.Unlock();
     DoBatchesThatAreDue();
+    LetGoOfPages();
     lock.Lock();
   }
   lock.Unlock();
@@ -413,7 +424,8 @@ std::shared_ptr<const MapView> MapSession::Publish() {
     return View();
   }
   auto view = View();
-  if (view->shared_snapshot() != snapshot) view = Show(std::make_shared<const MapView>(std::move(snapshot)));
+  if (view->shared_snapshot() != snapshot)
+    view = Show(std::make_shared<const MapView>(std::move(snapshot), view.get()));
   num_unpublished_ = 0;
   return view;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,7 @@
 #include "server/app/commit_worker.h"
 #include "server/app/feed_seats.h"
 #include "server/app/frame_recorder.h"
+#include "server/app/kept_states.h"
 #include "server/app/lazy_thread.h"
 #include "server/app/map_view.h"
 #include "server/app/number_reserve.h"
@@ -41,8 +43,10 @@ struct SessionOptions {
   double commit_retry_s = 5.0;  ///< between attempts while the store refuses
   double max_behind_s = 30;     ///< what is fused may be so long not stored; then frames are refused
   double idle_close_s = 600;    ///< a map that nobody uses for so long is closed; 0: never
-  double feed_idle_s = 30;      ///< a feeder that is silent for so long makes place for others
-  std::size_t max_feeds = 16;   ///< streams that feed a map at once
+  /// Of voxels that are read from the store when they are needed, of all maps of the process together; 0: no bound.
+  std::int64_t page_bytes = 0;
+  double feed_idle_s = 30;     ///< a feeder that is silent for so long makes place for others
+  std::size_t max_feeds = 16;  ///< streams that feed a map at once
   RefinementTiming refinement_timing = RefinementTiming::kNeverWait;
   std::size_t surface_bytes = 512u << 20;  ///< of surfaces that are kept for distances, of all maps
   std::size_t max_pending_edits = 256;     ///< waiting for the writer; more are answered RESOURCE_EXHAUSTED
@@ -56,6 +60,9 @@ struct SessionOptions {
   std::size_t max_watchers = 1000;     ///< of all maps
   std::int64_t max_import_bytes = std::int64_t{16} << 30;  ///< of the file of a map that comes in
   int max_imports = 2;                                     ///< maps that come in at once
+  std::size_t max_kept_states = 64;                        ///< that were stored last, of each map, to be read again
+  std::size_t kept_states_bytes = 256u << 20;              ///< that these take, of all maps
+  std::shared_ptr<ByteBudget> kept_budget = nullptr;       ///< of so many, shared with other maps; null: of its own
   /// A state that has just become visible; on the writer thread; may be empty.
   std::function<void(const std::shared_ptr<const MapSnapshot>&)> on_publish;
 };
@@ -91,8 +98,9 @@ enum class EditMode { kMake, kTryOnly };
 
 /// What an edit did to the map.
 struct EditMade {
-  SubmapId submap;      ///< that was edited, or made
-  EditSummary summary;  ///< for the log
+  SubmapId submap;                        ///< that was edited, or made
+  EditSummary summary;                    ///< for the log
+  std::vector<RegionEvent> cleared = {};  ///< for those who follow the map
 };
 
 /// An edit as it is asked for.
@@ -101,9 +109,10 @@ struct EditRequest {
   std::function<Result<EditMade>(Map&)> change;
   EditSource source = {};
   EditMode mode = EditMode::kMake;
-  /// What is answered, made from the state that has the edit, or from the one that it met if it is only tried. Where
-  /// the request has an id it is stored with the edit, and is what a repeated request is answered. May be empty.
+  /// What is answered, made from the state that has the edit, or, if it is only tried, would have it. Where the request
+  /// has an id it is stored with the edit, and is what a repeated request is answered. May be empty.
   std::function<std::string(const MapView&, const EditMade&)> answer = {};
+  ArrivedEdit arrived = {};  ///< if MapSession::IsRecorded
 };
 
 /// A state that holds an edit (of one that was only tried: the state that it met), and the submap that was edited, or
@@ -145,6 +154,9 @@ class MapSession {
   /// The last published state.
   [[nodiscard]] std::shared_ptr<const MapView> View() const;
 
+  /// The states that were stored last. Never null.
+  [[nodiscard]] const std::shared_ptr<KeptStates>& kept_states() const { return kept_states_; }
+
   /// A turn at feeding the map: see FeedSeats::Take. INVALID_ARGUMENT for a bad name of a session, NOT_FOUND if the map
   /// is being deleted.
   Result<std::shared_ptr<Feed>> BeginFeed(FeedRequest request = {});
@@ -155,7 +167,7 @@ class MapSession {
   [[nodiscard]] std::vector<SessionStatus> Sessions() const;
   [[nodiscard]] std::size_t num_feeds() const { return seats_.Feeds().size(); }
 
-  /// Whether messages are to be kept until their frames are fused.
+  /// Whether messages are to be kept until their frames are fused, or their edits made.
   [[nodiscard]] bool IsRecorded() const { return options_.make_recorder != nullptr; }
 
   /// For how long what was fused has not been stored.
@@ -203,6 +215,17 @@ class MapSession {
   /// Removes the map from the store and refuses all further work with NOT_FOUND. FAILED_PRECONDITION while somebody
   /// feeds frames, unless that feed is idle: then it ends. Blocks for the time of the deletion.
   Status DeleteFromStore();
+
+  /// Whether somebody else holds a view of the map, be it of an earlier state.
+  [[nodiscard]] bool IsViewed() const {
+    const auto view = View();
+    constexpr auto kOursAndThis = 2;
+    return view.use_count() > kOursAndThis || !view->IsOnlyOne();
+  }
+
+  /// Has the writer leave voxels in the store again, soon, if those that were read take more than they may. States that
+  /// somebody holds keep what they have read. Costs nothing else.
+  void KeepPagesInBounds();
 
   /// Nothing is under way, and everything is in the store: Stop() would lose nothing and refuse nobody, if nobody holds
   /// the session who may still ask for something.
@@ -254,6 +277,9 @@ class MapSession {
   Result<EditOutcome> StoreEdit(const EditRequest& request, const EditMade& made,
                                 const std::shared_ptr<const MapSnapshot>& before);
   Result<std::optional<EditOutcome>> FindRepeated(const EditSource& source) const;
+  void OnStored(const std::shared_ptr<const MapSnapshot>& state);
+  [[nodiscard]] bool HasTooManyPages() const;
+  void LetGoOfPages();
   std::shared_ptr<const MapView> Publish();
   std::shared_ptr<const MapView> Show(std::shared_ptr<const MapView> next);
   Status CommitPublished();
@@ -263,6 +289,7 @@ class MapSession {
   const SessionOptions options_;
   MapStore& store_;
   NumberReserve numbers_;
+  const std::shared_ptr<KeptStates> kept_states_;  // before the worker that adds to them
   CommitWorker commits_;
   mutable StoreLag lag_;  // hears of commits when it is asked
   FeedSeats seats_;
@@ -274,6 +301,10 @@ class MapSession {
   int num_uncommitted_ = 0;
   TimePoint publish_due_;
   TimePoint commit_due_;
+
+  std::atomic<bool> is_asked_for_pages_ = false;   ///< a job that lets go of them waits
+  std::atomic<bool> has_kept_pages_ = false;       ///< a state was kept with pages since they were let go of
+  std::atomic<std::int64_t> held_page_bytes_ = 0;  ///< what was left of them the last time, if that was too much
 
   mutable Mutex view_mutex_;
   std::shared_ptr<const MapView> view_ DHPMAP_GUARDED_BY(view_mutex_);

@@ -52,8 +52,9 @@ Result<EditOutcome> MapSession::EditNow(const EditRequest& request) {
   auto outcome = Guarded<Result<EditOutcome>>([&]() -> Result<EditOutcome> {
     DHPMAP_ASSIGN_OR_RETURN(const EditMade made, request.change(map));
     if (!is_tried) return StoreEdit(request, made, before);
-    const auto view = View();
-    return EditOutcome{view, made.submap, request.answer ? request.answer(*view, made) : std::string()};
+    EditOutcome tried{View(), made.submap};
+    if (request.answer) tried.answer = request.answer(MapView(map.Publish(options_.now_ns()), tried.view.get()), made);
+    return tried;
   });
   if (!outcome.ok() || is_tried) map = std::move(unchanged);  // it may have stopped half-way
   return outcome;
@@ -77,7 +78,7 @@ Result<EditOutcome> MapSession::StoreEdit(const EditRequest& request, const Edit
   Map& map = builder_.map();
   const std::int64_t now_ns = options_.now_ns();
   if (!request.source.request_id.empty()) (void)map.mutable_info();  // even if nothing changes, it is in the log
-  const auto view = std::make_shared<const MapView>(map.Publish(now_ns));
+  const auto view = std::make_shared<const MapView>(map.Publish(now_ns), View().get());
   EditOutcome outcome{view, made.submap, request.answer ? request.answer(*view, made) : std::string()};
   std::shared_ptr<EditRecord> record;
   if (view->snapshot().revision() != before->revision()) {
@@ -85,12 +86,14 @@ Result<EditOutcome> MapSession::StoreEdit(const EditRequest& request, const Edit
     record->entry = {view->snapshot().revision(), now_ns, request.source, made.summary};
     if (!request.source.request_id.empty()) record->answer = outcome.answer;
     record->before = before;
+    record->cleared = made.cleared;
   }
   if (const Status stored = commits_.CommitUnseen(view->shared_snapshot(), record); !stored.ok()) {
     return NotMade(stored);
   }
   // It is stored: nothing may throw from here on.
-  if (recorder_ && *recorder_) TellSafely([&] { (*recorder_)->OnEdited(view->snapshot().revision()); });
+  if (record != nullptr && recorder_ && *recorder_)
+    TellSafely([&] { (*recorder_)->OnEdited(view->snapshot().revision(), request.arrived); });
   outcome.view = Show(view);
   return outcome;
 }

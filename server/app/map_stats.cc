@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/map_stats.h"
 
+#include <bit>
+
+#include "mapping/map/scanned_tile.h"
+
 namespace dhpmap {
 namespace {
 
 void AddBlocks(const Submap& submap, bool with_voxels, MapStats& stats) {
-  for (const BlockEntry& entry : submap.blocks().entries()) {
-    if (entry.labels) ++stats.num_label_blocks;
-    if (!entry.tsdf) continue;
-    ++stats.num_tsdf_blocks;
-    if (with_voxels) stats.num_observed_voxels += entry.tsdf->NumObservedVoxels();
+  for (const TileEntry& tile : submap.blocks().tiles()) {
+    const std::int64_t num_labels = std::popcount(tile.tile->CellsWith(BlockLayer::kLabels));
+    const std::int64_t num_tsdf = std::popcount(tile.tile->CellsWith(BlockLayer::kTsdf));
+    stats.num_label_blocks += num_labels;
+    stats.num_tsdf_blocks += num_tsdf;
+    if (tile.tile->IsRead()) {
+      stats.num_label_blocks_in_memory += num_labels;
+      stats.num_tsdf_blocks_in_memory += num_tsdf;
+    }
+    if (!with_voxels) continue;
+    for (const ScannedTile scanned(*tile.tile); const BlockEntry& entry : scanned.entries()) {
+      stats.num_observed_voxels += entry.tsdf ? entry.tsdf->NumObservedVoxels() : 0;
+    }
   }
 }
 
@@ -31,10 +43,9 @@ MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels) {
   return stats;
 }
 
-Result<MapReport> ReportOf(MapRegistry& registry, const std::string& map) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto view, registry.ViewOf(map));
-  const MapSnapshot& snapshot = view->snapshot();
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t disk_bytes, registry.DiskBytes(map));
+Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view) {
+  const MapSnapshot& snapshot = view.snapshot();
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t disk_bytes, registry.DiskBytes(snapshot.info().name));
   return MapReport{.revision = snapshot.revision(),
                    .num_frames = snapshot.info().num_frames,
                    .stats = ComputeStats(snapshot, /*with_voxels=*/true),

@@ -19,6 +19,9 @@ struct MapStats {
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
   std::int64_t num_observed_voxels = 0;
+  // Of the blocks, those that are not left in the store (see TilePage).
+  std::int64_t num_tsdf_blocks_in_memory = 0;
+  std::int64_t num_label_blocks_in_memory = 0;
   std::int64_t memory_bytes = 0;
 };
 
@@ -31,10 +34,10 @@ struct MapReport {
   std::int64_t revision = 0;
   std::int64_t num_frames = 0;
   MapStats stats;
-  std::int64_t disk_bytes = 0;  ///< encoded blocks in the store
+  std::int64_t disk_bytes = 0;  ///< encoded blocks in the store, as it is now
 };
 
-/// Opens the map; NOT_FOUND. Visits every voxel.
-Result<MapReport> ReportOf(MapRegistry& registry, const std::string& map);
+/// Of a state of a map; NOT_FOUND if the map is gone. Visits every voxel.
+Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view);
 
 }  // namespace dhpmap

@@ -16,15 +16,20 @@ namespace dhpmap {
 /// keeps that state alive. Thread-safe.
 class MapView {
  public:
-  explicit MapView(std::shared_ptr<const MapSnapshot> snapshot) : snapshot_(std::move(snapshot)) {}
+  /// `before`: of another state of the map, whose index for point queries the one of this is made from; null: none.
+  explicit MapView(std::shared_ptr<const MapSnapshot> snapshot, const MapView* before = nullptr)
+      : snapshot_(std::move(snapshot)), trail_(before == nullptr ? std::make_shared<IndexTrail>() : before->trail_) {}
 
   [[nodiscard]] const MapSnapshot& snapshot() const { return *snapshot_; }
   [[nodiscard]] const std::shared_ptr<const MapSnapshot>& shared_snapshot() const { return snapshot_; }
 
+  /// Whether there is no other view of those that were made from one another. May change at any time.
+  [[nodiscard]] bool IsOnlyOne() const { return trail_.use_count() == 1; }
+
   /// Built by the first caller; others that come meanwhile wait for it.
   [[nodiscard]] const PointLookup& lookup() const {
     const MutexLock lock(mutex_);
-    if (!lookup_) lookup_.emplace(snapshot_);
+    if (!lookup_) lookup_.emplace(snapshot_, *trail_);
     return *lookup_;  // stays as it is from now on
   }
 
@@ -42,6 +47,7 @@ class MapView {
 
  private:
   std::shared_ptr<const MapSnapshot> snapshot_;
+  std::shared_ptr<IndexTrail> trail_;
   mutable Mutex mutex_;
   mutable std::optional<PointLookup> lookup_ DHPMAP_GUARDED_BY(mutex_);
   mutable Mutex sphere_mutex_;  // never held for long

@@ -2,6 +2,7 @@
 #include "server/app/mesh_export.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "mapping/io/pcd.h"
@@ -10,14 +11,24 @@
 
 namespace dhpmap {
 
-MeshFile::MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head)
+namespace {
+
+std::size_t CapacityOf(const Mesh& mesh) {
+  return CapacityBytes(mesh.vertices_m) + CapacityBytes(mesh.normals) + CapacityBytes(mesh.colors) +
+         CapacityBytes(mesh.classes) + CapacityBytes(mesh.instances) + CapacityBytes(mesh.triangles);
+}
+
+}  // namespace
+
+MeshFile::MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head, CountedBytes reserved)
     : revision_(revision),
       format_(format),
       mesh_(std::move(mesh)),
       head_(std::move(head)),
       num_bytes_(head_.size() + (format == MeshFormat::kPcd
                                      ? PcdBodyBytes(mesh_.num_vertices())
-                                     : PlyBodyBytes(mesh_.num_vertices(), mesh_.num_triangles()))) {}
+                                     : PlyBodyBytes(mesh_.num_vertices(), mesh_.num_triangles()))),
+      reserved_(std::move(reserved)) {}
 
 bool MeshFile::Next(std::string& piece) {
   piece = std::exchange(head_, {});
@@ -27,6 +38,7 @@ bool MeshFile::Next(std::string& piece) {
   } else if (format_ == MeshFormat::kPly && mesh_.NextTriangles(piece_)) {
     AppendPlyTriangles(piece_, piece);
   }
+  piece_bytes_.Set(CapacityOf(piece_));
   return !piece.empty();
 }
 
@@ -36,10 +48,11 @@ std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request) {
   if (request.submap) {
     const Submap* submap = map.Find(*request.submap);
     if (submap == nullptr) return 0;
-    const auto blocks = submap->blocks().entries();
-    const auto num_copied =
-        std::count_if(blocks.begin(), blocks.end(), [](const BlockEntry& b) { return b.gone != nullptr; });
-    return submap->blocks().size() * kBlock + static_cast<std::size_t>(num_copied) * kMerged;
+    std::size_t num_copied = 0;
+    for (const TileEntry& tile : submap->blocks().tiles()) {
+      num_copied += static_cast<std::size_t>(std::popcount(tile.tile->CellsWith(BlockLayer::kGone)));
+    }
+    return submap->blocks().size() * kBlock + num_copied * kMerged;
   }
   std::size_t num_blocks = 0;
   for (const auto& submap : map.submaps()) num_blocks += submap->blocks().size();
@@ -51,6 +64,7 @@ Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRe
   const Submap* submap = request.submap ? map->Find(*request.submap) : nullptr;
   if (request.submap && submap == nullptr) return NoSuchSubmap(map->info(), *request.submap);
   const std::int64_t revision = map->revision();
+  CountedBytes reserved(MemoryKind::kReserved, BytesOfExport(*map, request));
   MeshStream mesh(std::move(map), submap, request.coloring, stop);
   if (stop.stop_requested()) return Cancelled("nobody waits for the mesh any longer");
   std::string head;
@@ -59,7 +73,7 @@ Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRe
   } else {
     head = PlyHead(mesh.num_vertices(), mesh.num_triangles());
   }
-  return MeshFile(revision, request.format, std::move(mesh), std::move(head));
+  return MeshFile(revision, request.format, std::move(mesh), std::move(head), std::move(reserved));
 }
 
 }  // namespace dhpmap

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <string>
 
+#include "mapping/base/memory_count.h"
 #include "mapping/base/result.h"
 #include "mapping/map/map.h"
 #include "mapping/mesh/mesh_stream.h"
@@ -40,7 +41,7 @@ class MeshFile {
  private:
   friend Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                                      const std::stop_token& stop);
-  MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head);
+  MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head, CountedBytes reserved);
 
   std::int64_t revision_;
   MeshFormat format_;
@@ -48,9 +49,12 @@ class MeshFile {
   std::string head_;  // until it is read
   std::size_t num_bytes_;
   Mesh piece_;
+  CountedBytes piece_bytes_{MemoryKind::kMeshing};
+  CountedBytes reserved_;
 };
 
-/// What a MeshFile keeps beside the state of the map, more or less; 0 if there is no such submap.
+/// What a MeshFile keeps beside the state of the map, more or less; 0 if there is no such submap. Who makes one takes
+/// so much of the budget for answers: it is noted as MemoryKind::kReserved, since what is kept is counted as meshing.
 std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request);
 
 /// Counts the surface, which takes one core about half the time of making it. NOT_FOUND; CANCELLED after a `stop`

@@ -19,7 +19,7 @@ Status CastRays(const MapView& view, SurfaceCache& cache, const DistanceQuestion
                            .scope = question.options.scope};
   const Transform T_query_map = question.T_map_query.inverse();
   for (std::size_t first = 0; first < rays.size(); first += kBatch) {
-    const RayQuery query(cache.Of(view.shared_snapshot()), options);
+    const RayQuery query(cache.Of(view.shared_snapshot(), options.scope.with_absent), options);
     for (const Ray& ray : rays.subspan(first, std::min(kBatch, rays.size() - first))) {
       if (stop.stop_requested()) return Cancelled("the client went away");
       RayHit hit = query.Cast({question.T_map_query * ray.origin_m, question.T_map_query.linear() * ray.direction});

@@ -63,7 +63,7 @@ Status Draw(const MapInfo& map, const SliceRequest& request, SliceAnswer& answer
 Result<SliceAnswer> ExportSlice(const MapView& view, SurfaceCache& cache, const SliceRequest& request,
                                 const std::stop_token& stop) {
   const double voxel_size_m = view.snapshot().info().config.voxel_size_m;
-  const auto surfaces = cache.Of(view.shared_snapshot());
+  const auto surfaces = cache.Of(view.shared_snapshot(), request.options.scope.with_absent);
   SliceAnswer answer{.options = request.options};
   SliceOptions& options = answer.options;
   if (options.resolution_m == 0) options.resolution_m = voxel_size_m;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/submap_edits.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mapping/base/grid_reach.h"
@@ -123,10 +124,9 @@ Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::strin
 }
 
 bool HasGone(const Submap& submap) {
-  for (const BlockEntry& entry : submap.blocks().entries()) {
-    if (entry.gone != nullptr) return true;
-  }
-  return false;
+  const auto tiles = submap.blocks().tiles();
+  return std::any_of(tiles.begin(), tiles.end(),
+                     [](const TileEntry& tile) { return tile.tile->CellsWith(BlockLayer::kGone) != 0; });
 }
 
 Result<bool> PatchSubmap(Map& map, SubmapId id, const SubmapPatch& patch) {

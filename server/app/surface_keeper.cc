@@ -34,7 +34,7 @@ void SurfaceKeeper::Stop() {
 }
 
 void SurfaceKeeper::Loop() {
-  constexpr int kNiceness = 10;  // as bulk answers: after frames and quick ones
+  constexpr int kNiceness = 10;  // after frames and quick answers, before bulk ones
   NameThisThread("surfaces");
   MakeThisThreadNicer(kNiceness);
   MutexLock lock(mutex_);

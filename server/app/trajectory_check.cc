@@ -31,8 +31,9 @@ Status CheckTrajectories(const MapView& view, SurfaceCache& cache, const CheckQu
     options.attached.push_back({carried.submap, carried.may_touch});
   }
   for (std::size_t first = 0; first < num_motions; first += kBatch) {
-    DHPMAP_ASSIGN_OR_RETURN(const TrajectoryQuery query,
-                            TrajectoryQuery::Make(cache.Of(view.shared_snapshot()), options, stop));
+    DHPMAP_ASSIGN_OR_RETURN(
+        const TrajectoryQuery query,
+        TrajectoryQuery::Make(cache.Of(view.shared_snapshot(), options.bodies.scope.with_absent), options, stop));
     for (std::size_t i = first; i < std::min(first + kBatch, num_motions); ++i) {
       RobotMotion motion = motion_of(i);
       MoveToMap(question.T_map_query, motion);

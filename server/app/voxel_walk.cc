@@ -21,15 +21,22 @@ Result<VoxelWalk> VoxelWalk::Begin(std::shared_ptr<const MapSnapshot> snapshot, 
 }
 
 VoxelWalk::VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m)
-    : snapshot_(std::move(snapshot)),
-      submap_(&submap),
-      max_abs_distance_m_(max_abs_distance_m),
-      next_(submap.blocks().entries().begin()),
-      end_(submap.blocks().entries().end()) {}
+    : snapshot_(std::move(snapshot)), submap_(&submap), max_abs_distance_m_(max_abs_distance_m) {}
+
+BlockEntry VoxelWalk::Next() {
+  if (scanned_ == nullptr) scanned_ = std::make_shared<const ScannedTile>(*submap_->blocks().tiles()[tile_].tile);
+  BlockEntry block = scanned_->entries()[block_++];
+  if (block_ == scanned_->entries().size()) {
+    scanned_ = nullptr;
+    block_ = 0;
+    ++tile_;
+  }
+  return block;
+}
 
 std::span<const ObservedVoxel> VoxelWalk::NextBlock() {
   voxels_.clear();
-  const BlockEntry& block = *next_++;
+  const BlockEntry block = Next();
   if (block.tsdf == nullptr) return voxels_;
   const TsdfBlock& tsdf = *block.tsdf;
   const SubmapInfo& info = submap_->info();

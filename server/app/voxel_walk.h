@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "mapping/base/result.h"
 #include "mapping/map/map.h"
+#include "mapping/map/scanned_tile.h"
 
 namespace dhpmap {
 
@@ -21,7 +23,8 @@ struct ObservedVoxel {
   float class_confidence = 0;
 };
 
-/// Goes through the observed voxels of one submap, block by block. Thread-compatible; keeps its snapshot alive.
+/// Goes through the observed voxels of one submap, block by block. What it reads from the disk for it, and nobody else
+/// has, stays for a tile only. Thread-compatible; keeps its snapshot alive.
 class VoxelWalk {
  public:
   /// Only voxels with |distance| up to `max_abs_distance_m`; 0: all. NOT_FOUND; INVALID_ARGUMENT for a distance that is
@@ -31,17 +34,20 @@ class VoxelWalk {
 
   [[nodiscard]] std::int64_t revision() const { return snapshot_->revision(); }
   /// Whether every block has been visited.
-  [[nodiscard]] bool is_done() const { return next_ == end_; }
-  /// The voxels of the next block, kBlockVoxels at most; valid until the next call. Requires !is_done().
+  [[nodiscard]] bool is_done() const { return tile_ == submap_->blocks().tiles().size(); }
+  /// The voxels of the next block, kBlockVoxels at most; valid until the next call. Requires !is_done(). Throws
+  /// StatusError.
   std::span<const ObservedVoxel> NextBlock();
 
  private:
   VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m);
+  BlockEntry Next();
 
   std::shared_ptr<const MapSnapshot> snapshot_;
   const Submap* submap_;
   double max_abs_distance_m_;
-  BlockTable::Range::Iterator next_, end_;
+  std::size_t tile_ = 0, block_ = 0;            ///< the next
+  std::shared_ptr<const ScannedTile> scanned_;  ///< that tile, once it was begun
   std::vector<ObservedVoxel> voxels_;
 };
 

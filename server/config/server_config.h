@@ -54,6 +54,7 @@ struct ServerConfig {
     double max_behind_s = 30;
     double retry_s = 5.0;
     int busy_timeout_ms = 5000;
+    int memory_budget_mib = 0;
   } store;
   struct Watch {
     int max_watchers = 1000;
@@ -69,6 +70,10 @@ struct ServerConfig {
     int history_mib = 256;
     double history_s = 86'400;
   } edits;
+  struct History {
+    int kept_states = 64;
+    int kept_states_mib = 256;
+  } history;
   struct Limits {
     int query_points = 1'000'000;
     int pending_edits = 256;
@@ -94,7 +99,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("insecure", c.insecure, 0, 0,
         "allow addresses that other machines can reach, although there is no TLS and no authentication");
   visit("grpc.address", c.grpc.address, 0, 0, "host:port; port 0 takes a free one");
-  visit("grpc.max_message_mib", c.grpc.max_message_mib, 1, 2047, "MiB; a larger request is refused");
+  visit("grpc.max_message_mib", c.grpc.max_message_mib, 1, 2047,
+        "MiB; a larger request is refused, and one without long lists beyond 1 MiB");
   visit("grpc.num_threads", c.grpc.num_threads, 1, 256, "threads that answer what is quick");
   visit("grpc.bulk_threads", c.grpc.bulk_threads, 0, 256,
         "threads for meshes, voxels and many points, at lower priority; 0 = one a core");
@@ -102,7 +108,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("grpc.keepalive_s", c.grpc.keepalive_s, 1, 86400,
         "s of silence after which a client is asked whether it is there, and again until it is given up");
   visit("http.address", c.http.address, 0, 0, "host:port; port 0 takes a free one");
-  visit("http.max_body_mib", c.http.max_body_mib, 1, 2047, "MiB; a larger body is refused");
+  visit("http.max_body_mib", c.http.max_body_mib, 1, 2047,
+        "MiB; a larger body is refused, and one without long lists beyond 1 MiB");
   visit("http.num_threads", c.http.num_threads, 1, 256, "threads of the REST door");
   visit("http.allowed_hosts", c.http.allowed_hosts, 0, 0,
         "names that requests may be for besides the address and localhost, separated by commas");
@@ -122,8 +129,9 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("mapping.max_feeds", c.mapping.max_feeds, 1, 64, "named sessions that may feed one map at once");
   visit("mapping.reproducible", c.mapping.reproducible, 0, 0,
         "frames wait for refinements that cannot keep up, so that the same frames give the same map");
-  visit("mapping.record_dir", c.mapping.record_dir, 0, 0,
-        "folder in which frames are kept as they came, a file a map, for dhpmap replay; empty = they are not");
+  visit(
+      "mapping.record_dir", c.mapping.record_dir, 0, 0,
+      "folder in which frames and edits are kept as they came, a file a map, for dhpmap replay; empty = they are not");
   visit("mapping.record_mib", c.mapping.record_mib, 1, 1e6,
         "MiB that all records in the folder may take; then recording stops, and mapping goes on");
   visit("maps.idle_close_s", c.maps.idle_close_s, 0, 1e6,
@@ -134,6 +142,9 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("store.max_behind_s", c.store.max_behind_s, 0, 86400,
         "s that fused frames may wait to be stored; then further ones are refused, and /readyz says so");
   visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000, "ms to wait for another reader of the file");
+  visit("store.memory_budget_mib", c.store.memory_budget_mib, 0, 1e8,
+        "MiB of voxels that are read from the file when they are needed, of all maps together, and given back beyond; "
+        "what is mapped since a map was opened comes on top. 0 = maps are read as a whole");
   visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "of all maps together; more are refused");
   visit("watch.history_changes", c.watch.history_changes, 1, 1e9,
         "commits whose changes are kept of each map, for who watches it from then on");
@@ -146,6 +157,10 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("edits.history_edits", c.edits.history_edits, 0, 1e6, "edits of each map that can be undone; 0 = none");
   visit("edits.history_mib", c.edits.history_mib, 0, 1e6, "MiB that what it takes to undo them may take of each map");
   visit("edits.history_s", c.edits.history_s, 0, 1e9, "s that it is kept");
+  visit("history.kept_states", c.history.kept_states, 0, 1e5,
+        "states of each open map, of those stored last, that can be read and restored; 0 = none but the present one");
+  visit("history.kept_states_mib", c.history.kept_states_mib, 0, 1e6,
+        "MiB of memory for what these have that later ones do not share, of all maps together; the oldest go first");
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
   visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,

@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::chrono::seconds kCancelTimeout{5};
 /// As nice as what bulk calls do behind the other door.
-constexpr int kBulkNiceness = 10;
-constexpr int kFrameThreads = 2;  // as many as behind the other door
+constexpr int kBulkNiceness = 15;
+/// As many and as nice as those that decode behind the other door.
+constexpr int kFrameThreads = 2, kFrameNiceness = 5;
 
 }  // namespace
 
@@ -37,7 +38,7 @@ struct Gateway::Impl {
   State state DHPMAP_GUARDED_BY(mutex) = State::kServing;
   // Last: their threads end before all they use.
   Lane bulk{{.name = "json", .num_threads = 1, .niceness = kBulkNiceness}};
-  Lane frames{{.name = "json frames", .num_threads = kFrameThreads}};
+  Lane frames{{.name = "json frames", .num_threads = kFrameThreads, .niceness = kFrameNiceness}};
   Lane pages{{.name = "metrics"}};
 };
 

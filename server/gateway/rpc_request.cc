@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "server/gateway/call_options.h"
+#include "server/wire/types/request_limits.h"
 
 namespace dhpmap::gateway {
 namespace {
@@ -52,13 +53,12 @@ Result<BodyFormat> BodyFormatOf(const http::RequestHead& head, const Route& rout
 }  // namespace
 
 Result<RpcRequest> RpcRequest::Make(const http::RequestHead& head, RouteMatch match, std::string_view query,
-                                    std::size_t max_body_bytes) {
+                                    std::size_t most_bytes) {
   const Route& route = *match.route;
+  const std::size_t max_body_bytes = MostRequestBytes(*route.method, most_bytes);
   DHPMAP_ASSIGN_OR_RETURN(const BodyFormat body_format, BodyFormatOf(head, route));
   if (head.content_length.value_or(0) > max_body_bytes && !route.client_streams()) {
-    return ResourceExhausted("the body has " + std::to_string(*head.content_length) + " bytes, more than " +
-                             std::to_string(max_body_bytes))
-        .WithReason("BODY_TOO_LARGE");
+    return RequestTooLarge(*head.content_length, max_body_bytes);
   }
   DHPMAP_ASSIGN_OR_RETURN(CallOptions call, MakeCallOptions(route.rpc_path, head.headers));
   std::string file_stem = FileStem(match);

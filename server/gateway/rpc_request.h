@@ -16,9 +16,9 @@ namespace dhpmap::gateway {
 /// What one request asks for, understood up to its body.
 struct RpcRequest {
   /// Errors as of MakeCallOptions and RequestTranscoder::Make; reasons UNSUPPORTED_MEDIA_TYPE, and BODY_TOO_LARGE for
-  /// one message that is announced to be larger than `max_body_bytes`.
+  /// one message that is announced to be larger than MostRequestBytes of `most_bytes`.
   static Result<RpcRequest> Make(const http::RequestHead& head, RouteMatch match, std::string_view query,
-                                 std::size_t max_body_bytes);
+                                 std::size_t most_bytes);
 
   const Route* route;
   RequestTranscoder transcoder;

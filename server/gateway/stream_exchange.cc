@@ -3,6 +3,7 @@
 #include "mapping/base/guarded.h"
 #include "mapping/base/lane.h"
 #include "mapping/base/state_machine.h"
+#include "server/gateway/body_room.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/message_splitter.h"
@@ -80,6 +81,7 @@ class StreamExchange final : public http::Exchange,
   void Pump();
   bool SendNext();
   std::optional<std::string> NextMessage();
+  [[nodiscard]] Result<std::string> MakeMessage(const std::string& body) const;
   void ConvertOnLane(std::string body, bool is_only);
   void Converted(Result<std::string> message, bool is_only);
   void Send(Result<std::string> message, bool is_only);
@@ -188,11 +190,18 @@ bool StreamExchange::SendNext() {
   // Parts of a file have a bound, and are only copied.
   const bool is_quick = body->size() <= kMostQuickBytes || request_.body_format == BodyFormat::kFile;
   if (is_quick) {
-    Send(request_.transcoder.ToRequest(request_.body_format, *body), is_only);
+    Send(MakeMessage(*body), is_only);
   } else {
     ConvertOnLane(std::move(*body), is_only);
   }
   return true;
+}
+
+/// On any thread.
+Result<std::string> StreamExchange::MakeMessage(const std::string& body) const {
+  BodyRoom room(share_.Another(), body.size());
+  return request_.transcoder.ToRequest(request_.body_format, body,
+                                       [&room](std::size_t num_bytes) { return room.Hold(num_bytes); });
 }
 
 void StreamExchange::ConvertOnLane(std::string body, bool is_only) {
@@ -202,8 +211,7 @@ void StreamExchange::ConvertOnLane(std::string body, bool is_only) {
     return StopSending(TooManyBytes());
   }
   converting_ = std::make_shared<LaneTask>([self = shared_from_this(), body = std::move(body), is_only]() mutable {
-    auto message = Guarded<Result<std::string>>(
-        [&] { return self->request_.transcoder.ToRequest(self->request_.body_format, body); });
+    auto message = Guarded<Result<std::string>>([&] { return self->MakeMessage(body); });
     std::string().swap(body);
     self->PostToConnection([message = std::move(message), is_only](StreamExchange& exchange) mutable {
       exchange.Converted(std::move(message), is_only);

@@ -9,6 +9,7 @@
 
 #include "server/json/reader.h"
 #include "server/json/writer.h"
+#include "server/wire/types/message_outline.h"
 
 namespace dhpmap::gateway {
 namespace {
@@ -86,10 +87,16 @@ void RequestTranscoder::SetLastEventId(std::string_view header) {
   if (match_.route->events) last_event_id_ = header;
 }
 
-Result<std::string> RequestTranscoder::ToRequest(BodyFormat format, std::string_view body) const {
+Result<std::string> RequestTranscoder::ToRequest(BodyFormat format, std::string_view body,
+                                                 const json::AskRoom& ask) const {
   const auto request = NewMessage(*match_.route->method->input_type());
   std::vector<std::string> paths;
-  DHPMAP_RETURN_IF_ERROR(ReadBody(format, body, request.get(), &paths));
+  std::size_t message_bytes = 0;
+  const auto note = [&ask, &message_bytes](std::size_t num_bytes) {
+    message_bytes = num_bytes;
+    return ask == nullptr ? Status::Ok() : ask(num_bytes);
+  };
+  DHPMAP_RETURN_IF_ERROR(ReadBody(format, body, request.get(), &paths, note));
   DHPMAP_RETURN_IF_ERROR(ApplyQuery(request.get()));
   DHPMAP_RETURN_IF_ERROR(ApplyPath(request.get()));
   DHPMAP_RETURN_IF_ERROR(ApplyIfMatch(request.get()));
@@ -98,11 +105,12 @@ Result<std::string> RequestTranscoder::ToRequest(BodyFormat format, std::string_
     request->GetReflection()->SetString(request.get(), match_.route->events->resume_after, last_event_id_);
   }
   DeriveMask(paths, request.get());
+  if (message_bytes > 0) DHPMAP_RETURN_IF_ERROR(note(message_bytes + request->ByteSizeLong()));
   return request->SerializeAsString();
 }
 
-Status RequestTranscoder::ReadBody(BodyFormat format, std::string_view body, Message* request,
-                                   json::Paths* paths) const {
+Status RequestTranscoder::ReadBody(BodyFormat format, std::string_view body, Message* request, json::Paths* paths,
+                                   const json::AskRoom& ask) const {
   const Route& route = *match_.route;
   if (route.body == Route::Body::kNone) {
     if (IsBlank(body)) return Status::Ok();
@@ -111,13 +119,18 @@ Status RequestTranscoder::ReadBody(BodyFormat format, std::string_view body, Mes
   }
   if (format == BodyFormat::kJson) {
     if (IsBlank(body)) return Status::Ok();
-    if (route.body == Route::Body::kWhole) return json::Read(body, request, paths);
-    return json::ReadField(body, *route.body_field, request, paths);
+    if (route.body == Route::Body::kWhole) return json::Read(body, request, paths, ask);
+    return json::ReadField(body, *route.body_field, request, paths, ask);
   }
   if (format == BodyFormat::kFile) {
     request->GetReflection()->SetString(request, route.body_field, std::string(body));
     return Status::Ok();
   }
+  return ReadProtobuf(body, request, ask);
+}
+
+Status RequestTranscoder::ReadProtobuf(std::string_view body, Message* request, const json::AskRoom& ask) const {
+  const Route& route = *match_.route;
   Message* into = request;
   if (route.body == Route::Body::kField) {
     if (route.body_field->message_type() == nullptr || route.body_field->is_repeated()) {
@@ -125,7 +138,9 @@ Status RequestTranscoder::ReadBody(BodyFormat format, std::string_view body, Mes
     }
     into = request->GetReflection()->MutableMessage(request, route.body_field);
   }
-  if (Parse(body, into)) return Status::Ok();
+  const auto outline = LayoutOf(*into->GetDescriptor()).OutlineOf(body);
+  if (outline.ok()) DHPMAP_RETURN_IF_ERROR(ask(outline->message_bytes));
+  if (outline.ok() && Parse(body, into)) return Status::Ok();
   return InvalidArgument("the body is not a protobuf message of type " + into->GetDescriptor()->full_name())
       .WithReason("MALFORMED_PROTOBUF");
 }

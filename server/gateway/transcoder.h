@@ -10,6 +10,7 @@
 #include "server/gateway/http_rule_router.h"
 #include "server/gateway/media_type.h"
 #include "server/http/url.h"
+#include "server/json/message_bytes.h"
 
 namespace google::protobuf {
 class Descriptor;
@@ -42,13 +43,16 @@ class RequestTranscoder {
   /// One body, or one message of it, as the wire form of the RPC's request. What the path says wins over the body;
   /// query parameters fill the rest; a PATCH without update_mask gets the paths that its JSON body sets, less those in
   /// the path and the etag (a precondition, not a change). INVALID_ARGUMENT names the field or the place in the text.
-  [[nodiscard]] Result<std::string> ToRequest(BodyFormat format, std::string_view body) const;
+  /// `ask` is asked for all that is held beside the body, before it is: a short body may be a large message.
+  [[nodiscard]] Result<std::string> ToRequest(BodyFormat format, std::string_view body,
+                                              const json::AskRoom& ask = nullptr) const;
 
  private:
   RequestTranscoder(RouteMatch match, http::QueryPairs query) : match_(std::move(match)), query_(std::move(query)) {}
 
   Status ReadBody(BodyFormat format, std::string_view body, google::protobuf::Message* request,
-                  std::vector<std::string>* paths) const;
+                  std::vector<std::string>* paths, const json::AskRoom& ask) const;
+  Status ReadProtobuf(std::string_view body, google::protobuf::Message* request, const json::AskRoom& ask) const;
   Status ApplyQuery(google::protobuf::Message* request) const;
   Status ApplyPath(google::protobuf::Message* request) const;
   Status ApplyIfMatch(google::protobuf::Message* request) const;

@@ -2,6 +2,7 @@
 #include "mapping/base/byte_budget.h"
 #include "mapping/base/guarded.h"
 #include "mapping/base/lane.h"
+#include "server/gateway/body_room.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/rpc_call.h"
@@ -58,7 +59,11 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
  private:
   /// On any thread. The body is gone when it returns.
   [[nodiscard]] Result<std::string> MakeMessage(std::string body) const {
-    return Guarded<Result<std::string>>([&] { return request_.transcoder.ToRequest(request_.body_format, body); });
+    BodyRoom room(share_.Another(), body.size());
+    return Guarded<Result<std::string>>([&] {
+      return request_.transcoder.ToRequest(request_.body_format, body,
+                                           [&room](std::size_t num_bytes) { return room.Hold(num_bytes); });
+    });
   }
 
   void Start(Result<std::string> message) {

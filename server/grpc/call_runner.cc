@@ -60,10 +60,7 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
                                          std::size_t answer_bytes, Handler handler) {
     const auto self = std::make_shared<UnaryReactor>(context, call);
     self->self_ = self;
-    // What a large request takes in memory may be twice what it is on the wire; of a small one that is not worth
-    // asking.
-    self->request_bytes_ = answer_bytes > 0 ? call.request->SpaceUsedLong() : call.request->ByteSizeLong();
-    if (!self->share_.Resize(self->request_bytes_ + answer_bytes)) {
+    if (!self->share_.Resize(answer_bytes)) {
       self->Respond(TooManyBytes());
       return self.get();
     }
@@ -110,13 +107,12 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
   /// The answer stays as a message and as bytes until the client has taken it.
   bool HasRoomForAnswer() {
     if (call_.response == nullptr) return true;
-    return share_.Resize(request_bytes_ + 2 * call_.response->ByteSizeLong());
+    return share_.Resize(2 * call_.response->ByteSizeLong());
   }
 
   const CallMessages call_;
   CallRecord record_;
-  ByteShare share_;  // of the request and the answer
-  std::size_t request_bytes_ = 0;
+  ByteShare share_;                     // of the answer; the request is counted by CountedService
   std::shared_ptr<UnaryReactor> self_;  // until OnDone
   std::shared_ptr<LaneTask> task_;
   std::stop_source stop_;

@@ -49,7 +49,7 @@ class CallRecord {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A call with one request, as gRPC keeps it until it is over.
+/// A call with one request, which is kept, and counted, until it is over: see CountedService.
 struct CallMessages {
   std::string_view method;  ///< "MapService/GetMap", a literal
   const google::protobuf::Message* request;
@@ -63,7 +63,7 @@ struct CallMessages {
 /// The lane for what is quick once the map of the resource `opens` is there: quick, unless that is to be loaded first.
 Lane& QuickLane(const ServiceContext& context, std::string_view opens);
 
-/// Calls work() and turns whatever it throws into INTERNAL, or RESOURCE_EXHAUSTED for want of memory: the one outer
+/// Calls work() and turns whatever it throws into a status (see StatusOfException): the one outer
 /// catch of every handler.
 Status RunGuarded(const std::function<Status()>& work);
 
@@ -83,7 +83,7 @@ using Respond = std::function<void(const Status&)>;
 
 /// Runs a unary handler on the quick lane, see QuickLane; it responds itself, at once or later from another thread.
 /// What it throws before that is answered as INTERNAL. A call whose client is gone, or past its deadline, before its
-/// turn has come is let go at once; if too many wait, or too many bytes of requests and answers are in memory, it is
+/// turn has come is let go at once; if too many wait, or there is no room for the answer, it is
 /// answered RESOURCE_EXHAUSTED. The token tells when nobody waits for the answer any longer; a handler may go on all
 /// the same.
 grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMessages& call,
@@ -118,7 +118,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   static ChunkStream* Start(const ServiceContext& context, grpc::CallbackServerContext* call_context,
                             const CallMessages& call, Prepare prepare) {
     auto* stream = new ChunkStream(context, call_context, call.method);
-    if (!stream->share_.Resize(call.request->ByteSizeLong() + kKept_bytes)) {
+    if (!stream->share_.Resize(kKept_bytes)) {
       stream->End(TooManyBytes());
       return stream;
     }
@@ -187,6 +187,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   [[nodiscard]] Status WhyBroken() const { return has_no_room_ ? StateHasNoRoom() : Cancelled("the client went away"); }
 
   void WriteNext() {
+    (void)is_made_.load(std::memory_order_acquire);
     bool has_next = false;
     response_.Clear();
     const Status status = RunGuarded([&] {
@@ -211,8 +212,8 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   CallRecord record_;
   ByteShare share_;
   std::atomic<bool> has_no_room_ = false;  // for the state any longer
-  // So that ThreadSanitizer, which sees none of gRPC's own locks, sees that the lanes had read the state before its
-  // end.
+  // So that ThreadSanitizer, which sees none of gRPC's own locks, sees that one message was made before the next, on
+  // another thread, and all before the end. Else it looks each access up in all races that it leaves out: minutes.
   std::atomic<bool> is_made_ = false;
   std::unique_ptr<HeldStates::Hold> hold_;
   std::shared_ptr<LaneTask> begin_;

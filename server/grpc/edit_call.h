@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "server/grpc/call_runner.h"
+#include "server/wire/edit_log_conversion.h"
 
 namespace dhpmap {
 
@@ -14,6 +17,36 @@ struct PlannedEdit {
   std::string map;
   EditRequest request;  ///< its answer is filled in by RunEdit
 };
+
+/// The change as an edit, with what every request says beside it: whose it is, under which id, whether it is only
+/// tried. INVALID_ARGUMENT for an expected_revision that is negative.
+template <typename Request>
+Result<PlannedEdit> PlanEdit(std::string_view method, const Request& request, std::string map,
+                             std::function<Result<EditMade>(Map&)> change) {
+  if (request.expected_revision() < 0) {
+    return InvalidArgument("the request is not usable")
+        .WithReason("BAD_EDIT")
+        .WithViolation("expected_revision", "is negative");
+  }
+  DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf(method, request));
+  const EditMode mode = request.validate_only() ? EditMode::kTryOnly : EditMode::kMake;
+  return PlannedEdit{std::move(map), {.change = std::move(change), .source = std::move(source), .mode = mode}};
+}
+
+/// The answer of an edit that was only tried: told of the revision that it met, without the etag and the revision of
+/// what there never was.
+template <typename Response>
+void SayTried(std::int64_t revision, Response& response) {
+  response.set_revision(revision);
+  if constexpr (requires { response.mutable_map()->set_revision(revision); }) {
+    response.mutable_map()->set_revision(revision);
+  }
+  if constexpr (requires { response.mutable_submap(); }) {
+    if (!response.has_submap() || response.submap().revision() <= revision) return;
+    response.mutable_submap()->clear_revision();
+    response.mutable_submap()->clear_etag();
+  }
+}
 
 /// Why there is no edit, or what `fill()` says of its answer. Never that nothing was changed, once it was.
 inline void RespondToEdit(const Result<EditOutcome>& outcome, const Respond& respond,
@@ -29,23 +62,33 @@ inline void RespondToEdit(const Result<EditOutcome>& outcome, const Respond& res
 template <typename Response, typename Plan, typename Fill>
 grpc::ServerUnaryReactor* RunEdit(const ServiceContext& context, const CallMessages& call, Response* response,
                                   Plan plan, Fill fill) {
-  return RunAsync(context, call, [&context, response, plan, fill](const Respond& respond, const std::stop_token&) {
-    Result<PlannedEdit> planned = plan();
-    if (!planned.ok()) return respond(planned.status());
-    const auto session = context.registry.OpenSession(planned->map);
-    if (!session.ok()) return respond(session.status());
-    planned->request.answer = [fill](const MapView& view, const EditMade& made) {
-      Response answer;
-      fill(view, made, answer);
-      return answer.SerializeAsString();
-    };
-    (*session)->Edit(std::move(planned->request), [respond, response](const Result<EditOutcome>& outcome) {
-      RespondToEdit(outcome, respond, [&]() -> Status {
-        if (response->ParseFromString(outcome->answer)) return Status::Ok();
-        return DataLoss("the edit is made, but what it was answered is damaged").WithReason("DAMAGED_EDITS");
+  const CallMessages kept = call;
+  return RunAsync(
+      context, call, [&context, kept, response, plan, fill](const Respond& respond, const std::stop_token&) {
+        Result<PlannedEdit> planned = plan();
+        if (!planned.ok()) return respond(planned.status());
+        const auto session = context.registry.OpenSession(planned->map);
+        if (!session.ok()) return respond(session.status());
+        planned->request.answer = [fill](const MapView& view, const EditMade& made) {
+          Response answer;
+          fill(view, made, answer);
+          return answer.SerializeAsString();
+        };
+        if ((*session)->IsRecorded()) {
+          planned->request.arrived = {std::string(kept.method), kept.request->SerializeAsString()};
+        }
+        const bool is_tried = planned->request.mode == EditMode::kTryOnly;
+        (*session)->Edit(
+            std::move(planned->request), [respond, response, is_tried](const Result<EditOutcome>& outcome) {
+              RespondToEdit(outcome, respond, [&]() -> Status {
+                if (!response->ParseFromString(outcome->answer)) {
+                  return DataLoss("the edit is made, but what it was answered is damaged").WithReason("DAMAGED_EDITS");
+                }
+                if (is_tried) SayTried(outcome->view->snapshot().revision(), *response);
+                return Status::Ok();
+              });
+            });
       });
-    });
-  });
 }
 
 }  // namespace dhpmap

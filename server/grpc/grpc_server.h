@@ -54,6 +54,8 @@ class GrpcServer {
   /// What Health/Check and readiness say.
   void SetServing(bool is_serving);
   [[nodiscard]] bool is_serving() const;
+  /// Memory of frames that are being decoded, wait to be fused, or are.
+  [[nodiscard]] std::size_t frame_bytes() const;
   /// A channel to this server inside the process; for the REST gateway and tests.
   [[nodiscard]] std::shared_ptr<grpc::Channel> InProcessChannel();
 

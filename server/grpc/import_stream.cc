@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "server/grpc/request_message.h"
 #include "server/wire/map_conversion.h"
 
 namespace dhpmap {
@@ -42,7 +43,7 @@ void ImportStream::Read() {
   if (is_over_) return;
   is_reading_ = true;
   reads_since_ = Clock::now();
-  StartRead(&request_);
+  StartRead(&arrived_);
 }
 
 void ImportStream::Hear(std::size_t num_bytes) {
@@ -79,14 +80,14 @@ void ImportStream::OnReadDone(bool ok) {
     const MutexLock lock(mutex_);
     is_reading_ = false;
     if (is_over_) return;
-    Hear(ok ? request_.data().size() : 0);
+    Hear(ok ? arrived_.Length() : 0);
   }
   if (stop_.stop_requested()) return End(GoneAway());
   if (!ok) {  // all of it has come; or the client is gone, which OnCancel tells
     context_.lanes.bulk.Post([self = self_] { self->Prepare(); });
     return;
   }
-  if (!share_.Resize(std::max(kKept_bytes, request_.ByteSizeLong()))) return End(TooManyBytes());
+  if (const Status taken = RunGuarded([this] { return TakeMessage(); }); !taken.ok()) return End(taken);
   const auto take = std::make_shared<LaneTask>([self = self_] {
     const Status status = RunGuarded([&] { return self->TakePart(); });
     self->context_.lanes.answers.Post([self, status] {
@@ -98,6 +99,12 @@ void ImportStream::OnReadDone(bool ok) {
   if (context_.lanes.bulk.TryPost(take)) return;
   take->GiveUp();
   End(TooBusy());
+}
+
+Status ImportStream::TakeMessage() {
+  request_ = v1::ImportMapRequest();
+  return ParseWithin(*context_.options.inflight, LayoutOf<v1::ImportMapRequest>(), arrived_, request_,
+                     [this](std::size_t num_bytes) { return share_.Resize(std::max(kKept_bytes, num_bytes)); });
 }
 
 Status ImportStream::TakePart() {

@@ -21,7 +21,7 @@ namespace dhpmap {
 /// wait for: that is the quick lane's, as a thread that is nice would keep them waiting for a core. A client that goes
 /// away, or gets too far behind the least rate, ends it. Owns itself: lives until gRPC is done with the call and
 /// nobody uses it.
-class ImportStream final : public grpc::ServerReadReactor<v1::ImportMapRequest> {
+class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
  public:
   static ImportStream* Start(const ServiceContext& context, v1::ImportMapResponse* response);
 
@@ -49,6 +49,8 @@ class ImportStream final : public grpc::ServerReadReactor<v1::ImportMapRequest> 
   void Watch(Clock::duration after) DHPMAP_REQUIRES(mutex_);
   void OnAlarm() DHPMAP_EXCLUDES(mutex_);
 
+  /// Makes `request_` of the bytes just read, if there is room for it.
+  Status TakeMessage();
   // On the lanes.
   Status TakePart();
   void Prepare();
@@ -67,6 +69,7 @@ class ImportStream final : public grpc::ServerReadReactor<v1::ImportMapRequest> 
   std::stop_source stop_;
 
   // Of gRPC while it reads, else of the one who works on it.
+  grpc::ByteBuffer arrived_;
   v1::ImportMapRequest request_;
   std::unique_ptr<IncomingMap> incoming_;  ///< null before the first message
   std::string map_id_;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/integrate_stream.h"
 
+#include <grpcpp/support/proto_buffer_writer.h>
+
 #include <functional>
 #include <new>
 #include <utility>
 
 #include "mapping/base/guarded.h"
+#include "server/grpc/buffer_outline.h"
+#include "server/grpc/frame_message.h"
 #include "server/wire/frame_conversion.h"
 #include "server/wire/mapping_conversion.h"
 #include "server/wire/types/resource_names.h"
@@ -13,10 +17,21 @@
 namespace dhpmap {
 namespace {
 
-Status ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
+Status ClientGone() { return Cancelled("the client went away"); }
 
 Status NoFrame() {
   return InvalidArgument("the message has no frame").WithReason("BAD_FRAME").WithViolation("frame", "is required");
+}
+
+/// Replaces `bytes`, which no write may be using.
+void WriteTo(grpc::ByteBuffer& bytes, const v1::IntegrateFramesResponse& answer) {
+  grpc::ByteBuffer written;
+  {
+    const int num_bytes = static_cast<int>(answer.ByteSizeLong());
+    grpc::ProtoBufferWriter writer(&written, num_bytes, num_bytes);
+    answer.SerializeToZeroCopyStream(&writer);
+  }
+  bytes.Swap(&written);
 }
 
 Status Differs(const char* field, const std::string& first, const std::string& now) {
@@ -27,23 +42,6 @@ Status Differs(const char* field, const std::string& first, const std::string& n
 }
 
 }  // namespace
-
-void IntegrateStreams::StopAll() {
-  const MutexLock lock(mutex_);
-  is_stopped_ = true;
-  for (IntegrateStream* stream : streams_) stream->Stop(ShuttingDown());
-}
-
-bool IntegrateStreams::Add(IntegrateStream* stream) {
-  const MutexLock lock(mutex_);
-  if (!is_stopped_) streams_.insert(stream);
-  return !is_stopped_;
-}
-
-void IntegrateStreams::Remove(IntegrateStream* stream) {
-  const MutexLock lock(mutex_);
-  streams_.erase(stream);
-}
 
 IntegrateStream* IntegrateStream::Start(const ServiceContext& context, IntegrateStreams& streams, Messages messages) {
   auto* stream = new IntegrateStream(context, streams, messages);
@@ -58,8 +56,19 @@ IntegrateStream* IntegrateStream::Start(const ServiceContext& context, Integrate
 }
 
 void IntegrateStream::Stop(const Status& reason) {
-  const MutexLock lock(mutex_);
-  StopReading(reason);
+  {
+    const MutexLock lock(mutex_);
+    StopReading(reason);
+  }
+  GiveUpDecoding(reason);  // it would not be accepted any more
+}
+
+void IntegrateStream::OnCancel() {
+  {
+    const MutexLock lock(mutex_);
+    is_cancelled_ = true;
+  }
+  GiveUpDecoding(ClientGone());
 }
 
 void IntegrateStream::OnReadDone(bool ok) {
@@ -70,25 +79,90 @@ void IntegrateStream::OnReadDone(bool ok) {
     Do(todo);
     if (!is_to_be_handled) return;
   }
-  TakeRoomForRequest();
-  context_.lanes.frames.Post([self = self_] {
-    const Status status = RunGuarded([&self] {
-      self->HandleRequest();
-      return Status::Ok();
-    });
-    const MutexLock lock(self->mutex_);
-    if (!status.ok()) self->StopReading(status);
-    self->Do(self->turns_.OnHandled());
+  num_bytes_ = incoming_.Length();
+  has_no_room_ = !arrived_.Resize(num_bytes_);
+  bool loads = false;  // frames of maps that are open do not wait for the disk
+  const Status parsed = RunGuarded([this, &loads] {
+    DHPMAP_RETURN_IF_ERROR(ParseHead());
+    loads = is_first_ && context_.registry.MustLoad(MapOfResource(request_.map()));
+    return Status::Ok();
   });
+  (loads ? context_.lanes.loads : context_.lanes.frames).Post([self = self_, parsed] {
+    bool is_decoded_later = false;
+    const Status begun = RunGuarded([&] { return parsed.ok() ? self->Begin(is_decoded_later) : parsed; });
+    if (!is_decoded_later) self->EndMessage(begun);
+  });
+}
+
+Status IntegrateStream::ParseHead() {
+  auto head = ParseFrameHead(incoming_);
+  if (has_no_room_ || !head.ok()) incoming_.Clear();
+  if (!head.ok()) return head.status();
+  has_frame_ = head->has_frame;
+  request_.Swap(&head->message);
+  return Status::Ok();
+}
+
+Status IntegrateStream::Begin(bool& is_decoded_later) {
+  {
+    const MutexLock lock(mutex_);
+    if (is_cancelled_) return ClientGone();  // loads no map for nobody
+  }
+  DHPMAP_ASSIGN_OR_RETURN(const Place place, PlaceForRequest());
+  is_recorded_ = place.map->IsRecorded();
+  room_ = std::make_shared<ByteShare>(&streams_.frame_bytes_);
+  if (has_frame_ && !has_no_room_) {
+    DHPMAP_RETURN_IF_ERROR(DecodeLater());
+    is_decoded_later = true;
+    return Status::Ok();
+  }
+  frame_ = has_no_room_ ? TooManyBytes() : NoFrame();
+  HandleRequest();
+  return Status::Ok();
+}
+
+Status IntegrateStream::DecodeLater() {
+  const auto task = std::make_shared<LaneTask>([self = self_] {
+    Status decoded = RunGuarded([&self] { return self->DecodeMessage(); });
+    self->context_.lanes.frames.Post([self, decoded] {
+      self->EndMessage(RunGuarded([&self, &decoded] {
+        if (decoded.ok()) self->HandleRequest();
+        return decoded;
+      }));
+    });
+  });
+  {
+    const MutexLock lock(mutex_);
+    if (is_cancelled_ || turns_.has_stopped()) return ClientGone();  // the first reason counts
+    decoding_ = task;
+  }
+  context_.lanes.decoding.Post(task);
+  return Status::Ok();
+}
+
+void IntegrateStream::EndMessage(const Status& status) {
+  ForgetMessage();
+  const MutexLock lock(mutex_);
+  decoding_.reset();
+  if (!status.ok()) StopReading(status);
+  Do(turns_.OnHandled());
+}
+
+void IntegrateStream::GiveUpDecoding(const Status& why) {
+  std::shared_ptr<LaneTask> task;
+  {
+    const MutexLock lock(mutex_);
+    task = decoding_;
+  }
+  if (task != nullptr && task->GiveUp()) EndMessage(why);
 }
 
 void IntegrateStream::HandleRequest() {
   const auto place = PlaceForRequest();
   const std::int64_t sequence = request_.sequence();
   // What may fail for want of memory comes before the frame is counted, whose answer must come.
-  const auto share = std::make_shared<ByteShare>(&streams_.frame_bytes_);
-  std::function<void(const FrameOutcome&)> done = [self = self_, sequence, share](const FrameOutcome& outcome) {
-    share->Release();
+  std::function<void(const FrameOutcome&)> done = [self = self_, sequence, room = room_](const FrameOutcome& outcome) {
+    room->Release();
     self->OnFrameDone(sequence, outcome);
   };
   {
@@ -98,36 +172,61 @@ void IntegrateStream::HandleRequest() {
     if (messages_ == Messages::kOne) StopReading(Status::Ok());
   }
   const bool is_first = std::exchange(is_first_, false);
-  if (is_first && !request_.has_frame() && !request_.session().empty()) {
+  if (is_first && !has_frame_ && !request_.session().empty()) {
     return place->map->Greet(place->feed, [self = self_, sequence](const FeedProgress& progress) {
       self->Answer(AnswerOf(sequence, progress));
     });
   }
-  place->map->Integrate(place->feed, Decode(place->map->IsRecorded(), *share), std::move(done));
+  place->map->Integrate(place->feed, TakeFrame(), std::move(done));
 }
 
-void IntegrateStream::TakeRoomForRequest() {
-  num_bytes_ = request_.ByteSizeLong();
-  // A row of the table of segments takes several times what it is on the wire. Not asked row by row on gRPC's thread.
-  const auto num_rows = static_cast<std::size_t>(request_.frame().segments_size());
-  has_no_room_ = !arrived_.Resize(num_bytes_ + num_rows * (sizeof(v1::Segment) + sizeof(void*)));
-  if (has_no_room_) request_.clear_frame();
+Status IntegrateStream::DecodeMessage() {
+  DHPMAP_RETURN_IF_ERROR(Parse());
+  frame_ = Guarded<Result<PanopticFrame>>([this] { return DecodeFrame(); });
+  request_.clear_frame();  // here, since a large table takes long
+  (void)arrived_.Resize(incoming_.Length());
+  return Status::Ok();
 }
 
-ArrivedFrame IntegrateStream::Decode(bool is_recorded, ByteShare& share) {
+Status IntegrateStream::Parse() {
+  DHPMAP_ASSIGN_OR_RETURN(const MessageOutline outline, OutlineOf(LayoutOf<v1::IntegrateFramesRequest>(), incoming_));
+  // Some messages take many times what they are on the wire: asked before it is so.
+  const std::size_t message_bytes = outline.message_bytes;
+  has_no_room_ = !arrived_.Resize(num_bytes_ + message_bytes);
+  if (!has_no_room_) {
+    DHPMAP_ASSIGN_OR_RETURN(request_, ParseFrameMessage(incoming_));
+  }
+  if (is_recorded_ && !has_no_room_) return Status::Ok();
+  incoming_.Clear();
+  (void)arrived_.Resize(has_no_room_ ? 0 : message_bytes);
+  return Status::Ok();
+}
+
+Result<PanopticFrame> IntegrateStream::DecodeFrame() {
+  if (!has_no_room_) has_no_room_ = !room_->Resize(DecodedBytes(request_.frame()));
+  if (has_no_room_) return TooManyBytes();
+  return FrameFromProto(request_.frame());
+}
+
+ArrivedFrame IntegrateStream::TakeFrame() {
   std::string message;
   auto frame = Guarded<Result<PanopticFrame>>([&]() -> Result<PanopticFrame> {
-    const std::size_t num_decoded_bytes = DecodedBytes(request_.frame()) + (is_recorded ? num_bytes_ : 0);
-    if (has_no_room_ || !share.Resize(num_decoded_bytes)) return TooManyBytes();
-    if (is_recorded) message = request_.SerializeAsString();
-    return request_.has_frame() ? FrameFromProto(request_.frame()) : NoFrame();
+    const bool is_kept = is_recorded_ && !has_no_room_;
+    if (is_kept && !room_->Resize(room_->bytes() + num_bytes_)) return TooManyBytes();
+    if (is_kept) message = TextOf(incoming_);
+    return std::move(*frame_);
   });
-  request_.clear_frame();  // it is not kept while the stream waits
+  const std::int64_t sequence = request_.sequence();
+  ForgetMessage();
+  return {.sequence = sequence, .frame = std::move(frame), .num_bytes = num_bytes_, .message = std::move(message)};
+}
+
+void IntegrateStream::ForgetMessage() {
+  incoming_.Clear();
+  request_ = v1::IntegrateFramesRequest();  // Clear() would keep its texts
+  frame_.reset();
+  room_.reset();
   arrived_.Release();
-  return {.sequence = request_.sequence(),
-          .frame = std::move(frame),
-          .num_bytes = num_bytes_,
-          .message = std::move(message)};
 }
 
 Result<IntegrateStream::Place> IntegrateStream::PlaceForRequest() {
@@ -213,7 +312,7 @@ void IntegrateStream::OnWriteDone(bool ok) {
   const int num_waiting = static_cast<int>(acks_.size());
   if (!ok) {
     acks_.clear();
-    if (!turns_.has_stopped()) end_status_ = Cancelled("the client went away");
+    if (!turns_.has_stopped()) end_status_ = ClientGone();
   }
   Do(turns_.OnWritten(ok, num_waiting));
 }
@@ -224,8 +323,11 @@ void IntegrateStream::StopReading(const Status& reason) {
 }
 
 void IntegrateStream::Do(StreamTurns::Todo todo) {
-  if (todo.read) StartRead(&request_);
-  if (todo.write) StartWrite(&acks_.front());
+  if (todo.read) StartRead(&incoming_);
+  if (todo.write) {
+    WriteTo(outgoing_, acks_.front());
+    StartWrite(&outgoing_);
+  }
   // Not from here: the session may answer at once, and End takes the lock.
   if (todo.end) context_.lanes.frames.Post([self = self_] { self->CommitAndEnd(); });
 }
@@ -265,8 +367,9 @@ void IntegrateStream::End(const Status& committed) {
   }
   record_.End(status);
   if (!is_owed) return Finish(ToGrpc(status));
-  if (status.ok()) return StartWriteAndFinish(&conclusion_, grpc::WriteOptions(), grpc::Status::OK);
-  StartWrite(&conclusion_);  // with an error gRPC would drop it; OnWriteDone finishes
+  WriteTo(outgoing_, conclusion_);
+  if (status.ok()) return StartWriteAndFinish(&outgoing_, grpc::WriteOptions(), grpc::Status::OK);
+  StartWrite(&outgoing_);  // with an error gRPC would drop it; OnWriteDone finishes
 }
 
 void IntegrateStream::OnDone() {

@@ -13,8 +13,10 @@ struct Lanes {
   /// while it waits for a core, and the threads that gRPC starts as it needs them would be as nice for ever.
   Lane answers;
   Lane bulk;    ///< meshes, voxels, many points: takes long, and cares less
-  Lane frames;  ///< decoding what robots stream
-  Lane watch;   ///< reading what was changed, and telling it; of one thread, so that the store is read once for all
+  Lane frames;  ///< what robots stream, before and after it is decoded
+  /// Parsing and decoding that: on nice threads, so that what is quick does not wait for a message that takes long.
+  Lane decoding;
+  Lane watch;  ///< reading what was changed, and telling it; of one thread, so that the store is read once for all
 };
 
 }  // namespace dhpmap

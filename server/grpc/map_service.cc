@@ -4,8 +4,10 @@
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "server/app/map_stats.h"
+#include "server/grpc/counted_service.h"
 #include "server/grpc/edit_call.h"
 #include "server/grpc/import_stream.h"
+#include "server/grpc/read_view.h"
 #include "server/grpc/services.h"
 #include "server/wire/bulk_chunks.h"
 #include "server/wire/map_conversion.h"
@@ -15,9 +17,14 @@
 namespace dhpmap {
 namespace {
 
-class MapService final : public v1::MapService::CallbackService {
+class MapService final : public CountedService<v1::MapService> {
  public:
-  explicit MapService(const ServiceContext& context) : context_(context) {}
+  explicit MapService(const ServiceContext& context) : CountedService(context), context_(context) {
+    Take(&MapService::CreateMap, &MapService::GetMap, &MapService::ListMaps, &MapService::UpdateMap,
+         &MapService::DeleteMap, &MapService::BackupMap, &MapService::ExportMap, &MapService::VerifyMap,
+         &MapService::GetMapStats);
+    TakeStream<v1::ImportMapRequest>(&MapService::BeginImport);
+  }
 
   grpc::ServerUnaryReactor* CreateMap(grpc::CallbackServerContext*, const v1::CreateMapRequest* request,
                                       v1::CreateMapResponse* response) override {
@@ -32,9 +39,11 @@ class MapService final : public v1::MapService::CallbackService {
 
   grpc::ServerUnaryReactor* GetMap(grpc::CallbackServerContext*, const v1::GetMapRequest* request,
                                    v1::GetMapResponse* response) override {
-    return Run(context_, {"MapService/GetMap", request, response}, [=, this]() -> Status {
+    // A past state is of an open map; the present one is known of all.
+    const std::string_view opens = request->read_revision() != 0 ? request->name() : std::string_view();
+    return Run(context_, {"MapService/GetMap", request, response, opens}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
-      DHPMAP_ASSIGN_OR_RETURN(const MapSummary map, context_.registry.Get(name));
+      DHPMAP_ASSIGN_OR_RETURN(const MapSummary map, SummaryAt(name, *request));
       *response->mutable_map() = ToProto(map);
       response->set_revision(map.info.revision);
       return Status::Ok();
@@ -58,28 +67,19 @@ class MapService final : public v1::MapService::CallbackService {
 
   grpc::ServerUnaryReactor* UpdateMap(grpc::CallbackServerContext*, const v1::UpdateMapRequest* request,
                                       v1::UpdateMapResponse* response) override {
-    return RunAsync(context_, {.method = "MapService/UpdateMap", .request = request, .opens = request->map().name()},
-                    [=, this](const Respond& respond, const std::stop_token&) {
-                      const auto name = ParseMapName(request->map().name(), "map.name");
-                      if (!name.ok()) return respond(name.status());
-                      const auto patch = PatchFromProto(*request);
-                      if (!patch.ok()) return respond(patch.status());
-                      const auto session = context_.registry.OpenSession(*name);
-                      if (!session.ok()) return respond(session.status());
-                      auto change = [etag = request->map().etag(), patch = *patch](Map& map) -> Result<EditMade> {
-                        DHPMAP_RETURN_IF_ERROR(PatchMap(map, etag, patch));
-                        return EditMade{kUnknownSubmap, {.steps = {{EditAction::kRenameMap, kUnknownSubmap}}}};
-                      };
-                      (*session)->Edit(EditRequest{.change = std::move(change)},
-                                       [respond, response](const Result<EditOutcome>& outcome) {
-                                         RespondToEdit(outcome, respond, [&]() -> Status {
-                                           const MapSnapshot& snapshot = outcome->view->snapshot();
-                                           *response->mutable_map() = ToProto(SummaryOf(snapshot));
-                                           response->set_revision(snapshot.revision());
-                                           return Status::Ok();
-                                         });
-                                       });
-                    });
+    const auto plan = [=, this]() -> Result<PlannedEdit> {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->map().name(), "map.name"));
+      DHPMAP_ASSIGN_OR_RETURN(MapPatch patch, PatchFromProto(*request));
+      EditConditions conditions =
+          ConditionsOf(*request, request->map().etag(), *context_.registry.LostRevisionsOf(name));
+      return PlanEdit("UpdateMap", *request, name, context_.registry.PatchOf(std::move(patch), std::move(conditions)));
+    };
+    const auto fill = [](const MapView& view, const EditMade&, v1::UpdateMapResponse& answer) {
+      *answer.mutable_map() = ToProto(SummaryOf(view.snapshot()));
+      answer.set_revision(view.snapshot().revision());
+    };
+    return RunEdit(context_, {.method = "MapService/UpdateMap", .request = request, .opens = request->map().name()},
+                   response, plan, fill);
   }
 
   grpc::ServerUnaryReactor* DeleteMap(grpc::CallbackServerContext*, const v1::DeleteMapRequest* request,
@@ -119,8 +119,8 @@ class MapService final : public v1::MapService::CallbackService {
         });
   }
 
-  grpc::ServerReadReactor<v1::ImportMapRequest>* ImportMap(grpc::CallbackServerContext*,
-                                                           v1::ImportMapResponse* response) override {
+  grpc::ServerReadReactor<grpc::ByteBuffer>* BeginImport(grpc::CallbackServerContext*,
+                                                         v1::ImportMapResponse* response) {
     return ImportStream::Start(context_, response);
   }
 
@@ -140,13 +140,23 @@ class MapService final : public v1::MapService::CallbackService {
     return RunBulk(context_, {"MapService/GetMapStats", request, response}, 0,
                    [=, this](const std::stop_token&) -> Status {
                      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
-                     DHPMAP_ASSIGN_OR_RETURN(const MapReport report, ReportOf(context_.registry, name));
+                     DHPMAP_ASSIGN_OR_RETURN(const MapReport report, ReportAt(name, *request));
                      *response = ToProto(report);
                      return Status::Ok();
                    });
   }
 
  private:
+  Result<MapSummary> SummaryAt(const std::string& map, const v1::GetMapRequest& request) const {
+    if (request.read_revision() == 0) return context_.registry.Get(map);
+    DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request));
+    return SummaryOf(view->snapshot());
+  }
+  Result<MapReport> ReportAt(const std::string& map, const v1::GetMapStatsRequest& request) const {
+    DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request));
+    return ReportOf(context_.registry, *view);
+  }
+
   const ServiceContext& context_;
 };
 

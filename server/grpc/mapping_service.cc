@@ -2,6 +2,7 @@
 #include <string>
 
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "server/grpc/counted_service.h"
 #include "server/grpc/services.h"
 #include "server/wire/mapping_conversion.h"
 #include "server/wire/types/metadata_keys.h"
@@ -10,12 +11,15 @@
 namespace dhpmap {
 namespace {
 
-class MappingService final : public v1::MappingService::CallbackService {
+class MappingService final : public CountedService<v1::MappingService> {
  public:
-  MappingService(const ServiceContext& context, IntegrateStreams& streams) : context_(context), streams_(streams) {}
+  MappingService(const ServiceContext& context, IntegrateStreams& streams)
+      : CountedService(context), context_(context), streams_(streams) {
+    Take(&MappingService::ListSessions, &MappingService::EndSession, &MappingService::FinishMapping);
+    TakeStream<v1::IntegrateFramesRequest>(&MappingService::BeginFrames);
+  }
 
-  grpc::ServerBidiReactor<v1::IntegrateFramesRequest, v1::IntegrateFramesResponse>* IntegrateFrames(
-      grpc::CallbackServerContext* call) override {
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* BeginFrames(grpc::CallbackServerContext* call) {
     const bool is_one = call->client_metadata().contains(kOneMessageKey);
     return IntegrateStream::Start(context_, streams_,
                                   is_one ? IntegrateStream::Messages::kOne : IntegrateStream::Messages::kAny);

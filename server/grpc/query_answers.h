@@ -64,13 +64,6 @@ Status AnswerQuery(const QueryPlace& place, const v1::CheckTrajectoryRequest& re
 /// What AnswerQuery is to say of `fits` where so many bytes are more than there are for all calls.
 Status AnswersTooLarge(std::size_t bytes);
 
-/// The revision that a query is to wait for; 0: none.
-template <typename Request>
-std::int64_t MinRevision(const Request& request) {
-  if constexpr (requires { request.options().min_revision(); }) return request.options().min_revision();
-  else return 0;
-}
-
 /// Any query above, with what there is room for, counted.
 template <typename Request, typename Response>
 Status AnswerFromMap(const ServiceContext& context, const std::shared_ptr<const MapView>& view, const Request& request,

@@ -7,8 +7,10 @@
 
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "server/app/distance_grid.h"
+#include "server/grpc/counted_service.h"
 #include "server/grpc/query_answers.h"
 #include "server/grpc/query_stream.h"
+#include "server/grpc/read_view.h"
 #include "server/grpc/revision_waits.h"
 #include "server/grpc/services.h"
 #include "server/wire/grid_conversion.h"
@@ -17,11 +19,16 @@
 namespace dhpmap {
 namespace {
 
-class QueryService final : public v1::QueryService::CallbackService {
+class QueryService final : public CountedService<v1::QueryService> {
  public:
-  QueryService(const ServiceContext& context, QueryStreams& streams) : context_(context), streams_(streams) {}
+  QueryService(const ServiceContext& context, OpenStreams& streams)
+      : CountedService(context), context_(context), streams_(streams) {
+    Take(&QueryService::QueryPoints, &QueryService::QueryDistances, &QueryService::CastRays,
+         &QueryService::CheckCollisions, &QueryService::CheckTrajectory, &QueryService::GetOccupancySlice,
+         &QueryService::GetDistanceGrid, &QueryService::SearchSubmaps, &QueryService::ListRelations);
+    TakeStream<v1::QueryStreamRequest>(&QueryService::BeginStream);
+  }
 
-  using Context = grpc::CallbackServerContext;
   using Reactor = grpc::ServerUnaryReactor;
 
   Reactor* QueryPoints(Context* call, const v1::QueryPointsRequest* request,
@@ -55,7 +62,7 @@ class QueryService final : public v1::QueryService::CallbackService {
         context_, call, {"QueryService/GetDistanceGrid", request},
         [=, this](const std::stop_token& stop, const StreamKeeps& keeps) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
-          DHPMAP_ASSIGN_OR_RETURN(auto view, context_.registry.ViewOf(map));
+          DHPMAP_ASSIGN_OR_RETURN(auto view, ViewFor(context_, map, *request));
           DHPMAP_ASSIGN_OR_RETURN(const GridQuestion question, GridQuestionFromProto(*request, view->snapshot()));
           DHPMAP_RETURN_IF_ERROR(keeps.hold(view->shared_snapshot()));
           DistanceGrid grid(std::move(view), context_.registry.surfaces(), question);
@@ -64,7 +71,7 @@ class QueryService final : public v1::QueryService::CallbackService {
         });
   }
 
-  grpc::ServerBidiReactor<v1::QueryStreamRequest, v1::QueryStreamResponse>* QueryStream(Context*) override {
+  grpc::ServerBidiReactor<grpc::ByteBuffer, v1::QueryStreamResponse>* BeginStream(Context*) {
     return dhpmap::QueryStream::Start(context_, streams_);
   }
 
@@ -85,14 +92,15 @@ class QueryService final : public v1::QueryService::CallbackService {
     const bool can_fit = effort.answer_bytes <= context_.options.inflight->limit_bytes();
     const auto answer = [=, this](const std::stop_token& stop) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, *request));
       if (effort.is_quick) return AnswerFromMap(context_, view, *request, *response, stop);
       return WhileThereIsRoom(context_, view->shared_snapshot(), stop, [&](const std::stop_token& ended) {
         return AnswerFromMap(context_, view, *request, *response, ended);
       });
     };
     const CallMessages call{name, request, response, request->map()};
-    if (const std::int64_t revision = MinRevision(*request); revision > 0) {
+    const std::int64_t revision = MinRevision(*request);
+    if (revision > 0 && CheckReadRevision(request->read_revision(), revision).ok()) {
       return RunAsync(context_, call, [=, this](const Respond& respond, const std::stop_token& stop) {
         const Result<std::string> map = ParseMapName(request->map(), "map");
         if (!map.ok()) return respond(map.status());
@@ -120,13 +128,13 @@ class QueryService final : public v1::QueryService::CallbackService {
   }
 
   const ServiceContext& context_;
-  QueryStreams& streams_;
+  OpenStreams& streams_;
   RevisionWaits waits_{context_};
 };
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> MakeQueryService(const ServiceContext& context, QueryStreams& streams) {
+std::unique_ptr<grpc::Service> MakeQueryService(const ServiceContext& context, OpenStreams& streams) {
   return std::make_unique<QueryService>(context, streams);
 }
 

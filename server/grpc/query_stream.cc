@@ -1,41 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/query_stream.h"
 
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/wire_format_lite.h>
+#include <grpcpp/support/proto_buffer_reader.h>
+
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "server/app/etag.h"
 #include "server/grpc/query_answers.h"
+#include "server/grpc/read_view.h"
+#include "server/grpc/request_message.h"
 #include "server/wire/types/resource_names.h"
 #include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
 namespace {
 
-Status ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
+using WireFormat = google::protobuf::internal::WireFormatLite;
+
+/// While an answer is written it is there as a message and as bytes. What is small is counted by its bytes alone: lists
+/// of messages take several times that.
+std::size_t BytesOfAnswer(const v1::QueryStreamResponse& response, const ByteBudget& budget) {
+  const std::size_t num_bytes = response.ByteSizeLong();
+  return 2 * num_bytes <= budget.free_bytes() ? 2 * num_bytes : num_bytes + response.SpaceUsedLong();
+}
+
+/// Of a message that may be too large to be parsed: 0 if it has none.
+std::int64_t NumberOf(const grpc::ByteBuffer& bytes) {
+  grpc::ByteBuffer shared = bytes;
+  grpc::ProtoBufferReader reader(&shared);
+  google::protobuf::io::CodedInputStream input(&reader);
+  std::uint64_t number = 0;
+  while (const std::uint32_t tag = input.ReadTag()) {
+    constexpr auto kTag = WireFormat::MakeTag(v1::QueryStreamRequest::kNumberFieldNumber, WireFormat::WIRETYPE_VARINT);
+    if (!(tag == kTag ? input.ReadVarint64(&number) : WireFormat::SkipField(&input, tag))) break;
+  }
+  return static_cast<std::int64_t>(number);
+}
 
 Status NoQuery() { return InvalidArgument("the message holds no query").WithViolation("query", "is required"); }
 
 }  // namespace
 
-void QueryStreams::StopAll() {
-  const MutexLock lock(mutex_);
-  is_stopped_ = true;
-  for (QueryStream* stream : streams_) stream->Stop(ShuttingDown());
-}
-
-bool QueryStreams::Add(QueryStream* stream) {
-  const MutexLock lock(mutex_);
-  if (!is_stopped_) streams_.insert(stream);
-  return !is_stopped_;
-}
-
-void QueryStreams::Remove(QueryStream* stream) {
-  const MutexLock lock(mutex_);
-  streams_.erase(stream);
-}
-
-QueryStream* QueryStream::Start(const ServiceContext& context, QueryStreams& streams) {
+QueryStream* QueryStream::Start(const ServiceContext& context, OpenStreams& streams) {
   auto* stream = new QueryStream(context, streams);
   if (streams.Add(stream)) {
     stream->Read();
@@ -58,11 +68,11 @@ void QueryStream::Read() {
   if (is_over_) return;
   if (!reason_.ok()) return End(reason_);
   is_reading_ = true;
-  StartRead(&request_);
+  StartRead(&incoming_);
 }
 
 /// Who asks again at once, for what there is no room for, has each question in memory until it is refused: it is not
-/// read, and so stays with the client, until there is room for one like the last.
+/// read, and so stays with the client, until there is room for one like the last, which is kept for it.
 void QueryStream::ReadLater() {
   constexpr std::chrono::milliseconds kPause{100};
   pause_ = std::make_unique<grpc::Alarm>();
@@ -76,10 +86,22 @@ void QueryStream::ReadLater() {
 }
 
 void QueryStream::ReadIfThereIsRoom() {
-  const bool has_room = share_.Resize(last_bytes_);
-  share_.Release();
-  if (has_room || stop_.stop_requested() || IsToEnd()) Read();
-  else ReadLater();
+  // The next question may be a small one: it does not wait for ever until there is room for the last one's answer.
+  constexpr int kMostPausesForAnswer = 10;
+  const bool has_room = room_->Take(num_pauses_ < kMostPausesForAnswer ? wanted_bytes_ : question_bytes_);
+  ++num_pauses_;
+  if (!has_room && !stop_.stop_requested() && !IsToEnd()) return ReadLater();
+  if (has_room) GiveRoomBackLater();
+  Read();
+}
+
+void QueryStream::GiveRoomBackLater() {
+  constexpr std::chrono::seconds kKeptForNext{1};
+  pause_ = std::make_unique<grpc::Alarm>();
+  pause_->Set(std::chrono::system_clock::now() + kKeptForNext, [ahead = std::weak_ptr(room_)](bool has_fired) {
+    const auto room = ahead.lock();
+    if (has_fired && room != nullptr) room->GiveBackUnused();
+  });
 }
 
 bool QueryStream::IsToEnd() {
@@ -101,9 +123,26 @@ void QueryStream::OnReadDone(bool ok) {
     if (is_over_) return;
     if (!ok) return End(Status::Ok());  // the client has no more
   }
+  pause_.reset();  // what was taken ahead is used now
   response_.Clear();
-  response_.set_number(request_.number());
-  Handle();
+  const Status taken = RunGuarded([this] { return TakeMessage(); });
+  if (taken.ok()) return Handle();
+  if (taken.code() != StatusCode::kInvalidArgument) return Answer(taken);
+  const MutexLock lock(mutex_);
+  End(taken);
+}
+
+Status QueryStream::TakeMessage() {
+  response_.set_number(NumberOf(incoming_));
+  num_pauses_ = 0;
+  wanted_bytes_ = question_bytes_ = incoming_.Length();
+  DHPMAP_RETURN_IF_ERROR(ParseWithin(*context_.options.inflight, LayoutOf<v1::QueryStreamRequest>(), incoming_,
+                                     request_, [this](std::size_t num_bytes) {
+                                       wanted_bytes_ = num_bytes;
+                                       return room_->Use(num_bytes);
+                                     }));
+  question_bytes_ = wanted_bytes_;
+  return Status::Ok();
 }
 
 void QueryStream::Handle() {
@@ -133,15 +172,13 @@ template <typename Request, typename Response>
 void QueryStream::Handle(const Request& request, Response& response) {
   const QueryEffort effort = EffortOf(request);
   const bool can_fit = effort.answer_bytes <= context_.options.inflight->limit_bytes();
-  if (!share_.Resize(request_.ByteSizeLong() + (can_fit && !effort.is_quick ? effort.answer_bytes : 0))) {
-    return Answer(TooManyBytes());
-  }
+  wanted_bytes_ = question_bytes_ + (can_fit && !effort.is_quick ? effort.answer_bytes : 0);
+  if (!room_->Use(wanted_bytes_)) return Answer(TooManyBytes());
   AnswerInLane(effort.is_quick, request.map(), [this, is_quick = effort.is_quick, &request, &response]() -> Status {
     DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request.map(), "map"));
-    DHPMAP_ASSIGN_OR_RETURN(auto view, pin_.Of(map));
-    if (view == nullptr) {
-      DHPMAP_ASSIGN_OR_RETURN(view, context_.registry.ViewOf(map));
-    }
+    const auto pinned = pin_.Of(map);
+    if (!pinned.ok() && request.read_revision() == 0) return pinned.status();
+    DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request, pinned.ok() ? *pinned : nullptr));
     if (MinRevision(request) > view->snapshot().revision()) {
       return FailedPrecondition("the map, or what is pinned of it, is at an earlier revision")
           .WithViolation("options.min_revision", "is not reached: a stream does not wait for it");
@@ -174,19 +211,20 @@ Status QueryStream::HandlePin() {
     return Status::Ok();
   }
   DHPMAP_ASSIGN_OR_RETURN(std::string map, ParseMapName(name, "pin.map"));
-  DHPMAP_ASSIGN_OR_RETURN(auto view, context_.registry.ViewOf(map));
+  DHPMAP_ASSIGN_OR_RETURN(auto view, ViewFor(context_, map, request_.pin()));
   response_.mutable_pin()->set_revision(view->snapshot().revision());
   pin_.Hold(std::move(map), std::move(view));
   return Status::Ok();
 }
 
 void QueryStream::Answer(const Status& status) {
-  last_bytes_ = request_.ByteSizeLong();
-  request_.clear_query();  // it is answered, and may be large
-  const Status outcome = status.ok() && !share_.Resize(2 * response_.ByteSizeLong()) ? TooManyBytes() : status;
+  incoming_.Clear();
+  request_ = v1::QueryStreamRequest();  // it is answered, and may be large; Clear() would keep what nobody knows of it
+  const bool has_room = !status.ok() || room_->Use(BytesOfAnswer(response_, *context_.options.inflight));
+  const Status outcome = has_room ? status : TooManyBytes();
   if (!outcome.ok()) {
     response_.clear_answer();
-    share_.Release();
+    room_->Release();
     *response_.mutable_error() = ToProto(outcome);
   }
   has_had_no_room_ = outcome.reason() == TooManyBytes().reason();
@@ -195,8 +233,8 @@ void QueryStream::Answer(const Status& status) {
 }
 
 void QueryStream::OnWriteDone(bool ok) {
-  share_.Release();
   response_.clear_answer();
+  room_->Release();
   if (ok) return has_had_no_room_ ? ReadLater() : Read();
   const MutexLock lock(mutex_);
   End(Cancelled("the client went away"));

@@ -6,46 +6,29 @@
 
 #include <functional>
 #include <memory>
-#include <set>
 #include <stop_token>
 #include <string_view>
 
 #include "dhpmap/v1/query_service.pb.h"
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
 #include "server/grpc/call_runner.h"
 #include "server/grpc/map_pin.h"
+#include "server/grpc/open_streams.h"
+#include "server/grpc/room_ahead.h"
 
 namespace dhpmap {
 
-class QueryStream;
-
-/// The streams of queries that are open, so that a shutdown can end them. Thread-safe.
-class QueryStreams {
- public:
-  /// Ends every stream once it has answered what it has read, and those that come later, with UNAVAILABLE.
-  void StopAll() DHPMAP_EXCLUDES(mutex_);
-
- private:
-  friend class QueryStream;
-  /// False if it is too late.
-  bool Add(QueryStream* stream) DHPMAP_EXCLUDES(mutex_);
-  void Remove(QueryStream* stream) DHPMAP_EXCLUDES(mutex_);
-
-  Mutex mutex_;
-  std::set<QueryStream*> streams_ DHPMAP_GUARDED_BY(mutex_);
-  bool is_stopped_ DHPMAP_GUARDED_BY(mutex_) = false;
-};
-
 /// One client's stream of queries, answered one by one in their order, each in the lane that it would be in as a call
 /// of its own. The next is read once the answer before it is on its way, so none pile up here: gRPC's flow control
-/// holds the client back. Deletes itself when the call is over.
-class QueryStream final : public grpc::ServerBidiReactor<v1::QueryStreamRequest, v1::QueryStreamResponse> {
+/// holds the client back. Messages come as bytes, and are parsed once there is room for them. After an answer that
+/// there was no room for it is read with room in hand. Bytes that are no message end the stream. Deletes itself when
+/// the call is over.
+class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::QueryStreamResponse>, public OpenStream {
  public:
-  static QueryStream* Start(const ServiceContext& context, QueryStreams& streams);
+  static QueryStream* Start(const ServiceContext& context, OpenStreams& streams);
 
   /// Reads no more, and ends with `reason` once what was read is answered.
-  void Stop(const Status& reason) DHPMAP_EXCLUDES(mutex_);
+  void Stop(const Status& reason) override DHPMAP_EXCLUDES(mutex_);
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
@@ -53,18 +36,22 @@ class QueryStream final : public grpc::ServerBidiReactor<v1::QueryStreamRequest,
   void OnDone() override;
 
  private:
-  QueryStream(const ServiceContext& context, QueryStreams& streams)
+  QueryStream(const ServiceContext& context, OpenStreams& streams)
       : context_(context),
         streams_(streams),
         record_(context, "QueryService/QueryStream"),
-        share_(context.options.inflight.get()) {}
+        room_(std::make_shared<RoomAhead>(context.options.inflight)) {}
 
   void Read() DHPMAP_EXCLUDES(mutex_);
   void ReadLater();
   void ReadIfThereIsRoom();
+  /// What was taken for the next question, unless that comes soon.
+  void GiveRoomBackLater();
   [[nodiscard]] bool IsToEnd() DHPMAP_EXCLUDES(mutex_);
   void End(const Status& status) DHPMAP_REQUIRES(mutex_);
 
+  /// Makes `request_` of the bytes just read, if there is room for it.
+  Status TakeMessage();
   /// The message just read, whichever query it holds.
   void Handle();
   template <typename Request, typename Response>
@@ -75,17 +62,20 @@ class QueryStream final : public grpc::ServerBidiReactor<v1::QueryStreamRequest,
   void Answer(const Status& status);
 
   const ServiceContext& context_;
-  QueryStreams& streams_;
+  OpenStreams& streams_;
   CallRecord record_;
-  ByteShare share_;  ///< of the request and its answer
+  const std::shared_ptr<RoomAhead> room_;  ///< of the request and its answer; of an alarm, too
   std::stop_source stop_;
   MapPin pin_;
 
   // Of gRPC while it reads or writes, else of the one who answers.
+  grpc::ByteBuffer incoming_;
   v1::QueryStreamRequest request_;
   v1::QueryStreamResponse response_;
-  bool has_had_no_room_ = false;  ///< for the last answer
-  std::size_t last_bytes_ = 0;    ///< of the last question
+  bool has_had_no_room_ = false;    ///< for the last answer
+  std::size_t question_bytes_ = 0;  ///< of the last one
+  std::size_t wanted_bytes_ = 0;    ///< for it and its answer
+  int num_pauses_ = 0;              ///< since it was refused
   std::unique_ptr<grpc::Alarm> pause_;
 
   Mutex mutex_;

@@ -17,7 +17,7 @@ std::unique_ptr<grpc::Service> MakeMapService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeMappingService(const ServiceContext& context, IntegrateStreams& streams);
 std::unique_ptr<grpc::Service> MakeSubmapService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeEditService(const ServiceContext& context);
-std::unique_ptr<grpc::Service> MakeQueryService(const ServiceContext& context, QueryStreams& streams);
+std::unique_ptr<grpc::Service> MakeQueryService(const ServiceContext& context, OpenStreams& streams);
 std::unique_ptr<grpc::Service> MakeWatchService(const ServiceContext& context, WatchStreams& streams);
 
 }  // namespace dhpmap

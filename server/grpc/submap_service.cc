@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "server/app/edit_list.h"
 #include "server/app/edit_summary.h"
+#include "server/grpc/counted_service.h"
 #include "server/grpc/edit_call.h"
+#include "server/grpc/read_view.h"
 #include "server/grpc/services.h"
 #include "server/wire/bulk_chunks.h"
 #include "server/wire/edit_log_conversion.h"
@@ -24,15 +28,19 @@ constexpr auto kFillAnswer = [](const MapView& view, const EditMade& made, auto&
   }
 };
 
-class SubmapService final : public v1::SubmapService::CallbackService {
+class SubmapService final : public CountedService<v1::SubmapService> {
  public:
-  explicit SubmapService(const ServiceContext& context) : context_(context) {}
+  explicit SubmapService(const ServiceContext& context) : CountedService(context), context_(context) {
+    Take(&SubmapService::ListSubmaps, &SubmapService::GetSubmap, &SubmapService::UpdateSubmap,
+         &SubmapService::CloneSubmap, &SubmapService::DeleteSubmap, &SubmapService::UndeleteSubmap,
+         &SubmapService::StreamSubmapVoxels, &SubmapService::GetSubmapMesh);
+  }
 
   grpc::ServerUnaryReactor* ListSubmaps(grpc::CallbackServerContext*, const v1::ListSubmapsRequest* request,
                                         v1::ListSubmapsResponse* response) override {
     return Run(context_, {"SubmapService/ListSubmaps", request, response, request->parent()}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->parent(), "parent"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, *request));
       const MapSnapshot& snapshot = view->snapshot();
       DHPMAP_ASSIGN_OR_RETURN(const SubmapFilter filter, FilterFromProto(*request, *snapshot.info().label_set));
       const PageMark now{.history_id = snapshot.info().history_id, .revision = snapshot.revision()};
@@ -53,7 +61,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
                                       v1::GetSubmapResponse* response) override {
     return Run(context_, {"SubmapService/GetSubmap", request, response, request->name()}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, name.map, *request));
       const Submap* submap = view->snapshot().Find(name.submap);
       if (submap == nullptr) return NoSuchSubmap(view->snapshot().info(), name.submap);
       response->set_revision(view->snapshot().revision());
@@ -67,13 +75,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
     const auto plan = [=, this]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->submap().name(), "submap.name"));
       DHPMAP_ASSIGN_OR_RETURN(SubmapPatch patch, PatchFromProto(*request));
-      DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf("UpdateSubmap", *request));
-      auto change = [id = name.submap, etag = request->submap().etag(), patch = std::move(patch),
-                     lost = context_.registry.LostRevisionsOf(name.map)](Map& map) -> Result<EditMade> {
-        DHPMAP_RETURN_IF_ERROR(PatchSubmap(map, id, etag, patch, *lost));
-        return EditMade{id, SummaryOfPatch(id, patch)};
-      };
-      return PlannedEdit{name.map, {.change = std::move(change), .source = std::move(source)}};
+      return PlanOne("UpdateSubmap", *request, name, request->submap().etag(), PatchEdit{std::move(patch)});
     };
     return RunEdit(context_,
                    {.method = "SubmapService/UpdateSubmap", .request = request, .opens = request->submap().name()},
@@ -85,13 +87,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
     const auto plan = [=, this]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(SubmapPatch patch, PatchFromProto(*request));
-      DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf("CloneSubmap", *request));
-      auto change = [id = name.submap, etag = request->etag(), patch = std::move(patch),
-                     lost = context_.registry.LostRevisionsOf(name.map)](Map& map) -> Result<EditMade> {
-        DHPMAP_ASSIGN_OR_RETURN(const SubmapId copy, dhpmap::CloneSubmap(map, id, etag, patch, *lost));
-        return EditMade{copy, SummaryOfClone(id, copy)};
-      };
-      return PlannedEdit{name.map, {.change = std::move(change), .source = std::move(source)}};
+      return PlanOne("CloneSubmap", *request, name, request->etag(), CloneEdit{std::move(patch)});
     };
     return RunEdit(context_, {.method = "SubmapService/CloneSubmap", .request = request, .opens = request->name()},
                    response, plan, kFillAnswer);
@@ -101,13 +97,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
                                          v1::DeleteSubmapResponse* response) override {
     const auto plan = [=, this]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
-      DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf("DeleteSubmap", *request));
-      auto change = [id = name.submap, etag = request->etag(),
-                     lost = context_.registry.LostRevisionsOf(name.map)](Map& map) -> Result<EditMade> {
-        DHPMAP_RETURN_IF_ERROR(dhpmap::DeleteSubmap(map, id, etag, *lost));
-        return EditMade{id, SummaryOfDelete(id)};
-      };
-      return PlannedEdit{name.map, {.change = std::move(change), .source = std::move(source)}};
+      return PlanOne("DeleteSubmap", *request, name, request->etag(), DeleteEdit{});
     };
     return RunEdit(context_, {.method = "SubmapService/DeleteSubmap", .request = request, .opens = request->name()},
                    response, plan, kFillAnswer);
@@ -117,9 +107,9 @@ class SubmapService final : public v1::SubmapService::CallbackService {
                                            v1::UndeleteSubmapResponse* response) override {
     const auto plan = [=, this]() -> Result<PlannedEdit> {
       DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
-      DHPMAP_ASSIGN_OR_RETURN(EditSource source, EditSourceOf("UndeleteSubmap", *request));
-      return PlannedEdit{name.map,
-                         {.change = context_.registry.UndeletionOf(name.submap), .source = std::move(source)}};
+      EditConditions conditions = ConditionsOf(*request, request->etag(), *context_.registry.LostRevisionsOf(name.map));
+      return PlanEdit("UndeleteSubmap", *request, name.map,
+                      context_.registry.UndeletionOf(name.submap, std::move(conditions)));
     };
     return RunEdit(context_, {.method = "SubmapService/UndeleteSubmap", .request = request, .opens = request->name()},
                    response, plan, kFillAnswer);
@@ -132,7 +122,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
         context_, call, {"SubmapService/StreamSubmapVoxels", request},
         [=, this](const std::stop_token&, const StreamKeeps& keeps) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request->name(), "name"));
-          DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
+          DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, name.map, *request));
           const auto state = OnlySubmap(view->snapshot(), name.submap);
           if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), name.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
@@ -151,7 +141,7 @@ class SubmapService final : public v1::SubmapService::CallbackService {
         [=, this](const std::stop_token& stop, const StreamKeeps& keeps) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const ObjectName name, ParseObjectName(request->name(), "name"));
           DHPMAP_ASSIGN_OR_RETURN(const MeshRequest wanted, MeshRequestFromProto(*request, name.submap));
-          DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(name.map));
+          DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, name.map, *request));
           auto state = view->shared_snapshot();
           if (wanted.submap) state = OnlySubmap(*state, *wanted.submap);
           if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), *wanted.submap);
@@ -164,6 +154,22 @@ class SubmapService final : public v1::SubmapService::CallbackService {
   }
 
  private:
+  /// A list of one, so that what every request that edits may say means the same as in ApplyEdits.
+  template <typename Request, typename Action>
+  Result<PlannedEdit> PlanOne(const char* method, const Request& request, const SubmapName& name,
+                              const std::string& etag, Action action) const {
+    EditList list{.edits = {{.target = name.submap, .etag = etag, .action = std::move(action)}},
+                  .expected_revision = request.expected_revision(),
+                  .lost = *context_.registry.LostRevisionsOf(name.map)};
+    auto change = [list = std::make_shared<const EditList>(std::move(list)),
+                   id = name.submap](Map& map) -> Result<EditMade> {
+      DHPMAP_ASSIGN_OR_RETURN(const EditResult result, ApplyOneEdit(*list, map));
+      return EditMade{.submap = result.created.empty() ? id : result.created.front(),
+                      .summary = SummaryOfList(*list, {result})};
+    };
+    return PlanEdit(method, request, name.map, std::move(change));
+  }
+
   const ServiceContext& context_;
 };
 

@@ -2,15 +2,19 @@
 #include <memory>
 
 #include "dhpmap/v1/watch_service.grpc.pb.h"
+#include "server/grpc/counted_service.h"
 #include "server/grpc/services.h"
 #include "server/grpc/watch_stream.h"
 
 namespace dhpmap {
 namespace {
 
-class WatchService final : public v1::WatchService::CallbackService {
+class WatchService final : public CountedService<v1::WatchService> {
  public:
-  WatchService(const ServiceContext& context, WatchStreams& streams) : context_(context), streams_(streams) {}
+  WatchService(const ServiceContext& context, WatchStreams& streams)
+      : CountedService(context), context_(context), streams_(streams) {
+    Take(&WatchService::WatchMap);
+  }
 
   grpc::ServerWriteReactor<v1::WatchMapResponse>* WatchMap(grpc::CallbackServerContext*,
                                                            const v1::WatchMapRequest* request) override {

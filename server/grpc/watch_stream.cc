@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "mapping/base/this_thread.h"
+#include "server/grpc/open_streams.h"
 #include "server/wire/mapping_conversion.h"
 #include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
-
-Status ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
 
 Status MapIsGone(const std::string& name) {
   return NotFound("map '" + name + "' has been deleted").WithReason("MAP_NOT_FOUND");
@@ -75,7 +74,8 @@ void WatchStream::Wake() {
 
 void WatchStream::OnBeat(Clock::time_point now) {
   const MutexLock lock(mutex_);
-  if (!is_over_ && !has_turn_ && now >= say_by_) TakeTurn();
+  if (is_over_ || has_turn_) return;
+  if (now >= say_by_ || context_.registry.exports().number() != exports_asked_) TakeTurn();
 }
 
 void WatchStream::Stop(const Status& reason) {
@@ -139,6 +139,8 @@ Status WatchStream::Prepare() {
   position_ = {map_.history_id, position ? position->revision : std::numeric_limits<std::int64_t>::max()};
   DHPMAP_RETURN_IF_ERROR(ReadPage().status());  // whether that is kept
   if (!position) position_.revision = page_.revision;
+  const MutexLock lock(mutex_);
+  exports_asked_ = context_.registry.exports().number();  // who comes now is told of no earlier end
   return Status::Ok();
 }
 
@@ -200,20 +202,43 @@ Result<bool> WatchStream::ReadPage() {
   return !page_.changes.empty();
 }
 
-/// If it is time to say something, or FinishMapping has come to another stage or has ended.
+/// What there is to tell of exports since it was asked last.
+ExportNews WatchStream::AskExports() {
+  const MutexLock lock(mutex_);
+  ExportNews news = context_.registry.exports().Of(map_.name, exports_asked_);
+  exports_asked_ = news.number;
+  return news;
+}
+
+/// If it is time to say something, or FinishMapping or an export has come to another stage or has ended. Exports may do
+/// so as often as clients like, so that is told of several together.
 bool WatchStream::FillProgress() {
+  const auto now = Clock::now();
   const auto finishing = context_.registry.FinishingOf(map_.name);
   const auto stage = finishing ? std::optional(finishing->stage) : std::nullopt;
-  {
-    const MutexLock lock(mutex_);
-    if (Clock::now() < say_by_ && stage == told_stage_) return false;
-  }
-  const bool is_news = finishing || told_stage_;
+  bool is_due = stage != told_stage_ || IsTimeToSay(now);
+  if (!is_due && now < exports_told_ + kExportsApart) return false;
+  const ExportNews exports = AskExports();
+  const bool is_exporting = exports.num_running > 0;
+  const bool has_export_news = exports.has_changed || is_exporting != has_told_exports_;
+  is_due = is_due || has_export_news || (is_exporting && now >= exports_told_ + WorkProgressAfter());
+  if (!is_due) return false;
+  const bool is_of_exports = has_export_news || is_exporting;
+  const bool is_of_work = finishing || told_stage_ || is_of_exports;
   told_stage_ = stage;
-  if (!is_news && position_.revision == last_said_) response_.mutable_heartbeat();
+  has_told_exports_ = is_exporting;
+  if (!is_of_work && position_.revision == last_said_) response_.mutable_heartbeat();
   else response_.mutable_progress();
   if (finishing) *response_.mutable_progress()->mutable_finishing() = ToProto(*finishing);
+  if (!is_of_exports) return true;
+  SetExports(exports, *response_.mutable_progress());
+  exports_told_ = now;
   return true;
+}
+
+bool WatchStream::IsTimeToSay(Clock::time_point now) const {
+  const MutexLock lock(mutex_);
+  return now >= say_by_;
 }
 
 void WatchStream::Write() {
@@ -223,7 +248,8 @@ void WatchStream::Write() {
   if (!share_.Resize(2 * response_.ByteSizeLong())) return End(TooManyBytes());
   {
     const MutexLock lock(mutex_);
-    say_by_ = Clock::now() + (told_stage_ ? std::min(progress_after_, kFinishProgressAfter) : progress_after_);
+    const bool is_of_work = told_stage_ || has_told_exports_;
+    say_by_ = Clock::now() + (is_of_work ? WorkProgressAfter() : progress_after_);
   }
   StartWrite(&response_);
 }

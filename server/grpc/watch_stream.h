@@ -3,6 +3,7 @@
 
 #include <grpcpp/support/server_callback.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "server/app/change_feed.h"
 #include "server/app/lazy_thread.h"
 #include "server/app/map_session.h"
+#include "server/app/running_exports.h"
 #include "server/app/watch_position.h"
 #include "server/grpc/call_runner.h"
 #include "server/wire/watch_conversion.h"
@@ -66,8 +68,10 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// While FinishMapping is under way.
-  static constexpr Clock::duration kFinishProgressAfter = std::chrono::seconds(1);
+  /// While FinishMapping or an export is under way.
+  static constexpr Clock::duration kWorkProgressAfter = std::chrono::seconds(1);
+  /// News of exports are told no more often.
+  static constexpr Clock::duration kExportsApart = std::chrono::milliseconds(200);
 
   WatchStream(const ServiceContext& context, WatchStreams& streams, const v1::WatchMapRequest& request)
       : context_(context),
@@ -88,6 +92,9 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
   Result<bool> FillNext();
   bool FillChange();
   bool FillProgress();
+  ExportNews AskExports() DHPMAP_EXCLUDES(mutex_);
+  [[nodiscard]] bool IsTimeToSay(Clock::time_point now) const DHPMAP_EXCLUDES(mutex_);
+  [[nodiscard]] Clock::duration WorkProgressAfter() const { return std::min(progress_after_, kWorkProgressAfter); }
   Result<bool> ReadPage();
   void Write();
   /// Gives the turn back; false if there are news.
@@ -112,6 +119,8 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
   ChangeMessages messages_;  ///< of the change that is being told
   std::int64_t change_end_ = 0;
   std::optional<FinishStage> told_stage_;  ///< of FinishMapping, in the last message; nothing: it is not under way
+  bool has_told_exports_ = false;          ///< that are under way, in the last message of progress
+  Clock::time_point exports_told_{};       ///< when that was
   std::int64_t last_said_ = -1;            ///< revision of the position in the last message
   v1::WatchMapResponse response_;
 
@@ -121,6 +130,7 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
   bool is_over_ DHPMAP_GUARDED_BY(mutex_) = false;
   Status stop_ DHPMAP_GUARDED_BY(mutex_);  ///< not OK: to end with this
   Clock::time_point say_by_ DHPMAP_GUARDED_BY(mutex_) = Clock::time_point::max();
+  std::uint64_t exports_asked_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< number of the news of exports that were looked at
 };
 
 }  // namespace dhpmap

@@ -58,17 +58,16 @@ std::string Cursor::Described() const {
 bool Cursor::ReadString(std::string_view* value, std::string* scratch) {
   if (Peek() != '"') return Fail("expected a string but found " + Described());
   const std::size_t start = ++offset_;
-  scratch->clear();
+  const bool is_kept = scratch != nullptr;
+  if (is_kept) scratch->clear();
+  std::string dropped;
   std::size_t run = start;
   while (offset_ < text_.size()) {
     const char c = text_[offset_];
     if (c == '"') {
-      if (scratch->empty() && run == start) {
-        *value = text_.substr(start, offset_ - start);
-      } else {
-        scratch->append(text_, run, offset_ - run);
-        *value = *scratch;
-      }
+      const bool has_no_escape = run == start;
+      if (is_kept && !has_no_escape) scratch->append(text_, run, offset_ - run);
+      if (is_kept) *value = has_no_escape ? text_.substr(start, offset_ - start) : std::string_view(*scratch);
       ++offset_;
       return true;
     }
@@ -77,11 +76,25 @@ bool Cursor::ReadString(std::string_view* value, std::string* scratch) {
       ++offset_;
       continue;
     }
-    scratch->append(text_, run, offset_ - run);
-    if (!ReadEscape(scratch)) return false;
+    if (is_kept) scratch->append(text_, run, offset_ - run);
+    dropped.clear();
+    if (!ReadEscape(is_kept ? scratch : &dropped)) return false;
     run = offset_;
   }
   return FailAt(start - 1, "this string does not end");
+}
+
+std::string_view Cursor::RawString() {
+  if (Peek() != '"') return {};
+  const std::size_t start = offset_ + 1;
+  std::size_t end = text_.find('"', start);
+  const auto is_escaped = [&] {
+    std::size_t num_backslashes = 0;
+    while (end - num_backslashes > start && text_[end - num_backslashes - 1] == '\\') ++num_backslashes;
+    return num_backslashes % 2 == 1;
+  };
+  while (end != std::string_view::npos && is_escaped()) end = text_.find('"', end + 1);
+  return text_.substr(start, end == std::string_view::npos ? end : end - start);
 }
 
 bool Cursor::ReadEscape(std::string* out) {
@@ -169,11 +182,10 @@ bool Cursor::ReadWord(std::string_view word) {
 
 bool Cursor::SkipValue() {
   std::string_view view;
-  std::string scratch;
   switch (Peek()) {
     case '{': return SkipNested('}', true);
     case '[': return SkipNested(']', false);
-    case '"': return ReadString(&view, &scratch);
+    case '"': return ReadString(nullptr, nullptr);
     case 't': return ReadWord("true");
     case 'f': return ReadWord("false");
     case 'n': return ReadWord("null");
@@ -186,9 +198,7 @@ bool Cursor::SkipNested(char close, bool has_keys) {
   ++offset_;
   if (!TryConsume(close)) {
     do {
-      std::string_view key;
-      std::string scratch;
-      if (has_keys && (!ReadString(&key, &scratch) || !Consume(':'))) return false;
+      if (has_keys && (!ReadString(nullptr, nullptr) || !Consume(':'))) return false;
       if (!SkipValue()) return false;
     } while (TryConsume(','));
     if (!Consume(close)) return false;

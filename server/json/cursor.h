@@ -22,8 +22,10 @@ class Cursor {
 
   bool TryConsume(char c);
   bool Consume(char c);
-  /// `*value` is a view of the text, or of `*scratch` where there were escapes.
+  /// `*value` is a view of the text, or of `*scratch` where there were escapes. `scratch` null: it is only checked.
   bool ReadString(std::string_view* value, std::string* scratch);
+  /// The string that is next, with its escapes and without its quotes; empty if there is none.
+  [[nodiscard]] std::string_view RawString();
   bool ReadNumber(std::string_view* value);
   /// "true", "false" or "null".
   bool ReadWord(std::string_view word);

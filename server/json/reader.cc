@@ -5,11 +5,14 @@
 #include <google/protobuf/message.h>
 #include <google/protobuf/util/json_util.h>
 
+#include <algorithm>
 #include <bitset>
+#include <utility>
 
 #include "mapping/base/utf8.h"
 #include "server/json/cursor.h"
 #include "server/json/field_text.h"
+#include "server/json/message_bytes.h"
 
 namespace dhpmap::json {
 namespace {
@@ -18,18 +21,37 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
+constexpr std::size_t kMostOfName_bytes = 128;
+/// Of the text of a time.
+constexpr std::size_t kMostOfShort_bytes = 1024;
+/// A value of any type takes up to so many times its text: "1," is a message in a list, made of a copy.
+constexpr std::size_t kMostOfValue = 128;
+
+/// A name that somebody made up, as it is told.
+std::string Shortened(std::string_view name) {
+  if (name.size() <= kMostOfName_bytes) return std::string(name);
+  std::size_t end = kMostOfName_bytes;
+  while ((static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // within a character
+  return std::string(name.substr(0, end)) + "...";
+}
+
 class Reader {
  public:
-  Reader(std::string_view text, Paths* paths) : cursor_(text), paths_(paths) {
+  Reader(std::string_view text, Paths* paths, AskRoom ask) : cursor_(text), paths_(paths), bytes_(std::move(ask)) {
     if (const std::size_t bad = FindInvalidUtf8(text); bad != std::string_view::npos) {
       cursor_.FailAt(bad, "the text is not UTF-8");
     }
   }
 
+  /// What there is before anything is read counts, too.
+  void Start(const Message& message) {
+    if (!bytes_.Add(message.SpaceUsedLong())) FailRoom();
+  }
   bool ReadMessage(Message* message);
   bool ReadField(const FieldDescriptor& field, Message* message);
 
   Status Finish() {
+    if (!bytes_.status().ok()) return bytes_.status();
     if (!cursor_.failed()) cursor_.ExpectEnd();
     Status status = cursor_.status();
     if (status.ok()) return status;
@@ -55,6 +77,12 @@ class Reader {
     if (violation_.empty()) violation_ = PathText();
     return cursor_.FailAt(offset, message);
   }
+  /// There is no room for what comes next.
+  bool FailRoom() { return cursor_.Fail("no room"); }
+  bool ReadText(std::string_view* text) {
+    return (bytes_.AddScratch(cursor_.RawString()) || FailRoom()) && cursor_.ReadString(text, &scratch_);
+  }
+  bool Begin(const Message& message, bool is_in_list) { return bytes_.AddMessage(message, is_in_list) || FailRoom(); }
   [[nodiscard]] std::string PathText() const;
   void AddPath() {
     if (paths_ != nullptr && list_depth_ == 0 && !path_.empty()) paths_->push_back(ToString(path_));
@@ -62,6 +90,7 @@ class Reader {
 
   Cursor cursor_;
   Paths* paths_;
+  MessageBytes bytes_;
   FieldPath path_;
   std::vector<int> indices_;  // of path_: place in a list, or -1
   int list_depth_ = 0;
@@ -107,10 +136,10 @@ bool Reader::ReadNamedField(Message* message, std::bitset<256>* seen) {
   cursor_.Peek();
   const std::size_t start = cursor_.offset();
   std::string_view key;
-  if (!cursor_.ReadString(&key, &scratch_)) return false;
-  const FieldDescriptor* field = FindField(*message->GetDescriptor(), key);
+  if (!ReadText(&key)) return false;
+  const FieldDescriptor* field = key.size() > kMostOfName_bytes ? nullptr : FindField(*message->GetDescriptor(), key);
   if (field == nullptr) {
-    violation_ = path_.empty() ? std::string(key) : PathText() + "." + std::string(key);
+    violation_ = path_.empty() ? Shortened(key) : PathText() + "." + Shortened(key);
     return cursor_.FailAt(start, message->GetDescriptor()->full_name() + " has no such field");
   }
   path_.push_back(field);
@@ -141,7 +170,10 @@ bool Reader::ReadField(const FieldDescriptor& field, Message* message) {
       oneof != nullptr && message->GetReflection()->HasOneof(*message, oneof)) {
     return FailField(cursor_.offset(), "another member of '" + oneof->name() + "' is given already");
   }
-  if (field.message_type() != nullptr) return ReadMessage(message->GetReflection()->MutableMessage(message, &field));
+  if (field.message_type() != nullptr) {
+    Message* inner = message->GetReflection()->MutableMessage(message, &field);
+    return Begin(*inner, false) && ReadMessage(inner);
+  }
   AddPath();
   return ReadScalar(field, message);
 }
@@ -156,9 +188,12 @@ bool Reader::ReadRepeated(const FieldDescriptor& field, Message* message) {
   do {
     if (!indices_.empty()) indices_.back() = index;
     ++index;
-    const bool ok = field.message_type() != nullptr ? ReadMessage(message->GetReflection()->AddMessage(message, &field))
-                                                    : ReadScalar(field, message);
-    if (!ok) return false;
+    if (field.message_type() == nullptr) {
+      if (!ReadScalar(field, message)) return false;
+      continue;
+    }
+    Message* added = message->GetReflection()->AddMessage(message, &field);
+    if (!Begin(*added, true) || !ReadMessage(added)) return false;
   } while (cursor_.TryConsume(','));
   --list_depth_;
   if (!indices_.empty()) indices_.back() = -1;
@@ -171,15 +206,21 @@ bool Reader::ReadMap(const FieldDescriptor& field, Message* message) {
   cursor_.TryConsume('{');
   if (cursor_.TryConsume('}')) return true;
   ++list_depth_;
+  bytes_.BeginMap();
   do {
     Message* entry = message->GetReflection()->AddMessage(message, &field);
     const Descriptor& type = *entry->GetDescriptor();
+    if (!Begin(*entry, true)) return false;
     if (!ReadMapKey(*type.map_key(), entry) || !cursor_.Consume(':')) return false;
     const FieldDescriptor& value = *type.map_value();
-    const bool ok = value.message_type() != nullptr ? ReadMessage(entry->GetReflection()->MutableMessage(entry, &value))
-                                                    : ReadScalar(value, entry);
-    if (!ok) return false;
+    if (value.message_type() == nullptr) {
+      if (!ReadScalar(value, entry)) return false;
+      continue;
+    }
+    Message* inner = entry->GetReflection()->MutableMessage(entry, &value);
+    if (!Begin(*inner, false) || !ReadMessage(inner)) return false;
   } while (cursor_.TryConsume(','));
+  bytes_.EndMap();
   --list_depth_;
   return cursor_.Consume('}');
 }
@@ -188,7 +229,8 @@ bool Reader::ReadMapKey(const FieldDescriptor& key, Message* entry) {
   cursor_.Peek();
   const std::size_t start = cursor_.offset();
   std::string_view text;
-  if (!cursor_.ReadString(&text, &scratch_)) return false;
+  if (!ReadText(&text)) return false;
+  if (!bytes_.AddScalar(key, text.size())) return FailRoom();
   const std::string wrong = SetScalarFromText(key, text, entry);
   return wrong.empty() || FailField(start, "key: " + wrong);
 }
@@ -198,6 +240,7 @@ bool Reader::ReadScalar(const FieldDescriptor& field, Message* message) {
   const std::size_t start = cursor_.offset();
   std::string_view text;
   if (!ReadScalarText(field, &text)) return false;
+  if (!bytes_.AddScalar(field, text.size())) return FailRoom();
   const std::string wrong = SetScalarFromText(field, text, message);
   return wrong.empty() || FailField(start, wrong);
 }
@@ -208,7 +251,7 @@ bool Reader::ReadScalarText(const FieldDescriptor& field, std::string_view* text
   const std::size_t start = cursor_.offset();
   const bool is_text = field.cpp_type() == FieldDescriptor::CPPTYPE_STRING;
   const bool is_bool = field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL;
-  if (c == '"' && !is_bool) return cursor_.ReadString(text, &scratch_);
+  if (c == '"' && !is_bool) return ReadText(text);
   if ((c == 't' || c == 'f') && is_bool) {
     *text = c == 't' ? "true" : "false";
     return cursor_.ReadWord(*text);
@@ -229,26 +272,36 @@ bool Reader::ReadWellKnown(Message* message) {
   if (type.well_known_type() == Descriptor::WELLKNOWNTYPE_FIELDMASK) {
     std::string_view text;
     if (cursor_.Peek() != '"') return FailField(start, "expected field names in a string, with commas between");
-    if (!cursor_.ReadString(&text, &scratch_)) return false;
+    if (!ReadText(&text)) return false;
+    constexpr std::size_t kPath_bytes = sizeof(std::string) + 2 * sizeof(void*);
+    const auto num_commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+    // Parts become longer: "A" is "_a".
+    if (!bytes_.Add(4 * text.size() + (num_commas + 1) * kPath_bytes)) return FailRoom();
     SetFieldMask(text, message);
     return true;
   }
   if (!cursor_.SkipValue()) return false;
   const std::string_view slice = cursor_.Slice(start);
+  const bool is_short = type.well_known_type() == Descriptor::WELLKNOWNTYPE_TIMESTAMP ||
+                        type.well_known_type() == Descriptor::WELLKNOWNTYPE_DURATION;
+  if (is_short && slice.size() > kMostOfShort_bytes) return FailField(start, "expected a " + type.full_name());
+  if (!is_short && !bytes_.Add(kMostOfValue * slice.size())) return FailRoom();
   const auto status = google::protobuf::util::JsonStringToMessage({slice.data(), slice.size()}, message);
   return status.ok() || FailField(start, "expected a " + type.full_name());
 }
 
 }  // namespace
 
-Status Read(std::string_view text, Message* message, Paths* paths) {
-  Reader reader(text, paths);
+Status Read(std::string_view text, Message* message, Paths* paths, AskRoom ask) {
+  Reader reader(text, paths, std::move(ask));
+  reader.Start(*message);
   reader.ReadMessage(message);
   return reader.Finish();
 }
 
-Status ReadField(std::string_view text, const FieldDescriptor& field, Message* message, Paths* paths) {
-  Reader reader(text, paths);
+Status ReadField(std::string_view text, const FieldDescriptor& field, Message* message, Paths* paths, AskRoom ask) {
+  Reader reader(text, paths, std::move(ask));
+  reader.Start(*message);
   reader.ReadField(field, message);
   return reader.Finish();
 }

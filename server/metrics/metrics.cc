@@ -8,11 +8,14 @@
 #include <prometheus/registry.h>
 #include <prometheus/text_serializer.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 #include "mapping/base/free_memory.h"
+#include "mapping/base/memory_count.h"
 
 namespace dhpmap {
 namespace {
@@ -52,6 +55,63 @@ prometheus::MetricFamily Gauge(const std::string& name, const std::string& help,
   family.metric.emplace_back();
   family.metric.back().gauge.value = value;
   return family;
+}
+
+prometheus::MetricFamily CounterOf(const std::string& name, const std::string& help, std::uint64_t value) {
+  prometheus::MetricFamily family;
+  family.name = name;
+  family.help = help;
+  family.type = prometheus::MetricType::Counter;
+  family.metric.emplace_back();
+  family.metric.back().counter.value = static_cast<double>(value);
+  return family;
+}
+
+using ValueOfKind = std::pair<const char*, std::size_t>;
+
+prometheus::MetricFamily GaugeByKind(const std::string& name, const std::string& help,
+                                     const std::vector<ValueOfKind>& values) {
+  prometheus::MetricFamily family;
+  family.name = name;
+  family.help = help;
+  family.type = prometheus::MetricType::Gauge;
+  for (const auto& [kind, value] : values) {
+    prometheus::ClientMetric metric;
+    metric.label = {{"kind", kind}};
+    metric.gauge.value = static_cast<double>(value);
+    family.metric.push_back(std::move(metric));
+  }
+  return family;
+}
+
+constexpr std::pair<const char*, MemoryKind> kScratchKinds[] = {
+    {"refinement", MemoryKind::kRefinement}, {"meshing", MemoryKind::kMeshing}, {"fusion", MemoryKind::kFusion}};
+
+std::vector<ValueOfKind> ScratchByKind(std::size_t (MemoryCount::*value)() const noexcept) {
+  std::vector<ValueOfKind> values;
+  for (const auto& [name, kind] : kScratchKinds) values.emplace_back(name, (CountOf(kind).*value)());
+  return values;
+}
+
+std::size_t MapsBytes(const std::vector<Metrics::MapGauges>& maps) {
+  std::int64_t bytes = static_cast<std::int64_t>(CountOf(MemoryKind::kBlocks).now_bytes());
+  for (const Metrics::MapGauges& map : maps) bytes += std::max<std::int64_t>(0, map.memory_bytes - map.block_bytes);
+  return static_cast<std::size_t>(bytes);
+}
+
+/// `a` - `b`, of numbers that were read one after the other while both go on.
+std::size_t Rest(std::size_t a, std::size_t b) { return a > b ? a - b : 0; }
+
+/// Each byte once.
+std::vector<ValueOfKind> MemoryByKind(const Metrics::Gauges& gauges, const std::optional<HeapUse>& heap) {
+  std::vector<ValueOfKind> values = ScratchByKind(&MemoryCount::now_bytes);
+  values.emplace_back("maps", MapsBytes(gauges.maps));
+  values.emplace_back("surfaces", gauges.surface_bytes + CountOf(MemoryKind::kTileRooms).now_bytes());
+  values.emplace_back("requests",
+                      Rest(gauges.inflight_bytes, CountOf(MemoryKind::kReserved).now_bytes()) + gauges.frame_bytes);
+  values.emplace_back("store", static_cast<std::size_t>(std::max<std::int64_t>(0, gauges.store_bytes)));
+  values.emplace_back("allocator", heap ? Rest(heap->resident_bytes, heap->live_bytes) : 0);
+  return values;
 }
 
 /// A value of /proc/self/status, such as "RssAnon" in kB; 0 if there is none.
@@ -120,18 +180,38 @@ std::string Metrics::Text(const Gauges& gauges) const {
                                  gauges.maps, &MapGauges::behind_s));
   families.push_back(Gauge("dhpmap_surface_memory_bytes", "Memory of surfaces and distance fields made for queries",
                            static_cast<double>(gauges.surface_bytes)));
+  families.push_back(Gauge("dhpmap_past_states_memory_bytes",
+                           "Memory of states kept to be read again, as far as later ones do not share it",
+                           static_cast<double>(gauges.past_bytes)));
   families.push_back(Gauge("dhpmap_watchers", "Who watches maps", static_cast<double>(gauges.num_watchers)));
   families.push_back(Gauge("dhpmap_inflight_bytes",
                            "Memory of requests, answers and of what only states held for them still need",
                            static_cast<double>(gauges.inflight_bytes)));
   families.push_back(Gauge("dhpmap_record_bytes", "Size of the records of frames that are kept",
                            static_cast<double>(gauges.record_bytes)));
+  families.push_back(Gauge("dhpmap_page_memory_bytes",
+                           "Memory of voxels that were read from the store when they were needed",
+                           static_cast<double>(gauges.page_bytes)));
+  families.push_back(
+      CounterOf("dhpmap_pages_read_total", "Tiles of voxels that were read from the store", gauges.num_pages_read));
+  families.push_back(CounterOf("dhpmap_pages_unreadable_total", "Tries to read a tile of voxels that failed",
+                               gauges.num_pages_unreadable));
+  families.push_back(CounterOf("dhpmap_pages_let_go_total",
+                               "Tiles of voxels that were left in the store again, as there were too many in memory",
+                               gauges.num_pages_let_go));
   constexpr double kKiB = 1024;
   families.push_back(
       Gauge("process_resident_memory_bytes", "Memory of the process that is in RAM", kKiB * ProcessStatus("VmRSS")));
   families.push_back(Gauge("dhpmap_anonymous_memory_bytes", "Of it, what is not of files: maps and all else",
                            kKiB * ProcessStatus("RssAnon")));
-  if (const auto heap = HeapUseNow()) {
+  families.push_back(GaugeByKind("dhpmap_scratch_bytes", "Working memory that is allocated now",
+                                 ScratchByKind(&MemoryCount::now_bytes)));
+  families.push_back(GaugeByKind("dhpmap_scratch_peak_bytes", "Working memory that was allocated at most",
+                                 ScratchByKind(&MemoryCount::most_bytes)));
+  const auto heap = HeapUseNow();
+  families.push_back(GaugeByKind("dhpmap_memory_bytes", "Memory that the server has counted itself, each byte once",
+                                 MemoryByKind(gauges, heap)));
+  if (heap) {
     families.push_back(Gauge("dhpmap_heap_live_bytes", "Memory that the server has allocated and not freed",
                              static_cast<double>(heap->live_bytes)));
     families.push_back(Gauge("dhpmap_heap_resident_bytes", "Memory of the allocator that is in RAM, gaps included",

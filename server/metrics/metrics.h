@@ -21,6 +21,7 @@ class Metrics {
     std::string name;
     std::int64_t num_submaps = 0, num_blocks = 0, revision = 0, memory_bytes = 0, num_feeds = 0;
     double behind_s = 0;
+    std::int64_t block_bytes = 0;  ///< of memory_bytes, what MemoryKind::kBlocks counts where it is allocated
   };
   /// How things are when the metrics are read.
   struct Gauges {
@@ -29,6 +30,14 @@ class Metrics {
     std::size_t num_watchers = 0;
     std::size_t inflight_bytes = 0;  ///< of requests, answers and what only states that are held for them still need
     std::int64_t record_bytes = 0;   ///< of the records of frames, all together
+    std::int64_t store_bytes = 0;    ///< that the store has in memory
+    std::size_t frame_bytes = 0;     ///< of frames that wait to be fused
+    // Tiles of maps that are read from the store when they are needed.
+    std::int64_t page_bytes = 0;             ///< of voxels that were, and are still in memory
+    std::uint64_t num_pages_read = 0;        ///< since the start
+    std::uint64_t num_pages_unreadable = 0;  ///< tries to read one that failed
+    std::uint64_t num_pages_let_go = 0;      ///< left in the store again, as there were too many
+    std::size_t past_bytes = 0;  ///< of states that were stored last, as far as later ones do not share them
   };
 
   Metrics();
@@ -41,8 +50,20 @@ class Metrics {
   void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
   /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes,feeds} of the maps given,
-  /// dhpmap_surface_memory_bytes, dhpmap_watchers, dhpmap_inflight_bytes, dhpmap_record_bytes, and what the process
+  /// dhpmap_surface_memory_bytes, dhpmap_watchers, dhpmap_inflight_bytes, dhpmap_record_bytes,
+  /// dhpmap_page_memory_bytes, dhpmap_pages_{read,unreadable,let_go}_total, and what the process
   /// takes: process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
+  ///
+  /// Beside these, which the kernel tells, what the program has counted by itself: dhpmap_scratch_bytes, and
+  /// dhpmap_scratch_peak_bytes for the most since the start, of kind "refinement", "meshing" and "fusion"; and
+  /// dhpmap_memory_bytes, each byte under one kind, so that its sum is what is known of the anonymous memory:
+  ///   - maps: blocks of all states that anybody keeps, and what published states have besides; once where clones share
+  ///   - surfaces: made for queries, with the rooms in which threads make them
+  ///   - requests: room that requests, answers and frames that wait have taken
+  ///   - refinement, meshing, fusion: as dhpmap_scratch_bytes
+  ///   - store: SQLite's
+  ///   - allocator: its book-keeping, gaps and what it keeps for later; 0 where it does not tell
+  /// What libraries and threads take is in none of them: some 20 MiB, also of a server without maps.
   [[nodiscard]] std::string Text(const Gauges& gauges) const;
 
  private:

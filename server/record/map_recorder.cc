@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mapping/base/utf8.h"
+#include "server/wire/edit_conversion.h"
 #include "server/wire/map_conversion.h"
 
 namespace dhpmap {
@@ -27,6 +28,7 @@ class MapRecorder final : public FrameRecorder {
       *start.mutable_map() = ToProto(MapSummary{.info = map});
       start.set_server_version(DHPMAP_VERSION);
       start.set_is_reproducible(options_.is_reproducible);
+      for (const KeptClearRegion& region : map.kept_clear.list()) *start.add_kept_clear() = ToProto(region);
     });
   }
   void OnFrame(const std::string& session, std::int64_t sequence, ArrivedMessage message,
@@ -49,8 +51,13 @@ class MapRecorder final : public FrameRecorder {
   void OnRefined() override {
     Write([](v1::Record& record) { record.mutable_refined(); });
   }
-  void OnEdited(std::int64_t revision) override {
-    Write([&](v1::Record& record) { record.mutable_edited()->set_revision(revision); });
+  void OnEdited(std::int64_t revision, const ArrivedEdit& edit) override {
+    Write([&](v1::Record& record) {
+      v1::RecordedEdit& edited = *record.mutable_edited();
+      edited.set_revision(revision);
+      edited.set_method(edit.method);
+      edited.set_request(edit.bytes);
+    });
   }
   void OnFinished() override {
     Write([](v1::Record& record) { record.mutable_finished(); });

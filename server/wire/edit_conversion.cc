@@ -39,6 +39,7 @@ class Reader {
       case v1::Edit::kKeepClear:
         edit.action = KeepClearEdit{{proto.keep_clear().name(), RegionOf(proto.keep_clear(), "keep_clear")}};
         break;
+      case v1::Edit::kUndelete: edit.action = UndeleteEdit{}; break;
       case v1::Edit::kLift: edit.action = LiftEdit{proto.lift().name()}; break;
       case v1::Edit::EDIT_NOT_SET: Bad("edit", "says nothing to do"); break;
     }
@@ -206,7 +207,7 @@ class Reader {
 
 Result<EditList> EditListFromProto(const v1::ApplyEditsRequest& request, const std::string& map,
                                    const LabelSet& label_set) {
-  EditList list{.edits = {}, .expected_revision = request.expected_revision()};
+  EditList list{.edits = {}, .expected_revision = request.expected_revision(), .map_etag = request.etag()};
   Reader reader(map, label_set);
   for (const v1::Edit& edit : request.edits()) {
     if (list.edits.size() > kMaxEdits) break;  // refused as they are

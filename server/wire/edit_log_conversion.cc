@@ -47,6 +47,7 @@ v1::LoggedEdit::Action ToProto(EditAction action) {
     case EditAction::kUnlock: return v1::LoggedEdit::UNLOCK;
     case EditAction::kKeepClear: return v1::LoggedEdit::KEEP_CLEAR;
     case EditAction::kLift: return v1::LoggedEdit::LIFT;
+    case EditAction::kRestore: return v1::LoggedEdit::RESTORE;
   }
   return v1::LoggedEdit::ACTION_UNSPECIFIED;
 }
@@ -119,6 +120,22 @@ Result<UndoRequest> UndoFromProto(const v1::RedoEditsRequest& request, const std
   return UndoFrom(request, EditKind::kRedo, map);
 }
 
+Result<RestoreRequest> RestoreFromProto(const v1::RestoreRevisionRequest& request, const std::string& map) {
+  RestoreRequest restore{.revision = request.revision(),
+                         .submap = std::nullopt,
+                         .etag = request.etag(),
+                         .expected_revision = request.expected_revision()};
+  Status bad = InvalidArgument("the request is not usable").WithReason("BAD_EDIT");
+  if (request.expected_revision() < 0) bad.AddViolation("expected_revision", "is negative");
+  if (!request.submap().empty()) {
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapName name, ParseSubmapName(request.submap(), "submap"));
+    if (name.map != map) bad.AddViolation("submap", "'" + request.submap() + "' is of another map");
+    restore.submap = name.submap;
+  }
+  if (!bad.violations().empty()) return bad;
+  return restore;
+}
+
 v1::LoggedEdit ToProto(const LoggedEdit& edit, const std::string& map) {
   const EditSummary& summary = edit.entry.summary;
   v1::LoggedEdit proto;
@@ -138,6 +155,7 @@ v1::LoggedEdit ToProto(const LoggedEdit& edit, const std::string& map) {
   for (const SubmapId id : summary.created) proto.add_created(SubmapResourceName(map, id));
   for (const SubmapId id : summary.removed) proto.add_removed(SubmapResourceName(map, id));
   proto.set_num_voxels(summary.num_voxels);
+  proto.set_restored_revision(summary.restored_revision);
   proto.set_undone(edit.is_undone);
   proto.set_kept(edit.is_kept);
   return proto;

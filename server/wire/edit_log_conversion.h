@@ -9,6 +9,7 @@
 #include "dhpmap/v1/edit_service.pb.h"
 #include "server/app/edit_undo.h"
 #include "server/app/map_session.h"
+#include "server/app/revision_restore.h"
 #include "server/wire/paging.h"
 
 namespace dhpmap {
@@ -24,12 +25,21 @@ Result<EditSource> EditSourceOf(std::string_view method, const Request& request)
   return MakeEditSource(method, request.author(), request.request_id(), request);
 }
 
+/// What the state must be that the edit meets; a state of it that was `lost` is none.
+template <typename Request>
+EditConditions ConditionsOf(const Request& request, const std::string& etag, const LostRevisions& lost) {
+  return {.etag = etag, .expected_revision = request.expected_revision(), .lost = lost};
+}
+
 /// Which edits a page has, one more than fit. INVALID_ARGUMENT for a token of another list.
 Result<EditQuery> EditQueryFromProto(const v1::ListEditsRequest& request, const Pager& pager);
 
 /// INVALID_ARGUMENT for a count out of bounds, and for an edit of another map or none.
 Result<UndoRequest> UndoFromProto(const v1::UndoEditsRequest& request, const std::string& map);
 Result<UndoRequest> UndoFromProto(const v1::RedoEditsRequest& request, const std::string& map);
+
+/// INVALID_ARGUMENT for a negative expected_revision, and for an object of another map or none.
+Result<RestoreRequest> RestoreFromProto(const v1::RestoreRevisionRequest& request, const std::string& map);
 
 v1::LoggedEdit ToProto(const LoggedEdit& edit, const std::string& map);
 

@@ -197,6 +197,15 @@ v1::VerifyMapResponse ToProto(const VerifyReport& report) {
   proto.set_num_shared_voxels(report.num_shared_voxels);
   proto.set_num_faults(report.num_faults);
   proto.set_repaired(report.is_repaired);
+  for (const SharedPlace& place : report.shared_places) {
+    v1::VerifyMapResponse::SharedPlace& added = *proto.add_shared_places();
+    added.set_first_instance_id(place.first.value);
+    added.set_second_instance_id(place.second.value);
+    added.set_block_x(place.block.x);
+    added.set_block_y(place.block.y);
+    added.set_block_z(place.block.z);
+    added.set_num_voxels(place.num_voxels);
+  }
   for (const MapFault& fault : report.faults) {
     v1::VerifyMapResponse::Fault& added = *proto.add_faults();
     added.set_kind(KindOf(fault.kind));

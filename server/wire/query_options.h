@@ -9,7 +9,7 @@
 namespace dhpmap {
 
 /// Options that have no meaning for some queries. One that is set and not taken is INVALID_ARGUMENT. All queries take
-/// what is excluded, classes, the frame, max_distance_m, min_revision, and unknown space as REPORT or FREE.
+/// what is excluded or absent, classes, the frame, max_distance_m, min_revision, and unknown space as REPORT or FREE.
 struct TakenOptions {
   bool padding = false;
   bool attached = false;  ///< leaves the world

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "server/wire/edit_conversion.h"
 #include "server/wire/submap_conversion.h"
 #include "server/wire/types/label_conversion.h"
 #include "server/wire/types/pose_conversion.h"
@@ -29,6 +30,25 @@ std::optional<std::uint64_t> HistoryFromText(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), history_id, 16);
   const bool is_good = text.size() == 16 && error == std::errc() && end == text.data() + text.size();
   return is_good ? std::optional(history_id) : std::nullopt;
+}
+
+v1::ExportProgress::Kind KindOf(ExportKind kind) {
+  switch (kind) {
+    case ExportKind::kMapFile: return v1::ExportProgress::MAP_FILE;
+    case ExportKind::kBackup: return v1::ExportProgress::BACKUP;
+  }
+  return v1::ExportProgress::KIND_UNSPECIFIED;
+}
+
+v1::ExportProgress::Stage StageOf(ExportStage stage) {
+  switch (stage) {
+    case ExportStage::kPreparing: return v1::ExportProgress::PREPARING;
+    case ExportStage::kSending: return v1::ExportProgress::SENDING;
+    case ExportStage::kSent: return v1::ExportProgress::SENT;
+    case ExportStage::kLeft: return v1::ExportProgress::LEFT;
+    case ExportStage::kFailed: return v1::ExportProgress::FAILED;
+  }
+  return v1::ExportProgress::STAGE_UNSPECIFIED;
 }
 
 v1::SubmapEvent::Kind KindOf(ChangeKind kind) {
@@ -129,6 +149,19 @@ Result<ChangeFilter> ChangeFilterFromProto(const v1::WatchFilter& filter, const 
   return wanted;
 }
 
+void SetExports(const ExportNews& news, v1::WatchProgress& progress) {
+  for (const ExportProgress& told : news.exports) {
+    v1::ExportProgress& out = *progress.add_exports();
+    out.set_id(told.id);
+    out.set_kind(KindOf(told.kind));
+    out.set_stage(StageOf(told.stage));
+    out.set_done_bytes(told.done_bytes);
+    out.set_total_bytes(told.total_bytes);
+    out.set_elapsed_s(told.elapsed_s);
+  }
+  progress.set_num_exports(static_cast<std::int32_t>(news.num_running));
+}
+
 Result<double> ProgressSecondsFromProto(const v1::WatchMapRequest& request) {
   if (request.progress_s() == 0) return kDefaultProgress_s;
   if (request.progress_s() >= kLeastProgress_s && request.progress_s() <= kMostProgress_s) return request.progress_s();
@@ -151,14 +184,47 @@ v1::SubmapEvent ToProto(const SubmapEvent& event, const MapInfo& map) {
   return proto;
 }
 
+v1::RegionEvent ToProto(const RegionEvent& event, const MapInfo& map) {
+  v1::RegionEvent proto;
+  switch (event.kind) {
+    case RegionEventKind::kCleared: proto.set_kind(v1::RegionEvent::CLEARED); break;
+    case RegionEventKind::kKeptClear: proto.set_kind(v1::RegionEvent::KEPT_CLEAR); break;
+    case RegionEventKind::kLifted: proto.set_kind(v1::RegionEvent::LIFTED); break;
+  }
+  proto.set_name(event.name);
+  const v1::KeptClearRegion region = ToProto(KeptClearRegion{.name = {}, .region = event.region});
+  if (region.has_box()) *proto.mutable_box() = region.box();
+  else *proto.mutable_sphere() = region.sphere();
+  if (event.submap != kUnknownSubmap) proto.set_submap(SubmapResourceName(map.name, event.submap));
+  for (const ClassId id : event.classes) {
+    if (const LabelClass* c = map.label_set->Find(id)) proto.add_class_names(c->name);
+  }
+  proto.set_num_voxels(event.num_voxels);
+  return proto;
+}
+
 ChangeMessages::ChangeMessages(std::shared_ptr<const MapChange> change, const ChangeFilter& filter)
     : change_(std::move(change)) {
   SkipToPassing(filter);
-  has_next_ = change_->display_name.has_value() || next_ < change_->submaps.size();
+  has_next_ = change_->display_name.has_value() || IsBeforeEnd();
+}
+
+bool ChangeMessages::IsBeforeEnd() const {
+  return next_region_ < change_->regions.size() || next_ < change_->submaps.size();
 }
 
 void ChangeMessages::SkipToPassing(const ChangeFilter& filter) {
+  while (next_region_ < change_->regions.size() && !filter.Passes(change_->regions[next_region_])) ++next_region_;
   while (next_ < change_->submaps.size() && !filter.Passes(change_->submaps[next_])) ++next_;
+}
+
+std::size_t ChangeMessages::AddNext(const MapInfo& map, v1::MapChange& message) {
+  if (next_region_ < change_->regions.size()) {
+    *message.add_regions() = ToProto(change_->regions[next_region_++], map);
+    return message.regions(message.regions_size() - 1).ByteSizeLong();
+  }
+  *message.add_submaps() = ToProto(change_->submaps[next_++], map);
+  return message.submaps(message.submaps_size() - 1).ByteSizeLong();
 }
 
 void ChangeMessages::Next(const ChangeFilter& filter, const MapInfo& map, v1::MapChange& message) {
@@ -166,14 +232,11 @@ void ChangeMessages::Next(const ChangeFilter& filter, const MapInfo& map, v1::Ma
   message.set_last_revision(change_->last_revision);
   message.set_time_ns(change_->time_ns);
   if (!has_begun_ && change_->display_name) message.set_display_name(*change_->display_name);
-  for (std::size_t num_bytes = 0; next_ < change_->submaps.size() && num_bytes < kMessage_bytes;) {
-    v1::SubmapEvent& event = *message.add_submaps();
-    event = ToProto(change_->submaps[next_], map);
-    num_bytes += event.ByteSizeLong();
-    ++next_;
+  for (std::size_t num_bytes = 0; IsBeforeEnd() && num_bytes < kMessage_bytes;) {
+    num_bytes += AddNext(map, message);
     SkipToPassing(filter);
   }
-  has_next_ = next_ < change_->submaps.size();
+  has_next_ = IsBeforeEnd();
   has_begun_ = true;
   message.set_last_message(!has_next_);
 }

@@ -7,6 +7,7 @@
 
 #include "dhpmap/v1/watch_service.pb.h"
 #include "server/app/change_filter.h"
+#include "server/app/running_exports.h"
 #include "server/app/watch_position.h"
 
 namespace dhpmap {
@@ -20,8 +21,13 @@ Result<ChangeFilter> ChangeFilterFromProto(const v1::WatchFilter& filter, const 
 /// s between messages; INVALID_ARGUMENT outside of what the request allows.
 Result<double> ProgressSecondsFromProto(const v1::WatchMapRequest& request);
 
+/// What is told of exports, into a message that says how far all is told.
+void SetExports(const ExportNews& news, v1::WatchProgress& progress);
+
 /// One of the events of a map, of which the name, history and label set count.
 v1::SubmapEvent ToProto(const SubmapEvent& event, const MapInfo& map);
+
+v1::RegionEvent ToProto(const RegionEvent& event, const MapInfo& map);
 
 /// What a filter passes of one change, in messages of some 64 KiB. Empty if it passes nothing.
 class ChangeMessages {
@@ -37,9 +43,13 @@ class ChangeMessages {
  private:
   static constexpr std::size_t kMessage_bytes = 64u << 10;
   void SkipToPassing(const ChangeFilter& filter);
+  [[nodiscard]] bool IsBeforeEnd() const;
+  /// Returns how large it is.
+  std::size_t AddNext(const MapInfo& map, v1::MapChange& message);
 
   std::shared_ptr<const MapChange> change_;
-  std::size_t next_ = 0;  ///< event
+  std::size_t next_region_ = 0;  ///< all of which come first
+  std::size_t next_ = 0;         ///< event of a submap
   bool has_next_ = false, has_begun_ = false;
 };
 

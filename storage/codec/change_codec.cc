@@ -12,6 +12,8 @@ namespace {
 
 /// Of the doubles of an event alone: a row's, and the sphere's.
 constexpr std::size_t kLeastEvent_bytes = kLeastInfo_bytes + sizeof(double) * 4;
+/// Of the doubles of a sphere alone.
+constexpr std::size_t kLeastRegionEvent_bytes = sizeof(double) * 4;
 
 template <typename Coder, typename Box>
 void DoBox(Coder& coder, Box& box) {
@@ -42,11 +44,33 @@ void DoEvent(Coder& coder, BlobKind kind, Event& event) {
   if (kind >= BlobKind::kChangeV2) coder.Do(event.info.is_locked);
 }
 
+template <typename Coder, typename Event>
+void DoRegionEvent(Coder& coder, Event& event) {
+  coder.Do(event.kind);
+  DoRegion(coder, event.region);
+  coder.Do(event.name);
+  coder.Do(event.submap);
+  coder.DoSize(event.classes, 1);
+  for (auto& class_id : event.classes) coder.Do(class_id);
+  coder.Do(event.num_voxels);
+}
+
 template <typename Coder, typename Change>
 void DoChange(Coder& coder, BlobKind kind, Change& change) {
   DoOptional(coder, change.display_name, [&coder](auto& name) { coder.Do(name); });
   coder.DoSize(change.submaps, kLeastEvent_bytes);
   for (auto& event : change.submaps) DoEvent(coder, kind, event);
+  if (kind < BlobKind::kChangeV3) return;
+  coder.DoSize(change.regions, kLeastRegionEvent_bytes);
+  for (auto& event : change.regions) DoRegionEvent(coder, event);
+}
+
+/// Of a blob; what is of another kind is taken for the newest, and refused as that.
+BlobKind KindOfChange(ByteView blob) {
+  for (const BlobKind older : {BlobKind::kChangeV1, BlobKind::kChangeV2}) {
+    if (KindByte(blob) == static_cast<std::uint8_t>(older)) return older;
+  }
+  return BlobKind::kChangeV3;
 }
 
 }  // namespace
@@ -54,17 +78,19 @@ void DoChange(Coder& coder, BlobKind kind, Change& change) {
 Bytes EncodeChange(const MapChange& change) {
   Payload payload;
   FieldWriter writer(payload.packable);
-  DoChange(writer, BlobKind::kChangeV2, change);
-  return Seal(BlobKind::kChangeV2, SealIndexOf(change.last_revision), payload);
+  // Without regions as versions before this one can read it, too.
+  const BlobKind kind = change.regions.empty() ? BlobKind::kChangeV2 : BlobKind::kChangeV3;
+  DoChange(writer, kind, change);
+  return Seal(kind, SealIndexOf(change.last_revision), payload);
 }
 
 Status DecodeChange(ByteView blob, MapChange& change) {
   Payload payload;
-  const bool is_older = KindByte(blob) == static_cast<std::uint8_t>(BlobKind::kChangeV1);
-  const BlobKind kind = is_older ? BlobKind::kChangeV1 : BlobKind::kChangeV2;
+  const BlobKind kind = KindOfChange(blob);
   DHPMAP_RETURN_IF_ERROR(Unseal(kind, SealIndexOf(change.last_revision), blob, payload));
   change.display_name.reset();
   change.submaps.clear();
+  change.regions.clear();
   FieldReader reader(payload.packable);
   DoChange(reader, kind, change);
   if (!payload.plain.empty() || !reader.IsAtGoodEnd()) return DataLoss("has a wrong length");

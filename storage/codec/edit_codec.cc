@@ -14,7 +14,7 @@ void DoNumbers(Coder& coder, List& list) {
 }
 
 template <typename Coder, typename Summary>
-void DoSummary(Coder& coder, Summary& summary) {
+void DoSummary(Coder& coder, BlobKind kind, Summary& summary) {
   coder.DoSize(summary.steps, 2);
   for (auto& step : summary.steps) {
     coder.Do(step.action);
@@ -25,6 +25,7 @@ void DoSummary(Coder& coder, Summary& summary) {
   DoNumbers(coder, summary.created);
   DoNumbers(coder, summary.removed);
   coder.Do(summary.num_voxels);
+  if (kind >= BlobKind::kEditSummaryV2) coder.Do(summary.restored_revision);
 }
 
 /// A name's length, the kind, and a sphere.
@@ -89,15 +90,20 @@ BlobKind KindOfRows(ByteView blob) {
 Bytes EncodeEditSummary(const EditEntry& entry) {
   Payload payload;
   FieldWriter writer(payload.packable);
-  DoSummary(writer, entry.summary);
-  return Seal(BlobKind::kEditSummaryV1, SealIndexOf(entry.revision), payload);
+  const bool goes_back = entry.summary.restored_revision != 0;
+  const BlobKind kind = goes_back ? BlobKind::kEditSummaryV2 : BlobKind::kEditSummaryV1;
+  DoSummary(writer, kind, entry.summary);
+  return Seal(kind, SealIndexOf(entry.revision), payload);
 }
 
 Status DecodeEditSummary(ByteView blob, EditEntry& entry) {
   Payload payload;
-  DHPMAP_RETURN_IF_ERROR(Unseal(BlobKind::kEditSummaryV1, SealIndexOf(entry.revision), blob, payload));
+  const BlobKind kind = KindByte(blob) == static_cast<std::uint8_t>(BlobKind::kEditSummaryV1)
+                            ? BlobKind::kEditSummaryV1
+                            : BlobKind::kEditSummaryV2;
+  DHPMAP_RETURN_IF_ERROR(Unseal(kind, SealIndexOf(entry.revision), blob, payload));
   FieldReader reader(payload.packable);
-  DoSummary(reader, entry.summary);
+  DoSummary(reader, kind, entry.summary);
   if (!payload.plain.empty() || !reader.IsAtGoodEnd()) return DataLoss("has a wrong length");
   return Status::Ok();
 }

@@ -27,7 +27,9 @@ enum class BlobKind : std::uint8_t {
   kGoneBlocks = 0x4F,
   kChangeV1 = 0x61,       // what a commit changed
   kChangeV2 = 0x62,       // with which submaps are locked
+  kChangeV3 = 0x63,       // with regions; written only where there are any
   kEditSummaryV1 = 0x71,  // what an edit did
+  kEditSummaryV2 = 0x72,  // with the revision that it went back to; written only where there is one
   kEditRowsV1 = 0x81,     // rows before and after an edit
   kEditRowsV2 = 0x82,     // with what sessions know of them
   kEditRowsV3 = 0x83,     // with which are locked, and regions that are kept clear

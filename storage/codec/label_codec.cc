@@ -36,6 +36,11 @@ struct Buffer {
   }
 };
 
+std::uint32_t StoredId(std::uint32_t class_id) { return class_id; }
+std::uint32_t StoredId(SeenInstance instance) { return instance.code(); }
+void SetStoredId(std::uint32_t code, std::uint32_t& class_id) { class_id = code; }
+void SetStoredId(std::uint32_t code, SeenInstance& instance) { instance = SeenInstance::FromCode(code); }
+
 std::uint64_t Total(const std::vector<LabelCount>& counts) {
   std::uint64_t total = 0;
   for (const LabelCount& entry : counts) total += entry.count;
@@ -43,7 +48,8 @@ std::uint64_t Total(const std::vector<LabelCount>& counts) {
 }
 
 bool IsOwnInstanceOnly(const LabelHistograms& voxel) {
-  return voxel.instances.size() == 1 && voxel.instances[0].id == 0 && voxel.instances[0].count == Total(voxel.classes);
+  return voxel.instances.size() == 1 && voxel.instances[0].id.IsOwn() &&
+         voxel.instances[0].count == Total(voxel.classes);
 }
 
 std::uint8_t FormOf(const LabelHistograms& voxel) {
@@ -55,32 +61,38 @@ std::uint8_t FormOf(const LabelHistograms& voxel) {
 }
 
 /// Ids ascend, so each is written as what it adds to the one before.
-void PutCounts(std::span<const LabelCount> counts, std::uint32_t id, ByteWriter& writer) {
-  for (const LabelCount& entry : counts) {
-    writer.PutVarint(entry.id - std::exchange(id, entry.id));
+template <typename Id>
+void PutCounts(std::span<const SeenCount<Id>> counts, std::uint32_t id, ByteWriter& writer) {
+  for (const SeenCount<Id>& entry : counts) {
+    writer.PutVarint(StoredId(entry.id) - std::exchange(id, StoredId(entry.id)));
     writer.PutVarint(entry.count);
   }
 }
 
 /// Appends `num` entries; false if they cannot be right.
-bool GetCounts(std::uint64_t num, std::uint64_t id, ByteReader& reader, std::vector<LabelCount>& counts) {
+template <typename Id>
+bool GetCounts(std::uint64_t num, std::uint64_t id, ByteReader& reader, std::vector<SeenCount<Id>>& counts) {
   constexpr std::uint64_t kMax = std::numeric_limits<std::uint32_t>::max();
   if (num > reader.remaining()) return false;
   for (; num > 0; --num) {
     const std::uint64_t step = reader.GetVarint(), count = reader.GetVarint();
     if (!reader.ok() || step > kMax - id || count > kMax || (step == 0 && !counts.empty())) return false;
     id += step;
-    counts.push_back({static_cast<std::uint32_t>(id), static_cast<std::uint32_t>(count)});
+    SeenCount<Id>& entry = counts.emplace_back();
+    SetStoredId(static_cast<std::uint32_t>(id), entry.id);
+    entry.count = static_cast<std::uint32_t>(count);
   }
   return true;
 }
 
-void PutSized(const std::vector<LabelCount>& counts, ByteWriter& writer) {
+template <typename Id>
+void PutSized(const std::vector<SeenCount<Id>>& counts, ByteWriter& writer) {
   writer.PutVarint(counts.size());
-  PutCounts(counts, 0, writer);
+  PutCounts<Id>(counts, 0, writer);
 }
 
-bool GetSized(ByteReader& reader, std::vector<LabelCount>& counts) {
+template <typename Id>
+bool GetSized(ByteReader& reader, std::vector<SeenCount<Id>>& counts) {
   const std::uint64_t num = reader.GetVarint();
   return reader.ok() && GetCounts(num, 0, reader, counts);
 }
@@ -99,7 +111,7 @@ class HistogramReader {
       const BestLabel best = block_.BestClass(linear);
       if (best.count == block_.NumObservations(linear)) {
         voxel_.classes.assign(1, {best.id, best.count});
-        voxel_.instances.assign(1, {0, best.count});
+        voxel_.instances.assign(1, {kOwnInstance, best.count});
         return voxel_;
       }
     }
@@ -122,7 +134,7 @@ bool ReadVoxel(std::uint8_t form, LabelCount first, ByteReader& rest, LabelHisto
   if (form & kOtherInstances) return GetSized(rest, voxel.instances);
   const std::uint64_t total = Total(voxel.classes);
   if (total > std::numeric_limits<std::uint32_t>::max()) return false;
-  voxel.instances.push_back({0, static_cast<std::uint32_t>(total)});
+  voxel.instances.push_back({kOwnInstance, static_cast<std::uint32_t>(total)});
   return true;
 }
 
@@ -157,7 +169,7 @@ void WriteBlock(const LabelBlock& block, const VoxelWalk& walk, Buffer& buffer) 
     if (form == kLong) {
       PutSized(voxel.classes, rest);
     } else {
-      PutCounts(std::span(voxel.classes).subspan(1), first.id, rest);
+      PutCounts<std::uint32_t>(std::span(voxel.classes).subspan(1), first.id, rest);
     }
     if (form & kOtherInstances || form == kLong) PutSized(voxel.instances, rest);
   }

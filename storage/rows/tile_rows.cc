@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dhpmap {
 namespace {
@@ -82,13 +83,14 @@ Result<TileRows> TileRows::Prepare(Database& database) {
        "INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, 1) ON CONFLICT (blob_key) DO UPDATE SET num_more = "
        "num_more + 1"},
       {&rows.copy_,
-       "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key) SELECT ?, x, y, z, layer, blob_key FROM tiles WHERE "
-       "owner_key = ?"},
+       "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key, cells) SELECT ?, x, y, z, layer, blob_key, cells FROM "
+       "tiles WHERE owner_key = ?"},
       {&rows.share_copied_,
-       "INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, 1 FROM tiles WHERE owner_key = ? ON CONFLICT "
-       "(blob_key) DO UPDATE SET num_more = num_more + 1"},
-      {&rows.insert_, "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key) VALUES (?, ?, ?, ?, ?, ?)"},
-      {&rows.update_, "UPDATE tiles SET blob_key = ? WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
+       "INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, ?1 FROM tiles WHERE owner_key = ?2 ON CONFLICT "
+       "(blob_key) DO UPDATE SET num_more = num_more + ?1"},
+      {&rows.insert_, "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key, cells) VALUES (?, ?, ?, ?, ?, ?, ?)"},
+      {&rows.update_,
+       "UPDATE tiles SET blob_key = ?, cells = ? WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
       {&rows.erase_, "DELETE FROM tiles WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
   };
   for (const Text& text : texts) {
@@ -132,7 +134,8 @@ Result<TileTotals> TileRows::Count(std::int64_t owner_key) {
 
 Result<StoredBlob> TileRows::Insert(ByteView blob, std::int64_t num_blocks) {
   DHPMAP_RETURN_IF_ERROR(insert_blob_->Bind(num_blocks).Bind(blob).Run());
-  return StoredBlob{database_->LastInsertRowId(), num_blocks, static_cast<std::int64_t>(blob.size())};
+  return StoredBlob{
+      .key = database_->LastInsertRowId(), .num_blocks = num_blocks, .bytes = static_cast<std::int64_t>(blob.size())};
 }
 
 Result<std::optional<StoredBlob>> TileRows::Share(std::int64_t blob_key) {
@@ -151,18 +154,19 @@ Result<std::optional<StoredBlob>> TileRows::Share(std::int64_t blob_key) {
   return std::optional<StoredBlob>(blob);
 }
 
-Status TileRows::Copy(std::int64_t from_owner_key, std::int64_t to_owner_key) {
+Status TileRows::Copy(std::int64_t from_owner_key, std::int64_t to_owner_key, std::int64_t num_more) {
   DHPMAP_RETURN_IF_ERROR(copy_->Bind(to_owner_key).Bind(from_owner_key).Run());
-  return share_copied_->Bind(to_owner_key).Run();
+  return share_copied_->Bind(num_more).Bind(to_owner_key).Run();
 }
 
 Status TileRows::Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
                      const StoredBlob& after, TileTotals& totals) {
   totals.Add(index, layer, after);
-  if (before.key == 0) return BindIndex(insert_->Bind(owner_key), index).Bind(layer).Bind(after.key).Run();
+  const auto cells = static_cast<std::int64_t>(after.cells);
+  if (before.key == 0) return BindIndex(insert_->Bind(owner_key), index).Bind(layer).Bind(after.key).Bind(cells).Run();
   totals.Remove(index, layer, before);
   may_have_dead_ = true;
-  return BindIndex(update_->Bind(after.key).Bind(owner_key), index).Bind(layer).Run();
+  return BindIndex(update_->Bind(after.key).Bind(cells).Bind(owner_key), index).Bind(layer).Run();
 }
 
 Status TileRows::Erase(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
@@ -177,9 +181,18 @@ Result<TileRowReader> TileRowReader::Prepare(Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
       database.Prepare("SELECT x, y, z, layer, tiles.blob_key, tile_blobs.blob_key IS NULL, num_more IS NOT NULL, "
-                       "ifnull(num_blocks, 0), blob "
+                       "ifnull(num_blocks, 0), cells, blob "
                        "FROM tiles LEFT JOIN tile_blobs USING (blob_key) LEFT JOIN shared_blobs USING (blob_key) "
                        "WHERE owner_key = ? ORDER BY owner_key, x, y, z, layer",
+                       kReadTask));
+  return TileRowReader(std::move(select));
+}
+
+Result<TileRowReader> TileRowReader::PrepareWithoutBlobs(Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement select,
+      database.Prepare("SELECT x, y, z, layer, tiles.blob_key, 0, num_more IS NOT NULL, 0, cells, x'' FROM tiles LEFT "
+                       "JOIN shared_blobs USING (blob_key) WHERE owner_key = ? ORDER BY owner_key, x, y, z, layer",
                        kReadTask));
   return TileRowReader(std::move(select));
 }
@@ -193,28 +206,90 @@ TileRowReader::Row TileRowReader::Current() const {
   row.is_missing = columns.Int() != 0;
   row.is_shared = columns.Int() != 0;
   row.num_blocks = columns.Int();
+  row.cells = static_cast<std::uint64_t>(columns.Int());
   row.blob = columns.Blob();
   return row;
 }
 
-Result<std::int64_t> CollectDeadBlobs(Database& database, std::int64_t max_blobs, const KeptBlobs& kept) {
-  // Ranges are sought, so that what is kept between them costs nothing.
-  constexpr char kDeleteBlobs[] =
-      "DELETE FROM tile_blobs WHERE blob_key IN (SELECT blob_key FROM dead_blobs WHERE blob_key BETWEEN ? AND ? ORDER "
-      "BY blob_key LIMIT ?)";
-  constexpr char kDeleteDead[] =
-      "DELETE FROM dead_blobs WHERE blob_key IN (SELECT blob_key FROM dead_blobs WHERE blob_key BETWEEN ? AND ? ORDER "
-      "BY blob_key LIMIT ?)";
-  DHPMAP_ASSIGN_OR_RETURN(Statement delete_blobs, database.Prepare(kDeleteBlobs, kCollectTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement delete_dead, database.Prepare(kDeleteDead, kCollectTask));
-  std::int64_t num_collected = 0;
-  for (const BlobRange& range : kept.Others()) {
-    for (Statement* statement : {&delete_blobs, &delete_dead}) {
-      DHPMAP_RETURN_IF_ERROR(statement->Bind(range.first).Bind(range.last).Bind(max_blobs - num_collected).Run());
-    }
-    num_collected += database.NumChanges();
+namespace {
+
+/// A blob that no row refers to.
+struct DeadBlob {
+  std::int64_t key = 0;
+  std::int64_t bytes = 0;
+};
+
+/// Collects them one by one, so that it can end after any.
+class DeadBlobCollector {
+ public:
+  static Result<DeadBlobCollector> Prepare(Database& database, const CollectBounds& bounds) {
+    // Sizes are in the head of a row: blobs themselves are not read for them.
+    DHPMAP_ASSIGN_OR_RETURN(
+        Statement find,
+        database.Prepare("SELECT blob_key, ifnull(length(blob), 0) FROM dead_blobs LEFT JOIN tile_blobs "
+                         "USING (blob_key) WHERE blob_key BETWEEN ? AND ? ORDER BY blob_key LIMIT ?",
+                         kCollectTask));
+    DHPMAP_ASSIGN_OR_RETURN(Statement erase_blob,
+                            database.Prepare("DELETE FROM tile_blobs WHERE blob_key = ?", kCollectTask));
+    DHPMAP_ASSIGN_OR_RETURN(Statement erase_dead,
+                            database.Prepare("DELETE FROM dead_blobs WHERE blob_key = ?", kCollectTask));
+    return DeadBlobCollector(std::move(find), std::move(erase_blob), std::move(erase_dead), bounds);
   }
-  return num_collected;
+
+  Status CollectIn(BlobRange range) {
+    while (!collected_.has_more) {
+      DHPMAP_RETURN_IF_ERROR(Find(range));
+      if (found_.empty()) return Status::Ok();
+      for (const DeadBlob& dead : found_) {
+        collected_.has_more = IsEnough(dead);
+        if (collected_.has_more) return Status::Ok();
+        DHPMAP_RETURN_IF_ERROR(erase_blob_.Bind(dead.key).Run());
+        DHPMAP_RETURN_IF_ERROR(erase_dead_.Bind(dead.key).Run());
+        ++collected_.num_blobs;
+        collected_.num_bytes += dead.bytes;
+      }
+      range.first = found_.back().key + 1;
+    }
+    return Status::Ok();
+  }
+  [[nodiscard]] const Collected& collected() const { return collected_; }
+
+ private:
+  DeadBlobCollector(Statement find, Statement erase_blob, Statement erase_dead, const CollectBounds& bounds)
+      : find_(std::move(find)),
+        erase_blob_(std::move(erase_blob)),
+        erase_dead_(std::move(erase_dead)),
+        bounds_(bounds) {}
+
+  /// The next of a range: sought, so that what is kept between ranges costs nothing.
+  Status Find(const BlobRange& range) {
+    constexpr std::int64_t kAtATime = 32;
+    found_.clear();
+    find_.Bind(range.first).Bind(range.last).Bind(kAtATime);
+    for (;;) {
+      DHPMAP_ASSIGN_OR_RETURN(const bool has_row, find_.Step());
+      if (!has_row) return Status::Ok();
+      found_.push_back({find_.Int(0), find_.Int(1)});
+    }
+  }
+  [[nodiscard]] bool IsEnough(const DeadBlob& next) const {
+    if (collected_.num_blobs >= bounds_.max_blobs) return true;
+    if (collected_.num_blobs == 0) return false;
+    return collected_.num_bytes + next.bytes > bounds_.max_bytes || std::chrono::steady_clock::now() >= bounds_.end;
+  }
+
+  Statement find_, erase_blob_, erase_dead_;
+  const CollectBounds bounds_;
+  std::vector<DeadBlob> found_;
+  Collected collected_;
+};
+
+}  // namespace
+
+Result<Collected> CollectDeadBlobs(Database& database, const CollectBounds& bounds, const KeptBlobs& kept) {
+  DHPMAP_ASSIGN_OR_RETURN(DeadBlobCollector collector, DeadBlobCollector::Prepare(database, bounds));
+  for (const BlobRange& range : kept.Others()) DHPMAP_RETURN_IF_ERROR(collector.CollectIn(range));
+  return collector.collected();
 }
 
 Result<bool> HasDeadBlobs(Database& database, const KeptBlobs& kept) {
@@ -235,7 +310,7 @@ Status CollectBacklog(Database& database, std::int64_t num_written, const KeptBl
       database.QueryInt("SELECT EXISTS (SELECT 1 FROM dead_blobs LIMIT 1 OFFSET " + std::to_string(kMaxBacklog) + ")",
                         kCollectTask));
   constexpr std::int64_t kFactor = 2;
-  return is_large == 0 ? Status::Ok() : CollectDeadBlobs(database, kFactor * num_written, kept).status();
+  return is_large == 0 ? Status::Ok() : CollectDeadBlobs(database, {.max_blobs = kFactor * num_written}, kept).status();
 }
 
 }  // namespace dhpmap

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "mapping/map/block_table.h"
@@ -24,6 +26,7 @@ struct StoredBlob {
   std::int64_t key = 0;         ///< 0: there is no row
   std::int64_t num_blocks = 0;  ///< that the blob holds; 0 for layers of maps
   std::int64_t bytes = 0;
+  std::uint64_t cells = 0;  ///< bit c: the blob holds the block at cell c; 0: not known, or a layer of maps
 };
 
 inline constexpr std::size_t kNumLayerNumbers = 16;  ///< a layer's number is half a byte
@@ -58,8 +61,9 @@ class TileRows {
   /// A blob that is there, to be referred to by one row more; nothing if it is there no longer.
   Result<std::optional<StoredBlob>> Share(std::int64_t blob_key);
 
-  /// Adds rows for an owner that has none yet, which refer to the same blobs as those of another.
-  Status Copy(std::int64_t from_owner_key, std::int64_t to_owner_key);
+  /// Adds rows for an owner that has none yet, which refer to the same blobs as those of another. `num_more`: how many
+  /// more refer to each then; 2 for who refers to them, too.
+  Status Copy(std::int64_t from_owner_key, std::int64_t to_owner_key, std::int64_t num_more = 1);
   /// Adds the row, or has it refer to another blob.
   Status Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
              const StoredBlob& after, TileTotals& totals);
@@ -85,10 +89,13 @@ class TileRowReader {
     std::int64_t num_blocks = 0;
     bool is_missing = false;  ///< there is no such blob
     bool is_shared = false;   ///< other rows refer to it, too
+    std::uint64_t cells = 0;  ///< see StoredBlob
     ByteView blob;            ///< lives as long as the visit
   };
 
   static Result<TileRowReader> Prepare(sqlite::Database& database);
+  /// One that does not touch the blobs: whether they are missing, their number of blocks and themselves it leaves out.
+  static Result<TileRowReader> PrepareWithoutBlobs(sqlite::Database& database);
 
   /// Calls visit(const Row&), which returns a Status; ends with the first error.
   template <typename Visitor>
@@ -110,10 +117,21 @@ class TileRowReader {
   sqlite::Statement select_;
 };
 
-/// Deletes up to `max_blobs` blobs that no row refers to any more, but none that are kept, within the caller's
-/// transaction. Returns how many. States in memory may still name their keys: whoever wants to refer to one again asks
-/// Share first.
-Result<std::int64_t> CollectDeadBlobs(sqlite::Database& database, std::int64_t max_blobs, const KeptBlobs& kept = {});
+/// How much is collected at a time.
+struct CollectBounds {
+  std::int64_t max_blobs = 0;
+  // One blob is collected whatever these say:
+  std::int64_t max_bytes = std::numeric_limits<std::int64_t>::max();
+  std::chrono::steady_clock::time_point end = std::chrono::steady_clock::time_point::max();
+};
+struct Collected {
+  std::int64_t num_blobs = 0;
+  std::int64_t num_bytes = 0;
+  bool has_more = false;  ///< the bounds ended it
+};
+/// Deletes blobs that no row refers to any more, but none that are kept, within the caller's transaction. States in
+/// memory may still name their keys: whoever wants to refer to one again asks Share first.
+Result<Collected> CollectDeadBlobs(sqlite::Database& database, const CollectBounds& bounds, const KeptBlobs& kept = {});
 Result<bool> HasDeadBlobs(sqlite::Database& database, const KeptBlobs& kept = {});
 /// Part of each commit, within its transaction: where many are dead, as others wait for commits that follow upon each
 /// other, it deletes more than it made, so that their number has a bound. `num_written`: blobs that the commit wrote.

@@ -17,6 +17,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[7]},                          // 0008_edits.sql
       {.sql = SchemaSql()[8]},                          // 0009_sightings.sql
       {.sql = SchemaSql()[9]},                          // 0010_locks_and_kept_clear.sql
+      {.sql = SchemaSql()[10]},                         // 0011_tile_cells.sql
   };
   return steps;
 }

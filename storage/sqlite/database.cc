@@ -86,8 +86,6 @@ std::int64_t Database::BytesInUse() { return sqlite3_memory_used(); }
 
 void Database::LimitLength(int max_bytes) { sqlite3_limit(database_.get(), SQLITE_LIMIT_LENGTH, max_bytes); }
 
-void Database::Interrupt() { sqlite3_interrupt(database_.get()); }
-
 bool Database::IsReadOnly() const { return sqlite3_db_readonly(database_.get(), "main") != 0; }
 
 bool Database::InTransaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }
@@ -106,5 +104,18 @@ std::int64_t Database::NumChanges() const { return sqlite3_changes64(database_.g
 void Database::SetCheckpointOnClose(bool on) {
   sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, on ? 0 : 1, nullptr);
 }
+
+// sqlite3_interrupt means nothing to a statement that begins a moment later, and the checks of a whole file never call
+// a progress handler.
+StoppedBy::StoppedBy(Database& database, std::stop_token stop)
+    : stop_(std::move(stop)),
+      database_(database.database_.get()),
+      interrupt_(stop_, [this] { sqlite3_interrupt(database_); }) {
+  constexpr int kStepsBetween = 100;  // of SQLite's machine, some tens of rows
+  const auto is_stopped = [](void* me) { return static_cast<const StoppedBy*>(me)->stop_.stop_requested() ? 1 : 0; };
+  sqlite3_progress_handler(database_, kStepsBetween, is_stopped, this);
+}
+
+StoppedBy::~StoppedBy() { sqlite3_progress_handler(database_, 0, nullptr, nullptr); }
 
 }  // namespace dhpmap::sqlite

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "mapping/base/result.h"
@@ -35,9 +37,6 @@ class Database {
   /// Of a file of somebody else: texts, blobs and rows beyond are errors.
   void LimitLength(int max_bytes);
 
-  /// Ends the statement that runs, if one does, with CANCELLED. From any thread.
-  void Interrupt();
-
   /// Gives back the memory of pages that are kept for later, which may be megabytes; they are read again when needed.
   void ReleaseMemory();
   /// Memory of SQLite in this process, all connections together.
@@ -55,12 +54,29 @@ class Database {
   void SetCheckpointOnClose(bool on);
 
  private:
+  friend class StoppedBy;
   struct Closer {
     void operator()(sqlite3* database) const;
   };
   static Result<Database> OpenNamed(const std::string& name, int flags);
   explicit Database(sqlite3* database) : database_(database) {}
   std::unique_ptr<sqlite3, Closer> database_;
+};
+
+/// While it is there, a connection's statements end soon after `stop` is requested, with CANCELLED: those that run then
+/// and those that begin later. One at a time for a connection, which outlives
+/// it.
+class StoppedBy {
+ public:
+  StoppedBy(Database& database, std::stop_token stop);
+  ~StoppedBy();
+  StoppedBy(const StoppedBy&) = delete;
+  StoppedBy& operator=(const StoppedBy&) = delete;
+
+ private:
+  const std::stop_token stop_;
+  sqlite3* const database_;
+  const std::stop_callback<std::function<void()>> interrupt_;
 };
 
 }  // namespace dhpmap::sqlite

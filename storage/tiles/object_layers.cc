@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/tiles/object_layers.h"
 
+#include <bit>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -103,13 +104,10 @@ std::string TileName(std::uint32_t submap_id, std::int64_t layer, TileIndex inde
 
 SubmapCounts CountBlocks(const Submap& submap) {
   SubmapCounts counts;
-  for (const BlockEntry& entry : submap.blocks().entries()) {
-    ForEachLayer(
-        [&counts](BlockLayer layer, const auto& block) {
-          const auto count = kLayers[static_cast<std::size_t>(layer)].count;
-          if (count != nullptr) counts.*count += block != nullptr;
-        },
-        entry);
+  for (const TileEntry& tile : submap.blocks().tiles()) {
+    for (const ObjectLayer& layer : kLayers) {
+      if (layer.count != nullptr) counts.*layer.count += std::popcount(tile.tile->CellsWith(layer.layer));
+    }
   }
   return counts;
 }

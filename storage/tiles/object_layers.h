@@ -42,7 +42,7 @@ const ObjectLayer* FindObjectLayer(std::int64_t number);
 /// "submap 3: tsdf tile (1, -2, 0)", for messages.
 std::string TileName(std::uint32_t submap_id, std::int64_t layer, TileIndex index);
 
-/// Of all of a submap in memory, block by block; leaves blob_bytes at 0.
+/// Of all of a submap; reads no blocks, and leaves blob_bytes at 0.
 SubmapCounts CountBlocks(const Submap& submap);
 
 }  // namespace dhpmap

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -92,5 +93,26 @@ struct StoreBenchOptions {
 /// Rates of the store on a fused map of a given size, walk beside walk: commit, load, verify, export, import; and how
 /// long commits of a map that is being mapped wait while others come in.
 Status RunStoreBench(const StoreBenchOptions& options);
+
+struct PagingBenchOptions {
+  double disk_mib = 600;  ///< of encoded blobs
+  std::vector<std::int64_t> budgets_mib = {256, 1024, 8192};
+  std::string scratch = "/tmp";  ///< folder in which the database is made, and removed again
+  bool json = false;
+};
+/// What a made map of this size answers at each budget of memory for its voxels, in a process of its own: how soon
+/// after the start, how fast, what it takes, and whether it is what the map answers that is all in memory, where that
+/// fits.
+Status RunPagingBench(const PagingBenchOptions& options);
+
+struct EditBenchOptions {
+  std::vector<double> num_voxels = {1e3, 1e5, 1e6};  ///< of the objects that are edited, about
+  std::string scratch;                               ///< folder for the databases; empty: that of the system
+  int repetitions = 3;                               ///< of each edit; medians are told
+  bool json = false;
+};
+/// What each edit costs on things of these sizes, beside two more of the kind: on the map's writer, until it is stored
+/// with a full sync, and what its undo costs.
+Status RunEditBench(const EditBenchOptions& options);
 
 }  // namespace dhpmap::bench

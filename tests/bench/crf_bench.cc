@@ -9,8 +9,8 @@
 #include <fstream>
 #include <random>
 
+#include "mapping/crf/dense_crf.h"
 #include "mapping/pipeline/map_builder.h"
-#include "mapping/refinement/dense_crf.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/cpu_time.h"
 #include "tests/bench/frames.h"
@@ -140,11 +140,11 @@ Status RunCrfBench(const CrfBenchOptions& options) {
   }
   mallopt(M_MMAP_THRESHOLD, 1 << 20);  // what is freed goes back: the peak shows what is in use, not holes in the heap
   const auto num_labels = static_cast<std::size_t>(options.num_labels);
-  const CrfKernelConfig smoothness{.position_m = options.smoothness_position_m,
-                                   .weight = options.smoothness_position_m > 0 ? 1.0 : 0.0};
-  const CrfKernelConfig appearance{.position_m = options.appearance_position_m,
-                                   .color = options.appearance_color,
-                                   .weight = options.appearance_position_m > 0 ? 1.0 : 0.0};
+  const CrfKernel smoothness{.position_m = options.smoothness_position_m,
+                             .weight = options.smoothness_position_m > 0 ? 1.0 : 0.0};
+  const CrfKernel appearance{.position_m = options.appearance_position_m,
+                             .color = options.appearance_color,
+                             .weight = options.appearance_position_m > 0 ? 1.0 : 0.0};
   std::printf(
       "%zu points (tiles of %zu), %d labels, %d iterations, kernels %g m and %g m with %g of 255, %d thread(s)\n",
       options.num_points, tile.size(), options.num_labels, options.iterations, smoothness.position_m,

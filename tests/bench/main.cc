@@ -1,8 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <string>
 
 #include "tests/bench/bench.h"
+
+namespace {
+
+/// Of `store`: a made map instead of a data set, read at several budgets of memory.
+CLI::Option* AddPagingOptions(CLI::App& command, dhpmap::bench::PagingBenchOptions& paging) {
+  const std::string instead =
+      "Instead: what a made map larger than its budget of memory answers, how fast, and what it takes";
+  CLI::Option* const flag = command.add_flag("--paging", instead);  // text alone would do for its value, too
+  command.add_option("--disk-mib", paging.disk_mib, "With --paging: MiB of encoded blobs of the map")
+      ->check(CLI::Range(1.0, 1e5))
+      ->needs(flag)
+      ->capture_default_str();
+  command.add_option("--budgets-mib", paging.budgets_mib, "With --paging: budgets of memory, by commas")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1'000'000))
+      ->needs(flag)
+      ->capture_default_str();
+  command.add_flag("--json", paging.json, "With --paging: as JSON instead of a table")->needs(flag);
+  return flag;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Measures the parts of the map server on recorded frames"};
@@ -84,9 +107,10 @@ int main(int argc, char** argv) {
       "file, a second of the clock and of the process's cores; then how long commits of another map, which is mapped "
       "meanwhile, take while the file comes in. Import has four parts: what came is kept; looked through, as verify "
       "does; its blobs are brought in steps between which commits go on; its rows are added, which commits wait for");
-  store_command
-      ->add_option("directory", store.directory, "Data set; it is walked again and again, each walk beside the last")
-      ->required();
+  CLI::Option* const walked = store_command->add_option(
+      "directory", store.directory, "Data set; it is walked again and again, each walk beside the last");
+  dhpmap::bench::PagingBenchOptions paging;
+  const CLI::Option* const is_paging = AddPagingOptions(*store_command, paging)->excludes(walked);
   store_command->add_option("--mib", store.size_mib, "MiB of encoded blobs that the map is to have")
       ->capture_default_str();
   store_command
@@ -102,12 +126,31 @@ int main(int argc, char** argv) {
   store_command->add_option("--scratch", store.scratch, "Folder for the database, three times the map's size")
       ->capture_default_str();
 
+  dhpmap::bench::EditBenchOptions edit;
+  CLI::App* edit_command = app.add_subcommand(
+      "edit",
+      "Time of each edit on objects of several sizes: on the map's writer, until it is stored, and of its undo");
+  edit_command->add_option("--voxels", edit.num_voxels, "Observed voxels of an object, about; may be repeated")
+      ->check(CLI::Range(500.0, 1e7))
+      ->capture_default_str();
+  edit_command->add_option("--repetitions", edit.repetitions, "Of each edit; the median is told")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  edit_command->add_option("--scratch", edit.scratch, "Folder for the databases; default: the system's for such files");
+  edit_command->add_flag("--json", edit.json, "As JSON instead of a table");
+
   CLI11_PARSE(app, argc, argv);
+  if (store_command->parsed() && store.directory.empty() && is_paging->count() == 0) {
+    return app.exit(CLI::RequiredError("directory, or --paging,"));
+  }
+  paging.scratch = store.scratch;
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
                                 : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
                                 : change_command->parsed()   ? dhpmap::bench::RunChangeBench(change)
+                                : is_paging->count() > 0     ? dhpmap::bench::RunPagingBench(paging)
                                 : store_command->parsed()    ? dhpmap::bench::RunStoreBench(store)
+                                : edit_command->parsed()     ? dhpmap::bench::RunEditBench(edit)
                                 : fray_command->parsed()     ? dhpmap::bench::RunFrayBench(fray)
                                                              : dhpmap::bench::RunCrfBench(crf);
   if (!status.ok()) std::fprintf(stderr, "dhpmap-bench: %s\n", status.ToString().c_str());

@@ -13,11 +13,11 @@
 #include "mapping/query/point_lookup.h"
 #include "mapping/query/point_order.h"
 #include "mapping/query/ray_query.h"
-#include "mapping/query/tsdf_sampler.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/check_bench.h"
 #include "tests/bench/cpu_time.h"
 #include "tests/bench/frames.h"
+#include "tests/support/tsdf_sampler.h"
 
 namespace dhpmap::bench {
 namespace {
@@ -227,14 +227,14 @@ void MeasureTsdf(const MapSnapshot& map, std::size_t num_points, std::mt19937& r
   double sum = 0;
   std::printf("  TSDF of one submap                 coherent   random\n");
   Measure("voxel", kinds, [&](auto points) {
-    TsdfSampler sampler(submap);
+    testing::TsdfSampler sampler(submap);
     for (const Eigen::Vector3d& p : points) {
       const float value = sampler.At(VoxelAt(p, size_m));
       sum += value > 0 ? value : 0;
     }
   });
   Measure("trilinear, with gradient", kinds, [&](auto points) {
-    TsdfSampler sampler(submap);
+    testing::TsdfSampler sampler(submap);
     for (const Eigen::Vector3d& p : points) sum += sampler.Between(p).distance_m;
   });
   std::printf("  (%.0f m)\n", sum);

@@ -198,7 +198,7 @@ class Committer {
 };
 
 /// As nice as the server's lane for bulk calls, on which maps come in but for their last step.
-constexpr int kBulkNiceness = 10;
+constexpr int kBulkNiceness = 15;
 
 /// Runs `work` on a thread of the lane.
 Status RunIn(Lane& lane, const std::function<Status()>& work) {

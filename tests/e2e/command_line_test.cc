@@ -214,6 +214,68 @@ TEST_F(CommandLine, LogsUndoesAndRedoesEdits) {
   EXPECT_EQ(Run({"submaps", "room", "2"}).exit_code, 0);
 }
 
+TEST_F(CommandLine, ReadsThePastAndGoesBackToIt) {
+  const std::string stats = Run({"stats", "room", "--json"}).out;
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(stats, found, std::regex("\"revision\": \"([0-9]+)\""))) << stats;
+  const std::string past = found[1].str();
+  const Outcome one = Run({"submaps", "room", "1", "--json"}), all = Run({"submaps", "room"});
+  const Outcome map = Run({"maps", "show", "room"});
+  ASSERT_EQ(Run({"edit", "rename", "room", "1", "past-lamp", "--author", "carl"}).exit_code, 0);
+  ASSERT_EQ(Run({"maps", "rename", "room", "Past title"}).exit_code, 0);
+  EXPECT_NE(Run({"submaps", "room"}).out, all.out);
+  EXPECT_EQ(Run({"submaps", "room", "--at-revision", past}).out, all.out);
+  EXPECT_EQ(Run({"submaps", "room", "1", "--json", "--at-revision", past}).out, one.out);
+  EXPECT_EQ(Run({"maps", "show", "room", "--at-revision", past}).out, map.out);
+  EXPECT_NE(Run({"stats", "room", "--at-revision", past}).out.find("revision " + past), std::string::npos);
+  const Outcome mesh = Run({"export", "ply", "room", "-o", File("past.ply").string(), "--at-revision", past});
+  EXPECT_NE(mesh.out.find("of revision " + past), std::string::npos) << mesh.out << mesh.err;
+  const Outcome voxels = Run({"export", "voxels", "room", "1", "-o", File("past.csv").string(), "--at-revision", past});
+  EXPECT_NE(voxels.out.find("of revision " + past), std::string::npos) << voxels.out << voxels.err;
+  const Outcome future = Run({"submaps", "room", "--at-revision", "99999999"});
+  EXPECT_EQ(future.exit_code, 2) << future.out << future.err;
+
+  const std::vector<std::string> restore = {"restore", "room", "--revision", past, "--author", "carl"};
+  const auto with = [&restore](std::vector<std::string> more) {
+    more.insert(more.begin(), restore.begin(), restore.end());
+    return Run(more);
+  };
+  EXPECT_NE(with({"--try"}).out.find("would be as in revision " + past + ", changed 1"), std::string::npos);
+  EXPECT_NE(Run({"submaps", "room"}).out, all.out) << "only tried";
+  EXPECT_EQ(with({"--submap", "1", "--expected-revision", past}).exit_code, 4) << "it was edited since";
+  EXPECT_EQ(with({"--submap", "1"}).exit_code, 0);
+  EXPECT_EQ(Run({"submaps", "room"}).out, all.out);
+  const Outcome told = Run({"log", "room", "--author", "carl", "-n", "1"});
+  EXPECT_NE(told.out.find("restore 1 to revision " + past + ", changed 1"), std::string::npos) << told.out;
+  const std::string url = server_->http_url() + "/v1/maps/room";
+  const Outcome whole =
+      RunProgram(temp_->path(), {"curl", "-sf", url + ":restoreRevision", "-d", R"({"revision": ")" + past + R"("})"});
+  EXPECT_NE(whole.out.find("\"revision\""), std::string::npos) << whole.out << whole.err;
+  EXPECT_EQ(Run({"maps", "show", "room"}).out.find("Past title"), std::string::npos) << "the title, too";
+  EXPECT_NE(with({"--submap", "77"}).exit_code, 0);
+  const Outcome now = Run({"maps", "show", "room"});
+  EXPECT_EQ(with({"--submap", "-1"}).exit_code, 1) << "not all of the map";
+  EXPECT_EQ(Run({"maps", "show", "room"}).out, now.out);
+}
+
+TEST_F(CommandLine, RenamesAMapAsEveryEditIsMade) {
+  const auto rename = [](const std::string& title, std::vector<std::string> more) {
+    more.insert(more.begin(), {"maps", "rename", "room", title, "--author", "dora"});
+    return Run(more);
+  };
+  const std::string before = Run({"maps", "show", "room"}).out;
+  EXPECT_NE(rename("tried", {"--try"}).out.find("would be called 'tried'"), std::string::npos);
+  EXPECT_EQ(Run({"maps", "show", "room"}).out, before);
+  const std::vector<std::string> once = {"--request-id", "00000000-0000-4000-8000-0000000000d0"};
+  EXPECT_EQ(rename("of dora", once).exit_code, 0);
+  EXPECT_EQ(rename("of dora", once).exit_code, 0) << "sent again";
+  EXPECT_EQ(rename("late", {"--expected-revision", "1"}).exit_code, 4);
+  EXPECT_EQ(rename("late", {"--etag", "0123456789abcdef-r1"}).exit_code, 4);
+  EXPECT_EQ(Run({"undo", "room", "--author", "dora"}).exit_code, 0);
+  EXPECT_NE(Run({"undo", "room", "--author", "dora"}).exit_code, 0) << "made once";
+  EXPECT_EQ(Run({"maps", "show", "room"}).out.find("of dora"), std::string::npos);
+}
+
 TEST_F(CommandLine, ExportsMeshesAndVoxels) {
   EXPECT_EQ(Run({"export", "ply", "room", "-o", File("room.ply").string(), "--color", "instance"}).exit_code, 0);
   EXPECT_TRUE(ReadAll(File("room.ply")).starts_with("ply\n"));

@@ -76,6 +76,28 @@ class EditCommands : public ::testing::Test {
   std::string ball_, box_;
 };
 
+TEST_F(EditCommands, EachIsTriedAndMadeOnlyOnAStateThatIsAsExpected) {
+  constexpr int kConflict = 4;
+  const std::string before = Run({"submaps", "room"}).out;
+  const int num_boxes = NumOf("box");
+  EXPECT_NE(Edit("delete", {box_, "--try"}).find("would be: deleted"), std::string::npos);
+  EXPECT_NE(Edit("rename", {box_, "crate", "--try"}).find("would be: renamed"), std::string::npos);
+  EXPECT_NE(Edit("clone", {box_, "--to", "0", "0", "4", "--try"}).find("would be: cloned"), std::string::npos);
+  EXPECT_EQ(Run({"submaps", "room"}).out, before) << "only tried";
+  Edit("rename", {box_, "crate"});
+  EXPECT_EQ(ExitCodeOfEdit("delete", {box_, "--expected-revision", "1"}), kConflict);
+  EXPECT_EQ(ExitCodeOfEdit("move", {box_, "--by", "0", "0", "1", "--etag", "0123456789abcdef-r1"}), kConflict);
+  EXPECT_EQ(ExitCodeOfEdit("absent", {box_, "--etag", "0123456789abcdef-r1"}), kConflict);
+  EXPECT_EQ(ExitCodeOfEdit("lift", {"hall", "--etag", "0123456789abcdef-r1"}), kConflict) << "the map's";
+  EXPECT_EQ(Run({"undo", "room", "--expected-revision", "1"}).exit_code, kConflict);
+  Edit("delete", {box_});
+  EXPECT_EQ(Run({"undelete", "room", box_, "--expected-revision", "1"}).exit_code, kConflict);
+  EXPECT_NE(Run({"undelete", "room", box_, "--try"}).out.find("would be: brought back"), std::string::npos);
+  EXPECT_EQ(NumOf("box"), num_boxes - 1);
+  EXPECT_EQ(Run({"undelete", "room", box_}).exit_code, 0);
+  EXPECT_EQ(NumOf("box"), num_boxes);
+}
+
 TEST_F(EditCommands, SplitABoxOffAndMergeItAgain) {
   const std::vector<std::string> upper_half = {box_, "--box", "1", "0", "0.3", "2.2", "1.2", "1"};
   std::vector<std::string> tried = upper_half;
@@ -207,6 +229,7 @@ TEST_F(EditCommands, CurlMakesEveryEdit) {
       {"clear a box", R"({"clear": {"box": {"minM": {}, "maxM": {"x": 3, "y": 3, "z": 3}}}})"},
       {"clear a sphere",
        on_box + R"("clear": {"sphere": {"centerM": {"x": 1.35, "y": 0.6, "z": 0.3}, "radiusM": 0.2}}})"},
+      {"clear a sphere of a class", R"({"clear": {"sphere": {"centerM": {}, "radiusM": 9}, "classNames": ["Ball"]}})"},
       {"absent", on_box + R"("setPresence": {"presence": "ABSENT"}})"},
       {"lock", on_box + R"("lock": {}})"},
       {"keep clear", R"({"keepClear": {"name": "hall", "box": {"minM": {}, "maxM": {"x": 1, "y": 1, "z": 1}}}})"}};
@@ -227,11 +250,29 @@ TEST_F(EditCommands, CurlMakesEveryEdit) {
   EXPECT_EQ(make(on_box + R"("setPresence": {"presence": "PRESENT"}})"), 0);
   EXPECT_EQ(make(on_box + R"("lock": {}})"), 0);
   EXPECT_EQ(make(on_box + R"("unlock": {}})"), 0);
+  const int num_boxes = NumOf("box");
+  EXPECT_EQ(make(on_box + R"("delete": {}})"), 0);
+  EXPECT_EQ(NumOf("box"), num_boxes - 1);
+  EXPECT_EQ(make(on_box + R"("undelete": {}})"), 0);
+  EXPECT_EQ(NumOf("box"), num_boxes);
+  EXPECT_NE(make(on_box + R"("undelete": {}})"), 0) << "it is there";
+  EXPECT_EQ(make(on_box + R"("delete": {}})"), 0);
+  const std::string undelete = server_->http_url() + "/v1/" + NameOf(box_) + ":undelete";
+  EXPECT_EQ(RunProgram(root(), {"curl", "-sf", undelete, "-d", "{}"}).exit_code, 0);
+  EXPECT_EQ(NumOf("box"), num_boxes);
   EXPECT_EQ(make(R"({"keepClear": {"name": "hall", "sphere": {"centerM": {"z": 9}, "radiusM": 1}}})"), 0);
   EXPECT_EQ(make(R"({"lift": {"name": "hall"}})"), 0);
   EXPECT_EQ(make(on_box + R"("merge": {"others": [")" + NameOf(ball_) + R"("]}})"), 0);
   EXPECT_EQ(make(on_box + R"("split": {"parts": {"minVoxels": 16}}})"), 0);
   EXPECT_NE(make(R"({"lift": {"name": "hall"}})"), 0);
+  const std::string last = Post(R"({"edits": [)" + on_box + R"("rename": {"displayName": "told"}}]})").out;
+  std::smatch revision;
+  ASSERT_TRUE(std::regex_search(last, revision, std::regex("\"revision\": ?\"?([0-9]+)"))) << last;
+  const Outcome watched = Run({"watch", "room", "--from", "1", "--until", revision[1].str()});
+  EXPECT_EQ(watched.exit_code, 0) << watched.err;
+  EXPECT_NE(watched.out.find("  cleared box 0.00 0.00 0.00 to 3.00 3.00 3.00 m: "), std::string::npos) << watched.out;
+  EXPECT_NE(watched.out.find("  kept clear 'hall': sphere 0.00 0.00 9.00 of 1.00 m\n"), std::string::npos);
+  EXPECT_NE(watched.out.find("  lifted 'hall': sphere"), std::string::npos);
 }
 
 }  // namespace

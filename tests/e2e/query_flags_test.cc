@@ -154,5 +154,31 @@ TEST_F(QueryFlags, ARevisionToWaitForReachesTheServer) {
   }
 }
 
+TEST_F(QueryFlags, ARevisionOfThePastReachesTheServer) {
+  const Arguments point = With({"point", "room"}, kInMap, {"--json"});
+  const double revision = NumberOf("revision", Query(point));
+  ASSERT_GE(revision, 1);
+  const std::string past = std::to_string(static_cast<long>(revision));
+  ASSERT_EQ(server_->Dhpmap({"edit", "rename", "room", "1", "later"}).exit_code, 0);
+  const std::string picture = (temp_->path() / "past.pgm").string(), array = (temp_->path() / "past.npy").string();
+  const Arguments queries[] = {
+      point,
+      With({"distances", "room"}, kInMap, {"--json"}),
+      With({"rays", "room"}, kInMap, {"0", "0", "-1", "--json"}),
+      With({"collisions", "room"}, kInMap, {".1", "--json"}),
+      With({"trajectory", "room"}, kInMap, {"0", "--robot", "0", "0", "0", ".1", "--json"}),
+      {"slice", "room", "--out", picture, "--json"},
+      {"search", "room", "--json"},
+      {"relations", "room", "--json"},
+  };
+  for (const Arguments& query : queries) {
+    EXPECT_EQ(NumberOf("revision", Query(query)), revision + 1) << query[0];
+    EXPECT_EQ(NumberOf("revision", Query(query, {"--at-revision", past})), revision) << query[0];
+    EXPECT_EQ(Query(query, {"--at-revision", "-1"}).exit_code, 2) << query[0] << ": refused by the server";
+  }
+  const Arguments grid = {"grid", "room", "--box", "0", "0", "0", ".2", ".2", ".2", "--out", array};
+  EXPECT_TRUE(Says(Query(grid, {"--at-revision", past}), "of revision " + past));
+}
+
 }  // namespace
 }  // namespace dhpmap::testing

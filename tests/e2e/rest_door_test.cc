@@ -101,6 +101,47 @@ TEST_F(ClassNames, AreOfBoundedLengthAllTogether) {
   ExpectRefused(request, "label_classes");
 }
 
+// What every edit may say beside itself.
+
+class EditsOverRest : public RestTest {};
+
+TEST_F(EditsOverRest, AreTriedRepeatedAndConditionalInTheQueryOfAnEdit) {
+  Start();
+  Create("room");
+  ASSERT_TRUE(Feed(*mapping_, "room", 0, 8).status.ok());
+  v1::ListSubmapsResponse things;
+  const http::HttpAnswer list = Ask("GET", "/v1/maps/room/submaps?kind=THING");
+  ASSERT_TRUE(google::protobuf::util::JsonStringToMessage(list.body, &things).ok()) << list.body;
+  ASSERT_GE(things.submaps_size(), 1);
+  const std::string name = "/v1/" + things.submaps(0).name();
+  const std::string known = std::to_string(things.revision());
+  const std::string id = "00000000-0000-4000-8000-000000000001";
+
+  const http::HttpAnswer tried = Ask("PATCH", name + "?validate_only=true&author=anna", R"({"display_name":"mug"})");
+  EXPECT_EQ(tried.status, 200) << tried.body;
+  EXPECT_TRUE(Contains(tried.body, "mug")) << tried.body;
+  EXPECT_NE(Get<v1::GetSubmapResponse>(things.submaps(0).name()).submap().display_name(), "mug");
+  const std::string patch = name + "?author=anna&request_id=" + id + "&expected_revision=" + known;
+  const http::HttpAnswer made = Ask("PATCH", patch, R"({"display_name":"mug"})");
+  EXPECT_EQ(made.status, 200) << made.body;
+  EXPECT_EQ(Ask("PATCH", patch, R"({"display_name":"mug"})").body, made.body);
+  const http::HttpAnswer late = Ask("DELETE", name + "?expected_revision=" + known);
+  EXPECT_EQ(late.status, 409) << late.body;
+  EXPECT_TRUE(Contains(late.body, "EDITED_SINCE")) << late.body;
+  EXPECT_EQ(Ask("DELETE", name + "?validate_only=true").status, 200);
+  EXPECT_EQ(Ask("GET", name).status, 200) << "it was only tried";
+
+  const http::HttpAnswer renamed = Ask("PATCH", "/v1/maps/room?validate_only=true", R"({"display_name":"home"})");
+  EXPECT_EQ(renamed.status, 200) << renamed.body;
+  EXPECT_TRUE(Contains(renamed.body, "home")) << renamed.body;
+  EXPECT_NE(Get<v1::GetMapResponse>("maps/room").map().display_name(), "home");
+  const std::string undo = "/v1/maps/room:undoEdits";
+  EXPECT_EQ(Ask("POST", undo, R"({"author":"anna"})", {{"If-Match", "\"r1\""}}).status, 409) << "not the map's";
+  EXPECT_EQ(Ask("POST", undo, R"({"author":"anna","expected_revision":)" + known + "}").status, 409);
+  EXPECT_EQ(Ask("POST", undo, R"({"author":"anna","validate_only":true})").status, 200);
+  EXPECT_EQ(Get<v1::GetSubmapResponse>(things.submaps(0).name()).submap().display_name(), "mug");
+}
+
 // If-Match.
 
 class IfMatch : public RestTest {

@@ -85,6 +85,24 @@ TEST_F(Watching, AsServerSentEventsItGoesOnAfterTheLastEventId) {
   EXPECT_NE(rest.find(after_middle), std::string::npos) << "the first event only says where it begins";
 }
 
+TEST_F(Watching, AsServerSentEventsTheyTellOfFilesThatGoOut) {
+  http::HttpClient client(http_port());
+  ASSERT_TRUE(
+      client.SendRaw("GET /v1/maps/room:watch HTTP/1.1\r\nHost: localhost\r\nAccept: text/event-stream\r\n\r\n"));
+  std::string events = client.ReadSome();
+  EXPECT_EQ(events.find("MAP_FILE"), std::string::npos) << events;
+  const Outcome fetched = RunProgram(
+      root(), {"curl", "-sf", "-o", (root() / "room.dhpmap").string(), server_->http_url() + "/v1/maps/room:export"});
+  ASSERT_EQ(fetched.exit_code, 0) << fetched.err;
+  for (std::string more = " "; !more.empty() && events.find("\"SENT\"") == std::string::npos; events += more) {
+    more = client.ReadSome();
+  }
+  EXPECT_NE(events.find("event: progress\n"), std::string::npos) << events;
+  EXPECT_NE(events.find("\"MAP_FILE\""), std::string::npos) << events;
+  const std::string size = std::to_string(std::filesystem::file_size(root() / "room.dhpmap"));
+  EXPECT_TRUE(std::regex_search(events, std::regex("\"done_?[bB]ytes\": ?\"" + size + "\""))) << size << events;
+}
+
 TEST_F(Watching, APositionThatIsLostOrCompactedIsGoneToHttp) {
   const auto status_of = [this](const std::string& query, const std::string& header) {
     return RunProgram(root(), {"curl", "--silent", "--max-time", "5", "--output", "/dev/null", "--write-out",
@@ -185,6 +203,9 @@ TEST_F(Watching, TheCommandTellsAndGoesOnByItselfWhenTheServerComesBack) {
   ASSERT_TRUE(Eventually([&] { return command.Stdout().find("is told") != std::string::npos; }));
   Rename("before");
   ASSERT_TRUE(Eventually([&] { return command.Stdout().find("'before'") != std::string::npos; }));
+  EXPECT_EQ(server_->Dhpmap({"maps", "export", "room", (root() / "room.dhpmap").string()}).exit_code, 0);
+  EXPECT_TRUE(Eventually([&] { return command.Stdout().find("export 1, map_file: sent, ") != std::string::npos; }))
+      << command.Stdout();
   server_->process().Signal(SIGKILL);
   server_->process().Wait(10);
   server_.reset();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kRevision = 7;
 constexpr BlockIndex kKey{kRevision, 0, 0};
-constexpr char kBlob = 0, kPacked = 1;
+constexpr char kBlob = 0, kPacked = 1, kPackedWithRegions = 2;
 
 SubmapEvent Event(ChangeKind kind) {
   SubmapEvent event;
@@ -35,17 +35,26 @@ std::vector<std::string> fuzz::Seeds() {
   MapChange change{.first_revision = 3, .last_revision = kRevision, .time_ns = 1'700'000'000'000'000'000};
   std::vector<std::string> seeds;
   const auto add = [&] {
+    const bool has_regions = !change.regions.empty();
     const Bytes blob = EncodeChange(change);
     Payload payload;
-    Require(Unseal(BlobKind::kChangeV2, kKey, blob, payload).ok());
+    Require(Unseal(has_regions ? BlobKind::kChangeV3 : BlobKind::kChangeV2, kKey, blob, payload).ok());
     seeds.push_back(kBlob + std::string(blob.begin(), blob.end()));
-    seeds.push_back(kPacked + std::string(payload.packable.begin(), payload.packable.end()));
+    seeds.push_back((has_regions ? kPackedWithRegions : kPacked) +
+                    std::string(payload.packable.begin(), payload.packable.end()));
   };
   add();
   change.display_name = "the house";
   for (const auto kind : {ChangeKind::kCreated, ChangeKind::kChanged, ChangeKind::kRemoved, ChangeKind::kMerged}) {
     change.submaps.push_back(Event(kind));
   }
+  add();
+  const Region sphere = BoundingSphere{.center_m = {1, 2, 3}, .radius_m = 0.5};
+  const Region box = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 2, 3));
+  change.regions = {{.region = sphere, .classes = {ClassId(3), ClassId(4)}, .num_voxels = 12},
+                    {.region = box, .submap = SubmapId(5)},
+                    {.kind = RegionEventKind::kKeptClear, .region = box, .name = "door"},
+                    {.kind = RegionEventKind::kLifted, .region = sphere, .name = "hall"}};
   add();
   return seeds;
 }
@@ -56,8 +65,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace dhpmap;
   if (size == 0) return 0;
   Bytes given(data + 1, data + size);
-  const Bytes blob =
-      data[0] == kPacked ? Seal(BlobKind::kChangeV2, kKey, {.packable = std::move(given), .plain = {}}) : given;
+  Bytes blob;
+  if (data[0] == kPacked) blob = Seal(BlobKind::kChangeV2, kKey, {.packable = std::move(given), .plain = {}});
+  else if (data[0] == kPackedWithRegions)
+    blob = Seal(BlobKind::kChangeV3, kKey, {.packable = std::move(given), .plain = {}});
+  else blob = std::move(given);
   MapChange change{.last_revision = kRevision};
   if (!DecodeChange(blob, change).ok()) return 0;
   const Bytes encoded = EncodeChange(change);

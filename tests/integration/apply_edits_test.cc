@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <future>
 #include <string>
@@ -268,6 +269,45 @@ TEST_F(ApplyEditsTest, FieldsThatAreNotUsableAreNamedAllTogether) {
                             "edits[6].clear.class_names ", "edits[7].submap ", "edits[8].move.map_from_submap"}) {
     EXPECT_NE(fields.find(field), std::string::npos) << field << " is not in " << fields;
   }
+}
+
+TEST_F(ApplyEditsTest, AListBringsBackWhatWasDeletedBeforeAndGoesOnWithIt) {
+  v1::ApplyEditsRequest gone;
+  Add(gone, ball).mutable_delete_();
+  Apply(gone);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  v1::ApplyEditsRequest back;
+  Add(back, ball).mutable_undelete();
+  Add(back, ball).mutable_rename()->set_display_name("the ball again");
+  back.set_validate_only(true);
+  Apply(back);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  back.set_validate_only(false);
+  const std::int64_t before = Revision();
+  const v1::ApplyEditsResponse response = Apply(back);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_EQ(response.revision(), before + 1);
+  ASSERT_EQ(response.results(0).created_size(), 1);
+  EXPECT_EQ(response.results(0).created(0), ball);
+  const auto list = List();
+  EXPECT_TRUE(std::any_of(list.begin(), list.end(), [this](const v1::Submap& submap) {
+    return submap.name() == ball && submap.display_name() == "the ball again";
+  }));
+  Apply(back);
+  EXPECT_EQ(ReasonOf(status), "NOTHING_TO_UNDO") << "it is there";
+  EXPECT_TRUE(status.error_message().starts_with("edits[0]: ")) << status.error_message();
+  v1::ApplyEditsRequest at_once;
+  Add(at_once, ball).mutable_delete_();
+  Add(at_once, ball).mutable_undelete();
+  Apply(at_once);
+  EXPECT_EQ(ReasonOf(status), "SUBMAP_NOT_FOUND") << "not as it was when it was deleted before";
+  v1::UndoEditsRequest undo;
+  undo.set_map("maps/room");
+  v1::UndoEditsResponse undone;
+  grpc::ClientContext context;
+  ASSERT_TRUE(edits->UndoEdits(&context, undo, &undone).ok());
+  ASSERT_EQ(undone.removed_size(), 1);
+  EXPECT_EQ(undone.removed(0), ball);
 }
 
 TEST_F(ApplyEditsTest, TooManyEditsAreRefused) {

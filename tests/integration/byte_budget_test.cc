@@ -24,6 +24,13 @@ class InflightBytes : public ::testing::Test {
     ExpectNothingKept();
   }
 
+  /// So that what is of an old state is of nobody but who holds it.
+  static SessionOptions KeepsNoPast() {
+    SessionOptions options;
+    options.max_kept_states = 0;
+    return options;
+  }
+
   /// A call is freed a moment after its client has the answer.
   void ExpectNothingKept() {
     EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == 0; })) << budget_->used_bytes();
@@ -52,7 +59,7 @@ class InflightBytes : public ::testing::Test {
 
   const std::shared_ptr<ByteBudget> budget_ = std::make_shared<ByteBudget>(kLimit_bytes, kSmall_bytes);
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
-  TestServer server_{*store_, {}, {.inflight = budget_}};
+  TestServer server_{*store_, KeepsNoPast(), {.inflight = budget_}};
 };
 
 TEST_F(InflightBytes, WhatIsLargeIsRefusedWhileThereIsNoRoomAndWhatIsSmallAnswered) {
@@ -126,6 +133,37 @@ TEST_F(InflightBytes, AMeshThatNobodyTakesLetsGoOfItsStateOnceTheMapHasGoneOn) {
       << ended.error_code() << " " << ended.error_message();
   others.Release();
   ExpectNothingKept();
+}
+
+TEST_F(InflightBytes, AStreamOfQueriesThatWasRefusedReadsOnAndKeepsNothingForAClientThatIsSilent) {
+  ByteShare others(budget_.get());
+  ASSERT_TRUE(others.Resize(kLimit_bytes));
+  grpc::ClientContext context;
+  const auto stream = server_.queries->QueryStream(&context);
+  v1::QueryStreamRequest request;
+  v1::QueryPointsRequest& points = *request.mutable_query_points();
+  points.set_map("maps/room");
+  points.set_packed(true);
+  for (int i = 0; i < 3 * 100'000; ++i) points.add_xyz_m(0.001f * static_cast<float>(i % 997));
+  v1::QueryStreamResponse answer;
+  ASSERT_TRUE(stream->Write(request));
+  ASSERT_TRUE(stream->Read(&answer));
+  EXPECT_EQ(answer.error().code(), static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED));
+  EXPECT_EQ(budget_->used_bytes(), others.bytes());
+
+  others.Release();
+  ASSERT_TRUE(stream->Write(request));
+  ASSERT_TRUE(stream->Read(&answer));
+  EXPECT_EQ(answer.query_points().packed().observed_size(), 100'000);
+  ExpectNothingKept();
+  ASSERT_TRUE(others.Resize(kLimit_bytes));
+  ASSERT_TRUE(stream->Write(request));
+  ASSERT_TRUE(stream->Read(&answer));
+  EXPECT_TRUE(answer.has_error());
+  others.Release();
+  ExpectNothingKept();
+  stream->WritesDone();
+  EXPECT_TRUE(stream->Finish().ok());
 }
 
 TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/base/mutex.h"
 #include "storage/store.h"
 
 namespace dhpmap::testing {
@@ -16,10 +17,10 @@ namespace dhpmap::testing {
 class FailingStore final : public MapStore {
  public:
   void set_full(bool is_full) { is_full_ = is_full; }
-  /// Runs before each commit that is not refused. Not while one runs.
-  void set_before_commit(std::function<void()> hook) { before_commit_ = std::move(hook); }
-  /// Runs before each map is loaded. Not while one is.
-  void set_before_load(std::function<void()> hook) { before_load_ = std::move(hook); }
+  /// Runs before each commit that is not refused.
+  void set_before_commit(std::function<void()> hook) { before_commit_.Set(std::move(hook)); }
+  /// Runs before each map is loaded.
+  void set_before_load(std::function<void()> hook) { before_load_.Set(std::move(hook)); }
   [[nodiscard]] int num_refused() const { return num_refused_; }
 
   Result<std::vector<StoredMap>> ListMaps() override { return store_->ListMaps(); }
@@ -27,11 +28,11 @@ class FailingStore final : public MapStore {
   Status CreateMap(const MapSnapshot& snapshot) override { return is_full_ ? Full() : store_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     if (is_full_) return Full();
-    if (before_commit_) before_commit_();
+    before_commit_.Run();
     return store_->Commit(before, after, durability);
   }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
-    if (before_load_) before_load_();
+    before_load_.Run();
     return store_->LoadMap(name);
   }
   Status DeleteMap(const std::string& name) override { return is_full_ ? Full() : store_->DeleteMap(name); }
@@ -40,13 +41,34 @@ class FailingStore final : public MapStore {
   }
 
  private:
+  class Hook {
+   public:
+    void Set(std::function<void()> run) {
+      const MutexLock lock(mutex_);
+      run_ = std::move(run);
+    }
+    /// Several at once, if need be.
+    void Run() {
+      std::function<void()> run;
+      {
+        const MutexLock lock(mutex_);
+        run = run_;
+      }
+      if (run) run();
+    }
+
+   private:
+    Mutex mutex_;
+    std::function<void()> run_ DHPMAP_GUARDED_BY(mutex_);
+  };
+
   Status Full() {
     ++num_refused_;
     return ResourceExhausted("the disk is full");
   }
 
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
-  std::function<void()> before_commit_, before_load_;
+  Hook before_commit_, before_load_;
   std::atomic<bool> is_full_ = false;
   std::atomic<int> num_refused_ = 0;
 };

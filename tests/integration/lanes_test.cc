@@ -5,11 +5,13 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "tests/integration/failing_store.h"
+#include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/eventually.h"
 
@@ -160,6 +162,43 @@ TEST(LanesOfClosedMaps, CallsThatWaitForTheDiskDoNotHoldUpThoseOnOpenMaps) {
   EXPECT_TRUE(server.maps->GetMap(&context, request, &response).ok()) << "for which no map is loaded";
   disk.set_value();
   for (std::future<bool>& answer : waiting) EXPECT_TRUE(answer.get());
+}
+
+TEST(LanesOfClosedMaps, FramesThatWaitForTheDiskDoNotHoldUpThoseOfOpenMaps) {
+  FailingStore store;
+  TestServer server(store);
+  constexpr int kNumClosed = 3;  // more than there are threads for frames
+  const auto create = [&](const std::string& map_id) {
+    grpc::ClientContext context;
+    v1::CreateMapResponse created;
+    ASSERT_TRUE(server.maps->CreateMap(&context, CreateRequest(map_id), &created).ok());
+  };
+  create("open");
+  for (int i = 0; i < kNumClosed; ++i) create("closed" + std::to_string(i));
+  Feeder robot(server, "open");
+  ASSERT_TRUE(robot.Feed(0));
+
+  std::promise<void> disk;
+  std::atomic<int> num_loading = 0;
+  store.set_before_load([&num_loading, done = disk.get_future().share()] {
+    ++num_loading;
+    done.wait();
+  });
+  std::vector<std::unique_ptr<Feeder>> waiting;
+  for (int i = 0; i < kNumClosed; ++i) {
+    waiting.push_back(std::make_unique<Feeder>(server, "closed" + std::to_string(i)));
+    EXPECT_TRUE(waiting.back()->Send(0, 0));
+  }
+  EXPECT_TRUE(Eventually([&] { return num_loading == kNumClosed; }));
+  auto fed = std::async(std::launch::async, [&] { return robot.Feed(1).has_value(); });
+  EXPECT_EQ(fed.wait_for(kPatience), std::future_status::ready) << "it waited for the disk";
+  disk.set_value();
+  EXPECT_TRUE(fed.get());
+  for (const auto& feeder : waiting) {
+    const auto fused = feeder->Read();
+    ASSERT_TRUE(fused);
+    EXPECT_EQ(fused->outcome(), v1::FUSED);
+  }
 }
 
 }  // namespace

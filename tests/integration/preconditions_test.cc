@@ -258,6 +258,17 @@ TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotWaitedForNorTakenForALat
   EXPECT_EQ(Ask(List(*server_).revision()), "OK");
 }
 
+TEST_F(PreconditionTest, ARevisionThatACrashHasLostCannotBeRead) {
+  const std::int64_t lost = FeedAndCrash().revision();
+  ASSERT_TRUE(Feed(*server_, "room", 12, 14).status.ok());
+  v1::ListSubmapsRequest request;
+  request.set_parent("maps/room");
+  request.set_read_revision(lost);
+  v1::ListSubmapsResponse response;
+  grpc::ClientContext context;
+  EXPECT_EQ(OutcomeOf(server_->submaps->ListSubmaps(&context, request, &response)), "HISTORY_LOST");
+}
+
 TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotExpectedByAnEdit) {
   const std::int64_t stored = List(*server_).revision();
   v1::ApplyEditsRequest request;

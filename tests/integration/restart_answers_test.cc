@@ -7,8 +7,10 @@
 #include <memory>
 #include <string>
 
+#include "mapping/map/tile_page.h"
 #include "tests/integration/server_on_file.h"
 #include "tests/integration/walked_room.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -180,6 +182,27 @@ TEST_F(RestartAnswers, OfAMapThatWasLoadedAreTheSameBytes) {
   Restart();
   const auto after = AllBytes();
   for (const auto& [query, bytes] : before) EXPECT_TRUE(after.at(query) == bytes) << query;
+}
+
+TEST_F(RestartAnswers, AreTheSameBytesAtAnyMemoryBudget) {
+  MapUntilTheChairIsGone();
+  Restart();
+  MoveTheCrate(0.6);
+  const auto whole = AllBytes();
+  const auto whole_vertices_m = MeshVerticesOf(*server, "maps/room");
+  for (const std::int64_t bytes : {std::int64_t{1} << 40, std::int64_t{1} << 20, std::int64_t{1}}) {
+    SCOPED_TRACE(std::to_string(bytes) + " bytes");
+    page_bytes = bytes;
+    Restart();
+    const std::uint64_t before = CountPages().num_reads;
+    for (int round = 0; round < 2; ++round) {
+      const auto paged = AllBytes();
+      for (const auto& [query, answer] : whole) EXPECT_TRUE(paged.at(query) == answer) << query;
+      EXPECT_EQ(MeshVerticesOf(*server, "maps/room"), whole_vertices_m);
+    }
+    EXPECT_GT(CountPages().num_reads, before);
+  }
+  EXPECT_TRUE(Eventually([] { return CountPages().num_let_go > 0; })) << "of a budget of nothing";
 }
 
 /// How many of two lists, as long as each other, differ.

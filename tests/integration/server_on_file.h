@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -19,10 +20,10 @@ class ServerOnFile : public ::testing::Test {
   void TearDown() override { server.reset(); }
 
   void Start() {
-    auto opened = OpenSqliteStore((dir.path() / "maps.db").string());
+    auto opened = OpenSqliteStore((dir.path() / "maps.db").string(), {.pages_tiles = page_bytes > 0});
     ASSERT_TRUE(opened.ok()) << opened.status().ToString();
     store = std::move(*opened);
-    server = std::make_unique<TestServer>(*store);
+    server = std::make_unique<TestServer>(*store, SessionOptions{.page_bytes = page_bytes});
   }
   void Restart() {
     ASSERT_TRUE(server->Stop().ok());
@@ -32,6 +33,7 @@ class ServerOnFile : public ::testing::Test {
   }
 
   TempDir dir;
+  std::int64_t page_bytes = 0;  ///< of the server that is started next: see SessionOptions
   std::unique_ptr<MapStore> store;
   std::unique_ptr<TestServer> server;
 };

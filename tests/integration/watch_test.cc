@@ -309,6 +309,46 @@ TEST_F(WatchTest, SaysFromTimeToTimeHowFarAllIsTold) {
   EXPECT_EQ(message.progress().revision(), now) << "though the filter passed nothing";
 }
 
+TEST_F(WatchTest, HeartbeatsComeWhileNothingHappensToThoseWhoAskedForThemAndSayWhereToGoOn) {
+  Begin();
+  ASSERT_TRUE(Feed(*server, "room", 0, 3).status.ok());
+  const std::int64_t thing = AnyThing();
+  Rename(thing, "as stored");  // so that nothing is left to be stored
+  v1::WatchMapRequest often = From(0), seldom = From(0);
+  often.set_progress_s(0.5);
+  seldom.set_progress_s(300);
+  const auto start = std::chrono::steady_clock::now();
+  Watcher impatient(*server->watches, often), patient(*server->watches, seldom);
+  v1::WatchMapResponse message;
+  ASSERT_TRUE(patient.Read(message));
+  ASSERT_TRUE(impatient.Read(message));
+  EXPECT_TRUE(message.has_progress()) << "where it begins";
+  const std::string begin = message.position();
+  for (int n = 1; n <= 3; ++n) {
+    ASSERT_TRUE(impatient.Read(message));
+    EXPECT_TRUE(message.has_heartbeat()) << message.ShortDebugString();
+    EXPECT_EQ(message.position(), begin);
+  }
+  EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1500)) << "not more often than asked";
+  v1::WatchMapRequest again = seldom;
+  again.set_resume_after(message.position());
+  Watcher resumed(*server->watches, again);
+  ASSERT_TRUE(resumed.Read(message));
+
+  const std::int64_t renamed = Rename(thing, "at last");
+  for (Watcher* watcher : {&patient, &resumed}) {
+    ASSERT_TRUE(watcher->Read(message));
+    EXPECT_EQ(message.change().last_revision(), renamed) << "no heartbeat before it: " << message.ShortDebugString();
+  }
+  do {
+    ASSERT_TRUE(impatient.Read(message));
+  } while (message.has_heartbeat());
+  EXPECT_EQ(message.change().last_revision(), renamed);
+  ASSERT_TRUE(impatient.Read(message));
+  EXPECT_TRUE(message.has_heartbeat()) << message.ShortDebugString();
+  EXPECT_EQ(RevisionOf(message.position()), renamed);
+}
+
 TEST_F(WatchTest, AChangeOfManySubmapsComesInMessagesOfWhichTheLastSaysSo) {
   Begin();
   ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());

@@ -21,6 +21,7 @@ bool BackingUpClient::BackUp(const Life& life, Connection& server) {
   FinishedBackup backup{.file = file_};
   for (const FedMap& map : life.maps) backup.num_stored[map.history] = ledger_.NumStoredFrames(map.history);
   backup.asked = ledger_.Now();
+  const CallUnderWay counted(life.under_way, Phase::kBackup);
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + Connection::kTimeout);
   const auto stream = server.maps->BackupMap(&context, {});

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
 #include "tests/rig/ledger.h"
+#include "tests/rig/phases.h"
 
 namespace dhpmap::rig {
 
@@ -33,6 +35,7 @@ struct Life {
   std::vector<FedMap> maps;
   std::vector<std::string> to_be_deleted;  ///< maps that nobody uses any more
   std::atomic<bool> is_ending = false;     ///< from now on a lost connection is no wonder
+  mutable CallsUnderWay under_way;
 };
 
 enum class Fate { kAnswered, kRefused, kCut };
@@ -50,6 +53,8 @@ class Connection {
   /// `call(context)`: one unary call. `expected`: reasons for which it may be refused.
   template <typename Call>
   Outcome Ask(const char* what, std::initializer_list<std::string_view> expected, Call&& call) {
+    std::optional<CallUnderWay> counted;
+    if (const auto phase = PhaseOfCall(what)) counted.emplace(life_.under_way, *phase);
     grpc::ClientContext context;
     context.set_deadline(std::chrono::system_clock::now() + kTimeout);
     return Judge(what, expected, call(&context));

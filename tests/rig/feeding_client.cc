@@ -25,6 +25,7 @@ bool FeedingClient::FeedOneStream(const Life& life, Connection& server) {
   if (server.GetMap(map.name, summary).fate != Fate::kAnswered) return false;
   ledger_.OnMap(summary, asked);
 
+  const CallUnderWay counted(life.under_way, Phase::kMapping);
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + Connection::kTimeout);
   const auto stream = server.mapping->IntegrateFrames(&context);

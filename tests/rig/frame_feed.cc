@@ -6,7 +6,9 @@
 #include <thread>
 
 #include "clients/cli/frame_message.h"
+#include "clients/cli/new_map.h"
 #include "clients/datasets/dataset.h"
+#include "dhpmap/v1/map_service.grpc.pb.h"
 
 namespace dhpmap::rig {
 
@@ -51,6 +53,47 @@ grpc::Status FeedUntil(v1::MappingService::Stub& stub, const std::string& map_id
   }
   sender.join();
   return stream->Finish();
+}
+
+FeedOutcome FeedOnce(v1::MappingService::Stub& stub, const std::string& map_id, const std::string& session,
+                     const std::vector<const v1::Frame*>& frames) {
+  FeedOutcome outcome;
+  grpc::ClientContext context;
+  const auto stream = stub.IntegrateFrames(&context);
+  const auto begin = std::chrono::steady_clock::now();
+  std::thread sender([&] {
+    v1::IntegrateFramesRequest request;
+    request.set_map("maps/" + map_id);
+    request.set_session(session);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      request.set_sequence(static_cast<std::int64_t>(i));
+      *request.mutable_frame() = *frames[i];
+      if (!stream->Write(request)) break;
+    }
+    stream->WritesDone();
+  });
+  v1::IntegrateFramesResponse answer;
+  while (stream->Read(&answer)) {
+    if (answer.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) continue;
+    ++(answer.outcome() == v1::FUSED ? outcome.num_fused : outcome.num_others);
+    outcome.fuse_s += answer.fuse_s();
+  }
+  outcome.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sender.join();
+  outcome.status = stream->Finish();
+  return outcome;
+}
+
+Status CreateMapFor(const std::string& directory, const std::string& map_id,
+                    const std::shared_ptr<grpc::Channel>& channel) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto dataset, OpenDataset(directory, kAnyFormat, LabelSource::kPredicted));
+  NewMap map;
+  map.name = map_id;
+  DHPMAP_ASSIGN_OR_RETURN(const v1::CreateMapRequest request, ToRequest(map, dataset.get()));
+  grpc::ClientContext context;
+  v1::CreateMapResponse response;
+  const grpc::Status status = v1::MapService::NewStub(channel)->CreateMap(&context, request, &response);
+  return status.ok() ? Status::Ok() : FailedPrecondition("CreateMap: " + status.error_message());
 }
 
 }  // namespace dhpmap::rig

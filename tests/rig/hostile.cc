@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -118,10 +120,17 @@ bool RunNicely(const Load& load) {
   return held;
 }
 
+/// What the table at the end says of a load.
+struct Verdict {
+  std::string name;
+  double peak_mib = 0, limit_mib = 0, worst_p99_ms = 0;
+  bool held = false;
+};
+
 /// The load, and some time after it, with what the server takes meanwhile and how fast it answers what is quick.
-bool RunWatched(const Load& load, ServerUnderTest& server, const std::shared_ptr<grpc::Channel>& quick,
-                PeakWatch& watch) {
-  const double maps_mib = server.Metric("dhpmap_map_memory_bytes") / (1 << 20);
+Verdict RunWatched(const Load& load, ServerUnderTest& server, const std::shared_ptr<grpc::Channel>& quick,
+                   PeakWatch& watch) {
+  const double maps_mib = server.MapsMib();
   const double limit_mib = maps_mib + kBudget_mib + kBeside_mib;
   std::printf("%s\n", load.name);
   watch.Reset();
@@ -137,7 +146,20 @@ bool RunWatched(const Load& load, ServerUnderTest& server, const std::shared_ptr
   probes.Tell();
   held &= probes.Held();
   held &= Expect("quick calls that failed", probes.num_failures(), 0, "");
-  return held;
+  return {.name = load.name,
+          .peak_mib = peak.resident_mib,
+          .limit_mib = limit_mib,
+          .worst_p99_ms = probes.WorstP99_ms(),
+          .held = held};
+}
+
+void PrintTable(const std::vector<Verdict>& verdicts) {
+  std::printf("\n%-68s %9s %9s %9s\n", "case", "RSS, MiB", "limit", "p99, ms");
+  for (const Verdict& verdict : verdicts) {
+    std::printf("%-68s %9.0f %9.0f %9.1f  %s\n", verdict.name.c_str(), verdict.peak_mib, verdict.limit_mib,
+                verdict.worst_p99_ms, verdict.held ? "held" : "FAILED");
+  }
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -150,9 +172,16 @@ bool RunHostile(const HostileOptions& options) {
   if (!quick->WaitForConnected(std::chrono::system_clock::now() + kStay)) return false;
   PeakWatch watch(server.pid());
   bool held = true;
-  for (const Load& load : LoadsOn(server, target)) held &= RunWatched(load, server, quick, watch);
+  std::vector<Verdict> verdicts;
+  for (const Load& load : LoadsOn(server, target)) {
+    if (std::string_view(load.name).find(options.only) == std::string_view::npos) continue;
+    verdicts.push_back(RunWatched(load, server, quick, watch));
+    held &= verdicts.back().held;
+  }
   held &= Expect("the server's exit code", server.process().Terminate().value_or(255), 0, "");
-  return held;
+  PrintTable(verdicts);
+  if (verdicts.empty()) std::printf("FAILED: the name of no case contains '%s'\n", options.only.c_str());
+  return held && !verdicts.empty();
 }
 
 }  // namespace dhpmap::rig

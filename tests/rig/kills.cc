@@ -15,6 +15,7 @@
 #include "tests/rig/backing_up_client.h"
 #include "tests/rig/clients.h"
 #include "tests/rig/list_editing_client.h"
+#include "tests/rig/migration_kills.h"
 
 namespace dhpmap::rig {
 namespace {
@@ -24,13 +25,21 @@ using testing::ServerProcess;
 
 constexpr std::size_t kManyComplaints = 20;
 constexpr double kEnd_s = 30;
+/// How long a server is given to come to what is aimed at.
+constexpr double kAim_s = 1;
+constexpr std::array kAims = {Phase::kMapping,    Phase::kRefinement, Phase::kEdits,
+                              Phase::kCollection, Phase::kBackup,     Phase::kMigration};
 
 double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 class KillingLoop {
  public:
   explicit KillingLoop(const KillOptions& options)
-      : options_(options), corridor_(options.num_places), random_(options.seed), fed_(options.num_fed_maps) {
+      : options_(options),
+        corridor_(options.num_places),
+        random_(options.seed),
+        migrations_(options.directory, random_(), [this](const std::string& text) { ledger_.Complain(text); }),
+        fed_(options.num_fed_maps) {
     for (int i = 0; i < options.num_fed_maps; ++i) {
       clients_.push_back(std::make_unique<FeedingClient>(i, corridor_, random_(), ledger_));
     }
@@ -51,7 +60,10 @@ class KillingLoop {
   }
 
   KillReport Run(std::ostream& progress) {
-    while (report_.num_kills < options_.num_kills && LiveOnce()) {
+    while (report_.num_kills < options_.num_kills) {
+      const Phase aim = kAims[static_cast<std::size_t>(report_.num_kills) % kAims.size()];
+      const bool migrates = aim == Phase::kMigration && options_.migrates;
+      if (!(migrates ? MigrateOnce() : LiveOnce(aim))) break;
       Tell(progress);
     }
     if (ledger_.complaints().size() < kManyComplaints) EndWell();
@@ -66,7 +78,8 @@ class KillingLoop {
   bool Happens(double share) { return Between(0, 1) < share; }
 
   std::unique_ptr<ServerProcess> Start();
-  bool LiveOnce();
+  bool LiveOnce(Phase aim);
+  bool MigrateOnce();
   void EndWell();
   /// What is there after a start, before anybody changes it.
   bool TakeStock(Connection& server);
@@ -74,7 +87,9 @@ class KillingLoop {
   bool TakeStockOfSmallMaps(Connection& server);
   bool MakeMapsWhoseTimeHasCome(Life& life, Connection& server);
   bool Make(FedMap& map, const std::string& name, Connection& server);
-  void WorkUntilKilled(Life& life, ServerProcess& server);
+  void WorkUntilKilled(Life& life, ServerProcess& server, Phase aim);
+  /// Returns when it is time to kill, with what the server was at.
+  ByPhase<bool> AwaitTheMoment(const Life& life, ServerProcess& server, Phase aim);
   void LookInto(const FinishedBackup& backup, const Life& life);
   void LookInto(const FinishedBackup& backup, const FedMap& map, Connection& server);
 
@@ -82,10 +97,12 @@ class KillingLoop {
   const Corridor corridor_;
   std::mt19937_64 random_;
   Ledger ledger_;
+  MigrationKills migrations_;
   std::vector<std::unique_ptr<Client>> clients_;
   BackingUpClient* backing_up_ = nullptr;  // one of them
   std::vector<FedMap> fed_;
   std::vector<std::string> small_maps_;
+  int num_lives_ = 0;  ///< of servers that clients worked on
   KillReport report_;
   std::size_t num_told_ = 0;  // complaints
 };
@@ -114,11 +131,18 @@ std::unique_ptr<ServerProcess> KillingLoop::Start() {
   return nullptr;
 }
 
-bool KillingLoop::LiveOnce() {
+bool KillingLoop::MigrateOnce() {
+  report_.num_kills_in[Phase::kMigration] += migrations_.KillOnce() ? 1 : 0;
+  report_.num_half_migrated = migrations_.num_half_done();
+  ++report_.num_kills;
+  return ledger_.complaints().size() < kManyComplaints;
+}
+
+bool KillingLoop::LiveOnce(Phase aim) {
   const auto server = Start();
   if (!server) return false;
   Life life;
-  life.number = report_.num_kills;
+  life.number = num_lives_++;
   life.channel = server->Connect();
   {
     Connection connection(life, ledger_);
@@ -126,14 +150,33 @@ bool KillingLoop::LiveOnce() {
   }
   for (FedMap& map : fed_) map.is_edited = Happens(0.6);
   life.maps = fed_;
-  WorkUntilKilled(life, *server);
+  WorkUntilKilled(life, *server, life.to_be_deleted.empty() ? aim : Phase::kCollection);
   return ledger_.complaints().size() < kManyComplaints;
 }
 
-void KillingLoop::WorkUntilKilled(Life& life, ServerProcess& server) {
+ByPhase<bool> KillingLoop::AwaitTheMoment(const Life& life, ServerProcess& server, Phase aim) {
+  const auto rest = [](double s) { std::this_thread::sleep_for(std::chrono::duration<double>(s)); };
+  constexpr double kLook_s = 0.005, kWithin_s = 0.05;
+  rest(Between(options_.min_life_s, options_.max_life_s));
+  PhaseWatch watch(server.process().pid(), life.under_way);
+  (void)watch.Look();
+  const auto start = Clock::now();
+  ByPhase<bool> seen;
+  while (!seen[aim] && SecondsSince(start) < kAim_s) {
+    rest(Between(0, 2 * kLook_s));
+    seen = watch.Look();
+  }
+  if (Happens(0.5)) return seen;  // at its beginning
+  rest(Between(0, kWithin_s));
+  (void)watch.Look();
+  rest(kLook_s);
+  return watch.Look();
+}
+
+void KillingLoop::WorkUntilKilled(Life& life, ServerProcess& server, Phase aim) {
   std::vector<std::thread> threads;
   for (const auto& client : clients_) threads.emplace_back([&client, &life] { client->Run(life); });
-  std::this_thread::sleep_for(std::chrono::duration<double>(Between(options_.min_life_s, options_.max_life_s)));
+  const ByPhase<bool> seen = AwaitTheMoment(life, server, aim);
   if (const auto exit_code = server.process().Wait(0)) {
     ledger_.Complain("the server ended by itself with " + std::to_string(*exit_code) + ": " +
                      server.process().Stderr());
@@ -143,6 +186,7 @@ void KillingLoop::WorkUntilKilled(Life& life, ServerProcess& server) {
   server.process().Wait(kEnd_s);
   for (std::thread& thread : threads) thread.join();
   ++report_.num_kills;
+  for (const Phase phase : kAims) report_.num_kills_in[phase] += seen[phase] ? 1 : 0;
   if (const auto backup = backing_up_->Take()) LookInto(*backup, life);
 }
 
@@ -257,7 +301,7 @@ void KillingLoop::EndWell() {
     const auto server = Start();
     if (!server) return;
     Life life;
-    life.number = report_.num_kills + i;
+    life.number = num_lives_ + i;
     life.channel = server->Connect();
     Connection connection(life, ledger_);
     if (!TakeStock(connection)) return;
@@ -281,7 +325,11 @@ std::string ToText(const KillReport& report) {
   const Tally& tally = report.tally;
   std::ostringstream text;
   text << std::fixed << std::setprecision(3);
-  text << "kills                    " << report.num_kills << "\n"
+  text << "kills                    " << report.num_kills << "\n";
+  for (const Phase phase : kAims) {
+    text << "  during " << std::left << std::setw(16) << NameOf(phase) << report.num_kills_in[phase] << "\n";
+  }
+  text << "databases left half brought up to date " << report.num_half_migrated << "\n"
        << "starts on a database     " << report.start_s.size() << ", median " << Median(report.start_s) << " s, max "
        << (report.start_s.empty() ? 0 : *std::max_element(report.start_s.begin(), report.start_s.end())) << " s\n"
        << "answers held against     " << tally.num_answers << ", " << tally.num_listings << " of them whole maps\n"

@@ -57,7 +57,7 @@ bool RunLoad(const LoadOptions& options) {
   bool held = Report(*probes, ack_gaps, options.seconds);
   if (!fed.ok()) std::printf("FAILED: the stream of frames ended: %s\n", fed.error_message().c_str()), held = false;
   constexpr double kBudget_mib = 256, kBeside_mib = 200;
-  const double maps_mib = server.Metric("dhpmap_map_memory_bytes") / (1 << 20);
+  const double maps_mib = server.MapsMib();
   held &= Expect("resident memory, with " + std::to_string(static_cast<int>(maps_mib)) + " MiB of maps",
                  peak.peak().resident_mib, maps_mib + kBudget_mib + kBeside_mib, "MiB");
   return held;

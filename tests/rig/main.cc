@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   dhpmap::rig::HostileOptions hostile;
   command = app.add_subcommand("hostile", "Memory, with clients that do not read, do not finish, or hang up");
   command->add_option("dataset", hostile.dataset, "What dhpmap-simulate wrote")->required();
+  command->add_option("--only", hostile.only, "The cases whose names contain this text");
   command->callback([&] { held = RunHostile(hostile); });
 
   dhpmap::rig::ManyMapsOptions maps;
@@ -55,6 +56,31 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   command->callback([&] { held = RunSoak(soak); });
 
+  dhpmap::rig::DoorsOptions doors;
+  command = app.add_subcommand("doors", "How long a hundred points take through each door, at rest and while mapping");
+  command->add_option("dataset", doors.dataset, "What dhpmap-simulate wrote")->required();
+  command->add_option("--seconds", doors.seconds, "At rest, and as long while mapping")->capture_default_str();
+  command->add_option("--clients", doors.num_clients)->capture_default_str();
+  command->add_option("--rate", doors.rate_hz, "Calls a second of each client, at most; 0: one after the other")
+      ->capture_default_str();
+  command->add_option("--fps", doors.frame_rate_hz, "Frames a second; 0: as many as the server takes")
+      ->capture_default_str();
+  command->callback([&] { held = RunDoors(doors); });
+
+  dhpmap::rig::WatchersOptions watchers;
+  command = app.add_subcommand("watchers", "How much slower frames are fused while others watch the map");
+  command->add_option("dataset", watchers.dataset, "What dhpmap-simulate wrote")->required();
+  command->add_option("--watchers", watchers.num_watchers)->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--pairs", watchers.num_pairs, "Of a run without and one with them")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->callback([&] { held = RunWatchers(watchers); });
+
+  dhpmap::rig::TwoFeedersOptions feeders;
+  command = app.add_subcommand("two-feeders", "Whether two sessions at once make the map that one makes");
+  command->add_option("dataset", feeders.dataset, "What dhpmap-simulate wrote")->required();
+  command->callback([&] { held = RunTwoFeeders(feeders); });
+
   Target target;
   int num_clients = 1, num_calls = 1;
   Stall stall = Stall::kMeshes;
@@ -62,6 +88,11 @@ int main(int argc, char** argv) {
   AddTarget(*command, target);
   command->add_option("clients", num_clients)->required();
   command->callback([&] { RunBulkClients(target, num_clients); });
+
+  command = app.add_subcommand("read-watches", "For watchers")->group("");
+  AddTarget(*command, target);
+  command->add_option("watches", num_calls)->required();
+  command->callback([&] { held = RunReadWatches(target, num_calls); });
 
   command = app.add_subcommand("stalled-client", "For hostile")->group("");
   AddTarget(*command, target);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/rig/quick_probes.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -66,6 +67,10 @@ bool QuickProbes::Held() const {
   bool held = Expect("GetSubmap p99", 1e3 * get_submap_.Percentile_s(0.99), kMostProbe_ms, "ms");
   held &= Expect("/healthz p99", 1e3 * health_.Percentile_s(0.99), kMostProbe_ms, "ms");
   return held;
+}
+
+double QuickProbes::WorstP99_ms() const {
+  return 1e3 * std::max(get_submap_.Percentile_s(0.99), health_.Percentile_s(0.99));
 }
 
 int QuickProbes::num_failures() const { return get_submap_.num_failures() + health_.num_failures(); }

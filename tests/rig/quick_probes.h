@@ -24,6 +24,8 @@ class QuickProbes {
   /// Prints p99 of each, and whether it is within what the server promises. Those that failed are not in it.
   [[nodiscard]] bool Held() const;
   [[nodiscard]] int num_failures() const;
+  /// The greater of the two p99, ms.
+  [[nodiscard]] double WorstP99_ms() const;
 
  private:
   Latencies get_submap_, health_;

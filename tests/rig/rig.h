@@ -20,6 +20,7 @@ bool RunLoad(const LoadOptions& options);
 
 struct HostileOptions {
   std::string dataset;
+  std::string only;  ///< the cases whose names contain this; empty: all
 };
 /// The memory that clients can make the server take who do not read, do not finish, or hang up.
 bool RunHostile(const HostileOptions& options);
@@ -35,7 +36,8 @@ struct ApartmentsOptions {
   std::string dataset;
   int repetitions = 40;
 };
-/// Memory after maps have been made, queried, cloned, meshed and deleted in turn.
+/// Memory while and after maps are made, queried, cloned, meshed and deleted in turn, and how much of it the server's
+/// own count explains.
 bool RunApartments(const ApartmentsOptions& options);
 
 struct SoakOptions {
@@ -48,10 +50,39 @@ struct SoakOptions {
 /// Mapping, edits and every kind of query at once, for long: no error, nothing that grows.
 bool RunSoak(const SoakOptions& options);
 
+struct DoorsOptions {
+  std::string dataset;  ///< the apartment of dhpmap-simulate
+  double seconds = 30;  ///< at rest, and as long while mapping
+  int num_clients = 1;
+  double rate_hz = 50;       ///< calls a second of each client, at most; 0: as fast as they are answered
+  double frame_rate_hz = 0;  ///< 0: as many as the server takes
+};
+/// How long queries of a hundred points take through each door, at rest and while a map is fused.
+bool RunDoors(const DoorsOptions& options);
+
+struct WatchersOptions {
+  std::string dataset;
+  int num_watchers = 100;
+  int num_pairs = 3;  ///< of a run without watchers and one with
+};
+/// How much slower frames are fused while others watch the map, and what the watchers take.
+bool RunWatchers(const WatchersOptions& options);
+
+struct TwoFeedersOptions {
+  std::string dataset;  ///< the house of dhpmap-simulate
+};
+/// Whether two sessions that feed a map at once, half of the frames each, make the map that one makes: every other
+/// frame each, and the first and the second half.
+bool RunTwoFeeders(const TwoFeedersOptions& options);
+
 // Clients in processes of their own, started by the above.
 
 /// Bulk calls from `num_clients` connections until killed.
 void RunBulkClients(const Target& target, int num_clients);
+
+/// Reads so many watches of the map until SIGTERM. Whether none ended before, and each was told a change; prints how
+/// many.
+bool RunReadWatches(const Target& target, int num_watches);
 
 enum class Stall { kMeshes, kPoints, kQueryStreams, kWatches };
 /// Begins `num_calls` calls whose answers it does not read, and stands still until it is killed.

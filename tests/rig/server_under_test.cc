@@ -27,6 +27,10 @@ double ServerUnderTest::Metric(const std::string& name) const {
   return rig::Metric(folder_, server_->http_url(), name);
 }
 
+double ServerUnderTest::MapsMib() const {
+  return (Metric("dhpmap_map_memory_bytes") + Metric("dhpmap_past_states_memory_bytes")) / (1 << 20);
+}
+
 bool ServerUnderTest::MapDataset(const std::string& dataset, const std::string& map_id,
                                  const std::vector<std::string>& options) {
   std::vector<std::string> arguments = {"map", dataset, "--map", map_id};

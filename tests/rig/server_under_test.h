@@ -26,6 +26,8 @@ class ServerUnderTest {
   [[nodiscard]] int http_port() const;
   [[nodiscard]] Target TargetOf(const std::string& map_id) const;
   [[nodiscard]] double Metric(const std::string& name) const;
+  /// What maps take: their present states, and the past ones that history.kept_states_mib keeps, MiB.
+  [[nodiscard]] double MapsMib() const;
   /// `dhpmap map`: false, and said, if that failed.
   bool MapDataset(const std::string& dataset, const std::string& map_id, const std::vector<std::string>& options = {});
 

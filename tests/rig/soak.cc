@@ -29,7 +29,7 @@ std::vector<Look> Watch(ServerUnderTest& server, double seconds) {
   for (int i = 0; i < kLooks; ++i) {
     peak.Reset();
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds / kLooks));
-    looks.push_back({.peak = peak.peak(), .maps_mib = server.Metric("dhpmap_map_memory_bytes") / (1 << 20)});
+    looks.push_back({.peak = peak.peak(), .maps_mib = server.MapsMib()});
     const Look& look = looks.back();
     std::printf("after %5.0f s: maps %4.0f MiB, resident %4.0f MiB at most, %d threads, %d files\n",
                 seconds * (i + 1) / kLooks, look.maps_mib, look.peak.resident_mib, look.peak.num_threads,

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "mapping/base/grid.h"
-#include "mapping/fusion/bundler.h"
+#include "mapping/fusion/segment_bundles.h"
 #include "mapping/map/map_config.h"
 #include "mapping/sensor/frame.h"
 

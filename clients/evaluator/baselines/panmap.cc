@@ -3,25 +3,42 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
+#include <vector>
 
 #include "clients/evaluator/baselines/baselines.h"
 #include "clients/evaluator/baselines/panmap_merging.h"
 #include "clients/evaluator/baselines/whole_frame.h"
+#include "mapping/fusion/segment_parts.h"
 
 namespace dhpmap::evaluator {
 
-Panmap::Panmap(const SystemSetup& setup)
-    : setup_(setup),
+Panmap::Panmap(const SystemSetup& setup, std::string name)
+    : name_(std::move(name)),
+      setup_(setup),
       pool_(setup.num_threads),
       bundler_(setup.config.integration, pool_),
       tracker_(setup.config, *setup.label_set, pool_),
       integrator_(setup.config, pool_) {}
 
+/// As MapBuilder does.
+const std::vector<SegmentBundles>& Panmap::Bundle(const PanopticFrame& frame) {
+  auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, setup_.config.voxel_size_m);
+  const int gap_vox = setup_.config.tracking.split_gap_vox;
+  if (gap_vox == 0 || frame.has_persistent_ids) return segments;
+  std::vector<bool> is_thing;
+  for (const SegmentInfo& segment : frame.segments) {
+    is_thing.push_back(segment.class_id && setup_.label_set->Find(*segment.class_id)->panoptic == Panoptic::kThing);
+  }
+  SplitIntoParts(is_thing, gap_vox, segments);
+  return segments;
+}
+
 Status Panmap::Integrate(const PanopticFrame& frame) {
   DHPMAP_RETURN_IF_ERROR(ValidateFrame(frame, *setup_.label_set));
   const auto start = std::chrono::steady_clock::now();
   settings_ = PanmapSettingsFor(frame);
-  const auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, setup_.config.voxel_size_m);
+  const auto& segments = Bundle(frame);
   DHPMAP_RETURN_IF_ERROR(CheckIsWhole(segments));
   const std::vector<SubmapId> assigned = tracker_.Assign(frame, segments, settings_, submaps_, next_id_);
   integrator_.Integrate(frame, segments, assigned, submaps_);
@@ -87,5 +104,10 @@ LabelledSurface Panmap::Surface() const {
 }
 
 std::unique_ptr<MappingSystem> MakePanmap(const SystemSetup& setup) { return std::make_unique<Panmap>(setup); }
+
+std::unique_ptr<MappingSystem> MakePanmapOfWholeSegments(SystemSetup setup) {
+  setup.config.tracking.split_gap_vox = 0;
+  return std::make_unique<Panmap>(setup, "panmap_whole_segments");
+}
 
 }  // namespace dhpmap::evaluator

@@ -2,21 +2,25 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "clients/evaluator/baselines/panmap_submap.h"
 #include "clients/evaluator/baselines/panmap_tracker.h"
 #include "clients/evaluator/baselines/projective_integrator.h"
 #include "clients/evaluator/mapping_system.h"
+#include "mapping/fusion/bundler.h"
 
 namespace dhpmap::evaluator {
 
 /// Panmap: panoptic submaps that live while they are tracked. Left out, since the data sets are of one session and
-/// static: its submap of free space, and change detection.
+/// static: its submap of free space, and change detection. It is given what is cut of segments that lie apart
+/// (SplitIntoParts, with the configuration's split_gap_vox), as our own pipeline is: it is no part of its method, but
+/// helps.
 class Panmap final : public MappingSystem {
  public:
-  explicit Panmap(const SystemSetup& setup);
+  explicit Panmap(const SystemSetup& setup, std::string name = "panmap");
 
-  [[nodiscard]] std::string name() const override { return "panmap"; }
+  [[nodiscard]] std::string name() const override { return name_; }
   [[nodiscard]] bool has_instances() const override { return true; }
   Status Integrate(const PanopticFrame& frame) override;
   /// Deactivates everything and merges until nothing changes.
@@ -30,7 +34,9 @@ class Panmap final : public MappingSystem {
 
  private:
   void UpdateActivity();
+  const std::vector<SegmentBundles>& Bundle(const PanopticFrame& frame);
 
+  std::string name_;
   SystemSetup setup_;
   PanmapSettings settings_;
   ThreadPool pool_;

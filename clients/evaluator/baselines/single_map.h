@@ -11,7 +11,8 @@
 
 namespace dhpmap::evaluator {
 
-/// One TSDF for everything, with a class at each voxel and no instances: rays merged by end voxel, as in Kimera.
+/// One TSDF for everything, with a class at each voxel and no instances: rays merged by end voxel, as in Kimera. Carves
+/// free space if the configuration says so.
 class SingleMap final : public MappingSystem {
  public:
   SingleMap(std::string name, const SystemSetup& setup, std::unique_ptr<SemanticLayer> labels);
@@ -25,6 +26,7 @@ class SingleMap final : public MappingSystem {
   [[nodiscard]] SystemTimes times() const override { return times_; }
 
  private:
+  void Fuse(const SegmentBundles& rays, const RayOrigin& origin);
   [[nodiscard]] ClassId LabelNear(const Eigen::Vector3f& vertex_m) const;
 
   std::string name_;

@@ -170,5 +170,38 @@ TEST(ChangeCodec, GivesBackWhatItWasGivenAndNothingElse) {
   EXPECT_EQ(DecodeChange(blob, read).code(), StatusCode::kDataLoss) << "of another revision";
 }
 
+TEST(ChangeCodec, OnlyRegionsMakeABlobThatVersionsBeforeThemCannotRead) {
+  MapChange change;
+  change.first_revision = 4;
+  change.last_revision = 5;
+  change.display_name = "house";
+  EXPECT_EQ(EncodeChange(change)[0], 0x62);
+  change.regions = {{.kind = RegionEventKind::kKeptClear, .region = BoundingSphere{{1, 2, 3}, 0.5}, .name = "door"},
+                    {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 2, 3)),
+                     .submap = SubmapId(3),
+                     .classes = {ClassId(1), ClassId(65534)},
+                     .num_voxels = 1'000'000}};
+  const Bytes blob = EncodeChange(change);
+  EXPECT_EQ(blob[0], 0x63);
+  MapChange read;
+  read.last_revision = 5;
+  read.regions = {{.name = "of before"}};
+  ASSERT_TRUE(DecodeChange(blob, read).ok());
+  EXPECT_EQ(read.display_name, "house");
+  ASSERT_EQ(read.regions.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RegionEvent &expected = change.regions[i], &actual = read.regions[i];
+    EXPECT_EQ(expected.kind, actual.kind);
+    EXPECT_TRUE(IsSame(expected.region, actual.region));
+    EXPECT_EQ(expected.name, actual.name);
+    EXPECT_EQ(expected.submap, actual.submap);
+    EXPECT_EQ(expected.classes, actual.classes);
+    EXPECT_EQ(expected.num_voxels, actual.num_voxels);
+  }
+  change.regions.clear();
+  ASSERT_TRUE(DecodeChange(EncodeChange(change), read).ok());
+  EXPECT_TRUE(read.regions.empty());
+}
+
 }  // namespace
 }  // namespace dhpmap

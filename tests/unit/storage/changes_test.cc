@@ -277,6 +277,65 @@ TEST_P(ChangesTest, WhatComesAndGoesBetweenTwoCommitsIsToldAsGoneForWhoeverListe
   EXPECT_TRUE(Commit(*map, then).submaps.empty()) << "told once";
 }
 
+Region UnitBoxAt(double x_m) { return Eigen::AlignedBox3d(Eigen::Vector3d(x_m, 0, 0), Eigen::Vector3d(x_m + 1, 1, 1)); }
+
+TEST_P(ChangesTest, RegionsThatAreKeptClearAndLiftedAreToldByNameAsTheyDifferBetweenTwoCommits) {
+  const auto map = Create("house");
+  const auto before = map->published();
+  KeptClear& kept = map->mutable_info().kept_clear;
+  ASSERT_TRUE(kept.Add({"hall", UnitBoxAt(0)}).ok());
+  ASSERT_TRUE(kept.Add({"door", BoundingSphere{{1, 2, 3}, 0.5}}).ok());
+  MapChange change = Commit(*map, before);
+  ASSERT_EQ(change.regions.size(), 2u);
+  EXPECT_EQ(change.regions[0].kind, RegionEventKind::kKeptClear);
+  EXPECT_EQ(change.regions[0].name, "door");
+  EXPECT_TRUE(IsSame(change.regions[0].region, BoundingSphere{{1, 2, 3}, 0.5}));
+  EXPECT_EQ(change.regions[1].name, "hall");
+  EXPECT_TRUE(change.submaps.empty());
+
+  const auto then = map->published();
+  KeptClear& later = map->mutable_info().kept_clear;
+  ASSERT_TRUE(later.Lift("door") && later.Lift("hall"));
+  ASSERT_TRUE(later.Add({"hall", UnitBoxAt(7)}).ok());
+  ASSERT_TRUE(later.Add({"passing", UnitBoxAt(8)}).ok());
+  map->Publish(15);
+  ASSERT_TRUE(map->mutable_info().kept_clear.Lift("passing"));
+  change = Commit(*map, then);
+  ASSERT_EQ(change.regions.size(), 3u) << "what came and went between is not told";
+  EXPECT_EQ(change.regions[0].kind, RegionEventKind::kLifted);
+  EXPECT_EQ(change.regions[0].name, "door");
+  EXPECT_EQ(change.regions[1].kind, RegionEventKind::kLifted);
+  EXPECT_TRUE(IsSame(change.regions[1].region, UnitBoxAt(0))) << "as it was";
+  EXPECT_EQ(change.regions[2].kind, RegionEventKind::kKeptClear);
+  EXPECT_TRUE(IsSame(change.regions[2].region, UnitBoxAt(7)));
+}
+
+TEST_P(ChangesTest, WhatAnEditHasClearedIsToldWithItsChange) {
+  const auto map = Create("house");
+  const auto before = map->published();
+  map->mutable_info().display_name = "cleared";
+  const auto after = map->Publish(20);
+  const EditRecord edit{.entry = {after->revision(), 20, {}, {}},
+                        .answer = "",
+                        .before = before,
+                        .cleared = {{.region = UnitBoxAt(2), .submap = SubmapId(3), .num_voxels = 12},
+                                    {.region = BoundingSphere{{1, 2, 3}, 0.5}, .classes = {ClassId(1), ClassId(7)}}}};
+  ASSERT_TRUE(store_->CommitEdit(*before, *after, edit).ok());
+  Open();  // a database is closed and opened again
+  const auto list = store_->ListChanges("house", before->revision(), 1);
+  ASSERT_TRUE(list.ok()) << list.status().ToString();
+  ASSERT_EQ(list->changes.size(), 1u);
+  const MapChange& change = *list->changes[0];
+  ASSERT_EQ(change.regions.size(), 2u);
+  EXPECT_EQ(change.regions[0].kind, RegionEventKind::kCleared);
+  EXPECT_TRUE(IsSame(change.regions[0].region, UnitBoxAt(2)));
+  EXPECT_EQ(change.regions[0].submap, SubmapId(3));
+  EXPECT_EQ(change.regions[0].num_voxels, 12);
+  EXPECT_TRUE(IsSame(change.regions[1].region, BoundingSphere{{1, 2, 3}, 0.5}));
+  EXPECT_EQ(change.regions[1].classes, (std::vector<ClassId>{ClassId(1), ClassId(7)}));
+  EXPECT_EQ(change.display_name, "cleared");
+}
+
 TEST_P(ChangesTest, UnknownMapsAreNotFound) {
   EXPECT_EQ(store_->ListChanges("ghost", 0, 1).status().code(), StatusCode::kNotFound);
   Create("house");

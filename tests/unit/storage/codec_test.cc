@@ -156,14 +156,14 @@ TEST(LabelCodec, KeepsEveryFormOfVoxel) {
   constexpr std::uint32_t kMax = std::numeric_limits<std::uint32_t>::max();
   LabelBlock block;
   int voxel = 0;
-  block.Set(voxel++, {{{0, 1}}, {{0, 1}}});
-  block.Set(voxel++, {{{65534, 65535}}, {{0, 65535}}});
-  block.Set(voxel++, {{{65534, 65536}}, {{0, 65536}}});
-  block.Set(voxel++, {{{1, kMax}, {2, kMax}}, {{0, kMax}}});
-  block.Set(voxel++, {{{1, 2}, {3, 4}}, {{0, 6}}});
-  block.Set(voxel++, {{{1, 2}, {3, 4}}, {{0, 5}}});
-  block.Set(voxel++, {{{1, 2}}, {{5, 2}, {kMax, kMax}}});
-  block.Set(voxel++, {{}, {{0, 3}}});
+  block.Set(voxel++, {{{0, 1}}, {{kOwnInstance, 1}}});
+  block.Set(voxel++, {{{65534, 65535}}, {{kOwnInstance, 65535}}});
+  block.Set(voxel++, {{{65534, 65536}}, {{kOwnInstance, 65536}}});
+  block.Set(voxel++, {{{1, kMax}, {2, kMax}}, {{kOwnInstance, kMax}}});
+  block.Set(voxel++, {{{1, 2}, {3, 4}}, {{kOwnInstance, 6}}});
+  block.Set(voxel++, {{{1, 2}, {3, 4}}, {{kOwnInstance, 5}}});
+  block.Set(voxel++, {{{1, 2}}, {{SeenInstance::FromCode(5), 2}, {SeenInstance::FromCode(kMax), kMax}}});
+  block.Set(voxel++, {{}, {{kOwnInstance, 3}}});
   block.Set(voxel++, {{{7, 1}}, {}});
   LabelHistograms many;
   for (std::uint32_t id = 0; id < 300; ++id) many.classes.push_back({3 * id, id + 1});
@@ -176,8 +176,8 @@ TEST(LabelCodec, TheSameCountsAreTheSameBytesHoweverTheyCameAbout) {
   LabelBlock one, other;
   one.AddObservation(4, ClassId(2));
   one.AddObservation(4, ClassId(1));
-  other.Set(4, {{{1, 1}, {2, 1}, {3, 1}}, {{0, 3}}});  // through the overflow list
-  other.Set(4, {{{1, 1}, {2, 1}}, {{0, 2}}});
+  other.Set(4, {{{1, 1}, {2, 1}, {3, 1}}, {{kOwnInstance, 3}}});  // through the overflow list
+  other.Set(4, {{{1, 1}, {2, 1}}, {{kOwnInstance, 2}}});
   EXPECT_EQ(EncodeLabelBlock(one, kIndex), EncodeLabelBlock(other, kIndex));
 }
 

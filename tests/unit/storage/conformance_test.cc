@@ -17,7 +17,7 @@ using testing::ExpectSameMap;
 using testing::MapGenerator;
 using testing::TempDir;
 
-enum class Kind { kMemory, kSqlite };
+enum class Kind { kMemory, kSqlite, kPaged };  ///< the last: SQLite's, where voxels stay until they are read
 
 class MapStoreTest : public ::testing::TestWithParam<Kind> {
  protected:
@@ -29,7 +29,7 @@ class MapStoreTest : public ::testing::TestWithParam<Kind> {
       return;
     }
     store_ = nullptr;
-    auto opened = OpenSqliteStore((folder_.path() / "maps.db").string());
+    auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = GetParam() == Kind::kPaged});
     ASSERT_TRUE(opened.ok()) << opened.status().ToString();
     store_ = std::move(opened).value();
   }
@@ -252,8 +252,12 @@ TEST_P(MapStoreTest, ServesReadersWhileItCommits) {
   ExpectSameMap(*map->published(), *Load("house"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Stores, MapStoreTest, ::testing::Values(Kind::kMemory, Kind::kSqlite),
-                         [](const auto& kind) { return kind.param == Kind::kMemory ? "Memory" : "Sqlite"; });
+INSTANTIATE_TEST_SUITE_P(Stores, MapStoreTest, ::testing::Values(Kind::kMemory, Kind::kSqlite, Kind::kPaged),
+                         [](const auto& kind) {
+                           return kind.param == Kind::kMemory   ? "Memory"
+                                  : kind.param == Kind::kSqlite ? "Sqlite"
+                                                                : "Paged";
+                         });
 
 }  // namespace
 }  // namespace dhpmap

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "storage/codec/edit_codec.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/storage/map_fixtures.h"
@@ -92,6 +93,38 @@ TEST_P(EditsTest, AnEditIsInTheLogWithTheStateThatItMade) {
   EXPECT_FALSE(*store_->FindAnswer("a", "abd"));
   EXPECT_FALSE(*store_->FindAnswer("a", "")) << "no id is no request";
   EXPECT_EQ(store_->ListEdits("b", {}).status().code(), StatusCode::kNotFound);
+}
+
+TEST_P(EditsTest, ARestorationIsInTheLogWithTheRevisionThatItWentTo) {
+  Map map = Create("a");
+  const EditSummary restored{.steps = {{EditAction::kRestore, SubmapId()}}, .restored_revision = 5'000'000'017};
+  const EditSummary older{.steps = {{EditAction::kRestore, SubmapId(1)}}, .changed = {SubmapId(1)}};
+  ASSERT_TRUE(Rename(map, {}, 5, "", restored).ok());
+  ASSERT_TRUE(Rename(map, {}, 6, "", older).ok());
+  for (int round = 0; round < 2; ++round) {
+    const auto edits = List();
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_EQ(edits[0].entry.summary, older) << "of before the log told it";
+    EXPECT_EQ(edits[1].entry.summary, restored);
+    Open();  // and after a restart
+  }
+  if (GetParam() == StoreKind::kMemory) return;
+  const auto report = store_->VerifyMap("a", false, {});
+  ASSERT_TRUE(report.ok()) << report.status().ToString();
+  EXPECT_EQ(report->num_faults, 0);
+}
+
+TEST(EditSummaryCodec, WithoutARevisionToGoBackToItIsWrittenAsItEverWas) {
+  const EditEntry older{.revision = 9, .summary = {.steps = {{EditAction::kRestore, SubmapId(1)}}}};
+  EXPECT_EQ(EncodeEditSummary(older).front(), 0x71);
+  EditEntry newer = older;
+  newer.summary.restored_revision = 4;
+  const Bytes blob = EncodeEditSummary(newer);
+  EXPECT_EQ(blob.front(), 0x72);
+  for (std::size_t size = 0; size < blob.size(); ++size) {
+    EditEntry cut{.revision = 9};
+    EXPECT_EQ(DecodeEditSummary(ByteView(blob).first(size), cut).code(), StatusCode::kDataLoss) << size;
+  }
 }
 
 TEST_P(EditsTest, AStateThatIsNotStoredLeavesNothingInTheLog) {

@@ -85,11 +85,31 @@ TEST_F(FormatTest, ItReadsWhatWasBroughtUpToDateToo) {
   ExpectReadable("grotto");
 }
 
+TEST_F(FormatTest, ItFindsInRowsWhichBlocksTheirBlobsHold) {
+  const std::string unknown = "SELECT count(*) FROM tiles WHERE owner_key > 0 AND cells = 0";
+  fs::copy_file(testing::SourceDir() / "tests/unit/storage/released/schema-6.sqlite", Path());
+  fs::permissions(Path(), fs::perms::owner_write, fs::perm_options::add);
+  Open();
+  EXPECT_GT(Query(unknown), 0) << "of rows of before";
+  pages_tiles_ = true;
+  Open();
+  ExpectReadable("grotto");  // which loads it
+  EXPECT_GT(Query(unknown), 0) << "of a map that nobody has loaded";
+  ExpectReadable("cairn");
+  EXPECT_EQ(Query(unknown), 0);
+  EXPECT_EQ(Query("SELECT count(*) FROM tiles WHERE owner_key < 0 AND cells <> 0"), 0) << "of layers of maps";
+  ExpectReadable("grotto");
+  CreateSample("house");
+  EXPECT_EQ(Query(unknown), 0) << "of rows that are new";
+  ExpectReadable("house");
+}
+
 TEST_F(FormatTest, ItSeesDamage) {
   Open();
   CreateSample("house");
   for (const char* damage :
        {"UPDATE tiles SET blob_key = blob_key + 1 WHERE layer = 1", "UPDATE maps SET tiles_sum = tiles_sum + 1",
+        "UPDATE tiles SET cells = cells + 1 WHERE layer = 1", "UPDATE tiles SET cells = 1 WHERE layer = 3",
         "UPDATE tile_blobs SET blob = CAST(substr(blob, 1, 30) || x'5A' || substr(blob, 32) AS BLOB)"}) {
     const std::string intact = Path() + ".intact";
     store_ = nullptr;

@@ -65,8 +65,10 @@ class MapGenerator {
       if (kind < 4) continue;
       for (int n = Below(6); n >= 0; --n) block.AddObservation(i, ClassId(9));
       if (kind == 5) block.AddObservation(i, ClassId(1));
-      if (kind == 6) block.Add(i, {{{2, 70'000}, {3, 1}, {700, 2}}, {{0, 3}, {17, 4'000'000'000u}}});
-      if (kind == 7) block.Set(i, {{}, {{0, 5}}});
+      if (kind == 6)
+        block.Add(i,
+                  {{{2, 70'000}, {3, 1}, {700, 2}}, {{kOwnInstance, 3}, {SeenInstance(SubmapId(17)), 4'000'000'000u}}});
+      if (kind == 7) block.Set(i, {{}, {{kOwnInstance, 5}}});
     }
   }
 

@@ -30,14 +30,14 @@ void Append(std::string& text, std::uint32_t id, std::uint64_t count) {
   text.append(" ").append(std::to_string(id)).append(":").append(std::to_string(count));
 }
 
-std::vector<LabelCount> Sorted(std::vector<LabelCount> counts) {
-  std::sort(counts.begin(), counts.end(), [](LabelCount a, LabelCount b) { return a.id < b.id; });
-  return counts;
-}
+std::uint32_t NumberOf(std::uint32_t class_id) { return class_id; }
+std::uint32_t NumberOf(SeenInstance instance) { return instance.code(); }
 
-std::string TextOf(const std::vector<LabelCount>& counts) {
+template <typename Id>
+std::string TextOf(std::vector<SeenCount<Id>> counts) {
+  std::sort(counts.begin(), counts.end(), [](SeenCount<Id> a, SeenCount<Id> b) { return a.id < b.id; });
   std::string text;
-  for (const LabelCount entry : Sorted(counts)) Append(text, entry.id, entry.count);
+  for (const SeenCount<Id>& entry : counts) Append(text, NumberOf(entry.id), entry.count);
   return text;
 }
 

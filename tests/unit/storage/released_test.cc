@@ -3,6 +3,7 @@
 #include <map>
 #include <sstream>
 
+#include "mapping/map/tile_page.h"
 #include "storage/schema/bundle_blocks.h"
 #include "storage/schema/migrate.h"
 #include "storage/tiles/object_layers.h"
@@ -89,6 +90,20 @@ class ReleasedDatabaseTest : public SqliteStoreTest, public ::testing::WithParam
   std::map<std::string, Expected> expected_;
   std::int64_t num_free_ = 0;  ///< voxels of each map
 };
+
+TEST_P(ReleasedDatabaseTest, IsPagedOnceItWasReadForThat) {
+  pages_tiles_ = true;
+  Open();
+  ExpectAllOfIt();
+  EXPECT_EQ(Query("SELECT count(*) FROM tiles WHERE owner_key > 0 AND cells = 0"), 0);
+  Open();
+  const std::uint64_t before = CountPages().num_reads;
+  std::vector<std::shared_ptr<const MapSnapshot>> maps;
+  for (const auto& [name, expected] : expected_) maps.push_back(store_->LoadMap(name).value());
+  EXPECT_EQ(CountPages().num_reads, before) << "nothing is decoded to open it";
+  ExpectAllOfIt();
+  EXPECT_GT(CountPages().num_reads, before);
+}
 
 TEST_P(ReleasedDatabaseTest, HoldsWhatWasWrittenAndTakesMore) {
   EXPECT_EQ(Query("PRAGMA user_version"), GetParam());
@@ -223,12 +238,12 @@ std::vector<std::int64_t> ReleasedSchemas() {
   return schemas;
 }
 
-std::string NameOf(const ::testing::TestParamInfo<std::int64_t>& schema) {
+std::string NameOfSchema(const ::testing::TestParamInfo<std::int64_t>& schema) {
   return "Schema" + std::to_string(schema.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemas, ReleasedDatabaseTest, ::testing::ValuesIn(ReleasedSchemas()), NameOf);
-INSTANTIATE_TEST_SUITE_P(Schemas, BlockDatabaseTest, ::testing::Range<std::int64_t>(1, 7), NameOf);
+INSTANTIATE_TEST_SUITE_P(Schemas, ReleasedDatabaseTest, ::testing::ValuesIn(ReleasedSchemas()), NameOfSchema);
+INSTANTIATE_TEST_SUITE_P(Schemas, BlockDatabaseTest, ::testing::Range<std::int64_t>(1, 7), NameOfSchema);
 
 }  // namespace
 }  // namespace dhpmap

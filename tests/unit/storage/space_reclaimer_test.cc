@@ -11,10 +11,13 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "storage/backup.h"
 #include "storage/connection.h"
+#include "storage/rows/tile_rows.h"
 #include "storage/sqlite/free_pages.h"
 #include "storage/sqlite/transaction.h"
 #include "tests/support/eventually.h"
@@ -215,6 +218,75 @@ TEST_F(SpaceReclaimerTest, AStepDoesABoundedShareOfTheWork) {
   EXPECT_EQ(num_dead(), 0);
 }
 
+TEST_F(SpaceReclaimerTest, StepsAreBoundedInBlobsAndBytesAndEndWithAllThatIsUsedAndNothingElse) {
+  constexpr std::int64_t kLargest = SpaceReclaimer::kMaxBytesAStep + 100'000;
+  Open();
+  const auto kept = CreateMap("kept", 2);
+  store_ = nullptr;
+  const std::int64_t bytes_before = FileBytes();
+  const std::string used =
+      "SELECT group_concat(blob_key || ' ' || length(blob)) = (SELECT words FROM seen) FROM (SELECT "
+      "* FROM tile_blobs ORDER BY blob_key)";
+  Tamper(
+      "CREATE TABLE seen (words TEXT); INSERT INTO seen SELECT group_concat(blob_key || ' ' || length(blob)) FROM "
+      "(SELECT * FROM tile_blobs ORDER BY blob_key);"
+      // Of all sizes, and two that are larger than a step.
+      "WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 900) INSERT INTO tile_blobs "
+      "(num_blocks, blob) SELECT 1, zeroblob(CASE WHEN i % 450 = 7 THEN " +
+      std::to_string(kLargest) +
+      " ELSE 40 + i % 31 * 997 END) FROM n; INSERT INTO dead_blobs SELECT blob_key FROM tile_blobs EXCEPT SELECT "
+      "blob_key FROM blob_references");
+  ASSERT_EQ(Query("SELECT count(*) FROM dead_blobs"), 900);
+  SteppedReclaimer reclaimer(Path());
+  const auto look = [&] {
+    return std::pair(Query("SELECT count(*) FROM tile_blobs"), Query("SELECT total(length(blob)) FROM tile_blobs"));
+  };
+  int num_steps = 0, num_large = 0;
+  auto [blobs, bytes] = look();
+  for (; reclaimer.Step() == Progress::kMore; ++num_steps) {
+    const auto [blobs_now, bytes_now] = look();
+    EXPECT_LE(blobs - blobs_now, SpaceReclaimer::kMaxAStep);
+    if (bytes - bytes_now > SpaceReclaimer::kMaxBytesAStep) {
+      EXPECT_EQ(blobs - blobs_now, 1) << "a large one has a step of its own";
+      ++num_large;
+    }
+    std::tie(blobs, bytes) = std::tie(blobs_now, bytes_now);
+    ASSERT_EQ(Query(used.substr(0, used.rfind("FROM (")) + "FROM (SELECT * FROM tile_blobs WHERE blob_key NOT IN "
+                                                           "(SELECT blob_key FROM dead_blobs) ORDER BY blob_key)"),
+              1)
+        << "something that is used went in step " << num_steps;
+  }
+  EXPECT_EQ(num_large, 2);
+  EXPECT_GT(num_steps, 5);
+  EXPECT_EQ(Query("SELECT count(*) FROM dead_blobs"), 0);
+  EXPECT_EQ(Query(used), 1) << "and nothing else is left";
+  Tamper("DROP TABLE seen");
+  EXPECT_EQ(reclaimer.Run(), Progress::kDone);
+  EXPECT_LE(FileBytes(), bytes_before + 4 * kPageBytes) << "the space is given back";
+  ExpectSound();
+  Open();
+  ExpectStored(*kept->published());
+}
+
+TEST_F(SpaceReclaimerTest, WhatHasTakenItsTimeEndsAfterOneBlob) {
+  Open();
+  CreateMap("house", 5);
+  store_ = nullptr;
+  Tamper("PRAGMA foreign_keys = ON; DELETE FROM maps");
+  auto database = OpenWriter(Path(), 50);
+  ASSERT_TRUE(database.ok());
+  const std::int64_t num_dead = Query("SELECT count(*) FROM dead_blobs");
+  const auto collected = CollectDeadBlobs(*database, {.max_blobs = num_dead, .end = std::chrono::steady_clock::now()});
+  ASSERT_TRUE(collected.ok());
+  EXPECT_EQ(collected->num_blobs, 1);
+  EXPECT_TRUE(collected->has_more);
+  EXPECT_EQ(Query("SELECT count(*) FROM dead_blobs"), num_dead - 1);
+  const auto rest = CollectDeadBlobs(*database, {.max_blobs = num_dead});
+  ASSERT_TRUE(rest.ok());
+  EXPECT_EQ(rest->num_blobs, num_dead - 1);
+  EXPECT_FALSE(rest->has_more);
+}
+
 TEST_F(SpaceReclaimerTest, KeepsUpWithAWriterWhoseEveryCommitLeavesBlobs) {
   constexpr int kBlobsACommit = 40;
   Open();
@@ -271,11 +343,11 @@ class BrokenReclaimTest : public SpaceReclaimerTest {
 };
 
 /// The first calls one by one, later ones in growing strides.
-int Next(int nth) { return nth + 1 + nth / 2; }
+int NextCallAfter(int nth) { return nth + 1 + nth / 2; }
 
 TEST_F(BrokenReclaimTest, KilledAtAnyWriteNothingIsLostAndTheNextStartGoesOn) {
   int num_killed = 0;
-  for (int nth = 1; nth < 5000; nth = Next(nth)) {
+  for (int nth = 1; nth < 5000; nth = NextCallAfter(nth)) {
     SCOPED_TRACE("call " + std::to_string(nth));
     Restart();
     const pid_t child = fork();
@@ -300,7 +372,7 @@ TEST_F(BrokenReclaimTest, KilledAtAnyWriteNothingIsLostAndTheNextStartGoesOn) {
 TEST_F(BrokenReclaimTest, AFailingDiskStopsItUntilItWorksAgain) {
   for (const auto kind : {DiskFault::Kind::kFull, DiskFault::Kind::kBroken, DiskFault::Kind::kNoSync}) {
     int num_blocked = 0;
-    for (int nth = 1; nth < 5000; nth = Next(nth)) {
+    for (int nth = 1; nth < 5000; nth = NextCallAfter(nth)) {
       SCOPED_TRACE("fault " + std::to_string(static_cast<int>(kind)) + ", call " + std::to_string(nth));
       Restart();
       {

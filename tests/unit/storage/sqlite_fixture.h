@@ -22,7 +22,7 @@ class SqliteStoreTest : public ::testing::Test {
 
   Status TryOpen(bool read_only = false) {
     store_ = nullptr;
-    auto opened = OpenSqliteStore(Path(), {.read_only = read_only, .busy_timeout_ms = 50});
+    auto opened = OpenSqliteStore(Path(), {.read_only = read_only, .busy_timeout_ms = 50, .pages_tiles = pages_tiles_});
     if (!opened.ok()) return opened.status();
     store_ = std::move(opened).value();
     return Status::Ok();
@@ -66,6 +66,7 @@ class SqliteStoreTest : public ::testing::Test {
 
   TempDir folder_;
   MapGenerator generator_{9};
+  bool pages_tiles_ = false;  ///< of the store that is opened next
   std::unique_ptr<MapStore> store_;
 };
 

@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "storage/shared_voxels.h"
 #include "tests/unit/storage/sqlite_fixture.h"
 
 namespace dhpmap {
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::SqliteStoreTest;
-using Kind = MapFault::Kind;
+using FaultKind = MapFault::Kind;
 
 class VerifyTest : public SqliteStoreTest {
  protected:
@@ -29,10 +30,29 @@ class VerifyTest : public SqliteStoreTest {
     map_->Clone(SubmapId(2));
     generator_.AddVoxels(map_->mutable_vacated());
     ASSERT_TRUE(store_->Commit(*before, *map_->Publish(20), Durability::kFull).ok());
+    generator_.AddBlocks(*map_->FindMutable(SubmapId(3)), 40);  // in each of its tiles
+    CommitEdit({.author = "anna"}, {});
+    edited_revision_ = map_->info().revision;
+    map_->FindMutable(SubmapId(2))->mutable_info().display_name = "a chair";
+    CommitEdit({}, {.kind = EditKind::kUndo, .targets = {edited_revision_}});
+    map_->FindMutable(SubmapId(2))->mutable_info().display_name = "a table";
+    CommitEdit({.author = "ben", .request_id = "abc", .request_fingerprint = 7}, {});
     other_ = CreateSample("other");
     store_ = nullptr;
     fs::copy_file(Path(), Path() + ".intact");
     Open();
+  }
+  void CommitEdit(EditSource source, EditSummary summary) {
+    const auto before = map_->published();
+    const auto after = map_->Publish(30);
+    const EditRecord record{
+        .entry = {after->revision(), 30, std::move(source), std::move(summary)}, .answer = "done", .before = before};
+    ASSERT_TRUE(store_->CommitEdit(*before, *after, record).ok());
+  }
+  std::vector<LoggedEdit> Edits() {
+    auto edits = store_->ListEdits("house", {});
+    EXPECT_TRUE(edits.ok()) << edits.status().ToString();
+    return edits.ok() ? std::move(edits).value() : std::vector<LoggedEdit>();
   }
   void Damage(const std::string& sql) {
     store_ = nullptr;
@@ -41,7 +61,9 @@ class VerifyTest : public SqliteStoreTest {
     Open();
   }
 
+  static constexpr std::size_t kNumEdits = 3;
   std::unique_ptr<Map> map_, other_;
+  std::int64_t edited_revision_ = 0;  ///< of the edit that is undone afterwards
 };
 
 TEST_F(VerifyTest, AnIntactMapHasNoFaultsAndIsCounted) {
@@ -64,7 +86,7 @@ TEST_F(VerifyTest, AnIntactMapHasNoFaultsAndIsCounted) {
 
 struct Case {
   const char* damage;
-  Kind kind;
+  FaultKind kind;
   const char* place;  ///< begins so
 };
 
@@ -74,28 +96,66 @@ const std::vector<Case>& Cases() {
        "(SELECT min(blob_key) FROM tiles WHERE layer = 1 AND owner_key = (SELECT submap_key FROM submaps WHERE map_key "
        "= "
        "1 AND submap_id = 3))",
-       Kind::kBlob, "submap 3: tsdf tile ("},
+       FaultKind::kBlob, "submap 3: tsdf tile ("},
       {"DELETE FROM tile_blobs WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE layer = 2 AND owner_key = "
        "(SELECT "
        "submap_key FROM submaps WHERE map_key = 1 AND submap_id = 1))",
-       Kind::kBlob, "submap 1: label tile ("},
+       FaultKind::kBlob, "submap 1: label tile ("},
       {"UPDATE tile_blobs SET blob = x'00' WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE owner_key = -1)",
-       Kind::kBlob, "free-space tile ("},
-      {"UPDATE submaps SET track_id = track_id + 1 WHERE map_key = 1 AND submap_id = 3", Kind::kRow, "submap 3"},
-      {"DELETE FROM submaps WHERE map_key = 1 AND submap_id = 3", Kind::kCount, "map"},
+       FaultKind::kBlob, "free-space tile ("},
+      {"UPDATE submaps SET track_id = track_id + 1 WHERE map_key = 1 AND submap_id = 3", FaultKind::kRow, "submap 3"},
+      {"DELETE FROM submaps WHERE map_key = 1 AND submap_id = 3", FaultKind::kCount, "map"},
       {"DELETE FROM tiles WHERE layer = 4 AND owner_key = (SELECT submap_key FROM submaps WHERE map_key = 1 AND "
        "submap_id = 1)",
-       Kind::kCount, "submap 1"},
-      {"DELETE FROM tiles WHERE owner_key = -1 AND layer = 5", Kind::kCount, "map"},
+       FaultKind::kCount, "submap 1"},
+      {"UPDATE tiles SET cells = -1 WHERE layer = 1 AND owner_key = (SELECT submap_key FROM submaps WHERE map_key = 1 "
+       "AND submap_id = 1)",
+       FaultKind::kCount, "submap 1: tsdf tile ("},
+      {"DELETE FROM tiles WHERE owner_key = -1 AND layer = 5", FaultKind::kCount, "map"},
       {"UPDATE submap_boxes SET max_x_m = min_x_m WHERE submap_key = (SELECT submap_key FROM submaps WHERE map_key = 1 "
        "AND submap_id = 1)",
-       Kind::kBounds, "submap 1"},
-      {"INSERT INTO tile_blobs (num_blocks, blob) VALUES (1, x'00')", Kind::kReference, "database"},
-      {"DELETE FROM shared_blobs", Kind::kReference, "database"},
+       FaultKind::kBounds, "submap 1"},
+      {"INSERT INTO tile_blobs (num_blocks, blob) VALUES (1, x'00')", FaultKind::kReference, "database"},
+      {"DELETE FROM shared_blobs", FaultKind::kReference, "database"},
       {"UPDATE tile_blobs SET num_blocks = num_blocks + 1 WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE "
        "layer = "
        "1)",
-       Kind::kCount, "submap "},
+       FaultKind::kCount, "submap "},
+      {"DELETE FROM submap_boxes WHERE submap_key = (SELECT submap_key FROM submaps WHERE map_key = 1 AND submap_id = "
+       "1)",
+       FaultKind::kBounds, "submap 1"},
+      {"INSERT INTO submap_boxes VALUES (999, 0, 1, 0, 1, 0, 1, 1)", FaultKind::kReference, "database"},
+      {"UPDATE shared_blobs SET num_more = num_more + 1", FaultKind::kReference, "database"},
+      {"INSERT INTO tiles SELECT 999, x, y, z, layer, blob_key, cells FROM tiles WHERE owner_key = -1",
+       FaultKind::kReference, "database"},
+      {"INSERT INTO map_config VALUES (77, 'voxel_size_m', '1')", FaultKind::kReference, "database"},
+      {"DELETE FROM edits WHERE request_id = 'abc'", FaultKind::kReference, "database"},
+      {"UPDATE edits SET author = 'eve' WHERE author = 'ben'", FaultKind::kRow, "edit "},
+      {"UPDATE edits SET answer = x'00' WHERE request_id = 'abc'", FaultKind::kRow, "edit "},
+      {"UPDATE edit_histories SET num_bytes = num_bytes + 1", FaultKind::kRow, "what undoes edit "},
+      {"UPDATE edit_histories SET tiles_sum = 5", FaultKind::kRow, "what undoes edit "},
+      {"DELETE FROM edit_tiles WHERE layer = 1", FaultKind::kCount, "what undoes edit "},
+      {"UPDATE edit_tiles SET submap_id = 9 WHERE layer = 1", FaultKind::kReference, "edit "},
+      {"INSERT INTO edit_tiles SELECT 999, submap_id, x, y, z, layer, before_key, after_key FROM edit_tiles",
+       FaultKind::kReference, "database"},
+      {"DELETE FROM tile_blobs WHERE blob_key = (SELECT max(before_key) FROM edit_tiles WHERE before_key NOT IN "
+       "(SELECT blob_key FROM tiles))",
+       FaultKind::kBlob, "edit "},
+      {"UPDATE tile_blobs SET blob = x'00' WHERE blob_key = (SELECT max(before_key) FROM edit_tiles WHERE before_key "
+       "NOT IN (SELECT blob_key FROM tiles))",
+       FaultKind::kBlob, "edit "},
+      {"DELETE FROM edit_targets", FaultKind::kReference, "edit "},
+      {"INSERT INTO edit_targets VALUES (1, 999, 1000, 1)", FaultKind::kReference, "edit 1000"},
+      {"UPDATE edit_totals SET num_edits = num_edits + 1", FaultKind::kCount, "edits"},
+      {"UPDATE edit_totals SET history_bytes = 0", FaultKind::kCount, "edits"},
+      {"DELETE FROM edit_totals", FaultKind::kCount, "edits"},
+      {"UPDATE changes SET time_ns = time_ns + 1 WHERE map_key = 1", FaultKind::kRow, "change of revision "},
+      {"UPDATE changes SET blob = x'00' WHERE map_key = 1", FaultKind::kRow, "change of revision "},
+      {"DELETE FROM changes WHERE change_key = (SELECT max(change_key) FROM changes WHERE map_key = 1)",
+       FaultKind::kCount, "changes"},
+      {"DELETE FROM changes WHERE change_key = (SELECT max(change_key) - 1 FROM changes WHERE map_key = 1)",
+       FaultKind::kCount, "changes"},
+      {"UPDATE change_logs SET num_bytes = 1 WHERE map_key = 1", FaultKind::kRow, "changes"},
   };
   return cases;
 }
@@ -142,11 +202,79 @@ TEST_F(VerifyTest, EachFaultIsToldWithItsPlaceAndARepairKeepsTheRest) {
   }
 }
 
+TEST_F(VerifyTest, AnEditThatCannotBeReadGoesAndTheOthersStay) {
+  Damage("UPDATE edits SET author = 'eve' WHERE author = 'ben'");
+  EXPECT_EQ(store_->ListEdits("house", {}).status().reason(), Reason("DAMAGED_EDITS"));
+  EXPECT_TRUE(Verify(true).is_repaired);
+  EXPECT_EQ(Edits().size(), kNumEdits - 1);
+  EXPECT_FALSE(store_->FindAnswer("house", "abc")->has_value());
+  EXPECT_TRUE(store_->LoadEdit("house", edited_revision_).ok()) << "the state is what it was";
+  for (const LoggedEdit& edit : Edits()) {
+    EXPECT_EQ(edit.is_undone, edit.entry.revision == edited_revision_);
+  }
+}
+
+TEST_F(VerifyTest, AnEditWhoseTilesAreLostStaysInTheLogAndCannotBeUndone) {
+  Damage(
+      "DELETE FROM tile_blobs WHERE blob_key = (SELECT max(before_key) FROM edit_tiles WHERE before_key NOT IN (SELECT "
+      "blob_key FROM tiles))");
+  EXPECT_TRUE(Verify(true).is_repaired);
+  EXPECT_EQ(Edits().size(), kNumEdits);
+  EXPECT_EQ(store_->LoadEdit("house", edited_revision_).status().reason(), Reason("UNDO_NOT_KEPT"));
+  EXPECT_TRUE(store_->LoadEdit("house", map_->info().revision).ok()) << "it has no such tile";
+}
+
+TEST_F(VerifyTest, WhereTheStateIsAnotherNothingIsUndoneButRepeatedRequestsFindTheirAnswers) {
+  Damage("DELETE FROM tiles WHERE owner_key = (SELECT submap_key FROM submaps WHERE map_key = 1 AND submap_id = 1)");
+  EXPECT_TRUE(Verify(true).is_repaired);
+  EXPECT_EQ(Edits().size(), kNumEdits);
+  EXPECT_EQ(store_->LoadEdit("house", map_->info().revision).status().reason(), Reason("UNDO_NOT_KEPT"));
+  const auto answer = store_->FindAnswer("house", "abc");
+  ASSERT_TRUE(answer.ok() && answer->has_value());
+  EXPECT_EQ((*answer)->answer, "done");
+}
+
+TEST_F(VerifyTest, WhatWasUndoneSaysSoAgainOnceRepaired) {
+  Damage("DELETE FROM edit_targets");
+  for (const LoggedEdit& edit : Edits()) EXPECT_FALSE(edit.is_undone);
+  EXPECT_TRUE(Verify(true).is_repaired);
+  int num_undone = 0;
+  for (const LoggedEdit& edit : Edits()) {
+    num_undone += edit.is_undone;
+    EXPECT_EQ(edit.is_undone, edit.entry.revision == edited_revision_);
+  }
+  EXPECT_EQ(num_undone, 1);
+}
+
+TEST_F(VerifyTest, WhatALostMapLeftIsToldAndGoes) {
+  Damage("DELETE FROM maps WHERE name = 'other'");
+  const VerifyReport found = Verify();
+  ASSERT_GT(found.num_faults, 0);
+  for (const MapFault& fault : found.faults) {
+    EXPECT_EQ(fault.kind, FaultKind::kReference) << fault.what;
+    EXPECT_EQ(fault.place, "database");
+  }
+  EXPECT_TRUE(Verify(true).is_repaired);
+  EXPECT_EQ(Verify().num_faults, 0);
+  EXPECT_EQ(Query("SELECT count(*) FROM submaps WHERE map_key <> 1"), 0);
+  const auto loaded = store_->LoadMap("house");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
+  EXPECT_EQ((*loaded)->submaps().size(), map_->submaps().size());
+}
+
+TEST_F(VerifyTest, EachBlobThatBelongsToNothingIsNamed) {
+  Damage("INSERT INTO tile_blobs (blob_key, num_blocks, blob) VALUES (700001, 1, x'00'), (700002, 1, x'00')");
+  const VerifyReport found = Verify();
+  ASSERT_EQ(found.num_faults, 2);
+  EXPECT_EQ(found.faults[0].what, "blob 700001 belongs to nothing");
+  EXPECT_EQ(found.faults[1].what, "blob 700002 belongs to nothing");
+}
+
 TEST_F(VerifyTest, AMapWhoseOwnRowIsDamagedIsToldAndNotTouched) {
   Damage("UPDATE maps SET num_frames = 77 WHERE name = 'house'");
   const VerifyReport found = Verify();
   ASSERT_EQ(found.num_faults, 1);
-  EXPECT_EQ(found.faults[0].kind, Kind::kRow);
+  EXPECT_EQ(found.faults[0].kind, FaultKind::kRow);
   EXPECT_EQ(found.faults[0].place, "map");
   const std::int64_t num_tiles = Query("SELECT count(*) FROM tiles");
   EXPECT_EQ(store_->VerifyMap("house", true, {}).status().code(), StatusCode::kDataLoss);
@@ -214,7 +342,32 @@ TEST_F(VerifyTest, SettledObjectsThatShareVoxelsAreCounted) {
     submap.UpdateBoundingSphere();
   }
   ASSERT_TRUE(store_->CreateMap(*map.Publish(1)).ok());
-  EXPECT_EQ(store_->VerifyMap("settled", false, {})->num_shared_voxels, 20);
+  const auto report = store_->VerifyMap("settled", false, {});
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(report->num_faults, 0) << "what is not refined yet is no fault";
+  EXPECT_EQ(report->num_shared_voxels, 20);
+  ASSERT_EQ(report->shared_places.size(), 1u);
+  const SharedPlace& place = report->shared_places[0];
+  EXPECT_EQ(place.first, map.submaps()[1]->id()) << "after that of points of no known object";
+  EXPECT_EQ(place.second, map.submaps()[2]->id());
+  EXPECT_EQ(place.block, (BlockIndex{1, 2, 3}));
+  EXPECT_EQ(place.num_voxels, 20);
+}
+
+TEST(SharedVoxelsTest, AVoxelOfThreeObjectsCountsTwiceAndEachPairIsTold) {
+  SharedVoxels shared;
+  for (std::uint32_t id = 1; id <= 3; ++id) {
+    BlockTile tile;
+    auto block = std::make_shared<TsdfBlock>();
+    for (std::size_t v = 0; v < 5; ++v) block->weight[v] = 1;
+    tile.FindOrInsert({0, 0, 0}).tsdf = block;
+    tile.FindOrInsert({1, 0, 0}).tsdf = std::make_shared<TsdfBlock>();  // nobody has seen any of it
+    shared.Add(SubmapId(id), tile);
+  }
+  EXPECT_EQ(shared.num_shared(), 10);
+  ASSERT_EQ(shared.places().size(), 3u);
+  EXPECT_EQ(shared.places()[2].first, SubmapId(2));
+  EXPECT_EQ(shared.places()[2].second, SubmapId(3));
 }
 
 }  // namespace

@@ -41,6 +41,22 @@ TEST_F(KittiDataset, UnlabelledAndMovingPointsAreDropped) {
   EXPECT_EQ((*Open(LabelSource::kPredicted))->Read(0)->lidar->points_m.size(), 5u);
 }
 
+TEST_F(KittiDataset, PointsThatMoveMayStayWithoutALabel) {
+  const DatasetFrame with = (*Open(LabelSource::kGroundTruth, {.drop_moving_points = false}))->Read(0).value();
+  const DatasetFrame without =
+      (*Open(LabelSource::kGroundTruth, {.drop_moving_points = false, .unlabel_moving_points = true}))->Read(0).value();
+  ASSERT_EQ(with.lidar->segments.size(), 5u);
+  ASSERT_EQ(without.lidar->points_m, with.lidar->points_m);
+  int num_moving = 0;
+  for (std::size_t i = 0; i < with.lidar->segments.size(); ++i) {
+    const bool is_moving = KittiLabel(with.lidar->segments[i]).is_moving();
+    EXPECT_EQ(without.lidar->segments[i], is_moving ? 0 : with.lidar->segments[i]);
+    num_moving += is_moving;
+  }
+  EXPECT_EQ(num_moving, 1);
+  for (const SegmentInfo& segment : without.segments) EXPECT_FALSE(KittiLabel(segment.id.value).is_moving());
+}
+
 TEST_F(KittiDataset, PredictedPointsTakeIdsAndColourFromTheImage) {
   const auto dataset = Open(LabelSource::kPredicted);
   ASSERT_TRUE(dataset.ok()) << dataset.status().ToString();

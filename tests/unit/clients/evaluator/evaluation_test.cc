@@ -193,6 +193,16 @@ TEST(Systems, RefuseUnknownNamesAndBadConfigurations) {
   EXPECT_FALSE(MakeSystem("dhp", setup).ok());
 }
 
+TEST(Systems, WhatIsNotRefinedIsOneFieldOnlyIfThatIsAskedFor) {
+  const auto frames = Frames();
+  auto each = MakeSystem("dhp_no_refine", MapSetup()), one = MakeSystem("dhp_no_refine_one_field", MapSetup());
+  const LabelledSurface surface_of_each = MapOf(**each, frames), surface_of_one = MapOf(**one, frames);
+  EXPECT_EQ((*one)->times().refine_s, 0);
+  EXPECT_NE(surface_of_one.mesh.triangles.size(), surface_of_each.mesh.triangles.size())
+      << "where objects meet: no gaps, and nothing twice";
+  EXPECT_FALSE(surface_of_one.mesh.triangles.empty());
+}
+
 TEST(Systems, DifferInTheRefinementThatTheyRun) {
   const auto frames = Frames();
   auto none = MakeSystem("dhp_no_refine", MapSetup()), both = MakeSystem("dhp", MapSetup());

@@ -41,7 +41,7 @@ void AddPlane(Map& map, SubmapId id, int begin, int end, std::uint32_t observati
         tsdf.weight[LinearIndex(v)] = 1;
         if (id == kUnknownSubmap) continue;
         submap.MutableLabels(BlockOf(v))
-            .Add(LinearIndex(v), {{{submap.info().class_id.value, observations}}, {{0, observations}}});
+            .Add(LinearIndex(v), {{{submap.info().class_id.value, observations}}, {{kOwnInstance, observations}}});
       }
     }
   }
@@ -89,7 +89,7 @@ TEST(MapSurface, ASingleStrayVoxelDoesNotShow) {
   TsdfBlock& tsdf = map.FindMutable(stray)->MutableTsdf(BlockOf(v));
   tsdf.distance_m[LinearIndex(v)] = static_cast<float>(2.5 * kVoxel_m - 0.1);
   tsdf.weight[LinearIndex(v)] = 1;
-  map.FindMutable(stray)->MutableLabels(BlockOf(v)).Add(LinearIndex(v), {{{2, 1}}, {{0, 1}}});
+  map.FindMutable(stray)->MutableLabels(BlockOf(v)).Add(LinearIndex(v), {{{2, 1}}, {{kOwnInstance, 1}}});
   const Mesh mesh = SurfaceOf(map, SurfaceKind::kOneField).mesh;
   EXPECT_NEAR(Area_m2(mesh), 225 * kVoxel_m * kVoxel_m, 1e-6) << "and leaves no hole";
   EXPECT_EQ(std::set<std::uint32_t>(mesh.instances.begin(), mesh.instances.end()), std::set{plane.value});

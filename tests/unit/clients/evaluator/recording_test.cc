@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "clients/evaluator/class_map.h"
 #include "tests/support/scenes.h"
+#include "tests/unit/clients/datasets/dataset_files.h"
 
 namespace dhpmap::evaluator {
 namespace {
@@ -107,6 +109,33 @@ TEST(Recording, ForgetsWhatTheNetworkDoubtsForEverySystem) {
   EXPECT_EQ(NumBelow(0.6f, frames), 0);
   EXPECT_GT(NumBelow(2.0f, frames), 10);
   EXPECT_FALSE(ClassesOf(frames.front()).empty());
+}
+
+PanopticFrame FirstOf(Result<Recording> recording) {
+  PanopticFrame first;
+  EXPECT_TRUE(recording.ok()) << recording.status().ToString();
+  if (!recording.ok()) return first;
+  const Status status = recording->ForEach([&first](const PanopticFrame& frame) {
+    first = frame;
+    return Status::Ok();
+  });
+  EXPECT_TRUE(status.ok()) << status.ToString();
+  return first;
+}
+
+TEST(Recording, OfWhatWasMeasuredHasEveryPointThatASystemIsGivenWhateverItsLabel) {
+  const dhpmap::testing::TempDir temp;
+  const std::filesystem::path sequence = temp.path() / "dataset/sequences/07";
+  dhpmap::testing::WriteKittiSequence(sequence);
+  const PanopticFrame measured = FirstOf(Recording::OpenMeasured(sequence.string(), kAnyFormat, 0));
+  const PanopticFrame given = FirstOf(Recording::Open(sequence.string(), kAnyFormat, LabelSource::kPredicted, 0, 0));
+  const PanopticFrame static_only =
+      FirstOf(Recording::Open(sequence.string(), kAnyFormat, LabelSource::kGroundTruth, 0, 0));
+  EXPECT_EQ(measured.lidar->points_m, given.lidar->points_m);
+  ASSERT_EQ(measured.lidar->points_m.size(), 4u) << "not the one behind the camera: the sensor is both together";
+  EXPECT_EQ(static_only.lidar->points_m.size(), 3u);
+  EXPECT_EQ(measured.lidar->segments.back(), kNoSegment.value) << "it moves";
+  EXPECT_NE(measured.lidar->segments.front(), kNoSegment.value);
 }
 
 TEST(Recording, OfTheGroundTruthHasNoHiddenPoints) {

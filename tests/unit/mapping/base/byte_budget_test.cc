@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace dhpmap {
@@ -31,6 +33,20 @@ TEST(ByteBudget, ASharesEndGivesItBack) {
     EXPECT_EQ(budget.used_bytes(), 100u);
   }
   EXPECT_EQ(budget.used_bytes(), 0u);
+}
+
+/// A callback may be freed a moment after it has let go of its share, when the server it was of is gone.
+TEST(ByteBudget, AShareOfNothingMayOutliveIt) {
+  auto budget = std::make_unique<ByteBudget>(100);
+  ByteShare released(budget.get()), moved_from(budget.get()), unused(budget.get());
+  ASSERT_TRUE(released.Resize(40) && moved_from.Resize(50));
+  {
+    const ByteShare moved(std::move(moved_from));
+    released.Release();
+    EXPECT_EQ(budget->used_bytes(), 50u);
+  }
+  EXPECT_EQ(budget->used_bytes(), 0u);
+  budget.reset();  // a sanitizer's build sees who comes back
 }
 
 TEST(ByteBudget, WhatIsSmallCostsNothing) {

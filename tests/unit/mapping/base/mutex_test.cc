@@ -80,7 +80,7 @@ TEST(Mutex, LetsOneThreadInAtATime) {
 }
 
 /// Two threads that take turns: each waits for the other's move.
-class Turns {
+class TurnsOfTwo {
  public:
   void Play(int parity, int rounds) {
     for (int i = 0; i < rounds; ++i) {
@@ -102,7 +102,7 @@ class Turns {
 };
 
 TEST(CondVar, WakesWhoWaitsForACondition) {
-  Turns turns;
+  TurnsOfTwo turns;
   std::thread even([&turns] { turns.Play(0, 500); });
   turns.Play(1, 500);
   even.join();

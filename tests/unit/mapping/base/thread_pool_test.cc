@@ -2,7 +2,9 @@
 #include "mapping/base/thread_pool.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <new>
@@ -133,6 +135,23 @@ TEST(ThreadPool, ZeroMeansOneThreadACore) { EXPECT_GE(ThreadPool(0).num_threads(
 
 TEST(ThreadPool, EndsWithoutEverHavingRun) {
   for (int i = 0; i < 20; ++i) const ThreadPool pool(3);
+}
+
+TEST(ThreadPool, ItsThreadsAreAsNiceAsAskedAndItsCallersAsTheyWere) {
+  const int here = getpriority(PRIO_PROCESS, 0);
+  const std::thread::id caller = std::this_thread::get_id();
+  ThreadPool pool(3, 4);
+  std::atomic<int> num_others = 0;
+  // Until one of the others has had an item: they come when they come.
+  while (num_others == 0) {
+    pool.ParallelFor(64, [&](std::size_t) {
+      const bool is_caller = std::this_thread::get_id() == caller;
+      EXPECT_EQ(getpriority(PRIO_PROCESS, 0), is_caller ? here : std::min(here + 4, 19));
+      if (!is_caller) ++num_others;
+      std::this_thread::yield();
+    });
+  }
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), here);
 }
 
 }  // namespace

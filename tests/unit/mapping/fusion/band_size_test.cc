@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "mapping/fusion/bundler.h"
 #include "mapping/map/map.h"
 #include "tests/support/scenes.h"
 

@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <random>
-#include <set>
 #include <utility>
 
 namespace dhpmap {
@@ -266,6 +265,30 @@ TEST_F(BundlerTest, PointsOnAllSidesOfTheSensorStillEndSomewhere) {
   EXPECT_TRUE(bundle.plane.normal.allFinite());
 }
 
+TEST_F(BundlerTest, CountsTheBuffersThatItKeeps) {
+  const auto counted = [] { return CountOf(MemoryKind::kFusion).now_bytes(); };
+  ASSERT_EQ(counted(), 0u);
+  {
+    ThreadPool pool(1);
+    Bundler bundler(IntegrationConfig(), pool);
+    const PanopticFrame frame = NoisyCameraFrame(40, 30, SomePose());
+    std::size_t least = 0;
+    for (const SegmentBundles& segment : bundler.BundleFrame(frame, SomePose(), kVoxel_m)) {
+      least += segment.cells.size() * sizeof(BundleCell) + segment.bundles.size() * sizeof(Bundle);
+    }
+    EXPECT_GT(least, 0u);
+    EXPECT_GE(counted(), least);
+    const std::size_t after_one = counted();
+    (void)bundler.BundleFrame(frame, SomePose(), kVoxel_m);
+    EXPECT_EQ(counted(), after_one) << "they are used again";
+    bundler.GiveBuffersBack();
+    EXPECT_EQ(counted(), 0u);
+    (void)bundler.BundleFrame(frame, SomePose(), kVoxel_m);
+    EXPECT_GE(counted(), least);
+  }
+  EXPECT_EQ(counted(), 0u);
+}
+
 TEST_F(BundlerTest, KeepsNothingOfTheFrameBefore) {
   (void)bundler_.BundleFrame(NoisyLidarFrame(9000, SomePose()), SomePose(), kVoxel_m);
   const PanopticFrame small = NoisyCameraFrame(20, 17, SomePose());
@@ -292,31 +315,6 @@ TEST_F(BundlerTest, IsAsExactFarFromTheOriginAsNearIt) {
       const auto found = there.find(key);
       ASSERT_NE(found, there.end());
       ASSERT_EQ(found->second.weighted_sum_m, sum.weighted_sum_m);
-    }
-  }
-}
-
-TEST(SegmentBundles, FindsEveryBlockThatWasPutInAndNoOther) {
-  SegmentBundles segment;
-  EXPECT_EQ(segment.Find({0, 0, 0}), nullptr);
-  EXPECT_FALSE(segment.EndsIn({0, 0, 0}));
-  std::mt19937 random(3);
-  std::set<BlockIndex> blocks;
-  for (int i = 0; i < 3000; ++i) {
-    const auto coordinate = [&random] { return static_cast<std::int32_t>(random() % 20) - 10; };
-    const BlockIndex block{coordinate(), coordinate(), coordinate()};
-    EXPECT_EQ(segment.FindOrInsert(block).block, block);
-    blocks.insert(block);
-    ASSERT_EQ(segment.cells.size(), blocks.size());
-  }
-  for (std::int32_t x = -11; x <= 10; ++x) {
-    for (std::int32_t y = -11; y <= 10; ++y) {
-      for (std::int32_t z = -11; z <= 10; ++z) {
-        const BundleCell* cell = segment.Find({x, y, z});
-        ASSERT_EQ(cell != nullptr, blocks.count({x, y, z}) == 1);
-        if (cell == nullptr) continue;
-        ASSERT_EQ(cell->block, (BlockIndex{x, y, z}));
-      }
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "mapping/fusion/bundler.h"
 #include "tests/support/reference_integrator.h"
 #include "tests/support/scenes.h"
 
@@ -168,7 +169,7 @@ TEST(Integrator, EveryUpdateInTheBandAlongTheRayCountsOnceForClassAndInstance) {
   for (const BlockEntry& entry : submap.blocks().entries()) {
     for (int i = 0; i < kBlockVoxels; ++i) {
       for (const LabelCount& count : entry.labels->Get(i).classes) class_counts += count.count;
-      for (const LabelCount& count : entry.labels->Get(i).instances) instance_counts += count.count;
+      for (const InstanceCount& count : entry.labels->Get(i).instances) instance_counts += count.count;
     }
   }
   // Behind a surface that is grazed, the band across it is longer than that along the ray, which alone gets labels.

@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "mapping/fusion/bundler.h"
+
 namespace dhpmap {
 namespace {
 

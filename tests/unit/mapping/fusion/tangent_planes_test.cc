@@ -11,6 +11,7 @@
 #include <optional>
 #include <random>
 
+#include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
 #include "tests/support/scenes.h"
 

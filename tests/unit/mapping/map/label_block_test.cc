@@ -17,13 +17,19 @@ struct NaiveVoxel {
 
   void Add(const LabelHistograms& h) {
     for (const LabelCount& entry : h.classes) classes[entry.id] += entry.count;
-    for (const LabelCount& entry : h.instances) instances[entry.id] += entry.count;
+    for (const InstanceCount& entry : h.instances) instances[entry.id.code()] += entry.count;
   }
 };
 
 std::vector<LabelCount> ToList(const Counts& counts) {
   std::vector<LabelCount> list;
   for (const auto& [id, count] : counts) list.push_back({id, static_cast<std::uint32_t>(count)});
+  return list;
+}
+
+std::vector<InstanceCount> ToInstances(const Counts& counts) {
+  std::vector<InstanceCount> list;
+  for (const LabelCount& entry : ToList(counts)) list.push_back({SeenInstance::FromCode(entry.id), entry.count});
   return list;
 }
 
@@ -45,10 +51,11 @@ void ExpectSame(const BestLabel& a, const BestLabel& b) {
 }
 
 void ExpectSame(const LabelBlock& block, int linear, const NaiveVoxel& naive) {
-  EXPECT_EQ(block.Get(linear), (LabelHistograms{ToList(naive.classes), ToList(naive.instances)}));
+  EXPECT_EQ(block.Get(linear), (LabelHistograms{ToList(naive.classes), ToInstances(naive.instances)}));
   EXPECT_EQ(block.IsEmpty(linear), naive.classes.empty() && naive.instances.empty());
   ExpectSame(block.BestClass(linear), NaiveBest(naive.classes));
-  ExpectSame(block.BestInstance(linear), NaiveBest(naive.instances));
+  const auto best = block.BestInstance(linear);
+  ExpectSame({best.id.code(), best.count, best.share}, NaiveBest(naive.instances));
   std::uint64_t total = 0;
   for (const auto& [id, count] : naive.instances) total += count;
   EXPECT_EQ(block.NumObservations(linear), total);
@@ -66,7 +73,7 @@ LabelHistograms RandomHistograms(std::mt19937& random) {
   if (random() % 2 != 0 && total > 0) instances[0] = total;  // what observations of the own submap add up to
   else
     for (std::size_t i = random() % 4; i > 0; --i) instances[static_cast<std::uint32_t>(random() % 1000)] = count();
-  return {ToList(classes), ToList(instances)};
+  return {ToList(classes), ToInstances(instances)};
 }
 
 TEST(LabelBlock, AgreesWithANaiveOneUnderRandomOperations) {
@@ -100,7 +107,7 @@ TEST(LabelBlock, AgreesWithANaiveOneUnderRandomOperations) {
           const auto c = static_cast<std::uint16_t>(random() % 3);
           for (std::size_t n = random() % 6; n > 0; --n) {
             block.AddObservation(linear, ClassId(c));
-            naive[linear].Add({{{c, 1}}, {{0, 1}}});
+            naive[linear].Add({{{c, 1}}, {{kOwnInstance, 1}}});
           }
         }
       }
@@ -119,14 +126,15 @@ TEST(LabelBlock, TotalsAreThoseOfAllVoxelsWithoutTheClassesOfWhatIsConcluded) {
     std::uint64_t own = 0, all = 0;
     for (int linear = 0; linear < kBlockVoxels; linear += 1 + static_cast<int>(random() % 5)) {
       LabelHistograms seen = RandomHistograms(random);
-      if (random() % 2 == 0) seen = {{{static_cast<std::uint32_t>(1 + random() % 3), 7}}, {{0, 7}}};  // inline
+      if (random() % 2 == 0)
+        seen = {{{static_cast<std::uint32_t>(1 + random() % 3), 7}}, {{kOwnInstance, 7}}};  // inline
       block.Set(linear, seen);
       const bool is_concluded = random() % 3 == 0;
       block.SetConcluded(linear, is_concluded);
       for (const LabelCount& c : seen.classes) classes[c.id] += is_concluded ? 0 : c.count;
-      for (const LabelCount& c : seen.instances) {
+      for (const InstanceCount& c : seen.instances) {
         all += c.count;
-        own += c.id == 0 ? c.count : 0;
+        own += c.id.IsOwn() ? c.count : 0;
       }
     }
     LabelTotals totals;
@@ -147,14 +155,14 @@ TEST(LabelBlock, CountsOnBeyond65535) {
   EXPECT_EQ(block.NumOverflowVoxels(), 0u);
   for (int i = 0; i < 10; ++i) block.AddObservation(7, ClassId(4));
   EXPECT_EQ(block.NumOverflowVoxels(), 1u);
-  EXPECT_EQ(block.Get(7), (LabelHistograms{{{4, 65'545}}, {{0, 65'545}}}));
+  EXPECT_EQ(block.Get(7), (LabelHistograms{{{4, 65'545}}, {{kOwnInstance, 65'545}}}));
 }
 
 TEST(LabelBlock, SecondClassCountsOnBeyond65535Too) {
   LabelBlock block;
   block.AddObservation(7, ClassId(4));
   for (int i = 0; i < 70'000; ++i) block.AddObservation(7, ClassId(2));
-  EXPECT_EQ(block.Get(7), (LabelHistograms{{{2, 70'000}, {4, 1}}, {{0, 70'001}}}));
+  EXPECT_EQ(block.Get(7), (LabelHistograms{{{2, 70'000}, {4, 1}}, {{kOwnInstance, 70'001}}}));
 }
 
 TEST(LabelBlock, KeepsOneOrTwoClassesInlineAndAThirdInOverflow) {
@@ -171,13 +179,13 @@ TEST(LabelBlock, KeepsOneOrTwoClassesInlineAndAThirdInOverflow) {
   block.AddObservation(100, ClassId(5));
   EXPECT_EQ(block.NumOverflowVoxels(), 1u);
   EXPECT_GT(block.MemoryBytes(), empty_bytes);
-  EXPECT_EQ(block.Get(100), (LabelHistograms{{{3, 1}, {5, 1}, {9, 1}}, {{0, 3}}}));
-  EXPECT_EQ(block.Get(101), (LabelHistograms{{{3, 1}, {9, 1}}, {{0, 2}}}));
+  EXPECT_EQ(block.Get(100), (LabelHistograms{{{3, 1}, {5, 1}, {9, 1}}, {{kOwnInstance, 3}}}));
+  EXPECT_EQ(block.Get(101), (LabelHistograms{{{3, 1}, {9, 1}}, {{kOwnInstance, 2}}}));
 }
 
 TEST(LabelBlock, OverflowPlacesAreUsedAgain) {
   LabelBlock block;
-  const LabelHistograms foreign{{{1, 2}}, {{0, 1}, {33, 1}}};
+  const LabelHistograms foreign{{{1, 2}}, {{kOwnInstance, 1}, {SeenInstance(SubmapId(33)), 1}}};
   block.Set(0, foreign);
   const std::size_t bytes = block.MemoryBytes();
   for (int i = 0; i < 1000; ++i) {
@@ -191,7 +199,7 @@ TEST(LabelBlock, OverflowPlacesAreUsedAgain) {
 
 TEST(LabelBlock, KeepsHistogramsWithZeroCountsAsTheyAre) {
   LabelBlock block;
-  const LabelHistograms odd{{{1, 0}, {2, 5}}, {{0, 5}}};
+  const LabelHistograms odd{{{1, 0}, {2, 5}}, {{kOwnInstance, 5}}};
   block.Set(0, odd);
   EXPECT_FALSE(block.IsEmpty(0));
   EXPECT_EQ(block.Get(0), odd);
@@ -204,8 +212,8 @@ TEST(LabelBlock, TiesGoToTheSmallerClassAndToTheOwnInstance) {
   block.AddObservation(0, ClassId(3));
   EXPECT_EQ(block.BestClass(0).id, 3u);
   EXPECT_FLOAT_EQ(block.BestClass(0).share, 0.5f);
-  block.Set(1, {{{3, 4}}, {{0, 2}, {12, 2}}});
-  EXPECT_EQ(block.BestInstance(1).id, 0u);
+  block.Set(1, {{{3, 4}}, {{kOwnInstance, 2}, {SeenInstance(SubmapId(12)), 2}}});
+  EXPECT_EQ(block.BestInstance(1).id, kOwnInstance);
   EXPECT_EQ(block.BestInstance(2).count, 0u);
 }
 
@@ -220,7 +228,7 @@ TEST(LabelBlock, CopiesAreIndependentAndEqualByContent) {
   // The same counts by another road: in the overflow list or inline does not matter.
   LabelBlock c;
   c.Set(5, b.Get(5));
-  c.Set(6, {{{1, 1}}, {{7, 1}}});
+  c.Set(6, {{{1, 1}}, {{SeenInstance(SubmapId(7)), 1}}});
   c.Clear(6);
   EXPECT_EQ(b, c);
 }
@@ -228,7 +236,7 @@ TEST(LabelBlock, CopiesAreIndependentAndEqualByContent) {
 TEST(LabelBlock, WhatIsConcludedChangesNoCountsAndEndsWhereTheyAreReplaced) {
   LabelBlock seen;
   for (int n = 0; n < 3; ++n) seen.AddObservation(5, ClassId(2));
-  seen.Set(6, {{{1, 4}}, {{9, 4}}});
+  seen.Set(6, {{{1, 4}}, {{SeenInstance(SubmapId(9)), 4}}});
   LabelBlock block = seen;
   block.SetConcluded(5, true);
   block.SetConcluded(6, true);
@@ -239,7 +247,7 @@ TEST(LabelBlock, WhatIsConcludedChangesNoCountsAndEndsWhereTheyAreReplaced) {
     EXPECT_EQ(block.BestInstance(i).id, seen.BestInstance(i).id);
   }
   block.AddObservation(5, ClassId(2));
-  block.Add(6, {{{1, 1}}, {{9, 1}}});
+  block.Add(6, {{{1, 1}}, {{SeenInstance(SubmapId(9)), 1}}});
   EXPECT_TRUE(block.IsConcluded(5) && block.IsConcluded(6)) << "more of what was seen takes back nothing by itself";
   block.Clear(5);
   block.Set(6, seen.Get(6));
@@ -247,7 +255,8 @@ TEST(LabelBlock, WhatIsConcludedChangesNoCountsAndEndsWhereTheyAreReplaced) {
 }
 
 TEST(SumCounts, MergesListsAndConservesTotals) {
-  EXPECT_EQ(SumCounts({}, {}), std::vector<LabelCount>{});
+  const std::vector<LabelCount> none;
+  EXPECT_EQ(SumCounts(none, none), none);
   const std::vector<LabelCount> a = {{1, 2}, {5, 1}, {9, 4}}, b = {{0, 1}, {5, 6}};
   EXPECT_EQ(SumCounts(a, b), (std::vector<LabelCount>{{0, 1}, {1, 2}, {5, 7}, {9, 4}}));
   EXPECT_EQ(SumCounts(a, b), SumCounts(b, a));

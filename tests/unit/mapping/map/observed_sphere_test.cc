@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace dhpmap {
 namespace {
@@ -81,6 +85,39 @@ TEST(SphereOfObserved, EqualsTheDefinitionOnRandomSubmaps) {
                 (sphere.center_m - expected.center_m).norm() < 1e-9);
     ASSERT_NEAR(sphere.radius_m, expected.radius_m, 1e-9);
   }
+}
+
+bool IsOfWhatIsThere(const Submap& submap) {
+  const BoundingSphere expected = Reference(submap), sphere = SphereOfObserved(submap);
+  return (sphere.center_m - expected.center_m).norm() < 1e-9 && std::abs(sphere.radius_m - expected.radius_m) < 1e-9;
+}
+
+TEST(SphereOfObserved, IsThatOfWhatIsThereNowWhicheverCopyWasAskedBeforeAndWrittenTo) {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> place(-90, 90), choice(0, 5);
+  std::vector<Submap> copies = {Empty()};
+  std::uint64_t generation = 1;
+  for (int step = 0; step < 600; ++step) {
+    Submap& submap = copies[static_cast<std::size_t>(place(random) + 90) % copies.size()];
+    const VoxelIndex voxel{place(random), place(random), place(random)};
+    const BlockIndex some = submap.blocks().empty() ? BlockIndex{} : submap.blocks().entries().front().index;
+    switch (choice(random)) {
+      case 0: submap.EraseBlock(some); break;
+      case 1: submap.PutLayers(TileOf(some), nullptr, {true, true, true}); break;
+      case 2: submap.DropLabels(); break;
+      case 3:
+        if (copies.size() == 6) break;
+        submap.set_generation(++generation);
+        copies.push_back(Submap(submap));
+        copies.back().set_generation(++generation);
+        break;
+      default: Observe(submap, voxel);
+    }
+    for (const Submap& any : copies) ASSERT_TRUE(IsOfWhatIsThere(any)) << step;
+  }
+  const Submap moved = std::move(copies.back());
+  EXPECT_TRUE(IsOfWhatIsThere(moved));
+  EXPECT_TRUE(IsOfWhatIsThere(copies.back()));  // NOLINT(bugprone-use-after-move): of nothing
 }
 
 TEST(SphereOfObserved, FollowsThePose) {

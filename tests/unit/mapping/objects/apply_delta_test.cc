@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "mapping/map/tile_page.h"
 #include "mapping/objects/merge_submaps.h"
 #include "tests/support/scenes.h"
 
@@ -32,6 +34,33 @@ StateDelta Difference(const MapSnapshot& before, const MapSnapshot& after) {
   StateDelta delta = DiffRows(before, after);
   AddTiles(before, after, delta);
   return delta;
+}
+
+/// A store of which nothing can be read.
+class NoTiles final : public TileSource {
+ public:
+  Result<std::vector<BlockEntry>> Read(const TileOnDisk& /*tile*/) override { return Unavailable("the disk is away"); }
+};
+
+TEST(ApplyDelta, ASphereIsPutBackWithoutReadingTheVoxelsInIt) {
+  Map map(MapOfClasses());
+  const SubmapId id = AddChair(map);
+  const TileOnDisk on_disk{.index = {0, 0, 0}, .cells = {0b1011, 0, 0}, .keys = {7, 0, 0}, .store = 1};
+  Submap& chair = *map.FindMutable(id);
+  chair.PutTile(on_disk.index, std::make_shared<const BlockTile>(
+                                   std::make_shared<const TilePage>(on_disk, std::make_shared<NoTiles>())));
+  chair.UpdateBoundingSphere();
+  map.Publish(1);
+  const Submap& now = *map.Find(id);
+  BoundingSphere larger = now.bounding_sphere();
+  larger.radius_m *= 2;
+  StateDelta delta;
+  delta.submaps.push_back({.id = id,
+                           .before = SubmapRowState{now.info(), larger},
+                           .after = SubmapRowState{now.info(), now.bounding_sphere()},
+                           .tiles = {}});
+  ASSERT_TRUE(ApplyDelta(delta, DeltaSide::kBefore, map).ok());
+  EXPECT_EQ(map.Find(id)->bounding_sphere().radius_m, larger.radius_m);
 }
 
 TEST(ApplyDelta, WhatComesBackKeepsTracksThatNobodyElseHasFound) {

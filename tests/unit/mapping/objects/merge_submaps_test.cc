@@ -52,7 +52,7 @@ std::map<std::uint32_t, std::uint64_t> SeenInstances(const Map& map) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
       for (int i = 0; entry.labels != nullptr && i < kBlockVoxels; ++i) {
         entry.labels->VisitInstances(
-            i, [&](LabelCount count) { seen[count.id == 0 ? submap->id().value : count.id] += count.count; });
+            i, [&](InstanceCount count) { seen[count.id.In(submap->id()).value] += count.count; });
       }
     }
   }
@@ -62,10 +62,10 @@ std::map<std::uint32_t, std::uint64_t> SeenInstances(const Map& map) {
 TEST(MergeSubmaps, VoxelsOfBothAreAveragedAndCountsAdded) {
   Map map(Info());
   const SubmapId into = AddThing(map), from = AddThing(map);
-  Observe(map, into, {0, 0, 0}, 5, 0.01f, 3, {{{1, 3}}, {{0, 3}}});
-  Observe(map, from, {0, 0, 0}, 5, 0.05f, 1, {{{1, 1}, {2, 4}}, {{0, 5}}});
-  Observe(map, from, {0, 0, 0}, 6, 0.02f, 2, {{{1, 2}}, {{0, 2}}});
-  Observe(map, from, {4, 0, 0}, 7, 0.03f, 2, {{{1, 2}}, {{0, 2}}});
+  Observe(map, into, {0, 0, 0}, 5, 0.01f, 3, {{{1, 3}}, {{kOwnInstance, 3}}});
+  Observe(map, from, {0, 0, 0}, 5, 0.05f, 1, {{{1, 1}, {2, 4}}, {{kOwnInstance, 5}}});
+  Observe(map, from, {0, 0, 0}, 6, 0.02f, 2, {{{1, 2}}, {{kOwnInstance, 2}}});
+  Observe(map, from, {4, 0, 0}, 7, 0.03f, 2, {{{1, 2}}, {{kOwnInstance, 2}}});
   ASSERT_TRUE(CanMerge(map, from, into));
   MergeSubmaps(from, into, map);
 
@@ -75,7 +75,7 @@ TEST(MergeSubmaps, VoxelsOfBothAreAveragedAndCountsAdded) {
   const BlockEntry& shared = *whole.blocks().Find({0, 0, 0});
   EXPECT_FLOAT_EQ(shared.tsdf->distance_m[5], 0.02f);
   EXPECT_FLOAT_EQ(shared.tsdf->weight[5], 4);
-  EXPECT_EQ(shared.labels->Get(5), (LabelHistograms{{{1, 4}, {2, 4}}, {{0, 8}}}));
+  EXPECT_EQ(shared.labels->Get(5), (LabelHistograms{{{1, 4}, {2, 4}}, {{kOwnInstance, 8}}}));
   EXPECT_FLOAT_EQ(shared.tsdf->distance_m[6], 0.02f);
   EXPECT_FLOAT_EQ(whole.blocks().Find({4, 0, 0})->tsdf->distance_m[7], 0.03f);
   EXPECT_EQ(whole.info().class_counts, (std::vector<ClassTotal>{{kChair, 8}, {kTable, 4}}));
@@ -112,8 +112,8 @@ TEST(MergeSubmaps, WhatIsLookedThroughGivesWayToWhatIsNot) {
     map.FindMutable(id)->MutableGone({0, 0, 0}).Set(linear, count);
   };
   for (int linear = 0; linear < 4; ++linear) {
-    Observe(map, into, {0, 0, 0}, linear, 0.01f, 1, {{{1, 1}}, {{0, 1}}});
-    Observe(map, from, {0, 0, 0}, linear, 0.03f, 1, {{{1, 1}}, {{0, 1}}});
+    Observe(map, into, {0, 0, 0}, linear, 0.01f, 1, {{{1, 1}}, {{kOwnInstance, 1}}});
+    Observe(map, from, {0, 0, 0}, linear, 0.03f, 1, {{{1, 1}}, {{kOwnInstance, 1}}});
   }
   raise(into, 0, 3);                     // gone here, there there
   raise(from, 1, 3);                     // the other way round
@@ -139,9 +139,9 @@ TEST(MergeSubmaps, WhatAnySubmapHasSeenOfThePartWasTheWhole) {
     for (int i = 0; i < 5; ++i) ids.push_back(AddThing(map));
     for (int n = 0; n < 300; ++n) {
       const SubmapId holder = ids[below(5)];
-      LabelHistograms seen{.classes = {{1, 1 + below(9)}}, .instances = {{0, 1 + below(70'000)}}};
+      LabelHistograms seen{.classes = {{1, 1 + below(9)}}, .instances = {{kOwnInstance, 1 + below(70'000)}}};
       for (const SubmapId other : ids) {
-        if (other != holder && below(3) == 0) seen.instances.push_back({other.value, 1 + below(5)});
+        if (other != holder && below(3) == 0) seen.instances.push_back({SeenInstance(other), 1 + below(5)});
       }
       const auto at = static_cast<std::int32_t>(below(3));
       Observe(map, holder, {at, 0, 0}, static_cast<int>(below(kBlockVoxels)), 0.01f, 1, seen);
@@ -155,6 +155,45 @@ TEST(MergeSubmaps, WhatAnySubmapHasSeenOfThePartWasTheWhole) {
     EXPECT_EQ(SeenInstances(map), expected);
     EXPECT_NE(before->Find(from), nullptr) << "a state that somebody holds stays as it was";
   }
+}
+
+TEST(MergeSubmaps, BlocksOfThePartAloneAreSharedAsTheyAre) {
+  Map map(Info());
+  const SubmapId into = AddThing(map), from = AddThing(map), other = AddThing(map);
+  const LabelHistograms own{{{1, 2}}, {{kOwnInstance, 2}}};
+  const LabelHistograms both{{{1, 3}}, {{kOwnInstance, 1}, {SeenInstance(other), 2}}};
+  Observe(map, into, {0, 0, 0}, 5, 0.01f, 1, own);
+  Observe(map, from, {0, 0, 0}, 6, 0.01f, 1, own);
+  Observe(map, from, {9, 0, 0}, 7, 0.01f, 1, both);
+  map.FindMutable(from)->MutableLabels({9, 0, 0}).SetConcluded(7, true);
+  const auto before = map.Publish(1);
+  MergeSubmaps(from, into, map);
+  const BlockEntry& was = *before->Find(from)->blocks().Find({9, 0, 0});
+  const BlockEntry& is = *map.Find(into)->blocks().Find({9, 0, 0});
+  EXPECT_EQ(is.tsdf, was.tsdf);
+  EXPECT_EQ(is.labels, was.labels);
+  EXPECT_NE(map.Find(into)->blocks().Find({0, 0, 0})->labels, before->Find(from)->blocks().Find({0, 0, 0})->labels);
+
+  map.FindMutable(into)->MutableLabels({9, 0, 0}).Set(8, own);  // shared: copied before it is written to
+  EXPECT_TRUE(was.labels->IsEmpty(8));
+}
+
+TEST(MergeSubmaps, OfBlocksOfThePartAloneWhatWasTheWholesBecomesItsOwn) {
+  Map map(Info());
+  const SubmapId into = AddThing(map), from = AddThing(map);
+  const LabelHistograms taken{{{1, 5}}, {{kOwnInstance, 1}, {SeenInstance(into), 4}}};
+  const BlockIndex here{4, 0, 0}, there{5, 0, 0};
+  Observe(map, from, here, 1, 0.01f, 1, taken);
+  map.FindMutable(from)->MutableLabels(here).SetConcluded(1, true);
+  Observe(map, from, there, 2, 0.01f, 1, {{{1, 2}}, {{kOwnInstance, 2}}});
+  map.FindMutable(from)->MutableLabels(there).SetConcluded(2, true);  // although it has seen nothing else
+  map.FindMutable(from)->MutableLabels(there).SetConcluded(3, true);  // nor anything at all
+  MergeSubmaps(from, into, map);
+  const Submap& whole = *map.Find(into);
+  EXPECT_EQ(whole.blocks().Find(here)->labels->Get(1), (LabelHistograms{{{1, 5}}, {{kOwnInstance, 5}}}));
+  EXPECT_FALSE(whole.blocks().Find(here)->labels->IsConcluded(1)) << "it is seen as what holds it";
+  EXPECT_TRUE(HasNone(whole.blocks().Find(there)->labels->concluded()));
+  EXPECT_EQ(whole.info().class_counts, (std::vector<ClassTotal>{{kChair, 7}}));
 }
 
 TEST(MergeSubmaps, ChainsAreResolvedAndPairsFollow) {
@@ -214,10 +253,10 @@ TEST(MergeSubmaps, RefinementUnderWayLosesNoCount) {
   Map map(Info());
   const SubmapId a = AddThing(map), b = AddThing(map), other = AddThing(map, kTable);
   for (int linear = 0; linear < 64; ++linear) {
-    Observe(map, a, {0, 0, 0}, linear, 0.01f, 1, {{{1, 3}}, {{0, 3}}});
-    Observe(map, b, {0, 0, 0}, linear, 0.01f, 1, {{{1, 5}}, {{0, 5}}});
-    Observe(map, other, {0, 0, 0}, linear, 0.01f, 1, {{{2, 2}}, {{0, 2}}});
-    Observe(map, other, {9, 0, 0}, linear, 0.01f, 1, {{{2, 2}}, {{0, 2}, {b.value, 1}}});
+    Observe(map, a, {0, 0, 0}, linear, 0.01f, 1, {{{1, 3}}, {{kOwnInstance, 3}}});
+    Observe(map, b, {0, 0, 0}, linear, 0.01f, 1, {{{1, 5}}, {{kOwnInstance, 5}}});
+    Observe(map, other, {0, 0, 0}, linear, 0.01f, 1, {{{2, 2}}, {{kOwnInstance, 2}}});
+    Observe(map, other, {9, 0, 0}, linear, 0.01f, 1, {{{2, 2}}, {{kOwnInstance, 2}, {SeenInstance(b), 1}}});
   }
   auto expected = SeenInstances(map);
   expected[a.value] += expected[b.value];

@@ -8,9 +8,9 @@
 #include <set>
 #include <tuple>
 
+#include "mapping/evidence/submap_labels.h"
 #include "mapping/objects/clear_region.h"
 #include "mapping/objects/merge_submaps.h"
-#include "mapping/refinement/submap_labels.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -42,8 +42,8 @@ void ObserveVoxel(VoxelIndex v, int seed, Map& map, SubmapId id) {
   tsdf.weight[i] = static_cast<float>(1 + seed % 7);
   tsdf.color[i] = {static_cast<std::uint8_t>(seed % 251), 2, 3};
   const auto count = static_cast<std::uint32_t>(1 + seed % 5);
-  LabelHistograms seen{{{static_cast<std::uint32_t>(1 + seed % 2), count}}, {{0, count}}};
-  if (seed % 4 == 0) seen.instances.push_back({99, count + 1});  // held by conclusion
+  LabelHistograms seen{{{static_cast<std::uint32_t>(1 + seed % 2), count}}, {{kOwnInstance, count}}};
+  if (seed % 4 == 0) seen.instances.push_back({SeenInstance(SubmapId(99)), count + 1});  // held by conclusion
   submap.MutableLabels(BlockOf(v)).Set(LinearIndex(v), seen);
   submap.MutableLabels(BlockOf(v)).SetConcluded(LinearIndex(v), seed % 4 == 0);
   if (seed % 3 == 0) {

@@ -9,7 +9,7 @@
 
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
-#include "tests/unit/mapping/refinement/random_map.h"
+#include "tests/unit/mapping/evidence/random_map.h"
 
 namespace dhpmap {
 namespace {

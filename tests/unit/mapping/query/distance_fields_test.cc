@@ -284,9 +284,17 @@ class FieldStoreTest : public ::testing::Test {
     surfaces_ = cache_.Of(state_);
   }
   std::shared_ptr<const NearField> MakeField() { return NearFieldMaker(*surfaces_).Make({0, 0, 0}, ledger_); }
-  static std::vector<Eigen::AlignedBox3d> BoxAt(double x_m) {
-    return {Eigen::AlignedBox3d(Eigen::Vector3d(x_m, -0.1, -0.1), Eigen::Vector3d(x_m + 0.2, 0.1, 0.1))};
+  static std::vector<SurfaceChange> ChangeIn(const Eigen::AlignedBox3d& box_m, std::uint32_t id, bool is_gone) {
+    return {{.submap = SubmapId(id),
+             .is_gone = is_gone,
+             .T_submap_map = Transform::Identity(),
+             .boxes_m = {box_m},
+             .around_m = box_m}};
   }
+  static Eigen::AlignedBox3d BoxAt(double x_m) {
+    return {Eigen::Vector3d(x_m, -0.1, -0.1), Eigen::Vector3d(x_m + 0.2, 0.1, 0.1)};
+  }
+  static std::vector<SurfaceChange> ComesAt(double x_m) { return ChangeIn(BoxAt(x_m), 7, false); }
 
   Map map_{testing::SceneInfo()};
   SurfaceCache cache_{kPlenty};
@@ -298,18 +306,67 @@ class FieldStoreTest : public ::testing::Test {
 
 TEST_F(FieldStoreTest, KeepsAFieldUntilSomethingNearChanges) {
   store_.Put({0, 0, 0}, 0, MakeField());
-  EXPECT_EQ(store_.Append(0, BoxAt(5)), 1u);
+  EXPECT_EQ(store_.Append(0, ComesAt(5)), 1u);
   EXPECT_EQ(store_.Append(1, {}), 2u);
   EXPECT_NE(store_.Find({0, 0, 0}, 2), nullptr);
   EXPECT_EQ(store_.Find({1, 0, 0}, 2), nullptr) << "another cell";
-  EXPECT_EQ(store_.Append(2, BoxAt(0.4)), 3u);
+  EXPECT_EQ(store_.Append(2, ComesAt(0.4)), 3u);
   EXPECT_NE(store_.Find({0, 0, 0}, 1), nullptr) << "states before that";
   EXPECT_EQ(store_.Find({0, 0, 0}, 3), nullptr);
   EXPECT_EQ(store_.num_fields(), 0u);
 }
 
+TEST_F(FieldStoreTest, KeepsAFieldWhereWhatGoesIsNoneOfIts) {
+  store_.Put({0, 0, 0}, 0, MakeField());
+  ASSERT_EQ(MakeField()->submaps(), std::vector{SubmapId(1)});
+  EXPECT_EQ(store_.Append(0, ChangeIn(BoxAt(0.4), 7, true)), 1u);
+  EXPECT_NE(store_.Find({0, 0, 0}, 1), nullptr) << "another goes";
+  EXPECT_EQ(store_.Append(1, ChangeIn(BoxAt(5), 1, true)), 2u);
+  EXPECT_NE(store_.Find({0, 0, 0}, 2), nullptr) << "its own, but where that is nearest to no point";
+  EXPECT_EQ(store_.Append(2, ChangeIn(BoxAt(0.2), 1, true)), 3u);
+  EXPECT_EQ(store_.Find({0, 0, 0}, 3), nullptr);
+}
+
+TEST_F(FieldStoreTest, KeepsAFieldWhereWhatComesIsHiddenByWhatItHolds) {
+  // On the other side of the ball, though within the horizon.
+  const auto cell = MakeField();
+  store_.Put({0, 0, 0}, 0, cell);
+  const Eigen::AlignedBox3d beyond(Eigen::Vector3d(-0.32, -0.32, -0.32), Eigen::Vector3d(-0.22, -0.22, -0.22));
+  ASSERT_LT(beyond.exteriorDistance(cell->centre_m()), cell->horizon_m());
+  EXPECT_EQ(store_.Append(0, ChangeIn(beyond, 7, false)), 1u);
+  EXPECT_NE(store_.Find({0, 0, 0}, 1), nullptr);
+  // The same box of one that is turned by half a turn: on this side of the ball.
+  std::vector<SurfaceChange> turned = ChangeIn(beyond, 7, false);
+  turned[0].T_submap_map.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()));
+  EXPECT_EQ(store_.Append(1, std::move(turned)), 2u);
+  EXPECT_EQ(store_.Find({0, 0, 0}, 2), nullptr);
+}
+
+TEST(DistanceFields, AfterAMoveOnlyThoseThatHadTheThingOrMayHaveItAreMadeAgain) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(kPlenty);
+  const auto points = testing::RandomPoints(600, 1.6, 12);
+  const auto still = map.Publish(0);
+  const DistanceQuery before(cache.Of(still), Approximate());
+  (void)AskOften(before, points);
+  const SubmapId ball(3);  // of 0.2 m
+  map.FindMutable(ball)->mutable_info().T_map_submap.translation().x() += 0.15;
+  const auto state = map.Publish(1);
+  const auto surfaces = cache.Of(state);
+  const std::size_t num_before = surfaces->fields().store()->num_fields();
+  const DistanceQuery after(surfaces, Approximate());
+  SurfaceCache fresh(kPlenty);
+  const DistanceQuery exact(fresh.Of(state), {});
+  Errors errors;
+  for (const Eigen::Vector3d& p : points) errors.Add(after.At(p), exact.At(p));
+  const std::size_t num_after = surfaces->fields().store()->num_fields();
+  errors.ExpectSmall("moved");
+  EXPECT_LT(num_after, num_before) << "those that had it are dropped when asked for";
+  EXPECT_GT(num_after, num_before * 6 / 10);
+}
+
 TEST_F(FieldStoreTest, GivesNoFieldToStatesBeforeTheOneItIsOf) {
-  EXPECT_EQ(store_.Append(0, BoxAt(5)), 1u);
+  EXPECT_EQ(store_.Append(0, ComesAt(5)), 1u);
   store_.Put({0, 0, 0}, 1, MakeField());
   EXPECT_EQ(store_.Find({0, 0, 0}, 0), nullptr);
   EXPECT_NE(store_.Find({0, 0, 0}, 1), nullptr);

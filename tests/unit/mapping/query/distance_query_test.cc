@@ -75,6 +75,26 @@ TEST(DistanceQuery, EqualsBruteForceWhereObjectsAreMovedTurnedAndCloned) {
   ExpectEqualsBruteForce(map, {}, 80, 1.9);
 }
 
+TEST(DistanceQuery, InOrderEqualsOneByOne) {
+  Map map = testing::DisarrayedRoom(5);
+  SurfaceCache cache(std::size_t{1} << 30);
+  const auto points = testing::RandomPoints(300, 1.7, 19);  // close together or not: that is for speed alone
+  for (const double padding_m : {0.0, 0.05}) {
+    DistanceOptions options;
+    options.scope.padding = {.default_m = 0, .classes = {{ClassId(1), padding_m}}, .submaps = {}};
+    const DistanceQuery query(cache.Of(map.Publish(0)), options);
+    std::vector<SurfaceDistance> in_order(points.size());
+    query.AtInOrder(points, in_order);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const SurfaceDistance one = query.At(points[i]);
+      EXPECT_EQ(in_order[i].status, one.status);
+      EXPECT_EQ(in_order[i].submap, one.submap);
+      EXPECT_NEAR(in_order[i].distance_m, one.distance_m, 1e-4 * kSceneVoxel_m);
+    }
+    query.AtInOrder({}, {});
+  }
+}
+
 TEST(DistanceQuery, EqualsBruteForceFarFromTheOrigin) {
   Map map(testing::SceneInfo());
   Transform T = Transform::Identity();
@@ -216,6 +236,34 @@ TEST(DistanceQuery, LeavesOutWhatIsExcluded) {
   ExpectEqualsBruteForce(map, options, 50, 1.9);
   options.scope = {.excluded_classes = {ClassId(1), ClassId(3)}};
   ExpectEqualsBruteForce(map, options, 50, 1.9);
+}
+
+TEST(DistanceQuery, LeavesOutWhatIsAbsentUnlessAskedFor) {
+  Map map = testing::FurnishedRoom();
+  map.FindMutable(SubmapId(1))->mutable_info().presence = Presence::kAbsent;
+  map.FindMutable(SubmapId(3))->mutable_info().presence = Presence::kAbsent;
+  const auto state = map.Publish(0);
+  SurfaceCache cache(std::size_t{1} << 30);
+  const DistanceQuery present(cache.Of(state), {}), whole(cache.Of(state, /*with_absent=*/true), {});
+  const AllTriangles all(*state),
+      some(*state, [](const SubmapInfo&info) { return info.presence == Presence::kPresent; });
+  int num_absent = 0;
+  for (const Eigen::Vector3d& p : testing::RandomPoints(80, 1.4, 27)) {
+    const SurfaceDistance of_present = present.At(p), of_whole = whole.At(p);
+    EXPECT_NEAR(std::abs(of_present.distance_m), some.Nearest(p).distance_m, 0.001 * kSceneVoxel_m);
+    EXPECT_NEAR(std::abs(of_whole.distance_m), all.Nearest(p).distance_m, 0.001 * kSceneVoxel_m);
+    EXPECT_EQ(of_present.submap->presence, Presence::kPresent);
+    num_absent += of_whole.submap->presence == Presence::kAbsent;
+  }
+  EXPECT_GT(num_absent, 5);
+  // Each of the two goes on from state to state by itself, and where nothing is absent they are one.
+  EXPECT_EQ(cache.Of(state), cache.Of(state, false));
+  map.FindMutable(SubmapId(1))->mutable_info().presence = Presence::kPresent;
+  const auto next = map.Publish(1);
+  EXPECT_EQ(cache.Of(next, true)->index().entries().size(), cache.Of(next)->index().entries().size() + 1);
+  map.FindMutable(SubmapId(3))->mutable_info().presence = Presence::kPresent;
+  const auto last = map.Publish(2);
+  EXPECT_EQ(cache.Of(last, true).get(), cache.Of(last).get());
 }
 
 TEST(DistanceQuery, KeepsTheUnknownSubmapAsAnObstacleUnderFiltersOfClasses) {

@@ -123,6 +123,52 @@ TEST(PointLookup, MovedSubmapAnswersAtItsNewPlaceOnly) {
   EXPECT_FALSE(lookup.At(VoxelCentre({2, 0, 0}, 0.04)).is_observed);
 }
 
+TEST(PointLookup, AnswersAlongATrailOfStatesAsFromNothing) {
+  // Things are moved, seen more of, cloned and removed; the index of each state is made from that of another.
+  Map map(Info());
+  std::mt19937 random(4);
+  std::uniform_int_distribution<int> voxel(-40, 40);
+  for (int i = 0; i < 30; ++i) {
+    Submap& submap = AddSubmap(map, Panoptic::kThing, kThing);
+    for (int n = 0; n < 20; ++n) {
+      Observe(submap, {voxel(random), voxel(random), voxel(random) / 8}, 0.01f * static_cast<float>(n), 1, 1, kThing);
+    }
+  }
+  IndexTrail trail;
+  std::uniform_real_distribution<double> unit(-2, 2);
+  std::vector<std::shared_ptr<const MapSnapshot>> states;
+  std::size_t num_continued = 0;
+  const auto expect_equals_fresh = [&](const std::shared_ptr<const MapSnapshot>& state) {
+    const PointLookup along(state, trail), fresh(state);
+    num_continued += along.index().num_replaced() > 0;
+    int num_observed = 0;
+    for (int n = 0; n < 3000; ++n) {
+      const Eigen::Vector3d p(unit(random), unit(random), unit(random) / 8);
+      const PointInfo a = along.At(p), b = fresh.At(p);
+      num_observed += b.is_observed;
+      EXPECT_EQ(a.is_observed, b.is_observed);
+      EXPECT_EQ(a.submap, b.submap);
+      EXPECT_EQ(a.distance_m, b.distance_m);
+      EXPECT_EQ(a.instance_confidence, b.instance_confidence);
+    }
+    EXPECT_GT(num_observed, 0);
+  };
+  for (std::uint32_t step = 0; step < 24; ++step) {
+    const SubmapId id(1 + step % 20);
+    switch (step % 6) {
+      case 4: map.Clone(id)->mutable_info().T_map_submap.translation().x() += 0.4; break;
+      case 5: EXPECT_TRUE(map.Remove(map.submaps().back()->id())); break;
+      case 1: Observe(*map.FindMutable(id), {60, voxel(random), 0}, 0, 1, 1, kThing); break;
+      default: map.FindMutable(id)->mutable_info().T_map_submap.translation().y() += 0.04 * (1 + step);
+    }
+    states.push_back(map.Publish(step));
+    expect_equals_fresh(states.back());
+    if (step % 8 == 7) expect_equals_fresh(states[step / 2]);  // of an older one that somebody holds
+    if (step % 5 == 4) states[step - 1] = states[step];        // another goes
+  }
+  EXPECT_GT(num_continued, 10u) << "the index was continued, not made anew";
+}
+
 TEST(PointLookup, FindsEveryObservedVoxelOfManySubmaps) {
   Map map(Info());
   std::mt19937 random(7);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -150,6 +151,34 @@ TEST(SubmapIndex, UpdatedOverAndOverEqualsAFreshOne) {
                                     [&](std::size_t leaf) { all.insert(updated.tree().items()[leaf]); });
     EXPECT_EQ(all.size(), submaps.size());
   }
+}
+
+TEST(SubmapIndex, MadeFromAnotherPutsOnlyThoseElsewhereThatAre) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  SubmapList submaps = RandomSubmaps(200, 10.0, random);
+  std::optional<SubmapIndex> last(submaps);
+  EXPECT_EQ(last->num_replaced(), 0u);
+  for (std::size_t step = 1; step <= 40; ++step) {
+    const std::size_t number = random() % submaps.size();
+    Transform T = Transform::Identity();
+    T.translate(10 * Eigen::Vector3d(unit(random), unit(random), unit(random)));
+    submaps[number] = Solid(static_cast<std::uint32_t>(number + 1), T);  // what was there is gone
+    last.emplace(SubmapIndex(*last, submaps));
+    EXPECT_EQ(last->num_replaced(), step) << "one a step";
+    const SubmapIndex fresh(submaps);
+    ASSERT_EQ(last->entries().size(), fresh.entries().size());
+    for (int n = 0; n < 60; ++n) {
+      const Eigen::Vector3d p = fresh.entries()[random() % submaps.size()].submap().BoundingSphereInMap().center_m +
+                                Eigen::Vector3d(unit(random), unit(random), unit(random));
+      EXPECT_EQ(IdsAround(*last, p), IdsAround(fresh, p)) << step;
+    }
+  }
+  // More or fewer of them are another tree.
+  submaps.erase(submaps.begin() + 70);
+  last.emplace(SubmapIndex(*last, submaps));
+  EXPECT_EQ(last->num_replaced(), 0u);
+  EXPECT_EQ(last->entries().size(), submaps.size());
 }
 
 TEST(SubmapIndex, LeavesOutEmptySubmaps) {

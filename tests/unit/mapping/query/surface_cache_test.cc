@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -109,8 +111,11 @@ TEST(SurfaceCache, WhatShowsTheSameIsNotMadeAgain) {
   const auto last = cache.Of(map.published());
   for (std::size_t i = 0; i < first->index().entries().size(); ++i) {
     std::vector<Eigen::AlignedBox3d> changes_m;
-    last->surface(i).AppendChanges(first->surface(i), changes_m);
+    last->surface(i).AppendBoxes(&first->surface(i), changes_m);
+    first->surface(i).AppendBoxes(&last->surface(i), changes_m);
     EXPECT_TRUE(changes_m.empty());
+    last->surface(i).AppendBoxes(nullptr, changes_m);
+    EXPECT_FALSE(changes_m.empty());
   }
 }
 
@@ -241,6 +246,25 @@ TEST(SurfaceCache, WhatEachStateLeavesBehindIsBounded) {
   EXPECT_LT(most, 20 * least) << least;
 }
 
+TEST(SurfaceCache, OfStatesThatSomebodyKeepsThoseAskedForLastAreKnown) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(kPlenty);
+  std::mt19937 random(7);
+  std::vector<std::shared_ptr<const MapSnapshot>> states;
+  for (int i = 0; i < 20; ++i) {
+    map.FindMutable(SubmapId(2))->mutable_info().T_map_submap = testing::RandomPose(random, 0.5);
+    states.push_back(map.Publish(i));
+  }
+  const double truth = AskEverywhere(cache, states[0]);
+  const auto first = cache.Of(states[0]), second = cache.Of(states[1]);
+  for (const auto& state : states) {
+    (void)cache.Of(state);
+    EXPECT_EQ(cache.Of(states[1]).get(), second.get()) << "it is asked for again and again";
+  }
+  EXPECT_NE(cache.Of(states[0]).get(), first.get());
+  EXPECT_EQ(AskEverywhere(cache, states[0]), truth);
+}
+
 TEST(SurfaceCache, ThreadsMayAskWhileOthersMakeAndEvict) {
   Map map = testing::FurnishedRoom();
   SurfaceCache plenty(kPlenty);
@@ -251,6 +275,33 @@ TEST(SurfaceCache, ThreadsMayAskWhileOthersMakeAndEvict) {
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&] {
       for (int n = 0; n < 3; ++n) EXPECT_EQ(AskEverywhere(cache, map.published()), truth);
+    });
+  }
+}
+
+/// So many that some are mostly in the middle of it.
+TEST(SurfaceCache, EvictsWhileOthersGoOnMarkingWhatTheyUse) {
+  constexpr std::size_t kMarking = 6, kAsking = 2;
+  constexpr int kRounds = 30, kMarks = 200;
+  Map map = testing::FurnishedRoom();
+  SurfaceCache plenty(kPlenty);
+  const double truth = AskEverywhere(plenty, map.Publish(0));
+  SurfaceCache cache(plenty.bytes() / 2);
+  const auto mark = [&](const std::stop_token& is_over) {
+    while (!is_over.stop_requested()) {
+      const auto surfaces = cache.Of(map.published());
+      const std::size_t num_surfaces = surfaces->index().entries().size();
+      for (std::size_t n = 0; n < kMarks; ++n) {
+        const SubmapSurface& surface = surfaces->surface(n % num_surfaces);
+        for (std::size_t tile = 0; tile < surface.num_tiles(); ++tile) surface.MarkUsed(tile);
+      }
+    }
+  };
+  std::vector<std::jthread> marking, asking;
+  for (std::size_t i = 0; i < kMarking; ++i) marking.emplace_back(mark);
+  for (std::size_t i = 0; i < kAsking; ++i) {
+    asking.emplace_back([&] {
+      for (int round = 0; round < kRounds; ++round) EXPECT_EQ(AskEverywhere(cache, map.published()), truth);
     });
   }
 }

@@ -278,8 +278,8 @@ TEST(CarriedBodyOf, HoldsTheSurfaceAndSticksOutByHalfAVoxelsDiagonalAtMost) {
   map.FindMutable(SubmapId(2))->mutable_info().T_map_submap = At(3, 1, 0, 1);
   const auto surfaces = SurfacesOf(map);
   for (const std::size_t number : {1u, 2u}) {
-    const CarriedBody body = CarriedBodyOf(*surfaces, number, 100'000);
     const Submap& submap = surfaces->index().entries()[number].submap();
+    const CarriedBody body = CarriedBodyOf(submap, surfaces->surface(number), 100'000);
     const Transform T_submap_map = submap.info().T_map_submap.inverse();
     std::vector<CarriedBody::Ball> balls;
     for (const CarriedBody::Group& group : body.groups) {
@@ -298,7 +298,35 @@ TEST(CarriedBodyOf, HoldsTheSurfaceAndSticksOutByHalfAVoxelsDiagonalAtMost) {
       }));
     }
   }
-  EXPECT_GT(CarriedBodyOf(*surfaces, 1, 10).num_balls, 10u) << "no more than it takes to see that it is too large";
+  EXPECT_GT(WholeBodyOf(*surfaces, SubmapId(1), 10).num_balls, 10u)
+      << "no more than it takes to see that it is too large";
+}
+
+TEST(WholeBodyOf, IsAllOfWhatARobotCarriesThoughItsPlaceWasLookedThrough) {
+  // What is taken from its place is contradicted there, and soon absent; in the gripper it is as large as ever.
+  Map map = testing::FurnishedRoom();
+  const auto before = SurfacesOf(map);
+  const CarriedBody whole = WholeBodyOf(*before, SubmapId(2), 100'000);
+  ASSERT_GT(whole.num_balls, 100u);
+  Submap& carried = *map.FindMutable(SubmapId(2));
+  std::vector<BlockIndex> blocks;
+  for (const BlockEntry& block : carried.blocks().entries()) blocks.push_back(block.index);
+  for (const BlockIndex block : blocks) {
+    for (int i = 0; i < kBlockVoxels; ++i) carried.MutableGone(block).Set(i, GoneBlock::kContradicted);
+  }
+  const auto expect_whole = [&](const CarriedBody& body) {
+    EXPECT_EQ(body.num_balls, whole.num_balls);
+    EXPECT_EQ(body.groups.size(), whole.groups.size());
+    EXPECT_EQ(body.reach_m, whole.reach_m);
+  };
+  const auto gone = SurfacesOf(map);
+  expect_whole(WholeBodyOf(*gone, SubmapId(2), 100'000));
+  map.FindMutable(SubmapId(2))->mutable_info().presence = Presence::kAbsent;
+  const auto absent = SurfacesOf(map);
+  expect_whole(WholeBodyOf(*absent, SubmapId(2), 100'000));
+  EXPECT_EQ(WholeBodyOf(*absent, SubmapId(99), 100'000).num_balls, 0u);
+  // The state itself is as it was.
+  EXPECT_NE(absent->state().Find(SubmapId(2))->blocks().Find(blocks.front())->gone, nullptr);
 }
 
 TEST(TrajectoryQuery, EndsSoonAfterTheCallerIsGoneAndRefusesWhatIsTooLarge) {

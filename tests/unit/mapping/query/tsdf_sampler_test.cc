@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/query/tsdf_sampler.h"
+#include "tests/support/tsdf_sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@ namespace dhpmap {
 namespace {
 
 using testing::kSceneVoxel_m;
+using testing::TsdfSampler;
 
 /// Of all eight voxels around, by the formula; NaN if one was not observed.
 double Trilinear(const Submap& submap, const Eigen::Vector3d& p) {

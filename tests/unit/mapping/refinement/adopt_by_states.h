@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <unordered_set>
 
+#include "mapping/evidence/submap_labels.h"
 #include "mapping/map/map.h"
 #include "mapping/refinement/refine_map.h"
-#include "mapping/refinement/submap_labels.h"
 
 namespace dhpmap::testing {
 

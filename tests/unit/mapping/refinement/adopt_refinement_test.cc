@@ -9,8 +9,8 @@
 
 #include "mapping/refinement/refine_map.h"
 #include "tests/support/map_equality.h"
+#include "tests/unit/mapping/evidence/random_map.h"
 #include "tests/unit/mapping/refinement/adopt_by_states.h"
-#include "tests/unit/mapping/refinement/random_map.h"
 
 namespace dhpmap {
 namespace {
@@ -41,7 +41,7 @@ class Adoption : public ::testing::TestWithParam<unsigned> {
     for (int n = 0; n < num_voxels; ++n) {
       const SubmapId id = ids[1 + random() % (ids.size() - 1)];
       const VoxelIndex v{static_cast<int>(random() % 20) - 10, 0, static_cast<int>(random() % 6) - 3};
-      Put(*map_.FindMutable(id), v, 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});
+      Put(*map_.FindMutable(id), v, 0.01f, 1.0f, {{{1, 1}}, {{kOwnInstance, 1}}});
       written.insert(BlockOf(v));
     }
     return written;
@@ -126,7 +126,7 @@ TEST_P(Adoption, WhatWasLockedMeanwhileStaysAsItIs) {
 
 TEST_P(Adoption, ActiveThingsAreNoHindrance) {
   testing::AddSubmap(map_);
-  Put(*map_.FindMutable(AllIds(map_).back()), {0, 0, 0}, 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});
+  Put(*map_.FindMutable(AllIds(map_).back()), {0, 0, 0}, 0.01f, 1.0f, {{{1, 1}}, {{kOwnInstance, 1}}});
   EXPECT_EQ(Adopt(map_), 0);
 }
 
@@ -149,7 +149,7 @@ void GoOn(std::mt19937& random, Map& map) {
     case 6: submap.mutable_info().edited_revision = map.info().revision + 1; break;
     case 7: submap.mutable_info().is_placed = true; break;
     case 8: submap.mutable_info().is_locked = true; break;
-    default: Put(submap, VoxelIn(block, pick(0, kBlockVoxels - 1)), 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});
+    default: Put(submap, VoxelIn(block, pick(0, kBlockVoxels - 1)), 0.01f, 1.0f, {{{1, 1}}, {{kOwnInstance, 1}}});
   }
 }
 

@@ -10,7 +10,7 @@
 #include "mapping/refinement/refinement_round.h"
 #include "mapping/refinement/region_part.h"
 #include "tests/support/map_equality.h"
-#include "tests/unit/mapping/refinement/random_map.h"
+#include "tests/unit/mapping/evidence/random_map.h"
 
 namespace dhpmap {
 namespace {
@@ -33,8 +33,8 @@ Map TwoPlaces() {
     for (int i = 0; i < kBlockVoxels; ++i) {
       const VoxelIndex in_block = VoxelIn({0, 0, 0}, i), v{in_block.x + x, in_block.y, in_block.z};
       const float distance_m = 0.01f * static_cast<float>(v.y - 4);
-      Put(whole, v, distance_m, 1.0f, {{{1, 3}}, {{0, 3}}});
-      if (v.z < 4) Put(half, v, distance_m, 1.0f, {{{2, 7}}, {{0, 7}}});
+      Put(whole, v, distance_m, 1.0f, {{{1, 3}}, {{kOwnInstance, 3}}});
+      if (v.z < 4) Put(half, v, distance_m, 1.0f, {{{2, 7}}, {{kOwnInstance, 7}}});
     }
     for (Submap* submap : {&whole, &half}) {
       submap->mutable_info().activity = Activity::kInactive;
@@ -131,7 +131,7 @@ TEST_F(EditedMeanwhile, WhatAnEditFromBeforeLeftIsTakenOver) {
 TEST_F(EditedMeanwhile, FramesAreNoEdits) {
   ASSERT_NO_FATAL_FAILURE(BeginRefinement());
   Submap& seen = *map_.FindMutable(kHere[0]);
-  Put(seen, {40, 0, 0}, 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});  // elsewhere
+  Put(seen, {40, 0, 0}, 0.01f, 1.0f, {{{1, 1}}, {{kOwnInstance, 1}}});  // elsewhere
   seen.mutable_info().num_frames_observed += 1;
   seen.mutable_info().last_observed_ns += 1;
   seen.mutable_info().activity = Activity::kActive;

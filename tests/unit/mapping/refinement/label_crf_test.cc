@@ -9,12 +9,12 @@
 #include <random>
 #include <set>
 
+#include "mapping/evidence/label_management.h"
+#include "mapping/evidence/submap_labels.h"
+#include "mapping/evidence/voxel_handover.h"
 #include "mapping/refinement/crf_tiles.h"
-#include "mapping/refinement/label_management.h"
-#include "mapping/refinement/submap_labels.h"
-#include "mapping/refinement/voxel_handover.h"
 #include "tests/support/map_equality.h"
-#include "tests/unit/mapping/refinement/random_map.h"
+#include "tests/unit/mapping/evidence/random_map.h"
 
 namespace dhpmap {
 namespace {
@@ -92,7 +92,7 @@ Map Slab(double flipped_share, bool colors) {
         const std::uint32_t right = x < 0 ? 1 : 2;
         const std::uint32_t seen = chance(random) < flipped_share ? 3 - right : right;
         Submap& submap = *map.FindMutable(SubmapId(seen));
-        Put(submap, {x, y, z}, 0.01f * static_cast<float>(z), 1.0f, {{{seen, 5}}, {{0, 5}}});
+        Put(submap, {x, y, z}, 0.01f * static_cast<float>(z), 1.0f, {{{seen, 5}}, {{kOwnInstance, 5}}});
         Paint(submap, {x, y, z}, colors && x < 0 ? kRed : kGrey);
       }
     }
@@ -138,10 +138,10 @@ TEST(RefineLabels, WhatMovesTakesAllItHasSeenAlongAndIsMarked) {
     ASSERT_EQ(seen.classes.size(), 1u);
     EXPECT_EQ(seen.classes[0].count, 5u);
     const std::uint32_t instance = seen.classes[0].id;  // as Slab has it
-    const std::uint32_t by_holder = instance == submap.id().value ? 0 : instance;
-    EXPECT_EQ(seen.instances, (std::vector<LabelCount>{{by_holder, 5}}));
-    EXPECT_EQ(entry.labels->IsConcluded(i), by_holder != 0);
-    num_concluded += by_holder != 0;
+    const auto by_holder = SeenInstance::Of(SubmapId(instance), submap.id());
+    EXPECT_EQ(seen.instances, (std::vector<InstanceCount>{{by_holder, 5}}));
+    EXPECT_EQ(entry.labels->IsConcluded(i), !by_holder.IsOwn());
+    num_concluded += !by_holder.IsOwn();
   });
   EXPECT_EQ(num_concluded, report.num_changed_instances);
 }
@@ -190,7 +190,7 @@ void SeeMore(unsigned seed, Map& map) {
     for (int y = 0; y < 24; y += 3) {
       const std::uint32_t seen = 1 + random() % 2;
       Submap& submap = *map.FindMutable(SubmapId(seen));
-      Put(submap, {x, y, 0}, 0.0f, 1.0f, {{{seen, 4}}, {{0, 4}}});
+      Put(submap, {x, y, 0}, 0.0f, 1.0f, {{{seen, 4}}, {{kOwnInstance, 4}}});
       Paint(submap, {x, y, 0}, kGrey);
     }
   }
@@ -218,7 +218,8 @@ TEST(RefineLabels, ALeadOfManySightingsHoldsWhereTheSameShareOfFewDoesNot) {
   for (const auto& [v, times] : {std::pair{few, 1u}, std::pair{many, 100u}}) {
     map.FindMutable(SubmapId(1))->MutableTsdf(BlockOf(v)).weight[static_cast<std::size_t>(LinearIndex(v))] = 0;
     map.FindMutable(SubmapId(1))->MutableLabels(BlockOf(v)).Clear(LinearIndex(v));
-    Put(*map.FindMutable(SubmapId(2)), v, 0.0f, 1.0f, {{{2, 4 * times}}, {{0, 4 * times}, {1, times}}});
+    Put(*map.FindMutable(SubmapId(2)), v, 0.0f, 1.0f,
+        {{{2, 4 * times}}, {{kOwnInstance, 4 * times}, {SeenInstance(SubmapId(1)), times}}});
     Paint(*map.FindMutable(SubmapId(2)), v, kGrey);
   }
   RefineLabels(AllIds(map), map, pool);
@@ -230,7 +231,7 @@ TEST(RefineLabels, ACrowdElsewhereInTheTileChangesNothing) {
   Map map = Slab(0.2, false), crowded = Slab(0.2, false);
   for (std::uint32_t i = 0; i < 30; ++i) {  // in one block, so that each needs a channel of its own
     Submap& submap = AddSubmap(crowded);
-    Put(submap, {-20, 4, 50 + static_cast<int>(i % 6)}, 0.0f, 1.0f, {{{1, 1}}, {{0, 1}}});
+    Put(submap, {-20, 4, 50 + static_cast<int>(i % 6)}, 0.0f, 1.0f, {{{1, 1}}, {{kOwnInstance, 1}}});
   }
   ThreadPool pool(2);
   RefineLabels(AllIds(map), map, pool);
@@ -260,11 +261,11 @@ TEST(RefineLabels, ACancelledRunEnds) {
 }
 
 /// Those of a list that nothing was seen more often than.
-std::vector<std::uint32_t> Foremost(const std::vector<LabelCount>& counts) {
+std::vector<SubmapId> Foremost(const std::vector<SubmapCount>& counts) {
   std::uint32_t most = 0;
-  for (const LabelCount& seen : counts) most = std::max(most, seen.count);
-  std::vector<std::uint32_t> ids;
-  for (const LabelCount& seen : counts) {
+  for (const SubmapCount& seen : counts) most = std::max(most, seen.count);
+  std::vector<SubmapId> ids;
+  for (const SubmapCount& seen : counts) {
     if (seen.count == most) ids.push_back(seen.id);
   }
   return ids;
@@ -278,10 +279,12 @@ std::set<std::uint32_t> ChoicesAround(const Map& map, std::span<const HeldBlock>
         std::max({std::abs(block.index.x - at.x), std::abs(block.index.y - at.y), std::abs(block.index.z - at.z)});
     for (int i = 0; i < kBlockVoxels && distance <= rim; ++i) {
       if (!block.entry->tsdf->IsObserved(i) || block.entry->labels->IsEmpty(i)) continue;
-      std::vector<LabelCount> seen = block.entry->labels->Get(i).instances;
-      for (LabelCount& count : seen) count.id = count.id == 0 ? block.holder.value : count.id;
-      std::erase_if(seen, [&](LabelCount count) { return map.Find(SubmapId(count.id)) == nullptr; });
-      for (const std::uint32_t id : Foremost(seen)) choices.insert(id);
+      std::vector<SubmapCount> seen;
+      for (const InstanceCount& count : block.entry->labels->Get(i).instances) {
+        const SubmapId instance = count.id.In(block.holder);
+        if (map.Find(instance) != nullptr) seen.push_back({instance, count.count});
+      }
+      for (const SubmapId id : Foremost(seen)) choices.insert(id.value);
       if (seen.empty()) choices.insert(block.holder.value);
     }
   }
@@ -289,7 +292,7 @@ std::set<std::uint32_t> ChoicesAround(const Map& map, std::span<const HeldBlock>
 }
 
 TEST_P(ManagedMaps, AreCutIntoTilesOfJustTheBlocksInDisputeAndWhatIsAround) {
-  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map_), map_);
+  const auto blocks = CollectBlocks(AllIds(map_), map_);
   std::vector<int> inside(blocks.size(), 0);
   for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map_), map_), 2, 1, pool_)) {
     for (const std::uint32_t b : tile.inner) ++inside[b];
@@ -314,7 +317,7 @@ TEST(CutTiles, ATieIsADispute) {
   LabelBlock& labels = map.FindMutable(SubmapId(1))->MutableLabels(BlockOf(far));
   ThreadPool pool(1);
   const auto is_solved = [&] {
-    const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
+    const auto blocks = CollectBlocks(AllIds(map), map);
     for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map), map), 1, 1, pool)) {
       for (const std::uint32_t b : tile.inner) {
         if (blocks[b].index == BlockOf(far)) return true;
@@ -322,9 +325,9 @@ TEST(CutTiles, ATieIsADispute) {
     }
     return false;
   };
-  labels.Set(LinearIndex(far), {{{1, 9}}, {{0, 5}, {2, 4}}});
+  labels.Set(LinearIndex(far), {{{1, 9}}, {{kOwnInstance, 5}, {SeenInstance(SubmapId(2)), 4}}});
   EXPECT_FALSE(is_solved());
-  labels.Set(LinearIndex(far), {{{1, 10}}, {{0, 5}, {2, 5}}});
+  labels.Set(LinearIndex(far), {{{1, 10}}, {{kOwnInstance, 5}, {SeenInstance(SubmapId(2)), 5}}});
   EXPECT_TRUE(is_solved());
 }
 
@@ -336,7 +339,7 @@ TEST(RefineLabels, WhatIsFarFromAnySurfaceStaysWithWhatItHasSeen) {
   for (const auto& [v, distance_m] : {std::pair{near, 1.9f * voxel_size_m}, std::pair{far, 2.1f * voxel_size_m}}) {
     map.FindMutable(SubmapId(1))->MutableTsdf(BlockOf(v)).weight[static_cast<std::size_t>(LinearIndex(v))] = 0;
     map.FindMutable(SubmapId(1))->MutableLabels(BlockOf(v)).Clear(LinearIndex(v));
-    Put(*map.FindMutable(SubmapId(2)), v, distance_m, 1.0f, {{{2, 1}}, {{0, 1}}});
+    Put(*map.FindMutable(SubmapId(2)), v, distance_m, 1.0f, {{{2, 1}}, {{kOwnInstance, 1}}});
     Paint(*map.FindMutable(SubmapId(2)), v, kGrey);
   }
   RefineLabels(AllIds(map), map, pool);
@@ -356,7 +359,7 @@ TEST(CutTiles, WhatWasConcludedIsInDispute) {
 TEST(CutTiles, LeavesOutWhatNobodyDisputes) {
   Map map = Slab(0.0, false);
   ThreadPool pool(1);
-  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
+  const auto blocks = CollectBlocks(AllIds(map), map);
   std::size_t num_inner = 0;
   for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map), map), 1, 1, pool)) {
     num_inner += tile.inner.size();
@@ -371,7 +374,7 @@ TEST(CutTiles, LeavesOutWhatNobodyDisputes) {
 TEST(CutTiles, TheLargestComesFirst) {
   Map map = RandomMap(3);
   ThreadPool pool(1);
-  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
+  const auto blocks = CollectBlocks(AllIds(map), map);
   std::size_t size_before = blocks.size();
   for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map), map), 1, 1, pool)) {
     EXPECT_LE(tile.inner.size() + tile.rim.size(), size_before);

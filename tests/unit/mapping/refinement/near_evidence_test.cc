@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mapping/refinement/label_management.h"
-#include "tests/unit/mapping/refinement/random_map.h"
+#include "mapping/evidence/label_management.h"
+#include "tests/unit/mapping/evidence/random_map.h"
 
 namespace dhpmap {
 namespace {
@@ -50,12 +50,12 @@ TEST_P(GatheredEvidence, IsWhatAllPairsOfVoxelsSay) {
   ManageLabels(testing::AllIds(map), map, pool);
   const double voxel_size_m = map.info().config.voxel_size_m;
   const KnownInstances known(testing::AllIds(map), map);
-  const std::vector<HeldBlock> blocks = CollectBlocks(testing::AllIds(map), map);
+  const auto blocks = CollectBlocks(testing::AllIds(map), map);
   const std::vector<CrfTile> tiles = CutTiles(blocks, known, 2, 1, pool);
   ASSERT_FALSE(tiles.empty());
   for (const CrfTile& tile : tiles) {
     const TileProblem problem(blocks, known, tile, 1, voxel_size_m);
-    const std::vector<float> evidence = GatherEvidence(problem, kRadius_vox, voxel_size_m);
+    const auto evidence = GatherEvidence(problem, kRadius_vox, voxel_size_m);
     const auto stride = static_cast<std::size_t>(problem.channels().num_channels());
     std::vector<double> expected(evidence.size(), 0.0);
     for (const TileProblem::Member& from : problem.members()) {

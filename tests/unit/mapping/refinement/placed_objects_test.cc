@@ -7,14 +7,14 @@
 #include <set>
 #include <vector>
 
+#include "mapping/evidence/stray_voxels.h"
 #include "mapping/refinement/adopt_refinement.h"
 #include "mapping/refinement/pending_cubes.h"
 #include "mapping/refinement/refine_map.h"
 #include "mapping/refinement/refinement_round.h"
 #include "mapping/refinement/region_part.h"
-#include "mapping/refinement/stray_voxels.h"
 #include "tests/support/map_equality.h"
-#include "tests/unit/mapping/refinement/random_map.h"
+#include "tests/unit/mapping/evidence/random_map.h"
 
 namespace dhpmap {
 namespace {
@@ -133,10 +133,10 @@ Map BallOnFloor() {
       for (int z = -4; z <= 20; ++z) {
         const double to_floor_vox = z, to_ball_vox = std::hypot(x, y, z - kRadius_vox) - kRadius_vox;
         if (std::abs(to_floor_vox) < kBand_vox) {
-          Put(floor, {x, y, z}, voxel_m * static_cast<float>(to_floor_vox), 2.0f, {{{3, 4}}, {{0, 4}}});
+          Put(floor, {x, y, z}, voxel_m * static_cast<float>(to_floor_vox), 2.0f, {{{3, 4}}, {{kOwnInstance, 4}}});
         }
         if (std::abs(to_ball_vox) < kBand_vox) {
-          Put(ball, {x, y, z}, voxel_m * static_cast<float>(to_ball_vox), 1.0f, {{{1, 5}}, {{0, 5}}});
+          Put(ball, {x, y, z}, voxel_m * static_cast<float>(to_ball_vox), 1.0f, {{{1, 5}}, {{kOwnInstance, 5}}});
         }
       }
     }
@@ -196,7 +196,7 @@ TEST(PlacedObjects, MakeNoCubePendingWhenTheyAreWritten) {
   pending.Note(*map.Freeze(), 1);
   const std::vector<CubeIndex> cubes(pending.cubes().begin(), pending.cubes().end());
   pending.Remove(cubes);
-  Put(*map.FindMutable(clone), {300, 5, 5}, 0, 1, {{{1, 1}}, {{0, 1}}});
+  Put(*map.FindMutable(clone), {300, 5, 5}, 0, 1, {{{1, 1}}, {{kOwnInstance, 1}}});
   pending.Note(*map.Freeze(), 1);
   EXPECT_TRUE(pending.cubes().empty());
 }
@@ -210,7 +210,7 @@ TEST(PlacedObjects, WrittenWhileTheMapIsRefinedTheyHoldNothingUp) {
   RefineMap(side, pool);
   const auto refined = side.Freeze();
   for (const BlockEntry& entry : before->Find(clone)->blocks().entries()) {  // fused into all over
-    Put(*map.FindMutable(clone), VoxelIn(entry.index, 0), 0.01f, 1.0f, {{{1, 1}}, {{0, 1}}});
+    Put(*map.FindMutable(clone), VoxelIn(entry.index, 0), 0.01f, 1.0f, {{{1, 1}}, {{kOwnInstance, 1}}});
   }
   const auto now = map.Freeze();
   EXPECT_EQ(AdoptRefinement(OutcomeOf(std::make_shared<const StateMarks>(*before), *refined), map), 0);
@@ -222,9 +222,9 @@ TEST(PlacedObjects, GiveNoStrayVoxelAndAreGivenNone) {
   constexpr VoxelIndex kStray{1, 1, 40}, kOnTheFloor{-11, -11, 2};
   for (const SubmapId placed : {kFloorId, kBallId}) {
     Map map = BallOnFloor();
-    for (int z : {39, 41}) Put(*map.FindMutable(kFloorId), {1, 1, z}, 0.01f, 1.0f, {{{3, 4}}, {{0, 4}}});
+    for (int z : {39, 41}) Put(*map.FindMutable(kFloorId), {1, 1, z}, 0.01f, 1.0f, {{{3, 4}}, {{kOwnInstance, 4}}});
     for (const VoxelIndex v : {kStray, kOnTheFloor}) {
-      Put(*map.FindMutable(kBallId), v, 0.01f, 1.0f, {{{1, 5}}, {{0, 5}}});
+      Put(*map.FindMutable(kBallId), v, 0.01f, 1.0f, {{{1, 5}}, {{kOwnInstance, 5}}});
     }
     ThreadPool pool(1);
     Map as_ever = map.Fork();

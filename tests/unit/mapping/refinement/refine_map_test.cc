@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mapping/refinement/submap_labels.h"
+#include "mapping/evidence/submap_labels.h"
 #include "tests/support/map_equality.h"
-#include "tests/unit/mapping/refinement/random_map.h"
+#include "tests/unit/mapping/evidence/random_map.h"
 
 namespace dhpmap {
 namespace {
@@ -71,12 +71,12 @@ TEST(DropVoxelLabels, SavesBytesAndKeepsTheSubmapsLabels) {
 TEST(DropVoxelLabels, ComeBackAsTheLabelOfTheSubmap) {
   Map map(testing::RandomMapInfo());
   Submap& submap = AddSubmap(map);
-  Put(submap, {0, 0, 0}, 0.01f, 1.0f, {{{2, 6}}, {{0, 6}}});
-  Put(submap, {1, 0, 0}, 0.01f, 1.0f, {{{1, 2}}, {{0, 2}}});
+  Put(submap, {0, 0, 0}, 0.01f, 1.0f, {{{2, 6}}, {{kOwnInstance, 6}}});
+  Put(submap, {1, 0, 0}, 0.01f, 1.0f, {{{1, 2}}, {{kOwnInstance, 2}}});
   RecomputeSubmapLabels(submap);
   submap.DropLabels();
   EXPECT_EQ(RestoreDroppedLabels(submap), 1);
-  const LabelHistograms average{{{2, 4}}, {{0, 4}}};
+  const LabelHistograms average{{{2, 4}}, {{kOwnInstance, 4}}};
   EXPECT_EQ(submap.blocks().entries().front().labels->Get(0), average);
   EXPECT_EQ(submap.blocks().entries().front().labels->Get(1), average);
   EXPECT_TRUE(submap.blocks().entries().front().labels->IsEmpty(2));

@@ -9,9 +9,9 @@
 #include <map>
 #include <random>
 
+#include "mapping/evidence/label_management.h"
 #include "mapping/refinement/label_crf.h"
-#include "mapping/refinement/label_management.h"
-#include "tests/unit/mapping/refinement/random_map.h"
+#include "tests/unit/mapping/evidence/random_map.h"
 
 namespace dhpmap {
 namespace {
@@ -48,8 +48,8 @@ class BallOnAFloor : public ::testing::Test {
     if (std::abs(distance_vox) > 2) return;
     const SubmapId owner = to_ball_vox < to_floor_vox ? kBall : kFloor;
     const std::uint32_t other = kBall.value + kFloor.value - owner.value;
-    LabelHistograms labels{.classes = {{1, 6}}, .instances = {{0, 6}}};
-    if (IsTied(v)) labels.instances = {{0, 3}, {other, 3}};
+    LabelHistograms labels{.classes = {{1, 6}}, .instances = {{kOwnInstance, 6}}};
+    if (IsTied(v)) labels.instances = {{kOwnInstance, 3}, {SeenInstance(SubmapId(other)), 3}};
     Put(*map_.FindMutable(owner), v, static_cast<float>(distance_vox * voxel_size_m_), 1.0f, labels);
   }
 
@@ -126,12 +126,12 @@ TEST_P(TiedVoxels, AreKeptAsAllPairsSay) {
   // Ties all over.
   testing::ForEachVoxel(map, [&](const Submap& submap, const BlockEntry& entry, int i) {
     const std::uint32_t other = 1 + static_cast<std::uint32_t>(random() % 2);
-    LabelHistograms labels{.classes = {{1, 2}}, .instances = {{0, 2}}};
-    if (other != submap.id().value) labels.instances.push_back({other, 2});
+    LabelHistograms labels{.classes = {{1, 2}}, .instances = {{kOwnInstance, 2}}};
+    if (other != submap.id().value) labels.instances.push_back({SeenInstance(SubmapId(other)), 2});
     map.FindMutable(submap.id())->MutableLabels(entry.index).Set(i, labels);
   });
   const KnownInstances known(AllIds(map), map);
-  const std::vector<HeldBlock> blocks = CollectBlocks(AllIds(map), map);
+  const auto blocks = CollectBlocks(AllIds(map), map);
   std::size_t num_kept = 0;
   for (const CrfTile& tile : CutTiles(blocks, known, 2, 1, pool)) {
     const TileProblem problem(blocks, known, tile, 1, map.info().config.voxel_size_m);

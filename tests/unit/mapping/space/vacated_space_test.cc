@@ -106,6 +106,26 @@ TEST_F(VacatedSpaceTest, WhatWasLookedThroughOrIsShownByAnotherIsNotLeft) {
   });
 }
 
+TEST_F(VacatedSpaceTest, AThingTooLargeForAnInsideLeavesNoMoreThanItShowed) {
+  const auto is_free = [](const Eigen::Vector3d& p) { return p.y() > 0.3; };
+  LookThrough(is_free);
+  const SubmapId id = Observe(box, Panoptic::kThing, Everywhere);
+  TsdfBlock& far = map.FindMutable(id)->MutableTsdf({60, 60, 60});
+  far.weight[7] = 1;
+  far.distance_m[7] = -0.01f;
+  map.FindMutable(id)->UpdateBoundingSphere();
+  Leave(id);
+  int num = 0, num_wrong = 0;
+  ForEachVoxel([&](VoxelIndex voxel, const Eigen::Vector3d& p) {
+    const bool is_left = std::abs(box.Distance(p)) <= kTruncation_m && !is_free(p);
+    num += is_left;
+    num_wrong += map.vacated().IsFree(voxel) != is_left;
+  });
+  EXPECT_EQ(num_wrong, 0) << "of " << num;
+  EXPECT_TRUE(map.vacated().IsFree(VoxelIn({60, 60, 60}, 7)));
+  EXPECT_EQ(map.vacated().NumFreeVoxels(), num + 1);
+}
+
 TEST_F(VacatedSpaceTest, StuffLeavesNoMoreThanItShowed) {
   Leave(Observe(box, Panoptic::kStuff, Everywhere));
   ExpectVacated([&](const Eigen::Vector3d& p) { return std::abs(box.Distance(p)) <= kTruncation_m; });

@@ -3,16 +3,31 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
 namespace {
 
-/// A map whose submaps are single blocks, before a scanner that sees 5 m far.
+/// Beams of a degree all around that end far behind everything.
+LidarData ScanOfOpenSpace() {
+  LidarData scan;
+  for (int elevation = -80; elevation <= 80; ++elevation) {
+    for (int azimuth = 0; azimuth < 360; ++azimuth) {
+      const double e = elevation * M_PI / 180, a = azimuth * M_PI / 180;
+      scan.points_m.push_back(
+          20 * Eigen::Vector3d(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e)).cast<float>());
+    }
+  }
+  return scan;
+}
+
+/// A map whose submaps are single blocks, before a scanner that looks past them and is far away in the other frame.
 class ActivityTest : public ::testing::Test {
  protected:
   ActivityTest() : map_(Info()) {
-    here_.lidar.emplace();
+    here_.lidar = ScanOfOpenSpace();
     away_ = here_;
     away_.T_map_sensor.translation().x() = 100;
   }
@@ -103,6 +118,24 @@ TEST_F(ActivityTest, AnUnconfirmedThingIsDissolvedWhenOverlookedOftenEnoughWithF
   EXPECT_EQ(Miss(id, 1, here_), 1);
   EXPECT_EQ(map_.Find(id), nullptr);
   EXPECT_TRUE(map_.Find(kUnknownSubmap)->blocks().Find({2, 0, 0})->tsdf->IsObserved(0));
+}
+
+TEST_F(ActivityTest, AnUnconfirmedThingThatLeavesTheImageToWhichScansAreCroppedStays) {
+  const SubmapId id = Add(Thing(false));
+  std::vector<Eigen::Vector3f>& points_m = here_.lidar->points_m;
+  const Eigen::Vector3f to_thing = map_.Find(id)->BoundingSphereInMap().center_m.cast<float>();
+  std::erase_if(points_m, [&](const Eigen::Vector3f& p) { return p.normalized().dot(to_thing.normalized()) > 0.8f; });
+  EXPECT_EQ(Miss(id, 20, here_), 0);
+  ASSERT_NE(map_.Find(id), nullptr);
+  EXPECT_EQ(map_.Find(id)->info().num_frames_overlooked, 0);
+  EXPECT_EQ(ActivityOf(id), Activity::kInactive) << "it was not seen for a while, for whatever reason";
+}
+
+TEST_F(ActivityTest, AnUnconfirmedThingThatIsHiddenFromAScannerStays) {
+  const SubmapId id = Add(Thing(false));
+  for (Eigen::Vector3f& p : here_.lidar->points_m) p *= 0.02f;  // something is around the scanner, at 40 cm
+  EXPECT_EQ(Miss(id, 20, here_), 0);
+  EXPECT_NE(map_.Find(id), nullptr);
 }
 
 TEST_F(ActivityTest, WhatAPersonHasEditedIsNotDissolvedThoughItIsOverlookedAndNotConfirmed) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/tracking/tracker.h"

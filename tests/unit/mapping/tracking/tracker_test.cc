@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
 #include "mapping/fusion/segment_parts.h"
 #include "mapping/tracking/activity.h"
@@ -384,8 +385,9 @@ TEST(Visibility, SphereBehindTheCameraOrBeyondABorderIsNotInView) {
 
 TEST(Visibility, HiddenThingsNeedNotBeSeen) {
   const PanopticFrame frame = FrameOf(TwoBoxes());
-  EXPECT_TRUE(ShouldBeSeen(frame, 5.0, {{2, 0.4, 1}, 0.4}));
-  EXPECT_FALSE(ShouldBeSeen(frame, 5.0, {{3.9, 0.4, 1}, 0.4}));  // behind the wall
+  FrameSight sight(frame, 5.0);
+  EXPECT_TRUE(sight.ShouldBeSeen({{2, 0.4, 1}, 0.4}));
+  EXPECT_FALSE(sight.ShouldBeSeen({{3.9, 0.4, 1}, 0.4}));  // behind the wall
 }
 
 }  // namespace

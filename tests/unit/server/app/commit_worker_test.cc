@@ -151,6 +151,48 @@ TEST_F(CommitWorkerTest, AfterAnUnseenStateWasRefusedTheStoreIsTriedWithWhatItHa
   EXPECT_EQ(store.calls.back().after, 1);
 }
 
+TEST_F(CommitWorkerTest, WithTheSameStateAgainTheStoreIsStillTried) {
+  worker.emplace(store, first, /*retry_s=*/0.01, CommitWorker::Observer());
+  const auto same = std::make_shared<const MapSnapshot>(*first);
+  worker->LetGoOfPages(same);
+  auto unseen = Change();
+  first = nullptr;
+  store.next_outcome = ResourceExhausted("full");
+  EXPECT_EQ(worker->CommitUnseen(std::move(unseen)).code(), StatusCode::kResourceExhausted);
+  EXPECT_TRUE(testing::Eventually([&] { return worker->last_outcome().ok(); }));
+  const std::lock_guard lock(store.mutex);
+  EXPECT_EQ(store.calls.back().after, 1) << "not said to be well because nobody has asked it";
+}
+
+TEST_F(CommitWorkerTest, AStateThatWaitsIsNotKeptOnceItIsThereAgainWithoutVoxels) {
+  store.next_outcome = ResourceExhausted("full");
+  auto waiting = Change();
+  EXPECT_FALSE(Request(waiting, Durability::kNormal).get().ok());
+  const auto same = std::make_shared<const MapSnapshot>(*waiting);
+  const std::weak_ptr<const MapSnapshot> state = waiting;
+  worker->LetGoOfPages(same);
+  waiting = nullptr;
+  const auto next = Change();
+  EXPECT_TRUE(testing::Eventually([&] { return state.expired(); }));
+  worker->Stop();
+  const std::lock_guard lock(store.mutex);
+  EXPECT_EQ(store.calls.back().after, 2) << "it is stored all the same";
+}
+
+TEST_F(CommitWorkerTest, EveryStateThatIsStoredIsHandedOnBeforeAnybodyIsAnswered) {
+  std::vector<std::int64_t> kept;
+  worker.emplace(store, first, /*retry_s=*/1000.0, CommitWorker::Observer(),
+                 [&kept](const std::shared_ptr<const MapSnapshot>& state) { kept.push_back(state->revision()); });
+  EXPECT_TRUE(Request(Change(), Durability::kNormal).get().ok());
+  EXPECT_EQ(kept, std::vector<std::int64_t>{2});
+  store.next_outcome = ResourceExhausted("full");
+  EXPECT_FALSE(worker->CommitUnseen(Change()).ok());
+  EXPECT_EQ(kept, std::vector<std::int64_t>{2}) << "what is refused has never been";
+  EXPECT_TRUE(worker->CommitUnseen(Change()).ok());
+  worker->Stop();
+  EXPECT_EQ(kept, (std::vector<std::int64_t>{2, 4}));
+}
+
 TEST_F(CommitWorkerTest, StopCommitsOnceMoreWhatIsNotStored) {
   store.next_outcome = ResourceExhausted("full");
   EXPECT_FALSE(Request(Change(), Durability::kNormal).get().ok());

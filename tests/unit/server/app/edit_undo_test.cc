@@ -293,6 +293,18 @@ TEST_P(EditUndoTest, WhatIsUndoneInAnotherOrderThanItWasMadeBreaksNothing) {
   ExpectIntact();
 }
 
+TEST_P(EditUndoTest, ALaterRemovalOfWhatComesBackIsSeen) {
+  ASSERT_TRUE(Do({On(2, DeleteEdit{})}).ok());
+  const std::int64_t deleted = map->info().revision;
+  ASSERT_TRUE(Commit("ben", [&](Map& edited) { return UndeleteSubmap(SubmapId(2), *store, edited); }).ok());
+  ASSERT_TRUE(Do({On(2, DeleteEdit{})}, "ben").ok());
+  const Status late = Undo({.edit = deleted, .conditions = {.expected_revision = deleted}});
+  EXPECT_EQ(ReasonOf(late), "EDITED_SINCE");
+  EXPECT_EQ(map->Find(SubmapId(2)), nullptr);
+  const Status known = Undo({.edit = deleted, .conditions = {.expected_revision = map->info().revision}});
+  EXPECT_TRUE(known.ok()) << known.ToString();
+}
+
 INSTANTIATE_TEST_SUITE_P(Stores, EditUndoTest, ::testing::Values(StoreKind::kMemory, StoreKind::kSqlite),
                          [](const auto& kind) { return kind.param == StoreKind::kMemory ? "Memory" : "Sqlite"; });
 

@@ -103,7 +103,7 @@ struct MadeInRoom {
 /// calls make the same map. Thread-compatible.
 class EditedRoom {
  public:
-  enum class Store { kMemory, kSqlite };
+  enum class Store { kMemory, kSqlite, kPaged };  ///< the last: SQLite's, of which as little as can be is in memory
 
   explicit EditedRoom(Store kind) : kind_(kind) {
     if (kind_ == Store::kMemory) store_ = MakeMemoryStore();
@@ -115,6 +115,9 @@ class EditedRoom {
   }
 
   [[nodiscard]] std::shared_ptr<const MapSnapshot> Now() const { return session_->View()->shared_snapshot(); }
+  [[nodiscard]] std::shared_ptr<const MapView> View() const { return session_->View(); }
+  /// Of the server, for all its states until it restarts.
+  [[nodiscard]] SurfaceCache& surfaces() { return registry_->surfaces(); }
   [[nodiscard]] MapStore& store() { return *store_; }
 
   Status Integrate(const RoomView& view, bool has_persistent_ids) {
@@ -150,6 +153,12 @@ class EditedRoom {
     return Edit(registry_->UndeletionOf(id), author);
   }
 
+  /// Takes the room back to a revision; the revision that has it.
+  Result<std::int64_t> Restore(const RestoreRequest& request, const std::string& author) {
+    DHPMAP_ASSIGN_OR_RETURN(auto change, registry_->RestorationOf("room", request));
+    return Edit(std::move(change), author);
+  }
+
   /// The server ends and begins again, on the same database.
   void Restart() {
     session_ = nullptr;
@@ -167,9 +176,9 @@ class EditedRoom {
   }
 
   void Open() {
-    if (kind_ == Store::kSqlite) {
+    if (kind_ != Store::kMemory) {
       store_ = nullptr;
-      auto opened = OpenSqliteStore((folder_.path() / "maps.db").string());
+      auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = kind_ == Store::kPaged});
       ASSERT_TRUE(opened.ok()) << opened.status().ToString();
       store_ = std::move(opened).value();
     }
@@ -179,6 +188,7 @@ class EditedRoom {
     options.publish_frames = 1;
     options.commit_s = options.max_behind_s = kNever;
     options.idle_close_s = 0;
+    options.page_bytes = kind_ == Store::kPaged ? 1 : 0;
     options.refinement_timing = RefinementTiming::kReproducible;
     options.now_ns = [this] { return ++now_ns_; };
     auto registry = MapRegistry::Open(*store_, std::move(options));

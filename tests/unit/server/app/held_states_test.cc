@@ -39,6 +39,11 @@ class HeldStatesTest : public ::testing::Test {
     const MutexLock lock(mutex_);
     present_ = nullptr;
   }
+  /// Somebody keeps this state anyway, or nobody does.
+  void KeepElsewhere(HeldStates::State state) {
+    const MutexLock lock(mutex_);
+    kept_ = std::move(state);
+  }
   std::size_t BlocksHeld() {
     states_.Look();
     return states_.bytes() / kBlock_bytes;
@@ -47,10 +52,10 @@ class HeldStatesTest : public ::testing::Test {
   ByteBudget budget_{100 * kBlock_bytes};
   Map map_{MapInfo{.name = "m", .history_id = 7}};
   Mutex mutex_;
-  HeldStates::State present_ DHPMAP_GUARDED_BY(mutex_);
-  HeldStates states_{budget_, [this](const MapSnapshot&) {
+  HeldStates::State present_ DHPMAP_GUARDED_BY(mutex_), kept_ DHPMAP_GUARDED_BY(mutex_);
+  HeldStates states_{budget_, [this](const MapSnapshot& state) {
                        const MutexLock lock(mutex_);
-                       return present_;
+                       return kept_ != nullptr && kept_->revision() == state.revision() ? kept_ : present_;
                      }};
 };
 
@@ -70,6 +75,7 @@ TEST_F(HeldStatesTest, AnOldStateCostsWhatWasWrittenSinceHoweverOften) {
   Now();
   EXPECT_EQ(BlocksHeld(), 4u);
   EXPECT_EQ(budget_.used_bytes(), 6 * kBlock_bytes) << "with half as much again, for what comes until the next look";
+  EXPECT_EQ(CountOf(MemoryKind::kReserved).now_bytes(), budget_.used_bytes()) << "what is counted as blocks of maps";
 }
 
 TEST_F(HeldStatesTest, WhatSeveralStatesShareIsCountedOnce) {
@@ -95,6 +101,19 @@ TEST_F(HeldStatesTest, AStateOfAMapThatIsClosedCostsAllOfIt) {
   const auto hold = states_.TryHold(Now(), {});
   Close();
   EXPECT_EQ(BlocksHeld(), 20u);
+}
+
+TEST_F(HeldStatesTest, AStateThatIsKeptAnywayCostsNothingUntilItIsNot) {
+  const auto past = Now();
+  const auto hold = states_.TryHold(past, {}), part = states_.TryHold(OnlySubmap(*past, kThing), {});
+  KeepElsewhere(past);
+  Write(kThing, 0, 3);
+  const auto later = states_.TryHold(Now(), {});
+  Write(kOther, 0, 2);
+  Now();
+  EXPECT_EQ(BlocksHeld(), 2u) << "that the later one has alone";
+  KeepElsewhere(nullptr);
+  EXPECT_EQ(BlocksHeld(), 5u);
 }
 
 TEST_F(HeldStatesTest, WhatIsLetGoIsGivenBack) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "server/app/etag.h"
 
 namespace dhpmap {
@@ -33,6 +36,74 @@ TEST(PatchMap, RefusesAnEtagThatIsNotThePresentOneAndATitleTooLong) {
   ASSERT_EQ(status.violations().size(), 1u);
   EXPECT_EQ(status.violations()[0].field, "display_name");
   EXPECT_EQ(map.Publish(0), before);
+}
+
+/// A log, and how often it is read.
+class RenameLogStore final : public MapStore {
+ public:
+  void Add(EditSummary summary) {
+    EditEntry entry;
+    entry.revision = ++last_;
+    entry.summary = std::move(summary);
+    log_.insert(log_.begin(), LoggedEdit{.entry = std::move(entry)});
+  }
+  Result<std::vector<LoggedEdit>> ListEdits(const std::string&, const EditQuery& query) override {
+    ++num_reads;
+    std::vector<LoggedEdit> edits;
+    for (const LoggedEdit& edit : log_) {
+      if (query.before_revision && edit.entry.revision >= *query.before_revision) continue;
+      if (edits.size() < query.max_edits) edits.push_back(edit);
+    }
+    return edits;
+  }
+  [[nodiscard]] std::int64_t last() const { return last_; }
+
+  Result<std::vector<StoredMap>> ListMaps() override { return Internal("not here"); }
+  Result<StoredMap> GetMap(const std::string&) override { return Internal("not here"); }
+  Status CreateMap(const MapSnapshot&) override { return Internal("not here"); }
+  Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Internal("not here"); }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return Internal("not here"); }
+  Status DeleteMap(const std::string&) override { return Internal("not here"); }
+  Status Reserve(const std::string&, const NumberMarks&) override { return Internal("not here"); }
+
+  int num_reads = 0;
+
+ private:
+  std::vector<LoggedEdit> log_;  // the newest first
+  std::int64_t last_ = 0;
+};
+
+TEST(CheckMapNotEditedSince, SeesWhatRenamesTheMapAndItsUndo) {
+  RenameLogStore store;
+  const auto reason = [&store](std::int64_t revision) {
+    return std::string(CheckMapNotEditedSince(revision, store, "m").reason().name());
+  };
+  store.Add({.steps = {{EditAction::kRenameMap, kUnknownSubmap}}});
+  store.Add({.steps = {{EditAction::kMove, SubmapId(1)}}});
+  EXPECT_EQ(reason(0), "");
+  EXPECT_EQ(reason(1), "") << "an object was moved";
+  store.Add({.kind = EditKind::kUndo, .targets = {2}});
+  EXPECT_EQ(reason(1), "");
+  store.Add({.kind = EditKind::kUndo, .targets = {1}});
+  EXPECT_EQ(reason(3), "EDITED_SINCE") << "of an edit before it";
+  EXPECT_EQ(reason(4), "");
+  store.Add({.steps = {{EditAction::kRestore, SubmapId(1)}}});
+  EXPECT_EQ(reason(4), "") << "an object alone";
+  store.Add({.steps = {{EditAction::kRestore, kUnknownSubmap}}});
+  EXPECT_EQ(reason(4), "EDITED_SINCE");
+  EXPECT_EQ(reason(6), "");
+}
+
+/// The map's writer waits for it.
+TEST(CheckMapNotEditedSince, LooksAnEditUpOnceHoweverOftenItWasUndone) {
+  RenameLogStore store;
+  for (int i = 0; i < 10; ++i) store.Add({.steps = {{EditAction::kMove, SubmapId(1)}}});
+  for (int i = 0; i < 190; ++i) {
+    store.Add({.kind = i % 2 == 0 ? EditKind::kUndo : EditKind::kRedo, .targets = {10, 9, 8, 7, 6, 5, 4, 3, 2, 1}});
+  }
+  store.num_reads = 0;
+  EXPECT_TRUE(CheckMapNotEditedSince(10, store, "m").ok());
+  EXPECT_LE(store.num_reads, 12);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -43,6 +44,32 @@ TEST(MapView, KeepsTheSpheresThatItWasAskedForWhoeverAsks) {
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i) threads.emplace_back(expect_all);
   for (std::thread& thread : threads) thread.join();
+}
+
+TEST(MapView, GoesOnWithTheIndexOfTheViewBefore) {
+  Map map(RoomInfo());
+  for (int i = 0; i < 12; ++i) {
+    SubmapInfo info;
+    info.voxel_size_m = 0.1;
+    info.T_map_submap.translation() = Eigen::Vector3d(i, 0, 0);
+    map.Create(info).MutableTsdf({0, 0, 0}).weight[0] = 1;
+    map.FindMutable(map.submaps().back()->id())->UpdateBoundingSphere();
+  }
+  auto before = std::make_unique<const MapView>(map.Publish(0));
+  const SubmapId moved = map.submaps().back()->id();
+  EXPECT_EQ(before->lookup().At({11.05, 0.05, 0.05}).submap, moved);
+  map.FindMutable(moved)->mutable_info().T_map_submap.translation().y() = 2;
+  const MapView not_asked(map.Publish(1), before.get());
+  before.reset();
+  map.FindMutable(moved)->mutable_info().T_map_submap.translation().y() = 3;
+  const MapView after(map.Publish(2), &not_asked), fresh(after.shared_snapshot());
+  EXPECT_EQ(after.lookup().index().num_replaced(), 1u) << "though nobody asked the view between";
+  EXPECT_EQ(fresh.lookup().index().num_replaced(), 0u);
+  for (const MapView* view : {&after, &fresh}) {
+    EXPECT_EQ(view->lookup().At({11.05, 3.05, 0.05}).submap, moved);
+    EXPECT_FALSE(view->lookup().At({11.05, 0.05, 0.05}).is_observed);
+    EXPECT_TRUE(view->lookup().At({5.05, 0.05, 0.05}).is_observed);
+  }
 }
 
 }  // namespace

@@ -3,8 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <stop_token>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "mapping/base/memory_count.h"
 #include "mapping/io/pcd.h"
 #include "mapping/io/ply.h"
 #include "mapping/mesh/map_mesh.h"
@@ -91,6 +98,31 @@ TEST(BytesOfExport, GrowsWithTheBlocksThatAreMeshed) {
   EXPECT_EQ(one, BytesOfExport(*map, {.submap = SubmapId(2)}));
   EXPECT_GE(BytesOfExport(*map, {}), 2 * one + sizeof(TsdfBlock)) << "with a merged copy of the block that both have";
   EXPECT_EQ(BytesOfExport(*map, {.submap = SubmapId(3)}), 0u);
+}
+
+TEST(ExportMesh, WhatAFileKeepsIsCountedAndItsRoomOfTheBudgetNotedAsCountedElsewhere) {
+  const auto meshing = [] { return CountOf(MemoryKind::kMeshing).now_bytes(); };
+  const auto reserved = [] { return CountOf(MemoryKind::kReserved).now_bytes(); };
+  const auto map = MapOfTwoStrips();
+  ASSERT_EQ(meshing(), 0u);
+  {
+    auto file = ExportMesh(map, {});
+    ASSERT_TRUE(file.ok());
+    EXPECT_EQ(reserved(), BytesOfExport(*map, {}));
+    const std::size_t before_piece = meshing();
+    EXPECT_GT(before_piece, 0u);
+    EXPECT_LE(before_piece, BytesOfExport(*map, {})) << "more than its room";
+    std::string piece;
+    ASSERT_TRUE(file->Next(piece));  // the head
+    ASSERT_TRUE(file->Next(piece));
+    EXPECT_GE(meshing(), before_piece + std::size_t{64} * sizeof(Eigen::Vector3f)) << "the vertices in hand";
+  }
+  EXPECT_EQ(meshing(), 0u);
+  EXPECT_EQ(reserved(), 0u);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(ExportMesh(map, {}, stop.get_token()).status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(meshing() + reserved(), 0u);
 }
 
 }  // namespace

@@ -7,7 +7,10 @@
 #include <iterator>
 #include <memory>
 #include <random>
+#include <stop_token>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "server/app/map_import.h"
@@ -94,6 +97,29 @@ TEST_F(LargeStore, ALookThroughAMapEndsSoonAfterTheCallerIsGone) {
 TEST_F(LargeStore, ABackupEndsSoonAfterTheCallerIsGone) {
   testing::ExpectEndsSoonAfterAStop(
       [](const std::stop_token& stop) { return WasLeft(registry_->Backup(stop).status()); });
+}
+
+/// Else the last part of it would be all of it, and nothing ends that.
+TEST_F(LargeStore, ABackupIsWrittenWhileItIsMade) {
+  constexpr int kTries = 20;  // the thread that looks may come too late
+  const auto is_any_written = [] {
+    std::error_code gone;
+    for (std::filesystem::directory_iterator it(folder_->path(), gone), end; !gone && it != end; it.increment(gone)) {
+      std::error_code unknown;
+      const bool is_backup = it->path().filename().string().find("-backup-") != std::string::npos;
+      if (is_backup && it->file_size(unknown) > 0 && !unknown) return true;
+    }
+    return false;
+  };
+  for (int i = 0; i < kTries; ++i) {
+    std::stop_source caller;
+    std::jthread hanging_up([&](const std::stop_token& is_over) {
+      while (!is_over.stop_requested() && !is_any_written()) std::this_thread::yield();
+      caller.request_stop();
+    });
+    if (WasLeft(registry_->Backup(caller.get_token()).status())) return;
+  }
+  ADD_FAILURE() << "nothing of it was there before it was done";
 }
 
 TEST_F(LargeStore, AnExportEndsSoonAfterTheCallerIsGone) {

@@ -49,6 +49,15 @@ TEST(RpcRequest, RefusesABodyBeforeItComes) {
       << "a stream may be long: its messages are limited";
 }
 
+TEST(RpcRequest, WithoutListsIsNoLargerThanAMebibyte) {
+  const auto made = [](const char* path, std::size_t num_bytes) {
+    return RpcRequest::Make(RequestHeadOf("POST", path, {}, num_bytes), Matched("POST", path), "", 64u << 20);
+  };
+  EXPECT_EQ(made("/v1/maps/a:verify", (1u << 20) + 1).status().reason(), Reason("BODY_TOO_LARGE"));
+  EXPECT_EQ(made("/v1/maps/a:verify", 1u << 20)->max_body_bytes, 1u << 20);
+  EXPECT_EQ(made("/v1/maps/a:queryPoints", 2u << 20)->max_body_bytes, 64u << 20);
+}
+
 TEST(RpcRequest, RefusesTypesAndCodingsThatItCannotRead) {
   const std::pair<const char*, http::Headers> cases[] = {
       {"/v1/maps", {{"Content-Type", "text/xml"}}},

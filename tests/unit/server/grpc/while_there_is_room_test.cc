@@ -40,7 +40,7 @@ class WhileThereIsRoomTest : public ::testing::Test {
   HeldStates held_{budget_, [this](const MapSnapshot&) { return Present(); }};
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
   std::unique_ptr<MapRegistry> registry_ = MapRegistry::Open(*store_, {}).value();
-  Lanes lanes_{Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}};
+  Lanes lanes_{Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}};
   GrpcOptions options_;
   GrpcObserver observer_;
   ServiceContext context_{*registry_, lanes_, options_, observer_, held_};

@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "mapping/base/memory_count.h"
+
 namespace dhpmap {
 namespace {
 
@@ -19,16 +21,68 @@ TEST(Metrics, TextHoldsWhatWasRecorded) {
   metrics.RecordRefinement(0.25, 1.5);
   const std::string text = metrics.Text({.maps = {{.name = "room", .num_submaps = 4, .num_blocks = 5, .revision = 6}},
                                          .surface_bytes = 7,
-                                         .inflight_bytes = 8});
+                                         .inflight_bytes = 8,
+                                         .page_bytes = 9,
+                                         .num_pages_read = 10,
+                                         .num_pages_let_go = 11,
+                                         .past_bytes = 11});
   for (const char* line :
        {"# TYPE dhpmap_rpc_seconds histogram\n",
         "dhpmap_rpc_seconds_count{code=\"NOT_FOUND\",method=\"MapService/GetMap\"} 2\n",
         "dhpmap_query_points_total 1000\n", "dhpmap_ingest_frames_total{code=\"OK\"} 1\n",
         "dhpmap_commit_seconds_count{code=\"OK\"} 1\n", "dhpmap_refinement_seconds_sum{step=\"crf\"} 1.5\n",
         "dhpmap_map_submaps{map=\"room\"} 4\n", "dhpmap_surface_memory_bytes 7\n", "dhpmap_inflight_bytes 8\n",
+        "dhpmap_page_memory_bytes 9\n", "# TYPE dhpmap_pages_read_total counter\n", "dhpmap_pages_read_total 10\n",
+        "dhpmap_pages_unreadable_total 0\n", "dhpmap_pages_let_go_total 11\n", "dhpmap_past_states_memory_bytes 11\n",
         "dhpmap_map_revision{map=\"room\"} 6\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
   }
+}
+
+TEST(Metrics, TellsWhatIsCountedEachByteUnderOneKind) {
+  const Metrics metrics;
+  Metrics::Gauges gauges{.maps = {{.name = "room", .memory_bytes = 100, .block_bytes = 40},
+                                  {.name = "hall", .memory_bytes = 20, .block_bytes = 10}},
+                         .surface_bytes = 7,
+                         .inflight_bytes = 80,
+                         .store_bytes = 9,
+                         .frame_bytes = 2};
+  std::string text;
+  {
+    const CountedBytes blocks(MemoryKind::kBlocks, 65), refinement(MemoryKind::kRefinement, 3);
+    const CountedBytes meshing(MemoryKind::kMeshing, 500), fusion(MemoryKind::kFusion, 4);
+    const CountedBytes room(MemoryKind::kTileRooms, 1000), reserved(MemoryKind::kReserved, 50);
+    text = metrics.Text(gauges);
+  }
+  for (const char* line : {
+           "# TYPE dhpmap_memory_bytes gauge\n",
+           "dhpmap_memory_bytes{kind=\"maps\"} 135\n",  // 65 of all states, and 60 + 10 that is not blocks
+           "dhpmap_memory_bytes{kind=\"surfaces\"} 1007\n",
+           "dhpmap_memory_bytes{kind=\"requests\"} 32\n",  // what meshing counts is not theirs
+           "dhpmap_memory_bytes{kind=\"refinement\"} 3\n",
+           "dhpmap_memory_bytes{kind=\"meshing\"} 500\n",
+           "dhpmap_memory_bytes{kind=\"fusion\"} 4\n",
+           "dhpmap_memory_bytes{kind=\"store\"} 9\n",
+           "dhpmap_memory_bytes{kind=\"allocator\"} ",
+           "dhpmap_scratch_bytes{kind=\"refinement\"} 3\n",
+           "dhpmap_scratch_peak_bytes{kind=\"meshing\"} 500\n",
+       }) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+  }
+  text = metrics.Text(gauges);
+  for (const char* line :
+       {"dhpmap_scratch_bytes{kind=\"meshing\"} 0\n", "dhpmap_scratch_peak_bytes{kind=\"meshing\"} 500\n",
+        "dhpmap_memory_bytes{kind=\"requests\"} 82\n", "dhpmap_memory_bytes{kind=\"meshing\"} 0\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+  }
+}
+
+TEST(Metrics, MoreRoomReservedThanIsTakenIsNoHugeNumber) {
+  const CountedBytes reserved(MemoryKind::kReserved, 50);
+  const std::string text =
+      Metrics().Text({.maps = {{.name = "room", .memory_bytes = 10, .block_bytes = 40}}, .inflight_bytes = 20});
+  EXPECT_NE(text.find("dhpmap_memory_bytes{kind=\"requests\"} 0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("dhpmap_memory_bytes{kind=\"maps\"} 0\n"), std::string::npos) << text;
 }
 
 /// The value of a gauge without labels.

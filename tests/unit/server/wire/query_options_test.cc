@@ -50,6 +50,7 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   options.set_min_revision(3);
   options.set_tolerance_vox(0.6);
   options.set_vacated(v1::Vacated::FREE);
+  options.set_include_absent(true);
   const auto question = QueryOptionsFromProto(options, *Home(), kDistanceOptions);
   ASSERT_TRUE(question.ok());
   EXPECT_TRUE(question->options.unknown_is_free);
@@ -66,6 +67,7 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   EXPECT_EQ(question->options.scope.max_free_age_s, 60);
   EXPECT_EQ(question->options.tolerance_vox, 0.6);
   EXPECT_TRUE(question->options.scope.vacated_is_free);
+  EXPECT_TRUE(question->options.scope.with_absent);
 }
 
 TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {

@@ -162,6 +162,34 @@ TEST(WatchConversion, MessagesOfAChangeHoldWhatPassesEachOnceAndTheLastSaysSo) {
   EXPECT_FALSE(ChangeMessages(change, FilterOf(nothing)).has_next());
 }
 
+TEST(WatchConversion, RegionsComeBeforeSubmapsInMessagesOfBoundedSize) {
+  const MapInfo map = RoomWithClasses();
+  auto change = std::make_shared<MapChange>();
+  for (int n = 0; n < 2000; ++n) {
+    change->regions.push_back({.kind = RegionEventKind::kKeptClear,
+                               .region = BoundingSphere{{0.1 * n, 0, 0}, 1},
+                               .name = std::string(60, 'x')});
+  }
+  change->submaps.push_back(Event(1, 1, 0));
+  ChangeMessages messages(change, {});
+  int num_regions = 0, num_messages = 0;
+  while (messages.has_next()) {
+    v1::MapChange message;
+    messages.Next({}, map, message);
+    EXPECT_LT(message.ByteSizeLong(), 66u << 10);
+    num_regions += message.regions_size();
+    ++num_messages;
+    EXPECT_EQ(message.last_message(), !messages.has_next());
+    if (message.submaps_size() > 0) {
+      EXPECT_EQ(num_regions, 2000);
+    }
+  }
+  EXPECT_EQ(num_regions, 2000);
+  EXPECT_GT(num_messages, 1);
+  change->submaps.clear();
+  EXPECT_TRUE(ChangeMessages(change, {}).has_next()) << "regions alone are told, too";
+}
+
 TEST(WatchConversion, WhatIsGoneKeepsItsNameAndClass) {
   SubmapEvent event = Event(7, 1, 0);
   event.kind = ChangeKind::kMerged;

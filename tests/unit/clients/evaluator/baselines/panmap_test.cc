@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "clients/evaluator/baselines/baselines.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::evaluator {
@@ -108,6 +109,26 @@ TEST(PanmapTest, TracksStuffAndThingsByOverlap) {
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0.05 * i, 1})).ok());
   ASSERT_EQ(panmap.submaps().size(), 3u);
   for (const auto& submap : panmap.submaps()) EXPECT_EQ(submap->geometry.info().num_frames_observed, 4);
+}
+
+TEST(PanmapTest, OneSegmentOfTwoThingsApartMakesTwoSubmapsAsItDoesForOurs) {
+  const Scene scene{{{.shape = Solid::Shape::kSphere, .center_m = {2, -0.8, 1}, .size_m = {0.4, 0, 0}, .segment = 1},
+                     {.shape = Solid::Shape::kSphere, .center_m = {2, 0.8, 1}, .size_m = {0.4, 0, 0}, .segment = 1}}};
+  PanopticFrame frame = Render(scene, SmallCamera(), LookAt({0, 0, 1}, {2, 0, 1}));
+  frame.segments = {{.id = SegmentId(1), .class_id = kBall}};
+  SystemSetup setup = SetupFor();
+  setup.config.tracking.split_gap_vox = 3;
+  Panmap panmap(setup);
+  const auto whole = MakePanmapOfWholeSegments(setup);
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(panmap.Integrate(frame).ok());
+    ASSERT_TRUE(whole->Integrate(frame).ok());
+  }
+  ASSERT_EQ(panmap.submaps().size(), 2u);
+  for (const auto& submap : panmap.submaps()) EXPECT_EQ(submap->geometry.info().num_frames_observed, 3);
+  whole->Finish();
+  EXPECT_EQ(whole->Surface().instance_scores.size(), 1u);
+  EXPECT_EQ(whole->name(), "panmap_whole_segments");
 }
 
 TEST(PanmapTest, ASegmentOfAnotherClassMakesANewSubmap) {

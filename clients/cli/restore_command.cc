@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap restore: a map, or one of its objects, as it was at a revision.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "clients/cli/connection.h"
+#include "clients/cli/edit_flags.h"
+#include "dhpmap/v1/edit_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+struct RestoreFlags : EditFlags {
+  std::string map;
+  std::int64_t revision = 0;
+  std::int64_t id = -1;  ///< -1: all of the map
+};
+
+void PrintRestored(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
+  if (names.empty()) return;
+  std::cout << ", " << what;
+  for (const std::string& name : names) std::cout << " " << name.substr(name.rfind('/') + 1);
+}
+
+ExitCode RunRestore(const Session& session, const RestoreFlags& flags) {
+  v1::RestoreRevisionRequest request;
+  request.set_map(MapName(flags.map));
+  request.set_revision(flags.revision);
+  if (flags.id >= 0) request.set_submap(SubmapName(flags.map, flags.id));
+  request.set_etag(flags.etag);
+  flags.Sign(request);
+  grpc::ClientContext context;
+  v1::RestoreRevisionResponse response;
+  const grpc::Status status = v1::EditService::NewStub(Connect(session))->RestoreRevision(&context, request, &response);
+  if (!status.ok()) return ReportError(session, status);
+  if (session.json) {
+    PrintJson(response);
+    return ExitCode::kOk;
+  }
+  std::cout << (flags.only_try ? "would be" : "is") << " as in revision " << flags.revision;
+  PrintRestored("changed", response.changed());
+  PrintRestored("created", response.created());
+  PrintRestored("removed", response.removed());
+  std::cout << ", revision " << response.revision() << "\n";
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddRestoreCommand(CLI::App& app, Session& session) {
+  auto flags = std::make_shared<RestoreFlags>();
+  CLI::App* command = app.add_subcommand("restore", "Take a map, or one of its objects, back to what it was");
+  command->add_option("map", flags->map, "Name of the map")->required();
+  command->add_option("--revision", flags->revision, "Back to this revision")->required();
+  // Else one that is mistyped would take back all of the map.
+  command->add_option("--submap", flags->id, "Instance id of the one object; default: all of the map")
+      ->check(CLI::NonNegativeNumber);
+  AddEditFlags(*command, *flags, "the object, or of the map");
+  command->callback([flags, &session] { session.exit_code = RunRestore(session, *flags); });
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/tile_page.h"
+
+#include <string>
+
+#include "mapping/base/status_error.h"
+
+namespace dhpmap {
+namespace {
+
+struct PageCounters {
+  std::atomic<std::uint64_t> num_reads{0}, num_failures{0}, num_let_go{0};
+  std::atomic<std::int64_t> resident_bytes{0};
+};
+PageCounters& Counters() {
+  static constinit PageCounters counters;
+  return counters;
+}
+
+std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {
+  std::size_t bytes = blocks.capacity() * sizeof(BlockEntry);
+  for (const BlockEntry& block : blocks) {
+    ForEachLayer([&bytes](BlockLayer, const auto& layer) { bytes += layer != nullptr ? layer->MemoryBytes() : 0; },
+                 block);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+TilePage::~TilePage() {
+  Counters().resident_bytes.fetch_sub(static_cast<std::int64_t>(num_bytes_), std::memory_order_relaxed);
+}
+
+std::shared_ptr<const TilePage> TilePage::LetGo() const {
+  Counters().num_let_go.fetch_add(1, std::memory_order_relaxed);
+  return std::make_shared<const TilePage>(*this);
+}
+
+Result<std::vector<BlockEntry>> TilePage::ReadNamed() const {
+  DHPMAP_ASSIGN_OR_RETURN(std::vector<BlockEntry> blocks, source_->Read(tile_));
+  std::array<std::uint64_t, kNumBlockLayers> cells{};
+  for (const BlockEntry& block : blocks) {
+    const int cell = CellOf(block.index);
+    ForEachLayer(
+        [&](BlockLayer kind, const auto& layer) {
+          if (layer == nullptr) return;
+          cells[static_cast<std::size_t>(kind)] |= std::uint64_t{1} << cell;
+          // Nobody else has seen it yet.
+          const_cast<PartId&>(layer->part_id).Restore(PartIdOf(kind, cell));
+        },
+        block);
+  }
+  if (cells == tile_.cells) return blocks;
+  return DataLoss("tile (" + std::to_string(tile_.index.x) + ", " + std::to_string(tile_.index.y) + ", " +
+                  std::to_string(tile_.index.z) + ") has other blocks than were stored")
+      .WithReason("DAMAGED_MAP");
+}
+
+void TilePage::Read() const {
+  const MutexLock lock(mutex_);
+  if (is_read_.load(std::memory_order_relaxed)) return;  // another thread was first
+  Result<std::vector<BlockEntry>> blocks = ReadNamed();
+  if (!blocks.ok()) {
+    Counters().num_failures.fetch_add(1, std::memory_order_relaxed);
+    throw StatusError(blocks.status());
+  }
+  blocks_ = std::move(blocks).value();
+  num_bytes_ = BytesOf(blocks_);
+  Counters().num_reads.fetch_add(1, std::memory_order_relaxed);
+  Counters().resident_bytes.fetch_add(static_cast<std::int64_t>(num_bytes_), std::memory_order_relaxed);
+  is_read_.store(true, std::memory_order_release);
+}
+
+PageCounts CountPages() {
+  const PageCounters& counters = Counters();
+  return {counters.num_reads.load(std::memory_order_relaxed), counters.num_failures.load(std::memory_order_relaxed),
+          counters.num_let_go.load(std::memory_order_relaxed), counters.resident_bytes.load(std::memory_order_relaxed)};
+}
+
+}  // namespace dhpmap

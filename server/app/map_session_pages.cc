@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
+#include <utility>
+
+#include "mapping/base/free_memory.h"
+#include "mapping/base/guarded.h"
+#include "mapping/map/tile_page.h"
+#include "server/app/map_session.h"
+
+namespace dhpmap {
+
+/// Where readers hold more than there may be, it is tried again when an eighth has come on top.
+bool MapSession::HasTooManyPages() const {
+  if (options_.page_bytes == 0) return false;
+  const std::int64_t resident_bytes = CountPages().resident_bytes;
+  const std::int64_t held_bytes = held_page_bytes_.load(std::memory_order_relaxed);
+  return resident_bytes > options_.page_bytes && (has_kept_pages_ || held_bytes == 0 || resident_bytes < held_bytes ||
+                                                  resident_bytes > held_bytes + options_.page_bytes / 8);
+}
+
+/// On the commit thread. Meanwhile nothing of the state could go, which is kept now with all that was read of it.
+void MapSession::OnStored(const std::shared_ptr<const MapSnapshot>& state) {
+  kept_states_->Keep(state);
+  if (options_.page_bytes == 0 || CountPages().resident_bytes <= options_.page_bytes) return;
+  if (!kept_states_->HoldPages()) return;
+  has_kept_pages_ = true;
+  KeepPagesInBounds();
+}
+
+void MapSession::KeepPagesInBounds() {
+  if (!HasTooManyPages() || is_asked_for_pages_.exchange(true)) return;
+  try {
+    Post({.run = [this] { is_asked_for_pages_ = false; },  // after each job the writer looks
+          .refuse = [this](const Status&) { is_asked_for_pages_ = false; }});
+  } catch (...) {
+    is_asked_for_pages_ = false;  // there is no memory for it: the next one asks again
+  }
+}
+
+/// On the writer, between jobs. First what nobody has asked for since the last time, then, if need be, all. Not before
+/// what was fused is published, which is soon: until then nothing can go.
+void MapSession::LetGoOfPages() {
+  if (builder_.map().is_changed() || !HasTooManyPages()) return;
+  has_kept_pages_ = false;  // first: what comes from now on may come too late
+  const std::int64_t resident_bytes = CountPages().resident_bytes;
+  TellSafely([this, resident_bytes] {
+    for (const bool even_used : {false, true}) {
+      auto before = builder_.map().published();
+      auto same = builder_.map().LetGoOfPages(even_used);
+      if (same != before) commits_.LetGoOfPages(same);
+      // At last whatever there is: a commit under way may have added one with all that was read. Where another map's
+      // readers hold too much, states that hold nothing of it stay.
+      if (same != before || (even_used && kept_states_->HoldPages())) kept_states_->LetGoOfPages(same);
+      before.reset();
+      auto view = View();
+      // Else that state is not to be seen yet.
+      if (view->shared_snapshot() != same && view->snapshot().revision() == same->revision()) {
+        view = Show(std::make_shared<const MapView>(std::move(same), view.get()));
+      }
+      view.reset();
+      if (CountPages().resident_bytes <= options_.page_bytes) break;
+    }
+    if (CountPages().resident_bytes < resident_bytes) GiveBackFreeMemory();
+  });
+  const std::int64_t left_bytes = CountPages().resident_bytes;
+  held_page_bytes_ = left_bytes > options_.page_bytes ? left_bytes : 0;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <google/protobuf/descriptor.h>
+#include <grpcpp/impl/service_type.h>
+#include <grpcpp/support/server_callback.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "server/grpc/call_runner.h"
+#include "server/grpc/request_message.h"
+
+namespace dhpmap {
+
+/// How the requests of one method come in.
+struct RequestIntake {
+  /// The method of `service` that takes messages of the type `request`.
+  RequestIntake(const ServiceContext& of, const google::protobuf::ServiceDescriptor& service,
+                const google::protobuf::Descriptor& request, const MessageLayout& request_layout);
+
+  /// `message`, within what a request of this method may have and what there is room for: else RESOURCE_EXHAUSTED,
+  /// reasons BODY_TOO_LARGE and TOO_MANY_BYTES, told to the observer as any call that fails.
+  Status Parse(grpc::ByteBuffer& bytes, google::protobuf::Message& message, std::optional<ByteShare>& share) const;
+
+  const ServiceContext& context;
+  const MessageLayout& layout;
+  std::string name;                    ///< "MapService/GetMap"
+  int index = 0;                       ///< in its service
+  std::size_t most_bytes = 0;          ///< as it comes
+  std::size_t most_message_bytes = 0;  ///< with the message
+};
+
+/// Base of our services in place of their `CallbackService`, which parses requests on gRPC's own threads before
+/// anybody is asked: 64 MiB of bytes become gigabytes as a message. Here each comes as bytes, and is a message only
+/// once it is known that it is none too many for `limits.inflight_mib`, where it is counted until its call is over.
+template <typename Service>
+class CountedService : public Service::CallbackService {
+ protected:
+  using Context = grpc::CallbackServerContext;
+
+  explicit CountedService(const ServiceContext& context) : door_context_(context) {}
+
+  /// These handlers are called with messages: all there are but those of TakeStream.
+  template <typename... Handlers>
+  void Take(Handlers... handlers) {
+    (TakeOne(handlers), ...);
+  }
+
+  /// A stream of messages that the handler's reactor parses, see ParseWithin.
+  template <typename Request, typename Self, typename Response>
+  void TakeStream(grpc::ServerReadReactor<grpc::ByteBuffer>* (Self::*handler)(Context*, Response*)) {
+    const auto open = [this, handler](Context* call, Response* response) {
+      return (static_cast<Self*>(this)->*handler)(call, response);
+    };
+    Mark<grpc::internal::CallbackClientStreamingHandler<grpc::ByteBuffer, Response>>(IntakeOf<Request>()->index, open);
+  }
+  template <typename Request, typename Self, typename Response>
+  void TakeStream(grpc::ServerBidiReactor<grpc::ByteBuffer, Response>* (Self::*handler)(Context*)) {
+    const auto open = [this, handler](Context* call) { return (static_cast<Self*>(this)->*handler)(call); };
+    Mark<grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, Response>>(IntakeOf<Request>()->index, open);
+  }
+
+ private:
+  /// Ends a call that has no message.
+  template <typename Reactor>
+  class Refusal final : public Reactor {
+   public:
+    explicit Refusal(const Status& status) { this->Finish(ToGrpc(status)); }
+    void OnDone() override { delete this; }
+  };
+
+  template <typename Self, typename Request, typename Response>
+  void TakeOne(grpc::ServerUnaryReactor* (Self::*handler)(Context*, const Request*, Response*)) {
+    const auto intake = IntakeOf<Request>();
+    const auto begin = [=, this](Context* call, const RawRequest<Request>* request,
+                                 Response* response) -> grpc::ServerUnaryReactor* {
+      const Status parsed = intake->Parse(request->bytes, request->message, request->share);
+      if (!parsed.ok()) return new Refusal<grpc::ServerUnaryReactor>(parsed);
+      return (static_cast<Self*>(this)->*handler)(call, &request->message, response);
+    };
+    Mark<grpc::internal::CallbackUnaryHandler<RawRequest<Request>, Response>>(intake->index, begin);
+  }
+  template <typename Self, typename Request, typename Response>
+  void TakeOne(grpc::ServerWriteReactor<Response>* (Self::*handler)(Context*, const Request*)) {
+    const auto intake = IntakeOf<Request>();
+    const auto begin = [=, this](Context* call,
+                                 const RawRequest<Request>* request) -> grpc::ServerWriteReactor<Response>* {
+      const Status parsed = intake->Parse(request->bytes, request->message, request->share);
+      if (!parsed.ok()) return new Refusal<grpc::ServerWriteReactor<Response>>(parsed);
+      return (static_cast<Self*>(this)->*handler)(call, &request->message);
+    };
+    Mark<grpc::internal::CallbackServerStreamingHandler<RawRequest<Request>, Response>>(intake->index, begin);
+  }
+
+  template <typename Request>
+  std::shared_ptr<const RequestIntake> IntakeOf() const {
+    const auto* service = Request::descriptor()->file()->pool()->FindServiceByName(Service::service_full_name());
+    return std::make_shared<const RequestIntake>(door_context_, *service, *Request::descriptor(), LayoutOf<Request>());
+  }
+  template <typename Handler, typename Begin>
+  void Mark(int index, const Begin& begin) {
+    this->MarkMethodRawCallback(index, new Handler(begin));  // which takes it over
+  }
+
+  const ServiceContext& door_context_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Answers from the recent past: what was told at a revision is told again.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "dhpmap/v1/edit_service.grpc.pb.h"
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "tests/integration/test_server.h"
+#include "tests/support/status_reason.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// A mapped room, of which nothing is stored but when a stream of frames ends, or an edit is made.
+class ReadRevision : public ::testing::Test {
+ protected:
+  ReadRevision() { Begin(64); }
+
+  void Begin(std::size_t max_kept_states) {
+    edits.reset();
+    server.reset();
+    store = MakeMemoryStore();
+    SessionOptions options{.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000};
+    options.max_kept_states = max_kept_states;
+    server = std::make_unique<TestServer>(*store, std::move(options));
+    edits = v1::EditService::NewStub(server->channel());
+    v1::CreateMapResponse created;
+    grpc::ClientContext creating;
+    EXPECT_TRUE(server->maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
+    EXPECT_TRUE(Feed(*server, "room", 0, 6).status.ok());
+  }
+
+  /// `call(context, response)`: what it answers, or its reason.
+  template <typename Response, typename Call>
+  std::string Tell(Call&& call) {
+    grpc::ClientContext context;
+    Response response;
+    status = call(&context, &response);
+    return status.ok() ? response.SerializeAsString() : ReasonOf(status);
+  }
+  std::string List(std::int64_t revision) {
+    v1::ListSubmapsRequest request;
+    request.set_parent("maps/room");
+    request.set_read_revision(revision);
+    return Tell<v1::ListSubmapsResponse>(
+        [&](auto* context, auto* response) { return server->submaps->ListSubmaps(context, request, response); });
+  }
+  std::string Points(std::int64_t revision) {
+    v1::QueryPointsRequest request = TestQuery("room");
+    request.set_read_revision(revision);
+    return Tell<v1::QueryPointsResponse>(
+        [&](auto* context, auto* response) { return server->queries->QueryPoints(context, request, response); });
+  }
+  template <typename Request>
+  static Request AskAt(std::int64_t revision) {
+    Request request;
+    request.set_map("maps/room");
+    request.set_read_revision(revision);
+    return request;
+  }
+  std::string Distances(std::int64_t revision) {
+    auto request = AskAt<v1::QueryDistancesRequest>(revision);
+    for (int i = 0; i < 30; ++i) request.add_xyz_m(-0.9F + 0.13F * static_cast<float>(i));
+    request.set_packed(true);
+    return Tell<v1::QueryDistancesResponse>(
+        [&](auto* context, auto* response) { return server->queries->QueryDistances(context, request, response); });
+  }
+  std::string Rays(std::int64_t revision) {
+    auto request = AskAt<v1::CastRaysRequest>(revision);
+    for (int i = 0; i < 10; ++i) {
+      v1::Ray& ray = *request.add_rays();
+      ray.mutable_origin_m()->set_x(0.15 * i);
+      ray.mutable_origin_m()->set_z(2);
+      ray.mutable_direction()->set_z(-1);
+    }
+    return Tell<v1::CastRaysResponse>(
+        [&](auto* context, auto* response) { return server->queries->CastRays(context, request, response); });
+  }
+  std::string Bodies(std::int64_t revision) {
+    auto request = AskAt<v1::CheckCollisionsRequest>(revision);
+    for (const float value : {0.0F, 0.0F, 1.0F, 0.3F, 1.2F, 0.3F, 0.8F, 0.3F}) request.add_spheres(value);
+    return Tell<v1::CheckCollisionsResponse>(
+        [&](auto* context, auto* response) { return server->queries->CheckCollisions(context, request, response); });
+  }
+  std::string Motions(std::int64_t revision) {
+    auto request = AskAt<v1::CheckTrajectoryRequest>(revision);
+    request.add_robot()->set_radius_m(0.2);
+    for (const double x_m : {-1.0, 2.0}) {
+      if (request.trajectories().empty()) request.add_trajectories();
+      v1::Pose& pose = *request.mutable_trajectories(0)->add_waypoints();
+      pose.mutable_translation_m()->set_x(x_m);
+      pose.mutable_translation_m()->set_z(0.5);
+      pose.mutable_rotation()->set_w(1);
+    }
+    return Tell<v1::CheckTrajectoryResponse>(
+        [&](auto* context, auto* response) { return server->queries->CheckTrajectory(context, request, response); });
+  }
+  std::string Slice(std::int64_t revision) {
+    auto request = AskAt<v1::GetOccupancySliceRequest>(revision);
+    request.set_max_z_m(1);
+    request.set_with_objects(true);
+    return Tell<v1::GetOccupancySliceResponse>(
+        [&](auto* context, auto* response) { return server->queries->GetOccupancySlice(context, request, response); });
+  }
+  std::string Search(std::int64_t revision) {
+    const auto request = AskAt<v1::SearchSubmapsRequest>(revision);
+    return Tell<v1::SearchSubmapsResponse>(
+        [&](auto* context, auto* response) { return server->queries->SearchSubmaps(context, request, response); });
+  }
+  std::string Relations(std::int64_t revision) {
+    const auto request = AskAt<v1::ListRelationsRequest>(revision);
+    return Tell<v1::ListRelationsResponse>(
+        [&](auto* context, auto* response) { return server->queries->ListRelations(context, request, response); });
+  }
+  std::string KeptClear(std::int64_t revision) {
+    v1::ListKeptClearRequest request;
+    request.set_parent("maps/room");
+    request.set_read_revision(revision);
+    return Tell<v1::ListKeptClearResponse>(
+        [&](auto* context, auto* response) { return edits->ListKeptClear(context, request, response); });
+  }
+  std::string MapAt(std::int64_t revision) {
+    v1::GetMapRequest request;
+    request.set_name("maps/room");
+    request.set_read_revision(revision);
+    return Tell<v1::GetMapResponse>(
+        [&](auto* context, auto* response) { return server->maps->GetMap(context, request, response); });
+  }
+  std::string Object(std::int64_t revision) {
+    v1::GetSubmapRequest request;
+    request.set_name("maps/room/submaps/2");
+    request.set_read_revision(revision);
+    return Tell<v1::GetSubmapResponse>(
+        [&](auto* context, auto* response) { return server->submaps->GetSubmap(context, request, response); });
+  }
+  std::string Stats(std::int64_t revision) {
+    v1::GetMapStatsRequest request;
+    request.set_name("maps/room");
+    request.set_read_revision(revision);
+    grpc::ClientContext context;
+    v1::GetMapStatsResponse response;
+    status = server->maps->GetMapStats(&context, request, &response);
+    response.clear_disk_bytes();  // of the store as it is now
+    return status.ok() ? response.SerializeAsString() : ReasonOf(status);
+  }
+  /// All messages of a stream, or its reason.
+  template <typename Response>
+  std::string All(std::unique_ptr<grpc::ClientReader<Response>> reader) {
+    std::string told;
+    Response response;
+    while (reader->Read(&response)) told += response.SerializeAsString();
+    status = reader->Finish();
+    return status.ok() ? told : ReasonOf(status);
+  }
+  std::string Voxels(std::int64_t revision) {
+    v1::StreamSubmapVoxelsRequest request;
+    request.set_name("maps/room/submaps/2");
+    request.set_read_revision(revision);
+    grpc::ClientContext context;
+    return All(server->submaps->StreamSubmapVoxels(&context, request));
+  }
+  std::string Mesh(std::int64_t revision) {
+    v1::GetSubmapMeshRequest request;
+    request.set_name("maps/room");
+    request.set_read_revision(revision);
+    grpc::ClientContext context;
+    return All(server->submaps->GetSubmapMesh(&context, request));
+  }
+  std::string Grid(std::int64_t revision) {
+    auto request = AskAt<v1::GetDistanceGridRequest>(revision);
+    request.mutable_box()->mutable_min_m()->set_x(-0.5);
+    request.mutable_box()->mutable_max_m()->set_x(1.5);
+    request.mutable_box()->mutable_max_m()->set_y(0.5);
+    request.mutable_box()->mutable_max_m()->set_z(1);
+    request.set_resolution_m(0.25);
+    grpc::ClientContext context;
+    return All(server->queries->GetDistanceGrid(&context, request));
+  }
+  using Reading = std::function<std::string(std::int64_t)>;
+  /// Every way to read a map.
+  std::map<std::string, Reading> Readings() {
+    return {{"ListSubmaps", [this](std::int64_t r) { return List(r); }},
+            {"GetSubmap", [this](std::int64_t r) { return Object(r); }},
+            {"StreamSubmapVoxels", [this](std::int64_t r) { return Voxels(r); }},
+            {"GetSubmapMesh", [this](std::int64_t r) { return Mesh(r); }},
+            {"GetMap", [this](std::int64_t r) { return MapAt(r); }},
+            {"GetMapStats", [this](std::int64_t r) { return Stats(r); }},
+            {"ListKeptClear", [this](std::int64_t r) { return KeptClear(r); }},
+            {"QueryPoints", [this](std::int64_t r) { return Points(r); }},
+            {"QueryDistances", [this](std::int64_t r) { return Distances(r); }},
+            {"CastRays", [this](std::int64_t r) { return Rays(r); }},
+            {"CheckCollisions", [this](std::int64_t r) { return Bodies(r); }},
+            {"CheckTrajectory", [this](std::int64_t r) { return Motions(r); }},
+            {"GetOccupancySlice", [this](std::int64_t r) { return Slice(r); }},
+            {"GetDistanceGrid", [this](std::int64_t r) { return Grid(r); }},
+            {"SearchSubmaps", [this](std::int64_t r) { return Search(r); }},
+            {"ListRelations", [this](std::int64_t r) { return Relations(r); }}};
+  }
+
+  std::int64_t Now() { return (*server->registry().ViewOf("room"))->snapshot().revision(); }
+  static v1::Edit On(int id) {
+    v1::Edit edit;
+    edit.set_submap("maps/room/submaps/" + std::to_string(id));
+    return edit;
+  }
+  /// Whether it was made: what is deleted cannot be edited.
+  bool Apply(const v1::Edit& edit) {
+    v1::ApplyEditsRequest request;
+    request.set_map("maps/room");
+    *request.add_edits() = edit;
+    grpc::ClientContext context;
+    v1::ApplyEditsResponse response;
+    status = edits->ApplyEdits(&context, request, &response);
+    return status.ok();
+  }
+  bool Rename(int id, const std::string& name) {
+    v1::Edit edit = On(id);
+    edit.mutable_rename()->set_display_name(name);
+    return Apply(edit);
+  }
+  std::map<std::string, std::string> Metadata() const {
+    google::rpc::Status proto;
+    google::rpc::ErrorInfo info;
+    if (!proto.ParseFromString(status.error_details())) return {};
+    for (const auto& detail : proto.details()) {
+      if (detail.UnpackTo(&info)) return {info.metadata().begin(), info.metadata().end()};
+    }
+    return {};
+  }
+
+  std::unique_ptr<MapStore> store;
+  std::unique_ptr<TestServer> server;
+  std::unique_ptr<v1::EditService::Stub> edits;
+  grpc::Status status;
+};
+
+/// One edit of some object; the same for a seed everywhere.
+v1::Edit RandomEditOf(const v1::Edit& target, std::mt19937& random) {
+  v1::Edit edit = target;
+  const double height_m = 0.001 * static_cast<double>(random() % 997);  // no two surfaces are equally near
+  switch (random() % 6) {
+    case 0: edit.mutable_rename()->set_display_name("name " + std::to_string(random() % 9)); break;
+    case 1: {
+      v1::Pose& pose = *edit.mutable_move()->mutable_map_from_submap();
+      pose.mutable_translation_m()->set_x(0.1 * static_cast<double>(random() % 9));
+      pose.mutable_translation_m()->set_z(height_m);
+      pose.mutable_rotation()->set_w(1);
+      break;
+    }
+    case 2: {
+      v1::Pose& pose = *edit.mutable_clone()->mutable_map_from_submap();
+      pose.mutable_translation_m()->set_z(height_m);
+      pose.mutable_rotation()->set_w(1);
+      break;
+    }
+    case 3: {
+      edit.clear_submap();
+      v1::Sphere& sphere = *edit.mutable_clear()->mutable_sphere();
+      sphere.mutable_center_m()->set_x(0.2 * static_cast<double>(random() % 8));
+      sphere.set_radius_m(0.2);
+      break;
+    }
+    case 4: {
+      edit.clear_submap();
+      v1::KeepClearEdit& region = *edit.mutable_keep_clear();
+      region.set_name("region-" + std::to_string(random() % 1000));
+      region.mutable_sphere()->mutable_center_m()->set_z(5);
+      region.mutable_sphere()->set_radius_m(0.1);
+      break;
+    }
+    default: edit.mutable_delete_(); break;
+  }
+  return edit;
+}
+
+TEST_F(ReadRevision, EveryAnswerIsThatWhichWasGivenAtTheTime) {
+  std::mt19937 random(17);
+  const auto readings = Readings();
+  std::map<std::int64_t, std::map<std::string, std::string>> told;
+  for (int step = 0; step < 24; ++step) {
+    if (step % 8 == 7) {
+      ASSERT_TRUE(Feed(*server, "room", 6 + step, 8 + step).status.ok());
+    } else {
+      (void)Apply(RandomEditOf(On(1 + static_cast<int>(random() % 4)), random));
+    }
+    auto& answers = told[Now()];
+    for (const auto& [name, read] : readings) {
+      answers[name] = read(0);
+      // What was deleted, and a slice of nothing: errors are the same, too.
+      EXPECT_TRUE(status.ok() || status.error_code() == grpc::NOT_FOUND ||
+                  status.error_code() == grpc::FAILED_PRECONDITION)
+          << name << ": " << status.error_message();
+    }
+  }
+  EXPECT_GT(told.size(), 8u) << "not all edits can be made";
+  for (const auto& [revision, answers] : told) {
+    for (const auto& [name, read] : readings) {
+      EXPECT_EQ(read(revision), answers.at(name))
+          << name << " at revision " << revision << ": " << status.error_message();
+    }
+  }
+}
+
+TEST_F(ReadRevision, WhatCannotBeReadIsToldWithItsNeighboursByEveryReading) {
+  const std::int64_t stored = Now();
+  ASSERT_GT(stored, 3);
+  for (const auto& [name, read] : Readings()) {
+    EXPECT_EQ(read(stored - 1), "REVISION_NOT_KEPT") << name << ": it was never stored";
+    EXPECT_EQ(status.error_code(), grpc::OUT_OF_RANGE) << name;
+    using Neighbours = std::map<std::string, std::string>;
+    EXPECT_EQ(Metadata(), (Neighbours{{"revision_before", "1"}, {"revision_after", std::to_string(stored)}})) << name;
+    EXPECT_EQ(read(stored + 1), "BAD_REVISION") << name;
+    EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT) << name;
+    EXPECT_EQ(read(-1), "BAD_REVISION") << name;
+  }
+  EXPECT_NE(List(1), "REVISION_NOT_KEPT") << "the neighbour can be read";
+  EXPECT_TRUE(status.ok()) << status.error_message();
+}
+
+TEST_F(ReadRevision, TheOldestGoAndNoneButThePresentIsKeptIfNoneAreWanted) {
+  Begin(3);
+  const std::int64_t first = Now();
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(Rename(1, "name " + std::to_string(i)));
+  EXPECT_EQ(List(first), "REVISION_NOT_KEPT");
+  EXPECT_EQ(Metadata(), (std::map<std::string, std::string>{{"revision_after", std::to_string(first + 1)}}));
+  (void)List(first + 1);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  Begin(0);
+  const std::int64_t before = Now();
+  ASSERT_TRUE(Rename(1, "x"));
+  EXPECT_EQ(List(before), "REVISION_NOT_KEPT");
+  EXPECT_EQ(List(Now()), List(0));
+}
+
+TEST_F(ReadRevision, PagesOfAPastListKeepToIt) {
+  const std::int64_t past = Now();
+  v1::ListSubmapsRequest request;
+  request.set_parent("maps/room");
+  request.set_read_revision(past);
+  v1::ListSubmapsResponse all, page;
+  grpc::ClientContext context;
+  ASSERT_TRUE(server->submaps->ListSubmaps(&context, request, &all).ok());
+  request.set_page_size(1);
+  for (int i = 0; i < all.submaps_size(); ++i) {
+    grpc::ClientContext next;
+    status = server->submaps->ListSubmaps(&next, request, &page);
+    ASSERT_TRUE(status.ok()) << status.error_message();
+    ASSERT_EQ(page.submaps_size(), 1);
+    EXPECT_EQ(page.submaps(0).SerializeAsString(), all.submaps(i).SerializeAsString());
+    EXPECT_EQ(page.revision(), past);
+    request.set_page_token(page.next_page_token());
+    (void)Rename(1 + i % 2, "renamed " + std::to_string(i));
+  }
+  EXPECT_TRUE(request.page_token().empty());
+}
+
+TEST_F(ReadRevision, WaitsForTheRevisionThatItReads) {
+  const std::int64_t now = Now();
+  auto request = AskAt<v1::QueryDistancesRequest>(now);
+  request.add_points_m()->set_z(1.3);
+  request.mutable_options()->set_min_revision(now);
+  const auto ask = [&] {
+    return Tell<v1::QueryDistancesResponse>(
+        [&](auto* context, auto* response) { return server->queries->QueryDistances(context, request, response); });
+  };
+  (void)ask();
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  request.mutable_options()->set_min_revision(now + 1);
+  EXPECT_EQ(ask(), "BAD_REVISION") << "it would wait for what it does not read";
+}
+
+TEST_F(ReadRevision, AStreamPinsAPastStateAndReadsOthers) {
+  const std::int64_t past = Now();
+  ASSERT_TRUE(Rename(1, "later"));
+  ASSERT_TRUE(Rename(1, "latest"));
+  grpc::ClientContext context;
+  const auto stream = server->queries->QueryStream(&context);
+  const auto revision_of = [&](const v1::QueryStreamRequest& request) -> std::int64_t {
+    v1::QueryStreamResponse response;
+    EXPECT_TRUE(stream->Write(request) && stream->Read(&response));
+    EXPECT_EQ(response.error().code(), 0) << response.error().message();
+    return response.has_pin() ? response.pin().revision() : response.query_points().revision();
+  };
+  v1::QueryStreamRequest pin;
+  pin.mutable_pin()->set_map("maps/room");
+  pin.mutable_pin()->set_read_revision(past);
+  EXPECT_EQ(revision_of(pin), past);
+  v1::QueryStreamRequest query;
+  query.mutable_query_points()->set_map("maps/room");
+  query.mutable_query_points()->add_points_m();
+  EXPECT_EQ(revision_of(query), past) << "that is pinned";
+  query.mutable_query_points()->set_read_revision(past + 1);
+  EXPECT_EQ(revision_of(query), past + 1);
+  query.mutable_query_points()->set_read_revision(past + 2);
+  EXPECT_EQ(revision_of(query), past + 2);
+  query.mutable_query_points()->set_read_revision(past + 3);
+  v1::QueryStreamResponse response;
+  ASSERT_TRUE(stream->Write(query) && stream->Read(&response));
+  EXPECT_EQ(response.error().code(), grpc::INVALID_ARGUMENT) << "and the stream goes on";
+  stream->WritesDone();
+  EXPECT_TRUE(stream->Finish().ok());
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edits that came between frames are kept with them, and made again.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/cli/replay_edits.h"
+#include "clients/cli/replay_streams.h"
+#include "server/record/map_recorder.h"
+#include "server/wire/types/record_file.h"
+#include "tests/integration/test_server.h"
+#include "tests/support/map_equality.h"
+
+namespace dhpmap::testing {
+namespace {
+
+class RecordedEdits : public ::testing::Test {
+ protected:
+  /// A server whose every frame is a revision, and whose refinements are taken over at their turn.
+  std::unique_ptr<TestServer> MakeServer(MapStore& store, const std::string& map_id, bool records) {
+    SessionOptions options{.num_threads = 1, .publish_frames = 1, .refinement_timing = RefinementTiming::kReproducible};
+    if (records) {
+      options.make_recorder = [this](const MapInfo& map) {
+        return RecordMap(map, *records_, {.is_reproducible = true, .now_ns = {}, .on_stopped = {}});
+      };
+    }
+    auto server = std::make_unique<TestServer>(store, std::move(options));
+    auto request = CreateRequest(map_id);
+    request.mutable_config()->mutable_refinement()->set_every_frames(5);
+    v1::CreateMapResponse response;
+    grpc::ClientContext context;
+    EXPECT_TRUE(server->maps->CreateMap(&context, request, &response).ok());
+    return server;
+  }
+  static std::shared_ptr<const MapSnapshot> Now(TestServer& server, const std::string& map_id) {
+    return (*server.registry().OpenSession(map_id))->View()->shared_snapshot();
+  }
+  [[nodiscard]] RecordReader Reader() const {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "records")) {
+      files.push_back(entry.path());
+    }
+    EXPECT_EQ(files.size(), 1u);
+    return std::move(RecordReader::Open(files.at(0))).value();
+  }
+
+  /// Frames with edits of every request that edits before, between and after them.
+  std::shared_ptr<const MapSnapshot> MapAndEdit() {
+    const auto store = MakeMemoryStore();
+    const auto server = MakeServer(*store, "room", true);
+    const auto edits = v1::EditService::NewStub(server->channel());
+    v1::ApplyEditsRequest keep;
+    keep.set_map("maps/room");
+    keep.add_edits()->mutable_keep_clear()->set_name("corner");
+    keep.mutable_edits(0)->mutable_keep_clear()->mutable_sphere()->mutable_center_m()->set_x(1.5);
+    keep.mutable_edits(0)->mutable_keep_clear()->mutable_sphere()->set_radius_m(0.5);
+    Make(*edits, &v1::EditService::Stub::ApplyEdits, keep);  // before the record begins
+    EXPECT_TRUE(Feed(*server, "room", 0, 8).status.ok());
+
+    std::string thing;
+    for (const auto& submap : Now(*server, "room")->submaps()) {
+      if (submap->info().panoptic == Panoptic::kThing)
+        thing = "maps/room/submaps/" + std::to_string(submap->id().value);
+    }
+    v1::UpdateSubmapRequest rename;
+    rename.mutable_submap()->set_name(thing);
+    rename.mutable_submap()->set_display_name("of anna");
+    rename.mutable_update_mask()->add_paths("display_name");
+    rename.set_author("anna");
+    rename.set_expected_revision(Now(*server, "room")->revision());
+    rename.set_request_id("00000000-0000-4000-8000-000000000001");
+    const std::int64_t renamed = Make(*server->submaps, &v1::SubmapService::Stub::UpdateSubmap, rename);
+    Make(*server->submaps, &v1::SubmapService::Stub::UpdateSubmap, rename);  // a retry, which is no second edit
+    rename.set_validate_only(true);
+    rename.clear_expected_revision();
+    Make(*server->submaps, &v1::SubmapService::Stub::UpdateSubmap, rename);  // nor is this
+    v1::CloneSubmapRequest clone;
+    clone.set_name(thing);
+    clone.mutable_map_from_submap()->mutable_translation_m()->set_z(2);
+    Make(*server->submaps, &v1::SubmapService::Stub::CloneSubmap, clone);
+    EXPECT_TRUE(Feed(*server, "room", 8, 12).status.ok());
+
+    v1::UndoEditsRequest undo;
+    undo.set_map("maps/room");
+    undo.set_edit("maps/room/edits/" + std::to_string(renamed));
+    Make(*edits, &v1::EditService::Stub::UndoEdits, undo);
+    v1::RedoEditsRequest redo;
+    redo.set_map("maps/room");
+    redo.set_edit(undo.edit());
+    Make(*edits, &v1::EditService::Stub::RedoEdits, redo);
+    v1::DeleteSubmapRequest gone;
+    gone.set_name(thing);
+    Make(*server->submaps, &v1::SubmapService::Stub::DeleteSubmap, gone);
+    v1::UndeleteSubmapRequest back;
+    back.set_name(thing);
+    Make(*server->submaps, &v1::SubmapService::Stub::UndeleteSubmap, back);
+    v1::ApplyEditsRequest lift;
+    lift.set_map("maps/room");
+    lift.add_edits()->mutable_lift()->set_name("corner");
+    Make(*edits, &v1::EditService::Stub::ApplyEdits, lift);
+    v1::UpdateMapRequest title;
+    title.mutable_map()->set_name("maps/room");
+    title.mutable_map()->set_display_name("the room");
+    title.mutable_update_mask()->add_paths("display_name");
+    const std::int64_t titled = Make(*server->maps, &v1::MapService::Stub::UpdateMap, title);
+    Make(*server->submaps, &v1::SubmapService::Stub::CloneSubmap, clone);
+    v1::RestoreRevisionRequest restore;
+    restore.set_map("maps/room");
+    restore.set_revision(titled);  // which an edit has made
+    Make(*edits, &v1::EditService::Stub::RestoreRevision, restore);
+    restore.set_revision(renamed - 1);  // which one met
+    restore.set_submap(thing);
+    Make(*edits, &v1::EditService::Stub::RestoreRevision, restore);
+    EXPECT_TRUE(Feed(*server, "room", 12, 16).status.ok());
+    auto state = Now(*server, "room");
+    EXPECT_TRUE(server->Stop().ok());
+    return state;
+  }
+  template <typename Stub, typename Request, typename Response>
+  static std::int64_t Make(Stub& stub, grpc::Status (Stub::*call)(grpc::ClientContext*, const Request&, Response*),
+                           const Request& request) {
+    grpc::ClientContext context;
+    Response response;
+    const grpc::Status status = (stub.*call)(&context, request, &response);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    return response.revision();
+  }
+
+  /// Feeds the record into the map, which is there, and makes its edits.
+  void ReplayInto(TestServer& server, const std::string& map_id) {
+    RecordReader reader = Reader();
+    ReplayStreams streams(*server.mapping, "maps/" + map_id, [](const v1::IntegrateFramesResponse& answer) {
+      EXPECT_EQ(answer.outcome(), v1::FUSED) << answer.error_message();
+    });
+    ReplayEdits edits(server.channel(), reader.start().map().name(), "maps/" + map_id);
+    EXPECT_TRUE(edits.KeepClear(reader.start()).ok());
+    for (auto record = reader.Next().value(); record; record = reader.Next().value()) {
+      if (record->has_frame()) {
+        v1::IntegrateFramesRequest frame;
+        ASSERT_TRUE(frame.ParseFromString(record->frame().request()));
+        ASSERT_TRUE(streams.Send(record->frame().session(), record->frame().sequence(), frame).ok());
+      } else if (record->has_edited()) {
+        ASSERT_TRUE(ReplayEdits::Knows(record->edited())) << record->edited().method();
+        ASSERT_TRUE(streams.Drain().ok());
+        const grpc::Status made = edits.Make(record->edited());
+        ASSERT_TRUE(made.ok()) << record->edited().method() << ": " << made.error_message();
+        ++num_edits_;
+      }
+    }
+    EXPECT_TRUE(streams.Close().ok());
+  }
+
+  static constexpr int kNumEdits = 11;
+  TempDir folder_;
+  std::unique_ptr<RecordDir> records_ = RecordDir::Open((folder_.path() / "records").string(), 1 << 30).value();
+  int num_edits_ = 0;
+};
+
+TEST_F(RecordedEdits, TheRecordMakesTheSameMapWithItsEdits) {
+  const auto original = MapAndEdit();
+  const auto store = MakeMemoryStore();
+  const auto server = MakeServer(*store, "again", false);
+  ReplayInto(*server, "again");
+  EXPECT_EQ(num_edits_, kNumEdits);
+  const auto again = Now(*server, "again");
+  EXPECT_TRUE(MapsAreEqual(*original, *again, 0, 0));
+  EXPECT_EQ(again->info().display_name, "the room");
+  EXPECT_TRUE(again->info().kept_clear == original->info().kept_clear);
+  EXPECT_TRUE(again->info().pairs == original->info().pairs);
+}
+
+TEST_F(RecordedEdits, AnEditThatIsNamedIsTheOneThatWasMadeThere) {
+  const auto original = MapAndEdit();
+  const auto store = MakeMemoryStore();
+  const auto server = MakeServer(*store, "again", false);
+  for (const char* title : {"one", "two", "three"}) {  // so that revisions are others than those of the record
+    v1::UpdateMapRequest request;
+    request.mutable_map()->set_name("maps/again");
+    request.mutable_map()->set_display_name(title);
+    request.mutable_update_mask()->add_paths("display_name");
+    Make(*server->maps, &v1::MapService::Stub::UpdateMap, request);
+  }
+  ReplayInto(*server, "again");
+  EXPECT_EQ(num_edits_, kNumEdits);
+  const auto again = Now(*server, "again");
+  ASSERT_EQ(again->submaps().size(), original->submaps().size());
+  for (std::size_t i = 0; i < original->submaps().size(); ++i) {
+    EXPECT_EQ(again->submaps()[i]->info().display_name, original->submaps()[i]->info().display_name);
+  }
+  EXPECT_EQ(again->revision(), original->revision() + 3);
+}
+
+TEST_F(RecordedEdits, AStateThatNoEditHasMadeOrMetIsNotKnownThere) {
+  const auto store = MakeMemoryStore();
+  const auto server = MakeServer(*store, "again", false);
+  v1::RestoreRevisionRequest restore;
+  restore.set_map("maps/room");
+  restore.set_revision(1);
+  v1::RecordedEdit edit;
+  edit.set_revision(7);
+  edit.set_method("EditService/RestoreRevision");
+  edit.set_request(restore.SerializeAsString());
+  ASSERT_TRUE(ReplayEdits::Knows(edit));
+  ReplayEdits edits(server->channel(), "maps/room", "maps/again");
+  EXPECT_EQ(edits.Make(edit).error_code(), grpc::StatusCode::FAILED_PRECONDITION);
+}
+
+TEST_F(RecordedEdits, OneOfAnOlderRecordOrAnUnknownRequestIsNotKnown) {
+  v1::RecordedEdit edit;
+  edit.set_revision(7);
+  EXPECT_FALSE(ReplayEdits::Knows(edit));
+  edit.set_method("EditService/MakeCoffee");
+  EXPECT_FALSE(ReplayEdits::Knows(edit));
+  edit.set_method("EditService/ApplyEdits");
+  EXPECT_TRUE(ReplayEdits::Knows(edit));
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

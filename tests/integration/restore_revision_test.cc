@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A map and its objects taken back to a revision, as clients ask for it.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "dhpmap/v1/edit_service.grpc.pb.h"
+#include "tests/integration/test_server.h"
+#include "tests/support/status_reason.h"
+
+namespace dhpmap::testing {
+namespace {
+
+constexpr char kRestoreId[] = "00000000-0000-4000-8000-00000000d1e5";
+
+class RestoreRevisionTest : public ::testing::Test {
+ protected:
+  RestoreRevisionTest() {
+    v1::CreateMapResponse created;
+    grpc::ClientContext creating;
+    EXPECT_TRUE(server.maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
+    EXPECT_TRUE(Feed(server, "room", 0, 10).status.ok());
+  }
+  static SessionOptions KeepsFew() {
+    SessionOptions options;
+    options.max_kept_states = 6;
+    return options;
+  }
+
+  std::int64_t Now() { return (*server.registry().ViewOf("room"))->snapshot().revision(); }
+  /// All objects, but for what numbers their states.
+  std::string Objects() {
+    v1::ListSubmapsRequest request;
+    request.set_parent("maps/room");
+    v1::ListSubmapsResponse answer;
+    grpc::ClientContext context;
+    EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &answer).ok());
+    answer.clear_revision();
+    for (v1::Submap& submap : *answer.mutable_submaps()) {
+      submap.clear_revision();
+      submap.clear_etag();
+    }
+    return answer.DebugString();
+  }
+  std::string Points() {
+    v1::QueryPointsResponse answer;
+    grpc::ClientContext context;
+    EXPECT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &answer).ok());
+    answer.clear_revision();
+    return answer.SerializeAsString();
+  }
+  bool Edit(const std::string& submap, const std::function<void(v1::Edit&)>& fill) {
+    v1::ApplyEditsRequest request;
+    request.set_map("maps/room");
+    request.add_edits()->set_submap("maps/room/submaps/" + submap);
+    fill(*request.mutable_edits(0));
+    grpc::ClientContext context;
+    applied.Clear();
+    return edits->ApplyEdits(&context, request, &applied).ok();
+  }
+  bool Rename(const std::string& name) {
+    return Edit("1", [&](v1::Edit& edit) { edit.mutable_rename()->set_display_name(name); });
+  }
+  /// A name, a deletion and a copy.
+  void EditAll() {
+    ASSERT_TRUE(Rename("lamp"));
+    ASSERT_TRUE(Edit("2", [](v1::Edit& edit) { edit.mutable_delete_(); }));
+    ASSERT_TRUE(Edit("1", [](v1::Edit& edit) {
+      v1::Pose& pose = *edit.mutable_clone()->mutable_map_from_submap();
+      pose.mutable_translation_m()->set_z(1);
+      pose.mutable_rotation()->set_w(1);
+    }));
+  }
+  static v1::RestoreRevisionRequest Request(std::int64_t revision, const std::string& submap = "") {
+    v1::RestoreRevisionRequest request;
+    request.set_map("maps/room");
+    request.set_revision(revision);
+    if (!submap.empty()) request.set_submap("maps/room/submaps/" + submap);
+    return request;
+  }
+  /// "OK", or the reason.
+  std::string Restore(const v1::RestoreRevisionRequest& request) {
+    grpc::ClientContext context;
+    response.Clear();
+    const grpc::Status status = edits->RestoreRevision(&context, request, &response);
+    return status.ok() ? "OK" : ReasonOf(status);
+  }
+
+  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  TestServer server{*store, KeepsFew()};
+  std::unique_ptr<v1::EditService::Stub> edits = v1::EditService::NewStub(server.channel());
+  v1::RestoreRevisionResponse response;
+  v1::ApplyEditsResponse applied;  // last
+};
+
+TEST_F(RestoreRevisionTest, TheMapAnswersAsItDidAndTheLogSaysSo) {
+  const std::int64_t past = Now();
+  const std::string objects = Objects(), points = Points();
+  EditAll();
+  const std::string edited = Objects();
+  v1::RestoreRevisionRequest request = Request(past);
+  request.set_author("anna");
+  request.set_validate_only(true);
+  ASSERT_EQ(Restore(request), "OK");
+  EXPECT_EQ(Objects(), edited) << "only tried";
+  const v1::RestoreRevisionResponse tried = response;
+  request.set_validate_only(false);
+  ASSERT_EQ(Restore(request), "OK");
+  EXPECT_EQ(response.revision(), past + 4);
+  EXPECT_EQ(response.created_size(), 1);
+  EXPECT_EQ(response.created(0), "maps/room/submaps/2");
+  EXPECT_EQ(response.removed_size(), 1);
+  EXPECT_EQ(response.changed_size(), 1);
+  EXPECT_EQ(tried.created(0) + tried.removed(0) + tried.changed(0),
+            response.created(0) + response.removed(0) + response.changed(0));
+  EXPECT_EQ(Objects(), objects);
+  EXPECT_EQ(Points(), points);
+
+  v1::ListEditsRequest list;
+  list.set_parent("maps/room");
+  list.set_author("anna");
+  v1::ListEditsResponse log;
+  grpc::ClientContext listing;
+  ASSERT_TRUE(edits->ListEdits(&listing, list, &log).ok());
+  ASSERT_EQ(log.edits_size(), 1);
+  ASSERT_EQ(log.edits(0).steps_size(), 1);
+  EXPECT_EQ(log.edits(0).steps(0).action(), v1::LoggedEdit::RESTORE);
+  EXPECT_EQ(log.edits(0).restored_revision(), past);
+  EXPECT_TRUE(log.edits(0).kept());
+
+  v1::UndoEditsRequest undo;
+  undo.set_map("maps/room");
+  undo.set_author("anna");
+  v1::UndoEditsResponse undone;
+  grpc::ClientContext undoing;
+  ASSERT_TRUE(edits->UndoEdits(&undoing, undo, &undone).ok());
+  EXPECT_EQ(Objects(), edited);
+}
+
+TEST_F(RestoreRevisionTest, ARetryIsAnsweredTheSameThoughTheStateIsKeptNoLonger) {
+  const std::int64_t past = Now();
+  EditAll();
+  v1::RestoreRevisionRequest request = Request(past);
+  request.set_request_id(kRestoreId);
+  ASSERT_EQ(Restore(request), "OK");
+  const std::string first = response.SerializeAsString();
+  for (int i = 0; i < 6; ++i) ASSERT_TRUE(Rename("name " + std::to_string(i)));
+  EXPECT_EQ(Restore(Request(past)), "REVISION_NOT_KEPT");
+  ASSERT_EQ(Restore(request), "OK");
+  EXPECT_EQ(response.SerializeAsString(), first);
+  request.set_revision(past + 1);
+  EXPECT_EQ(Restore(request), "REQUEST_ID_REUSED");
+}
+
+TEST_F(RestoreRevisionTest, OneObjectComesBackAndOthersStay) {
+  const std::int64_t past = Now();
+  EditAll();
+  const std::string copy = applied.results(0).created(0);
+  ASSERT_EQ(Restore(Request(past, "2")), "OK");
+  EXPECT_EQ(response.created_size(), 1);
+  EXPECT_NE(Objects().find("lamp"), std::string::npos) << "of another object";
+  ASSERT_EQ(Restore(Request(past, "1")), "OK");
+  EXPECT_EQ(response.changed_size(), 1);
+  EXPECT_NE(Objects().find("\"lamp\""), std::string::npos) << "of the copy";
+  EXPECT_EQ(Objects().find("\"lamp\""), Objects().rfind("\"lamp\""));
+  v1::RestoreRevisionRequest request = Request(past);
+  request.set_submap(copy);
+  EXPECT_EQ(Restore(request), "SUBMAP_NOT_FOUND") << "it was not there";
+}
+
+TEST_F(RestoreRevisionTest, BadRequestsAreToldApart) {
+  const std::int64_t past = Now();
+  EXPECT_EQ(Restore(Request(0)), "BAD_REVISION");
+  EXPECT_EQ(Restore(Request(past + 1)), "BAD_REVISION");
+  v1::RestoreRevisionRequest request = Request(past);
+  request.set_submap("maps/other/submaps/1");
+  EXPECT_EQ(Restore(request), "BAD_EDIT");
+  request.set_submap("x");
+  EXPECT_EQ(Restore(request), "BAD_NAME");
+  request = Request(past);
+  request.set_expected_revision(-1);
+  EXPECT_EQ(Restore(request), "BAD_EDIT");
+  request.set_expected_revision(past);
+  ASSERT_TRUE(Rename("lamp"));
+  EXPECT_EQ(Restore(request), "EDITED_SINCE");
+  request.set_expected_revision(past + 1);
+  EXPECT_EQ(Restore(request), "OK");
+  request.set_map("maps/nowhere");
+  EXPECT_EQ(Restore(request), "MAP_NOT_FOUND");
+}
+
+TEST_F(RestoreRevisionTest, MappingGoesOnFromThere) {
+  const std::int64_t past = Now();
+  EditAll();
+  ASSERT_EQ(Restore(Request(past)), "OK");
+  const FeedResult fed = Feed(server, "room", 10, 16);
+  ASSERT_TRUE(fed.status.ok()) << fed.status.error_message();
+  const auto state = (*server.registry().ViewOf("room"))->shared_snapshot();
+  EXPECT_EQ(state->info().num_frames, 16) << "frames are counted on";
+  // What is seen again is what came back: there is nothing that would not be there without the edits.
+  const auto twin_store = MakeMemoryStore();
+  TestServer twin(*twin_store);
+  v1::CreateMapResponse created;
+  grpc::ClientContext creating;
+  ASSERT_TRUE(twin.maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
+  ASSERT_TRUE(Feed(twin, "room", 0, 10).status.ok() && Feed(twin, "room", 10, 16).status.ok());
+  EXPECT_EQ(state->submaps().size(), (*twin.registry().ViewOf("room"))->snapshot().submaps().size());
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

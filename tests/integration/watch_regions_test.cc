@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is told of regions to those who watch a map.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dhpmap/v1/edit_service.grpc.pb.h"
+#include "tests/integration/watcher.h"
+
+namespace dhpmap::testing {
+namespace {
+
+/// A mapped room in a database file, whose server can be started anew.
+class WatchRegionsTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    Start();
+    grpc::ClientContext create;
+    v1::CreateMapResponse response;
+    ASSERT_TRUE(server->maps->CreateMap(&create, CreateRequest("room"), &response).ok());
+    ASSERT_TRUE(Feed(*server, "room", 0, 6).status.ok());
+    const v1::ListSubmapsResponse list = ListAll(*server->submaps, "room");
+    begun = list.revision();
+    for (const v1::Submap& submap : list.submaps()) {
+      if (submap.class_id() == 1) ball = submap;
+    }
+    ASSERT_TRUE(ball.has_bounding_sphere());
+  }
+  void Start() {
+    edits = nullptr;
+    if (server != nullptr) {
+      ASSERT_TRUE(server->Stop().ok());
+    }
+    server = nullptr;
+    store = nullptr;
+    auto opened = OpenSqliteStore((folder.path() / "maps.db").string());
+    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    store = std::move(opened).value();
+    server = std::make_unique<TestServer>(*store);
+    edits = v1::EditService::NewStub(server->channel());
+  }
+  std::int64_t Apply(v1::ApplyEditsRequest request) {
+    request.set_map("maps/room");
+    grpc::ClientContext context;
+    v1::ApplyEditsResponse response;
+    const grpc::Status status = edits->ApplyEdits(&context, request, &response);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    num_voxels = response.results_size() > 0 ? response.results(0).num_voxels() : 0;
+    return response.revision();
+  }
+  /// What is told of regions from the mapped room up to a revision.
+  std::vector<v1::RegionEvent> Told(std::int64_t until, const v1::WatchFilter& filter = {}) {
+    v1::WatchMapRequest request;
+    request.set_map("maps/room");
+    request.set_start_revision(begun + 1);
+    *request.mutable_filter() = filter;
+    Watcher watcher(*server->watches, request);
+    std::vector<v1::RegionEvent> told;
+    v1::WatchMapResponse message;
+    std::int64_t revision = 0;
+    while (revision < until && watcher.Read(message)) {
+      told.insert(told.end(), message.change().regions().begin(), message.change().regions().end());
+      revision = RevisionOf(message.position());
+    }
+    EXPECT_GE(revision, until);
+    return told;
+  }
+
+  TempDir folder;
+  std::unique_ptr<MapStore> store;
+  std::unique_ptr<TestServer> server;
+  std::unique_ptr<v1::EditService::Stub> edits;
+  v1::Submap ball;
+  std::int64_t begun = 0, num_voxels = 0;
+};
+
+TEST_F(WatchRegionsTest, WhatIsClearedKeptClearAndLiftedIsToldOfAlsoAfterARestart) {
+  v1::ApplyEditsRequest clear;
+  v1::Edit& of_ball = *clear.add_edits();
+  of_ball.set_submap(ball.name());
+  *of_ball.mutable_clear()->mutable_sphere() = ball.bounding_sphere();
+  v1::ClearEdit& of_floor = *clear.add_edits()->mutable_clear();
+  of_floor.mutable_box()->mutable_min_m()->set_x(50);
+  of_floor.mutable_box()->mutable_max_m()->set_x(51);
+  of_floor.add_class_names(ball.class_name());
+  of_floor.set_keep_clear("door");
+  Apply(clear);
+  const std::int64_t num_cleared = num_voxels;
+  EXPECT_GT(num_cleared, 0);
+  v1::ApplyEditsRequest lift;
+  lift.add_edits()->mutable_lift()->set_name("door");
+  const std::int64_t lifted = Apply(lift);
+
+  for (const bool is_later : {false, true}) {
+    if (is_later) Start();
+    const auto told = Told(lifted);
+    ASSERT_EQ(told.size(), 4u);
+    EXPECT_EQ(told[0].kind(), v1::RegionEvent::CLEARED);
+    EXPECT_EQ(told[0].submap(), ball.name());
+    EXPECT_EQ(told[0].sphere().SerializeAsString(), ball.bounding_sphere().SerializeAsString());
+    EXPECT_EQ(told[0].num_voxels(), num_cleared);
+    EXPECT_EQ(told[1].kind(), v1::RegionEvent::CLEARED);
+    ASSERT_EQ(told[1].class_names_size(), 1);
+    EXPECT_EQ(told[1].class_names(0), ball.class_name());
+    EXPECT_EQ(told[1].submap(), "");
+    EXPECT_EQ(told[2].kind(), v1::RegionEvent::KEPT_CLEAR);
+    EXPECT_EQ(told[2].name(), "door");
+    EXPECT_EQ(told[2].box().max_m().x(), 51);
+    EXPECT_EQ(told[3].kind(), v1::RegionEvent::LIFTED);
+    EXPECT_EQ(told[3].name(), "door");
+    EXPECT_EQ(told[3].box().min_m().x(), 50);
+  }
+}
+
+TEST_F(WatchRegionsTest, AnUndoTellsWhatIsKeptClearAsItIsNow) {
+  v1::ApplyEditsRequest keep;
+  v1::KeepClearEdit& door = *keep.add_edits()->mutable_keep_clear();
+  door.set_name("door");
+  door.mutable_sphere()->set_radius_m(1);
+  Apply(keep);
+  v1::UndoEditsRequest undo;
+  undo.set_map("maps/room");
+  v1::UndoEditsResponse undone;
+  grpc::ClientContext context;
+  ASSERT_TRUE(edits->UndoEdits(&context, undo, &undone).ok());
+  const auto told = Told(undone.revision());
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0].kind(), v1::RegionEvent::KEPT_CLEAR);
+  EXPECT_EQ(told[1].kind(), v1::RegionEvent::LIFTED);
+}
+
+TEST_F(WatchRegionsTest, AFilterPassesRegionsByTheirPlaceAndNoneWhereItAsksForObjects) {
+  v1::ApplyEditsRequest clear;
+  v1::ClearEdit& corner = *clear.add_edits()->mutable_clear();
+  corner.mutable_box()->mutable_min_m()->set_x(50);
+  corner.mutable_box()->mutable_max_m()->set_x(51);
+  corner.set_keep_clear("corner");
+  const std::int64_t cleared = Apply(clear);
+  v1::WatchFilter here, elsewhere, of_ball;
+  here.mutable_region()->mutable_min_m()->set_x(50.5);
+  here.mutable_region()->mutable_max_m()->set_x(60);
+  elsewhere.mutable_region()->mutable_min_m()->set_x(52);
+  elsewhere.mutable_region()->mutable_max_m()->set_x(60);
+  of_ball.add_instance_ids(ball.instance_id());
+  EXPECT_EQ(Told(cleared, here).size(), 2u);
+  EXPECT_TRUE(Told(cleared, elsewhere).empty());
+  EXPECT_TRUE(Told(cleared, of_ball).empty());
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Open maps whose voxels are read from the store when they are needed, and how many of these stay in memory.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mapping/base/status_error.h"
+#include "mapping/map/tile_page.h"
+#include "server/app/map_registry.h"
+#include "server/app/map_stats.h"
+#include "tests/support/eventually.h"
+#include "tests/support/map_equality.h"
+#include "tests/unit/server/app/edited_room.h"
+#include "tests/unit/server/app/map_session_fixture.h"
+
+namespace dhpmap {
+namespace {
+
+/// A registry over a database in a folder of its own, which can be opened anew.
+class PageBudgetTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    Open(0);
+    ASSERT_TRUE(registry_->Create(RoomInfo("room")).ok());
+    Integrate(0, 4);
+  }
+  void TearDown() override { Close(); }
+
+  static SessionOptions Options(std::int64_t page_bytes) {
+    return {.num_threads = 2, .page_bytes = page_bytes, .refinement_timing = RefinementTiming::kReproducible};
+  }
+  /// 0: maps are read as a whole.
+  void Open(std::int64_t page_bytes) {
+    Close();
+    store_ = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = page_bytes > 0}).value();
+    registry_ = MapRegistry::Open(*store_, Options(page_bytes)).value();
+  }
+  void Close() {
+    if (registry_ != nullptr) {
+      EXPECT_TRUE(registry_->Shutdown().ok());
+    }
+    registry_ = nullptr;
+    store_ = nullptr;
+  }
+  /// All of them are seen, and stored.
+  void Integrate(int begin, int end) {
+    const auto session = registry_->OpenSession("room").value();
+    for (int i = begin; i < end; ++i) {
+      const auto outcome = Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(i), done); });
+      EXPECT_TRUE(outcome.report.ok()) << outcome.report.status().ToString();
+    }
+    EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  }
+  std::shared_ptr<const MapView> View() { return registry_->ViewOf("room").value(); }
+  /// A copy that is all in memory.
+  std::shared_ptr<const MapSnapshot> Whole() {
+    auto snapshot = View()->shared_snapshot();
+    for (const auto& submap : snapshot->submaps()) ReadAllOf(*submap);
+    return snapshot;
+  }
+  static void ReadAllOf(const Submap& submap) {
+    for (const BlockEntry& entry : submap.blocks().entries()) ASSERT_NE(entry.tsdf, nullptr);
+  }
+  /// In the file, which nobody has open.
+  void DamageBlobsOfLabels() const {
+    std::fstream file(folder_.path() / "maps.db", std::ios::in | std::ios::out | std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    const std::string labels("\x22\x01\x00\x28\xB5\x2F\xFD", 7);  // of a tile, as a frame of zstd
+    std::size_t found = bytes.find(labels);
+    ASSERT_NE(found, std::string::npos);
+    for (; found != std::string::npos; found = bytes.find(labels, found + 1)) {
+      file.seekp(static_cast<std::streamoff>(found + 8));
+      file.put(static_cast<char>(bytes[found + 8] ^ 0x20));
+    }
+  }
+  /// Why some of what a state has on the disk cannot be read, whatever of it is in memory; or OK.
+  static Status ReadAnew(const MapSnapshot& state) {
+    try {
+      for (const auto& submap : state.submaps()) {
+        for (const TileEntry& tile : submap->blocks().tiles()) {
+          if (tile.tile->page() != nullptr) (void)TilePage(*tile.tile->page()).blocks();
+        }
+      }
+      return Status::Ok();
+    } catch (const StatusError& error) {
+      return error.status();
+    }
+  }
+  static std::int64_t ResidentBytes() { return CountPages().resident_bytes; }
+
+  testing::TempDir folder_;
+  std::unique_ptr<MapStore> store_;
+  std::unique_ptr<MapRegistry> registry_;
+};
+
+TEST_F(PageBudgetTest, WhatQueriesReadIsLetGoOnceItIsTooMuchAndNobodyHoldsIt) {
+  const std::int64_t before = ResidentBytes();
+  Open(1);
+  auto held = View();
+  EXPECT_EQ(ResidentBytes(), before) << "to open it reads nothing";
+  for (const auto& submap : held->snapshot().submaps()) ReadAllOf(*submap);
+  const std::int64_t of_all = ResidentBytes() - before;
+  EXPECT_GT(of_all, 0);
+  EXPECT_TRUE(testing::Eventually([&] { return View() != held; })) << "the next who ask get a state without them";
+  EXPECT_EQ(View()->snapshot().revision(), held->snapshot().revision());
+  EXPECT_GE(ResidentBytes() - before, of_all) << "of who holds the state";
+  held = nullptr;
+  EXPECT_TRUE(testing::Eventually([&] { return ResidentBytes() == before; }));
+}
+
+TEST_F(PageBudgetTest, WhatReadersOfAnotherMapHoldTakesNoRecentPast) {
+  Open(1);
+  ASSERT_TRUE(registry_->Create(RoomInfo("other")).ok());
+  const auto other = registry_->OpenSession("other").value();
+  const auto flush = [&other] { return Wait<Status>([&](auto done) { other->Flush(done); }); };
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(Wait<FrameOutcome>([&](auto done) { other->Integrate(FrameOf(i), done); }).report.ok());
+    ASSERT_TRUE(flush().ok());
+  }
+  const std::size_t num_kept = other->kept_states()->size();
+  ASSERT_GT(num_kept, 1u);
+  EXPECT_FALSE(other->kept_states()->HoldPages());
+  const auto held = registry_->OpenSession("room").value()->View();
+  for (const auto& submap : held->snapshot().submaps()) ReadAllOf(*submap);
+  EXPECT_GT(ResidentBytes(), 1);
+  other->KeepPagesInBounds();
+  ASSERT_TRUE(flush().ok());  // after that
+  EXPECT_EQ(other->kept_states()->size(), num_kept);
+  KeptStates of_room(2, std::make_shared<ByteBudget>(1));
+  of_room.Keep(held->shared_snapshot());
+  EXPECT_TRUE(of_room.HoldPages());
+}
+
+// Also what a commit under way holds meanwhile, which is one of the kept states at its end.
+TEST_F(PageBudgetTest, WhatFramesReadGoesOnceTheyArePublishedAndStored) {
+  const std::int64_t before = ResidentBytes();
+  Close();
+  store_ = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = true}).value();
+  SessionOptions options = Options(1);
+  options.publish_frames = options.commit_frames = 1000;
+  options.publish_s = options.commit_s = 1000;
+  {
+    MapSession session(store_->LoadMap("room").value(), *store_, options);
+    for (int i = 4; i < 7; ++i) {
+      ASSERT_TRUE(Wait<FrameOutcome>([&](auto done) { session.Integrate(FrameOf(i), done); }).report.ok());
+    }
+    EXPECT_GT(ResidentBytes(), before) << "nothing of it can go yet";
+    ASSERT_TRUE(Wait<Status>([&](auto done) { session.Flush(done); }).ok());
+    EXPECT_TRUE(testing::Eventually([&] { return ResidentBytes() == before; }));
+  }
+  store_ = nullptr;
+}
+
+TEST_F(PageBudgetTest, AMapOfWhichAStateIsHeldIsNotClosedSoThatItCanStillBeRead) {
+  Open(1 << 30);
+  auto held = View();
+  const auto close = [this] { registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1)); };
+  close();
+  EXPECT_EQ(registry_->OpenSessions().size(), 1u);
+  Integrate(4, 12);
+  close();
+  EXPECT_EQ(registry_->OpenSessions().size(), 1u) << "an earlier one, too";
+  Integrate(12, 20);
+  for (const auto& submap : held->snapshot().submaps()) ReadAllOf(*submap);
+  held = nullptr;
+  EXPECT_TRUE(testing::Eventually([&] {
+    close();
+    return registry_->OpenSessions().empty();
+  }));
+}
+
+TEST_F(PageBudgetTest, AnOpenMapThatIsFoundToBeDamagedIsClosedAndRepaired) {
+  Open(1 << 30);
+  {
+    const auto whole = View();
+    const auto report = registry_->Verify("room", true, {});
+    ASSERT_TRUE(report.ok());
+    EXPECT_EQ(report->num_faults, 0);
+    EXPECT_EQ(registry_->OpenSessions().size(), 1u) << "there is nothing to be repaired";
+  }
+  Close();
+  DamageBlobsOfLabels();
+  Open(1 << 30);
+  const auto read_all = [this] {
+    const auto view = View();
+    for (const auto& submap : view->snapshot().submaps()) ReadAllOf(*submap);
+  };
+  EXPECT_THROW(read_all(), StatusError);
+  {
+    const auto in_use = registry_->OpenSession("room").value();
+    EXPECT_FALSE(registry_->Verify("room", true, {}).value().is_repaired);
+    EXPECT_EQ(registry_->OpenSessions().size(), 1u);
+  }
+  const auto repaired = registry_->Verify("room", true, {});
+  ASSERT_TRUE(repaired.ok()) << repaired.status().ToString();
+  EXPECT_TRUE(repaired->is_repaired);
+  EXPECT_TRUE(registry_->OpenSessions().empty());
+  EXPECT_NO_THROW(read_all());
+}
+
+TEST_F(PageBudgetTest, StatisticsCountWhatIsInMemoryAndKeepNothing) {
+  const std::int64_t before = ResidentBytes();
+  const MapStats whole = ComputeStats(View()->snapshot(), true);
+  EXPECT_EQ(whole.num_tsdf_blocks_in_memory, whole.num_tsdf_blocks);
+  EXPECT_EQ(whole.num_label_blocks_in_memory, whole.num_label_blocks);
+  Open(1 << 30);
+  const MapStats paged = ComputeStats(View()->snapshot(), true);
+  EXPECT_EQ(paged.num_tsdf_blocks, whole.num_tsdf_blocks);
+  EXPECT_EQ(paged.num_label_blocks, whole.num_label_blocks);
+  EXPECT_EQ(paged.num_observed_voxels, whole.num_observed_voxels);
+  EXPECT_EQ(paged.num_tsdf_blocks_in_memory, 0);
+  EXPECT_EQ(paged.num_label_blocks_in_memory, 0);
+  const auto tsdf_bytes = whole.num_tsdf_blocks * static_cast<std::int64_t>(sizeof(TsdfBlock));
+  EXPECT_LT(paged.memory_bytes, whole.memory_bytes - tsdf_bytes / 2);
+  EXPECT_EQ(ResidentBytes(), before);
+}
+
+TEST_F(PageBudgetTest, MoreFramesMakeTheMapThatTheyMakeInMemory) {
+  const testing::TempDir other;
+  Close();
+  std::filesystem::copy_file(folder_.path() / "maps.db", other.path() / "maps.db");
+  Open(1);
+  Integrate(4, 12);
+  const auto paged = Whole();
+
+  const auto store = OpenSqliteStore((other.path() / "maps.db").string()).value();
+  const auto registry = MapRegistry::Open(*store, Options(0)).value();
+  const auto session = registry->OpenSession("room").value();
+  for (int i = 4; i < 12; ++i) {
+    const auto outcome = Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(i), done); });
+    EXPECT_TRUE(outcome.report.ok());
+  }
+  EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_TRUE(testing::MapsAreEqual(*session->View()->shared_snapshot(), *paged));
+  EXPECT_TRUE(testing::MapsAreEqual(**store->LoadMap("room"), **store_->LoadMap("room"))) << "as they are stored, too";
+}
+
+TEST_F(PageBudgetTest, AStateThatIsHeldWhileTheMapIsClosedAndOpenedAgainExpiresWhereTheMapGoesOn) {
+  Open(std::int64_t{1} << 30);
+  const auto held = View()->shared_snapshot();  // a view would keep the map open
+  registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1000));
+  ASSERT_TRUE(registry_->OpenSessions().empty());
+  EXPECT_TRUE(ReadAnew(*held).ok()) << "nothing was changed yet";
+  Integrate(4, 12);
+  EXPECT_TRUE(testing::Eventually([&] {
+    const Status status = ReadAnew(*held);
+    EXPECT_NE(status.code(), StatusCode::kDataLoss) << status.ToString();
+    return status.code() == StatusCode::kAborted && status.reason() == Reason("SNAPSHOT_EXPIRED");
+  })) << "once what nothing needs any more is collected";
+  EXPECT_TRUE(ReadAnew(View()->snapshot()).ok());
+}
+
+TEST_F(PageBudgetTest, ADamagedTileIsToldToWhoNeedsItAndTheMapGoesOn) {
+  Close();
+  {
+    auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = true});
+    ASSERT_TRUE(opened.ok());
+    store_ = std::move(opened).value();
+  }
+  auto snapshot = store_->LoadMap("room").value();
+  store_ = nullptr;  // nothing more can be read of it
+  const Submap& unread = *snapshot->submaps().back();
+  EXPECT_THROW((void)unread.blocks().entries().front(), StatusError);
+  const auto memory = MakeMemoryStore();
+  MapSession session(snapshot, *memory, {.num_threads = 1});
+  const auto frame = Wait<FrameOutcome>([&](auto done) { session.Integrate(FrameOf(4), done); });
+  EXPECT_EQ(frame.report.status().code(), StatusCode::kUnavailable) << frame.report.status().ToString();
+  const auto renamed = Wait<Result<EditOutcome>>([&](auto done) {
+    session.Edit(
+        [&](Map& map) -> Result<SubmapId> {
+          map.FindMutable(unread.id())->DropLabels();
+          return unread.id();
+        },
+        done);
+  });
+  EXPECT_EQ(renamed.status().code(), StatusCode::kUnavailable) << renamed.status().ToString();
+  EXPECT_EQ(session.View()->snapshot().revision(), snapshot->revision()) << "nothing was changed";
+}
+
+/// Two rooms to which the same is done, one of which has as little in memory as it can.
+class PagedRoomTest : public ::testing::Test {
+ protected:
+  template <typename Step>
+  void OnBoth(const std::string& told, const Step& step) {
+    SCOPED_TRACE(told);
+    const Status of_whole = step(whole_), of_paged = step(paged_);
+    EXPECT_EQ(of_whole.ToString(), of_paged.ToString());
+    ASSERT_TRUE(testing::MapsAreEqual(*whole_.Now(), *paged_.Now()));
+  }
+  void Frames(int begin, int end, bool has_crate) {
+    for (int i = begin; i < end; ++i) {
+      const testing::RoomView view{.place = i * 5 % testing::kNumPlaces, .has_crate = has_crate};
+      OnBoth("frame " + std::to_string(i), [&view](EditedRoom& room) { return room.Integrate(view, false); });
+    }
+  }
+  void Finish() {
+    OnBoth("finish", [](EditedRoom& room) { return room.Finish(); });
+  }
+  void Restart() {
+    OnBoth("restart", [](EditedRoom& room) {
+      const Status flushed = room.Flush();
+      room.Restart();
+      return flushed;
+    });
+  }
+  void Make(const Edit& edit) {
+    OnBoth("edit", [&edit](EditedRoom& room) { return room.Make({.edits = {edit}}, "anna").status(); });
+  }
+  void Undo() {
+    OnBoth("undo", [](EditedRoom& room) { return room.Undo({.author = "anna"}).status(); });
+  }
+  /// Some thing of those that are there.
+  [[nodiscard]] SubmapId Thing(std::size_t number) const {
+    std::vector<SubmapId> things;
+    for (const auto& submap : whole_.Now()->submaps()) {
+      if (submap->info().panoptic == Panoptic::kThing) things.push_back(submap->id());
+    }
+    EXPECT_FALSE(things.empty());
+    return things.empty() ? SubmapId(0) : things[number % things.size()];
+  }
+
+  using EditedRoom = testing::EditedRoom;
+  EditedRoom whole_{EditedRoom::Store::kSqlite}, paged_{EditedRoom::Store::kPaged};
+};
+
+TEST_F(PagedRoomTest, IsBitForBitTheOneInMemory) {
+  Frames(0, 9, true);
+  Finish();
+  Restart();
+  Frames(9, 14, true);
+  SubmapPatch moved;
+  moved.T_map_submap = Transform(Eigen::Translation3d(0.1, 0, 0.4));
+  Make({.target = Thing(0), .etag = {}, .action = PatchEdit{moved}});
+  Make({.target = Thing(1), .etag = {}, .action = CloneEdit{moved}});
+  Restart();
+  Make({.target = Thing(1), .etag = {}, .action = DeleteEdit{}});
+  Frames(14, 18, false);
+  Undo();
+  Restart();
+  Undo();
+  Frames(18, 24, false);
+  Finish();
+  Restart();
+  EXPECT_EQ(paged_.store().VerifyMap("room", false, {}).value().num_faults, 0);
+}
+
+}  // namespace
+}  // namespace dhpmap

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps whose voxels stay in the file until somebody reads them, against the same maps read as a whole.
+#include <array>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "mapping/base/status_error.h"
+#include "mapping/map/tile_page.h"
+#include "tests/support/eventually.h"
+#include "tests/support/map_equality.h"
+#include "tests/unit/storage/sqlite_fixture.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::MapsAreEqual;
+using testing::SqliteStoreTest;
+
+/// Why the voxels of a submap cannot be read, or OK.
+Status ReadVoxelsOf(const Submap& submap) {
+  try {
+    for (const BlockEntry& entry : submap.blocks().entries())
+      EXPECT_TRUE(entry.tsdf != nullptr || entry.gone != nullptr);
+    return Status::Ok();
+  } catch (const StatusError& error) {
+    return error.status();
+  }
+}
+
+class PagingTest : public SqliteStoreTest {
+ protected:
+  void OpenPaged(bool read_only = false) {
+    pages_tiles_ = true;
+    Open(read_only);
+  }
+  std::shared_ptr<const MapSnapshot> Load() {
+    auto loaded = store_->LoadMap("house");
+    EXPECT_TRUE(loaded.ok()) << loaded.status().ToString();
+    return loaded.ok() ? *loaded : nullptr;
+  }
+  /// As it is when it is read as a whole.
+  std::shared_ptr<const MapSnapshot> MakeSample() {
+    Open();
+    CreateSample("house");
+    return Load();
+  }
+  /// What a state says of the second submap when first its blobs and then its rows were lost.
+  void ExpectLost(const std::string& lose_rows) {
+    MakeSample();
+    OpenPaged();
+    const auto held = Load();
+    Tamper(
+        "DELETE FROM tile_blobs WHERE blob_key IN (SELECT blob_key FROM tiles WHERE owner_key = (SELECT submap_key "
+        "FROM "
+        "submaps WHERE submap_id = 2))");
+    Tamper(lose_rows);
+    const Status status = ReadVoxelsOf(*held->Find(SubmapId(2)));
+    EXPECT_EQ(status.code(), StatusCode::kDataLoss) << status.ToString();
+    EXPECT_EQ(status.reason(), Reason("DAMAGED_MAP"));
+  }
+  static std::uint64_t NumReads() { return CountPages().num_reads; }
+  static std::int64_t ResidentBytes() { return CountPages().resident_bytes; }
+};
+
+TEST_F(PagingTest, AMapOpensWithoutVoxelsAndHasTheSame) {
+  const auto whole = MakeSample();
+  for (const bool read_only : {false, true}) {
+    OpenPaged(read_only);
+    const std::uint64_t before = NumReads();
+    const auto paged = Load();
+    const StateMarks marks(*paged);
+    EXPECT_TRUE(DiffTiles(marks, *paged).empty());
+    std::size_t num_tiles = 0;
+    for (std::size_t s = 0; s < whole->submaps().size(); ++s) {
+      const Submap &a = *whole->submaps()[s], &b = *paged->submaps()[s];
+      EXPECT_EQ(a.blocks().size(), b.blocks().size());
+      for (const TileEntry& tile : a.blocks().tiles()) {
+        const BlockTile& other = *b.blocks().FindTile(tile.index)->tile;
+        for (const auto layer : {BlockLayer::kTsdf, BlockLayer::kLabels, BlockLayer::kGone}) {
+          EXPECT_EQ(other.CellsWith(layer), tile.tile->CellsWith(layer));
+        }
+        ++num_tiles;
+      }
+    }
+    EXPECT_EQ(NumReads(), before) << "nobody has asked for a voxel";
+    EXPECT_TRUE(MapsAreEqual(*whole, *paged));
+    EXPECT_EQ(NumReads(), before + num_tiles) << "each once";
+    for (const auto& submap : paged->submaps()) {
+      for (const BlockEntry& entry : submap->blocks().entries()) EXPECT_TRUE(marks.Has(submap->id(), entry));
+    }
+  }
+}
+
+TEST_F(PagingTest, WhatWasReadGoesOnRequestFirstWhatNobodyUsed) {
+  MakeSample();
+  OpenPaged();
+  const std::int64_t before = ResidentBytes();
+  Map map(Load());
+  const StateMarks marks(*map.published());
+  ASSERT_TRUE(ReadVoxelsOf(*map.Find(SubmapId(1))).ok());
+  const std::int64_t of_one = ResidentBytes() - before;
+  EXPECT_GT(of_one, 0);
+  EXPECT_EQ(map.LetGoOfPages(false), map.published());
+  EXPECT_EQ(ResidentBytes() - before, of_one) << "somebody has just used it";
+  ASSERT_TRUE(ReadVoxelsOf(*map.Find(SubmapId(2))).ok());
+  const std::int64_t of_both = ResidentBytes() - before;
+  EXPECT_GT(of_both, of_one);
+  map.LetGoOfPages(false);
+  EXPECT_EQ(ResidentBytes() - before, of_both - of_one) << "of the first nobody has asked since";
+  auto held = map.published();
+  ASSERT_TRUE(ReadVoxelsOf(*held->submaps()[1]).ok());
+  const auto same = map.LetGoOfPages(true);
+  EXPECT_EQ(same, map.published());
+  EXPECT_NE(same, held);
+  EXPECT_EQ(same->revision(), held->revision());
+  EXPECT_GT(ResidentBytes(), before) << "of who holds the state";
+  EXPECT_TRUE(DiffTiles(marks, *same).empty()) << "the same parts";
+  EXPECT_TRUE(DiffSnapshots(held.get(), *same).empty());
+  held = nullptr;
+  EXPECT_EQ(ResidentBytes(), before);
+}
+
+TEST_F(PagingTest, ATileThatCannotBeReadIsAnErrorOfWhoAsksForItAlone) {
+  const auto whole = MakeSample();
+  OpenPaged();
+  const auto paged = Load();
+  const std::string of_a_tile =
+      " WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE layer = 1 AND owner_key = (SELECT submap_key FROM "
+      "submaps "
+      "WHERE submap_id = 2))";
+  Tamper("UPDATE tile_blobs SET blob = CAST(blob || x'00' AS BLOB)" + of_a_tile);
+  for (int n = 0; n < 2; ++n) {
+    const Status status = ReadVoxelsOf(*paged->Find(SubmapId(2)));
+    EXPECT_EQ(status.code(), StatusCode::kDataLoss);
+    EXPECT_EQ(status.reason(), Reason("DAMAGED_MAP"));
+    EXPECT_NE(status.message().find("map 'house': submap 2: tsdf tile ("), std::string::npos) << status.message();
+    testing::ExpectDiscreet(status, Path());
+  }
+  for (const auto id : {1u, 3u}) EXPECT_TRUE(ReadVoxelsOf(*paged->Find(SubmapId(id))).ok());
+  Map map(paged);
+  EXPECT_THROW(map.FindMutable(SubmapId(2))->DropLabels(), StatusError);
+  Tamper("UPDATE tile_blobs SET blob = CAST(substr(blob, 1, length(blob) - 1) AS BLOB)" + of_a_tile);
+  EXPECT_TRUE(MapsAreEqual(*whole, *paged)) << "it is tried again";
+}
+
+TEST_F(PagingTest, WhatCannotBeReadKeepsNoCommitWaiting) {
+  MakeSample();
+  OpenPaged();
+  Map map(Load());
+  Tamper("DELETE FROM tile_blobs WHERE blob_key IN (SELECT blob_key FROM tiles WHERE layer = 1)");
+  const auto before = map.published();
+  map.FindMutable(SubmapId(2))->mutable_info().display_name = "lost";
+  map.FindMutable(SubmapId(3))->mutable_info().num_frames_observed += 1;
+  const Status stored = store_->Commit(*before, *map.Publish(50), Durability::kNormal);
+  EXPECT_TRUE(stored.ok()) << stored.ToString();
+  const auto after = map.published();
+  EXPECT_TRUE(map.Remove(SubmapId(3))) << "it can be deleted";
+  EXPECT_TRUE(store_->Commit(*after, *map.Publish(51), Durability::kNormal).ok());
+}
+
+TEST_F(PagingTest, ATileThatIsMissingIsTold) {
+  MakeSample();
+  OpenPaged();
+  const auto paged = Load();
+  Tamper("DELETE FROM tile_blobs WHERE blob_key IN (SELECT blob_key FROM tiles WHERE layer = 2)");
+  const Status status = ReadVoxelsOf(*paged->Find(SubmapId(2)));
+  EXPECT_EQ(status.code(), StatusCode::kDataLoss);
+  EXPECT_NE(status.message().find("is missing"), std::string::npos) << status.message();
+}
+
+TEST_F(PagingTest, AStateOfBeforeTheMapWasLoadedAnewIsNotCalledDamaged) {
+  MakeSample();
+  OpenPaged();
+  const auto held = Load();
+  ASSERT_TRUE(ReadVoxelsOf(*held->Find(SubmapId(1))).ok());
+  Map map(Load());  // as who closes a map and opens it again
+  const auto before = map.published();
+  map.Remove(SubmapId(1));
+  map.FindMutable(SubmapId(2))->DropLabels();
+  ASSERT_TRUE(store_->Commit(*before, *map.Publish(50), Durability::kNormal).ok());
+  ASSERT_TRUE(testing::Eventually([this] { return Query("SELECT count(*) FROM dead_blobs") == 0; }));
+  const Status gone = ReadVoxelsOf(*held->Find(SubmapId(2)));
+  EXPECT_EQ(gone.code(), StatusCode::kAborted) << gone.ToString();
+  EXPECT_NE(gone.message().find("map 'house': submap 2: label tile ("), std::string::npos) << gone.message();
+  EXPECT_TRUE(ReadVoxelsOf(*held->Find(SubmapId(1))).ok()) << "what was read is there";
+  EXPECT_TRUE(ReadVoxelsOf(*held->Find(SubmapId(3))).ok()) << "what nobody has changed is, too";
+  ASSERT_TRUE(store_->DeleteMap("house").ok());
+  ASSERT_TRUE(testing::Eventually([this] { return Query("SELECT count(*) FROM tile_blobs") == 0; }));
+  EXPECT_EQ(ReadVoxelsOf(*before->Find(SubmapId(3))).code(), StatusCode::kAborted);
+}
+
+TEST_F(PagingTest, AStateOfBeforeTheMapWasOpenedAgainExpiresWhereTheMapHasGoneOn) {
+  MakeSample();
+  OpenPaged();
+  const auto held = Load();
+  Map map(Load());  // by whoever opens it after it was closed
+  auto before = map.published();
+  map.FindMutable(SubmapId(2))->DropLabels();
+  ASSERT_TRUE(store_->Commit(*before, *map.Publish(50), Durability::kNormal).ok());
+  before = map.published();
+  map.Remove(SubmapId(3));
+  ASSERT_TRUE(store_->Commit(*before, *map.Publish(51), Durability::kNormal).ok());
+  ASSERT_TRUE(testing::Eventually([this] { return Query("SELECT count(*) FROM dead_blobs") == 0; }));
+  for (const auto id : {2u, 3u, 2u}) {
+    const Status status = ReadVoxelsOf(*held->Find(SubmapId(id)));
+    EXPECT_EQ(status.code(), StatusCode::kAborted) << status.ToString();
+    EXPECT_EQ(status.reason(), Reason("SNAPSHOT_EXPIRED"));
+    EXPECT_NE(status.message().find("map 'house': submap " + std::to_string(id) + ": "), std::string::npos)
+        << status.message();
+    testing::ExpectDiscreet(status, Path());
+  }
+  EXPECT_TRUE(ReadVoxelsOf(*held->Find(SubmapId(1))).ok()) << "which is as it was";
+  EXPECT_TRUE(MapsAreEqual(*map.published(), *Load()));
+}
+
+TEST_F(PagingTest, AStateOfADeletedMapExpires) {
+  MakeSample();
+  OpenPaged();
+  const auto held = Load();
+  ASSERT_TRUE(store_->DeleteMap("house").ok());
+  ASSERT_TRUE(testing::Eventually([this] { return Query("SELECT count(*) FROM dead_blobs") == 0; }));
+  EXPECT_EQ(ReadVoxelsOf(*held->Find(SubmapId(2))).reason(), Reason("SNAPSHOT_EXPIRED"));
+}
+
+TEST_F(PagingTest, WhatWasLostWithItsRowsIsNotTakenForExpired) {
+  ExpectLost("DELETE FROM tiles WHERE owner_key = (SELECT submap_key FROM submaps WHERE submap_id = 2)");
+}
+
+TEST_F(PagingTest, WhatWasLostWithItsSubmapIsNotTakenForExpired) {
+  ExpectLost("DELETE FROM submaps WHERE submap_id = 2");
+}
+
+TEST_F(PagingTest, RowsThatSayOtherBlocksThanTheirBlobsAreToldAndRepaired) {
+  const auto whole = MakeSample();
+  OpenPaged();
+  // As many blocks, at other cells.
+  Tamper("UPDATE tiles SET cells = cells * 2 WHERE layer = 1 AND cells > 0 AND cells < 0x4000000000000000");
+  const auto paged = Load();
+  Status first;
+  for (const auto& submap : paged->submaps()) {
+    if (first.ok()) first = ReadVoxelsOf(*submap);
+  }
+  EXPECT_EQ(first.code(), StatusCode::kDataLoss) << first.ToString();
+  const auto repaired = store_->VerifyMap("house", true, {});
+  ASSERT_TRUE(repaired.ok());
+  EXPECT_GT(repaired->num_faults, 0);
+  EXPECT_TRUE(MapsAreEqual(*whole, *Load()));
+}
+
+TEST_F(PagingTest, WithoutItsStoreAMapHasWhatWasRead) {
+  MakeSample();
+  OpenPaged();
+  const auto paged = Load();
+  ASSERT_TRUE(ReadVoxelsOf(*paged->Find(SubmapId(1))).ok());
+  store_ = nullptr;
+  EXPECT_TRUE(ReadVoxelsOf(*paged->Find(SubmapId(1))).ok());
+  EXPECT_EQ(ReadVoxelsOf(*paged->Find(SubmapId(2))).code(), StatusCode::kUnavailable);
+  Open();  // the file is free
+}
+
+TEST_F(PagingTest, ACloneOfWhatWasNotReadIsRows) {
+  const auto whole = MakeSample();
+  OpenPaged();
+  Map map(Load());
+  const std::int64_t num_blobs = Query("SELECT count(*) FROM tile_blobs");
+  const auto state = map.published();
+  map.Clone(SubmapId(2));
+  ASSERT_TRUE(store_->Commit(*state, *map.Publish(50), Durability::kNormal).ok());
+  EXPECT_EQ(Query("SELECT count(*) FROM tile_blobs"), num_blobs);
+  Map same(whole);
+  same.Clone(SubmapId(2));
+  EXPECT_TRUE(MapsAreEqual(*same.Publish(50), *Load()));
+}
+
+// The law: whatever is done to a map, it is the same whether its voxels are in memory or in the file.
+
+std::string TextOfTiles(const std::vector<SubmapTileChange>& changes) {
+  std::string text;
+  for (const SubmapTileChange& change : changes) {
+    text += "submap " + std::to_string(change.id.value) + (change.is_new ? " new" : "") +
+            (change.after == nullptr ? " gone" : "") + (change.copy_of ? " copied" : "") + "\n";
+    for (const TileChange& tile : change.tiles) {
+      text +=
+          "  " + std::to_string(tile.index.x) + ' ' + std::to_string(tile.index.y) + ' ' + std::to_string(tile.index.z);
+      for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
+        text += (tile.is_written[i] ? " written " : " same ") + std::to_string(tile.num_before[i]) + ' ' +
+                std::to_string(tile.num_after[i]);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+/// A map in a file, which is written to again and again.
+class StoredSide {
+ public:
+  StoredSide(bool is_paged, unsigned seed) : is_paged_(is_paged), generator_(seed) {
+    OpenStore();
+    map_.emplace(generator_.Info("house"));
+    for (int n = 0; n < 3; ++n) generator_.AddSubmap(*map_, 12);
+    EXPECT_TRUE(store_->CreateMap(*map_->Publish(1)).ok());
+    Reopen();
+  }
+
+  void Reopen() {
+    map_.reset();
+    OpenStore();
+    map_.emplace(store_->LoadMap("house").value());
+    marks_ = std::make_shared<const StateMarks>(*map_->published());
+  }
+
+  /// One of the things that happen to maps, which `choice` names. Returns what the store was told of it.
+  std::string Change(unsigned choice, std::int64_t time_ns) {
+    const auto& submaps = map_->submaps();
+    const bool is_bare = submaps.size() == 1;  // there is nothing but the unknown one
+    const SubmapId id = is_bare ? kUnknownSubmap : submaps[1 + choice / 16 % (submaps.size() - 1)]->id();
+    switch (is_bare ? 0 : choice % 7) {
+      case 0: generator_.AddSubmap(*map_, 6); break;
+      case 1: map_->Clone(id); break;
+      case 2: map_->Remove(id); break;
+      case 3: EraseABlock(id, choice / 256); break;
+      case 4: map_->FindMutable(id)->DropLabels(); break;
+      case 5: map_->FindMutable(id)->DropGone(); break;
+      default: generator_.AddBlocks(*map_->FindMutable(id), 3);
+    }
+    map_->mutable_info().num_frames += 1;
+    const auto state = map_->Publish(time_ns);
+    const std::string text = TextOfTiles(DiffTiles(*marks_, *state));
+    const Status stored = store_->Commit(*marks_, *state, Durability::kNormal);
+    EXPECT_TRUE(stored.ok()) << stored.ToString();
+    marks_ = std::make_shared<const StateMarks>(*state, marks_.get());
+    return text;
+  }
+
+  void LetGoOfPages(bool even_used) { map_->LetGoOfPages(even_used); }
+  [[nodiscard]] std::shared_ptr<const MapSnapshot> state() const { return map_->published(); }
+
+  void AwaitCollection() const {
+    EXPECT_TRUE(testing::Eventually([this] {
+      auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadOnly, 1000);
+      const auto left = database.ok() ? database->QueryInt("SELECT count(*) FROM dead_blobs", "look")
+                                      : Result<std::int64_t>(database.status());
+      return left.ok() && *left == 0;
+    }));
+  }
+  VerifyReport Verify() { return store_->VerifyMap("house", false, {}).value(); }
+
+ private:
+  [[nodiscard]] std::string Path() const { return (folder_.path() / "maps.db").string(); }
+  void OpenStore() {
+    store_ = nullptr;
+    auto opened = OpenSqliteStore(Path(), {.busy_timeout_ms = 50, .pages_tiles = is_paged_});
+    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    store_ = std::move(opened).value();
+  }
+  void EraseABlock(SubmapId id, unsigned choice) {
+    Submap& submap = *map_->FindMutable(id);
+    const auto tiles = submap.blocks().tiles();
+    if (tiles.empty()) return;
+    submap.EraseBlock(tiles[choice % tiles.size()].tile->entries().front().index);
+  }
+
+  const bool is_paged_;
+  testing::TempDir folder_;
+  testing::MapGenerator generator_;
+  std::unique_ptr<MapStore> store_;
+  std::optional<Map> map_;
+  std::shared_ptr<const StateMarks> marks_;
+};
+
+TEST(PagedMap, IsWhateverHappensTheSameAsOneInMemory) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    StoredSide whole(false, seed), paged(true, seed);
+    std::vector<std::array<std::shared_ptr<const MapSnapshot>, 2>> states;  // of before, not read
+    for (int step = 0; step < 60; ++step) {
+      SCOPED_TRACE("step " + std::to_string(step));
+      const auto choice = static_cast<unsigned>(random());
+      const std::int64_t time_ns = 100 + step;
+      ASSERT_EQ(whole.Change(choice, time_ns), paged.Change(choice, time_ns));
+      if (step % 3 == 0) {
+        ASSERT_TRUE(MapsAreEqual(*whole.state(), *paged.state()));
+        paged.LetGoOfPages(random() % 2 == 0);
+      }
+      states.push_back({whole.state(), paged.state()});
+      if (step % 15 != 14) continue;
+      paged.AwaitCollection();  // what no row refers to is deleted by now
+      for (const auto& [a, b] : states) ASSERT_TRUE(MapsAreEqual(*a, *b)) << "revision " << a->revision();
+      states.clear();
+      whole.Reopen();
+      paged.Reopen();
+    }
+    EXPECT_EQ(paged.Verify().num_faults, 0);
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap
