@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "mapping/base/scratch_loop.h"
 #include "mapping/crf/grow_buffer.h"
 #include "mapping/crf/mean_field.h"
 #include "mapping/crf/permutohedral_lattice.h"
-#include "mapping/crf/scratch_loop.h"
 #include "mapping/crf/spatial_order.h"
 
 namespace dhpmap {

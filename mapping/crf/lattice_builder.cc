@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include "mapping/crf/scratch_loop.h"
+#include "mapping/base/scratch_loop.h"
 
 namespace dhpmap {
 namespace {

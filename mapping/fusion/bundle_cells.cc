@@ -2,17 +2,16 @@
 #include "mapping/fusion/bundle_cells.h"
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "mapping/fusion/point_kernel.h"
 
 namespace dhpmap {
 
-void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, SegmentBundles& segment) {
+void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, std::vector<std::uint32_t>& cell_of,
+                SegmentBundles& segment) {
   if (tally.is_too_large()) return;
   // First count the bundles of each cell, so that they can lie together; then sum the runs up.
-  std::vector<std::uint32_t> cell_of(runs.size());
+  cell_of.resize(runs.size());
   BlockIndex last_block{};
   std::uint32_t last_cell = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {

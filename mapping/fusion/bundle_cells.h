@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mapping/fusion/frame_tally.h"
 #include "mapping/fusion/point_runs.h"
@@ -10,7 +12,8 @@
 namespace dhpmap {
 
 /// Sums the runs of a segment, which is empty, up to its bundles, those of a cell together. Leaves it half built where
-/// the frame has too many cells.
-void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, SegmentBundles& segment);
+/// the frame has too many cells. `cell_of`: to work with.
+void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, std::vector<std::uint32_t>& cell_of,
+                SegmentBundles& segment);
 
 }  // namespace dhpmap

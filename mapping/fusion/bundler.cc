@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/fusion/bundler.h"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "mapping/base/scratch_loop.h"
 #include "mapping/fusion/bundle_cells.h"
 #include "mapping/fusion/sorted_runs.h"
 #include "mapping/fusion/tangent_planes.h"
@@ -10,20 +15,35 @@ namespace dhpmap {
 Bundler::Bundler(const IntegrationConfig& config, ThreadPool& pool) : config_(config), pool_(pool) {}
 Bundler::~Bundler() = default;
 
-void Bundler::BundleSegments(const PanopticFrame& frame, double voxel_size_m, FrameTally& tally) {
-  const std::vector<RunsOfSegment> ranges = SortRunsBySegment(frame.segments, bands_, sorted_runs_);
+void Bundler::HandOutSegments(const std::vector<RunsOfSegment>& ranges) {
+  std::vector<SegmentBundles> kept = std::exchange(segments_, {});
+  std::sort(kept.begin(), kept.end(), [](const SegmentBundles& a, const SegmentBundles& b) {
+    return a.bundles.capacity() > b.bundles.capacity();
+  });
+  std::vector<std::size_t> by_size(ranges.size());
+  std::iota(by_size.begin(), by_size.end(), 0);
+  std::sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b) {
+    return ranges[a].end - ranges[a].begin > ranges[b].end - ranges[b].begin;
+  });
   segments_.resize(ranges.size());
-  for (std::size_t s = 0; s < ranges.size(); ++s) {
-    segments_[s].Reset();
-    segments_[s].row = ranges[s].row;
+  for (std::size_t i = 0; i < std::min(kept.size(), ranges.size()); ++i) {
+    segments_[by_size[i]] = std::move(kept[i]);
+    segments_[by_size[i]].Reset();
   }
-  pool_.ParallelFor(ranges.size(), [&](std::size_t s) {
+  for (std::size_t s = 0; s < ranges.size(); ++s) segments_[s].row = ranges[s].row;
+}
+
+void Bundler::BundleSegments(const PanopticFrame& frame, double voxel_size_m, FrameTally& tally) {
+  const std::vector<RunsOfSegment> ranges = SortRunsBySegment(frame.segments, bands_, positions_, sorted_runs_);
+  HandOutSegments(ranges);
+  ParallelForWithScratch(pool_, ranges.size(), rooms_, [&](std::size_t s, Room& room) {
     const std::span runs(sorted_runs_.data() + ranges[s].begin, ranges[s].end - ranges[s].begin);
-    BundleRuns(runs, tally, segments_[s]);
+    BundleRuns(runs, tally, room.cell_of, segments_[s]);
   });
   if (tally.is_too_large()) return;
-  pool_.ParallelFor(segments_.size(), [&](std::size_t s) {
-    FitTangentPlanes(voxel_size_m, frame.lidar ? PointSpacing::kScan : PointSpacing::kDense, segments_[s]);
+  const PointSpacing spacing = frame.lidar ? PointSpacing::kScan : PointSpacing::kDense;
+  ParallelForWithScratch(pool_, segments_.size(), rooms_, [&](std::size_t s, Room& room) {
+    FitTangentPlanes(voxel_size_m, spacing, room.pyramid, segments_[s]);
   });
 }
 
@@ -51,15 +71,19 @@ std::vector<SegmentBundles>& Bundler::BundleFrame(const PanopticFrame& frame, co
 }
 
 std::size_t Bundler::BufferBytes() const {
-  std::size_t bytes = CapacityBytes(bands_) + CapacityBytes(sorted_runs_) + CapacityBytes(segments_);
+  std::size_t bytes = CapacityBytes(bands_) + CapacityBytes(positions_) + CapacityBytes(sorted_runs_) +
+                      CapacityBytes(segments_) + CapacityBytes(rooms_);
   for (const std::vector<PointRun>& runs : bands_) bytes += CapacityBytes(runs);
   for (const SegmentBundles& segment : segments_) bytes += segment.BufferBytes();
+  for (const Room& room : rooms_) bytes += CapacityBytes(room.cell_of) + room.pyramid.BufferBytes();
   return bytes;
 }
 
 void Bundler::GiveBuffersBack() noexcept {
   bands_ = RunBands();
+  positions_ = std::vector<std::uint32_t>();
   sorted_runs_ = std::vector<const PointRun*>();
+  rooms_ = std::vector<Room>();
   segments_ = std::vector<SegmentBundles>();
   counted_.Set(0);
 }

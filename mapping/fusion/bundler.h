@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "mapping/base/memory_count.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/base/transform.h"
+#include "mapping/fusion/moment_pyramid.h"
 #include "mapping/fusion/segment_bundles.h"
 #include "mapping/map/map_config.h"
 #include "mapping/sensor/frame.h"
@@ -15,6 +17,7 @@ namespace dhpmap {
 
 class FrameTally;
 struct PointRun;
+struct RunsOfSegment;
 
 /// Groups the points of a frame by segment and end voxel. Keeps its buffers from frame to frame, but for those of a
 /// frame that has too many cells or that failed; they are counted as MemoryKind::kFusion. Thread-compatible.
@@ -33,13 +36,23 @@ class Bundler {
   void GiveBuffersBack() noexcept;
 
  private:
+  /// What a thread works on a segment with.
+  struct Room {
+    std::vector<std::uint32_t> cell_of;
+    MomentPyramid pyramid;
+  };
+
   void BundleSegments(const PanopticFrame& frame, double voxel_size_m, FrameTally& tally);
+  /// An empty segment each; those with the most runs in what held the largest of the last frame.
+  void HandOutSegments(const std::vector<RunsOfSegment>& ranges);
   [[nodiscard]] std::size_t BufferBytes() const;
 
   IntegrationConfig config_;
   ThreadPool& pool_;
   std::vector<std::vector<PointRun>> bands_;  ///< RunBands
+  std::vector<std::uint32_t> positions_;
   std::vector<const PointRun*> sorted_runs_;
+  std::vector<Room> rooms_;
   std::vector<SegmentBundles> segments_;
   CountedBytes counted_{MemoryKind::kFusion};  ///< the buffers, as they were after the last frame
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/fusion/moment_pyramid.h"
 
+#include "mapping/base/memory_count.h"
+
 namespace dhpmap {
 
 namespace {
@@ -12,8 +14,23 @@ std::size_t CubeOf(std::uint16_t linear) {
 
 }  // namespace
 
-MomentPyramid::MomentPyramid(const SegmentBundles& segment) : blocks_(segment.cells.size()) {
-  cubes_.reserve(segment.bundles.size());
+PlaneMoments& StableMoments::Add() {
+  if (size_ == chunks_.size() * kChunk) chunks_.push_back(std::make_unique_for_overwrite<Chunk>());
+  PlaneMoments& added = (*this)[size_++];
+  added = {};
+  return added;
+}
+
+std::size_t StableMoments::BufferBytes() const { return CapacityBytes(chunks_) + chunks_.size() * sizeof(Chunk); }
+
+std::size_t MomentPyramid::BufferBytes() const {
+  return CapacityBytes(blocks_) + cubes_.BufferBytes() + coarse_.BufferBytes();
+}
+
+void MomentPyramid::Build(const SegmentBundles& segment) {
+  blocks_.assign(segment.cells.size(), {});
+  cubes_.Clear();
+  coarse_.Clear();
   for (std::size_t c = 0; c < segment.cells.size(); ++c) {
     const BundleCell& cell = segment.cells[c];
     Block& block = blocks_[c];
@@ -22,7 +39,7 @@ MomentPyramid::MomentPyramid(const SegmentBundles& segment) : blocks_(segment.ce
       const Bundle& bundle = segment.bundles[b];
       std::uint8_t& slot = block.slot[CubeOf(bundle.linear)];
       if (slot == 0) {
-        cubes_.emplace_back();
+        cubes_.Add();
         slot = static_cast<std::uint8_t>(cubes_.size() - block.first_cube);
       }
       cubes_[block.first_cube + slot - 1u].Add(bundle.weighted_sum_m, bundle.weight);
@@ -45,17 +62,17 @@ const PlaneMoments* MomentPyramid::Find(std::size_t cell, int level, std::size_t
 void MomentPyramid::SumUp(Block& block) {
   block.first_coarse = static_cast<std::uint32_t>(coarse_.size());
   block.coarse_slot.fill(0);
-  coarse_.emplace_back();
+  PlaneMoments& all = coarse_.Add();
   for (std::size_t i = 0; i < block.slot.size(); ++i) {
     if (block.slot[i] == 0) continue;
     std::uint8_t& slot = block.coarse_slot[(i >> 1 & 1) | (i >> 2 & 2) | (i >> 3 & 4)];  // the upper bits of x, y and z
     if (slot == 0) {
-      coarse_.emplace_back();
+      coarse_.Add();
       slot = static_cast<std::uint8_t>(coarse_.size() - 1 - block.first_coarse);
     }
     const PlaneMoments& cube = cubes_[block.first_cube + block.slot[i] - 1u];
     coarse_[block.first_coarse + slot].Add(cube);
-    coarse_[block.first_coarse].Add(cube);
+    all.Add(cube);
   }
 }
 

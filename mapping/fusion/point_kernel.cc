@@ -26,9 +26,9 @@ void ProjectRow(const float* __restrict depth_m, int width, const RowGeometry& g
   const float* __restrict column_y = g.column_y;
   const float* __restrict column_z = g.column_z;
   const float* __restrict column_length2 = g.column_length2;
-  float* __restrict x_m = points.x_m;
-  float* __restrict y_m = points.y_m;
-  float* __restrict z_m = points.z_m;
+  float* __restrict weighted_x_m = points.weighted_x_m;
+  float* __restrict weighted_y_m = points.weighted_y_m;
+  float* __restrict weighted_z_m = points.weighted_z_m;
   float* __restrict weight = points.weight;
   std::int32_t* __restrict voxel_x = points.voxel_x;
   std::int32_t* __restrict voxel_y = points.voxel_y;
@@ -44,14 +44,35 @@ void ProjectRow(const float* __restrict depth_m, int width, const RowGeometry& g
     const bool valid = (depth >= kLeastDepth_m) & (range2 >= g.min_range2_m2) & (range2 <= g.max_range2_m2);
     const float z = valid ? depth : 1.0f;
     const float divisor = by_depth ? z * z : (by_range ? z * z * length2 : 1.0f);
-    weight[u] = valid ? 1.0f / divisor : 0.0f;
-    x_m[u] = z * (column_x[u] + g.row_x);
-    y_m[u] = z * (column_y[u] + g.row_y);
-    z_m[u] = z * (column_z[u] + g.row_z);
-    voxel_x[u] = FloorToInt(x_m[u] * g.voxels_per_m + g.offset_x_vox) + g.base_x;
-    voxel_y[u] = FloorToInt(y_m[u] * g.voxels_per_m + g.offset_y_vox) + g.base_y;
-    voxel_z[u] = FloorToInt(z_m[u] * g.voxels_per_m + g.offset_z_vox) + g.base_z;
+    const float w = valid ? 1.0f / divisor : 0.0f;
+    const float x_m = z * (column_x[u] + g.row_x);
+    const float y_m = z * (column_y[u] + g.row_y);
+    const float z_m = z * (column_z[u] + g.row_z);
+    weight[u] = w;
+    weighted_x_m[u] = w * x_m;
+    weighted_y_m[u] = w * y_m;
+    weighted_z_m[u] = w * z_m;
+    voxel_x[u] = FloorToInt(x_m * g.voxels_per_m + g.offset_x_vox) + g.base_x;
+    voxel_y[u] = FloorToInt(y_m * g.voxels_per_m + g.offset_y_vox) + g.base_y;
+    voxel_z[u] = FloorToInt(z_m * g.voxels_per_m + g.offset_z_vox) + g.base_z;
   }
+}
+
+DHPMAP_VECTOR_CLONES
+void MarkRuns(const RowPoints& points, const std::uint32_t* segments, int width, std::uint8_t* goes_on) {
+  const float* __restrict weight = points.weight;
+  const std::int32_t* __restrict x = points.voxel_x;
+  const std::int32_t* __restrict y = points.voxel_y;
+  const std::int32_t* __restrict z = points.voxel_z;
+  std::uint8_t* __restrict result = goes_on;
+  for (int u = 1; u < width; ++u) {
+    const std::int32_t other = (x[u] ^ x[u - 1]) | (y[u] ^ y[u - 1]) | (z[u] ^ z[u - 1]);
+    result[u] = (other == 0) & (weight[u] != 0.0f) & (weight[u - 1] != 0.0f);
+  }
+  if (segments != nullptr) {
+    for (int u = 1; u < width; ++u) result[u] &= segments[u] == segments[u - 1];
+  }
+  result[0] = result[width] = 0;
 }
 
 }  // namespace dhpmap

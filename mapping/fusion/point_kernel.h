@@ -28,9 +28,9 @@ struct RowGeometry {
 
 /// One value a pixel; weight 0 marks a pixel without a valid point.
 struct RowPoints {
-  float* x_m;  ///< relative to the sensor's origin
-  float* y_m;
-  float* z_m;
+  float* weighted_x_m;  ///< relative to the sensor's origin
+  float* weighted_y_m;
+  float* weighted_z_m;
   float* weight;
   std::int32_t* voxel_x;
   std::int32_t* voxel_y;
@@ -39,5 +39,9 @@ struct RowPoints {
 
 /// Projects `width` pixels. Vectorised; the same result with every instruction set.
 void ProjectRow(const float* depth_m, int width, const RowGeometry& geometry, const RowPoints& points);
+
+/// For each pixel, and 0 for the one behind the last, whether it goes on with the one before it: both have a point, in
+/// the same voxel and segment. `segments` may be null.
+void MarkRuns(const RowPoints& points, const std::uint32_t* segments, int width, std::uint8_t* goes_on);
 
 }  // namespace dhpmap

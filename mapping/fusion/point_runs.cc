@@ -17,37 +17,56 @@ Color ColorAt(const std::vector<Color>& colors, std::size_t i) {
   return colors.empty() ? Color{128, 128, 128} : colors[i];
 }
 
-/// Cuts a row of pixels into runs. The sums stay in registers until a run ends.
-void CombineRow(const RowPoints& points, const std::uint32_t* segments, const Color* colors, std::size_t width,
+/// What a band's rows are worked on with, one after the other.
+struct RowRoom {
+  std::vector<float> values;
+  std::vector<std::int32_t> voxels;
+  std::vector<std::uint8_t> goes_on;
+  RowPoints points;
+
+  explicit RowRoom(std::size_t width)
+      : values(4 * width), voxels(3 * width), goes_on(width + 1), points{values.data(),
+                                                                         values.data() + width,
+                                                                         values.data() + 2 * width,
+                                                                         values.data() + 3 * width,
+                                                                         voxels.data(),
+                                                                         voxels.data() + width,
+                                                                         voxels.data() + 2 * width} {}
+};
+
+/// Sums up a row of pixels, run by run. The sums stay in registers until a run ends.
+void CombineRow(const RowRoom& room, const std::uint32_t* segments, const Color* colors, std::size_t width,
                 std::vector<PointRun>& runs) {
   constexpr float kGrey = 128.0f;
+  const RowPoints& points = room.points;
+  const std::uint8_t* const goes_on = room.goes_on.data();
   std::size_t u = 0;
   while (u < width) {
     if (points.weight[u] == 0.0f) {
       ++u;
       continue;
     }
-    const std::int32_t x = points.voxel_x[u], y = points.voxel_y[u], z = points.voxel_z[u];
-    const std::uint32_t segment = segments ? segments[u] : 0;
     float weight = 0, sum_x = 0, sum_y = 0, sum_z = 0, red = 0, green = 0, blue = 0;
     const std::size_t begin = u;
     do {
       const float w = points.weight[u];
       weight += w;
-      sum_x += w * points.x_m[u];
-      sum_y += w * points.y_m[u];
-      sum_z += w * points.z_m[u];
+      sum_x += points.weighted_x_m[u];
+      sum_y += points.weighted_y_m[u];
+      sum_z += points.weighted_z_m[u];
       if (colors) {
         red += w * static_cast<float>(colors[u].r);
         green += w * static_cast<float>(colors[u].g);
         blue += w * static_cast<float>(colors[u].b);
       }
-      ++u;
-    } while (u < width && points.voxel_x[u] == x && points.voxel_y[u] == y && points.voxel_z[u] == z &&
-             points.weight[u] != 0.0f && (segments == nullptr || segments[u] == segment));
+    } while (goes_on[++u] != 0);
     if (colors == nullptr) red = green = blue = kGrey * weight;
-    runs.push_back(
-        {segment, {x, y, z}, static_cast<std::uint32_t>(u - begin), weight, {sum_x, sum_y, sum_z}, {red, green, blue}});
+    runs.push_back({segments ? segments[begin] : 0,
+                    {points.voxel_x[begin], points.voxel_y[begin], points.voxel_z[begin]},
+                    static_cast<std::uint32_t>(u - begin),
+                    weight,
+                    {sum_x, sum_y, sum_z},
+                    {red, green, blue}});
   }
 }
 
@@ -83,11 +102,7 @@ void CollectCameraRuns(const DepthCameraData& data, const SensorOnGrid& grid, co
     std::vector<PointRun>& runs = bands[band];
     runs.clear();
     if (tally.is_too_large()) return;
-    std::vector<float> values(4 * width);
-    std::vector<std::int32_t> voxels(3 * width);
-    const RowPoints row_points{
-        values.data(), values.data() + width, values.data() + 2 * width, values.data() + 3 * width,
-        voxels.data(), voxels.data() + width, voxels.data() + 2 * width};
+    RowRoom room(width);
     const int end_row = std::min(camera.height_px, static_cast<int>(band + 1) * kRowsPerBand);
     for (int v = static_cast<int>(band) * kRowsPerBand; v < end_row; ++v) {
       const auto y = static_cast<float>((v - camera.cy_px) / camera.fy_px);
@@ -97,11 +112,12 @@ void CollectCameraRuns(const DepthCameraData& data, const SensorOnGrid& grid, co
       geometry.row_z = grid.R_grid_sensor(2, 1) * y + grid.R_grid_sensor(2, 2);
       geometry.row_length2 = y * y;
       const std::size_t first = static_cast<std::size_t>(v) * width;
-      ProjectRow(data.depth_m.data() + first, camera.width_px, geometry, row_points);
+      ProjectRow(data.depth_m.data() + first, camera.width_px, geometry, room.points);
 
       const std::uint32_t* segments = data.segments.empty() ? nullptr : data.segments.data() + first;
       const Color* colors = data.color.empty() ? nullptr : data.color.data() + first;
-      CombineRow(row_points, segments, colors, width, runs);
+      MarkRuns(room.points, segments, camera.width_px, room.goes_on.data());
+      CombineRow(room, segments, colors, width, runs);
     }
     tally.NoteRuns(runs);
   });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/fusion/sorted_runs.h"
 
-#include <cstdint>
 #include <unordered_map>
 
 namespace dhpmap {
 
 std::vector<RunsOfSegment> SortRunsBySegment(std::span<const SegmentInfo> table, const RunBands& bands,
+                                             std::vector<std::uint32_t>& positions,
                                              std::vector<const PointRun*>& sorted) {
   // Positions: 0 for points of no known object, then 1 + row of the table.
   std::unordered_map<std::uint32_t, std::uint32_t> position_of;
@@ -15,7 +15,7 @@ std::vector<RunsOfSegment> SortRunsBySegment(std::span<const SegmentInfo> table,
   }
   std::size_t num_runs = 0;
   for (const auto& runs : bands) num_runs += runs.size();
-  std::vector<std::uint32_t> positions;
+  positions.clear();
   positions.reserve(num_runs);
   std::vector<std::size_t> starts(table.size() + 2, 0);
   std::uint32_t last_segment = 0, last_position = 0;

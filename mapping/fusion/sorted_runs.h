@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct RunsOfSegment {
 };
 
 /// The runs of each segment together, otherwise in their order; they stay where they are in `bands`. Gives the segments
-/// that have any: first that of unknown objects, then by row.
+/// that have any: first that of unknown objects, then by row. `positions`: to work with.
 std::vector<RunsOfSegment> SortRunsBySegment(std::span<const SegmentInfo> table, const RunBands& bands,
+                                             std::vector<std::uint32_t>& positions,
                                              std::vector<const PointRun*>& sorted);
 
 }  // namespace dhpmap

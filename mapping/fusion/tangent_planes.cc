@@ -59,8 +59,11 @@ constexpr std::array<Window, kNumWindows> kWindows = MakeWindows();
 /// The planes of one block's bundles, fitted when first asked for.
 class BlockPlanes {
  public:
-  BlockPlanes(const SegmentBundles& segment, float voxel_size_m)
-      : segment_(segment), voxel_size_m_(voxel_size_m), pyramid_(segment) {}
+  /// `pyramid`: to work with.
+  BlockPlanes(const SegmentBundles& segment, float voxel_size_m, MomentPyramid& pyramid)
+      : segment_(segment), voxel_size_m_(voxel_size_m), pyramid_(pyramid) {
+    pyramid_.Build(segment);
+  }
 
   void MoveTo(std::size_t cell) {
     block_ = segment_.cells[cell].block;
@@ -121,7 +124,7 @@ class BlockPlanes {
 
   const SegmentBundles& segment_;
   float voxel_size_m_;
-  MomentPyramid pyramid_;
+  MomentPyramid& pyramid_;
   BlockIndex block_;
   std::array<std::int32_t, 27> cells_around_{};
   std::array<bool, kNumWindows> is_fitted_{};
@@ -156,9 +159,9 @@ TangentPlane PlaneFor(const Eigen::Vector3f& end_m, const PlaneFit& fit, PointSp
 
 }  // namespace
 
-void FitTangentPlanes(double voxel_size_m, PointSpacing spacing, SegmentBundles& segment) {
+void FitTangentPlanes(double voxel_size_m, PointSpacing spacing, MomentPyramid& pyramid, SegmentBundles& segment) {
   const auto size_m = static_cast<float>(voxel_size_m);
-  BlockPlanes planes(segment, size_m);
+  BlockPlanes planes(segment, size_m, pyramid);
   for (std::size_t c = 0; c < segment.cells.size(); ++c) {
     const BundleCell& cell = segment.cells[c];
     planes.MoveTo(c);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mapping/fusion/moment_pyramid.h"
 #include "mapping/fusion/segment_bundles.h"
 
 namespace dhpmap {
@@ -18,7 +19,8 @@ enum class PointSpacing {
 /// edge on, not through the bundle) it is that across the ray through the bundle's end, to which the distance is that
 /// along the ray.
 /// With points of a scan the plane also says how far along the ray there are others in it (before_m, behind_m).
-/// Depends on the segment's bundles alone and adds them up in their order. Segments may be done at once.
-void FitTangentPlanes(double voxel_size_m, PointSpacing spacing, SegmentBundles& segment);
+/// Depends on the segment's bundles alone and adds them up in their order. Segments may be done at once, with a pyramid
+/// each to work with.
+void FitTangentPlanes(double voxel_size_m, PointSpacing spacing, MomentPyramid& pyramid, SegmentBundles& segment);
 
 }  // namespace dhpmap

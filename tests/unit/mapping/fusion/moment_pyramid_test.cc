@@ -29,7 +29,8 @@ SegmentBundles FullBlocks(int count) {
 
 TEST(MomentPyramid, EachLevelHasAllBundlesOfItsCubes) {
   const SegmentBundles segment = FullBlocks(2);
-  MomentPyramid pyramid(segment);
+  MomentPyramid pyramid;
+  pyramid.Build(segment);
   for (int level = 1; level <= MomentPyramid::kNumLevels; ++level) {
     const int num_a_side = kBlockSide >> level, side = 1 << level;
     double count = 0, sum_y = 0;
@@ -47,13 +48,32 @@ TEST(MomentPyramid, EachLevelHasAllBundlesOfItsCubes) {
 
 TEST(MomentPyramid, WhatWasFoundStaysWhileMoreIsSummedUp) {
   const SegmentBundles segment = FullBlocks(40);
-  MomentPyramid pyramid(segment);
+  MomentPyramid pyramid;
+  pyramid.Build(segment);
   std::vector<const PlaneMoments*> found;
   for (std::size_t cell = 0; cell < segment.cells.size(); ++cell) found.push_back(pyramid.Find(cell, 2, 7));
   for (std::size_t cell = 0; cell < segment.cells.size(); ++cell) {
     EXPECT_EQ(pyramid.Find(cell, 2, 7), found[cell]);
     EXPECT_EQ(found[cell]->sums[1], 64.0 * static_cast<double>(cell));
   }
+}
+
+TEST(MomentPyramid, OfTheNextSegmentHoldsNothingOfTheLast) {
+  MomentPyramid pyramid;
+  pyramid.Build(FullBlocks(3));
+  for (int level = 1; level <= MomentPyramid::kNumLevels; ++level) ASSERT_NE(pyramid.Find(2, level, 0), nullptr);
+  const std::size_t kept_bytes = pyramid.BufferBytes();
+
+  SegmentBundles one = FullBlocks(1);
+  one.cells[0].num_bundles = 1;  // in the first voxel
+  one.bundles.resize(1);
+  pyramid.Build(one);
+  for (int level = 1; level <= MomentPyramid::kNumLevels; ++level) {
+    ASSERT_NE(pyramid.Find(0, level, 0), nullptr);
+    EXPECT_EQ(pyramid.Find(0, level, 0)->num_bundles(), 1);
+  }
+  for (int level = 1; level < MomentPyramid::kNumLevels; ++level) EXPECT_EQ(pyramid.Find(0, level, 1), nullptr);
+  EXPECT_EQ(pyramid.BufferBytes(), kept_bytes) << "it keeps its memory";
 }
 
 }  // namespace

@@ -30,13 +30,14 @@ TEST(SortedRuns, AreThoseOfAllBandsStablySortedByRow) {
   for (int n = 0; n < 100; ++n) {
     const RunBands bands = RandomBands(random);
     std::vector<const PointRun*> expected, sorted;
+    std::vector<std::uint32_t> positions;
     for (const std::vector<PointRun>& band : bands) {
       for (const PointRun& run : band) expected.push_back(&run);
     }
     std::stable_sort(expected.begin(), expected.end(), [](const PointRun* a, const PointRun* b) {
       return RowOfSegment(a->segment) < RowOfSegment(b->segment);
     });
-    const std::vector<RunsOfSegment> segments = SortRunsBySegment(kListed, bands, sorted);
+    const std::vector<RunsOfSegment> segments = SortRunsBySegment(kListed, bands, positions, sorted);
     EXPECT_EQ(sorted, expected);
     std::size_t end = 0;
     int last_row = -2;
