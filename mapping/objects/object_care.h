@@ -17,9 +17,10 @@ struct ObjectCareReport {
 /// time.
 int MergePairs(Map& map, std::size_t most_blocks);
 
-/// Dissolves settled things of which nothing is left to be seen into the unknown submap, confirmed or not: a few wrong
-/// frames made them, and label management has given their surface to the objects whose it is. What is absent or locked
-/// stays.
+/// Dissolves settled things of which nothing, or next to nothing, is left to be seen into the unknown submap, confirmed
+/// or not: a few wrong frames made them, and label management has given their surface to the objects whose it is. Next
+/// to nothing is little surface, around which others hold most of what frames took for the thing. What is absent,
+/// edited or locked stays.
 int DissolveRemnants(Map& map);
 
 }  // namespace dhpmap

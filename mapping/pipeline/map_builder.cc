@@ -323,10 +323,10 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   if (config.refinement.least_apart_voxels > 0) {
     SplitApartThings(2 * config.tracking.split_gap_vox, config.refinement.least_apart_voxels, map);
   }
+  DissolveRemnants(map);  // looks at voxel labels
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
     report.num_bytes_dropped = DropVoxelLabels(map);
   }
-  DissolveRemnants(map);
   PruneEmptyBlocks();
   GiveBackFreeMemory();
   pending.Remove(cubes);

@@ -158,5 +158,50 @@ TEST_F(ObjectCareTest, SettledThingOfWhichNothingIsLeftToBeSeenDissolves) {
   EXPECT_EQ(map_.Find(kUnknownSubmap)->blocks().Find({0, 0, 0})->tsdf->NumObservedVoxels(), 2) << "its geometry stays";
 }
 
+/// What frames took for a thing and who holds it now: the thing itself little surface, another object the rest.
+class RemnantTest : public ObjectCareTest {
+ protected:
+  static constexpr int kOwnVoxels = 10;
+
+  /// Each voxel of the thing was seen as it `own` times; the object around it has `others` voxels that were seen so
+  /// once.
+  SubmapId AddSeen(int num_voxels, std::uint32_t own, int others) {
+    const SubmapId thing = AddSheet(0, kSeat, num_voxels), around = AddSheet(1, kDesk);
+    LabelBlock& labels = map_.FindMutable(thing)->MutableLabels({0, 0, 0});
+    for (int i = 0; i < num_voxels; ++i) labels.Add(i, {{{kSeat.value, own}}, {{kOwnInstance, own}}});
+    LabelBlock& beside = map_.FindMutable(around)->MutableLabels({1, 0, 0});
+    for (int i = 0; i < others; ++i) {
+      beside.Add(i, {{{kDesk.value, 5}, {kSeat.value, 1}}, {{kOwnInstance, 5}, {SeenInstance(thing), 1}}});
+    }
+    return thing;
+  }
+};
+
+TEST_F(RemnantTest, LittleSurfaceAroundWhichOthersHoldMostDissolves) {
+  const SubmapId thing = AddSeen(kOwnVoxels, 2, 4 * 2 * kOwnVoxels + 1);
+  EXPECT_EQ(DissolveRemnants(map_), 1);
+  EXPECT_EQ(map_.Find(thing), nullptr);
+  EXPECT_EQ(map_.Find(kUnknownSubmap)->blocks().Find({0, 0, 0})->tsdf->NumObservedVoxels(), kOwnVoxels);
+}
+
+TEST_F(RemnantTest, SmallThingOfWhichOthersHoldLessStays) {
+  const SubmapId thing = AddSeen(kOwnVoxels, 2, 4 * 2 * kOwnVoxels);
+  EXPECT_EQ(DissolveRemnants(map_), 0);
+  EXPECT_NE(map_.Find(thing), nullptr);
+}
+
+TEST_F(RemnantTest, ThingWithMuchSurfaceStaysWhateverOthersHold) {
+  const SubmapId thing = AddSeen(3 * kOwnVoxels, 1, kBlockVoxels);
+  EXPECT_EQ(DissolveRemnants(map_), 0);
+  EXPECT_NE(map_.Find(thing), nullptr);
+}
+
+TEST_F(RemnantTest, WhatACloneHoldsSaysNothing) {
+  const SubmapId thing = AddSeen(kOwnVoxels, 2, kBlockVoxels);
+  map_.FindMutable(SubmapId(thing.value + 1))->mutable_info().is_placed = true;
+  EXPECT_EQ(DissolveRemnants(map_), 0);
+  EXPECT_NE(map_.Find(thing), nullptr);
+}
+
 }  // namespace
 }  // namespace dhpmap
