@@ -26,6 +26,12 @@ struct ObjectPair {
   PairVerdict verdict = PairVerdict::kOpen;
   /// Logarithm of how much likelier the frames are if they are one than if they are two; see NotePairs.
   std::int32_t evidence = 0;
+  /// From here on down frames speak for two, by odds of 7 to 1: more than one frame has shown them apart.
+  static constexpr std::int32_t kSpeaksForTwo = -20;
+  /// Whether they are to be taken for two: somebody has said so, or frames speak for it and nobody has said otherwise.
+  [[nodiscard]] bool AreTwo() const {
+    return verdict == PairVerdict::kMustBeTwo || (verdict == PairVerdict::kOpen && evidence <= kSpeaksForTwo);
+  }
   friend bool operator==(const ObjectPair&, const ObjectPair&) = default;
 };
 

@@ -19,8 +19,9 @@ namespace {
 /// bleeds onto a neighbour is no sight of it. The first as for the evidence of pairs.
 constexpr std::int64_t kLeastPointsShown = 60, kLeastPercentShown = 5;
 
-bool MustBeTwo(const Map& map, SubmapId a, SubmapId b) {
-  return map.info().pairs.Of(a, b).verdict == PairVerdict::kMustBeTwo;
+/// Ids that last tell things apart themselves: against them only people have a say.
+bool AreTwo(const ObjectPair& pair, bool has_persistent_ids) {
+  return has_persistent_ids ? pair.verdict == PairVerdict::kMustBeTwo : pair.AreTwo();
 }
 
 bool IsOnGridOf(const Map& map, SubmapId id) { return IsOnMapGrid(map.Find(id)->info(), map.info().config); }
@@ -64,9 +65,10 @@ std::optional<SubmapId> WholeOf(const PanopticFrame& frame, const SegmentBundles
 
 /// For each thing the number of the piece that lies on it; 0: it stays with the rest of the segment. A thing that most
 /// of its points in the frame belong to another segment is told apart by the frame itself.
-std::vector<std::uint32_t> PiecesOf(SubmapId whole, const ThingsInView& things, std::int64_t num_points,
-                                    const std::vector<std::int64_t>& hits, const std::vector<std::int64_t>& of_frame,
-                                    const Map& map, std::uint32_t& num_pieces) {
+std::vector<std::uint32_t> PiecesOf(SubmapId whole, bool has_persistent_ids, const ThingsInView& things,
+                                    std::int64_t num_points, const std::vector<std::int64_t>& hits,
+                                    const std::vector<std::int64_t>& of_frame, const Map& map,
+                                    std::uint32_t& num_pieces) {
   std::vector<std::uint32_t> piece_of(things.list().size(), 0);
   num_pieces = 1;
   const std::int64_t least_points =
@@ -74,7 +76,8 @@ std::vector<std::uint32_t> PiecesOf(SubmapId whole, const ThingsInView& things, 
   for (std::size_t t = 0; t < piece_of.size(); ++t) {
     const ThingInView& thing = things.list()[t];
     const bool is_shown = hits[t] >= least_points && 2 * hits[t] > of_frame[t] && thing.is_on_map_grid;
-    if (is_shown && MustBeTwo(map, whole, thing.submap->id())) piece_of[t] = num_pieces++;
+    if (is_shown && AreTwo(map.info().pairs.Of(whole, thing.submap->id()), has_persistent_ids))
+      piece_of[t] = num_pieces++;
   }
   return piece_of;
 }
@@ -150,15 +153,15 @@ bool IsOfThing(const PanopticFrame& frame, const SegmentBundles& segment, const 
   return label_class != nullptr && label_class->panoptic == Panoptic::kThing;
 }
 
-/// Whether frames may show two things that are in view and were one.
-bool HasSplit(const ThingsInView& things, const Map& map) {
+/// Whether frames may show as one two things that are in view.
+bool HasTwo(const ThingsInView& things, bool has_persistent_ids, const Map& map) {
   const auto is_in_view = [&things](SubmapId id) {
     return std::any_of(things.list().begin(), things.list().end(),
                        [id](const ThingInView& thing) { return thing.submap->id() == id; });
   };
   const auto pairs = map.info().pairs.pairs();
   return std::any_of(pairs.begin(), pairs.end(), [&](const ObjectPair& pair) {
-    return pair.verdict == PairVerdict::kMustBeTwo && is_in_view(pair.first) && is_in_view(pair.second);
+    return AreTwo(pair, has_persistent_ids) && is_in_view(pair.first) && is_in_view(pair.second);
   });
 }
 
@@ -166,9 +169,11 @@ bool HasSplit(const ThingsInView& things, const Map& map) {
 
 void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool& pool,
                          std::vector<SegmentBundles>& segments) {
-  if (!map.info().pairs.HasVerdict(PairVerdict::kMustBeTwo)) return;
+  const auto pairs = map.info().pairs.pairs();
+  const auto are_two = [&frame](const ObjectPair& pair) { return AreTwo(pair, frame.has_persistent_ids); };
+  if (std::none_of(pairs.begin(), pairs.end(), are_two)) return;
   const ThingsInView things(frame, map);
-  if (!HasSplit(things, map)) return;
+  if (!HasTwo(things, frame.has_persistent_ids, map)) return;
   const FrameHits hits(things, segments, pool);
   std::size_t num_cells = 0;
   for (const SegmentBundles& segment : segments) num_cells += segment.cells.size();
@@ -180,7 +185,8 @@ void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool&
     const auto whole = IsOfThing(frame, segments[s], map) ? WholeOf(frame, segments[s], things, hits.of_segment[s], map)
                                                           : std::optional<SubmapId>();
     if (whole) {
-      piece_of = PiecesOf(*whole, things, segments[s].num_points, hits.of_segment[s], hits.of_frame, map, num_pieces);
+      piece_of = PiecesOf(*whole, frame.has_persistent_ids, things, segments[s].num_points, hits.of_segment[s],
+                          hits.of_frame, map, num_pieces);
     }
     const std::size_t most_added = (num_pieces - 1) * segments[s].cells.size();
     if (num_pieces == 1 || num_cells + most_added > kMaxBlocksAFrame) {  // bounded as what the bundler makes
@@ -194,8 +200,8 @@ void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool&
   segments = std::move(result);
 }
 
-void HandToSplitParts(const std::vector<SegmentBundles>& segments, const OverlapTable& overlaps, const Map& map,
-                      std::vector<Assignment>& assignments) {
+void HandToSplitParts(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                      const OverlapTable& overlaps, const Map& map, std::vector<Assignment>& assignments) {
   const auto is_of_row = [&segments](std::size_t s, int row) { return s < segments.size() && segments[s].row == row; };
   for (std::size_t begin = 0, end = 0; begin < segments.size(); begin = end) {
     for (end = begin + 1; is_of_row(end, segments[begin].row);) ++end;
@@ -210,7 +216,8 @@ void HandToSplitParts(const std::vector<SegmentBundles>& segments, const Overlap
       const auto c = static_cast<std::size_t>(most - overlaps.hits[s].begin());
       if (!IsOnGridOf(map, overlaps.candidates[c])) continue;  // it would get the other parts, too
       const bool was_split = std::any_of(of_row.begin(), of_row.end(), [&](const Assignment& whole) {
-        return whole.submap != kUnknownSubmap && MustBeTwo(map, whole.submap, overlaps.candidates[c]);
+        return whole.submap != kUnknownSubmap &&
+               AreTwo(map.info().pairs.Of(whole.submap, overlaps.candidates[c]), frame.has_persistent_ids);
       });
       if (!was_split) continue;
       assignments[s] = {overlaps.candidates[c], false, static_cast<float>(overlaps.Iou(s, c, segments[s].num_points))};

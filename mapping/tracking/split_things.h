@@ -12,16 +12,17 @@
 
 namespace dhpmap {
 
-// Things that somebody has split (PairVerdict::kMustBeTwo) and that frames go on to show as one.
+// Things that are two (ObjectPair::AreTwo), as somebody has split them or other frames show, and that a frame shows as
+// one. To frames with persistent ids only those are two of which somebody has said so.
 
 /// See Tracker::CutAtSplits.
 void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool& pool,
                          std::vector<SegmentBundles>& segments);
 
-/// A part of a segment that lies most on what was split from the thing that it, or another part of the segment, goes to
-/// goes there instead; so does a segment in one part if more than half of its points lie there. Not to what has a grid
-/// of its own. Segments and overlaps are those of Tracker::Assign.
-void HandToSplitParts(const std::vector<SegmentBundles>& segments, const OverlapTable& overlaps, const Map& map,
-                      std::vector<Assignment>& assignments);
+/// A part of a segment that lies most on what is another thing than the one that it, or another part of the segment,
+/// goes to goes there instead; so does a segment in one part if more than half of its points lie there. Not to what has
+/// a grid of its own. Segments and overlaps are those of Tracker::Assign.
+void HandToSplitParts(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                      const OverlapTable& overlaps, const Map& map, std::vector<Assignment>& assignments);
 
 }  // namespace dhpmap

@@ -288,9 +288,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     MatchThings(segments, is_open, frame, overlaps_, map, assignments);
     if (has_locked) MatchLocked(segments, classes, map, assignments);
     if (frame.has_persistent_ids) NoteTracks(frame, segments, is_open, assignments, map);
-    if (map.info().pairs.HasVerdict(PairVerdict::kMustBeTwo)) {
-      HandToSplitParts(segments, overlaps_, map, assignments);
-    }
+    HandToSplitParts(frame, segments, overlaps_, map, assignments);
   }
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (classes[s] == nullptr || assignments[s].submap != kUnknownSubmap) continue;

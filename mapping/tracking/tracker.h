@@ -28,8 +28,8 @@ struct Assignment {
 ///     what counts as overlap: CountOverlaps;
 ///   - what somebody has merged (PairVerdict::kMustBeOne) any number of segments may join, whether they touch or not;
 ///     one of its class that has matched nothing does if most of its points lie on it, whatever its id;
-///   - what somebody has split: CutAtSplits; a segment that would go to one of two split things goes to the other if
-///     most of its points lie on that; so does one whose persistent id nobody knows, of the thing's class, if the thing
+///   - what is two: CutAtSplits; a segment that would go to one of the two goes to the other if most of its points lie
+///     on that; so does one whose persistent id nobody knows, of the thing's class, if the thing
 ///     has no id yet, which it then has;
 ///   - locked: a segment whose id the frame's session knows nothing by may match a locked thing by overlap, too, and
 ///   one
@@ -42,10 +42,10 @@ class Tracker {
  public:
   Tracker(const MapConfig& config, ThreadPool& pool) : config_(config), pool_(pool) {}
 
-  /// Before Assign: where one segment shows two things that somebody has split (PairVerdict::kMustBeTwo), as no other
-  /// segment shows the second, what lies on that one becomes a segment of its own with the same row, which goes to it.
-  /// A few points show nothing, and what goes to a thing with a grid of its own stays whole. Parts of a segment follow
-  /// each other, the largest first. Does nothing where nothing was split.
+  /// Before Assign: where one segment shows two things that are two (ObjectPair::AreTwo; to frames with persistent ids
+  /// only where somebody has said so), as no other segment shows the second, what lies on that one becomes a segment of
+  /// its own with the same row, which goes to it. A few points show nothing, and what goes to a thing with a grid of
+  /// its own stays whole. Parts of a segment follow each other, the largest first.
   void CutAtSplits(const PanopticFrame& frame, const Map& map, std::vector<SegmentBundles>& segments) const;
 
   /// One assignment a segment of `segments` (see Bundler), on the map's grid. Creates submaps in `map`.

@@ -259,6 +259,21 @@ TEST_P(EditedThings, WhatNobodyHasSplitIsNotCut) {
   EXPECT_EQ(num_segments_, num_before + 1);
 }
 
+TEST_P(EditedThings, TwoThatFramesHaveShownApartMoreThanOnceAreCutWhereOneShowsThemAsOneUnlessIdsTellThemApart) {
+  const auto first = Feed(Frame(0.5));
+  const SubmapId a = first[0].at(0), b = first[1].at(0);
+  for (int i = 0; i < 2; ++i) Feed(Frame(0.5));
+  PanopticFrame as_one = Frame(0.5);
+  Rename(2, 1, as_one);
+  const auto say = [&](std::int32_t evidence) { map_.mutable_info().pairs.AddEvidence(a, b, evidence, -120, 60); };
+  say(ObjectPair::kSpeaksForTwo + 1);
+  EXPECT_EQ(Feed(as_one)[0].size(), 1u);
+  say(-1);
+  EXPECT_EQ(Feed(as_one)[0], GetParam() ? Ids{a} : (Ids{a, b}));
+  map_.mutable_info().pairs.SetVerdict(a, b, PairVerdict::kMustBeOne);
+  EXPECT_EQ(Feed(as_one)[0].size(), 1u) << "somebody has said otherwise";
+}
+
 TEST_P(EditedThings, PartsOfASplitThatFramesTellApartAreNotCutWhereTheirMasksMeet) {
   const auto first = Feed(Frame(0.5));
   map_.mutable_info().pairs.SetVerdict(first[0].at(0), first[1].at(0), PairVerdict::kMustBeTwo);
