@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "tests/unit/server/http/http_client.h"
-
 namespace dhpmap::rig {
 namespace {
 
@@ -15,10 +13,6 @@ constexpr int kMuch = 500'000, kMuchAsJson = 50'000;
 float Spread(int i, double step, double range_m) {
   const double turns = i * step;
   return static_cast<float>((turns - static_cast<double>(static_cast<std::int64_t>(turns))) * range_m);
-}
-
-bool IsHttpAnswer(const http::HttpAnswer& answer) {
-  return (answer.status == 200 && answer.is_complete) || answer.status == 429 || answer.status == 503;
 }
 
 }  // namespace
@@ -53,6 +47,18 @@ BulkCalls::BulkCalls(const Target& target)
       submaps_(v1::SubmapService::NewStub(channel_)),
       queries_(v1::QueryService::NewStub(channel_)) {}
 
+bool BulkCalls::Answered(const char* call, const grpc::Status& status) {
+  if (IsAnswer(status)) return true;
+  ++failures_[std::string(call) + ": " + std::to_string(status.error_code()) + " " + status.error_message()];
+  return false;
+}
+
+bool BulkCalls::Answered(const char* call, const http::HttpAnswer& answer) {
+  if ((answer.status == 200 && answer.is_complete) || answer.status == 429 || answer.status == 503) return true;
+  ++failures_[std::string(call) + ": " + std::to_string(answer.status) + (answer.is_complete ? "" : ", cut off")];
+  return false;
+}
+
 bool BulkCalls::WholeMesh() {
   grpc::ClientContext context;
   v1::GetSubmapMeshRequest request;
@@ -61,7 +67,7 @@ bool BulkCalls::WholeMesh() {
   v1::GetSubmapMeshResponse part;
   while (mesh->Read(&part)) {
   }
-  return IsAnswer(mesh->Finish());
+  return Answered("mesh", mesh->Finish());
 }
 
 bool BulkCalls::AbandonedMesh() {
@@ -75,13 +81,13 @@ bool BulkCalls::AbandonedMesh() {
   while (mesh->Read(&part)) {
   }
   const grpc::Status status = mesh->Finish();
-  return status.error_code() == grpc::StatusCode::CANCELLED || IsAnswer(status);
+  return status.error_code() == grpc::StatusCode::CANCELLED || Answered("abandoned mesh", status);
 }
 
 bool BulkCalls::ManyPoints(int num_points) {
   grpc::ClientContext context;
   v1::QueryPointsResponse response;
-  return IsAnswer(queries_->QueryPoints(&context, PointsEverywhere(target_.map_id, num_points), &response));
+  return Answered("points", queries_->QueryPoints(&context, PointsEverywhere(target_.map_id, num_points), &response));
 }
 
 bool BulkCalls::ManyPointsAsJson(int num_points) {
@@ -94,7 +100,7 @@ bool BulkCalls::ManyPointsAsJson(int num_points) {
   }
   body += "]}";
   http::HttpClient client(target_.http_port);
-  return IsHttpAnswer(client.Ask("POST", "/v1/maps/" + target_.map_id + ":queryPoints", body));
+  return Answered("points as JSON", client.Ask("POST", "/v1/maps/" + target_.map_id + ":queryPoints", body));
 }
 
 bool BulkCalls::Voxels(std::int64_t submap) {
@@ -106,12 +112,12 @@ bool BulkCalls::Voxels(std::int64_t submap) {
   while (voxels->Read(&part)) {
   }
   const grpc::Status status = voxels->Finish();
-  return IsAnswer(status) || status.error_code() == grpc::StatusCode::NOT_FOUND;
+  return status.error_code() == grpc::StatusCode::NOT_FOUND || Answered("voxels", status);
 }
 
 bool BulkCalls::MeshOverRest() {
   http::HttpClient client(target_.http_port);
-  return IsHttpAnswer(client.Ask("GET", "/v1/maps/" + target_.map_id + ":mesh"));
+  return Answered("mesh over REST", client.Ask("GET", "/v1/maps/" + target_.map_id + ":mesh"));
 }
 
 void BulkCalls::Run(int first, const std::stop_token& stop) {

@@ -4,6 +4,7 @@
 #include <grpcpp/grpcpp.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "tests/unit/server/http/http_client.h"
 
 namespace dhpmap::rig {
 
@@ -38,13 +40,20 @@ class BulkCalls {
   void Run(int first, const std::stop_token& stop);
   [[nodiscard]] int num_calls() const { return num_calls_; }
   [[nodiscard]] int num_failures() const { return num_failures_; }
+  /// How many failed in which way.
+  [[nodiscard]] const std::map<std::string, int>& failures() const { return failures_; }
 
  private:
+  /// Returns whether it is an answer; else notes what of.
+  bool Answered(const char* call, const grpc::Status& status);
+  bool Answered(const char* call, const http::HttpAnswer& answer);
+
   Target target_;
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::SubmapService::Stub> submaps_;
   std::unique_ptr<v1::QueryService::Stub> queries_;
   int num_calls_ = 0, num_failures_ = 0;
+  std::map<std::string, int> failures_;
 };
 
 /// A connection that no other channel shares.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <csignal>
 #include <cstdio>
+#include <map>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -25,9 +27,14 @@ void RunBulkClients(const Target& target, int num_clients) {
     sigwait(&signals, &signal);
   }
   int num_calls = 0, num_failures = 0;
-  for (const auto& client : clients) num_calls += client->num_calls(), num_failures += client->num_failures();
+  std::map<std::string, int> failures;
+  for (const auto& client : clients) {
+    num_calls += client->num_calls(), num_failures += client->num_failures();
+    for (const auto& [what, count] : client->failures()) failures[what] += count;
+  }
   std::printf("beside them: %d clients, %d bulk calls, %d not answered as they should\n", num_clients, num_calls,
               num_failures);
+  for (const auto& [what, count] : failures) std::printf("        %d times %s\n", count, what.c_str());
 }
 
 namespace {
