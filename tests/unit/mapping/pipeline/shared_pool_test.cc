@@ -51,7 +51,7 @@ int NumThreads() {
 }
 
 TEST(SharedPool, ThreadsDoNotGoWithTheNumberOfMaps) {
-  constexpr int kThreads = 3;
+  constexpr int kThreads = 3, kMaps = 40;
   std::thread([] {}).join();  // with the first of all, a sanitizer starts a thread of its own
   int before = NumThreads();
   for (int look = 0; look < 50; ++look) {  // what was joined may still be counted for a moment
@@ -60,7 +60,8 @@ TEST(SharedPool, ThreadsDoNotGoWithTheNumberOfMaps) {
   }
   const auto pool = std::make_shared<ThreadPool>(kThreads);
   std::vector<std::unique_ptr<MapBuilder>> builders;
-  for (int m = 0; m < 40; ++m) builders.push_back(std::make_unique<MapBuilder>(Info(0), pool));
+  builders.reserve(kMaps);
+  for (int m = 0; m < kMaps; ++m) builders.push_back(std::make_unique<MapBuilder>(Info(0), pool));
   for (const auto& builder : builders) ASSERT_TRUE(builder->Integrate(Frame(0)).ok());
   EXPECT_EQ(NumThreads() - before, kThreads - 1);
 }
@@ -75,6 +76,7 @@ TEST(SharedPool, MapsBuiltAtOnceAreThoseBuiltAlone) {
   const auto pool = std::make_shared<ThreadPool>(3);
   std::vector<std::shared_ptr<const MapSnapshot>> maps(kMaps);
   std::vector<std::thread> writers;
+  writers.reserve(maps.size());
   for (auto& map : maps) {
     writers.emplace_back([&map, &pool] {
       MapBuilder builder(Info(2), pool);
