@@ -61,7 +61,7 @@ struct SessionOptions {
   std::int64_t max_import_bytes = std::int64_t{16} << 30;  ///< of the file of a map that comes in
   int max_imports = 2;                                     ///< maps that come in at once
   std::size_t max_kept_states = 64;                        ///< that were stored last, of each map, to be read again
-  std::size_t kept_states_bytes = 128u << 20;              ///< that these take, of all maps
+  std::size_t kept_states_bytes = 256u << 20;              ///< that these take, of all maps
   std::shared_ptr<ByteBudget> kept_budget = nullptr;       ///< of so many, shared with other maps; null: of its own
   /// A state that has just become visible; on the writer thread; may be empty.
   std::function<void(const std::shared_ptr<const MapSnapshot>&)> on_publish;

@@ -72,7 +72,7 @@ struct ServerConfig {
   } edits;
   struct History {
     int kept_states = 64;
-    int kept_states_mib = 128;
+    int kept_states_mib = 256;
   } history;
   struct Limits {
     int query_points = 1'000'000;
