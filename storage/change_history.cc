@@ -107,8 +107,8 @@ Status ReadRows(Database& database, const MapRow& map, const ChangeLogRow& log, 
     auto change = ChangeOf(row);
     if (change.status().code() == StatusCode::kDataLoss) return Damaged(map.info.name, previous);
     if (!change.ok()) return change.status();
+    num_bytes += BytesOf(**change);
     list.changes.push_back(std::move(*change));
-    num_bytes += row.blob.bytes.size();
     previous = row.last_revision;
   }
   list.has_more = previous < log.last_revision;

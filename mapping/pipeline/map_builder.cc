@@ -308,7 +308,8 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   refinement.Cancel();
   is_overdue = is_waiting = false;
   const auto slot = slots ? RefinementSlots::Take(slots, is_cancelled) : std::nullopt;
-  GiveBackFreeMemory();  // what was under way had a state of the map of its own
+  bundler.GiveBuffersBack();  // no frame comes for some time
+  GiveBackFreeMemory();       // what was under way had a state of the map of its own
   DeactivateAll(map);
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);
   MergePairs(map, std::numeric_limits<std::size_t>::max());

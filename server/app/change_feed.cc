@@ -25,7 +25,9 @@ void ChangeFeed::Remove(Follower& follower) {
   const auto channel = channels_.find(follower.map_);
   if (channel == channels_.end() || channel->second.followers.erase(&follower) == 0) return;  // was refused
   --num_followers_;
-  if (channel->second.followers.empty()) channels_.erase(channel);
+  if (!channel->second.followers.empty()) return;
+  DropKept(channel->second);
+  channels_.erase(channel);
 }
 
 void ChangeFeed::Notify(const std::string& map) {
@@ -41,10 +43,22 @@ std::size_t ChangeFeed::num_followers() const {
   return num_followers_;
 }
 
+void ChangeFeed::DropOldest(Channel& channel) {
+  const MapChange& oldest = *channel.kept.front();
+  channel.complete_after = oldest.last_revision;
+  channel.kept_bytes -= BytesOf(oldest);
+  kept_bytes_ -= BytesOf(oldest);
+  channel.kept.pop_front();
+}
+
+void ChangeFeed::DropKept(Channel& channel) {
+  channel.kept.clear();
+  kept_bytes_ -= std::exchange(channel.kept_bytes, 0);
+}
+
 void ChangeFeed::Take(Channel& channel, const ChangeList& list) {
   if (!channel.has_read || channel.history_id != list.history_id || list.revision < channel.revision) {
-    channel.kept.clear();
-    channel.kept_bytes = 0;
+    DropKept(channel);
     channel.complete_after = list.revision;  // what is before is read by those who ask for it
     if (!list.changes.empty()) channel.complete_after = list.changes.front()->first_revision - 1;
   }
@@ -52,13 +66,12 @@ void ChangeFeed::Take(Channel& channel, const ChangeList& list) {
   channel.history_id = list.history_id;
   channel.revision = list.has_more ? list.changes.back()->last_revision : list.revision;
   for (const auto& change : list.changes) {
-    channel.kept_bytes += BytesOf(*change);
     channel.kept.push_back(change);
+    channel.kept_bytes += BytesOf(*change);
+    kept_bytes_ += BytesOf(*change);
   }
-  while (channel.kept_bytes > kKept_bytes && !channel.kept.empty()) {
-    channel.complete_after = channel.kept.front()->last_revision;
-    channel.kept_bytes -= BytesOf(*channel.kept.front());
-    channel.kept.pop_front();
+  while (!channel.kept.empty() && (channel.kept_bytes > kKept_bytes || kept_bytes_ > kKeptOfAll_bytes)) {
+    DropOldest(channel);
   }
 }
 
@@ -70,7 +83,12 @@ ChangeList ChangeFeed::ListKept(const Channel& channel, std::int64_t after_revis
   const auto next =
       std::upper_bound(channel.kept.begin(), channel.kept.end(), after_revision,
                        [](std::int64_t revision, const auto& change) { return revision < change->last_revision; });
-  list.changes.assign(next, channel.kept.end());
+  std::size_t num_bytes = 0;
+  for (auto change = next; change != channel.kept.end(); ++change) {
+    if (num_bytes >= kPage_bytes) return list.has_more = true, list;
+    num_bytes += BytesOf(**change);
+    list.changes.push_back(*change);
+  }
   return list;
 }
 

@@ -22,7 +22,9 @@ class ChangeFeed {
  public:
   /// Of the newest changes of a map so many bytes are kept for its followers.
   static constexpr std::size_t kKept_bytes = 1u << 20;
-  /// Of older ones so many, as stored, are read at a time.
+  /// And of all maps together: beyond, each follower reads for itself.
+  static constexpr std::size_t kKeptOfAll_bytes = 32u << 20;
+  /// One who reads is given so many at a time, if one change is not more.
   static constexpr std::size_t kPage_bytes = 128u << 10;
 
   /// The store outlives the feed.
@@ -73,7 +75,9 @@ class ChangeFeed {
 
   void Remove(Follower& follower) DHPMAP_EXCLUDES(mutex_);
   Status Refresh(const std::string& map) DHPMAP_REQUIRES(read_mutex_) DHPMAP_EXCLUDES(mutex_);
-  static void Take(Channel& channel, const ChangeList& list);
+  void Take(Channel& channel, const ChangeList& list) DHPMAP_REQUIRES(mutex_);
+  void DropKept(Channel& channel) DHPMAP_REQUIRES(mutex_);
+  void DropOldest(Channel& channel) DHPMAP_REQUIRES(mutex_);
   static ChangeList ListKept(const Channel& channel, std::int64_t after_revision);
 
   MapStore& store_;
@@ -82,6 +86,7 @@ class ChangeFeed {
   mutable Mutex mutex_;
   std::map<std::string, Channel> channels_ DHPMAP_GUARDED_BY(mutex_);
   std::size_t num_followers_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::size_t kept_bytes_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< of all channels
 };
 
 }  // namespace dhpmap

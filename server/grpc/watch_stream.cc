@@ -181,13 +181,16 @@ bool WatchStream::FillChange() {
   while (!messages_.has_next()) {
     messages_ = {};
     if (next_in_page_ == page_.changes.size()) return false;
-    const auto& change = page_.changes[next_in_page_++];
+    auto change = std::move(page_.changes[next_in_page_++]);
     change_end_ = change->last_revision;
-    messages_ = ChangeMessages(change, filter_);
+    told_bytes_ = BytesOf(*change);
+    messages_ = ChangeMessages(std::move(change), filter_);
     if (!messages_.has_next()) position_.revision = std::max(position_.revision, change_end_);
   }
   messages_.Next(filter_, map_, *response_.mutable_change());
-  if (response_.change().last_message()) position_.revision = std::max(position_.revision, change_end_);
+  if (messages_.has_next()) return true;
+  messages_ = {};
+  position_.revision = std::max(position_.revision, change_end_);
   return true;
 }
 
@@ -241,11 +244,24 @@ bool WatchStream::IsTimeToSay(Clock::time_point now) const {
   return now >= say_by_;
 }
 
+/// Of all that the stream holds while its message stands: whoever does not read holds it for as long. What else is in
+/// the page is read again where there is no room for it.
+bool WatchStream::TakeShare() {
+  std::size_t own_bytes = 2 * response_.ByteSizeLong();
+  if (messages_.has_next()) own_bytes += told_bytes_;
+  std::size_t page_bytes = 0;
+  for (std::size_t i = next_in_page_; i < page_.changes.size(); ++i) page_bytes += BytesOf(*page_.changes[i]);
+  if (share_.Resize(own_bytes + page_bytes)) return true;
+  page_.changes.clear();
+  next_in_page_ = 0;
+  return share_.Resize(own_bytes);
+}
+
 void WatchStream::Write() {
   if (response_.has_progress()) response_.mutable_progress()->set_revision(position_.revision);
   response_.set_position(PositionText(position_));
   last_said_ = position_.revision;
-  if (!share_.Resize(2 * response_.ByteSizeLong())) return End(TooManyBytes());
+  if (!TakeShare()) return End(TooManyBytes());
   {
     const MutexLock lock(mutex_);
     const bool is_of_work = told_stage_ || has_told_exports_;

@@ -96,6 +96,7 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
   [[nodiscard]] bool IsTimeToSay(Clock::time_point now) const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] Clock::duration WorkProgressAfter() const { return std::min(progress_after_, kWorkProgressAfter); }
   Result<bool> ReadPage();
+  bool TakeShare();
   void Write();
   /// Gives the turn back; false if there are news.
   bool GiveTurnBack() DHPMAP_EXCLUDES(mutex_);
@@ -106,7 +107,7 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
   WatchStreams& streams_;
   const v1::WatchMapRequest& request_;  ///< gRPC keeps it until OnDone
   CallRecord record_;
-  ByteShare share_;  ///< of the message under way
+  ByteShare share_;  ///< of the message under way, and of the page while that stands
   std::unique_ptr<ChangeFeed::Follower> follower_;
 
   // Of whoever has the turn.
@@ -118,6 +119,7 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
   std::size_t next_in_page_ = 0;
   ChangeMessages messages_;  ///< of the change that is being told
   std::int64_t change_end_ = 0;
+  std::size_t told_bytes_ = 0;             ///< of it, in memory
   std::optional<FinishStage> told_stage_;  ///< of FinishMapping, in the last message; nothing: it is not under way
   bool has_told_exports_ = false;          ///< that are under way, in the last message of progress
   Clock::time_point exports_told_{};       ///< when that was

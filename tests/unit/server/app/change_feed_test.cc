@@ -120,6 +120,25 @@ TEST_F(ChangeFeedTest, TellsTheSameAsTheStoreFromAnyPosition) {
   }
 }
 
+TEST_F(ChangeFeedTest, APageIsOfABoundedSizeWhereverItComesFrom) {
+  auto follower = Follow();
+  Commit(50, 60);
+  ASSERT_GT(ReadFrom(1).size(), 40u);
+  for (int round = 0; round < 2; ++round) {
+    if (round == 1) follower = nullptr;  // nothing is kept
+    for (std::int64_t after = 1; after < 51;) {
+      const auto page = feed_.Read("room", after);
+      ASSERT_TRUE(page.ok());
+      ASSERT_FALSE(page->changes.empty());
+      std::size_t num_bytes = 0;
+      for (const auto& change : page->changes) num_bytes += BytesOf(*change);
+      EXPECT_LT(num_bytes - BytesOf(*page->changes.back()), ChangeFeed::kPage_bytes);
+      EXPECT_EQ(page->has_more, page->changes.back()->last_revision < 51);
+      after = page->changes.back()->last_revision;
+    }
+  }
+}
+
 TEST_F(ChangeFeedTest, WhatIsNotKeptAnyMoreIsCompactedForThoseBehindOnly) {
   const auto follower = Follow();
   EXPECT_EQ(ReadFrom(0).size(), 1u);
