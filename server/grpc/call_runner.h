@@ -5,11 +5,13 @@
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/server_callback.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -132,7 +134,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
       if (status.ok()) stream->WriteNext();
       else stream->context_.lanes.answers.Post([stream, status] { stream->End(status); });
     });
-    stream->begin_ = begin;
+    stream->SetTask(begin);
     if (!context.lanes.bulk.TryPostLast(begin)) {
       begin->GiveUp();
       stream->End(TooBusy());
@@ -141,25 +143,17 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   }
 
   void OnWriteDone(bool ok) override {
-    if (!ok) return End(WhyBroken());
+    SetWriting(false);
+    if (!ok || has_no_room_) return End(WhyBroken());
     const auto task = std::make_shared<LaneTask>([this] { WriteNext(); });
-    {
-      const MutexLock lock(mutex_);
-      next_task_ = task;
-    }
+    SetTask(task);
     context_.lanes.bulk.Post(task);  // one a stream, so bounded by the streams that have begun
     if (stop_.stop_requested() && task->GiveUp()) End(WhyBroken());
   }
   /// What waits for a thread is given up, so that its state goes at once and not when its turn has come.
   void OnCancel() override {
     stop_.request_stop();
-    if (begin_ && begin_->GiveUp()) return End(Cancelled("the client went away"));
-    std::shared_ptr<LaneTask> task;
-    {
-      const MutexLock lock(mutex_);
-      task = next_task_;
-    }
-    if (task && task->GiveUp()) End(WhyBroken());
+    if (const auto task = Task(); task && task->GiveUp()) End(WhyBroken());
   }
   void OnDone() override {
     (void)is_made_.load(std::memory_order_acquire);
@@ -169,6 +163,9 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
  private:
   /// A message, its bytes on the way out, and where in the map it has got to.
   static constexpr std::size_t kKept_bytes = 1u << 20;
+  using Clock = std::chrono::steady_clock;
+  /// Who takes a message before that is told why there is no other; who does not is cut off.
+  static constexpr std::chrono::seconds kToTakeLast{1};
 
   ChunkStream(const ServiceContext& context, grpc::CallbackServerContext* call_context, std::string_view method)
       : context_(context),
@@ -180,9 +177,27 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     hold_ = context_.held.TryHold(state, [this] { LetGo(); });
     return hold_ != nullptr ? Status::Ok() : TooManyBytes();
   }
-  /// With the next message; if none is made, since the client does not take the last one, at once.
+  /// Once what is being made or written is, or at once if nothing is.
   void LetGo() {
-    if (has_no_room_.exchange(true)) call_context_->TryCancel();
+    has_no_room_ = true;
+    const auto task = Task();
+    if (task && task->GiveUp()) return context_.lanes.answers.Post([this] { End(WhyBroken()); });
+    const auto now = Clock::now();
+    const MutexLock lock(mutex_);
+    if (!asked_at_) asked_at_ = now;
+    if (writing_since_ && now >= std::max(*writing_since_, *asked_at_) + kToTakeLast) call_context_->TryCancel();
+  }
+  void SetTask(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_) {
+    const MutexLock lock(mutex_);
+    task_ = std::move(task);
+  }
+  [[nodiscard]] std::shared_ptr<LaneTask> Task() const DHPMAP_EXCLUDES(mutex_) {
+    const MutexLock lock(mutex_);
+    return task_;
+  }
+  void SetWriting(bool is_writing) DHPMAP_EXCLUDES(mutex_) {
+    const MutexLock lock(mutex_);
+    writing_since_ = is_writing ? std::optional(Clock::now()) : std::nullopt;
   }
   [[nodiscard]] Status WhyBroken() const { return has_no_room_ ? StateHasNoRoom() : Cancelled("the client went away"); }
 
@@ -197,8 +212,9 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     });
     is_made_.store(true, std::memory_order_release);
     context_.lanes.answers.Post([this, status, has_next] {
-      if (status.ok() && has_next) this->StartWrite(&response_);
-      else End(status);
+      if (!status.ok() || !has_next) return End(status);
+      SetWriting(true);
+      this->StartWrite(&response_);
     });
   }
 
@@ -216,9 +232,10 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   // another thread, and all before the end. Else it looks each access up in all races that it leaves out: minutes.
   std::atomic<bool> is_made_ = false;
   std::unique_ptr<HeldStates::Hold> hold_;
-  std::shared_ptr<LaneTask> begin_;
-  Mutex mutex_;
-  std::shared_ptr<LaneTask> next_task_ DHPMAP_GUARDED_BY(mutex_);  ///< the newest
+  mutable Mutex mutex_;
+  std::shared_ptr<LaneTask> task_ DHPMAP_GUARDED_BY(mutex_);             ///< the newest
+  std::optional<Clock::time_point> asked_at_ DHPMAP_GUARDED_BY(mutex_);  ///< first, to let go
+  std::optional<Clock::time_point> writing_since_ DHPMAP_GUARDED_BY(mutex_);
   std::stop_source stop_;
   Next next_;
   Response response_;

@@ -2,7 +2,9 @@
 // What is in memory for clients has one bound, whichever way it came.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
+#include <thread>
 
 #include "server/wire/frame_conversion.h"
 #include "tests/integration/feeder.h"
@@ -97,41 +99,68 @@ TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
   ExpectNothingKept();
 }
 
-TEST_F(InflightBytes, AMeshThatNobodyTakesLetsGoOfItsStateOnceTheMapHasGoneOn) {
-  grpc::ClientContext create;
-  v1::CreateMapRequest fine = CreateRequest("fine");
-  fine.mutable_config()->set_voxel_size_m(0.025);
-  v1::CreateMapResponse created;
-  ASSERT_TRUE(server_.maps->CreateMap(&create, fine, &created).ok());
-  ASSERT_TRUE(Feed(server_, "fine", 0, 12).status.ok());
-  grpc::ClientContext context;
-  v1::GetSubmapMeshRequest request;
-  request.set_name("maps/fine");
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);  // else gRPC takes megabytes for a client that reads nothing
-  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  const auto stub = v1::SubmapService::NewStub(grpc::CreateCustomChannel(
-      "127.0.0.1:" + std::to_string(server_.grpc().port()), grpc::InsecureChannelCredentials(), arguments));
-  const auto mesh = stub->GetSubmapMesh(&context, request);
-  v1::GetSubmapMeshResponse part;
-  ASSERT_TRUE(mesh->Read(&part));
-  const std::size_t stream_bytes = budget_->used_bytes();
-  ASSERT_GT(stream_bytes, 0u);
-  ASSERT_TRUE(Feed(server_, "fine", 0, 3).status.ok());  // many blocks anew
-  EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() > stream_bytes; }))
-      << "what only the old state has is counted";
-  ByteShare others(budget_.get());
-  ASSERT_TRUE(others.Resize(kLimit_bytes - budget_->used_bytes()));
-  ASSERT_TRUE(Feed(server_, "fine", 0, 6).status.ok());
-  EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == others.bytes(); }))
-      << budget_->used_bytes() << " of " << others.bytes();
-  while (mesh->Read(&part)) {
+/// A mesh of a map that goes on while it is read, and with it the need of room for the state that it shows.
+class InflightStates : public InflightBytes {
+ protected:
+  void SetUp() override {
+    InflightBytes::SetUp();
+    grpc::ClientContext create;
+    v1::CreateMapRequest fine = CreateRequest("fine");
+    fine.mutable_config()->set_voxel_size_m(0.025);
+    v1::CreateMapResponse created;
+    EXPECT_TRUE(server_.maps->CreateMap(&create, fine, &created).ok());
+    EXPECT_TRUE(Feed(server_, "fine", 0, 12).status.ok());
+    v1::GetSubmapMeshRequest request;
+    request.set_name("maps/fine");
+    grpc::ChannelArguments arguments;
+    arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);  // else gRPC takes megabytes for a client that reads nothing
+    arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+    const auto stub = v1::SubmapService::NewStub(grpc::CreateCustomChannel(
+        "127.0.0.1:" + std::to_string(server_.grpc().port()), grpc::InsecureChannelCredentials(), arguments));
+    mesh_ = stub->GetSubmapMesh(&context_, request);
+    EXPECT_TRUE(mesh_->Read(&part_));
   }
-  const grpc::Status ended = mesh->Finish();
+  /// The state takes room, of which others then take all there is.
+  void TakeAllRoom() {
+    const std::size_t stream_bytes = budget_->used_bytes();
+    ASSERT_GT(stream_bytes, 0u);
+    ASSERT_TRUE(Feed(server_, "fine", 0, 3).status.ok());  // many blocks anew
+    EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() > stream_bytes; }))
+        << "what only the old state has is counted";
+    ASSERT_TRUE(others_.Resize(kLimit_bytes - budget_->used_bytes()));
+  }
+
+  ByteShare others_{budget_.get()};
+  grpc::ClientContext context_;
+  std::unique_ptr<grpc::ClientReader<v1::GetSubmapMeshResponse>> mesh_;
+  v1::GetSubmapMeshResponse part_;
+};
+
+TEST_F(InflightStates, OfAMeshThatIsReadSlowlyEndItWithTheReasonOnceTheMapHasGoneOn) {
+  TakeAllRoom();
+  std::jthread mapping([this] { EXPECT_TRUE(Feed(server_, "fine", 0, 6).status.ok()); });
+  constexpr std::chrono::milliseconds kSlowly{300};
+  while (mesh_->Read(&part_)) std::this_thread::sleep_for(kSlowly);
+  const grpc::Status ended = mesh_->Finish();
+  EXPECT_EQ(ended.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << ended.error_message();
+  EXPECT_EQ(ReasonOf(ended), "TOO_MANY_BYTES");
+  mapping.join();
+  others_.Release();
+  ExpectNothingKept();
+}
+
+TEST_F(InflightStates, OfAMeshThatNobodyTakesAreLetGoOfOnceTheMapHasGoneOn) {
+  TakeAllRoom();
+  ASSERT_TRUE(Feed(server_, "fine", 0, 6).status.ok());
+  EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == others_.bytes(); }))
+      << budget_->used_bytes() << " of " << others_.bytes();
+  while (mesh_->Read(&part_)) {
+  }
+  const grpc::Status ended = mesh_->Finish();
   EXPECT_TRUE(ended.error_code() == grpc::StatusCode::CANCELLED ||
               ended.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED)
       << ended.error_code() << " " << ended.error_message();
-  others.Release();
+  others_.Release();
   ExpectNothingKept();
 }
 
