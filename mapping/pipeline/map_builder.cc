@@ -22,6 +22,7 @@
 #include "mapping/pipeline/background_refinement.h"
 #include "mapping/pipeline/frame_fusion.h"
 #include "mapping/pipeline/stage_clock.h"
+#include "mapping/pipeline/tiles_ahead.h"
 #include "mapping/sensor/frame_reach.h"
 #include "mapping/sensor/hidden_things.h"
 #include "mapping/space/free_space_finder.h"
@@ -57,7 +58,8 @@ struct MapBuilder::Impl {
         timing(t),
         slots(std::move(s)),
         bundler(map.info().config.integration, *pool),
-        tracker(map.info().config, *pool) {}
+        tracker(map.info().config, *pool),
+        may_read_ahead(HasTilesOnDisk(map)) {}
 
   [[nodiscard]] Status CheckFrame(const PanopticFrame& frame) const;
   Result<FrameReport> IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop);
@@ -88,6 +90,7 @@ struct MapBuilder::Impl {
   Bundler bundler;
   Tracker tracker;
   FreeSpaceFinder space;
+  const bool may_read_ahead;  // some of the map is left on the disk, now or again
   BackgroundRefinement refinement;
   RefinementRound round;    // of this session, as far as it was taken over
   bool is_overdue = false;  // the refinement under way should be taken over
@@ -269,6 +272,7 @@ Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& fram
     return size;
   }
   ThrowIfStopped(stop);
+  if (may_read_ahead) ReadTilesAhead(segments, map, *pool);
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
   Fuse(frame, segments, assignments, stop, report);             // (B) ray tracing into it, II-C
   const auto contradicted = LookThrough(frame, stop, report);   // what the rays passed is free
