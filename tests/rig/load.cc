@@ -7,6 +7,7 @@
 
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "tests/rig/frame_feed.h"
+#include "tests/rig/over_maps.h"
 #include "tests/rig/quick_probes.h"
 #include "tests/rig/rig.h"
 #include "tests/rig/server_under_test.h"
@@ -36,7 +37,7 @@ bool RunLoad(const LoadOptions& options) {
   if (!server.MapDataset(options.dataset, kMap)) return false;
   const Target target = server.TargetOf(kMap);
   const auto mapping = v1::MappingService::NewStub(server.process().Connect());
-  PeakWatch peak(server.pid());
+  OverMapsWatch over_maps(server);
   Latencies ack_gaps;
   grpc::Status fed;
   std::optional<QuickProbes> probes;
@@ -56,10 +57,7 @@ bool RunLoad(const LoadOptions& options) {
   }
   bool held = Report(*probes, ack_gaps, options.seconds);
   if (!fed.ok()) std::printf("FAILED: the stream of frames ended: %s\n", fed.error_message().c_str()), held = false;
-  constexpr double kBudget_mib = 256, kBeside_mib = 200;
-  const double maps_mib = server.MapsMib();
-  held &= Expect("resident memory, with " + std::to_string(static_cast<int>(maps_mib)) + " MiB of maps",
-                 peak.peak().resident_mib, maps_mib + kBudget_mib + kBeside_mib, "MiB");
+  held &= ExpectBesideMaps(over_maps.most());
   return held;
 }
 

@@ -23,12 +23,12 @@ Target ServerUnderTest::TargetOf(const std::string& map_id) const {
   return {.grpc_address = server_->grpc_address(), .http_port = http_port(), .map_id = map_id};
 }
 
-double ServerUnderTest::Metric(const std::string& name) const {
-  return rig::Metric(folder_, server_->http_url(), name);
-}
+double ServerUnderTest::Metric(const std::string& name) const { return rig::Metric(MetricsOf(http_port()), name); }
 
 double ServerUnderTest::MapsMib() const {
-  return (Metric("dhpmap_map_memory_bytes") + Metric("dhpmap_past_states_memory_bytes")) / (1 << 20);
+  const std::string metrics = MetricsOf(http_port());
+  return (rig::Metric(metrics, "dhpmap_map_memory_bytes") + rig::Metric(metrics, "dhpmap_past_states_memory_bytes")) /
+         (1 << 20);
 }
 
 bool ServerUnderTest::MapDataset(const std::string& dataset, const std::string& map_id,

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/rig/server_watch.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
-#include "tests/e2e/process.h"
+#include "tests/unit/server/http/http_client.h"
 
 namespace dhpmap::rig {
 namespace {
@@ -58,9 +62,20 @@ ProcessUse UseOf(pid_t pid) {
   return use;
 }
 
-double Metric(const std::filesystem::path& log_dir, const std::string& http_url, const std::string& name) {
-  const auto page = testing::RunProgram(log_dir, {"curl", "--silent", "--fail", http_url + "/metrics"});
-  std::istringstream lines(page.out);
+double ResidentMib(pid_t pid) {
+  std::ifstream statm("/proc/" + std::to_string(pid) + "/statm");
+  double all_pages = 0, resident_pages = 0;
+  statm >> all_pages >> resident_pages;
+  return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+std::string MetricsOf(int http_port) {
+  http::HttpAnswer page = http::HttpClient(http_port).Ask("GET", "/metrics");
+  return page.status == 200 ? std::move(page.body) : std::string();
+}
+
+double Metric(const std::string& metrics, const std::string& name) {
+  std::istringstream lines(metrics);
   double sum = 0;
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(name)) continue;

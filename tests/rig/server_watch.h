@@ -3,7 +3,6 @@
 
 #include <sys/types.h>
 
-#include <filesystem>
 #include <string>
 #include <thread>
 
@@ -18,9 +17,13 @@ struct ProcessUse {
   int num_files = 0;
 };
 ProcessUse UseOf(pid_t pid);
+/// Its resident memory alone, which takes some microseconds.
+double ResidentMib(pid_t pid);
 
-/// A gauge or counter as the server's /metrics has it, summed over its labels; 0 if it is not there.
-double Metric(const std::filesystem::path& log_dir, const std::string& http_url, const std::string& name);
+/// A server's /metrics; empty if it does not answer.
+std::string MetricsOf(int http_port);
+/// A gauge or counter of them, summed over its labels; 0 if it is not there.
+double Metric(const std::string& metrics, const std::string& name);
 
 /// The most that a process takes while this lives, looked at every 50 ms. Thread-safe.
 class PeakWatch {
