@@ -54,10 +54,6 @@ void ObjectPairs::SetVerdict(SubmapId a, SubmapId b, PairVerdict verdict) {
   Bound();
 }
 
-bool ObjectPairs::HasVerdict(PairVerdict verdict) const {
-  return std::any_of(pairs_.begin(), pairs_.end(), [=](const ObjectPair& pair) { return pair.verdict == verdict; });
-}
-
 void ObjectPairs::Bound() {
   std::erase_if(pairs_, SaysNothing);
   if (pairs_.size() <= kMostOpen) return;

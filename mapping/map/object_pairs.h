@@ -51,7 +51,6 @@ class ObjectPairs {
   /// that of the least evidence either way goes, the first of equals.
   void AddEvidence(SubmapId a, SubmapId b, std::int32_t added, std::int32_t least, std::int32_t most);
   void SetVerdict(SubmapId a, SubmapId b, PairVerdict verdict);
-  [[nodiscard]] bool HasVerdict(PairVerdict verdict) const;
 
   /// Forgets all pairs of a submap that is no longer there.
   void Remove(SubmapId id);
