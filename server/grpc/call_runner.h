@@ -182,10 +182,14 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     has_no_room_ = true;
     const auto task = Task();
     if (task && task->GiveUp()) return context_.lanes.answers.Post([this] { End(WhyBroken()); });
+    if (IsLastLeftUntaken()) call_context_->TryCancel();
+  }
+  /// Since we were asked to let go, for longer than there is time.
+  bool IsLastLeftUntaken() DHPMAP_EXCLUDES(mutex_) {
     const auto now = Clock::now();
     const MutexLock lock(mutex_);
     if (!asked_at_) asked_at_ = now;
-    if (writing_since_ && now >= std::max(*writing_since_, *asked_at_) + kToTakeLast) call_context_->TryCancel();
+    return writing_since_ && now >= std::max(*writing_since_, *asked_at_) + kToTakeLast;
   }
   void SetTask(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
