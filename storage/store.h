@@ -188,10 +188,11 @@ class MapStore {
   virtual Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) = 0;
 
   /// What the commits of revisions after `after_revision` changed, of each all of it: as many as fit into `max_bytes`
-  /// of memory, but one at least, if there is one. One that took the map from a revision before to one after is among them, since
-  /// part of it may be later. A map's creation is a change, too. Written with the commit: it is there if and only if
-  /// the state is. NOT_FOUND; OUT_OF_RANGE, reason COMPACTED, the metadata with `oldest_revision`, if changes after
-  /// `after_revision` are not kept; DATA_LOSS, reason DAMAGED_CHANGES, which says nothing of the map itself.
+  /// of memory, but one at least, if there is one. One that took the map from a revision before to one after is among
+  /// them, since part of it may be later. A map's creation is a change, too. Written with the commit: it is there if
+  /// and only if the state is. NOT_FOUND; OUT_OF_RANGE, reason COMPACTED, the metadata with `oldest_revision`, if
+  /// changes after `after_revision` are not kept; DATA_LOSS, reason DAMAGED_CHANGES, which says nothing of the map
+  /// itself.
   virtual Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) {
     (void)name, (void)after_revision, (void)max_bytes;
     return Status(StatusCode::kUnimplemented, "this store keeps no changes");
