@@ -136,6 +136,7 @@ TEST(MergeSubmaps, WhatAnySubmapHasSeenOfThePartWasTheWhole) {
   for (int round = 0; round < 20; ++round) {
     Map map(Info());
     std::vector<SubmapId> ids;
+    ids.reserve(5);
     for (int i = 0; i < 5; ++i) ids.push_back(AddThing(map));
     for (int n = 0; n < 300; ++n) {
       const SubmapId holder = ids[below(5)];
