@@ -238,6 +238,39 @@ Status RecordHistory(Database& database, std::int64_t map_key, std::int64_t edit
   return insert.Run();
 }
 
+Result<std::optional<EditTileRecorder>> RecorderOfLeft(Database& database, const MapRow& map) {
+  if (!map.leaving()) return std::optional<EditTileRecorder>();
+  DHPMAP_ASSIGN_OR_RETURN(Statement find,
+                          database.Prepare("SELECT edit_key FROM edit_histories WHERE edit_key = (SELECT edit_key FROM "
+                                           "edits WHERE map_key = ? ORDER BY revision DESC LIMIT 1)",
+                                           kReadTask));
+  DHPMAP_ASSIGN_OR_RETURN(const bool is_kept, find.Bind(map.key).Step());
+  if (!is_kept) return std::optional<EditTileRecorder>();
+  DHPMAP_ASSIGN_OR_RETURN(EditTileRecorder recorder, EditTileRecorder::Prepare(database, find.Int(0)));
+  return std::optional(std::move(recorder));
+}
+
+Status AddToHistory(Database& database, const EditTileRecorder& left, const EditLogLimits& limits) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadTask));
+  DHPMAP_RETURN_IF_ERROR(select.Bind(left.edit_key()).Step().status());
+  EditHistoryRow row;
+  const bool is_intact = EditHistories().Read(select, row) && EditHistories().IsIntact(row, row.seal);
+  select.Reset();
+  if (!is_intact) return Status::Ok();  // stays what it is: not to be read
+  row.num_bytes += left.num_bytes();
+  row.tiles_sum = static_cast<std::int64_t>(static_cast<std::uint64_t>(row.tiles_sum) +
+                                            static_cast<std::uint64_t>(left.tiles_sum()));
+  row.seal = EditHistories().SealOf(row);
+  DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(EditHistories().Update("WHERE edit_key = ?"), kWriteTask));
+  EditHistories().BindChanges(row, update);
+  DHPMAP_RETURN_IF_ERROR(update.Bind(row.key).Run());
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement totals,
+      database.Prepare("UPDATE edit_totals SET history_bytes = history_bytes + ? WHERE map_key = ?", kWriteTask));
+  DHPMAP_RETURN_IF_ERROR(totals.Bind(left.num_bytes()).Bind(row.map_key).Run());
+  return TrimHistories(database, row.map_key, row.time_ns, limits);
+}
+
 Status TrimHistories(Database& database, std::int64_t map_key, std::int64_t now_ns, const EditLogLimits& limits) {
   DHPMAP_ASSIGN_OR_RETURN(Statement oversized,
                           database.Prepare("DELETE FROM edit_histories WHERE edit_key = (SELECT edit_key FROM "

@@ -33,6 +33,7 @@ class EditTileRecorder {
   /// Of all that was noted: the sum over the rows, and the bytes of the blobs and rows.
   [[nodiscard]] std::int64_t tiles_sum() const { return totals_.sum; }
   [[nodiscard]] std::int64_t num_bytes() const { return totals_.bytes; }
+  [[nodiscard]] std::int64_t edit_key() const { return edit_key_; }
 
  private:
   explicit EditTileRecorder(std::int64_t edit_key) : edit_key_(edit_key) {}
@@ -51,6 +52,10 @@ void AddEditTile(TileTotals& totals, std::int64_t submap_id, TileIndex index, st
 /// Writes the rest of it. `tiles`: what was noted.
 Status RecordHistory(sqlite::Database& database, std::int64_t map_key, std::int64_t edit_key, const EditRecord& edit,
                      const MapSnapshot& after, const EditTileRecorder& tiles);
+/// For what the map's last edit has left, if that is still to be written, and it is kept what undoes the edit.
+Result<std::optional<EditTileRecorder>> RecorderOfLeft(sqlite::Database& database, const MapRow& map);
+/// Adds to what is kept of that edit what was noted, and deletes what is beyond the limits then.
+Status AddToHistory(sqlite::Database& database, const EditTileRecorder& left, const EditLogLimits& limits);
 /// Deletes some of what is beyond the limits at the time `now_ns`, the oldest first, and first of all the newest, if it
 /// alone is larger than they allow. Of tiles few more than kMostTilesTrimmed, so that no edit waits long for what
 /// others left, but one edit's at least, as it adds one.

@@ -32,8 +32,7 @@ Status NobodyWaits() { return Cancelled("nobody waits for the map any more"); }
 MapSnapshot WithoutVoxels(MapInfo info, const std::vector<SubmapRow>& rows) {
   std::vector<std::shared_ptr<const Submap>> submaps;
   for (const SubmapRow& row : rows) submaps.push_back(std::make_shared<const Submap>(row.info, kGeneration));
-  return {std::move(info), std::move(submaps), std::make_shared<const FreeSpace>(),
-          std::make_shared<const FreeSpace>()};
+  return {std::move(info), std::move(submaps)};
 }
 
 /// What a database has by now of the blobs of a file, whose keys there are ascending.
@@ -213,7 +212,7 @@ Status MapCopy::WriteRows(Database& database, const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(const TileTotals own, tiles.Copy(OwnerOfMap(map.key), OwnerOfMap(head.key)));
   DHPMAP_RETURN_IF_ERROR(tiles.NoteShared(database));
   DHPMAP_RETURN_IF_ERROR(ReviveBlobs(database, *keys_));
-  return UpdateMap(database, head, snapshot.info(), snapshot, own);
+  return UpdateMap(database, head, snapshot.info(), snapshot, {own, map.leaving()});
 }
 
 }  // namespace dhpmap

@@ -44,11 +44,11 @@ Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const F
 }  // namespace
 
 Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head, const StateMarks& before,
-                                  const MapSnapshot& after, EditTileRecorder* recorder) {
+                                  const MapLayersToWrite& after, EditTileRecorder* recorder) {
   TileTotals totals = head.tiles;
   const std::int64_t owner_key = OwnerOfMap(head.key);
-  const FreeSpaceChange free = DiffFreeSpace(before, *after.free_space());
-  const FreeSpaceChange vacated = DiffVacated(before, *after.vacated());
+  const FreeSpaceChange free = DiffFreeSpace(before, after.free_space);
+  const FreeSpaceChange vacated = DiffVacated(before, after.vacated);
   if (!free.empty() || !vacated.empty() || !head.CoversTiles()) {
     DHPMAP_ASSIGN_OR_RETURN(TileRows rows, TileRows::Prepare(database));
     if (!head.CoversTiles()) {
@@ -57,8 +57,7 @@ Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head
     DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kFreeV1, free, totals, nullptr));
     DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kVacatedV1, vacated, totals, recorder));
   }
-  if (totals.num_rows ==
-      static_cast<std::int64_t>(after.free_space()->tiles().size() + after.vacated()->tiles().size())) {
+  if (totals.num_rows == static_cast<std::int64_t>(after.free_space.tiles().size() + after.vacated.tiles().size())) {
     return totals;
   }
   return FailedPrecondition("the store holds another state of the free space than the one the commit starts from")

@@ -19,11 +19,17 @@ struct MapLayers {
   std::shared_ptr<const FreeSpace> free_space, vacated;
 };
 
+/// What of them is written: all, or all but what MapSnapshot::leaving() has left.
+struct MapLayersToWrite {
+  const FreeSpace& free_space;
+  const FreeSpace& vacated;
+};
+
 /// Writes the tiles that differ, within the caller's transaction. Returns the totals of all that are there then.
 /// `recorder` (may be null) is told which blobs of the vacated space they were and are.
 /// FAILED_PRECONDITION if the stored ones, which `head` tells of, are not those of `before`.
 Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head, const StateMarks& before,
-                                  const MapSnapshot& after, EditTileRecorder* recorder = nullptr);
+                                  const MapLayersToWrite& after, EditTileRecorder* recorder = nullptr);
 
 /// Reads the tiles of a map and compares them with what its row says. DATA_LOSS naming the tile if one is damaged or
 /// missing, FAILED_PRECONDITION for those of a later version's layer.

@@ -236,7 +236,8 @@ Result<std::shared_ptr<const MapSnapshot>> ReadSnapshot(sqlite::Database& databa
   Result<MapLayers> layers = ReadMapLayers(database, map);
   if (!layers.ok()) return Damaged(name, layers.status());
   return std::make_shared<const MapSnapshot>(std::move(map.info), std::move(submaps).value(),
-                                             std::move(layers->free_space), std::move(layers->vacated));
+                                             std::move(layers->free_space),
+                                             VacatedSpace{std::move(layers->vacated), map.leaving()});
 }
 
 }  // namespace dhpmap

@@ -145,7 +145,7 @@ class SqliteStore final : public MapStore {
     WrittenTiles written;
     Status done = Write(Durability::kFull, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, InsertMap(writer.database, snapshot));
-      DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, snapshot.info(), StateMarks(), snapshot));
+      DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, snapshot.info(), StateMarks(), snapshot, {}));
       return Status::Ok();
     });
     if (done.ok()) written.TellTiles(number_);
@@ -296,15 +296,19 @@ class SqliteStore final : public MapStore {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
       DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
       if (edit == nullptr) {
-        DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after));
-        return Status::Ok();
+        DHPMAP_ASSIGN_OR_RETURN(auto left, RecorderOfLeft(writer.database, head));
+        const Writing writing{.layers = left ? &*left : nullptr};
+        DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after, writing));
+        return left ? AddToHistory(writer.database, *left, edit_limits_) : Status::Ok();
       }
+      if (head.leaving()) return FailedPrecondition("the edit before left something").WithReason("STALE_STATE");
       DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key, RecordEdit(writer.database, head.key, *edit, edit_limits_));
       // What undoes an undo is kept with the edit that it undid.
       const bool is_kept = edit->entry.summary.kind == EditKind::kEdit && edit_limits_.max_histories > 0;
       DHPMAP_ASSIGN_OR_RETURN(EditTileRecorder recorder, EditTileRecorder::Prepare(writer.database, key));
-      DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after,
-                                                  is_kept ? &recorder : nullptr, edit->cleared));
+      EditTileRecorder* const noted = is_kept ? &recorder : nullptr;
+      const Writing writing{.layers = noted, .objects = noted, .cleared = edit->cleared, .lacks_left = true};
+      DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after, writing));
       if (is_kept) DHPMAP_RETURN_IF_ERROR(RecordHistory(writer.database, head.key, key, *edit, after, recorder));
       return TrimHistories(writer.database, head.key, edit->entry.time_ns, edit_limits_);
     });
@@ -312,18 +316,28 @@ class SqliteStore final : public MapStore {
     return done;
   }
 
+  /// What is noted of a commit beside the state.
+  struct Writing {
+    EditTileRecorder* layers = nullptr;   ///< is told of the map's own tiles
+    EditTileRecorder* objects = nullptr;  ///< of those of objects
+    std::vector<RegionEvent> cleared = {};
+    bool lacks_left = false;  ///< what MapSnapshot::leaving() has left is written by a later commit
+  };
+
   /// Writes what differs between two states of the map that `head` is the row of.
   Result<WrittenTiles> WriteState(Writer& writer, const MapRow& head, const MapInfo& info_before,
-                                  const StateMarks& before, const MapSnapshot& after,
-                                  EditTileRecorder* recorder = nullptr, const std::vector<RegionEvent>& cleared = {}) {
-    DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles, WriteMapLayers(writer.database, head, before, after, recorder));
-    DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, info_before, after, tiles));
+                                  const StateMarks& before, const MapSnapshot& after, const Writing& writing) {
+    const MapLayersToWrite layers{*after.free_space(), writing.lacks_left ? *after.noted_vacated() : *after.vacated()};
+    DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles,
+                            WriteMapLayers(writer.database, head, before, layers, writing.layers));
+    const StoredLayersOfMap stored{tiles, writing.lacks_left ? after.leaving() : std::nullopt};
+    DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, info_before, after, stored));
     const std::vector<SubmapTileChange> changes = DiffTiles(before, after);
     DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written,
-                            WriteChanges(writer.database, head.key, changes, number_, writer.pool, recorder));
+                            WriteChanges(writer.database, head.key, changes, number_, writer.pool, writing.objects));
     if (before.revision() != after.revision()) {
       DHPMAP_RETURN_IF_ERROR(RecordChange(writer.database, head.key, after.info(),
-                                          DescribeChange(before, after, changes, cleared), change_limits_));
+                                          DescribeChange(before, after, changes, writing.cleared), change_limits_));
     }
     DHPMAP_RETURN_IF_ERROR(CollectBacklog(writer.database, written.num_new_blobs(), kept_));
     return written;

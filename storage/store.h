@@ -199,7 +199,10 @@ class MapStore {
   }
 
   /// Commit of a state that an edit has made of the one last committed, with a full sync: the edit is in the log, and
-  /// its answer is known, if and only if the state is stored. This one keeps no log.
+  /// its answer is known, if and only if the state is stored. It costs what the edit changes: what
+  /// MapSnapshot::leaving() has left is worked out and written by the next commit of the same state or a later one
+  /// (StateMarks with `lacks_left`), and until then whoever loads the map has it to work out. FAILED_PRECONDITION if
+  /// `before` lacks such. This one keeps no log.
   virtual Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) {
     (void)edit;
     return Commit(before, after, Durability::kFull);

@@ -7,6 +7,7 @@
 
 #include "mapping/base/status_error.h"
 #include "mapping/map/diff_submap.h"
+#include "mapping/map/vacated_space.h"
 
 namespace dhpmap {
 namespace {
@@ -48,11 +49,22 @@ Status ValidateMapName(const std::string& name) {
 }
 
 MapSnapshot::MapSnapshot(MapInfo info, SubmapList submaps, std::shared_ptr<const FreeSpace> free_space,
-                         std::shared_ptr<const FreeSpace> vacated)
+                         VacatedSpace vacated)
     : info_(std::move(info)),
       submaps_(std::move(submaps)),
       free_space_(free_space != nullptr ? std::move(free_space) : std::make_shared<const FreeSpace>()),
-      vacated_(vacated != nullptr ? std::move(vacated) : std::make_shared<const FreeSpace>()) {}
+      noted_vacated_(vacated.noted != nullptr ? std::move(vacated.noted) : std::make_shared<const FreeSpace>()),
+      leaving_(vacated.leaving && Find(*vacated.leaving) != nullptr ? vacated.leaving : std::nullopt),
+      vacated_(leaving_ ? std::make_shared<Vacated>() : nullptr) {}
+
+const std::shared_ptr<const FreeSpace>& MapSnapshot::vacated() const {
+  if (vacated_ == nullptr) return noted_vacated_;
+  const MutexLock lock(vacated_->mutex);
+  if (vacated_->layer == nullptr) {
+    vacated_->layer = WithLeft({*Find(*leaving_), submaps_, info_.config, *free_space_}, noted_vacated_);
+  }
+  return vacated_->layer;
+}
 
 const Submap* MapSnapshot::Find(SubmapId id) const { return FindIn(submaps_, id); }
 
@@ -72,7 +84,8 @@ Map::Map(std::shared_ptr<const MapSnapshot> snapshot)
     : info_(snapshot->info()),
       submaps_(snapshot->submaps()),
       free_space_(snapshot->free_space()),
-      vacated_(snapshot->vacated()),
+      vacated_(snapshot->noted_vacated()),
+      leaving_(snapshot->leaving()),
       published_(std::move(snapshot)),
       changed_(false) {
   // Blocks of the snapshot carry older generations, of this process or 0: start above them all.
@@ -80,8 +93,41 @@ Map::Map(std::shared_ptr<const MapSnapshot> snapshot)
   generation_ = std::max({generation_, free_space_->generation() + 1, vacated_->generation() + 1});
 }
 
-MapInfo& Map::mutable_info() {
+void Map::BeginChange() {
+  if (!changed_) SettleVacated();
   changed_ = true;
+}
+
+void Map::SettleVacated() {
+  if (!leaving_) return;
+  if (changed_) {
+    auto with_left = std::make_shared<FreeSpace>(*Freeze()->vacated());
+    with_left->ShareTiles();
+    with_left->set_generation(generation_);
+    vacated_ = std::move(with_left);
+  } else {
+    vacated_ = published_->vacated();
+  }
+  leaving_.reset();
+}
+
+void Map::NoteLeaving(SubmapId moved) {
+  SettleVacated();
+  leaving_ = moved;
+}
+
+const FreeSpace& Map::vacated() {
+  SettleVacated();
+  return *vacated_;
+}
+
+FreeSpace& Map::mutable_vacated() {
+  SettleVacated();
+  return Writable(vacated_);
+}
+
+MapInfo& Map::mutable_info() {
+  BeginChange();
   return info_;
 }
 
@@ -94,7 +140,7 @@ std::size_t Map::Position(SubmapId id) const {
 Submap* Map::FindMutable(SubmapId id) {
   const std::size_t position = Position(id);
   if (position == submaps_.size() || submaps_[position]->id() != id) return nullptr;
-  changed_ = true;
+  BeginChange();
   auto& submap = submaps_[position];
   if (submap->generation() != generation_) {
     auto copy = std::make_shared<Submap>(*submap);
@@ -105,7 +151,7 @@ Submap* Map::FindMutable(SubmapId id) {
 }
 
 Submap& Map::Create(SubmapInfo info) {
-  changed_ = true;
+  BeginChange();
   info.id = info_.next_submap_id++;
   auto submap = std::make_shared<Submap>(std::move(info), generation_);
   Submap& created = *submap;
@@ -116,7 +162,7 @@ Submap& Map::Create(SubmapInfo info) {
 Submap* Map::Clone(SubmapId id) {
   const Submap* original = Find(id);
   if (original == nullptr) return nullptr;
-  changed_ = true;
+  BeginChange();
   // From here on both hold the same blocks, so neither may write to them in place: what was made in this generation
   // must count as old. An original that a snapshot holds is left alone: nothing of it changes.
   if (original->generation() == generation_) FindMutable(id)->ShareBlocks();
@@ -133,7 +179,7 @@ Submap* Map::Clone(SubmapId id) {
 }
 
 Submap& Map::PutBack(SubmapInfo info) {
-  changed_ = true;
+  BeginChange();
   const std::size_t position = Position(info.id);
   assert(info.id < info_.next_submap_id && (position == submaps_.size() || submaps_[position]->id() != info.id));
   auto submap = std::make_shared<Submap>(std::move(info), generation_);
@@ -145,7 +191,7 @@ Submap& Map::PutBack(SubmapInfo info) {
 bool Map::Remove(SubmapId id) {
   const std::size_t position = Position(id);
   if (id == kUnknownSubmap || position == submaps_.size() || submaps_[position]->id() != id) return false;
-  changed_ = true;
+  BeginChange();
   ReadAll(*submaps_[position]);
   submaps_.erase(submaps_.begin() + static_cast<std::ptrdiff_t>(position));
   info_.pairs.Remove(id);
@@ -153,7 +199,7 @@ bool Map::Remove(SubmapId id) {
 }
 
 FreeSpace& Map::Writable(std::shared_ptr<const FreeSpace>& layer) {
-  changed_ = true;
+  BeginChange();
   if (layer->generation() != generation_) {
     auto copy = std::make_shared<FreeSpace>(*layer);
     copy->set_generation(generation_);
@@ -171,7 +217,7 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
       const_cast<Submap&>(*submap).mutable_info().revision = info_.revision;  // not shared before this publish
     }
   }
-  published_ = std::make_shared<MapSnapshot>(info_, submaps_, free_space_, vacated_);
+  published_ = std::make_shared<MapSnapshot>(info_, submaps_, free_space_, VacatedSpace{vacated_, leaving_});
   ++generation_;
   changed_ = false;
   return published_;
@@ -188,7 +234,9 @@ std::shared_ptr<const MapSnapshot> Map::LetGoOfPages(bool even_used) {
     has_any = true;
   }
   if (!has_any) return published_;
-  published_ = std::make_shared<const MapSnapshot>(info_, same, free_space_, vacated_);
+  auto next = std::make_shared<MapSnapshot>(info_, same, free_space_, VacatedSpace{vacated_, leaving_});
+  next->vacated_ = published_->vacated_;
+  published_ = std::move(next);
   submaps_ = std::move(same);
   return published_;
 }
@@ -213,7 +261,8 @@ std::shared_ptr<const MapSnapshot> Map::Freeze() {
     }
     frozen.push_back(std::make_shared<const Submap>(*submap));
   }
-  return std::make_shared<const MapSnapshot>(info_, std::move(frozen), Frozen(free_space_), Frozen(vacated_));
+  return std::make_shared<const MapSnapshot>(info_, std::move(frozen), Frozen(free_space_),
+                                             VacatedSpace{Frozen(vacated_), leaving_});
 }
 
 std::shared_ptr<const FreeSpace> Map::Frozen(const std::shared_ptr<const FreeSpace>& layer) const {

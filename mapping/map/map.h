@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
 #include "mapping/labels/label_set.h"
 #include "mapping/map/free_space.h"
@@ -40,13 +42,19 @@ struct MapInfo {
 
 Status ValidateMapName(const std::string& name);
 
+/// Where objects were that an edit has moved or deleted, and nobody has looked through: a layer like free space, of
+/// which what the last edit has moved away may still have to be worked out, as that costs what the object is large.
+struct VacatedSpace {
+  std::shared_ptr<const FreeSpace> noted;  ///< null: nothing was left
+  std::optional<SubmapId> leaving;         ///< an object of the state, moved in it and not before
+};
+
 /// A map at one revision: immutable, shared by readers, the store and the change feed. Thread-safe.
 class MapSnapshot {
  public:
-  /// Without `free_space` nothing is known to be free, without `vacated` nothing was left.
+  /// Without `free_space` nothing is known to be free.
   MapSnapshot(MapInfo info, std::vector<std::shared_ptr<const Submap>> submaps,
-              std::shared_ptr<const FreeSpace> free_space = nullptr,
-              std::shared_ptr<const FreeSpace> vacated = nullptr);
+              std::shared_ptr<const FreeSpace> free_space = nullptr, VacatedSpace vacated = {});
 
   [[nodiscard]] const MapInfo& info() const { return info_; }
   [[nodiscard]] std::int64_t revision() const { return info_.revision; }
@@ -58,13 +66,26 @@ class MapSnapshot {
   [[nodiscard]] const std::shared_ptr<const FreeSpace>& free_space() const { return free_space_; }
   /// Where objects were that an edit has moved or deleted, and nobody has looked through. A layer of the same kind: its
   /// voxels are those that an object left, its stamps are of the free space at that time. What is seen there since
-  /// counts before it. Never null.
-  [[nodiscard]] const std::shared_ptr<const FreeSpace>& vacated() const { return vacated_; }
+  /// counts before it. Never null. Whoever asks first waits until it is worked out what leaving() has left.
+  [[nodiscard]] const std::shared_ptr<const FreeSpace>& vacated() const;
+  /// The same without what leaving() has left, at no cost. Never null.
+  [[nodiscard]] const std::shared_ptr<const FreeSpace>& noted_vacated() const { return noted_vacated_; }
+  /// What the edit that made this state has moved, if what it left is not in noted_vacated().
+  [[nodiscard]] std::optional<SubmapId> leaving() const { return leaving_; }
 
  private:
+  friend class Map;
+  /// What is worked out once, for all snapshots of the same state.
+  struct Vacated {
+    Mutex mutex;
+    std::shared_ptr<const FreeSpace> layer DHPMAP_GUARDED_BY(mutex);  ///< null: not yet; never changes afterwards
+  };
+
   MapInfo info_;
   std::vector<std::shared_ptr<const Submap>> submaps_;
-  std::shared_ptr<const FreeSpace> free_space_, vacated_;
+  std::shared_ptr<const FreeSpace> free_space_, noted_vacated_;
+  std::optional<SubmapId> leaving_;
+  std::shared_ptr<Vacated> vacated_;  ///< null: all is noted
 };
 
 /// The writer's map. Publishes immutable snapshots; what it then changes, it copies first, one submap row, one tile and
@@ -98,9 +119,14 @@ class Map {
   [[nodiscard]] const FreeSpace& free_space() const { return *free_space_; }
   /// The layer for writing. Valid until the next Publish.
   [[nodiscard]] FreeSpace& mutable_free_space() { return Writable(free_space_); }
-  /// See MapSnapshot.
-  [[nodiscard]] const FreeSpace& vacated() const { return *vacated_; }
-  [[nodiscard]] FreeSpace& mutable_vacated() { return Writable(vacated_); }
+  /// See MapSnapshot. Works out what was left, as that does; the second, for writing, is valid until the next Publish.
+  [[nodiscard]] const FreeSpace& vacated();
+  [[nodiscard]] FreeSpace& mutable_vacated();
+  /// To be called when an object that was where it was seen (IsExclusive, nothing of it gone) has just been moved: what
+  /// it left is worked out when somebody asks for it, or before anything else changes in a later revision.
+  void NoteLeaving(SubmapId moved);
+  /// Works it out now, from the state as it is now: before a further edit of the same revision.
+  void SettleVacated();
 
   /// The present state as a snapshot. A new revision if anything was written since the last one, else the same
   /// snapshot.
@@ -125,6 +151,8 @@ class Map {
 
  private:
   [[nodiscard]] std::size_t Position(SubmapId id) const;
+  /// Before whatever changes the map.
+  void BeginChange();
   /// A layer for writing, copied if a snapshot may hold it.
   [[nodiscard]] FreeSpace& Writable(std::shared_ptr<const FreeSpace>& layer);
   /// A layer as it is now, which nobody writes to any more.
@@ -134,6 +162,7 @@ class Map {
   std::uint64_t generation_ = 1;  ///< before the layers, which start with it
   std::vector<std::shared_ptr<const Submap>> submaps_;
   std::shared_ptr<const FreeSpace> free_space_, vacated_;  ///< never null
+  std::optional<SubmapId> leaving_;                        ///< of which vacated_ does not know yet what it left
   std::shared_ptr<const MapSnapshot> published_;
   bool changed_ = true;
 };

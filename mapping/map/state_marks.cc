@@ -175,8 +175,11 @@ const BlockMark* SubmapMarks::Find(BlockIndex index) const {
   return tile != nullptr ? tile->Find(CellOf(index)) : nullptr;
 }
 
-StateMarks::StateMarks(const MapSnapshot& state, const StateMarks* before)
-    : info_(state.info()), free_space_(MarksOf(*state.free_space())), vacated_(MarksOf(*state.vacated())) {
+StateMarks::StateMarks(const MapSnapshot& state, const StateMarks* before, bool lacks_left)
+    : info_(state.info()),
+      free_space_(MarksOf(*state.free_space())),
+      vacated_(MarksOf(lacks_left ? *state.noted_vacated() : *state.vacated())),
+      lacks_left_(lacks_left && state.leaving()) {
   for (const auto& submap : state.submaps()) submaps_[submap->id()] = MarkSubmap(submap, before);
 }
 

@@ -78,8 +78,9 @@ class StateMarks {
   /// Of nothing: everything was written since.
   StateMarks() = default;
   /// With `before`, marks of an earlier state of the map, what was not written since then is shared with them instead
-  /// of being marked anew. Converts: who only compares with a state can be given the state.
-  StateMarks(const MapSnapshot& state, const StateMarks* before = nullptr);
+  /// of being marked anew. With `lacks_left` what MapSnapshot::leaving() has left counts as written since. Converts:
+  /// who only compares with a state can be given the state.
+  StateMarks(const MapSnapshot& state, const StateMarks* before = nullptr, bool lacks_left = false);
 
   /// Of a state that differs from that of `before` in the blocks of submaps that `is_in_part` names, where it is as
   /// `part`, which need not have any others. A submap that is not in `part` is no longer there.
@@ -88,6 +89,8 @@ class StateMarks {
   /// All of the map but its submaps.
   [[nodiscard]] const MapInfo& info() const { return info_; }
   [[nodiscard]] std::int64_t revision() const { return info_.revision; }
+  /// Whether the state has left something that does not count as its own.
+  [[nodiscard]] bool lacks_left() const { return lacks_left_; }
   [[nodiscard]] const std::map<SubmapId, std::shared_ptr<const SubmapMarks>>& submaps() const { return submaps_; }
   /// Null if there was no such submap.
   [[nodiscard]] const SubmapMarks* Find(SubmapId id) const;
@@ -110,6 +113,7 @@ class StateMarks {
   MapInfo info_;
   std::map<SubmapId, std::shared_ptr<const SubmapMarks>> submaps_;
   LayerMarks free_space_, vacated_;
+  bool lacks_left_ = false;
 };
 
 /// What was written of a tile of a submap, by layer.

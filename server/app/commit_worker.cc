@@ -14,6 +14,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// What an edit's commit, and a state that was loaded as that left it, has not stored yet: see MapStore::CommitEdit.
+constexpr bool kLacksLeft = true;
+
 Status MapIsDeleted(const StateMarks& committed) {
   return NotFound("map '" + committed.info().name + "' has been deleted").WithReason("MAP_NOT_FOUND");
 }
@@ -26,7 +29,7 @@ CommitWorker::CommitWorker(MapStore& store, const std::shared_ptr<const MapSnaps
       retry_s_(retry_s),
       observer_(std::move(observer)),
       keeper_(std::move(keeper)),
-      committed_(std::make_shared<const StateMarks>(*committed)),
+      committed_(std::make_shared<const StateMarks>(*committed, nullptr, kLacksLeft)),
       committed_state_(committed) {}
 
 CommitWorker::~CommitWorker() { Stop(); }
@@ -89,6 +92,11 @@ std::int64_t CommitWorker::committed_revision() const {
   return committed_->revision();
 }
 
+bool CommitWorker::lacks_left() const {
+  const MutexLock lock(mutex_);
+  return committed_->lacks_left();
+}
+
 std::int64_t CommitWorker::committed_frames() const {
   const MutexLock lock(mutex_);
   return committed_->info().num_frames;
@@ -137,7 +145,8 @@ void CommitWorker::Loop() {
 Result<CommitWorker::Marks> CommitWorker::Store(const Marks& before, const MapSnapshot* after, Durability durability,
                                                 const EditRecord* edit) {
   if (after == nullptr) return before;
-  auto marks = std::make_shared<const StateMarks>(*after, before.get());  // first: what is stored can fail no more
+  // First: what is stored can fail no more.
+  auto marks = std::make_shared<const StateMarks>(*after, before.get(), edit != nullptr && kLacksLeft);
   try {
     DHPMAP_RETURN_IF_ERROR(edit != nullptr ? store_.CommitEdit(*before, *after, *edit)
                                            : store_.Commit(*before, *after, durability));

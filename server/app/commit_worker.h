@@ -55,6 +55,8 @@ class CommitWorker {
 
   // Of what is in the store.
   [[nodiscard]] std::int64_t committed_revision() const;
+  /// Whether what its edit has left is not (MapSnapshot::leaving): the next commit writes it.
+  [[nodiscard]] bool lacks_left() const;
   [[nodiscard]] std::int64_t committed_frames() const;
   /// Of the session's last frame; nothing if none of it is there.
   [[nodiscard]] std::optional<std::int64_t> committed_sequence(const std::string& session) const;

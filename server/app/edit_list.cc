@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "mapping/map/vacated_space.h"
 #include "mapping/objects/merge_submaps.h"
 #include "mapping/objects/split_submap.h"
-#include "mapping/space/vacated_space.h"
 #include "server/app/etag.h"
 
 namespace dhpmap {
@@ -24,6 +24,7 @@ class Application {
 
   Result<std::vector<EditResult>> Run() {
     for (std::size_t i = 0; i < list_.edits.size(); ++i) {
+      map_.SettleVacated();  // what an edit before has left: this one may change what it depends on
       Result<EditResult> result = RunOne(list_.edits[i]);
       if (!result.ok()) return WithPlace(result.status(), i);
       results_.push_back(std::move(result).value());

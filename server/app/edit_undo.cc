@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/map/vacated_space.h"
 #include "mapping/objects/apply_delta.h"
-#include "mapping/space/vacated_space.h"
 #include "server/app/submap_edits.h"
 
 namespace dhpmap {

@@ -449,7 +449,8 @@ std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapView> n
 
 /// Not with a full sync: that comes with the commit of the change.
 Status MapSession::CommitPublished() {
-  if (commits_.committed_revision() == builder_.map().published()->revision()) return Status::Ok();
+  const bool is_stored = commits_.committed_revision() == builder_.map().published()->revision();
+  if (is_stored && !commits_.lacks_left()) return Status::Ok();
   std::promise<Status> outcome;
   RequestCommit(Durability::kNormal, [&outcome](const Status& status) { outcome.set_value(CopyOf(status)); });
   return outcome.get_future().get();

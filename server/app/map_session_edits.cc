@@ -20,6 +20,7 @@ Status NotMade(const Status& cause) {
 void MapSession::Edit(EditRequest request, std::function<void(Result<EditOutcome>)> done) {
   auto run = [this, request = std::move(request), done] {
     done(Guarded<Result<EditOutcome>>([&] { return EditNow(request); }));
+    if (commits_.lacks_left()) RequestCommit(Durability::kNormal);  // nobody waits for it
   };
   Post({.run = std::move(run),
         .refuse = [done = std::move(done)](const Status& status) { done(CopyOf(status)); },
@@ -77,7 +78,8 @@ Result<EditOutcome> MapSession::StoreEdit(const EditRequest& request, const Edit
                                           const std::shared_ptr<const MapSnapshot>& before) {
   Map& map = builder_.map();
   const std::int64_t now_ns = options_.now_ns();
-  if (!request.source.request_id.empty()) (void)map.mutable_info();  // even if nothing changes, it is in the log
+  // Even if nothing changes, it is in the log.
+  if (!request.source.request_id.empty() && !map.is_changed()) (void)map.mutable_info();
   const auto view = std::make_shared<const MapView>(map.Publish(now_ns), View().get());
   EditOutcome outcome{view, made.submap, request.answer ? request.answer(*view, made) : std::string()};
   std::shared_ptr<EditRecord> record;

@@ -30,7 +30,7 @@ void AddBlocks(const Submap& submap, bool with_voxels, MapStats& stats) {
 MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels) {
   MapStats stats;
   stats.memory_bytes =
-      static_cast<std::int64_t>(snapshot.free_space()->MemoryBytes() + snapshot.vacated()->MemoryBytes());
+      static_cast<std::int64_t>(snapshot.free_space()->MemoryBytes() + snapshot.noted_vacated()->MemoryBytes());
   for (const auto& submap : snapshot.submaps()) {
     const bool is_thing = submap->info().panoptic == Panoptic::kThing;
     ++stats.num_submaps;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "mapping/map/state_delta.h"
+#include "mapping/map/vacated_space.h"
 #include "mapping/objects/apply_delta.h"
-#include "mapping/space/vacated_space.h"
 #include "server/app/edit_undo.h"
 #include "server/app/etag.h"
 #include "server/app/submap_edits.h"

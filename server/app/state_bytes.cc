@@ -91,7 +91,7 @@ std::size_t StateBytesNotIn(const MapSnapshot& before, const MapSnapshot& later)
     if (now != submap.get()) bytes += TableBytesNotIn(*submap, now) + BlockBytesNotIn(*submap, now);
   }
   return bytes + SpaceBytesNotIn(before.free_space(), *later.free_space()) +
-         SpaceBytesNotIn(before.vacated(), *later.vacated());
+         SpaceBytesNotIn(before.noted_vacated(), *later.noted_vacated());
 }
 
 }  // namespace dhpmap

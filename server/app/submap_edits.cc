@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "mapping/base/grid_reach.h"
-#include "mapping/space/vacated_space.h"
+#include "mapping/map/map_grid.h"
+#include "mapping/map/vacated_space.h"
 #include "server/app/etag.h"
 
 namespace dhpmap {
@@ -136,8 +137,12 @@ Result<bool> PatchSubmap(Map& map, SubmapId id, const SubmapPatch& patch) {
   const bool changes_anything =
       differing.T_map_submap || differing.class_id || differing.display_name || differing.is_locked;
   if (!changes_anything) return false;
-  if (differing.T_map_submap) NoteVacated(*submap, map);
+  const bool leaves = differing.T_map_submap && IsExclusive(submap->info(), map.info().config);
+  // What has gone of it is forgotten with the move, and counts: it is not left by it.
+  const bool is_noted_later = leaves && !HasGone(*submap);
+  if (leaves && !is_noted_later) NoteVacated(*submap, map);
   Apply(differing, map.info(), *map.FindMutable(id));
+  if (is_noted_later) map.NoteLeaving(id);
   return true;
 }
 

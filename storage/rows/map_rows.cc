@@ -74,6 +74,7 @@ Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
   // What came with a later version has nothing to cover it.
   const bool has_objects = !parts.merged.empty() || !parts.pairs.empty();
   if (version < 5 && (has_objects || row.merged_checksum != 0 || row.pairs_checksum != 0)) return false;
+  if (version < 8 && row.leaving_id != -1) return false;
   if (version < 7 && (!parts.kept_clear.empty() || row.kept_clear_checksum != 0)) return false;
   if (version < 6 && row.tiles.sum != 0) return false;
   if (version < 4 && row.tiles.num_rows != 0) return false;
@@ -240,9 +241,10 @@ Result<MapRow> InsertMap(Database& database, const MapSnapshot& snapshot) {
 }
 
 Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after,
-                 const TileTotals& tiles) {
+                 const StoredLayersOfMap& layers) {
   MapRow row = RowOf(after);
-  row.tiles = tiles;
+  row.tiles = layers.tiles;
+  if (layers.leaving) row.leaving_id = std::int64_t{layers.leaving->value};
   const MapInfo& info = row.info;
   row.config_checksum = head.config_checksum;
   row.classes_checksum = head.classes_checksum;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,13 @@ struct MapRow {
   std::uint32_t merged_checksum = 0;
   std::uint32_t pairs_checksum = 0;
   std::uint32_t kept_clear_checksum = 0;
+  std::int64_t leaving_id = -1;  ///< of the submap that its last edit moved, if what that left is still to be written
   RowSeal seal;
+
+  /// -1 as nothing.
+  [[nodiscard]] std::optional<SubmapId> leaving() const {
+    return leaving_id < 0 ? std::nullopt : std::optional(SubmapId(static_cast<std::uint32_t>(leaving_id)));
+  }
 
   /// Whether it says what its rows in tiles are; those that schema 6 and before sealed only count them.
   [[nodiscard]] bool CoversTiles() const { return seal.version >= 6; }
@@ -64,9 +71,16 @@ std::vector<Column<Row>> MapColumns() {
       MakeColumn<Row>("pairs_checksum", kAlways, 5, DHPMAP_MEMBER(pairs_checksum)),
       MakeColumn<Row>("tiles_sum", kAlways, 6, DHPMAP_MEMBER(tiles.sum)),
       MakeColumn<Row>("kept_clear_checksum", kAlways, 7, DHPMAP_MEMBER(kept_clear_checksum)),
+      MakeColumn<Row>("leaving_submap_id", kAlways, 8, DHPMAP_MEMBER(leaving_id)),
   };
 }
 const Table<MapRow>& Maps();
+
+/// What is stored of a map's own layers.
+struct StoredLayersOfMap {
+  TileTotals tiles;
+  std::optional<SubmapId> leaving;  ///< as MapSnapshot::leaving, if what it left is not among them
+};
 
 /// NOT_FOUND if there is no such map. FAILED_PRECONDITION if its config has keys that this version does not know.
 Result<MapRow> ReadMap(sqlite::Database& database, const std::string& name);
@@ -79,9 +93,9 @@ Result<MapRow> ReadMapHead(sqlite::Database& database, const std::string& name);
 /// Adds a row with what identifies a map; UpdateMap fills it. Returns it. ALREADY_EXISTS if the name is taken.
 Result<MapRow> InsertMap(sqlite::Database& database, const MapSnapshot& snapshot);
 /// Writes config, label set and sessions only where they differ from `before`, or were sealed by an older version.
-/// `tiles`: those of `after` as they are stored.
+/// `layers`: those of `after` as they are stored.
 Status UpdateMap(sqlite::Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after,
-                 const TileTotals& tiles);
+                 const StoredLayersOfMap& layers);
 /// Writes a row that was read and changed, as the revision after it.
 Status WriteRepairedMap(sqlite::Database& database, MapRow& row);
 /// See MapStore::Reserve.

@@ -18,6 +18,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[8]},                          // 0009_sightings.sql
       {.sql = SchemaSql()[9]},                          // 0010_locks_and_kept_clear.sql
       {.sql = SchemaSql()[10]},                         // 0011_tile_cells.sql
+      {.sql = SchemaSql()[11]},                         // 0012_leaving.sql
   };
   return steps;
 }

@@ -44,7 +44,7 @@ class BackupTest : public SqliteStoreTest {
     MapInfo info = snapshot.info();
     info.history_id = history_id;
     return std::make_shared<const MapSnapshot>(std::move(info), snapshot.submaps(), snapshot.free_space(),
-                                               snapshot.vacated());
+                                               VacatedSpace{snapshot.vacated()});
   }
   int NumFiles() const {
     return static_cast<int>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator{}));

@@ -81,7 +81,7 @@ class MapFileTest : public SqliteStoreTest {
     info.name = name;
     info.history_id = (*loaded)->info().history_id;
     ExpectSameMap(MapSnapshot(info, house_->published()->submaps(), house_->published()->free_space(),
-                              house_->published()->vacated()),
+                              VacatedSpace{house_->published()->vacated()}),
                   **loaded);
     const auto report = store.VerifyMap(name, false, {});
     ASSERT_TRUE(report.ok());
@@ -199,8 +199,9 @@ TEST_F(MapFileTest, AFileOfAnyReleasedVersionIsBroughtUpToDate) {
     EXPECT_EQ(store_->ListEdits(name, {})->size(), 0u) << "they are of the other history";
     info.name = name;
     info.history_id = (*loaded)->info().history_id;
-    ExpectSameMap(MapSnapshot(info, (*expected)->submaps(), (*expected)->free_space(), (*expected)->vacated()),
-                  **loaded);
+    ExpectSameMap(
+        MapSnapshot(info, (*expected)->submaps(), (*expected)->free_space(), VacatedSpace{(*expected)->vacated()}),
+        **loaded);
 
     // Once more, as this version exports it.
     const std::string again = name + "-again";
@@ -210,8 +211,9 @@ TEST_F(MapFileTest, AFileOfAnyReleasedVersionIsBroughtUpToDate) {
     EXPECT_NE((*twice)->info().history_id, (*loaded)->info().history_id);
     info.name = again;
     info.history_id = (*twice)->info().history_id;
-    ExpectSameMap(MapSnapshot(info, (*expected)->submaps(), (*expected)->free_space(), (*expected)->vacated()),
-                  **twice);
+    ExpectSameMap(
+        MapSnapshot(info, (*expected)->submaps(), (*expected)->free_space(), VacatedSpace{(*expected)->vacated()}),
+        **twice);
   }
 }
 

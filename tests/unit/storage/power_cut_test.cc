@@ -290,7 +290,7 @@ class MigrationFaultTest : public PowerCutTest, public ::testing::WithParamInter
       ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
       MapInfo info = map->info();  // schema 3 drew histories, which a migration from before draws anew
       info.history_id = (*loaded)->info().history_id;
-      ExpectSameMap(MapSnapshot(info, map->submaps(), map->free_space(), map->vacated()), **loaded);
+      ExpectSameMap(MapSnapshot(info, map->submaps(), map->free_space(), VacatedSpace{map->vacated()}), **loaded);
     }
     ExpectSound();
   }

@@ -265,7 +265,8 @@ int Run(int argc, char** argv) {
   copy_info.name = "copy";
   begin = Clock::now();
   const double save_cpu_begin_s = bench::ProcessCpu_s();
-  Must(store->CreateMap(MapSnapshot(copy_info, committed->submaps(), committed->free_space(), committed->vacated())));
+  Must(store->CreateMap(
+      MapSnapshot(copy_info, committed->submaps(), committed->free_space(), VacatedSpace{committed->vacated()})));
   const double save_s = SecondsSince(begin), save_cpu_s = bench::ProcessCpu_s() - save_cpu_begin_s;
   begin = Clock::now();
   Must(store->DeleteMap("copy"));

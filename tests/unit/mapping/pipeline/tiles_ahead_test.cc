@@ -89,7 +89,8 @@ std::shared_ptr<const MapSnapshot> OnDisk(const MapSnapshot& whole) {
     }
     submaps.push_back(std::move(same));
   }
-  return std::make_shared<const MapSnapshot>(whole.info(), std::move(submaps), whole.free_space(), whole.vacated());
+  return std::make_shared<const MapSnapshot>(whole.info(), std::move(submaps), whole.free_space(),
+                                             VacatedSpace{whole.vacated()});
 }
 
 MapInfo Info() {

@@ -121,7 +121,8 @@ inline std::shared_ptr<const MapSnapshot> WithoutEdits(const MapSnapshot& map) {
     copy->mutable_info().edited_revision = 0;
     submaps.push_back(std::move(copy));
   }
-  return std::make_shared<const MapSnapshot>(map.info(), std::move(submaps), map.free_space(), map.vacated());
+  return std::make_shared<const MapSnapshot>(map.info(), std::move(submaps), map.free_space(),
+                                             VacatedSpace{map.vacated()});
 }
 
 /// Whether two states are the same but for revisions (so etags, too) and the next id.

@@ -135,6 +135,63 @@ TEST_F(MapSessionTest, AnEditIsSeenOnlyOnceItIsStored) {
   disk.set_before_commit({});
 }
 
+/// Of the first object, a metre up.
+Result<SubmapId> Lift(Map& map) {
+  Transform T_map_submap = map.Find(SubmapId(1))->info().T_map_submap;
+  T_map_submap.translation().z() += 1;
+  DHPMAP_RETURN_IF_ERROR(PatchSubmap(map, SubmapId(1), {.T_map_submap = T_map_submap}).status());
+  return SubmapId(1);
+}
+
+TEST_F(MapSessionTest, AMoveIsAnsweredBeforeWhatItLeftIsStored) {
+  auto failing = std::make_unique<FailingStore>();
+  FailingStore& disk = *failing;
+  store = std::move(failing);
+  Open({});
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(Integrate(i).report.ok());
+  ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  std::atomic<int> num_commits = 0;
+  std::promise<void> go;
+  disk.set_before_commit([&, may_go = go.get_future().share()] {
+    if (++num_commits == 2) may_go.wait();
+  });
+  const auto moved = Wait<Result<EditOutcome>>([&](auto done) { session->Edit(Lift, done); });
+  ASSERT_TRUE(moved.ok()) << moved.status().ToString();
+  EXPECT_EQ(session->View()->snapshot().leaving(), SubmapId(1));
+  EXPECT_TRUE(testing::Eventually([&] { return num_commits == 2; })) << "nobody asks for it";
+  EXPECT_GT(session->View()->snapshot().vacated()->NumFreeVoxels(), 0) << "readers do not wait for the store";
+  go.set_value();
+  ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  const int num_before = num_commits;
+  const auto again = Wait<Result<EditOutcome>>([&](auto done) { session->Edit(Lift, done); });
+  ASSERT_TRUE(again.ok()) << again.status().ToString();
+  EXPECT_FALSE(session->View()->snapshot().leaving()) << "it is not where it was seen any more";
+  EXPECT_EQ(num_commits, num_before + 1) << "nothing was left to be stored";
+  disk.set_before_commit({});
+}
+
+TEST_F(MapSessionTest, NoEditComesBeforeWhatAMoveHasLeftIsStored) {
+  auto failing = std::make_unique<FailingStore>();
+  FailingStore& disk = *failing;
+  store = std::move(failing);
+  Open({.commit_retry_s = 0.005});
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(Integrate(i).report.ok());
+  ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  std::atomic<int> num_commits = 0;
+  disk.set_before_commit([&] {
+    if (++num_commits == 1) disk.set_full(true);  // from the next one on
+  });
+  const auto moved = Wait<Result<EditOutcome>>([&](auto done) { session->Edit(Lift, done); });
+  ASSERT_TRUE(moved.ok()) << "it was stored: " << moved.status().ToString();
+  EXPECT_TRUE(testing::Eventually([&] { return disk.num_refused() >= 2; })) << "tried again by itself";
+  const auto refused = Wait<Result<EditOutcome>>([&](auto done) { session->Edit(Lift, done); });
+  EXPECT_EQ(refused.status().code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(session->View()->snapshot().revision(), moved->view->snapshot().revision());
+  disk.set_full(false);
+  EXPECT_TRUE(Wait<Result<EditOutcome>>([&](auto done) { session->Edit(Lift, done); }).ok());
+  disk.set_before_commit({});
+}
+
 TEST_F(MapSessionTest, RefusesFramesWhileTheStoreIsTooFarBehind) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;

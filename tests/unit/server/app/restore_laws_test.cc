@@ -30,7 +30,8 @@ StatePtr ComeBack(const MapSnapshot& past, const MapSnapshot& now) {
   info.merged = past.info().merged;
   info.pairs = past.info().pairs;
   info.kept_clear = past.info().kept_clear;
-  return std::make_shared<const MapSnapshot>(std::move(info), past.submaps(), now.free_space(), past.vacated());
+  return std::make_shared<const MapSnapshot>(std::move(info), past.submaps(), now.free_space(),
+                                             VacatedSpace{past.vacated()});
 }
 
 class RestoreLaws : public ::testing::TestWithParam<EditedRoom::Store> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/space/vacated_space.h"
+#include "mapping/map/vacated_space.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/base/index_map.h"
+#include "mapping/base/status_error.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/map/shown_mask.h"
 
@@ -144,10 +145,10 @@ struct VoxelBox {
 
 class Leaving {
  public:
-  Leaving(const Submap& submap, const Map& map) : submap_(submap), map_(map) {
-    for (const auto& other : map.submaps()) {
-      if (other->id() == submap.id() || !IsOnMapGrid(other->info(), map.info().config)) continue;
-      const BoundingSphere &a = other->bounding_sphere(), &b = submap.bounding_sphere();
+  explicit Leaving(const MovedAway& state) : submap_(state.moved), free_space_(state.free_space) {
+    for (const auto& other : state.submaps) {
+      if (other->id() == submap_.id() || !IsOnMapGrid(other->info(), state.config)) continue;
+      const BoundingSphere &a = other->bounding_sphere(), &b = submap_.bounding_sphere();
       if ((a.center_m - b.center_m).norm() <= a.radius_m + b.radius_m) others_.push_back(other.get());
     }
   }
@@ -263,7 +264,7 @@ class Leaving {
 
   /// Or looked through.
   [[nodiscard]] VoxelMask ShownByOthers(BlockIndex index) const {
-    const FreeTile* free = map_.free_space().Find(TileOf(index));
+    const FreeTile* free = free_space_.Find(TileOf(index));
     VoxelMask shown = free != nullptr ? free->MaskOf(CellOf(index)) : VoxelMask{};
     for (const Submap* other : others_) {
       const BlockEntry* there = other->blocks().Find(index);
@@ -273,7 +274,7 @@ class Leaving {
   }
 
   const Submap& submap_;
-  const Map& map_;
+  const FreeSpace& free_space_;
   std::vector<const Submap*> others_;                ///< that may lie there
   std::deque<std::pair<BlockIndex, Place>> places_;  ///< none moves when one is added
   IndexMap<BlockIndex> numbers_;                     ///< position in places_
@@ -289,30 +290,47 @@ std::int64_t NewestLook_ns(const FreeSpace& space) {
   return newest_ns;
 }
 
-/// Calls visit(TileIndex, FreeBlocks) for what the object leaves, or would.
-template <typename Visitor>
-void VisitLeftBy(const Submap& leaving, const Map& map, Visitor&& visit) {
-  const SubmapInfo& info = leaving.info();
-  if (!info.is_placed && IsOnMapGrid(info, map.info().config)) Leaving(leaving, map).VisitLeft(visit);
+MovedAway StateOf(const Submap& moved, const Map& map) {
+  return {moved, map.submaps(), map.info().config, map.free_space()};
+}
+
+void AddLeft(const MovedAway& state, FreeSpace& vacated) {
+  const std::int64_t now_ns = NewestLook_ns(state.free_space);
+  Leaving(state).VisitLeft([&](TileIndex index, const FreeBlocks& left) { vacated.Add(index, left, now_ns); });
 }
 
 }  // namespace
 
 void NoteVacated(const Submap& leaving, Map& map) {
-  const std::int64_t now_ns = NewestLook_ns(map.free_space());
-  VisitLeftBy(leaving, map, [&map, now_ns](TileIndex index, const FreeBlocks& left) {
-    map.mutable_vacated().Add(index, left, now_ns);
-  });
+  if (!IsExclusive(leaving.info(), map.info().config)) return;
+  FreeSpace& vacated = map.mutable_vacated();
+  AddLeft(StateOf(leaving, map), vacated);
+}
+
+std::shared_ptr<const FreeSpace> WithLeft(const MovedAway& state, const std::shared_ptr<const FreeSpace>& vacated) {
+  auto with_left = std::make_shared<FreeSpace>(*vacated);
+  with_left->ShareTiles();
+  with_left->set_generation(vacated->generation() + 1);  // or tiles of generation 0 would be written to in place
+  try {
+    AddLeft(state, *with_left);
+  } catch (const StatusError&) {
+    return vacated;
+  }
+  with_left->ShareTiles();
+  with_left->set_generation(vacated->generation());
+  return with_left;
 }
 
 void TakeVacatedBack(const Submap& back, Map& map) {
-  VisitLeftBy(back, map, [&map](TileIndex index, const FreeBlocks& left) {
-    const FreeTile* now = map.vacated().Find(index);
+  if (!IsExclusive(back.info(), map.info().config)) return;
+  FreeSpace& vacated = map.mutable_vacated();
+  Leaving(StateOf(back, map)).VisitLeft([&vacated](TileIndex index, const FreeBlocks& left) {
+    const FreeTile* now = vacated.Find(index);
     if (now == nullptr) return;
     auto rest = std::make_shared<FreeTile>(*now);
     rest->Remove(left);
-    map.mutable_vacated().Erase(index);
-    if (!rest->empty()) map.mutable_vacated().Put(index, std::move(rest));
+    vacated.Erase(index);
+    if (!rest->empty()) vacated.Put(index, std::move(rest));
   });
 }
 

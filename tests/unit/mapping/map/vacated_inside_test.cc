@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/space/vacated_space.h"
+#include "mapping/map/vacated_space.h"
 
 namespace dhpmap {
 namespace {

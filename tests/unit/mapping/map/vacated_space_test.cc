@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/space/vacated_space.h"
+#include "mapping/map/vacated_space.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
 
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
 namespace {
 
+using testing::Solid;
+
 constexpr double kVoxel_m = 0.05, kTruncation_m = 0.15;
+
+/// And stamps.
+bool HasSameVoxels(const FreeSpace& a, const FreeSpace& b) {
+  return a.tiles().size() == b.tiles().size() && std::ranges::all_of(a.tiles(), [&b](const FreeTileEntry& entry) {
+           const FreeTile* other = b.Find(entry.index);
+           return other != nullptr && *other == *entry.tile;
+         });
+}
 
 /// A map of boxes, each a submap, observed wherever somebody says so.
 class VacatedSpaceTest : public ::testing::Test {
@@ -61,7 +76,7 @@ class VacatedSpaceTest : public ::testing::Test {
     });
   }
   void Leave(SubmapId id) { NoteVacated(*map.Find(id), map); }
-  void ExpectVacated(const Condition& expected) const {
+  void ExpectVacated(const Condition& expected) {
     int num = 0, num_wrong = 0;
     ForEachVoxel([&](VoxelIndex voxel, const Eigen::Vector3d& centre) {
       num += expected(centre);
@@ -142,6 +157,74 @@ TEST_F(VacatedSpaceTest, WhatSomebodyHasPutThereLeavesNothing) {
   EXPECT_TRUE(map.vacated().empty()) << "its voxels are not the map's";
   Leave(kUnknownSubmap);
   EXPECT_TRUE(map.vacated().empty());
+}
+
+TEST_F(VacatedSpaceTest, WhatIsWorkedOutAfterAMoveIsWhatWouldHaveBeenNotedBeforeIt) {
+  LookThrough([](const Eigen::Vector3d& p) { return p.y() > 0.3; });
+  const SubmapId other = Observe(Box({0.6, 0.02, 0.03}, {0.3, 0.2, 0.2}), Panoptic::kThing, Everywhere);
+  const SubmapId id = Observe(box, Panoptic::kThing, Everywhere);
+  Leave(other);  // there is something already
+  map.Publish(1);
+  Map noted = map.Fork();
+  NoteVacated(*noted.Find(id), noted);
+  const auto expected = noted.Publish(2)->vacated();
+
+  const auto move = [id](Map& moved) {
+    moved.FindMutable(id)->mutable_info().T_map_submap.translation().x() = 2;
+    moved.FindMutable(id)->mutable_info().is_placed = true;
+    moved.NoteLeaving(id);
+  };
+  Map settled = map.Fork();
+  move(settled);
+  settled.SettleVacated();  // as before a further edit of the same revision
+  settled.Remove(other);
+  EXPECT_TRUE(HasSameVoxels(settled.vacated(), *expected));
+
+  move(map);
+  const auto moved = map.Publish(2);
+  EXPECT_EQ(moved->leaving(), id);
+  EXPECT_LT(moved->noted_vacated()->NumFreeVoxels(), expected->NumFreeVoxels());
+  // Whatever comes later, whoever asks first.
+  map.Remove(other);
+  LookThrough(Everywhere);
+  const auto later = map.Publish(3);
+  EXPECT_FALSE(later->leaving());
+  EXPECT_TRUE(HasSameVoxels(*later->vacated(), *expected));
+  EXPECT_TRUE(HasSameVoxels(*moved->vacated(), *expected));
+  EXPECT_EQ(later->vacated(), moved->vacated()) << "it was worked out once";
+}
+
+TEST_F(VacatedSpaceTest, WhatWasNotedIsLeftAsItIsEvenWhereItWasRead) {
+  const SubmapId first = Observe(box, Panoptic::kThing, Everywhere);
+  Leave(first);
+  const SubmapId id = Observe(Box({0.6, 0.02, 0.03}, {0.3, 0.2, 0.2}), Panoptic::kThing, Everywhere);
+  map.Remove(first);
+  const auto state = map.Publish(1);
+  auto read = std::make_shared<FreeSpace>();  // as a store makes it
+  for (const FreeTileEntry& entry : state->vacated()->tiles()) read->Put(entry.index, entry.tile);
+  Map loaded(
+      std::make_shared<const MapSnapshot>(state->info(), state->submaps(), state->free_space(), VacatedSpace{read}));
+  const std::int64_t num_noted = read->NumFreeVoxels();
+  loaded.FindMutable(id)->mutable_info().is_placed = true;
+  loaded.NoteLeaving(id);
+  const auto moved = loaded.Publish(2);
+  EXPECT_GT(moved->vacated()->NumFreeVoxels(), num_noted);
+  EXPECT_EQ(moved->noted_vacated()->NumFreeVoxels(), num_noted);
+}
+
+TEST_F(VacatedSpaceTest, OneWhoReadsAStateKnowsWhatWasLeftWhileOthersAsk) {
+  const SubmapId id = Observe(box, Panoptic::kThing, Everywhere);
+  map.FindMutable(id)->mutable_info().is_placed = true;
+  map.NoteLeaving(id);
+  const auto moved = map.Publish(1);
+  std::vector<std::shared_ptr<const FreeSpace>> seen(4);
+  {
+    std::vector<std::jthread> readers;
+    readers.reserve(seen.size());
+    for (auto& layer : seen) readers.emplace_back([&layer, &moved] { layer = moved->vacated(); });
+  }
+  for (const auto& layer : seen) EXPECT_EQ(layer, seen.front());
+  EXPECT_FALSE(seen.front()->empty());
 }
 
 TEST_F(VacatedSpaceTest, ItIsAsOldAsTheNewestLook) {
