@@ -54,8 +54,10 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   Metrics metrics;
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(config.db, StoreOptionsOf(config)));
   DHPMAP_ASSIGN_OR_RETURN(const auto records, RecordDirOf(config));
-  DHPMAP_ASSIGN_OR_RETURN(const auto registry,
-                          MapRegistry::Open(*store, SessionOptionsOf(config, metrics, records.get())));
+  DHPMAP_ASSIGN_OR_RETURN(auto spill, SpillOf(config));
+  DHPMAP_ASSIGN_OR_RETURN(
+      const auto registry,
+      MapRegistry::Open(*store, SessionOptionsOf(config, metrics, records.get(), std::move(spill))));
   for (const MapSummary& map : registry->List()) {
     if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
   }

@@ -2,6 +2,7 @@
 #include "server/options.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "mapping/map/tile_page.h"
@@ -58,7 +59,14 @@ Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config) {
   return RecordDir::Open(config.mapping.record_dir, std::int64_t{config.mapping.record_mib} << 20);
 }
 
-SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records) {
+Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config) {
+  if (config.store.memory_budget_mib == 0) return std::shared_ptr<TileSpill>();
+  const std::string folder = std::filesystem::path(config.db).parent_path().string();
+  return OpenTileSpill(folder.empty() ? "." : folder);
+}
+
+SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records,
+                                std::shared_ptr<TileSpill> spill) {
   const bool is_reproducible = config.mapping.reproducible;
   std::function<std::unique_ptr<FrameRecorder>(const MapInfo&)> make_recorder;
   if (records != nullptr) {
@@ -78,6 +86,7 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, Re
       .max_behind_s = config.store.max_behind_s,
       .idle_close_s = config.maps.idle_close_s,
       .page_bytes = std::int64_t{config.store.memory_budget_mib} << 20,
+      .spill = std::move(spill),
       .feed_idle_s = config.mapping.feed_idle_s,
       .max_feeds = static_cast<std::size_t>(config.mapping.max_feeds),
       .refinement_timing = is_reproducible ? RefinementTiming::kReproducible : RefinementTiming::kNeverWait,

@@ -22,7 +22,10 @@ SqliteStoreOptions StoreOptionsOf(const ServerConfig& config);
 /// Null where nothing is recorded.
 Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config);
 /// `records` may be null, and outlives the sessions.
-SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records);
+SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records,
+                                std::shared_ptr<TileSpill> spill);
+/// Beside the database; null where memory has no budget.
+Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config);
 /// For both doors together.
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config);
 GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);

@@ -18,6 +18,7 @@
 #include "mapping/map/map_change.h"
 #include "mapping/map/state_delta.h"
 #include "mapping/map/state_marks.h"
+#include "mapping/map/tile_spill.h"
 
 namespace dhpmap {
 
@@ -284,6 +285,10 @@ struct SqliteStoreOptions {
 /// this or another process, writes to it; names the process). NOT_FOUND if its folder is not there. With read_only,
 /// which works beside a writer: NOT_FOUND if there is no file, reason OLDER_SCHEMA if it must be migrated first.
 Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const SqliteStoreOptions& options = {});
+
+/// For what open maps have in memory and no store has as it is: a file of this process in that folder, without a name,
+/// which goes with it. Its errors are those of the disk.
+Result<std::shared_ptr<TileSpill>> OpenTileSpill(const std::string& folder);
 
 /// What SQLite has in memory, for all stores of the process. Thread-safe.
 std::int64_t SqliteMemoryBytes();

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "mapping/map/tile_spill.h"
+
 namespace dhpmap {
 namespace {
 
@@ -112,12 +114,21 @@ void BlockTable::PutLayers(TileIndex index, const BlockTile* from, const BlockLa
   }
 }
 
-bool BlockTable::LetGoOfPages(bool even_used) {
+bool BlockTable::LetGoOfPages(const LettingGo& rule) {
   bool has_any = false;
+  TileSpill* spill = rule.spill;
   for (TileEntry& entry : tiles_) {
-    if (!entry.tile->CanBeUnread()) continue;
-    if (entry.tile->page()->WasUsed() && !even_used) continue;
-    entry.tile = entry.tile->Unread();
+    if (entry.tile->CanBeUnread()) {
+      if (entry.tile->page()->WasUsed() && !rule.even_used) continue;
+      entry.tile = entry.tile->Unread();
+    } else {
+      if (spill == nullptr || !entry.tile->CanBeLeft()) continue;
+      if (entry.generation >= rule.written_lately && !rule.even_used) continue;
+      auto place = spill->Write(*entry.tile);
+      if (!place.ok()) spill = nullptr;  // and nor will the next one find room
+      if (!place.ok()) continue;
+      entry.tile = entry.tile->LeftAt(std::move(place).value());
+    }
     has_any = true;
   }
   return has_any;

@@ -13,11 +13,20 @@
 
 namespace dhpmap {
 
+class TileSpill;
+
 /// One tile of a table, shared with every copy of the table that holds the same state.
 struct TileEntry {
   TileIndex index;
   std::shared_ptr<const BlockTile> tile;  ///< never null, never empty
   std::uint64_t generation = 0;           ///< of the writer that made it; see BlockTable
+};
+
+/// Which tiles are left on the disk.
+struct LettingGo {
+  bool even_used = false;            ///< what somebody has asked for since the last time, or written to lately
+  TileSpill* spill = nullptr;        ///< takes what was written since it was read; null: that stays in memory
+  std::uint64_t written_lately = 0;  ///< generations from this one on
 };
 
 /// Blocks by their index, in tiles. Copying shares the tiles, so it costs some bytes a tile, and two copies are
@@ -64,9 +73,10 @@ class BlockTable {
       for (BlockEntry& entry : Own(tile, generation).mutable_entries()) visit(entry);
     }
   }
-  /// Leaves tiles on the disk again that were read from there, those that nobody has asked for since the last time, or
-  /// with `even_used` all. The table then has the same tiles, others keep their blocks. Returns whether there were any.
-  bool LetGoOfPages(bool even_used);
+  /// Leaves tiles on the disk: again those that were read from there, and if there is a place for them the others. The
+  /// table then has the same tiles, others keep their blocks. Returns whether there were any. What the place refuses
+  /// stays in memory, and so do empty blocks.
+  bool LetGoOfPages(const LettingGo& rule);
   /// Makes every tile count as shared, whatever its generation: for two copies that go on with the same one.
   void ShareTiles();
 

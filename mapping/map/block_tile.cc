@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/map/block_tile.h"
 
+#include <utility>
+
 namespace dhpmap {
 
 BlockTile::BlockTile(const BlockTile& other)
@@ -8,6 +10,7 @@ BlockTile::BlockTile(const BlockTile& other)
 
 bool BlockTile::CanBeUnread() const {
   if (page_ == nullptr || !page_->IsRead()) return false;
+  if (page_->HasOwnNames()) return true;  // wherever else it is stored
   const TileOnDisk& there = page_->tile();
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
     if (there.keys[i] != 0 && stored_[i].In(there.store) != there.keys[i]) return false;  // stored anew since
@@ -15,7 +18,38 @@ bool BlockTile::CanBeUnread() const {
   return true;
 }
 
-std::shared_ptr<const BlockTile> BlockTile::Unread() const { return std::make_shared<const BlockTile>(page_->LetGo()); }
+std::shared_ptr<const BlockTile> BlockTile::Unread() const {
+  auto unread = std::make_shared<const BlockTile>(page_->LetGo());
+  for (std::size_t i = 0; i < kNumBlockLayers; ++i) unread->stored_[i].Adopt(stored_[i]);
+  return unread;
+}
+
+bool BlockTile::CanBeLeft() const {
+  if (page_ != nullptr || empty()) return false;
+  std::uint64_t cells = 0;
+  for (std::size_t i = 0; i < kNumBlockLayers; ++i) cells |= CellsWith(static_cast<BlockLayer>(i));
+  return cells == cells_;
+}
+
+std::shared_ptr<const BlockTile> BlockTile::LeftAt(std::shared_ptr<TileSource> source) const {
+  TileOnDisk there{.index = TileOf(entries_.front().index)};
+  PageNames names{.parts = {}, .tile = part_id_.value()};
+  for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
+    for (const BlockEntry& entry : entries_) {
+      ForEachLayer(
+          [&](BlockLayer layer, const auto& part) {
+            if (static_cast<std::size_t>(layer) != i || part == nullptr) return;
+            there.cells[i] |= std::uint64_t{1} << CellOf(entry.index);
+            names.parts.push_back(part->part_id.value());
+          },
+          entry);
+    }
+  }
+  auto left =
+      std::make_shared<const BlockTile>(std::make_shared<const TilePage>(there, std::move(source), std::move(names)));
+  for (std::size_t i = 0; i < kNumBlockLayers; ++i) left->stored_[i].Adopt(stored_[i]);
+  return left;
+}
 
 BlockEntry& BlockTile::FindOrInsert(BlockIndex index) {
   const int cell = CellOf(index);

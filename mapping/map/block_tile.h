@@ -70,6 +70,11 @@ class BlockTile {
   [[nodiscard]] bool CanBeUnread() const;
   /// The same tile with its blocks on the disk again; of one that can be.
   [[nodiscard]] std::shared_ptr<const BlockTile> Unread() const;
+  /// Whether its blocks are in memory, have been so all along, and each has something.
+  [[nodiscard]] bool CanBeLeft() const;
+  /// The same tile with its blocks where `source` has them just as they are; of one that can be, which nobody writes
+  /// to.
+  [[nodiscard]] std::shared_ptr<const BlockTile> LeftAt(std::shared_ptr<TileSource> source) const;
   /// Whether its blocks are in memory.
   [[nodiscard]] bool IsRead() const { return page_ == nullptr || page_->IsRead(); }
 

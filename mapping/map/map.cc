@@ -27,6 +27,7 @@ const Submap* FindIn(const SubmapList& submaps, SubmapId id) {
 /// What is on the disk only: its blobs go with the submap, and older states still answer.
 void ReadAll(const Submap& submap) {
   for (const TileEntry& tile : submap.blocks().tiles()) {
+    if (tile.tile->page() != nullptr && tile.tile->page()->HasOwnNames()) continue;  // which goes with no submap
     try {
       (void)tile.tile->entries();
     } catch (const StatusError&) {
@@ -223,12 +224,13 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
   return published_;
 }
 
-std::shared_ptr<const MapSnapshot> Map::LetGoOfPages(bool even_used) {
+std::shared_ptr<const MapSnapshot> Map::LetGoOfPages(bool even_used, TileSpill* spill) {
   if (changed_ || published_ == nullptr) return published_;
+  const LettingGo rule{.even_used = even_used, .spill = spill, .written_lately = generation_ - 1};
   SubmapList same = submaps_;  // of older generations, all of them: no writer's own
   bool has_any = false;
   for (auto& submap : same) {
-    auto without = submap->WithoutPages(even_used);
+    auto without = submap->WithoutPages(rule);
     if (without == nullptr) continue;
     submap = std::move(without);
     has_any = true;

@@ -139,7 +139,8 @@ class Map {
   /// what was not asked for since the last time, or with `even_used` all. It is the same revision and the same parts;
   /// who holds the state of before keeps what it has read. Returns the published state, which may be the one that it
   /// was. Does nothing while there is something that was not published.
-  std::shared_ptr<const MapSnapshot> LetGoOfPages(bool even_used);
+  /// With a `spill` also what was written, or is not stored yet, goes there.
+  std::shared_ptr<const MapSnapshot> LetGoOfPages(bool even_used, TileSpill* spill = nullptr);
 
   /// A second writer's map of the same state, published or not: to go back to by assigning it. Whatever either writes
   /// afterwards is copied first.

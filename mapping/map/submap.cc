@@ -124,9 +124,9 @@ void Submap::DropLabels() {
   blocks_.ForEachMutable(generation_, [](BlockEntry& entry) { entry.labels = nullptr; });
 }
 
-std::shared_ptr<const Submap> Submap::WithoutPages(bool even_used) const {
+std::shared_ptr<const Submap> Submap::WithoutPages(const LettingGo& rule) const {
   auto same = std::make_shared<Submap>(*this);
-  if (!same->blocks_.LetGoOfPages(even_used)) return nullptr;
+  if (!same->blocks_.LetGoOfPages(rule)) return nullptr;
   same->part_id_.Restore(part_id_.value());
   return same;
 }

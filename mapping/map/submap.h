@@ -133,7 +133,7 @@ class Submap {
   void ShareBlocks() { blocks_.ShareTiles(); }
 
   /// The same submap (see part_id) with tiles left on the disk again: see BlockTable. Null if there are none.
-  [[nodiscard]] std::shared_ptr<const Submap> WithoutPages(bool even_used) const;
+  [[nodiscard]] std::shared_ptr<const Submap> WithoutPages(const LettingGo& rule) const;
 
   /// Recomputes the sphere from the blocks: centre of their box, radius to the farthest corner of a block.
   void UpdateBoundingSphere();

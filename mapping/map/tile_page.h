@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -34,6 +35,13 @@ class TileSource {
   virtual Result<std::vector<BlockEntry>> Read(const TileOnDisk& tile) = 0;
 };
 
+/// What the blocks of a tile were called in memory, before they were left on the disk: each layer in turn, by ascending
+/// cell; and the tile.
+struct PageNames {
+  std::vector<std::uint64_t> parts;
+  std::uint64_t tile = 0;
+};
+
 /// The blocks of a tile, left on the disk until somebody reads them. Blocks that were read stay for as long as the page
 /// does. Its blocks have names (PartId) before they are read. Thread-safe.
 ///
@@ -45,8 +53,12 @@ class TilePage {
   /// `source` is not null.
   TilePage(const TileOnDisk& tile, std::shared_ptr<TileSource> source)
       : tile_(tile), source_(std::move(source)), first_id_(PartId::Reserve(kNumBlockLayers * kTileBlocks + 1)) {}
+  /// Of blocks that have names already.
+  TilePage(const TileOnDisk& tile, std::shared_ptr<TileSource> source, PageNames names)
+      : tile_(tile), source_(std::move(source)), first_id_(0), names_(std::move(names)) {}
   /// Another page of the same blocks, under the same names, with nothing read.
-  TilePage(const TilePage& other) : tile_(other.tile_), source_(other.source_), first_id_(other.first_id_) {}
+  TilePage(const TilePage& other)
+      : tile_(other.tile_), source_(other.source_), first_id_(other.first_id_), names_(other.names_) {}
   TilePage& operator=(const TilePage&) = delete;
   ~TilePage();
 
@@ -61,10 +73,15 @@ class TilePage {
   [[nodiscard]] std::uint64_t PartIdOf(BlockLayer layer, int cell) const {
     const auto l = static_cast<std::size_t>(layer);
     if ((tile_.cells[l] >> cell & 1u) == 0) return 0;
+    if (HasOwnNames()) return names_.parts[PositionOf(l, cell)];
     return first_id_ + l * kTileBlocks + static_cast<std::uint64_t>(cell);
   }
   /// Of the tile.
-  [[nodiscard]] std::uint64_t tile_id() const { return first_id_ + kNumBlockLayers * kTileBlocks; }
+  [[nodiscard]] std::uint64_t tile_id() const {
+    return HasOwnNames() ? names_.tile : first_id_ + kNumBlockLayers * kTileBlocks;
+  }
+  /// Whether its blocks were in memory before, so that they are read as they were: see TileSpill.
+  [[nodiscard]] bool HasOwnNames() const { return names_.tile != 0; }
 
   /// By ascending cell; reads them if nobody has. Valid as long as the page. Throws StatusError; the next call tries
   /// again.
@@ -86,10 +103,18 @@ class TilePage {
  private:
   void Read() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] Result<std::vector<BlockEntry>> ReadNamed() const;
+  /// In the names of parts.
+  [[nodiscard]] std::size_t PositionOf(std::size_t layer, int cell) const {
+    std::size_t position = 0;
+    for (std::size_t l = 0; l < layer; ++l) position += static_cast<std::size_t>(std::popcount(tile_.cells[l]));
+    const std::uint64_t before = (std::uint64_t{1} << cell) - 1;
+    return position + static_cast<std::size_t>(std::popcount(tile_.cells[layer] & before));
+  }
 
   const TileOnDisk tile_;
   const std::shared_ptr<TileSource> source_;
   const std::uint64_t first_id_;  ///< of the blocks' layers, one for each cell and layer that may be, then the tile's
+  const PageNames names_;         ///< instead, if it has any
   mutable Mutex mutex_;           ///< of who reads
   mutable std::atomic<bool> is_read_ = false;
   mutable std::atomic<bool> is_used_ = false;

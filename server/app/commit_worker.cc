@@ -14,6 +14,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// What is known of where tiles are stored, for a state that has the same ones as other objects: see LetGoOfPages.
+void AdoptStored(const MapSnapshot& stored, const std::shared_ptr<const MapSnapshot>& other) {
+  if (other == nullptr || other.get() == &stored) return;
+  for (const auto& submap : stored.submaps()) {
+    const Submap* same = other->Find(submap->id());
+    if (same == nullptr || same == submap.get()) continue;
+    for (const TileEntry& entry : submap->blocks().tiles()) {
+      const TileEntry* there = same->blocks().FindTile(entry.index);
+      if (there == nullptr || there->tile == entry.tile || there->tile->part_id() != entry.tile->part_id()) continue;
+      for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
+        const auto layer = static_cast<BlockLayer>(i);
+        there->tile->stored(layer).Adopt(entry.tile->stored(layer));
+      }
+    }
+  }
+}
+
 /// What an edit's commit, and a state that was loaded as that left it, has not stored yet: see MapStore::CommitEdit.
 constexpr bool kLacksLeft = true;
 
@@ -105,6 +122,11 @@ std::int64_t CommitWorker::committed_frames() const {
 std::optional<std::int64_t> CommitWorker::committed_sequence(const std::string& session) const {
   const MutexLock lock(mutex_);
   return committed_->info().sessions.LastOf(session);
+}
+
+std::shared_ptr<const MapSnapshot> CommitWorker::Newest() const {
+  const MutexLock lock(mutex_);
+  return newest_;
 }
 
 Status CommitWorker::last_outcome() const {
@@ -199,6 +221,7 @@ void CommitWorker::CommitNewest() {
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
     if (keeper_ && marks.ok() && after != nullptr) TellSafely([&] { keeper_(after); });
     if (observer_) TellSafely([&] { observer_(elapsed_s, marks.status()); });
+    if (marks.ok() && after != nullptr) TellSafely([&] { AdoptStored(*after, Newest()); });
     mutex_.Lock();
     if (marks.ok()) {
       committed_ = *marks;

@@ -77,6 +77,7 @@ class CommitWorker {
 
   void Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter waiter);
 
+  [[nodiscard]] std::shared_ptr<const MapSnapshot> Newest() const DHPMAP_EXCLUDES(mutex_);
   void Loop();
   // Both let go of the mutex while they work.
   void CommitNewest() DHPMAP_REQUIRES(mutex_);

@@ -62,7 +62,7 @@ void KeptStates::Keep(State state) {
   if (is_gone) last_view.swap(last_view_);
 }
 
-bool KeptStates::HoldPages() const {
+bool KeptStates::HoldBlocks(bool even_written) const {
   std::vector<State> states;  // nobody who reads waits for the look
   {
     const MutexLock lock(mutex_);
@@ -73,8 +73,8 @@ bool KeptStates::HoldPages() const {
     for (const auto& submap : state->submaps()) {
       if (!looked_at.insert(submap.get()).second) continue;
       const auto tiles = submap->blocks().tiles();
-      const bool holds_any = std::any_of(tiles.begin(), tiles.end(), [](const TileEntry& tile) {
-        return tile.tile->page() != nullptr && tile.tile->page()->IsRead();
+      const bool holds_any = std::any_of(tiles.begin(), tiles.end(), [even_written](const TileEntry& tile) {
+        return tile.tile->page() != nullptr ? tile.tile->page()->IsRead() : even_written && tile.tile->CanBeLeft();
       });
       if (holds_any) return true;
     }

@@ -30,8 +30,9 @@ class KeptStates {
   /// If it throws, for want of memory, the state is not kept.
   void Keep(State state) DHPMAP_EXCLUDES(mutex_);
 
-  /// Whether one of them holds voxels that were read from the store. Costs up to a look at each tile of each.
-  [[nodiscard]] bool HoldPages() const DHPMAP_EXCLUDES(mutex_);
+  /// Whether one of them holds voxels in memory: of what was read from a store, or with `even_written` of anything that
+  /// could be left on the disk. Costs up to a look at each tile of each.
+  [[nodiscard]] bool HoldBlocks(bool even_written) const DHPMAP_EXCLUDES(mutex_);
 
   /// `same` is the newest state again, with voxels left in the store (Map::LetGoOfPages): it takes the place of that
   /// one, and older states, which hold what was read, go. One thread at a time, which may be another than that of Keep.

@@ -43,10 +43,12 @@ struct SessionOptions {
   double commit_retry_s = 5.0;  ///< between attempts while the store refuses
   double max_behind_s = 30;     ///< what is fused may be so long not stored; then frames are refused
   double idle_close_s = 600;    ///< a map that nobody uses for so long is closed; 0: never
-  /// Of voxels that are read from the store when they are needed, of all maps of the process together; 0: no bound.
+  /// Of voxels in memory, of all maps of the process together: beyond it they are left in the store, or in `spill`; 0:
+  /// no bound. Without `spill` those that were read from the store count alone, and nothing else can go.
   std::int64_t page_bytes = 0;
-  double feed_idle_s = 30;     ///< a feeder that is silent for so long makes place for others
-  std::size_t max_feeds = 16;  ///< streams that feed a map at once
+  std::shared_ptr<TileSpill> spill = nullptr;  ///< takes what was written since it was read; shared by all maps
+  double feed_idle_s = 30;                     ///< a feeder that is silent for so long makes place for others
+  std::size_t max_feeds = 16;                  ///< streams that feed a map at once
   RefinementTiming refinement_timing = RefinementTiming::kNeverWait;
   std::size_t surface_bytes = 512u << 20;  ///< of surfaces that are kept for distances, of all maps
   std::size_t max_pending_edits = 256;     ///< waiting for the writer; more are answered RESOURCE_EXHAUSTED
@@ -66,6 +68,9 @@ struct SessionOptions {
   /// A state that has just become visible; on the writer thread; may be empty.
   std::function<void(const std::shared_ptr<const MapSnapshot>&)> on_publish;
 };
+
+/// What counts against page_bytes now.
+std::int64_t ResidentBytes(const SessionOptions& options);
 
 /// What became of a frame.
 struct FrameOutcome {

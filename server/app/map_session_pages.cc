@@ -4,15 +4,21 @@
 
 #include "mapping/base/free_memory.h"
 #include "mapping/base/guarded.h"
+#include "mapping/base/memory_count.h"
 #include "mapping/map/tile_page.h"
 #include "server/app/map_session.h"
 
 namespace dhpmap {
 
+std::int64_t ResidentBytes(const SessionOptions& options) {
+  if (options.spill == nullptr) return CountPages().resident_bytes;
+  return static_cast<std::int64_t>(CountOf(MemoryKind::kBlocks).now_bytes());
+}
+
 /// Where readers hold more than there may be, it is tried again when an eighth has come on top.
 bool MapSession::HasTooManyPages() const {
   if (options_.page_bytes == 0) return false;
-  const std::int64_t resident_bytes = CountPages().resident_bytes;
+  const std::int64_t resident_bytes = ResidentBytes(options_);
   const std::int64_t held_bytes = held_page_bytes_.load(std::memory_order_relaxed);
   return resident_bytes > options_.page_bytes && (has_kept_pages_ || held_bytes == 0 || resident_bytes < held_bytes ||
                                                   resident_bytes > held_bytes + options_.page_bytes / 8);
@@ -21,8 +27,8 @@ bool MapSession::HasTooManyPages() const {
 /// On the commit thread. Meanwhile nothing of the state could go, which is kept now with all that was read of it.
 void MapSession::OnStored(const std::shared_ptr<const MapSnapshot>& state) {
   kept_states_->Keep(state);
-  if (options_.page_bytes == 0 || CountPages().resident_bytes <= options_.page_bytes) return;
-  if (!kept_states_->HoldPages()) return;
+  if (options_.page_bytes == 0 || ResidentBytes(options_) <= options_.page_bytes) return;
+  if (!kept_states_->HoldBlocks(options_.spill != nullptr)) return;
   has_kept_pages_ = true;
   KeepPagesInBounds();
 }
@@ -42,15 +48,16 @@ void MapSession::KeepPagesInBounds() {
 void MapSession::LetGoOfPages() {
   if (builder_.map().is_changed() || !HasTooManyPages()) return;
   has_kept_pages_ = false;  // first: what comes from now on may come too late
-  const std::int64_t resident_bytes = CountPages().resident_bytes;
+  const std::int64_t resident_bytes = ResidentBytes(options_);
   TellSafely([this, resident_bytes] {
     for (const bool even_used : {false, true}) {
       auto before = builder_.map().published();
-      auto same = builder_.map().LetGoOfPages(even_used);
+      auto same = builder_.map().LetGoOfPages(even_used, options_.spill.get());
       if (same != before) commits_.LetGoOfPages(same);
       // At last whatever there is: a commit under way may have added one with all that was read. Where another map's
       // readers hold too much, states that hold nothing of it stay.
-      if (same != before || (even_used && kept_states_->HoldPages())) kept_states_->LetGoOfPages(same);
+      if (same != before || (even_used && kept_states_->HoldBlocks(options_.spill != nullptr)))
+        kept_states_->LetGoOfPages(same);
       before.reset();
       auto view = View();
       // Else that state is not to be seen yet.
@@ -58,11 +65,11 @@ void MapSession::LetGoOfPages() {
         view = Show(std::make_shared<const MapView>(std::move(same), view.get()));
       }
       view.reset();
-      if (CountPages().resident_bytes <= options_.page_bytes) break;
+      if (ResidentBytes(options_) <= options_.page_bytes) break;
     }
-    if (CountPages().resident_bytes < resident_bytes) GiveBackFreeMemory();
+    if (ResidentBytes(options_) < resident_bytes) GiveBackFreeMemory();
   });
-  const std::int64_t left_bytes = CountPages().resident_bytes;
+  const std::int64_t left_bytes = ResidentBytes(options_);
   held_page_bytes_ = left_bytes > options_.page_bytes ? left_bytes : 0;
 }
 

@@ -105,6 +105,16 @@ struct PagingBenchOptions {
 /// fits.
 Status RunPagingBench(const PagingBenchOptions& options);
 
+struct BudgetBenchOptions {
+  std::string directory;
+  std::size_t num_frames = 0;  ///< 0 = all
+  std::vector<std::int64_t> budgets_mib = {32};
+  std::string scratch = "/tmp";  ///< folder of the databases, which are removed again
+};
+/// A data set mapped as a server does, with all voxels in memory and with each budget of memory for them, in a process
+/// of its own: what that costs, and whether it is the same map.
+Status RunBudgetBench(const BudgetBenchOptions& options);
+
 struct EditBenchOptions {
   std::vector<double> num_voxels = {1e3, 1e5, 1e6};  ///< of the objects that are edited, about
   std::string scratch;                               ///< folder for the databases; empty: that of the system

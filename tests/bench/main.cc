@@ -99,6 +99,17 @@ int main(int argc, char** argv) {
   fray_command->add_option("--threads", fray.num_threads, "Threads, 0 = one a core")->capture_default_str();
   fray_command->add_flag("--list", fray.list, "List the things by the true object that they lie on");
 
+  dhpmap::bench::BudgetBenchOptions budget;
+  CLI::App* budget_command =
+      app.add_subcommand("budget", "A map made with budgets of memory for its voxels, and whether it is the same");
+  budget_command->add_option("directory", budget.directory, "Data set")->required();
+  budget_command->add_option("--frames", budget.num_frames, "Frames, 0 = all");
+  budget_command->add_option("--budgets-mib", budget.budgets_mib, "Budgets, by commas, beside all in memory")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  budget_command->add_option("--scratch", budget.scratch, "Folder for the databases")->capture_default_str();
+
   dhpmap::bench::StoreBenchOptions store;
   CLI::App* store_command = app.add_subcommand(
       "store",
@@ -151,6 +162,7 @@ int main(int argc, char** argv) {
                                 : is_paging->count() > 0     ? dhpmap::bench::RunPagingBench(paging)
                                 : store_command->parsed()    ? dhpmap::bench::RunStoreBench(store)
                                 : edit_command->parsed()     ? dhpmap::bench::RunEditBench(edit)
+                                : budget_command->parsed()   ? dhpmap::bench::RunBudgetBench(budget)
                                 : fray_command->parsed()     ? dhpmap::bench::RunFrayBench(fray)
                                                              : dhpmap::bench::RunCrfBench(crf);
   if (!status.ok()) std::fprintf(stderr, "dhpmap-bench: %s\n", status.ToString().c_str());

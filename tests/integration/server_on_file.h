@@ -23,7 +23,8 @@ class ServerOnFile : public ::testing::Test {
     auto opened = OpenSqliteStore((dir.path() / "maps.db").string(), {.pages_tiles = page_bytes > 0});
     ASSERT_TRUE(opened.ok()) << opened.status().ToString();
     store = std::move(*opened);
-    server = std::make_unique<TestServer>(*store, SessionOptions{.page_bytes = page_bytes});
+    auto spill = page_bytes > 0 ? OpenTileSpill(dir.path().string()).value() : nullptr;
+    server = std::make_unique<TestServer>(*store, SessionOptions{.page_bytes = page_bytes, .spill = std::move(spill)});
   }
   void Restart() {
     ASSERT_TRUE(server->Stop().ok());

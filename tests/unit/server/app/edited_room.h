@@ -189,6 +189,7 @@ class EditedRoom {
     options.commit_s = options.max_behind_s = kNever;
     options.idle_close_s = 0;
     options.page_bytes = kind_ == Store::kPaged ? 1 : 0;
+    if (kind_ == Store::kPaged) options.spill = OpenTileSpill(folder_.path().string()).value();
     options.refinement_timing = RefinementTiming::kReproducible;
     options.now_ns = [this] { return ++now_ns_; };
     auto registry = MapRegistry::Open(*store_, std::move(options));

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "mapping/base/memory_count.h"
 #include "mapping/base/status_error.h"
 #include "mapping/map/tile_page.h"
 #include "server/app/map_registry.h"
@@ -33,8 +34,11 @@ class PageBudgetTest : public ::testing::Test {
   }
   void TearDown() override { Close(); }
 
-  static SessionOptions Options(std::int64_t page_bytes) {
-    return {.num_threads = 2, .page_bytes = page_bytes, .refinement_timing = RefinementTiming::kReproducible};
+  [[nodiscard]] SessionOptions Options(std::int64_t page_bytes) const {
+    return {.num_threads = 2,
+            .page_bytes = page_bytes,
+            .spill = page_bytes > 0 ? spill_ : nullptr,
+            .refinement_timing = RefinementTiming::kReproducible};
   }
   /// 0: maps are read as a whole.
   void Open(std::int64_t page_bytes) {
@@ -96,6 +100,7 @@ class PageBudgetTest : public ::testing::Test {
   static std::int64_t ResidentBytes() { return CountPages().resident_bytes; }
 
   testing::TempDir folder_;
+  std::shared_ptr<TileSpill> spill_;  ///< of the registry that is opened next, if it has a budget
   std::unique_ptr<MapStore> store_;
   std::unique_ptr<MapRegistry> registry_;
 };
@@ -126,7 +131,7 @@ TEST_F(PageBudgetTest, WhatReadersOfAnotherMapHoldTakesNoRecentPast) {
   }
   const std::size_t num_kept = other->kept_states()->size();
   ASSERT_GT(num_kept, 1u);
-  EXPECT_FALSE(other->kept_states()->HoldPages());
+  EXPECT_FALSE(other->kept_states()->HoldBlocks(false));
   const auto held = registry_->OpenSession("room").value()->View();
   for (const auto& submap : held->snapshot().submaps()) ReadAllOf(*submap);
   EXPECT_GT(ResidentBytes(), 1);
@@ -135,7 +140,7 @@ TEST_F(PageBudgetTest, WhatReadersOfAnotherMapHoldTakesNoRecentPast) {
   EXPECT_EQ(other->kept_states()->size(), num_kept);
   KeptStates of_room(2, std::make_shared<ByteBudget>(1));
   of_room.Keep(held->shared_snapshot());
-  EXPECT_TRUE(of_room.HoldPages());
+  EXPECT_TRUE(of_room.HoldBlocks(false));
 }
 
 // Also what a commit under way holds meanwhile, which is one of the kept states at its end.
@@ -222,10 +227,36 @@ TEST_F(PageBudgetTest, StatisticsCountWhatIsInMemoryAndKeepNothing) {
   EXPECT_EQ(ResidentBytes(), before);
 }
 
+TEST_F(PageBudgetTest, WhatFramesWroteLeavesMemoryTooAndIsReadAgainAsItWas) {
+  Close();
+  const std::size_t before = CountOf(MemoryKind::kBlocks).now_bytes();
+  spill_ = OpenTileSpill(folder_.path().string()).value();
+  Open(1);
+  Integrate(4, 8);
+  EXPECT_TRUE(testing::Eventually([&] { return CountOf(MemoryKind::kBlocks).now_bytes() == before; }))
+      << "stored states of before do not keep it";
+  {
+    const auto view = View();
+    std::size_t num_read = 0;
+    for (const auto& submap : view->snapshot().submaps()) {
+      for (const TileEntry& entry : submap->blocks().tiles()) num_read += entry.tile->IsRead() ? 1 : 0;
+      ReadAllOf(*submap);
+    }
+    EXPECT_EQ(num_read, 0u);
+    EXPECT_GT(CountOf(MemoryKind::kBlocks).now_bytes(), before);
+  }
+  Integrate(8, 12);  // which writes to what was left
+  EXPECT_TRUE(testing::Eventually([&] {
+    (void)View();
+    return CountOf(MemoryKind::kBlocks).now_bytes() == before;
+  }));
+}
+
 TEST_F(PageBudgetTest, MoreFramesMakeTheMapThatTheyMakeInMemory) {
   const testing::TempDir other;
   Close();
   std::filesystem::copy_file(folder_.path() / "maps.db", other.path() / "maps.db");
+  spill_ = OpenTileSpill(folder_.path().string()).value();
   Open(1);
   Integrate(4, 12);
   const auto paged = Whole();

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "mapping/base/result.h"
+#include "mapping/map/block_tile.h"
+#include "mapping/map/tile_page.h"
+
+namespace dhpmap {
+
+/// Where tiles are left whose blocks no store has as they are in memory: written since they were read, or not stored
+/// yet. What comes back is the same to the bit, so that it does not depend on what was left when. Of the process: it is
+/// lost with it. Thread-safe.
+class TileSpill {
+ public:
+  virtual ~TileSpill() = default;
+  /// Writes the blocks of a tile, of which there are some. What is returned reads them, and gives their place back at
+  /// the end of its life. RESOURCE_EXHAUSTED if the disk is full; nothing is written then.
+  virtual Result<std::shared_ptr<TileSource>> Write(const BlockTile& tile) = 0;
+};
+
+}  // namespace dhpmap
