@@ -54,10 +54,9 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   Metrics metrics;
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(config.db, StoreOptionsOf(config)));
   DHPMAP_ASSIGN_OR_RETURN(const auto records, RecordDirOf(config));
-  DHPMAP_ASSIGN_OR_RETURN(auto spill, SpillOf(config));
-  DHPMAP_ASSIGN_OR_RETURN(
-      const auto registry,
-      MapRegistry::Open(*store, SessionOptionsOf(config, metrics, records.get(), std::move(spill))));
+  DHPMAP_ASSIGN_OR_RETURN(const auto spill, SpillOf(config));
+  DHPMAP_ASSIGN_OR_RETURN(const auto registry,
+                          MapRegistry::Open(*store, SessionOptionsOf(config, metrics, records.get(), spill)));
   for (const MapSummary& map : registry->List()) {
     if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
   }
@@ -69,7 +68,8 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
       Gateway::Start(
           GatewayOptionsOf(config, inflight), grpc->InProcessChannel(),
           {.is_ready = [&] { return grpc->is_serving() && !IsStoreBehind(*registry, config.store.max_behind_s); },
-           .metrics_text = [&] { return metrics.Text(GaugesOf(*registry, *inflight, *grpc, records.get())); }}));
+           .metrics_text =
+               [&] { return metrics.Text(GaugesOf(*registry, *inflight, *grpc, records.get(), spill.get())); }}));
   grpc->SetServing(true);
   std::printf("dhpmap-server: gRPC on %s, REST on http://%s\n", WithPort(config.grpc.address, grpc->port()).c_str(),
               WithPort(config.http.address, gateway->port()).c_str());

@@ -148,7 +148,7 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
 }
 
 Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const GrpcServer& grpc,
-                         const RecordDir* records) {
+                         const RecordDir* records, const TileSpill* spill) {
   Metrics::Gauges gauges{.surface_bytes = registry.surface_bytes(),
                          .num_watchers = registry.changes().num_followers(),
                          .inflight_bytes = inflight.used_bytes(),
@@ -160,6 +160,9 @@ Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight
   gauges.num_pages_read = pages.num_reads;
   gauges.num_pages_unreadable = pages.num_failures;
   gauges.num_pages_let_go = pages.num_let_go;
+  gauges.num_spilled = pages.num_spilled;
+  gauges.num_unspilled = pages.num_unspilled;
+  gauges.spill_bytes = spill != nullptr ? spill->size_bytes() : 0;
   for (const auto& session : registry.OpenSessions()) {
     const auto view = session->View();
     const MapStats stats = ComputeStats(view->snapshot(), /*with_voxels=*/false);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mapping/base/mutex.h"
@@ -50,6 +51,7 @@ class TileSpillFile final : public TileSpill {
  public:
   explicit TileSpillFile(std::shared_ptr<SpillFile> file) : file_(std::move(file)) {}
   Result<std::shared_ptr<TileSource>> Write(const BlockTile& tile) override;
+  [[nodiscard]] std::int64_t size_bytes() const override { return file_->size_bytes(); }
 
  private:
   const std::shared_ptr<SpillFile> file_;

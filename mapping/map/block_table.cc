@@ -125,6 +125,7 @@ bool BlockTable::LetGoOfPages(const LettingGo& rule) {
       if (spill == nullptr || !entry.tile->CanBeLeft()) continue;
       if (entry.generation >= rule.written_lately && !rule.even_used) continue;
       auto place = spill->Write(*entry.tile);
+      CountSpilled(place.ok());
       if (!place.ok()) spill = nullptr;  // and nor will the next one find room
       if (!place.ok()) continue;
       entry.tile = entry.tile->LeftAt(std::move(place).value());

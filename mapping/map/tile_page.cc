@@ -9,13 +9,17 @@ namespace dhpmap {
 namespace {
 
 struct PageCounters {
-  std::atomic<std::uint64_t> num_reads{0}, num_failures{0}, num_let_go{0};
-  std::atomic<std::int64_t> resident_bytes{0};
+  std::atomic<std::uint64_t> num_reads{0}, num_failures{0}, num_let_go{0}, num_spilled{0}, num_unspilled{0};
+  std::atomic<std::int64_t> resident_bytes{0}, table_bytes{0};
 };
 PageCounters& Counters() {
   static constinit PageCounters counters;
   return counters;
 }
+
+/// As measured of a map of 40,000 tiles: the page, the BlockTile, the entry in a table and the head of the marks with
+/// what the allocator adds; and the mark of a block.
+constexpr std::int64_t kTileTableBytes = 640, kBlockTableBytes = 40;
 
 std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {
   std::size_t bytes = blocks.capacity() * sizeof(BlockEntry);
@@ -27,6 +31,13 @@ std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {
 }
 
 }  // namespace
+
+TilePage::TableBytes::TableBytes(std::uint64_t cells)
+    : bytes_(kTileTableBytes + kBlockTableBytes * std::popcount(cells)) {
+  Counters().table_bytes.fetch_add(bytes_, std::memory_order_relaxed);
+}
+
+TilePage::TableBytes::~TableBytes() { Counters().table_bytes.fetch_sub(bytes_, std::memory_order_relaxed); }
 
 TilePage::~TilePage() {
   Counters().resident_bytes.fetch_sub(static_cast<std::int64_t>(num_bytes_), std::memory_order_relaxed);
@@ -74,8 +85,17 @@ void TilePage::Read() const {
 
 PageCounts CountPages() {
   const PageCounters& counters = Counters();
-  return {counters.num_reads.load(std::memory_order_relaxed), counters.num_failures.load(std::memory_order_relaxed),
-          counters.num_let_go.load(std::memory_order_relaxed), counters.resident_bytes.load(std::memory_order_relaxed)};
+  return {.num_reads = counters.num_reads.load(std::memory_order_relaxed),
+          .num_failures = counters.num_failures.load(std::memory_order_relaxed),
+          .num_let_go = counters.num_let_go.load(std::memory_order_relaxed),
+          .num_spilled = counters.num_spilled.load(std::memory_order_relaxed),
+          .num_unspilled = counters.num_unspilled.load(std::memory_order_relaxed),
+          .resident_bytes = counters.resident_bytes.load(std::memory_order_relaxed),
+          .table_bytes = counters.table_bytes.load(std::memory_order_relaxed)};
+}
+
+void CountSpilled(bool is_written) {
+  (is_written ? Counters().num_spilled : Counters().num_unspilled).fetch_add(1, std::memory_order_relaxed);
 }
 
 }  // namespace dhpmap

@@ -101,6 +101,19 @@ class TilePage {
   [[nodiscard]] std::size_t BlockBytes() const { return IsRead() ? num_bytes_ : 0; }
 
  private:
+  /// What a tile takes that is on the disk, counted as long as this lives: its page, what knows of it in a state, and
+  /// the marks of its blocks.
+  class TableBytes {
+   public:
+    explicit TableBytes(std::uint64_t cells);
+    ~TableBytes();
+    TableBytes(const TableBytes&) = delete;
+    TableBytes& operator=(const TableBytes&) = delete;
+
+   private:
+    const std::int64_t bytes_;
+  };
+
   void Read() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] Result<std::vector<BlockEntry>> ReadNamed() const;
   /// In the names of parts.
@@ -115,7 +128,8 @@ class TilePage {
   const std::shared_ptr<TileSource> source_;
   const std::uint64_t first_id_;  ///< of the blocks' layers, one for each cell and layer that may be, then the tile's
   const PageNames names_;         ///< instead, if it has any
-  mutable Mutex mutex_;           ///< of who reads
+  const TableBytes table_bytes_{cells()};
+  mutable Mutex mutex_;  ///< of who reads
   mutable std::atomic<bool> is_read_ = false;
   mutable std::atomic<bool> is_used_ = false;
   // Written once, before is_read_.
@@ -128,8 +142,13 @@ struct PageCounts {
   std::uint64_t num_reads = 0;      ///< tiles that were read from a store
   std::uint64_t num_failures = 0;   ///< tiles that could not be
   std::uint64_t num_let_go = 0;     ///< tiles that were left on the disk again
+  std::uint64_t num_spilled = 0;    ///< tiles that were written to a TileSpill
+  std::uint64_t num_unspilled = 0;  ///< tries to write one that failed
   std::int64_t resident_bytes = 0;  ///< of blocks that were read and not let go of yet
+  std::int64_t table_bytes = 0;     ///< of what is known of tiles that were or are on the disk, about
 };
 PageCounts CountPages();
+/// To be called after each try to write one.
+void CountSpilled(bool is_written);
 
 }  // namespace dhpmap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "mapping/base/result.h"
@@ -18,6 +19,8 @@ class TileSpill {
   /// Writes the blocks of a tile, of which there are some. What is returned reads them, and gives their place back at
   /// the end of its life. RESOURCE_EXHAUSTED if the disk is full; nothing is written then.
   virtual Result<std::shared_ptr<TileSource>> Write(const BlockTile& tile) = 0;
+  /// On the disk.
+  [[nodiscard]] virtual std::int64_t size_bytes() const = 0;
 };
 
 }  // namespace dhpmap

@@ -12,7 +12,7 @@ namespace dhpmap {
 
 std::int64_t ResidentBytes(const SessionOptions& options) {
   if (options.spill == nullptr) return CountPages().resident_bytes;
-  return static_cast<std::int64_t>(CountOf(MemoryKind::kBlocks).now_bytes());
+  return static_cast<std::int64_t>(CountOf(MemoryKind::kBlocks).now_bytes()) + CountPages().table_bytes;
 }
 
 /// Where readers hold more than there may be, it is tried again when an eighth has come on top.
@@ -43,10 +43,12 @@ void MapSession::KeepPagesInBounds() {
   }
 }
 
-/// On the writer, between jobs. First what nobody has asked for since the last time, then, if need be, all. Not before
-/// what was fused is published, which is soon: until then nothing can go.
+/// On the writer, between jobs. First what nobody has asked for since the last time, then, if need be, all. Before what
+/// was fused is published nothing can go: so that comes early.
 void MapSession::LetGoOfPages() {
-  if (builder_.map().is_changed() || !HasTooManyPages()) return;
+  if (!HasTooManyPages()) return;
+  if (options_.spill != nullptr && num_unpublished_ > 0) TellSafely([this] { Publish(); });
+  if (builder_.map().is_changed()) return;
   has_kept_pages_ = false;  // first: what comes from now on may come too late
   const std::int64_t resident_bytes = ResidentBytes(options_);
   TellSafely([this, resident_bytes] {

@@ -199,6 +199,12 @@ std::string Metrics::Text(const Gauges& gauges) const {
   families.push_back(CounterOf("dhpmap_pages_let_go_total",
                                "Tiles of voxels that were left in the store again, as there were too many in memory",
                                gauges.num_pages_let_go));
+  families.push_back(CounterOf("dhpmap_pages_spilled_total",
+                               "Tiles of voxels that frames wrote and that were left in a file beside the database",
+                               gauges.num_spilled));
+  families.push_back(
+      CounterOf("dhpmap_pages_unspilled_total", "Tries to leave one there that failed", gauges.num_unspilled));
+  families.push_back(Gauge("dhpmap_spill_bytes", "Size of that file", static_cast<double>(gauges.spill_bytes)));
   constexpr double kKiB = 1024;
   families.push_back(
       Gauge("process_resident_memory_bytes", "Memory of the process that is in RAM", kKiB * ProcessStatus("VmRSS")));

@@ -37,6 +37,9 @@ class Metrics {
     std::uint64_t num_pages_read = 0;        ///< since the start
     std::uint64_t num_pages_unreadable = 0;  ///< tries to read one that failed
     std::uint64_t num_pages_let_go = 0;      ///< left in the store again, as there were too many
+    std::uint64_t num_spilled = 0;           ///< written to the file for what no store has as it is
+    std::uint64_t num_unspilled = 0;         ///< tries to write one that failed
+    std::int64_t spill_bytes = 0;            ///< of that file
     std::size_t past_bytes = 0;  ///< of states that were stored last, as far as later ones do not share them
   };
 

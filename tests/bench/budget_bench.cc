@@ -59,7 +59,7 @@ class StateSum {
     for (int i = 0; i < kBlockVoxels; ++i) {
       const auto v = static_cast<std::size_t>(i);
       if (block.tsdf != nullptr && block.tsdf->IsObserved(i)) {
-        sum = Mix(sum ^ std::bit_cast<std::uint32_t>(block.tsdf->distance_m[v]) + static_cast<std::uint64_t>(i));
+        sum = Mix((sum ^ std::bit_cast<std::uint32_t>(block.tsdf->distance_m[v])) + v);
         sum = Mix(sum ^ std::bit_cast<std::uint32_t>(block.tsdf->weight[v]));
         const Color color = block.tsdf->color[v];
         sum = Mix(sum ^ (std::uint64_t{color.r} << 16 | std::uint64_t{color.g} << 8 | color.b));

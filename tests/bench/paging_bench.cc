@@ -166,6 +166,9 @@ Result<std::string> MeasureBudget(const std::string& path, std::int64_t budget_m
   SessionOptions options;
   options.num_threads = 1;
   options.page_bytes = budget_mib << 20;
+  if (budget_mib > 0) {
+    DHPMAP_ASSIGN_OR_RETURN(options.spill, OpenTileSpill(std::filesystem::path(path).parent_path().string()));
+  }
   options.idle_close_s = 0;
   DHPMAP_ASSIGN_OR_RETURN(const auto registry, MapRegistry::Open(*store, std::move(options)));
   nlohmann::json told = {{"budget_mib", budget_mib}, {"open_s", SecondsSince(begin)}};

@@ -189,6 +189,7 @@ class FullSpill final : public TileSpill {
     ++num_asked;
     return ResourceExhausted("full");
   }
+  [[nodiscard]] std::int64_t size_bytes() const override { return 0; }
   int num_asked = 0;
 };
 

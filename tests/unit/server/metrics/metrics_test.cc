@@ -25,6 +25,8 @@ TEST(Metrics, TextHoldsWhatWasRecorded) {
                                          .page_bytes = 9,
                                          .num_pages_read = 10,
                                          .num_pages_let_go = 11,
+                                         .num_spilled = 12,
+                                         .spill_bytes = 14,
                                          .past_bytes = 11});
   for (const char* line :
        {"# TYPE dhpmap_rpc_seconds histogram\n",
@@ -33,7 +35,8 @@ TEST(Metrics, TextHoldsWhatWasRecorded) {
         "dhpmap_commit_seconds_count{code=\"OK\"} 1\n", "dhpmap_refinement_seconds_sum{step=\"crf\"} 1.5\n",
         "dhpmap_map_submaps{map=\"room\"} 4\n", "dhpmap_surface_memory_bytes 7\n", "dhpmap_inflight_bytes 8\n",
         "dhpmap_page_memory_bytes 9\n", "# TYPE dhpmap_pages_read_total counter\n", "dhpmap_pages_read_total 10\n",
-        "dhpmap_pages_unreadable_total 0\n", "dhpmap_pages_let_go_total 11\n", "dhpmap_past_states_memory_bytes 11\n",
+        "dhpmap_pages_unreadable_total 0\n", "dhpmap_pages_let_go_total 11\n", "dhpmap_pages_spilled_total 12\n",
+        "dhpmap_pages_unspilled_total 0\n", "dhpmap_spill_bytes 14\n", "dhpmap_past_states_memory_bytes 11\n",
         "dhpmap_map_revision{map=\"room\"} 6\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
   }
