@@ -217,7 +217,7 @@ Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& na
 }
 
 void MapRegistry::KeepPagesInBounds() {
-  if (options_.page_bytes == 0 || ResidentBytes(options_) <= options_.page_bytes) return;
+  if (options_.page_bytes == 0 || ResidentBytes(options_) <= BytesToKeep(options_)) return;
   for (const auto& session : OpenSessions()) session->KeepPagesInBounds();
 }
 

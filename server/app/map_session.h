@@ -71,6 +71,8 @@ struct SessionOptions {
 
 /// What counts against page_bytes now.
 std::int64_t ResidentBytes(const SessionOptions& options);
+/// Of page_bytes, from where on voxels are left on the disk: the rest is for what is read meanwhile.
+std::int64_t BytesToKeep(const SessionOptions& options);
 
 /// What became of a frame.
 struct FrameOutcome {

@@ -15,19 +15,21 @@ std::int64_t ResidentBytes(const SessionOptions& options) {
   return static_cast<std::int64_t>(CountOf(MemoryKind::kBlocks).now_bytes()) + CountPages().table_bytes;
 }
 
+std::int64_t BytesToKeep(const SessionOptions& options) { return options.page_bytes - options.page_bytes / 4; }
+
 /// Where readers hold more than there may be, it is tried again when an eighth has come on top.
 bool MapSession::HasTooManyPages() const {
   if (options_.page_bytes == 0) return false;
   const std::int64_t resident_bytes = ResidentBytes(options_);
   const std::int64_t held_bytes = held_page_bytes_.load(std::memory_order_relaxed);
-  return resident_bytes > options_.page_bytes && (has_kept_pages_ || held_bytes == 0 || resident_bytes < held_bytes ||
-                                                  resident_bytes > held_bytes + options_.page_bytes / 8);
+  return resident_bytes > BytesToKeep(options_) && (has_kept_pages_ || held_bytes == 0 || resident_bytes < held_bytes ||
+                                                    resident_bytes > held_bytes + options_.page_bytes / 8);
 }
 
 /// On the commit thread. Meanwhile nothing of the state could go, which is kept now with all that was read of it.
 void MapSession::OnStored(const std::shared_ptr<const MapSnapshot>& state) {
   kept_states_->Keep(state);
-  if (options_.page_bytes == 0 || ResidentBytes(options_) <= options_.page_bytes) return;
+  if (options_.page_bytes == 0 || ResidentBytes(options_) <= BytesToKeep(options_)) return;
   if (!kept_states_->HoldBlocks(options_.spill != nullptr)) return;
   has_kept_pages_ = true;
   KeepPagesInBounds();
@@ -67,12 +69,12 @@ void MapSession::LetGoOfPages() {
         view = Show(std::make_shared<const MapView>(std::move(same), view.get()));
       }
       view.reset();
-      if (ResidentBytes(options_) <= options_.page_bytes) break;
+      if (ResidentBytes(options_) <= BytesToKeep(options_)) break;
     }
     if (ResidentBytes(options_) < resident_bytes) GiveBackFreeMemory();
   });
   const std::int64_t left_bytes = ResidentBytes(options_);
-  held_page_bytes_ = left_bytes > options_.page_bytes ? left_bytes : 0;
+  held_page_bytes_ = left_bytes > BytesToKeep(options_) ? left_bytes : 0;
 }
 
 }  // namespace dhpmap
