@@ -85,7 +85,7 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   return registry->Shutdown();
 }
 
-int Main(std::vector<std::string> arguments, const std::vector<std::string>& environment) {
+int Main(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
   const auto invocation = ParseCommandLine(arguments, environment);
   if (!invocation.ok()) {
     std::fprintf(stderr, "dhpmap-server: %s\n", invocation.status().ToString().c_str());

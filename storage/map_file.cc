@@ -33,7 +33,7 @@ Status NotAMapFile(const std::string& why) {
 
 Status NobodyWaits() { return Cancelled("nobody waits for the map any more"); }
 
-/// A backup, but of the time of its state, so that a state is always the same file.
+/// A backup, but of the time of its state, so that a state, once all of it is written, is always the same file.
 /// Rows with the keys that they have, which their checksums cover. Both databases have the tables that the same steps
 /// made, so their columns are in the same order. Left out: how far the changes of the map's history are told, its lost
 /// revisions, and what else means something in that history only.

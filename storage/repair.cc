@@ -103,6 +103,10 @@ Status RepairRows(Database& database, const std::string& name, Verification& fou
   DHPMAP_RETURN_IF_ERROR(RepairReferences(database));
   DHPMAP_ASSIGN_OR_RETURN(map.tiles, tiles.Count(OwnerOfMap(map.key)));
   map.num_submaps = static_cast<std::int64_t>(submaps.size());
+  const bool is_leaving_there = std::any_of(submaps.begin(), submaps.end(), [&map](const SubmapRow& row) {
+    return std::int64_t{row.info.id.value} == map.leaving_id;
+  });
+  if (!is_leaving_there) map.leaving_id = -1;
   DHPMAP_RETURN_IF_ERROR(WriteRepairedMap(database, map));
   found.report.is_repaired = true;
   found.report.revision = map.info.revision;

@@ -2,6 +2,7 @@
 #include "storage/spill_file.h"
 
 #include <fcntl.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,6 +23,15 @@ Status OfDisk(const std::string& task) {
   const std::string message = task + ": " + std::strerror(errno);
   if (errno == ENOSPC || errno == EDQUOT) return ResourceExhausted(message);
   return Unavailable(message);
+}
+
+/// The database beside it needs room, too.
+Status CheckRoom(int file, std::size_t num_bytes) {
+  constexpr std::uint64_t kLeftFree_bytes = 256u << 20;
+  struct statvfs disk {};
+  if (fstatvfs(file, &disk) != 0) return Status::Ok();  // then writing tells
+  if (std::uint64_t{disk.f_bavail} * disk.f_frsize >= num_bytes + kLeftFree_bytes) return Status::Ok();
+  return ResourceExhausted("what has no room in memory would leave too little of the disk");
 }
 
 /// Of a file system that has no files without a name: one that loses it at once.
@@ -94,11 +104,16 @@ Status Unflatten(ByteView bytes, TileIndex index, BlockTile& tile) {
 /// One tile that was left in a file.
 class SpilledTile final : public TileSource {
  public:
-  SpilledTile(std::shared_ptr<SpillFile> file, std::vector<std::uint32_t> pages, std::size_t num_bytes)
-      : file_(std::move(file)), pages_(std::move(pages)), num_bytes_(num_bytes) {}
+  explicit SpilledTile(std::shared_ptr<SpillFile> file) : file_(std::move(file)) {}
   ~SpilledTile() override { file_->GiveBack(pages_); }
   SpilledTile(const SpilledTile&) = delete;
   SpilledTile& operator=(const SpilledTile&) = delete;
+
+  Status Write(ByteView bytes) {
+    DHPMAP_ASSIGN_OR_RETURN(pages_, file_->Write(bytes));
+    num_bytes_ = bytes.size();
+    return Status::Ok();
+  }
 
   Result<std::vector<BlockEntry>> Read(const TileOnDisk& there) override {
     DHPMAP_ASSIGN_OR_RETURN(const Bytes bytes, file_->Read(pages_, num_bytes_));
@@ -110,8 +125,8 @@ class SpilledTile final : public TileSource {
 
  private:
   const std::shared_ptr<SpillFile> file_;
-  const std::vector<std::uint32_t> pages_;
-  const std::size_t num_bytes_;
+  std::vector<std::uint32_t> pages_;
+  std::size_t num_bytes_ = 0;
 };
 
 /// Calls move(at, offset, num_bytes) for each page, which returns how many were moved as read and write do, until all
@@ -144,18 +159,23 @@ Result<std::shared_ptr<SpillFile>> SpillFile::Open(const std::string& folder) {
 
 SpillFile::~SpillFile() { close(file_); }
 
-std::vector<std::uint32_t> SpillFile::Take(std::size_t num_pages) {
+Result<std::vector<std::uint32_t>> SpillFile::Take(std::size_t num_pages) {
   std::vector<std::uint32_t> pages;
   pages.reserve(num_pages);
   const MutexLock lock(mutex_);
+  if (num_pages > free_.size()) {
+    DHPMAP_RETURN_IF_ERROR(CheckRoom(file_, num_pages * kPageBytes));
+    const std::size_t num_then =
+        num_pages_ + num_pages;  // first: to give back must not fail, and nothing is to be lost
+    if (free_.capacity() < num_then) free_.reserve(2 * num_then);
+  }
   for (; pages.size() < num_pages && !free_.empty(); free_.pop_back()) pages.push_back(free_.back());
   while (pages.size() < num_pages) pages.push_back(num_pages_++);
-  if (free_.capacity() < num_pages_) free_.reserve(std::size_t{2} * num_pages_);  // to give back must not fail
   return pages;
 }
 
 Result<std::vector<std::uint32_t>> SpillFile::Write(ByteView bytes) {
-  std::vector<std::uint32_t> pages = Take((bytes.size() + kPageBytes - 1) / kPageBytes);
+  DHPMAP_ASSIGN_OR_RETURN(std::vector<std::uint32_t> pages, Take((bytes.size() + kPageBytes - 1) / kPageBytes));
   const bool written = ForEachPage(pages, bytes.size(), [&](std::size_t at, off_t offset, std::size_t num) {
     return pwrite(file_, bytes.data() + at, num, offset);
   });
@@ -190,8 +210,9 @@ std::int64_t SpillFile::size_bytes() const {
 
 Result<std::shared_ptr<TileSource>> TileSpillFile::Write(const BlockTile& tile) {
   const Bytes bytes = Flatten(tile);
-  DHPMAP_ASSIGN_OR_RETURN(auto pages, file_->Write(bytes));
-  return std::shared_ptr<TileSource>(std::make_shared<SpilledTile>(file_, std::move(pages), bytes.size()));
+  auto there = std::make_shared<SpilledTile>(file_);
+  DHPMAP_RETURN_IF_ERROR(there->Write(bytes));
+  return std::shared_ptr<TileSource>(std::move(there));
 }
 
 Result<std::shared_ptr<TileSpill>> OpenTileSpill(const std::string& folder) {

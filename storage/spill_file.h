@@ -27,7 +27,8 @@ class SpillFile {
   SpillFile(const SpillFile&) = delete;
   SpillFile& operator=(const SpillFile&) = delete;
 
-  /// The pages that hold the bytes, in their order. RESOURCE_EXHAUSTED if the disk is full; then nothing is taken.
+  /// The pages that hold the bytes, in their order. RESOURCE_EXHAUSTED if less than 256 MiB of the disk would stay
+  /// free; then nothing is taken.
   Result<std::vector<std::uint32_t>> Write(ByteView bytes) DHPMAP_EXCLUDES(mutex_);
   /// As many bytes as were written. UNAVAILABLE if the disk fails.
   [[nodiscard]] Result<Bytes> Read(std::span<const std::uint32_t> pages, std::size_t num_bytes) const;
@@ -38,7 +39,7 @@ class SpillFile {
 
  private:
   explicit SpillFile(int file) : file_(file) {}
-  std::vector<std::uint32_t> Take(std::size_t num_pages) DHPMAP_EXCLUDES(mutex_);
+  Result<std::vector<std::uint32_t>> Take(std::size_t num_pages) DHPMAP_EXCLUDES(mutex_);
 
   const int file_;
   mutable Mutex mutex_;

@@ -301,7 +301,7 @@ class SqliteStore final : public MapStore {
         DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after, writing));
         return left ? AddToHistory(writer.database, *left, edit_limits_) : Status::Ok();
       }
-      if (head.leaving()) return FailedPrecondition("the edit before left something").WithReason("STALE_STATE");
+      if (before.lacks_left()) return FailedPrecondition("the edit before left something").WithReason("STALE_STATE");
       DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key, RecordEdit(writer.database, head.key, *edit, edit_limits_));
       // What undoes an undo is kept with the edit that it undid.
       const bool is_kept = edit->entry.summary.kind == EditKind::kEdit && edit_limits_.max_histories > 0;

@@ -35,6 +35,18 @@ void AddLayersOf(const BlockTile* from, const BlockLayers& wanted, BlockTile& in
   }
 }
 
+/// The tile with its blocks on the disk; null if they stay in memory. `spill` is null from then on where it has no
+/// room.
+std::shared_ptr<const BlockTile> LeftOnDisk(const BlockTile& tile, const LettingGo& rule, TileSpill*& spill) {
+  if (tile.CanBeUnread()) return tile.page()->WasUsed() && !rule.even_used ? nullptr : tile.Unread();
+  if (spill == nullptr || !tile.CanBeLeft()) return nullptr;
+  if (tile.part_id() >= rule.written_lately && !rule.even_used) return nullptr;
+  auto place = spill->Write(tile);
+  CountSpilled(place.ok());
+  if (!place.ok()) spill = nullptr;
+  return place.ok() ? tile.LeftAt(std::move(place).value()) : nullptr;
+}
+
 }  // namespace
 
 BlockTile& BlockTable::Own(TileEntry& entry, std::uint64_t generation) {
@@ -118,18 +130,17 @@ bool BlockTable::LetGoOfPages(const LettingGo& rule) {
   bool has_any = false;
   TileSpill* spill = rule.spill;
   for (TileEntry& entry : tiles_) {
-    if (entry.tile->CanBeUnread()) {
-      if (entry.tile->page()->WasUsed() && !rule.even_used) continue;
-      entry.tile = entry.tile->Unread();
-    } else {
-      if (spill == nullptr || !entry.tile->CanBeLeft()) continue;
-      if (entry.generation >= rule.written_lately && !rule.even_used) continue;
-      auto place = spill->Write(*entry.tile);
-      CountSpilled(place.ok());
-      if (!place.ok()) spill = nullptr;  // and nor will the next one find room
-      if (!place.ok()) continue;
-      entry.tile = entry.tile->LeftAt(std::move(place).value());
+    const BlockTile* tile = entry.tile.get();
+    if (rule.left != nullptr) {
+      if (const auto found = rule.left->find(tile); found != rule.left->end()) {
+        entry.tile = found->second;
+        continue;
+      }
     }
+    auto left = LeftOnDisk(*tile, rule, spill);
+    if (left == nullptr) continue;
+    if (rule.left != nullptr && entry.tile.use_count() > 1) rule.left->emplace(tile, left);
+    entry.tile = std::move(left);
     has_any = true;
   }
   return has_any;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "mapping/base/index_map.h"
@@ -26,7 +27,9 @@ struct TileEntry {
 struct LettingGo {
   bool even_used = false;            ///< what somebody has asked for since the last time, or written to lately
   TileSpill* spill = nullptr;        ///< takes what was written since it was read; null: that stays in memory
-  std::uint64_t written_lately = 0;  ///< generations from this one on
+  std::uint64_t written_lately = 0;  ///< names of parts (PartId) from about this one on
+  /// What was left of tiles that several submaps share, for one pass over all of them.
+  std::unordered_map<const BlockTile*, std::shared_ptr<const BlockTile>>* left = nullptr;
 };
 
 /// Blocks by their index, in tiles. Copying shares the tiles, so it costs some bytes a tile, and two copies are

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <unordered_map>
 #include <utility>
 
 #include "mapping/base/status_error.h"
@@ -102,7 +103,8 @@ void Map::BeginChange() {
 void Map::SettleVacated() {
   if (!leaving_) return;
   if (changed_) {
-    auto with_left = std::make_shared<FreeSpace>(*Freeze()->vacated());
+    auto with_left =
+        std::make_shared<FreeSpace>(*WithLeft({*Find(*leaving_), submaps_, info_.config, *free_space_}, vacated_));
     with_left->ShareTiles();
     with_left->set_generation(generation_);
     vacated_ = std::move(with_left);
@@ -221,12 +223,14 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
   published_ = std::make_shared<MapSnapshot>(info_, submaps_, free_space_, VacatedSpace{vacated_, leaving_});
   ++generation_;
   changed_ = false;
+  parts_before_ = std::exchange(parts_now_, PartId().value());
   return published_;
 }
 
 std::shared_ptr<const MapSnapshot> Map::LetGoOfPages(bool even_used, TileSpill* spill) {
   if (changed_ || published_ == nullptr) return published_;
-  const LettingGo rule{.even_used = even_used, .spill = spill, .written_lately = generation_ - 1};
+  std::unordered_map<const BlockTile*, std::shared_ptr<const BlockTile>> left;
+  const LettingGo rule{.even_used = even_used, .spill = spill, .written_lately = parts_before_, .left = &left};
   SubmapList same = submaps_;  // of older generations, all of them: no writer's own
   bool has_any = false;
   for (auto& submap : same) {
@@ -263,8 +267,10 @@ std::shared_ptr<const MapSnapshot> Map::Freeze() {
     }
     frozen.push_back(std::make_shared<const Submap>(*submap));
   }
-  return std::make_shared<const MapSnapshot>(info_, std::move(frozen), Frozen(free_space_),
+  auto state = std::make_shared<MapSnapshot>(info_, std::move(frozen), Frozen(free_space_),
                                              VacatedSpace{Frozen(vacated_), leaving_});
+  if (!changed_ && published_ != nullptr) state->vacated_ = published_->vacated_;
+  return state;
 }
 
 std::shared_ptr<const FreeSpace> Map::Frozen(const std::shared_ptr<const FreeSpace>& layer) const {

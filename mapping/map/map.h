@@ -166,6 +166,7 @@ class Map {
   std::optional<SubmapId> leaving_;                        ///< of which vacated_ does not know yet what it left
   std::shared_ptr<const MapSnapshot> published_;
   bool changed_ = true;
+  std::uint64_t parts_before_ = 0, parts_now_ = 0;  ///< names of parts from the last revision on, and from this one
 };
 
 /// What a reader of `before` must be told to hold `after`: the store and the change feed work from this. The layers of

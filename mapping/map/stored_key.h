@@ -30,6 +30,7 @@ class StoredKey {
     const std::uint64_t word = (std::uint64_t{store} << kKeyBits) | static_cast<std::uint64_t>(key);
     word_.store(fits ? word : 0, std::memory_order_relaxed);
   }
+  [[nodiscard]] bool IsKnown() const { return word_.load(std::memory_order_relaxed) != 0; }
   /// Takes over what is known of another one, which is of a part that is the same.
   void Adopt(const StoredKey& same) const {
     word_.store(same.word_.load(std::memory_order_relaxed), std::memory_order_relaxed);

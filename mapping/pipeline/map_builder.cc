@@ -90,7 +90,7 @@ struct MapBuilder::Impl {
   Bundler bundler;
   Tracker tracker;
   FreeSpaceFinder space;
-  const bool may_read_ahead;  // some of the map is left on the disk, now or again
+  const bool may_read_ahead;  // some of the map was on the disk at first; later some of any map may be
   BackgroundRefinement refinement;
   RefinementRound round;    // of this session, as far as it was taken over
   bool is_overdue = false;  // the refinement under way should be taken over
@@ -272,7 +272,7 @@ Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& fram
     return size;
   }
   ThrowIfStopped(stop);
-  if (may_read_ahead) ReadTilesAhead(segments, map, *pool);
+  if (may_read_ahead || CountPages().table_bytes > 0) ReadTilesAhead(segments, map, *pool);
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
   Fuse(frame, segments, assignments, stop, report);             // (B) ray tracing into it, II-C
   const auto contradicted = LookThrough(frame, stop, report);   // what the rays passed is free

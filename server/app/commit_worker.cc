@@ -25,7 +25,7 @@ void AdoptStored(const MapSnapshot& stored, const std::shared_ptr<const MapSnaps
       if (there == nullptr || there->tile == entry.tile || there->tile->part_id() != entry.tile->part_id()) continue;
       for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
         const auto layer = static_cast<BlockLayer>(i);
-        there->tile->stored(layer).Adopt(entry.tile->stored(layer));
+        if (entry.tile->stored(layer).IsKnown()) there->tile->stored(layer).Adopt(entry.tile->stored(layer));
       }
     }
   }
@@ -83,8 +83,10 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
 }
 
 void CommitWorker::LetGoOfPages(const std::shared_ptr<const MapSnapshot>& same) {
+  if (const auto stored = StoredState(); stored != nullptr) AdoptStored(*stored, same);
   std::shared_ptr<const MapSnapshot> before;  // freed after the mutex: that may take long
   const MutexLock lock(mutex_);
+  left_ = same;
   if (newest_ != nullptr && newest_->revision() == same->revision()) before = std::exchange(newest_, same);
   if (committed_->revision() == same->revision()) committed_state_ = same;
 }
@@ -124,9 +126,14 @@ std::optional<std::int64_t> CommitWorker::committed_sequence(const std::string& 
   return committed_->info().sessions.LastOf(session);
 }
 
-std::shared_ptr<const MapSnapshot> CommitWorker::Newest() const {
+std::shared_ptr<const MapSnapshot> CommitWorker::StoredState() const {
   const MutexLock lock(mutex_);
-  return newest_;
+  return committed_state_.lock();
+}
+
+std::shared_ptr<const MapSnapshot> CommitWorker::LastLeft() const {
+  const MutexLock lock(mutex_);
+  return left_.lock();
 }
 
 Status CommitWorker::last_outcome() const {
@@ -221,7 +228,7 @@ void CommitWorker::CommitNewest() {
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
     if (keeper_ && marks.ok() && after != nullptr) TellSafely([&] { keeper_(after); });
     if (observer_) TellSafely([&] { observer_(elapsed_s, marks.status()); });
-    if (marks.ok() && after != nullptr) TellSafely([&] { AdoptStored(*after, Newest()); });
+    if (marks.ok() && after != nullptr) TellSafely([&] { AdoptStored(*after, LastLeft()); });
     mutex_.Lock();
     if (marks.ok()) {
       committed_ = *marks;

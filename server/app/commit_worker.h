@@ -77,7 +77,8 @@ class CommitWorker {
 
   void Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter waiter);
 
-  [[nodiscard]] std::shared_ptr<const MapSnapshot> Newest() const DHPMAP_EXCLUDES(mutex_);
+  [[nodiscard]] std::shared_ptr<const MapSnapshot> StoredState() const DHPMAP_EXCLUDES(mutex_);
+  [[nodiscard]] std::shared_ptr<const MapSnapshot> LastLeft() const DHPMAP_EXCLUDES(mutex_);
   void Loop();
   // Both let go of the mutex while they work.
   void CommitNewest() DHPMAP_REQUIRES(mutex_);
@@ -100,6 +101,7 @@ class CommitWorker {
   std::shared_ptr<const StateMarks> committed_ DHPMAP_GUARDED_BY(mutex_);
   std::weak_ptr<const MapSnapshot> committed_state_ DHPMAP_GUARDED_BY(mutex_);  // while somebody else keeps it
   std::shared_ptr<const MapSnapshot> newest_ DHPMAP_GUARDED_BY(mutex_);         // null: all is in the store
+  std::weak_ptr<const MapSnapshot> left_ DHPMAP_GUARDED_BY(mutex_);             // the last that LetGoOfPages was given
   std::vector<Waiter> waiters_ DHPMAP_GUARDED_BY(mutex_);
   std::vector<Done> deletions_ DHPMAP_GUARDED_BY(mutex_);
   Status last_outcome_ DHPMAP_GUARDED_BY(mutex_);

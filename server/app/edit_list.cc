@@ -29,6 +29,8 @@ class Application {
       if (!result.ok()) return WithPlace(result.status(), i);
       results_.push_back(std::move(result).value());
     }
+    // Of one edit what it left is stored by a commit after its own, which adds to what undoes it no tile that is there.
+    if (list_.edits.size() > 1) map_.SettleVacated();
     return std::move(results_);
   }
 

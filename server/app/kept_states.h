@@ -34,8 +34,8 @@ class KeptStates {
   /// could be left on the disk. Costs up to a look at each tile of each.
   [[nodiscard]] bool HoldBlocks(bool even_written) const DHPMAP_EXCLUDES(mutex_);
 
-  /// `same` is the newest state again, with voxels left in the store (Map::LetGoOfPages): it takes the place of that
-  /// one, and older states, which hold what was read, go. One thread at a time, which may be another than that of Keep.
+  /// `same` is the newest state again, with voxels left on the disk (Map::LetGoOfPages): it takes the place of that
+  /// one, and older states, which hold voxels, go. One thread at a time, which may be another than that of Keep.
   void LetGoOfPages(State same) DHPMAP_EXCLUDES(mutex_);
 
   /// Null if the state of this revision is not kept.

@@ -20,7 +20,8 @@ Status NotMade(const Status& cause) {
 void MapSession::Edit(EditRequest request, std::function<void(Result<EditOutcome>)> done) {
   auto run = [this, request = std::move(request), done] {
     done(Guarded<Result<EditOutcome>>([&] { return EditNow(request); }));
-    if (commits_.lacks_left()) RequestCommit(Durability::kNormal);  // nobody waits for it
+    // Nobody waits for it. Frames that are fused already keep their time: they may not be in this state.
+    if (commits_.lacks_left()) commits_.Request(builder_.map().published(), Durability::kNormal);
   };
   Post({.run = std::move(run),
         .refuse = [done = std::move(done)](const Status& status) { done(CopyOf(status)); },

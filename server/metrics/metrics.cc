@@ -197,7 +197,7 @@ std::string Metrics::Text(const Gauges& gauges) const {
   families.push_back(CounterOf("dhpmap_pages_unreadable_total", "Tries to read a tile of voxels that failed",
                                gauges.num_pages_unreadable));
   families.push_back(CounterOf("dhpmap_pages_let_go_total",
-                               "Tiles of voxels that were left in the store again, as there were too many in memory",
+                               "Tiles of voxels that were left on the disk again, as there were too many in memory",
                                gauges.num_pages_let_go));
   families.push_back(CounterOf("dhpmap_pages_spilled_total",
                                "Tiles of voxels that frames wrote and that were left in a file beside the database",

@@ -32,7 +32,7 @@ class Metrics {
     std::int64_t record_bytes = 0;   ///< of the records of frames, all together
     std::int64_t store_bytes = 0;    ///< that the store has in memory
     std::size_t frame_bytes = 0;     ///< of frames that wait to be fused
-    // Tiles of maps that are read from the store when they are needed.
+    // Tiles of maps that are on the disk, in the store or in the file beside it, until they are needed.
     std::int64_t page_bytes = 0;             ///< of voxels that were, and are still in memory
     std::uint64_t num_pages_read = 0;        ///< since the start
     std::uint64_t num_pages_unreadable = 0;  ///< tries to read one that failed

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,9 +34,10 @@ struct MapRow {
   std::int64_t leaving_id = -1;  ///< of the submap that its last edit moved, if what that left is still to be written
   RowSeal seal;
 
-  /// -1 as nothing.
+  /// Nothing for -1, and for what is no id.
   [[nodiscard]] std::optional<SubmapId> leaving() const {
-    return leaving_id < 0 ? std::nullopt : std::optional(SubmapId(static_cast<std::uint32_t>(leaving_id)));
+    const bool is_id = leaving_id >= 0 && leaving_id <= std::numeric_limits<std::uint32_t>::max();
+    return is_id ? std::optional(SubmapId(static_cast<std::uint32_t>(leaving_id))) : std::nullopt;
   }
 
   /// Whether it says what its rows in tiles are; those that schema 6 and before sealed only count them.

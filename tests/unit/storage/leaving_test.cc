@@ -164,6 +164,30 @@ TEST_F(LeavingTest, AnEditComesOnlyAfterWhatTheOneBeforeHasLeft) {
   ExpectKeptFor(first->revision(), *first->vacated());
 }
 
+TEST_F(LeavingTest, ANumberThatIsNoSubmapsMeansNothing) {
+  Open();
+  Create();
+  const auto moved = MoveAndStore(SubmapId(1));
+  ASSERT_TRUE(store_->Commit(Lacking(*moved), *moved, Durability::kNormal).ok());
+  const auto before = map_->published();
+  map_->Remove(SubmapId(1));
+  const auto without = map_->Publish(4);
+  ASSERT_TRUE(CommitEdit(*before, before, without).ok());
+  // As after a repair that has dropped the object's row, or in a file of somebody else.
+  for (const char* number : {"1", "4294967297", "-7"}) {
+    SCOPED_TRACE(number);
+    store_ = nullptr;
+    Tamper(std::string("UPDATE maps SET leaving_submap_id = ") + number);
+    Open();
+    const auto loaded = store_->LoadMap("house");
+    if (!loaded.ok()) {
+      EXPECT_EQ(loaded.status().reason(), Reason("DAMAGED_MAP")) << "the row's checksum covers it";
+      continue;
+    }
+    EXPECT_FALSE((*loaded)->leaving());
+  }
+}
+
 TEST_F(LeavingTest, AFileThatGoesOutBetweenTheTwoHasIt) {
   Open();
   Create();

@@ -2,11 +2,18 @@
 // Edits, and a store that refuses or falls behind.
 #include <atomic>
 #include <chrono>
+#include <future>
+#include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "server/app/edit_list.h"
+#include "server/app/edit_summary.h"
 #include "server/app/submap_edits.h"
 #include "tests/integration/failing_store.h"
 #include "tests/support/eventually.h"
@@ -168,6 +175,92 @@ TEST_F(MapSessionTest, AMoveIsAnsweredBeforeWhatItLeftIsStored) {
   EXPECT_FALSE(session->View()->snapshot().leaving()) << "it is not where it was seen any more";
   EXPECT_EQ(num_commits, num_before + 1) << "nothing was left to be stored";
   disk.set_before_commit({});
+}
+
+TEST_F(MapSessionTest, WhatTheMovesOfAListHaveLeftIsStoredAndUndone) {
+  const testing::TempDir folder;
+  store = OpenSqliteStore((folder.path() / "maps.db").string()).value();
+  Open({});
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(Integrate(i).report.ok());
+  const auto edit = [&](std::function<Result<EditMade>(Map&)> change) {
+    EditRequest request{.change = std::move(change), .source = {.author = "anna"}};
+    return Wait<Result<EditOutcome>>([&](auto done) { session->Edit(std::move(request), done); });
+  };
+  // What the two have left lies in the same tiles.
+  const auto list = [](Map& map) -> Result<EditMade> {
+    SubmapPatch patch;
+    patch.pose_change = PoseChange{.translation_m = {3.0, 0.0, 0.0}};
+    EditList edits;
+    for (const std::uint32_t id : {1u, 2u}) edits.edits.push_back({.target = SubmapId(id), .action = PatchEdit{patch}});
+    DHPMAP_ASSIGN_OR_RETURN(const auto results, ApplyEdits(edits, map));
+    return EditMade{.submap = SubmapId(), .summary = SummaryOfList(edits, results)};
+  };
+  const auto before = session->View()->shared_snapshot();
+  const auto made = edit(list);
+  ASSERT_TRUE(made.ok()) << made.status().ToString();
+  EXPECT_FALSE(session->View()->snapshot().leaving()) << "it is stored with them";
+  ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  ASSERT_TRUE(Integrate(3).report.ok());
+  ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok()) << "the map can still be stored";
+  const auto report = store->VerifyMap("room", false, {});
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(report->num_faults, 0);
+  const auto undone = edit(registry->UndoOf({.count = 1, .author = "anna"}));
+  ASSERT_TRUE(undone.ok()) << undone.status().ToString();
+  EXPECT_EQ(session->View()->snapshot().vacated()->NumFreeVoxels(), before->vacated()->NumFreeVoxels());
+}
+
+/// A memory store of which a commit that is no edit's waits until it may go.
+class WaitingStore final : public MapStore {
+ public:
+  Result<std::vector<StoredMap>> ListMaps() override { return inner_->ListMaps(); }
+  Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
+  Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
+    if (before.revision() == after.revision()) may_go_.wait();
+    return inner_->Commit(before, after, durability);
+  }
+  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
+    return inner_->CommitEdit(before, after, edit);
+  }
+  Result<std::optional<StoredAnswer>> FindAnswer(const std::string& name, const std::string& request_id) override {
+    return inner_->FindAnswer(name, request_id);
+  }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return inner_->LoadMap(name); }
+  Status DeleteMap(const std::string& name) override { return inner_->DeleteMap(name); }
+  Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner_->Reserve(name, marks); }
+
+  std::promise<void> go;
+
+ private:
+  std::shared_future<void> may_go_ = go.get_future().share();
+  std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
+};
+
+TEST_F(MapSessionTest, AMoveThatIsAskedForAgainTakesNoFrameItsTime) {
+  auto waiting = std::make_unique<WaitingStore>();
+  WaitingStore& disk = *waiting;
+  store = std::move(waiting);
+  Open({.publish_frames = 1000, .publish_s = 1000, .commit_frames = 2, .commit_s = 1000});
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(Integrate(i).report.ok());
+  ASSERT_TRUE(testing::Eventually([&] { return store->GetMap("room")->info.num_frames == 2; }));
+  const auto move = [&] {
+    EditRequest request{.change = [](Map& map) -> Result<EditMade> {
+      DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Lift(map));
+      return EditMade{.submap = id, .summary = {}};
+    }};
+    request.source = {.author = "anna", .request_id = "the same", .request_fingerprint = 7};
+    return Wait<Result<EditOutcome>>([&](auto done) { session->Edit(std::move(request), done); });
+  };
+  const auto moved = move();
+  ASSERT_TRUE(moved.ok()) << moved.status().ToString();
+  ASSERT_TRUE(Integrate(2).report.ok());
+  ASSERT_TRUE(move().ok()) << "answered as before, while what it left is still to be stored";
+  EXPECT_EQ(session->View()->snapshot().revision(), moved->view->snapshot().revision());
+  disk.go.set_value();
+  ASSERT_TRUE(Integrate(3).report.ok());
+  EXPECT_TRUE(testing::Eventually([&] { return store->GetMap("room")->info.num_frames == 4; }))
+      << "two frames make a commit, whatever came between";
 }
 
 TEST_F(MapSessionTest, NoEditComesBeforeWhatAMoveHasLeftIsStored) {
