@@ -44,7 +44,8 @@ struct SessionOptions {
   double max_behind_s = 30;     ///< what is fused may be so long not stored; then frames are refused
   double idle_close_s = 600;    ///< a map that nobody uses for so long is closed; 0: never
   /// Of voxels in memory, and of what is known of those on the disk, of all maps of the process together: near it they
-  /// are left in the store, or in `spill`, and past states go; 0: no bound. Without `spill` those that were read from the store count alone, and nothing else can go.
+  /// are left in the store, or in `spill`, and past states go; 0: no bound. Without `spill` those that were read from
+  /// the store count alone, and nothing else can go.
   std::int64_t page_bytes = 0;
   std::shared_ptr<TileSpill> spill = nullptr;  ///< takes what was written since it was read; shared by all maps
   double feed_idle_s = 30;                     ///< a feeder that is silent for so long makes place for others
