@@ -134,6 +134,7 @@ bool BlockTable::LetGoOfPages(const LettingGo& rule) {
     if (rule.left != nullptr) {
       if (const auto found = rule.left->find(tile); found != rule.left->end()) {
         entry.tile = found->second;
+        has_any = true;
         continue;
       }
     }

@@ -102,13 +102,12 @@ void Map::BeginChange() {
 
 void Map::SettleVacated() {
   if (!leaving_) return;
-  if (changed_) {
-    auto with_left =
-        std::make_shared<FreeSpace>(*WithLeft({*Find(*leaving_), submaps_, info_.config, *free_space_}, vacated_));
+  if (const Submap* moved = Find(*leaving_); changed_ && moved != nullptr) {
+    auto with_left = std::make_shared<FreeSpace>(*WithLeft({*moved, submaps_, info_.config, *free_space_}, vacated_));
     with_left->ShareTiles();
     with_left->set_generation(generation_);
     vacated_ = std::move(with_left);
-  } else {
+  } else if (!changed_) {
     vacated_ = published_->vacated();
   }
   leaving_.reset();

@@ -133,6 +133,23 @@ TEST_F(SpillFileTest, WhatWasWrittenLatelyStaysAtFirst) {
   EXPECT_TRUE(IsOnDisk(*map.LetGoOfPages(true, &spill_)));
 }
 
+TEST_F(SpillFileTest, WhatClonesShareIsThereOnceAndStaysShared) {
+  Map map = MadeMap();
+  map.LetGoOfPages(true, &spill_);
+  const std::int64_t num_bytes = file_->size_bytes();
+  map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0}).weight[0] = 5;
+  const SubmapId copy = map.Clone(SubmapId(1))->id();
+  map.Publish(2);
+  const auto left = map.LetGoOfPages(true, &spill_);
+  const auto tiles = left->Find(SubmapId(1))->blocks().tiles();
+  ASSERT_FALSE(tiles.empty());
+  for (const TileEntry& entry : tiles) {
+    EXPECT_FALSE(entry.tile->IsRead());
+    EXPECT_EQ(entry.tile, left->Find(copy)->blocks().FindTile(entry.index)->tile);
+  }
+  EXPECT_LE(file_->size_bytes(), num_bytes + 10 * static_cast<std::int64_t>(SpillFile::kPageBytes)) << "one tile more";
+}
+
 TEST_F(SpillFileTest, RoomThatWasGivenBackIsUsedAgain) {
   std::int64_t most = 0;
   {
