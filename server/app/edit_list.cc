@@ -51,7 +51,9 @@ class Application {
     const std::string place = std::string("edits[").append(std::to_string(i)).append("]");
     Status placed(error.code(), place + ": " + error.message());
     placed.WithReason(error.reason());
-    for (const auto& [field, description] : error.violations()) placed.AddViolation(place + "." + field, description);
+    for (const auto& [field, description] : error.violations()) {
+      placed.AddViolation(std::string(place).append(".").append(field), description);
+    }
     for (const auto& [key, value] : error.metadata()) {
       Status with = std::move(placed).WithMetadata(key, value);
       placed = std::move(with);
