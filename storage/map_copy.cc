@@ -31,6 +31,7 @@ Status NobodyWaits() { return Cancelled("nobody waits for the map any more"); }
 /// What the map's own row is written from: its submaps without their voxels.
 MapSnapshot WithoutVoxels(MapInfo info, const std::vector<SubmapRow>& rows) {
   std::vector<std::shared_ptr<const Submap>> submaps;
+  submaps.reserve(rows.size());
   for (const SubmapRow& row : rows) submaps.push_back(std::make_shared<const Submap>(row.info, kGeneration));
   return {std::move(info), std::move(submaps)};
 }
@@ -168,7 +169,7 @@ Status MapCopy::BringStep(std::size_t& next) {
     num_bytes += bytes.size();
     select.Reset();
   }
-  const Status written = target_.write(Durability::kNormal, [&](Database& database) -> Status {
+  Status written = target_.write(Durability::kNormal, [&](Database& database) -> Status {
     DHPMAP_ASSIGN_OR_RETURN(BroughtBlobs brought, BroughtBlobs::Prepare(database));
     for (std::size_t i = 0; i < step.size(); ++i) {
       DHPMAP_RETURN_IF_ERROR(brought.Insert(NewKeyOf(next + i), step[i].num_blocks, step[i].bytes));

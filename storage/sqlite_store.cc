@@ -292,7 +292,7 @@ class SqliteStore final : public MapStore {
                      const EditRecord* edit) {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
     WrittenTiles written;
-    const Status done = Write(durability, [&](Writer& writer) -> Status {
+    Status done = Write(durability, [&](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(writer.database, before.info().name));
       DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.info.revision, head.info.create_time_ns));
       if (edit == nullptr) {
