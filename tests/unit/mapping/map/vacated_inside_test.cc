@@ -43,6 +43,7 @@ class RandomThings {
 
   SubmapId Add(int num_spheres, double share_of_holes) {
     std::vector<std::pair<Eigen::Vector3d, double>> spheres;
+    spheres.reserve(static_cast<std::size_t>(num_spheres));
     for (int n = 0; n < num_spheres; ++n) {
       spheres.emplace_back(Eigen::Vector3d(Draw(kLow, kHigh), Draw(kLow, kHigh), Draw(kLow, kHigh)), Draw(3, 11));
     }

@@ -295,7 +295,7 @@ TEST_F(MapSessionTest, RefusesFramesWhileTheStoreIsTooFarBehind) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   const auto integrate_until = [&](bool wanted_ok) {
     while (std::chrono::steady_clock::now() < deadline) {
-      const FrameOutcome outcome = Integrate(1);
+      FrameOutcome outcome = Integrate(1);
       if (outcome.report.ok() == wanted_ok) return outcome;
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }

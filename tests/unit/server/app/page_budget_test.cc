@@ -336,7 +336,7 @@ class PagedRoomTest : public ::testing::Test {
   }
   void Restart() {
     OnBoth("restart", [](EditedRoom& room) {
-      const Status flushed = room.Flush();
+      Status flushed = room.Flush();
       room.Restart();
       return flushed;
     });
