@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an edit has moved, and what that left: stored after the edit, and lost by nobody who comes between.
-#include <set>
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 namespace dhpmap {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::ExpectSameMap;
 using testing::ExpectSameVoxels;
 using testing::SqliteStoreTest;
@@ -63,7 +65,7 @@ class LeavingTest : public SqliteStoreTest {
   }
   std::shared_ptr<const MapSnapshot> MoveAndStore(SubmapId id) {
     const auto before = map_->published();
-    const auto after = Move(id);
+    auto after = Move(id);
     const Status done = CommitEdit(*before, before, after);
     EXPECT_TRUE(done.ok()) << done.ToString();
     return after;

@@ -2,7 +2,10 @@
 // Tiles that no store has as they are, left on the disk: what comes back is the same, to the bit.
 #include "storage/spill_file.h"
 
-#include <cstring>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -16,9 +19,9 @@ namespace {
 
 using testing::MapGenerator;
 
-template <typename Plane>
-bool IsSameToTheBit(const Plane& a, const Plane& b) {
-  return std::memcmp(a.data(), b.data(), sizeof(a)) == 0;
+bool IsSameToTheBit(const std::array<float, kBlockVoxels>& a, const std::array<float, kBlockVoxels>& b) {
+  return std::ranges::equal(
+      a, b, [](float x, float y) { return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y); });
 }
 
 void ExpectSameBlocks(const BlockTable& expected, const BlockTable& actual) {
@@ -32,7 +35,7 @@ void ExpectSameBlocks(const BlockTable& expected, const BlockTable& actual) {
     if (entry.tsdf != nullptr) {
       EXPECT_TRUE(IsSameToTheBit(entry.tsdf->distance_m, found->tsdf->distance_m));
       EXPECT_TRUE(IsSameToTheBit(entry.tsdf->weight, found->tsdf->weight));
-      EXPECT_TRUE(IsSameToTheBit(entry.tsdf->color, found->tsdf->color));
+      EXPECT_TRUE(entry.tsdf->color == found->tsdf->color);
       EXPECT_EQ(entry.tsdf->part_id.value(), found->tsdf->part_id.value());
     }
     if (entry.labels != nullptr) {
