@@ -116,10 +116,10 @@ class SpilledTile final : public TileSource {
   }
 
   Result<std::vector<BlockEntry>> Read(const TileOnDisk& there) override {
-    DHPMAP_ASSIGN_OR_RETURN(const Bytes bytes, file_->Read(pages_, num_bytes_));
+    const Result<Bytes> bytes = file_->Read(pages_, num_bytes_);
     BlockTile tile;
-    const Status read = Unflatten(bytes, there.index, tile);
-    if (!read.ok()) return DataLoss(NameOfTile("spilled", there.index) + " " + read.message());
+    const Status read = bytes.ok() ? Unflatten(*bytes, there.index, tile) : bytes.status();
+    if (!read.ok()) return Status(read.code(), NameOfTile("spilled", there.index) + " " + read.message());
     return std::vector<BlockEntry>(tile.entries().begin(), tile.entries().end());
   }
 
@@ -190,7 +190,7 @@ Result<Bytes> SpillFile::Read(std::span<const std::uint32_t> pages, std::size_t 
   const bool read = ForEachPage(pages, num_bytes, [&](std::size_t at, off_t offset, std::size_t num) {
     return pread(file_, bytes.data() + at, num, offset);
   });
-  if (!read) return OfDisk("read what had no room in memory");
+  if (!read) return OfDisk("cannot be read");
   return bytes;
 }
 

@@ -140,7 +140,7 @@ bool BlockTable::LetGoOfPages(const LettingGo& rule) {
     }
     auto left = LeftOnDisk(*tile, rule, spill);
     if (left == nullptr) continue;
-    if (rule.left != nullptr && entry.tile.use_count() > 1) rule.left->emplace(tile, left);
+    if (rule.left != nullptr) rule.left->emplace(tile, left);
     entry.tile = std::move(left);
     has_any = true;
   }

@@ -17,8 +17,8 @@ PageCounters& Counters() {
   return counters;
 }
 
-/// As measured of a map of 40,000 tiles: the page, the BlockTile, the entry in a table and the head of the marks with
-/// what the allocator adds; and the mark of a block.
+/// About: the page, the BlockTile, the entry in a table and the head of the marks with what the allocator adds; and the
+/// mark of a block.
 constexpr std::int64_t kTileTableBytes = 640, kBlockTableBytes = 40;
 
 std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {

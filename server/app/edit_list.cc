@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "mapping/map/vacated_space.h"
 #include "mapping/objects/merge_submaps.h"
 #include "mapping/objects/split_submap.h"
 #include "server/app/etag.h"
@@ -24,13 +23,13 @@ class Application {
 
   Result<std::vector<EditResult>> Run() {
     for (std::size_t i = 0; i < list_.edits.size(); ++i) {
-      map_.SettleVacated();  // what an edit before has left: this one may change what it depends on
       Result<EditResult> result = RunOne(list_.edits[i]);
       if (!result.ok()) return WithPlace(result.status(), i);
       results_.push_back(std::move(result).value());
+      // Only what an edit alone has left may wait for the commit after its own: of a list the next edit may change what
+      // it depends on, and what undoes the list would be told of a tile twice.
+      if (list_.edits.size() > 1) map_.SettleVacated();
     }
-    // Of one edit what it left is stored by a commit after its own, which adds to what undoes it no tile that is there.
-    if (list_.edits.size() > 1) map_.SettleVacated();
     return std::move(results_);
   }
 

@@ -193,7 +193,7 @@ std::string Metrics::Text(const Gauges& gauges) const {
                            "Memory of voxels that were read from the store when they were needed",
                            static_cast<double>(gauges.page_bytes)));
   families.push_back(
-      CounterOf("dhpmap_pages_read_total", "Tiles of voxels that were read from the store", gauges.num_pages_read));
+      CounterOf("dhpmap_pages_read_total", "Tiles of voxels that were read from the disk", gauges.num_pages_read));
   families.push_back(CounterOf("dhpmap_pages_unreadable_total", "Tries to read a tile of voxels that failed",
                                gauges.num_pages_unreadable));
   families.push_back(CounterOf("dhpmap_pages_let_go_total",

@@ -14,12 +14,6 @@ using testing::SqliteStoreTest;
 
 class EditHistoryTest : public SqliteStoreTest {
  protected:
-  void OpenWith(const EditLogLimits& limits) {
-    store_ = nullptr;
-    auto opened = OpenSqliteStore(Path(), {.edits = limits});
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
-    store_ = std::move(opened).value();
-  }
   /// Publishes what was done to the map, and stores it as an edit.
   void Commit(Map& map) {
     const auto before = map.published();

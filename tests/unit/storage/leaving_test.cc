@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "mapping/map/vacated_space.h"
+#include "storage/rows/map_rows.h"
 #include "tests/unit/storage/sqlite_fixture.h"
 
 namespace dhpmap {
@@ -26,12 +26,6 @@ constexpr char kWrongSizes[] =
 
 class LeavingTest : public SqliteStoreTest {
  protected:
-  void OpenWith(const EditLogLimits& limits) {
-    store_ = nullptr;
-    auto opened = OpenSqliteStore(Path(), {.edits = limits});
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
-    store_ = std::move(opened).value();
-  }
   /// A map with two slabs of three tiles each, seen from above, where nobody has moved anything yet.
   void Create() {
     map_ = std::make_unique<Map>(generator_.Info("house"));
@@ -166,28 +160,41 @@ TEST_F(LeavingTest, AnEditComesOnlyAfterWhatTheOneBeforeHasLeft) {
   ExpectKeptFor(first->revision(), *first->vacated());
 }
 
-TEST_F(LeavingTest, ANumberThatIsNoSubmapsMeansNothing) {
+TEST_F(LeavingTest, ANumberThatIsNoSubmapsMeansNothingAndKeepsNoEditOff) {
   Open();
   Create();
-  const auto moved = MoveAndStore(SubmapId(1));
-  ASSERT_TRUE(store_->Commit(Lacking(*moved), *moved, Durability::kNormal).ok());
   const auto before = map_->published();
-  map_->Remove(SubmapId(1));
-  const auto without = map_->Publish(4);
-  ASSERT_TRUE(CommitEdit(*before, before, without).ok());
-  // As after a repair that has dropped the object's row, or in a file of somebody else.
-  for (const char* number : {"1", "4294967297", "-7"}) {
-    SCOPED_TRACE(number);
-    store_ = nullptr;
-    Tamper(std::string("UPDATE maps SET leaving_submap_id = ") + number);
-    Open();
-    const auto loaded = store_->LoadMap("house");
-    if (!loaded.ok()) {
-      EXPECT_EQ(loaded.status().reason(), Reason("DAMAGED_MAP")) << "the row's checksum covers it";
-      continue;
-    }
-    EXPECT_FALSE((*loaded)->leaving());
+  store_ = nullptr;
+  {
+    auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadWrite, 1000);
+    ASSERT_TRUE(database.ok());
+    const auto head = ReadMapHead(*database, "house");
+    ASSERT_TRUE(head.ok());
+    ASSERT_TRUE(UpdateMap(*database, *head, before->info(), *before, {head->tiles, SubmapId(77)}).ok());
   }
+  Open();
+  ASSERT_EQ(Query(kLeaving), 77);
+  const auto loaded = store_->LoadMap("house");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
+  EXPECT_FALSE((*loaded)->leaving());
+  EXPECT_FALSE(Lacking(**loaded).lacks_left());
+  map_ = std::make_unique<Map>(*loaded);
+  const auto moved = Move(SubmapId(1));
+  const Status done = CommitEdit(Lacking(**loaded), *loaded, moved);
+  ASSERT_TRUE(done.ok()) << done.ToString();
+  EXPECT_EQ(Query(kLeaving), 1);
+}
+
+TEST_F(LeavingTest, ARepairThatDropsTheObjectForgetsItsNumber) {
+  Open();
+  Create();
+  MoveAndStore(SubmapId(1));
+  Tamper("UPDATE submaps SET checksum = checksum + 1 WHERE submap_id = 1");
+  const auto report = store_->VerifyMap("house", true, {});
+  ASSERT_TRUE(report.ok()) << report.status().ToString();
+  EXPECT_TRUE(report->is_repaired);
+  EXPECT_EQ(Query("SELECT count(*) FROM submaps WHERE submap_id = 1"), 0);
+  EXPECT_EQ(Query(kLeaving), -1);
 }
 
 TEST_F(LeavingTest, AFileThatGoesOutBetweenTheTwoHasIt) {

@@ -33,6 +33,13 @@ class SqliteStoreTest : public ::testing::Test {
     ASSERT_TRUE(opened.ok()) << opened.ToString();
   }
 
+  void OpenWith(const EditLogLimits& limits) {
+    store_ = nullptr;
+    auto opened = OpenSqliteStore(Path(), {.edits = limits});
+    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    store_ = std::move(opened).value();
+  }
+
   /// A map of some 25 blocks, in the store.
   std::unique_ptr<Map> CreateSample(const std::string& name) {
     auto map = std::make_unique<Map>(generator_.Info(name));
