@@ -54,7 +54,7 @@ class StateSum {
   }
   static std::uint64_t SumOf(const BlockEntry& block) {
     std::uint64_t sum = Mix(static_cast<std::uint32_t>(block.index.x));
-    sum = Mix(sum ^ static_cast<std::uint32_t>(block.index.y)),
+    sum = Mix(sum ^ static_cast<std::uint32_t>(block.index.y));
     sum = Mix(sum ^ static_cast<std::uint32_t>(block.index.z));
     for (int i = 0; i < kBlockVoxels; ++i) {
       const auto v = static_cast<std::size_t>(i);
@@ -67,7 +67,8 @@ class StateSum {
       if (block.labels == nullptr) continue;
       const LabelHistograms seen = block.labels->Get(i);
       for (const LabelCount& c : seen.classes) sum = Mix(sum ^ (std::uint64_t{c.id} << 32 | c.count));
-      sum = Mix(sum ^ block.labels->NumObservations(i) ^ std::uint64_t{block.labels->IsConcluded(i)} << 63);
+      for (const InstanceCount& c : seen.instances) sum = Mix(sum ^ (std::uint64_t{c.id.code()} << 32 | c.count));
+      sum = Mix(sum ^ std::uint64_t{block.labels->IsConcluded(i)});
     }
     return sum;
   }
