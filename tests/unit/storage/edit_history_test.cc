@@ -76,7 +76,8 @@ TEST_F(EditHistoryTest, ACloneAndAMoveTakeRowsAndNoBlobs) {
 }
 
 TEST_F(EditHistoryTest, AnEditDeletesFewTilesOfOthersAndALaterOneTheRest) {
-  constexpr int kTiles = 100, kClones = 8;
+  constexpr std::int64_t kTiles = 100;
+  constexpr int kClones = 8;
   Open();
   const auto map = CreateWide(kTiles);
   for (int n = 0; n < kClones; ++n) {
