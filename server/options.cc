@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "mapping/map/page_reader.h"
 #include "mapping/map/tile_page.h"
 #include "server/app/map_stats.h"
 
@@ -159,6 +160,8 @@ Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight
   gauges.page_bytes = pages.resident_bytes;
   gauges.num_pages_read = pages.num_reads;
   gauges.num_pages_unreadable = pages.num_failures;
+  gauges.page_read_ns = pages.read_ns;
+  gauges.page_held_bytes = PageReaderBytes();
   gauges.num_pages_let_go = pages.num_let_go;
   gauges.num_spilled = pages.num_spilled;
   gauges.num_unspilled = pages.num_unspilled;

@@ -50,7 +50,7 @@ class TileRowCopier {
   static Result<TileRowCopier> Prepare(Database& file, Database& database, const Brought& brought) {
     DHPMAP_ASSIGN_OR_RETURN(
         Statement select,
-        file.Prepare("SELECT x, y, z, layer, blob_key, cells FROM tiles WHERE owner_key = ?", kReadTask));
+        file.Prepare("SELECT x, y, z, layer, blob_key, cells, extent FROM tiles WHERE owner_key = ?", kReadTask));
     DHPMAP_ASSIGN_OR_RETURN(TileRows rows, TileRows::Prepare(database));
     return TileRowCopier(std::move(select), std::move(rows), brought);
   }
@@ -68,10 +68,10 @@ class TileRowCopier {
       const std::size_t rank = RankOf(columns.Int());
       if (rank == brought_.sizes.size()) return DataLoss("a tile is missing").WithReason("DAMAGED_MAP");
       const BroughtSize& size = brought_.sizes[rank];
-      const StoredBlob blob{.key = brought_.first_key + static_cast<std::int64_t>(rank),
-                            .num_blocks = size.num_blocks,
-                            .bytes = size.bytes,
-                            .cells = static_cast<std::uint64_t>(columns.Int())};
+      StoredBlob blob{.key = brought_.first_key + static_cast<std::int64_t>(rank),
+                      .num_blocks = size.num_blocks,
+                      .bytes = size.bytes};
+      for (std::uint64_t* known : {&blob.cells, &blob.extent}) *known = static_cast<std::uint64_t>(columns.Int());
       ++num_uses_[rank];
       DHPMAP_RETURN_IF_ERROR(rows_.Put(to_owner_key, index, layer, {}, blob, totals));
     }

@@ -42,7 +42,7 @@ Status Reseal(Database& database, const SubmapRow& row, std::int64_t revision) {
                           database.Prepare("UPDATE tile_blobs SET num_blocks = ? WHERE blob_key = ?", kRepairTask));
   for (const StoredBlob& blob : miscounted) DHPMAP_RETURN_IF_ERROR(count.Bind(blob.num_blocks).Bind(blob.key).Run());
   DHPMAP_ASSIGN_OR_RETURN(Statement forget,  // told anew when the map is opened for paging
-                          database.Prepare("UPDATE tiles SET cells = 0 WHERE owner_key = ?", kRepairTask));
+                          database.Prepare("UPDATE tiles SET cells = 0, extent = 0 WHERE owner_key = ?", kRepairTask));
   DHPMAP_RETURN_IF_ERROR(forget.Bind(row.key).Run());
   submap.UpdateBoundingSphere();
   SubmapCounts counts = CountBlocks(submap);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/snapshot_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +12,8 @@
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/rows/tile_rows.h"
+#include "storage/stored_submap.h"
+#include "storage/tile_cells.h"
 #include "storage/tiles/object_layers.h"
 
 namespace dhpmap {
@@ -19,9 +21,6 @@ namespace {
 
 /// Bounds the memory for blobs not yet decoded: some 1 MB.
 constexpr std::size_t kTilesABatch = 128;
-
-/// Under which keys a tile's layers are stored; 0 where it has none.
-using TileKeys = std::array<std::int64_t, kNumBlockLayers>;
 
 /// The blobs of one tile, and what they decode to.
 struct Job {
@@ -51,81 +50,31 @@ void Decode(Job& job, std::uint16_t store) {
 
 /// Whether the row says of the tiles what is so.
 Status CheckStored(const SubmapRow& row, const Submap& submap, const TileTotals& totals) {
-  const SubmapCounts counts = CountBlocks(submap);
-  for (const ObjectLayer& layer : ObjectLayers()) {
-    if (layer.count == nullptr || counts.*layer.count == row.counts.*layer.count) continue;
-    return DataLoss("submap " + std::to_string(row.info.id.value) + ": has " + std::to_string(counts.*layer.count) +
-                    " " + std::string(layer.name) + " blocks, not " + std::to_string(row.counts.*layer.count));
+  Status checked = CheckCounts(CountBlocks(submap), row.counts);
+  if (checked.ok() && row.CoversTiles() && totals.sum != row.tiles_sum) {
+    checked = DataLoss("has other tiles than were stored");
   }
-  if (row.CoversTiles() && totals.sum != row.tiles_sum) {
-    return DataLoss("submap " + std::to_string(row.info.id.value) + ": has other tiles than were stored");
-  }
-  return Status::Ok();
+  if (checked.ok()) return checked;
+  return DataLoss("submap " + std::to_string(row.info.id.value) + ": " + checked.message());
 }
 
-/// Reads what rows say of tiles, and no blob. Gives null where some row does not say which blocks it has.
-class PagedSubmapReader {
- public:
-  PagedSubmapReader(TileRowReader& rows, std::uint16_t store, std::shared_ptr<TileBlobs> blobs, std::string map)
-      : rows_(rows), store_(store), blobs_(std::move(blobs)), map_(std::move(map)) {}
+/// Whether enough is known of its tiles; `without_cells`: those of which some do not say which blocks they have,
+/// sorted.
+bool CanBeLeftUnread(const SubmapRow& row, const std::vector<std::int64_t>& without_cells) {
+  const bool has_any = row.counts.num_tsdf_blocks + row.counts.num_label_blocks + row.counts.num_gone_blocks > 0;
+  return has_any && !std::binary_search(without_cells.begin(), without_cells.end(), row.key);
+}
 
-  Result<std::shared_ptr<const Submap>> Read(const SubmapRow& row) {
-    constexpr std::uint64_t kOlderThanAnyWriter = 0;
-    auto submap = std::make_shared<Submap>(row.info, kOlderThanAnyWriter);
-    submap->set_bounding_sphere(row.sphere);
-    source_ = std::make_shared<SubmapTiles>(blobs_, map_, row.info.id, TileOwner{row.map_key, row.key});
-    TileTotals totals;
-    std::optional<PagedTile> tile;
-    bool lacks_cells = false;
-    DHPMAP_RETURN_IF_ERROR(rows_.ForEach(row.key, [&](const TileRowReader::Row& stored) -> Status {
-      totals.Add(stored.index, stored.layer, {.key = stored.blob_key});
-      const ObjectLayer* layer = FindObjectLayer(stored.layer);
-      if (layer == nullptr) {
-        return FailedPrecondition(TileName(row.info.id.value, stored.layer, stored.index) +
-                                  " is of a layer unknown to this version");
-      }
-      if (tile && tile->on_disk.index != stored.index) {
-        if (!lacks_cells) Put(*tile, *submap);
-        tile.reset();
-      }
-      if (!tile) {
-        tile.emplace().on_disk.index = stored.index;
-        tile->on_disk.store = store_;
-      }
-      const auto i = static_cast<std::size_t>(layer->layer);
-      tile->on_disk.keys[i] = stored.blob_key;
-      tile->on_disk.cells[i] = stored.cells;
-      lacks_cells = lacks_cells || stored.cells == 0;
-      tile->is_shared = tile->is_shared || stored.is_shared;
-      return Status::Ok();
-    }));
-    if (lacks_cells) return std::shared_ptr<const Submap>();
-    if (tile) Put(*tile, *submap);
-    DHPMAP_RETURN_IF_ERROR(CheckStored(row, *submap, totals));
-    return std::shared_ptr<const Submap>(std::move(submap));
-  }
-
- private:
-  struct PagedTile {
-    TileOnDisk on_disk;
-    bool is_shared = false;  ///< another submap may have the very same tile
-  };
-
-  void Put(const PagedTile& tile, Submap& submap) {
-    const auto known = tile.is_shared ? shared_.find(tile.on_disk.keys) : shared_.end();
-    if (known != shared_.end()) return submap.PutTile(tile.on_disk.index, known->second);
-    const auto made = std::make_shared<const BlockTile>(std::make_shared<const TilePage>(tile.on_disk, source_));
-    if (tile.is_shared) shared_.emplace(tile.on_disk.keys, made);
-    submap.PutTile(tile.on_disk.index, made);
-  }
-
-  TileRowReader& rows_;
-  const std::uint16_t store_;
-  const std::shared_ptr<TileBlobs> blobs_;
-  const std::string map_;
-  std::shared_ptr<SubmapTiles> source_;
-  std::map<TileKeys, std::shared_ptr<const BlockTile>> shared_;  ///< clones share them in memory, too
-};
+/// With its tiles left on the disk.
+std::shared_ptr<const Submap> Unread(const SubmapRow& row, std::uint16_t store, const Paging& paging,
+                                     const std::shared_ptr<SharedTiles>& shared, const std::string& map) {
+  constexpr std::uint64_t kOlderThanAnyWriter = 0;
+  auto stored = std::make_shared<StoredSubmap>(paging.blobs, store, shared, map, row);
+  auto submap =
+      std::make_shared<Submap>(row.info, kOlderThanAnyWriter, std::make_shared<const UnreadTiles>(std::move(stored)));
+  submap->set_bounding_sphere(row.sphere);
+  return submap;
+}
 
 class SubmapReader {
  public:
@@ -200,21 +149,24 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::
     return DataLoss("has " + std::to_string(rows.size()) + " submaps, not " + std::to_string(map.num_submaps));
   }
   DHPMAP_ASSIGN_OR_RETURN(TileRowReader tiles, TileRowReader::Prepare(database));
-  DHPMAP_ASSIGN_OR_RETURN(TileRowReader heads, TileRowReader::PrepareWithoutBlobs(database));
   SubmapReader reader(tiles, store, pool);
-  PagedSubmapReader paged_reader(heads, store, paging != nullptr ? paging->blobs : nullptr, map.info.name);
+  std::vector<std::int64_t> without_cells;
+  if (paging != nullptr) {
+    DHPMAP_ASSIGN_OR_RETURN(without_cells, OwnersWithoutCells(database, map.key));
+    paging->lacks_cells = !without_cells.empty();
+    if (paging->lacks_cells && !paging->reads_the_rest)
+      return Unavailable("some tiles do not say which blocks they have");
+  }
+  const auto shared = std::make_shared<SharedTiles>();
   std::vector<std::shared_ptr<const Submap>> submaps;
+  submaps.reserve(rows.size());
   for (const SubmapRow& row : rows) {
     std::shared_ptr<const Submap>& submap = submaps.emplace_back();
-    if (paging != nullptr) {
-      DHPMAP_ASSIGN_OR_RETURN(submap, paged_reader.Read(row));
+    if (paging != nullptr && CanBeLeftUnread(row, without_cells)) {
+      submap = Unread(row, store, *paging, shared, map.info.name);
+    } else {
+      DHPMAP_ASSIGN_OR_RETURN(submap, reader.Read(row));
     }
-    if (submap != nullptr) continue;
-    if (paging != nullptr) {
-      paging->lacks_cells = true;
-      if (!paging->reads_the_rest) return Unavailable("some tiles do not say which blocks they have");
-    }
-    DHPMAP_ASSIGN_OR_RETURN(submap, reader.Read(row));
   }
   return submaps;
 }

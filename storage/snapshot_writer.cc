@@ -168,6 +168,7 @@ class Writer {
     DHPMAP_RETURN_IF_ERROR(NoteChange(target, change, layer, before, blob));
     StoredBlob row = blob;
     row.cells = change.after->CellsWith(layer.layer);
+    if (layer.layer == BlockLayer::kTsdf) row.extent = change.after->Extent().Code();
     return tiles_.Put(target.key, change.index, layer.number, before, row, target.tiles);
   }
 

@@ -7,14 +7,6 @@
 namespace dhpmap {
 namespace {
 
-/// Of a layer of a tile whose blob is not there.
-Status NotThere(sqlite::Database& database, const TileOwner& owner, std::int64_t key) {
-  DHPMAP_ASSIGN_OR_RETURN(const bool is_given_up, IsGivenUp(database, owner, key));
-  if (!is_given_up) return DataLoss("is missing");
-  return Aborted("is of a state that was held while the map went on: ask for its present one")
-      .WithReason("SNAPSHOT_EXPIRED");
-}
-
 Status DecodeLayer(sqlite::Statement& select, const ObjectLayer& layer, std::int64_t key, TileIndex index,
                    BlockTile& tile, bool& is_there) {
   DHPMAP_ASSIGN_OR_RETURN(is_there, select.Bind(key).Step());
@@ -34,9 +26,14 @@ Result<std::vector<BlockEntry>> ReadLayers(sqlite::Database& database, const std
     if (key == 0) continue;
     bool is_there = true;
     Status status = DecodeLayer(select, layer, key, tile.index, decoded, is_there);
-    if (!is_there) status = NotThere(database, owner, key);
-    if (status.ok()) continue;
-    Status named(status.code(), name + ": " + NameOfTile(std::string(layer.name), tile.index) + " " + status.message());
+    if (is_there && status.ok()) continue;
+    const std::string place = name + ": " + NameOfTile(std::string(layer.name), tile.index);
+    if (!is_there) {
+      DHPMAP_ASSIGN_OR_RETURN(const bool is_given_up, IsGivenUp(database, owner, key));
+      if (is_given_up) return Expired(place);
+      status = DataLoss("is missing");
+    }
+    Status named(status.code(), place + " " + status.message());
     named.WithReason(status.code() == StatusCode::kDataLoss ? Reason("DAMAGED_MAP") : status.reason());
     return named;
   }
@@ -47,14 +44,15 @@ Result<std::vector<BlockEntry>> ReadLayers(sqlite::Database& database, const std
 
 Result<std::vector<BlockEntry>> TileBlobs::Read(const std::string& name, const TileOwner& owner,
                                                 const TileOnDisk& tile) {
-  {
-    const MutexLock lock(mutex_);
-    if (is_closed_) return Unavailable(name + " cannot be read any more: the store is closed");
-    ++num_reading_;
-  }
-  const Reading reading(*this);  // also if memory does not suffice
-  DHPMAP_ASSIGN_OR_RETURN(ReaderPool::Lease lease, readers_->Borrow());
-  return ReadLayers(*lease, name, owner, tile);
+  return With<std::vector<BlockEntry>>(
+      name, [&](sqlite::Database& database) { return ReadLayers(database, name, owner, tile); });
+}
+
+Status TileBlobs::Begin(const std::string& name) {
+  const MutexLock lock(mutex_);
+  if (is_closed_) return Unavailable(name + " cannot be read any more: the store is closed");
+  ++num_reading_;
+  return Status::Ok();
 }
 
 TileBlobs::Reading::~Reading() {

@@ -26,6 +26,16 @@ class TileBlobs {
   Result<std::vector<BlockEntry>> Read(const std::string& name, const TileOwner& owner, const TileOnDisk& tile)
       DHPMAP_EXCLUDES(mutex_);
 
+  /// Gives read(database) a connection; what it returns is a Result. UNAVAILABLE once the store is closed, and errors
+  /// of SQLite.
+  template <typename Value, typename Reader>
+  Result<Value> With(const std::string& name, Reader&& read) DHPMAP_EXCLUDES(mutex_) {
+    DHPMAP_RETURN_IF_ERROR(Begin(name));
+    const Reading reading(*this);  // also if memory does not suffice
+    DHPMAP_ASSIGN_OR_RETURN(ReaderPool::Lease lease, readers_->Borrow());
+    return read(*lease);
+  }
+
   /// Waits for those who read, and lets go of the file.
   void Close() DHPMAP_EXCLUDES(mutex_);
 
@@ -42,24 +52,14 @@ class TileBlobs {
     TileBlobs& blobs_;
   };
 
+  /// Counts the caller as reading.
+  Status Begin(const std::string& name) DHPMAP_EXCLUDES(mutex_);
+
   Mutex mutex_;
   CondVar is_idle_;
   int num_reading_ DHPMAP_GUARDED_BY(mutex_) = 0;
   bool is_closed_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::unique_ptr<ReaderPool> readers_;  ///< changed by Close alone, while nobody reads
-};
-
-/// Of one submap, which errors name.
-class SubmapTiles final : public TileSource {
- public:
-  SubmapTiles(std::shared_ptr<TileBlobs> blobs, const std::string& map, SubmapId submap, const TileOwner& owner)
-      : blobs_(std::move(blobs)), name_("map '" + map + "': submap " + std::to_string(submap.value)), owner_(owner) {}
-  Result<std::vector<BlockEntry>> Read(const TileOnDisk& tile) override { return blobs_->Read(name_, owner_, tile); }
-
- private:
-  const std::shared_ptr<TileBlobs> blobs_;
-  const std::string name_;
-  const TileOwner owner_;
 };
 
 }  // namespace dhpmap

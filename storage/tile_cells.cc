@@ -22,15 +22,19 @@ constexpr std::int64_t kRowsATime = 256;
 struct RowPlace {
   TileIndex index;
   std::int64_t layer = -1;  ///< before all of the tile
-  std::uint64_t cells = 0;
+  // What it is to say:
+  std::uint64_t cells = 0, extent = 0;
 };
 
-Result<std::uint64_t> CellsOfBlob(ByteView blob, const RowPlace& place) {
-  const ObjectLayer* layer = FindObjectLayer(place.layer);
+/// Has the row say what its blob does.
+Status Look(ByteView blob, RowPlace& row) {
+  const ObjectLayer* layer = FindObjectLayer(row.layer);
   if (layer == nullptr) return FailedPrecondition("a tile is of a layer unknown to this version");
   BlockTile tile;
-  DHPMAP_RETURN_IF_ERROR(layer->decode(blob, place.index, tile));
-  return tile.cells();
+  DHPMAP_RETURN_IF_ERROR(layer->decode(blob, row.index, tile));
+  row.cells = tile.cells();
+  if (layer->layer == BlockLayer::kTsdf) row.extent = tile.Extent().Code();
+  return Status::Ok();
 }
 
 /// The next rows after `last`, which becomes the last of them.
@@ -52,7 +56,7 @@ Result<std::vector<RowPlace>> NextRows(Database& database, std::int64_t owner_ke
       *axis = static_cast<std::int32_t>(columns.Int());
     }
     row.layer = columns.Int();
-    DHPMAP_ASSIGN_OR_RETURN(row.cells, CellsOfBlob(columns.Blob(), row));
+    DHPMAP_RETURN_IF_ERROR(Look(columns.Blob(), row));
   }
   if (!rows.empty()) last = rows.back();
   return rows;
@@ -63,25 +67,26 @@ Result<bool> NoteSome(Database& database, std::int64_t owner_key, RowPlace& last
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<RowPlace> rows, NextRows(database, owner_key, last));
   DHPMAP_ASSIGN_OR_RETURN(
       Statement update,
-      database.Prepare("UPDATE tiles SET cells = ? WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?",
-                       kCellsTask));
+      database.Prepare(
+          "UPDATE tiles SET cells = ?, extent = ? WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?",
+          kCellsTask));
   for (const RowPlace& row : rows) {
-    update.Bind(static_cast<std::int64_t>(row.cells)).Bind(owner_key).Bind(row.index.x).Bind(row.index.y);
-    DHPMAP_RETURN_IF_ERROR(update.Bind(row.index.z).Bind(row.layer).Run());
+    update.Bind(static_cast<std::int64_t>(row.cells)).Bind(static_cast<std::int64_t>(row.extent)).Bind(owner_key);
+    DHPMAP_RETURN_IF_ERROR(update.Bind(row.index.x).Bind(row.index.y).Bind(row.index.z).Bind(row.layer).Run());
   }
   return !rows.empty();
 }
 
-/// Of the map's objects, those with rows that do not say their cells.
-Result<std::vector<std::int64_t>> OwnersWithout(Database& database, const std::string& map) {
-  DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(database, map));
+}  // namespace
+
+Result<std::vector<std::int64_t>> OwnersWithoutCells(Database& database, std::int64_t map_key) {
+  // Index tiles_without_cells has such rows alone, and is empty for maps that this version wrote.
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
-      database.Prepare(
-          "SELECT submap_key FROM submaps WHERE map_key = ? AND EXISTS (SELECT 1 FROM tiles WHERE owner_key "
-          "= submap_key AND cells = 0)",
-          kCellsTask));
-  select.Bind(head.key);
+      database.Prepare("SELECT DISTINCT owner_key FROM tiles INDEXED BY tiles_without_cells JOIN submaps ON submap_key "
+                       "= owner_key WHERE cells = 0 AND owner_key > 0 AND map_key = ? ORDER BY owner_key",
+                       kCellsTask));
+  select.Bind(map_key);
   std::vector<std::int64_t> owners;
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
@@ -90,12 +95,11 @@ Result<std::vector<std::int64_t>> OwnersWithout(Database& database, const std::s
   }
 }
 
-}  // namespace
-
 Status NoteTileCells(const WriteRows& write, const std::string& map) {
   std::vector<std::int64_t> owners;
   DHPMAP_RETURN_IF_ERROR(write([&](Database& database) -> Status {
-    DHPMAP_ASSIGN_OR_RETURN(owners, OwnersWithout(database, map));
+    DHPMAP_ASSIGN_OR_RETURN(const MapRow head, ReadMapHead(database, map));
+    DHPMAP_ASSIGN_OR_RETURN(owners, OwnersWithoutCells(database, head.key));
     return Status::Ok();
   }));
   for (const std::int64_t owner_key : owners) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "storage/sqlite/database.h"
 
@@ -11,6 +12,10 @@ namespace dhpmap {
 
 /// Runs its argument as one transaction that writes.
 using WriteRows = std::function<Status(const std::function<Status(sqlite::Database&)>&)>;
+
+/// The keys of a map's submaps with rows of tiles that do not say which blocks they have, ascending; costs what there
+/// are.
+Result<std::vector<std::int64_t>> OwnersWithoutCells(sqlite::Database& database, std::int64_t map_key);
 
 /// Has all rows of a map's tiles say which blocks they have (column tiles.cells), which those of older versions do not:
 /// decodes the blobs of those that do not say it, in transactions of some ms each. Ends with the first error, and keeps

@@ -143,6 +143,10 @@ class Verifier {
     if (stored.cells != 0 && stored.cells != decoded.cells()) {
       Fault(Kind::kCount, place, "holds blocks at other cells than its row says");
     }
+    const bool is_tsdf = layer->layer == BlockLayer::kTsdf;
+    if (stored.extent != 0 && (!is_tsdf || stored.extent != decoded.Extent().Code())) {
+      Fault(Kind::kCount, place, "has observed voxels elsewhere than its row says");
+    }
     for (const BlockEntry& entry : decoded.entries()) {
       ForEachLayer(
           [](BlockLayer, const auto& from, auto& to) {

@@ -112,6 +112,7 @@ inline constexpr ReasonRow kReasonTable[] = {
     // The server and its doors.
     {"SHUTTING_DOWN", StatusCode::kUnavailable, "the server is shutting down"},
     {"TOO_BUSY", StatusCode::kResourceExhausted, "too many calls of the kind wait, or too many bytes: try again later"},
+    {"OVER_MEMORY_BUDGET", StatusCode::kResourceExhausted, "requests hold as many voxels in memory as they may"},
     {"CANNOT_BIND", StatusCode::kUnavailable, "the address to listen on is in use or not of this machine"},
     {"BAD_TIMEOUT", StatusCode::kInvalidArgument, "a timeout header is malformed"},
     {"BAD_HEADER", StatusCode::kInvalidArgument, "a header's value is not printable ASCII"},

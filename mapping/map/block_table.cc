@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "mapping/map/tile_directory.h"
 #include "mapping/map/tile_spill.h"
 
 namespace dhpmap {
@@ -61,8 +62,26 @@ BlockTile& BlockTable::Own(TileEntry& entry, std::uint64_t generation) {
   return const_cast<BlockTile&>(*entry.tile);  // made by this generation: nobody else holds it
 }
 
+const BlockTable& BlockTable::ReadTiles() const { return unread_->Read(); }
+
+const BlockEntry* BlockTable::FindUnread(BlockIndex index) const { return unread_->Find(index); }
+
+std::span<const TileEntry> BlockTable::tiles_if_read() const {
+  if (unread_ == nullptr) return tiles_;
+  const BlockTable* read = unread_->IfRead();
+  return read != nullptr ? read->tiles() : std::span<const TileEntry>();
+}
+
+void BlockTable::TakeTiles() {
+  const BlockTable& read = unread_->Read();
+  tiles_ = read.tiles_;
+  numbers_ = read.numbers_;
+  num_blocks_ = read.num_blocks_;
+  unread_ = nullptr;
+}
+
 BlockEntry& BlockTable::FindOrInsert(BlockIndex index, std::uint64_t generation) {
-  extent_.Forget();
+  BeginWriting();
   const TileIndex tile_index = TileOf(index);
   std::uint32_t number = numbers_.Find(tile_index);
   if (number == kNone) {
@@ -79,7 +98,7 @@ BlockEntry& BlockTable::FindOrInsert(BlockIndex index, std::uint64_t generation)
 
 void BlockTable::PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) {
   constexpr std::uint64_t kOlderThanAnyWriter = 0;
-  extent_.Forget();
+  BeginWriting();
   num_blocks_ += tile->size();
   numbers_.Set(index, static_cast<std::uint32_t>(tiles_.size()));
   tiles_.push_back({index, std::move(tile), kOlderThanAnyWriter});
@@ -87,7 +106,7 @@ void BlockTable::PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile)
 
 bool BlockTable::Erase(BlockIndex index, std::uint64_t generation) {
   if (Find(index) == nullptr) return false;
-  extent_.Forget();
+  BeginWriting();
   const TileIndex tile_index = TileOf(index);
   const std::uint32_t number = numbers_.Find(tile_index);
   BlockTile& tile = Own(tiles_[number], generation);
@@ -108,7 +127,7 @@ void BlockTable::EraseTile(std::uint32_t number) {
 
 void BlockTable::PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers) {
   constexpr std::uint64_t kOlderThanAnyWriter = 0;
-  extent_.Forget();
+  BeginWriting();
   const std::uint32_t number = numbers_.Find(index);
   BlockLayers others{};
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) others[i] = !layers[i];
@@ -127,6 +146,8 @@ void BlockTable::PutLayers(TileIndex index, const BlockTile* from, const BlockLa
 }
 
 bool BlockTable::LetGoOfPages(const LettingGo& rule) {
+  if (unread_ != nullptr && unread_->IfRead() == nullptr) return false;
+  if (unread_ != nullptr) TakeTiles();
   bool has_any = false;
   TileSpill* spill = rule.spill;
   for (TileEntry& entry : tiles_) {
@@ -152,6 +173,7 @@ void BlockTable::ShareTiles() {
 }
 
 std::size_t BlockTable::MemoryBytes() const {
+  if (unread_ != nullptr) return unread_->IfRead() != nullptr ? unread_->Read().MemoryBytes() : 0;
   std::size_t bytes = tiles_.capacity() * sizeof(TileEntry) + numbers_.MemoryBytes();
   for (const TileEntry& entry : tiles_) bytes += entry.tile->MemoryBytes();
   return bytes;

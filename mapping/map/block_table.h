@@ -15,6 +15,7 @@
 namespace dhpmap {
 
 class TileSpill;
+class UnreadTiles;
 
 /// One tile of a table, shared with every copy of the table that holds the same state.
 struct TileEntry {
@@ -35,25 +36,39 @@ struct LettingGo {
 /// Blocks by their index, in tiles. Copying shares the tiles, so it costs some bytes a tile, and two copies are
 /// compared tile by tile. A writer names its generation, which must be new after each copy of the table: a tile of
 /// another generation is copied before it is written to. Thread-compatible.
+///
+/// One that is made of UnreadTiles has its tiles on the disk until somebody asks for more than a few blocks; who does
+/// throws StatusError if they cannot be read. Who writes to it reads them first.
 class BlockTable {
  public:
-  /// Number of blocks.
-  [[nodiscard]] std::size_t size() const { return num_blocks_; }
-  [[nodiscard]] bool empty() const { return num_blocks_ == 0; }
+  BlockTable() = default;
+  /// Neither null nor of no tile.
+  explicit BlockTable(std::shared_ptr<const UnreadTiles> unread) : unread_(std::move(unread)) {}
+
+  /// Number of blocks. Throws StatusError, as all that follows.
+  [[nodiscard]] std::size_t size() const { return Read().num_blocks_; }
+  /// Reads nothing.
+  [[nodiscard]] bool empty() const { return num_blocks_ == 0 && unread_ == nullptr; }
 
   /// Null if the block is not there. Valid until the table is next written to.
   [[nodiscard]] const BlockEntry* Find(BlockIndex index) const {
     const std::uint32_t tile = numbers_.Find(TileOf(index));
-    return tile == kNone ? nullptr : tiles_[tile].tile->Find(CellOf(index));
+    if (tile != kNone) return tiles_[tile].tile->Find(CellOf(index));
+    return unread_ == nullptr ? nullptr : FindUnread(index);
   }
   /// Null if the tile is not there. Valid until the table is next written to.
   [[nodiscard]] const TileEntry* FindTile(TileIndex index) const {
-    const std::uint32_t tile = numbers_.Find(index);
-    return tile == kNone ? nullptr : &tiles_[tile];
+    const BlockTable& table = Read();
+    const std::uint32_t tile = table.numbers_.Find(index);
+    return tile == kNone ? nullptr : &table.tiles_[tile];
   }
 
   /// In order of allocation; erasing the last block of a tile moves the last tile into the gap.
-  [[nodiscard]] std::span<const TileEntry> tiles() const { return tiles_; }
+  [[nodiscard]] std::span<const TileEntry> tiles() const { return Read().tiles_; }
+  /// None as long as nobody has read them. Reads nothing.
+  [[nodiscard]] std::span<const TileEntry> tiles_if_read() const;
+  /// Null where it was written to since it was loaded, or came whole. Reads nothing.
+  [[nodiscard]] const std::shared_ptr<const UnreadTiles>& unread() const { return unread_; }
 
   /// All blocks, tile by tile: a forward range of const BlockEntry&.
   class Range;
@@ -71,7 +86,7 @@ class BlockTable {
   /// Calls visit(BlockEntry&) for all blocks; it leaves every index as it is.
   template <typename Visitor>
   void ForEachMutable(std::uint64_t generation, Visitor&& visit) {
-    extent_.Forget();
+    BeginWriting();
     for (TileEntry& tile : tiles_) {
       for (BlockEntry& entry : Own(tile, generation).mutable_entries()) visit(entry);
     }
@@ -91,11 +106,22 @@ class BlockTable {
  private:
   static constexpr std::uint32_t kNone = IndexMap<TileIndex>::kNone;
   static BlockTile& Own(TileEntry& entry, std::uint64_t generation);
+  /// The table that has the tiles.
+  [[nodiscard]] const BlockTable& Read() const { return unread_ == nullptr ? *this : ReadTiles(); }
+  [[nodiscard]] const BlockTable& ReadTiles() const;
+  [[nodiscard]] const BlockEntry* FindUnread(BlockIndex index) const;
+  /// Has the tiles be its own.
+  void TakeTiles();
+  void BeginWriting() {
+    extent_.Forget();
+    if (unread_ != nullptr) TakeTiles();
+  }
   void EraseTile(std::uint32_t number);
 
   std::vector<TileEntry> tiles_;
   IndexMap<TileIndex> numbers_;  ///< position in tiles_
   std::size_t num_blocks_ = 0;
+  std::shared_ptr<const UnreadTiles> unread_;  ///< instead of the three above; null: those are right
   KeptExtent extent_;
 };
 
@@ -150,6 +176,6 @@ class BlockTable::Range {
   std::span<const TileEntry> tiles_;
 };
 
-inline BlockTable::Range BlockTable::entries() const { return Range(tiles_); }
+inline BlockTable::Range BlockTable::entries() const { return Range(tiles()); }
 
 }  // namespace dhpmap

@@ -3,10 +3,19 @@
 
 #include <utility>
 
+#include "mapping/map/scanned_tile.h"
+
 namespace dhpmap {
 
 BlockTile::BlockTile(const BlockTile& other)
     : cells_(other.cells_), entries_(other.entries().begin(), other.entries().end()) {}
+
+TileExtent BlockTile::Extent() const {
+  if (const auto known = KnownExtent()) return *known;
+  const TileExtent extent = ExtentOf(ScannedTile(*this).entries());
+  extent_.Keep(extent);
+  return extent;
+}
 
 bool BlockTile::CanBeUnread() const {
   if (page_ == nullptr || !page_->IsRead()) return false;
@@ -20,6 +29,7 @@ bool BlockTile::CanBeUnread() const {
 
 std::shared_ptr<const BlockTile> BlockTile::Unread() const {
   auto unread = std::make_shared<const BlockTile>(page_->LetGo());
+  if (const auto known = KnownExtent()) unread->extent_.Keep(*known);
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) unread->stored_[i].Adopt(stored_[i]);
   return unread;
 }
@@ -32,26 +42,28 @@ bool BlockTile::CanBeLeft() const {
 }
 
 std::shared_ptr<const BlockTile> BlockTile::LeftAt(std::shared_ptr<TileSource> source) const {
-  TileOnDisk there{.index = TileOf(entries_.front().index)};
-  PageNames names{.parts = {}, .tile = part_id_.value()};
+  TileOnDisk there{.index = TileOf(entries_.front().index), .extent = extent_.code()};
+  std::vector<std::uint64_t> names;
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
     for (const BlockEntry& entry : entries_) {
       ForEachLayer(
           [&](BlockLayer layer, const auto& part) {
             if (static_cast<std::size_t>(layer) != i || part == nullptr) return;
             there.cells[i] |= std::uint64_t{1} << CellOf(entry.index);
-            names.parts.push_back(part->part_id.value());
+            names.push_back(part->part_id.value());
           },
           entry);
     }
   }
+  PartNames named(std::move(names), part_id_.value());
   auto left =
-      std::make_shared<const BlockTile>(std::make_shared<const TilePage>(there, std::move(source), std::move(names)));
+      std::make_shared<const BlockTile>(std::make_shared<const TilePage>(there, std::move(source), std::move(named)));
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) left->stored_[i].Adopt(stored_[i]);
   return left;
 }
 
 BlockEntry& BlockTile::FindOrInsert(BlockIndex index) {
+  extent_.Forget();
   const int cell = CellOf(index);
   const std::size_t position = PositionOf(cell);
   const std::uint64_t bit = std::uint64_t{1} << cell;
@@ -65,6 +77,7 @@ BlockEntry& BlockTile::FindOrInsert(BlockIndex index) {
 bool BlockTile::Erase(int cell) {
   const std::uint64_t bit = std::uint64_t{1} << cell;
   if ((cells_ & bit) == 0) return false;
+  extent_.Forget();
   entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(PositionOf(cell)));
   cells_ &= ~bit;
   return true;

@@ -5,12 +5,14 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "mapping/map/block_entry.h"
 #include "mapping/map/part_id.h"
 #include "mapping/map/stored_key.h"
+#include "mapping/map/tile_extent.h"
 #include "mapping/map/tile_page.h"
 
 namespace dhpmap {
@@ -23,8 +25,9 @@ class BlockTile {
  public:
   BlockTile() = default;
   /// Neither null nor of no block.
-  explicit BlockTile(std::shared_ptr<const TilePage> page) : cells_(page->cells()), page_(std::move(page)) {
-    part_id_.Restore(page_->tile_id());
+  explicit BlockTile(std::shared_ptr<const TilePage> page)
+      : cells_(page->cells()), extent_(page->tile().extent), page_(std::move(page)) {
+    part_id_.Restore(page_->names().tile());
     const TileOnDisk& there = page_->tile();
     for (std::size_t i = 0; i < kNumBlockLayers; ++i) stored_[i].Set(there.store, there.keys[i]);
   }
@@ -48,7 +51,10 @@ class BlockTile {
     return entries_;
   }
   /// The caller leaves every index as it is. Only of blocks in memory.
-  [[nodiscard]] std::span<BlockEntry> mutable_entries() { return entries_; }
+  [[nodiscard]] std::span<BlockEntry> mutable_entries() {
+    extent_.Forget();
+    return entries_;
+  }
 
   /// Null if there is no block at this cell. Throws StatusError.
   [[nodiscard]] const BlockEntry* Find(int cell) const {
@@ -58,6 +64,12 @@ class BlockTile {
   BlockEntry& FindOrInsert(BlockIndex index);
   /// Returns whether it was there. Only of blocks in memory.
   bool Erase(int cell);
+
+  /// Around what is observed, if that is known; reads none.
+  [[nodiscard]] std::optional<TileExtent> KnownExtent() const { return extent_.Find(); }
+  /// Likewise; what has to be read for it goes again, and the extent stays known until the tile is written to. Throws
+  /// StatusError.
+  [[nodiscard]] TileExtent Extent() const;
 
   /// Where a store has a layer of all blocks. Meaningful while nobody writes to the tile.
   [[nodiscard]] const StoredKey& stored(BlockLayer layer) const { return stored_[static_cast<std::size_t>(layer)]; }
@@ -88,6 +100,7 @@ class BlockTile {
 
   PartId part_id_;
   std::uint64_t cells_ = 0;  ///< bit c: there is a block at cell c
+  KeptTileExtent extent_;
   std::vector<BlockEntry> entries_;
   std::array<StoredKey, kNumBlockLayers> stored_;
   std::shared_ptr<const TilePage> page_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <span>
+#include <optional>
 
 #include "mapping/map/map.h"
 #include "mapping/map/state_marks.h"
@@ -43,32 +43,44 @@ bool WasThere(const Part& old) {
 
 // A submap's past, as a state or as marks.
 inline const TileEntry* FindTile(const Submap& submap, TileIndex index) { return submap.blocks().FindTile(index); }
-inline const TileMarks* FindTile(const SubmapMarks& submap, TileIndex index) { return submap.FindTile(index); }
+inline std::shared_ptr<const TileMarks> FindTile(const SubmapMarks& submap, TileIndex index) {
+  return submap.FindTile(index);
+}
 inline const BlockEntry* FindBlock(const TileEntry& tile, int cell) { return tile.tile->Find(cell); }
-inline const BlockMark* FindBlock(const TileMarks& tile, int cell) { return tile.Find(cell); }
+inline std::optional<BlockMark> FindBlock(const TileMarks& tile, int cell) { return tile.Find(cell); }
 template <typename Visitor>
 void VisitTiles(const Submap& submap, Visitor&& visit) {
   for (const TileEntry& tile : submap.blocks().tiles()) visit(tile, tile.tile->entries());
 }
 template <typename Visitor>
 void VisitTiles(const SubmapMarks& submap, Visitor&& visit) {
-  for (const auto& tile : submap.tiles()) visit(*tile, std::span<const BlockMark>(tile->blocks));
+  for (const auto& tile : submap.tiles()) visit(*tile, tile->blocks());
 }
+inline TileIndex IndexOf(const TileEntry& tile) { return tile.index; }
+inline TileIndex IndexOf(const TileMarks& tile) { return tile.index(); }
+inline bool IsSameTile(const TileEntry& old, const TileEntry& now) { return IsSamePart(old.tile, now.tile); }
+inline bool IsSameTile(const TileMarks& old, const TileEntry& now) { return old.IsOf(now); }
+/// Whether two are known to have the same tiles without a look at them; reads nothing.
+inline bool HaveSameUnread(const Submap& old, const Submap& now) {
+  return old.blocks().unread() != nullptr && old.blocks().unread() == now.blocks().unread();
+}
+inline bool HaveSameUnread(const SubmapMarks& old, const Submap& now) { return old.HaveUnread(now); }
 
 /// Lists what was written of a tile; `before` may be null.
 template <typename OldTile>
 void DiffTile(const OldTile* before, const BlockTile& after, SubmapChange& change) {
   for (const BlockEntry& entry : after.entries()) {
-    const auto* old = before != nullptr ? FindBlock(*before, CellOf(entry.index)) : nullptr;
-    if (old != nullptr ? !IsSamePart(old->tsdf, entry.tsdf) : entry.tsdf != nullptr) {
+    using OldBlock = decltype(FindBlock(*before, 0));
+    const OldBlock old = before != nullptr ? FindBlock(*before, CellOf(entry.index)) : OldBlock();
+    if (old ? !IsSamePart(old->tsdf, entry.tsdf) : entry.tsdf != nullptr) {
       if (entry.tsdf) change.written_tsdf.push_back(&entry);
       else change.erased_tsdf.push_back(entry.index);
     }
-    if (old != nullptr ? !IsSamePart(old->labels, entry.labels) : entry.labels != nullptr) {
+    if (old ? !IsSamePart(old->labels, entry.labels) : entry.labels != nullptr) {
       if (entry.labels) change.written_labels.push_back(&entry);
       else change.erased_labels.push_back(entry.index);
     }
-    if (old != nullptr ? !IsSamePart(old->gone, entry.gone) : entry.gone != nullptr) {
+    if (old ? !IsSamePart(old->gone, entry.gone) : entry.gone != nullptr) {
       if (entry.gone) change.written_gone.push_back(&entry);
       else change.erased_gone.push_back(entry.index);
     }
@@ -90,14 +102,16 @@ void ListErased(const OldBlocks& before, const BlockTile* after, SubmapChange& c
 template <typename OldSubmap>
 SubmapChange DiffSubmap(const OldSubmap* before, const Submap& after) {
   SubmapChange change{.id = after.id(), .after = &after, .is_new = before == nullptr};
+  if (before != nullptr && HaveSameUnread(*before, after)) return change;
   for (const TileEntry& tile : after.blocks().tiles()) {
-    const auto* old = before != nullptr ? FindTile(*before, tile.index) : nullptr;
-    if (old == nullptr || !IsSamePart(old->tile, tile.tile)) DiffTile(old, *tile.tile, change);
+    using OldTile = decltype(FindTile(*before, tile.index));
+    const OldTile old = before != nullptr ? FindTile(*before, tile.index) : OldTile();
+    if (!old || !IsSameTile(*old, tile)) DiffTile(std::to_address(old), *tile.tile, change);
   }
   if (before == nullptr) return change;
   VisitTiles(*before, [&](const auto& old, const auto& blocks) {
-    const TileEntry* now = after.blocks().FindTile(old.index);
-    if (now == nullptr || !IsSamePart(old.tile, now->tile)) ListErased(blocks, now ? now->tile.get() : nullptr, change);
+    const TileEntry* now = after.blocks().FindTile(IndexOf(old));
+    if (now == nullptr || !IsSameTile(old, *now)) ListErased(blocks, now ? now->tile.get() : nullptr, change);
   });
   return change;
 }

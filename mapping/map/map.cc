@@ -27,13 +27,18 @@ const Submap* FindIn(const SubmapList& submaps, SubmapId id) {
 
 /// What is on the disk only: its blobs go with the submap, and older states still answer.
 void ReadAll(const Submap& submap) {
+  const auto is_read = [](auto&& read) {
+    try {
+      read();
+      return true;
+    } catch (const StatusError&) {
+      return false;  // whoever asks an older state for it is told
+    }
+  };
+  if (!is_read([&] { (void)submap.blocks().tiles(); })) return;
   for (const TileEntry& tile : submap.blocks().tiles()) {
     if (tile.tile->page() != nullptr && tile.tile->page()->HasOwnNames()) continue;  // which goes with no submap
-    try {
-      (void)tile.tile->entries();
-    } catch (const StatusError&) {
-      continue;  // whoever asks an older state for it is told
-    }
+    (void)is_read([&] { (void)tile.tile->entries(); });
   }
 }
 

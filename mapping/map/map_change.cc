@@ -109,12 +109,21 @@ BoundingSphere ObservedOrAll(const Submap& submap) {
   }
 }
 
+/// Nothing where it cannot be read; likewise.
+std::int64_t NumBlocksIfKnown(const Submap& submap) {
+  try {
+    return static_cast<std::int64_t>(submap.blocks().size());
+  } catch (const StatusError&) {
+    return 0;
+  }
+}
+
 SubmapEvent EventOfPresent(const SubmapMarks* before, const SubmapTileChange& change) {
   const Submap& submap = *change.after;
   SubmapEvent event{.kind = before == nullptr ? ChangeKind::kCreated : ChangeKind::kChanged,
                     .info = submap.info(),
                     .observed = ObservedOrAll(submap),
-                    .num_blocks = static_cast<std::int64_t>(submap.blocks().size())};
+                    .num_blocks = NumBlocksIfKnown(submap)};
   if (before == nullptr) return event;
   event.before = PlaceOf(*before);
   event.parts = PartsOf(before->info(), submap.info());

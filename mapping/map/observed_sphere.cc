@@ -2,11 +2,15 @@
 #include "mapping/map/observed_sphere.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
+
+#include "mapping/map/scanned_tile.h"
 
 namespace dhpmap {
 namespace {
@@ -38,65 +42,57 @@ Box CubeOf(BlockIndex block) { return Cube(block, kBlockSide); }
 Box CubeOf(const BlockEntry& entry) { return Cube(entry.index, kBlockSide); }
 Box CubeOf(const TileEntry& tile) { return Cube(tile.index, kBlockSide * kTileSide); }
 
-/// Around the observed voxels of a block. By the greatest weight of each plane across the axes, a row of voxels at a
-/// time: ten times as fast as to look at each voxel, of which a wall has a hundred thousand at its rim.
-Box BoxOfObserved(const BlockEntry& entry) {
-  constexpr int kRows = kBlockSide * kBlockSide;
-  Box box;
-  if (entry.tsdf == nullptr) return box;
-  const Eigen::Map<const Eigen::Array<float, kBlockSide, kRows>> rows(entry.tsdf->weight.data());
-  const Eigen::Array<float, 1, kRows> of_row = rows.colwise().maxCoeff();
-  const Eigen::Map<const Eigen::Array<float, kBlockSide, kBlockSide>> rows_yz(of_row.data());
-  using Planes = Eigen::Array<float, kBlockSide, 1>;
-  const std::array<Planes, 3> planes = {rows.rowwise().maxCoeff(), rows_yz.rowwise().maxCoeff(),
-                                        rows_yz.colwise().maxCoeff().transpose()};
-  const Box cube = CubeOf(entry);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 0; i < kBlockSide; ++i) {
-      if (!(planes[axis][i] >= kMinObservedWeight)) continue;
-      box.low[axis] = std::min(box.low[axis], cube.low[axis] + i);
-      box.high[axis] = std::max(box.high[axis], cube.low[axis] + i + 1);
+/// Around the observed voxels that an extent says of a tile.
+Box BoxOf(TileIndex tile, const TileExtent& extent) {
+  if (extent.IsEmpty()) return {};
+  const Array3i corner = Array3i(tile.x, tile.y, tile.z) * (kBlockSide * kTileSide);
+  return {corner + Array3i(extent.low[0], extent.low[1], extent.low[2]),
+          corner + Array3i(extent.high[0], extent.high[1], extent.high[2])};
+}
+
+/// Around the observed voxels of a block.
+Box BoxOfObserved(const BlockEntry& entry) { return BoxOf(TileOf(entry.index), ExtentOf({&entry, 1})); }
+
+using Tiles = std::vector<const TileEntry*>;
+
+/// Those of which it is not known what of them is observed, and which are in memory. What the others hold is added to
+/// `observed`: of one on the disk it is found once.
+Tiles AddKnown(const BlockTable& blocks, Box& observed) {
+  Tiles unknown;
+  for (const TileEntry& tile : blocks.tiles()) {
+    if (observed.Contains(CubeOf(tile))) continue;
+    if (!tile.tile->KnownExtent() && tile.tile->IsRead()) unknown.push_back(&tile);
+    else observed.Add(BoxOf(tile.index, tile.tile->Extent()));
+  }
+  return unknown;
+}
+
+/// Around the blocks of tiles; looks into none.
+Box BoxOfAllocated(const Tiles& tiles) {
+  Box allocated;
+  for (const TileEntry* tile : tiles) {
+    if (allocated.Contains(CubeOf(*tile))) continue;
+    for (std::uint64_t left = tile->tile->cells(); left != 0; left &= left - 1) {
+      allocated.Add(CubeOf(BlockIn(tile->index, std::countr_zero(left))));
     }
   }
-  return box;
+  return allocated;
 }
 
-/// Visits the blocks of all tiles that are not `left_out`, of which a large submap has a few hundred.
-template <typename IsLeftOut, typename Visitor>
-void ForEachBlock(const BlockTable& blocks, IsLeftOut&& left_out, Visitor&& visit) {
-  for (const TileEntry& tile : blocks.tiles()) {
-    if (left_out(CubeOf(tile))) continue;
-    for (const BlockEntry& entry : tile.tile->entries()) visit(entry);
-  }
-}
-
-/// Visits only where they are, and reads none.
-template <typename IsLeftOut, typename Visitor>
-void ForEachIndex(const BlockTable& blocks, IsLeftOut&& left_out, Visitor&& visit) {
-  for (const TileEntry& tile : blocks.tiles()) {
-    if (left_out(CubeOf(tile))) continue;
-    for (std::uint64_t left = tile.tile->cells(); left != 0; left &= left - 1) {
-      visit(BlockIn(tile.index, std::countr_zero(left)));
-    }
-  }
-}
-
-/// Of the blocks, first those at the rim of their box: few of the others reach out of what these hold.
+/// Of the blocks in memory, first those at the rim of their box: few of the others reach out of what these hold.
 Box BoxOfObserved(const BlockTable& blocks) {
-  Box allocated, observed;
-  ForEachIndex(
-      blocks, [&](const Box& tile) { return allocated.Contains(tile); },
-      [&](BlockIndex block) { allocated.Add(CubeOf(block)); });
-  ForEachBlock(
-      blocks, [&](const Box& tile) { return !tile.IsAtRimOf(allocated); },
-      [&](const BlockEntry& entry) {
-        if (CubeOf(entry).IsAtRimOf(allocated)) observed.Add(BoxOfObserved(entry));
-      });
-  ForEachBlock(
-      blocks, [&](const Box& tile) { return observed.Contains(tile); },
-      [&](const BlockEntry& entry) {
-        if (!observed.Contains(CubeOf(entry))) observed.Add(BoxOfObserved(entry));
-      });
+  Box observed;
+  const Tiles unknown = AddKnown(blocks, observed);
+  const Box allocated = BoxOfAllocated(unknown);
+  for (const bool is_rim : {true, false}) {
+    for (const TileEntry* tile : unknown) {
+      if (observed.Contains(CubeOf(*tile)) || (is_rim && !CubeOf(*tile).IsAtRimOf(allocated))) continue;
+      for (const BlockEntry& entry : tile->tile->entries()) {
+        const Box cube = CubeOf(entry);
+        if (!observed.Contains(cube) && (!is_rim || cube.IsAtRimOf(allocated))) observed.Add(BoxOfObserved(entry));
+      }
+    }
+  }
   return observed;
 }
 
@@ -107,30 +103,53 @@ double FarthestSquared(const Box& box, const Array3d& from) {
   return ((center - from).abs() + half).square().sum();
 }
 
-/// The block that reaches farthest is looked into first: few of the others can still reach farther than its voxels.
-double FarthestObservedSquared(const BlockTable& blocks, const Array3d& from) {
+/// Of a tile, as far as is known without a look at voxels: no observed one reaches farther.
+double ReachSquared(const TileEntry& tile, const Array3d& from) {
+  if (const auto extent = tile.tile->KnownExtent()) {
+    return extent->IsEmpty() ? 0 : FarthestSquared(BoxOf(tile.index, *extent), from);
+  }
+  double reach = 0;
+  for (std::uint64_t left = tile.tile->cells(); left != 0; left &= left - 1) {
+    reach = std::max(reach, FarthestSquared(CubeOf(BlockIn(tile.index, std::countr_zero(left))), from));
+  }
+  return reach;
+}
+
+double FarthestObservedSquared(const BlockEntry& entry, const Array3d& from) {
   double farthest = 0;
-  const auto look_into = [&](const BlockEntry& entry) {
-    if (entry.tsdf == nullptr) return;
-    for (int linear = 0; linear < kBlockVoxels; ++linear) {
-      if (!entry.tsdf->IsObserved(linear)) continue;
-      farthest = std::max(farthest, FarthestSquared(Cube(VoxelIn(entry.index, linear), 1), from));
+  for (int linear = 0; entry.tsdf != nullptr && linear < kBlockVoxels; ++linear) {
+    if (!entry.tsdf->IsObserved(linear)) continue;
+    farthest = std::max(farthest, FarthestSquared(Cube(VoxelIn(entry.index, linear), 1), from));
+  }
+  return farthest;
+}
+
+/// The tile that may reach farthest is looked into first, and in it the block that may: few of the others can still
+/// reach farther than its voxels.
+double FarthestObservedSquared(const BlockTable& blocks, const Array3d& from) {
+  double farthest = 0, most = 0;
+  const TileEntry* outermost = nullptr;
+  for (const TileEntry& tile : blocks.tiles()) {
+    if (FarthestSquared(CubeOf(tile), from) <= most) continue;
+    const double reach = ReachSquared(tile, from);
+    if (reach > most) most = reach, outermost = &tile;
+  }
+  const auto look_into = [&](const TileEntry& tile) {
+    const ScannedTile scanned(*tile.tile);
+    std::vector<std::pair<double, const BlockEntry*>> by_reach;
+    by_reach.reserve(scanned.entries().size());
+    for (const BlockEntry& entry : scanned.entries())
+      by_reach.emplace_back(FarthestSquared(CubeOf(entry), from), &entry);
+    std::sort(by_reach.begin(), by_reach.end(), std::greater<>());
+    for (const auto& [reach, entry] : by_reach) {
+      if (reach <= farthest) return;
+      farthest = std::max(farthest, FarthestObservedSquared(*entry, from));
     }
   };
-  double reach = 0;
-  std::optional<BlockIndex> outermost;
-  ForEachIndex(
-      blocks, [&](const Box& tile) { return FarthestSquared(tile, from) <= reach; },
-      [&](BlockIndex block) {
-        const double its = FarthestSquared(CubeOf(block), from);
-        if (its > reach) reach = its, outermost = block;
-      });
-  if (outermost) look_into(*blocks.Find(*outermost));
-  ForEachBlock(
-      blocks, [&](const Box& tile) { return FarthestSquared(tile, from) <= farthest; },
-      [&](const BlockEntry& entry) {
-        if (FarthestSquared(CubeOf(entry), from) > farthest) look_into(entry);
-      });
+  if (outermost != nullptr) look_into(*outermost);
+  for (const TileEntry& tile : blocks.tiles()) {
+    if (FarthestSquared(CubeOf(tile), from) > farthest && ReachSquared(tile, from) > farthest) look_into(tile);
+  }
   return farthest;
 }
 

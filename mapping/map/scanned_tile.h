@@ -6,6 +6,7 @@
 
 #include "mapping/base/status_error.h"
 #include "mapping/map/block_tile.h"
+#include "mapping/map/page_reader.h"
 
 namespace dhpmap {
 
@@ -25,6 +26,7 @@ class ScannedTile {
   std::span<const BlockEntry> Read(const BlockTile& tile) {
     if (tile.IsRead()) return tile.entries();
     try {
+      const PageReader::Passing passing;
       return own_.emplace(*tile.page()).blocks();
     } catch (const StatusError&) {
       own_.reset();

@@ -81,6 +81,7 @@ std::shared_ptr<const BlockTile> Part(const BlockTile* tile, const BlockLayers& 
 
 std::vector<TileDelta> DiffTilesOf(const Submap* before, const Submap* after) {
   std::vector<TileDelta> tiles;
+  if (before != nullptr && after != nullptr && HaveSameUnread(*before, *after)) return tiles;
   std::set<TileIndex> indices;
   for (const Submap* side : {before, after}) {
     if (side == nullptr) continue;

@@ -16,45 +16,23 @@ BlockMark MarkBlock(const BlockEntry& block) {
   return mark;
 }
 
-BlockMark MarkOnPage(const TilePage& page, int cell) {
-  BlockMark mark;
-  mark.index = BlockIn(page.tile().index, cell);
-  ForEachLayer([&](BlockLayer layer, auto& name) { name = page.PartIdOf(layer, cell); }, mark);
-  return mark;
-}
-
-std::shared_ptr<const TileMarks> MarkTile(const TileEntry& entry) {
-  auto marks = std::make_shared<TileMarks>();
-  marks->index = entry.index;
-  marks->tile = entry.tile->part_id();
-  marks->blocks.reserve(entry.tile->size());
-  if (const TilePage* page = entry.tile->page().get()) {  // known without reading it
-    for (int cell = 0; cell < kTileBlocks; ++cell) {
-      if ((page->cells() >> cell & 1u) != 0) marks->blocks.push_back(MarkOnPage(*page, cell));
-    }
-    return marks;
-  }
-  for (const BlockEntry& block : entry.tile->entries()) marks->blocks.push_back(MarkBlock(block));
-  return marks;
-}
-
 /// Of a tile as it was in `before`, but for the blocks that `is_in_part` names: those are as in `now`, which may be
 /// null.
 std::shared_ptr<const TileMarks> MarkPart(const std::shared_ptr<const TileMarks>& before, const BlockTile* now,
                                           const std::function<bool(BlockIndex)>& is_in_part) {
-  auto marks = std::make_shared<TileMarks>();
-  marks->index = before->index;
+  std::vector<BlockMark> blocks;
+  blocks.reserve(kTileBlocks);
   bool is_same = true;
   for (int cell = 0; cell < kTileBlocks; ++cell) {
-    const BlockMark* old = before->Find(cell);
+    const std::optional<BlockMark> old = before->Find(cell);
     const BlockEntry* entry = now != nullptr ? now->Find(cell) : nullptr;
-    if (old == nullptr && entry == nullptr) continue;
-    const bool is_new = is_in_part(BlockIn(before->index, cell));
-    is_same = is_same && (!is_new || (old != nullptr && entry != nullptr && old->IsOf(*entry)));
-    if (is_new && entry != nullptr) marks->blocks.push_back(MarkBlock(*entry));
-    else if (!is_new && old != nullptr) marks->blocks.push_back(*old);
+    if (!old && entry == nullptr) continue;
+    const bool is_new = is_in_part(BlockIn(before->index(), cell));
+    is_same = is_same && (!is_new || (old && entry != nullptr && old->IsOf(*entry)));
+    if (is_new && entry != nullptr) blocks.push_back(MarkBlock(*entry));
+    else if (!is_new && old) blocks.push_back(*old);
   }
-  return is_same ? before : marks;
+  return is_same ? before : std::make_shared<const TileMarks>(before->index(), blocks);
 }
 
 std::shared_ptr<const SubmapMarks> MarkSubmap(const std::shared_ptr<const Submap>& submap, const StateMarks* before) {
@@ -84,10 +62,10 @@ void CompareBlock(const BlockMark& before, const BlockEntry& after, TileChange& 
 TileChange CompareTile(TileIndex index, const TileMarks* before, const std::shared_ptr<const BlockTile>& after) {
   TileChange change{.index = index, .after = after, .is_written = {}, .num_before = {}, .num_after = {}};
   for (const BlockEntry& entry : after != nullptr ? after->entries() : std::span<const BlockEntry>()) {
-    const BlockMark* old = before != nullptr ? before->Find(CellOf(entry.index)) : nullptr;
-    CompareBlock(old != nullptr ? *old : kNoBlock, entry, change);
+    const std::optional<BlockMark> old = before != nullptr ? before->Find(CellOf(entry.index)) : std::nullopt;
+    CompareBlock(old.value_or(kNoBlock), entry, change);
   }
-  for (const BlockMark& old : before != nullptr ? std::span(before->blocks) : std::span<const BlockMark>()) {
+  for (const BlockMark& old : before != nullptr ? before->blocks() : std::vector<BlockMark>()) {
     if (after == nullptr || after->Find(CellOf(old.index)) == nullptr) CompareBlock(old, BlockEntry(), change);
   }
   return change;
@@ -104,75 +82,64 @@ SubmapTileChange DiffTilesOf(const SubmapMarks* before, const Submap& after) {
     if (!is_written && !holds_any) return;
     change.tiles.push_back(std::move(tile));
   };
+  if (before != nullptr && before->HaveUnread(after)) return change;
   for (const TileEntry& entry : after.blocks().tiles()) {
-    const TileMarks* old = before != nullptr ? before->FindTile(entry.index) : nullptr;
-    if (old == nullptr || !old->IsOf(entry)) compare(entry.index, old, entry.tile);
+    const auto old = before != nullptr ? before->FindTile(entry.index) : nullptr;
+    if (old == nullptr || !old->IsOf(entry)) compare(entry.index, old.get(), entry.tile);
   }
   if (before == nullptr) return change;
   for (const auto& old : before->tiles()) {
-    if (after.blocks().FindTile(old->index) == nullptr) compare(old->index, old.get(), nullptr);
+    if (after.blocks().FindTile(old->index()) == nullptr) compare(old->index(), old.get(), nullptr);
   }
   return change;
 }
 
 }  // namespace
 
-bool BlockMark::IsOf(const BlockEntry& entry) const {
-  bool is_same = true;
-  ForEachLayer(
-      [&is_same](BlockLayer, const auto& name, const auto& layer) { is_same = is_same && IsSamePart(name, layer); },
-      *this, entry);
-  return is_same;
-}
-
-bool TileMarks::IsOf(const TileEntry& entry) const { return tile == entry.tile->part_id(); }
-
-const BlockMark* TileMarks::Find(int cell) const {
-  const auto found = std::lower_bound(blocks.begin(), blocks.end(), cell,
-                                      [](const BlockMark& mark, int wanted) { return CellOf(mark.index) < wanted; });
-  return found != blocks.end() && CellOf(found->index) == cell ? &*found : nullptr;
-}
-
 SubmapMarks::SubmapMarks(const std::shared_ptr<const Submap>& submap, const SubmapMarks* before)
     : info_(submap->info()), sphere_in_map_(submap->BoundingSphereInMap()), submap_(submap->part_id()) {
+  if (const auto& unread = submap->blocks().unread()) {
+    unread_ = unread->marks();
+    return;
+  }
   const std::span<const TileEntry> tiles = submap->blocks().tiles();
-  tiles_.reserve(tiles.size());
-  numbers_.Reserve(tiles.size());
+  table_.Reserve(tiles.size());
   for (const TileEntry& entry : tiles) {
-    const std::uint32_t old = before != nullptr ? before->numbers_.Find(entry.index) : IndexMap<TileIndex>::kNone;
-    const bool is_same = old != IndexMap<TileIndex>::kNone && before->tiles_[old]->IsOf(entry);
-    Add(is_same ? before->tiles_[old] : MarkTile(entry));
+    auto old = before != nullptr ? before->FindTile(entry.index) : nullptr;
+    const bool is_same = old != nullptr && old->IsOf(entry);
+    table_.Add(is_same ? std::move(old) : std::make_shared<const TileMarks>(entry));
   }
 }
 
 SubmapMarks::SubmapMarks(const SubmapMarks& before, const Submap& part,
                          const std::function<bool(BlockIndex)>& is_in_part)
     : info_(before.info_), sphere_in_map_(before.sphere_in_map_) {
-  for (const auto& tile : before.tiles_) {
-    const TileEntry* now = part.blocks().FindTile(tile->index);
-    const auto marks = MarkPart(tile, now != nullptr ? now->tile.get() : nullptr, is_in_part);
-    if (!marks->blocks.empty()) Add(marks);
+  for (const auto& tile : before.tiles()) {
+    const TileEntry* now = part.blocks().FindTile(tile->index());
+    auto marks = MarkPart(tile, now != nullptr ? now->tile.get() : nullptr, is_in_part);
+    if (!marks->empty()) table_.Add(std::move(marks));
   }
   for (const TileEntry& entry : part.blocks().tiles()) {
-    if (before.FindTile(entry.index) == nullptr) Add(MarkTile(entry));
+    if (before.FindTile(entry.index) == nullptr) table_.Add(std::make_shared<const TileMarks>(entry));
   }
-}
-
-void SubmapMarks::Add(std::shared_ptr<const TileMarks> tile) {
-  numbers_.Set(tile->index, static_cast<std::uint32_t>(tiles_.size()));
-  tiles_.push_back(std::move(tile));
 }
 
 bool SubmapMarks::IsOf(const std::shared_ptr<const Submap>& submap) const { return submap_ == submap->part_id(); }
 
-const TileMarks* SubmapMarks::FindTile(TileIndex index) const {
-  const std::uint32_t number = numbers_.Find(index);
-  return number == IndexMap<TileIndex>::kNone ? nullptr : tiles_[number].get();
+std::optional<BlockMark> SubmapMarks::Find(BlockIndex index) const {
+  const auto tile = FindTile(TileOf(index));
+  return tile != nullptr ? tile->Find(CellOf(index)) : std::nullopt;
 }
 
-const BlockMark* SubmapMarks::Find(BlockIndex index) const {
-  const TileMarks* tile = FindTile(TileOf(index));
-  return tile != nullptr ? tile->Find(CellOf(index)) : nullptr;
+bool SubmapMarks::HaveUnread(const Submap& submap) const {
+  const auto& unread = submap.blocks().unread();
+  return unread_ != nullptr && unread != nullptr && unread->marks() == unread_;
+}
+
+bool SubmapMarks::HaveTile(const TileEntry& tile) const {
+  const TileMarkTable* const table = unread_ == nullptr ? &table_ : unread_->IfRead();
+  const auto found = table != nullptr ? table->Find(tile.index) : nullptr;
+  return found != nullptr && found->IsOf(tile);
 }
 
 StateMarks::StateMarks(const MapSnapshot& state, const StateMarks* before, bool lacks_left)
@@ -207,20 +174,20 @@ const SubmapMarks* StateMarks::Find(SubmapId id) const {
 }
 
 const SubmapMarks* StateMarks::FindOriginalOf(const Submap& copy) const {
-  const std::span<const TileEntry> tiles = copy.blocks().tiles();
-  if (tiles.empty()) return nullptr;
-  const TileEntry& probe = tiles[tiles.size() / 2];
+  const bool is_unread = copy.blocks().unread() != nullptr;
+  const std::span<const TileEntry> tiles = copy.blocks().tiles_if_read();
+  const TileEntry* const probe = tiles.empty() ? nullptr : &tiles[tiles.size() / 2];
   for (const auto& [id, marks] : submaps_) {
-    const TileMarks* tile = marks->FindTile(probe.index);
-    if (tile != nullptr && tile->IsOf(probe)) return marks.get();
+    if (is_unread && marks->HaveUnread(copy)) return marks.get();
+    if (probe != nullptr && marks->HaveTile(*probe)) return marks.get();
   }
   return nullptr;
 }
 
 bool StateMarks::Has(SubmapId submap, const BlockEntry& entry) const {
   const SubmapMarks* marks = Find(submap);
-  const BlockMark* mark = marks != nullptr ? marks->Find(entry.index) : nullptr;
-  return mark != nullptr && mark->IsOf(entry);
+  const std::optional<BlockMark> mark = marks != nullptr ? marks->Find(entry.index) : std::nullopt;
+  return mark && mark->IsOf(entry);
 }
 
 std::vector<SubmapChange> DiffSnapshots(const StateMarks& before, const MapSnapshot& after) {

@@ -11,34 +11,11 @@
 #include <vector>
 
 #include "mapping/base/ids.h"
-#include "mapping/base/index_map.h"
 #include "mapping/map/map.h"
+#include "mapping/map/tile_directory.h"
+#include "mapping/map/tile_marks.h"
 
 namespace dhpmap {
-
-/// What stays of a block when its state is let go of: the names of its layers. Thread-compatible.
-struct BlockMark {
-  BlockIndex index;
-  // See PartId; 0 where there was no layer.
-  std::uint64_t tsdf = 0;
-  std::uint64_t labels = 0;
-  std::uint64_t gone = 0;
-
-  /// Whether these are the very layers of `entry`.
-  [[nodiscard]] bool IsOf(const BlockEntry& entry) const;
-};
-
-/// The blocks of one tile, by ascending cell. Immutable, shared by the marks of all states that have the same tile.
-struct TileMarks {
-  TileIndex index;
-  std::uint64_t tile = 0;  ///< see PartId; 0: of none that there was as a whole
-  std::vector<BlockMark> blocks;
-
-  /// Whether it is this very tile.
-  [[nodiscard]] bool IsOf(const TileEntry& entry) const;
-  /// Null if there was no block at this cell.
-  [[nodiscard]] const BlockMark* Find(int cell) const;
-};
 
 /// One submap of a state: its row, and marks of its blocks. Immutable, shared as TileMarks are.
 class SubmapMarks {
@@ -54,25 +31,32 @@ class SubmapMarks {
   [[nodiscard]] const BoundingSphere& sphere_in_map() const { return sphere_in_map_; }
   /// Whether it is this very row, with these very blocks.
   [[nodiscard]] bool IsOf(const std::shared_ptr<const Submap>& submap) const;
-  /// In the order of BlockTable::tiles().
-  [[nodiscard]] std::span<const std::shared_ptr<const TileMarks>> tiles() const { return tiles_; }
-  /// Null if the tile was not there.
-  [[nodiscard]] const TileMarks* FindTile(TileIndex index) const;
-  /// Null if the block was not there.
-  [[nodiscard]] const BlockMark* Find(BlockIndex index) const;
+  /// In the order of BlockTable::tiles(); reads which there are if nobody has.
+  [[nodiscard]] std::span<const std::shared_ptr<const TileMarks>> tiles() const { return Table().tiles(); }
+  /// Null if the tile was not there. Likewise.
+  [[nodiscard]] std::shared_ptr<const TileMarks> FindTile(TileIndex index) const { return Table().Find(index); }
+  /// Nothing if the block was not there. Likewise.
+  [[nodiscard]] std::optional<BlockMark> Find(BlockIndex index) const;
+
+  /// Whether they are known to be the same tiles without a look at them: nobody has written to them since they were
+  /// loaded. Reads nothing.
+  [[nodiscard]] bool HaveUnread(const Submap& submap) const;
+  /// Whether this very tile was there, as far as that is known without reading anything: somebody has the tile, so
+  /// where it is of a table that nobody has read it is no part of it.
+  [[nodiscard]] bool HaveTile(const TileEntry& tile) const;
 
  private:
-  void Add(std::shared_ptr<const TileMarks> tile);
+  [[nodiscard]] const TileMarkTable& Table() const { return unread_ == nullptr ? table_ : unread_->Read(); }
 
   SubmapInfo info_;
   BoundingSphere sphere_in_map_;
   std::uint64_t submap_ = 0;  ///< see PartId; 0: of none that there was as a whole
-  std::vector<std::shared_ptr<const TileMarks>> tiles_;
-  IndexMap<TileIndex> numbers_;  ///< position in tiles_
+  TileMarkTable table_;
+  std::shared_ptr<const UnreadMarks> unread_;  ///< instead; null: the table is right
 };
 
 /// Tells later what of a state was written since, without keeping the state: parts are told apart by their identity,
-/// and only their names stay, some 100 bytes a block. Immutable, thread-safe.
+/// and only their names stay, some 20 bytes a block. Immutable, thread-safe.
 class StateMarks {
  public:
   /// Of nothing: everything was written since.

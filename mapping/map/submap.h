@@ -92,6 +92,9 @@ class Submap {
  public:
   /// `generation` is the writer's current one; see BlockTable.
   Submap(SubmapInfo info, std::uint64_t generation) : info_(std::move(info)), generation_(generation) {}
+  /// Of a loaded map, whose tiles are read when somebody asks for them; not null.
+  Submap(SubmapInfo info, std::uint64_t generation, std::shared_ptr<const UnreadTiles> unread)
+      : info_(std::move(info)), blocks_(std::move(unread)), generation_(generation) {}
 
   [[nodiscard]] const SubmapInfo& info() const { return info_; }
   [[nodiscard]] SubmapInfo& mutable_info() { return info_; }

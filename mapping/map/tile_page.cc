@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/map/tile_page.h"
 
+#include <chrono>
 #include <string>
 
 #include "mapping/base/status_error.h"
+#include "mapping/map/page_reader.h"
 
 namespace dhpmap {
 namespace {
 
 struct PageCounters {
   std::atomic<std::uint64_t> num_reads{0}, num_failures{0}, num_let_go{0}, num_spilled{0}, num_unspilled{0};
-  std::atomic<std::int64_t> resident_bytes{0}, table_bytes{0};
+  std::atomic<std::int64_t> read_ns{0}, resident_bytes{0}, table_bytes{0};
 };
 PageCounters& Counters() {
   static constinit PageCounters counters;
   return counters;
 }
 
-/// About: the page, the BlockTile, the entry in a table and the head of the marks with what the allocator adds; and the
-/// mark of a block.
-constexpr std::int64_t kTileTableBytes = 640, kBlockTableBytes = 40;
+/// About: the page, the BlockTile, the entry in a table and the marks, with what the allocator adds, but for names that
+/// it has of its own.
+constexpr std::int64_t kTileTableBytes = 640;
 
 std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {
   std::size_t bytes = blocks.capacity() * sizeof(BlockEntry);
@@ -32,8 +34,8 @@ std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {
 
 }  // namespace
 
-TilePage::TableBytes::TableBytes(std::uint64_t cells)
-    : bytes_(kTileTableBytes + kBlockTableBytes * std::popcount(cells)) {
+TilePage::TableBytes::TableBytes(std::size_t name_bytes)
+    : bytes_(kTileTableBytes + 2 * static_cast<std::int64_t>(name_bytes)) {  // the marks have them, too
   Counters().table_bytes.fetch_add(bytes_, std::memory_order_relaxed);
 }
 
@@ -69,15 +71,20 @@ Result<std::vector<BlockEntry>> TilePage::ReadNamed() const {
 }
 
 void TilePage::Read() const {
+  PageReader::Admit();  // first: others who want this tile need not wait for that
   const MutexLock lock(mutex_);
   if (is_read_.load(std::memory_order_relaxed)) return;  // another thread was first
+  const auto begin = std::chrono::steady_clock::now();
   Result<std::vector<BlockEntry>> blocks = ReadNamed();
+  const std::chrono::nanoseconds taken = std::chrono::steady_clock::now() - begin;
+  Counters().read_ns.fetch_add(taken.count(), std::memory_order_relaxed);
   if (!blocks.ok()) {
     Counters().num_failures.fetch_add(1, std::memory_order_relaxed);
     throw StatusError(blocks.status());
   }
   blocks_ = std::move(blocks).value();
   num_bytes_ = BytesOf(blocks_);
+  PageReader::Count(static_cast<std::int64_t>(num_bytes_));
   Counters().num_reads.fetch_add(1, std::memory_order_relaxed);
   Counters().resident_bytes.fetch_add(static_cast<std::int64_t>(num_bytes_), std::memory_order_relaxed);
   is_read_.store(true, std::memory_order_release);
@@ -90,6 +97,7 @@ PageCounts CountPages() {
           .num_let_go = counters.num_let_go.load(std::memory_order_relaxed),
           .num_spilled = counters.num_spilled.load(std::memory_order_relaxed),
           .num_unspilled = counters.num_unspilled.load(std::memory_order_relaxed),
+          .read_ns = counters.read_ns.load(std::memory_order_relaxed),
           .resident_bytes = counters.resident_bytes.load(std::memory_order_relaxed),
           .table_bytes = counters.table_bytes.load(std::memory_order_relaxed)};
 }

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <atomic>
-#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,16 +12,17 @@
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
 #include "mapping/map/block_entry.h"
-#include "mapping/map/part_id.h"
+#include "mapping/map/part_names.h"
 
 namespace dhpmap {
 
 /// What is known of a tile whose blocks are on the disk.
 struct TileOnDisk {
   TileIndex index;
-  std::array<std::uint64_t, kNumBlockLayers> cells{};  ///< bit c: the block at cell c has the layer
-  std::array<std::int64_t, kNumBlockLayers> keys{};    ///< under which a store has each layer; 0 where it has none
-  std::uint16_t store = 0;                             ///< which one: see StoredKey
+  LayerCells cells{};
+  std::array<std::int64_t, kNumBlockLayers> keys{};  ///< under which a store has each layer; 0 where it has none
+  std::uint16_t store = 0;                           ///< which one: see StoredKey
+  std::uint64_t extent = 0;                          ///< TileExtent::Code; 0: not known
 };
 
 /// Where blocks are read from that were left on the disk: a store. Thread-safe.
@@ -35,13 +35,6 @@ class TileSource {
   virtual Result<std::vector<BlockEntry>> Read(const TileOnDisk& tile) = 0;
 };
 
-/// What the blocks of a tile were called in memory, before they were left on the disk: each layer in turn, by ascending
-/// cell; and the tile.
-struct PageNames {
-  std::vector<std::uint64_t> parts;
-  std::uint64_t tile = 0;
-};
-
 /// The blocks of a tile, left on the disk until somebody reads them. Blocks that were read stay for as long as the page
 /// does. Its blocks have names (PartId) before they are read. Thread-safe.
 ///
@@ -50,38 +43,22 @@ struct PageNames {
 /// states that go on from one another: who has one of a map that was loaded anew since may be told ABORTED.
 class TilePage {
  public:
-  /// `source` is not null.
-  TilePage(const TileOnDisk& tile, std::shared_ptr<TileSource> source)
-      : tile_(tile), source_(std::move(source)), first_id_(PartId::Reserve(kNumBlockLayers * kTileBlocks + 1)) {}
-  /// Of blocks that have names already.
-  TilePage(const TileOnDisk& tile, std::shared_ptr<TileSource> source, PageNames names)
-      : tile_(tile), source_(std::move(source)), first_id_(0), names_(std::move(names)) {}
+  /// `source` is not null. `names`: of blocks that were in memory before.
+  TilePage(const TileOnDisk& tile, std::shared_ptr<TileSource> source, PartNames names = PartNames::Draw())
+      : tile_(tile), source_(std::move(source)), names_(std::move(names)) {}
   /// Another page of the same blocks, under the same names, with nothing read.
-  TilePage(const TilePage& other)
-      : tile_(other.tile_), source_(other.source_), first_id_(other.first_id_), names_(other.names_) {}
+  TilePage(const TilePage& other) : tile_(other.tile_), source_(other.source_), names_(other.names_) {}
   TilePage& operator=(const TilePage&) = delete;
   ~TilePage();
 
   [[nodiscard]] const TileOnDisk& tile() const { return tile_; }
   /// Of all layers together.
-  [[nodiscard]] std::uint64_t cells() const {
-    std::uint64_t cells = 0;
-    for (const std::uint64_t of_layer : tile_.cells) cells |= of_layer;
-    return cells;
-  }
+  [[nodiscard]] std::uint64_t cells() const { return AnyOf(tile_.cells); }
+  [[nodiscard]] const PartNames& names() const { return names_; }
   /// Of a block's layer; 0 if it has none.
-  [[nodiscard]] std::uint64_t PartIdOf(BlockLayer layer, int cell) const {
-    const auto l = static_cast<std::size_t>(layer);
-    if ((tile_.cells[l] >> cell & 1u) == 0) return 0;
-    if (HasOwnNames()) return names_.parts[PositionOf(l, cell)];
-    return first_id_ + l * kTileBlocks + static_cast<std::uint64_t>(cell);
-  }
-  /// Of the tile.
-  [[nodiscard]] std::uint64_t tile_id() const {
-    return HasOwnNames() ? names_.tile : first_id_ + kNumBlockLayers * kTileBlocks;
-  }
+  [[nodiscard]] std::uint64_t PartIdOf(BlockLayer layer, int cell) const { return names_.Of(tile_.cells, layer, cell); }
   /// Whether its blocks were in memory before, so that they are read as they were: see TileSpill.
-  [[nodiscard]] bool HasOwnNames() const { return names_.tile != 0; }
+  [[nodiscard]] bool HasOwnNames() const { return !names_.AreDrawn(); }
 
   /// By ascending cell; reads them if nobody has. Valid as long as the page. Throws StatusError; the next call tries
   /// again.
@@ -102,10 +79,10 @@ class TilePage {
 
  private:
   /// What a tile takes that is on the disk, counted as long as this lives: its page, what knows of it in a state, and
-  /// the marks of its blocks.
+  /// its marks.
   class TableBytes {
    public:
-    explicit TableBytes(std::uint64_t cells);
+    explicit TableBytes(std::size_t name_bytes);
     ~TableBytes();
     TableBytes(const TableBytes&) = delete;
     TableBytes& operator=(const TableBytes&) = delete;
@@ -116,19 +93,11 @@ class TilePage {
 
   void Read() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] Result<std::vector<BlockEntry>> ReadNamed() const;
-  /// In the names of parts.
-  [[nodiscard]] std::size_t PositionOf(std::size_t layer, int cell) const {
-    std::size_t position = 0;
-    for (std::size_t l = 0; l < layer; ++l) position += static_cast<std::size_t>(std::popcount(tile_.cells[l]));
-    const std::uint64_t before = (std::uint64_t{1} << cell) - 1;
-    return position + static_cast<std::size_t>(std::popcount(tile_.cells[layer] & before));
-  }
 
   const TileOnDisk tile_;
   const std::shared_ptr<TileSource> source_;
-  const std::uint64_t first_id_;  ///< of the blocks' layers, one for each cell and layer that may be, then the tile's
-  const PageNames names_;         ///< instead, if it has any
-  const TableBytes table_bytes_{cells()};
+  const PartNames names_;
+  const TableBytes table_bytes_{names_.MemoryBytes()};
   mutable Mutex mutex_;  ///< of who reads
   mutable std::atomic<bool> is_read_ = false;
   mutable std::atomic<bool> is_used_ = false;
@@ -139,11 +108,12 @@ class TilePage {
 
 /// What pages of all maps have in memory, and what was done for it. Of the process; thread-safe.
 struct PageCounts {
-  std::uint64_t num_reads = 0;      ///< tiles that were read from a store
+  std::uint64_t num_reads = 0;      ///< tiles that were read, from a store or a TileSpill
   std::uint64_t num_failures = 0;   ///< tiles that could not be
   std::uint64_t num_let_go = 0;     ///< tiles that were left on the disk again
   std::uint64_t num_spilled = 0;    ///< tiles that were written to a TileSpill
   std::uint64_t num_unspilled = 0;  ///< tries to write one that failed
+  std::int64_t read_ns = 0;         ///< that was taken by all reads together, of threads side by side as well
   std::int64_t resident_bytes = 0;  ///< of blocks that were read and not let go of yet
   std::int64_t table_bytes = 0;     ///< of what is known of tiles that were or are on the disk, about
 };

@@ -50,7 +50,8 @@ void AddUnread(const TileEntry* entry, std::vector<const BlockTile*>& unread) {
 
 bool HasTilesOnDisk(const Map& map) {
   return std::any_of(map.submaps().begin(), map.submaps().end(), [](const auto& submap) {
-    const auto tiles = submap->blocks().tiles();
+    const auto tiles = submap->blocks().tiles_if_read();
+    if (tiles.empty() && !submap->blocks().empty()) return true;
     return std::any_of(tiles.begin(), tiles.end(), [](const TileEntry& entry) { return !entry.tile->IsRead(); });
   });
 }

@@ -2,6 +2,7 @@
 #include "mapping/refinement/adopt_refinement.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -20,11 +21,11 @@ template <typename Visitor>
 void VisitWritten(const SubmapMarks& before, const Submap* now, Visitor&& visit) {
   if (now == nullptr) return;
   for (const TileEntry& tile : now->blocks().tiles()) {
-    const TileMarks* old = before.FindTile(tile.index);
+    const auto old = before.FindTile(tile.index);
     if (old != nullptr && old->IsOf(tile)) continue;
     for (const BlockEntry& entry : tile.tile->entries()) {
-      const BlockMark* mark = old != nullptr ? old->Find(CellOf(entry.index)) : nullptr;
-      if (mark == nullptr || !mark->IsOf(entry)) visit(entry);
+      const std::optional<BlockMark> mark = old != nullptr ? old->Find(CellOf(entry.index)) : std::nullopt;
+      if (!mark || !mark->IsOf(entry)) visit(entry);
     }
   }
 }
@@ -33,9 +34,9 @@ void VisitWritten(const SubmapMarks& before, const Submap* now, Visitor&& visit)
 template <typename Visitor>
 void VisitErased(const SubmapMarks& before, const Submap* now, Visitor&& visit) {
   for (const auto& old : before.tiles()) {
-    const TileEntry* tile = now != nullptr ? now->blocks().FindTile(old->index) : nullptr;
+    const TileEntry* tile = now != nullptr ? now->blocks().FindTile(old->index()) : nullptr;
     if (tile != nullptr && old->IsOf(*tile)) continue;
-    for (const BlockMark& mark : old->blocks) {
+    for (const BlockMark& mark : old->blocks()) {
       if (tile == nullptr || tile->tile->Find(CellOf(mark.index)) == nullptr) visit(mark.index);
     }
   }

@@ -19,23 +19,22 @@ CubeIndex CubeOf(TileIndex tile) {
 bool IsSame(const TileMarks& before, const TileEntry& now) {
   if (before.IsOf(now)) return true;
   const std::span<const BlockEntry> entries = now.tile->entries();
-  return before.blocks.size() == entries.size() &&
-         std::all_of(entries.begin(), entries.end(), [&](const BlockEntry& entry) {
-           const BlockMark* mark = before.Find(CellOf(entry.index));
-           return mark != nullptr && mark->IsOf(entry);
-         });
+  return before.cells() == now.tile->cells() &&
+         std::all_of(entries.begin(), entries.end(),
+                     [&](const BlockEntry& entry) { return before.At(CellOf(entry.index)).IsOf(entry); });
 }
 
 /// Calls visit(TileIndex) for the tiles that one of both has, or that are not the same in both. Either may be null.
 template <typename Visitor>
 void VisitDifferentTiles(const SubmapMarks* before, const Submap* now, Visitor&& visit) {
+  if (before != nullptr && now != nullptr && before->HaveUnread(*now)) return;
   for (std::size_t t = 0; now != nullptr && t < now->blocks().tiles().size(); ++t) {
     const TileEntry& tile = now->blocks().tiles()[t];
-    const TileMarks* old = before != nullptr ? before->FindTile(tile.index) : nullptr;
+    const auto old = before != nullptr ? before->FindTile(tile.index) : nullptr;
     if (old == nullptr || !IsSame(*old, tile)) visit(tile.index);
   }
   for (std::size_t t = 0; before != nullptr && t < before->tiles().size(); ++t) {
-    const TileIndex index = before->tiles()[t]->index;
+    const TileIndex index = before->tiles()[t]->index();
     if (now == nullptr || now->blocks().FindTile(index) == nullptr) visit(index);
   }
 }

@@ -72,7 +72,7 @@ bool KeptStates::HoldBlocks(bool even_written) const {
   for (const State& state : states) {
     for (const auto& submap : state->submaps()) {
       if (!looked_at.insert(submap.get()).second) continue;
-      const auto tiles = submap->blocks().tiles();
+      const auto tiles = submap->blocks().tiles_if_read();
       const bool holds_any = std::any_of(tiles.begin(), tiles.end(), [even_written](const TileEntry& tile) {
         return tile.tile->page() != nullptr ? tile.tile->page()->IsRead() : even_written && tile.tile->CanBeLeft();
       });

@@ -6,6 +6,7 @@
 
 #include "mapping/base/guarded.h"
 #include "mapping/map/history_id.h"
+#include "mapping/map/page_reader.h"
 #include "mapping/map/tile_page.h"
 #include "server/app/etag.h"
 
@@ -52,6 +53,7 @@ MapRegistry::MapRegistry(MapStore& store, SessionOptions options)
 
 Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionOptions options) {
   DHPMAP_ASSIGN_OR_RETURN(std::vector<StoredMap> maps, store.ListMaps());
+  SetPageReaderLimit({.bytes = BytesOfReaders(options)});
   std::unique_ptr<MapRegistry> registry(new MapRegistry(store, std::move(options)));
   const MutexLock lock(registry->mutex_);
   for (StoredMap& map : maps) {

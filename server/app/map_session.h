@@ -74,6 +74,8 @@ struct SessionOptions {
 std::int64_t ResidentBytes(const SessionOptions& options);
 /// Of page_bytes, from where on voxels are left on the disk: the rest is for what is read meanwhile.
 std::int64_t BytesToKeep(const SessionOptions& options);
+/// How much of what they have read requests may hold together: see PageReaderLimit.
+std::int64_t BytesOfReaders(const SessionOptions& options);
 
 /// What became of a frame.
 struct FrameOutcome {

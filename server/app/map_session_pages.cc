@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -16,6 +17,11 @@ std::int64_t ResidentBytes(const SessionOptions& options) {
 }
 
 std::int64_t BytesToKeep(const SessionOptions& options) { return options.page_bytes - options.page_bytes / 4; }
+
+std::int64_t BytesOfReaders(const SessionOptions& options) {
+  constexpr std::int64_t kLeast = std::int64_t{64} << 20;  // some 200 tiles: what is around a robot must fit
+  return options.page_bytes == 0 ? 0 : std::max(options.page_bytes / 2, kLeast);
+}
 
 /// Where readers hold more than there may be, it is tried again when an eighth has come on top.
 bool MapSession::HasTooManyPages() const {

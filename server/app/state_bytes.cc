@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace dhpmap {
@@ -52,8 +53,9 @@ std::size_t MapListBytesNotIn(const MapInfo& before, const MapInfo& later) {
 
 /// Row and tables of a submap that is another object later, but for its blocks.
 std::size_t TableBytesNotIn(const Submap& before, const Submap* later) {
-  std::size_t bytes = sizeof(Submap) + RowListBytes(before.info()) + TileIndexBytes(before.blocks().tiles().size());
-  for (const TileEntry& tile : before.blocks().tiles()) {
+  const std::span<const TileEntry> tiles = before.blocks().tiles_if_read();
+  std::size_t bytes = sizeof(Submap) + RowListBytes(before.info()) + TileIndexBytes(tiles.size());
+  for (const TileEntry& tile : tiles) {
     const TileEntry* now = later != nullptr ? later->blocks().FindTile(tile.index) : nullptr;
     const bool is_shared = now != nullptr && now->tile == tile.tile;
     bytes += sizeof(TileEntry) + (is_shared ? 0 : sizeof(BlockTile) + tile.tile->size() * sizeof(BlockEntry));
@@ -74,7 +76,10 @@ std::size_t SpaceBytesNotIn(const std::shared_ptr<const FreeSpace>& before, cons
 
 std::size_t BlockBytesNotIn(const Submap& before, const Submap* later) {
   std::size_t bytes = 0;
-  for (const TileEntry& tile : before.blocks().tiles()) {
+  if (later != nullptr && before.blocks().unread() != nullptr && before.blocks().unread() == later->blocks().unread()) {
+    return bytes;  // which nobody has written to since the map was loaded
+  }
+  for (const TileEntry& tile : before.blocks().tiles_if_read()) {
     const TileEntry* now = later != nullptr ? later->blocks().FindTile(tile.index) : nullptr;
     if (now == nullptr || now->tile != tile.tile) {
       bytes += TileBytesNotIn(*tile.tile, now != nullptr ? now->tile.get() : nullptr);

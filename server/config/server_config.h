@@ -144,8 +144,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000, "ms to wait for another reader of the file");
   visit("store.memory_budget_mib", c.store.memory_budget_mib, 0, 1e8,
         "MiB of voxels in memory, of all maps together: they are read when they are needed, and left on the disk near "
-        "it, "
-        "what was mapped since it was read in a file without a name beside the database. 0 = maps are read as a whole");
+        "it, what was mapped since it was read in a file without a name beside the database; requests that would hold "
+        "more than half of it, or 64 MiB if that is more, are refused. 0 = maps are read as a whole");
   visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "of all maps together; more are refused");
   visit("watch.history_changes", c.watch.history_changes, 1, 1e9,
         "commits whose changes are kept of each map, for who watches it from then on");

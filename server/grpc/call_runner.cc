@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "mapping/base/guarded.h"
+#include "mapping/map/page_reader.h"
 #include "server/log/log.h"
 #include "server/wire/types/resource_names.h"
 
@@ -22,7 +23,10 @@ void CallRecord::End(const Status& status) const {
   if (IsOurFault(status.code())) LogError(std::string(method_) + " failed: " + status.ToString());
 }
 
-Status RunGuarded(const std::function<Status()>& work) { return Guarded<Status>(work); }
+Status RunGuarded(const std::function<Status()>& work) {
+  const PageReader request;
+  return Guarded<Status>(work);
+}
 
 Status StateHasNoRoom() {
   return ResourceExhausted("the map has gone on while this was read, and there is no more room for the state it shows")

@@ -20,6 +20,7 @@
 #include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
+#include "mapping/map/page_reader.h"
 #include "server/app/held_states.h"
 #include "server/app/map_registry.h"
 #include "server/grpc/grpc_server.h"
@@ -126,6 +127,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     }
     const auto begin = std::make_shared<LaneTask>([stream, prepare = std::move(prepare)] {
       const Status status = RunGuarded([&] {
+        const PageReader reading(stream->pages_);
         const StreamKeeps keeps{stream->share_,
                                 [stream](const HeldStates::State& state) { return stream->HoldState(state); }};
         DHPMAP_ASSIGN_OR_RETURN(stream->next_, prepare(stream->stop_.get_token(), keeps));
@@ -210,6 +212,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     bool has_next = false;
     response_.Clear();
     const Status status = RunGuarded([&] {
+      const PageReader reading(pages_);
       if (stop_.stop_requested() || has_no_room_) return WhyBroken();
       DHPMAP_ASSIGN_OR_RETURN(has_next, next_(response_));
       return Status::Ok();
@@ -236,6 +239,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   // another thread, and all before the end. Else it looks each access up in all races that it leaves out: minutes.
   std::atomic<bool> is_made_ = false;
   std::unique_ptr<HeldStates::Hold> hold_;
+  PageHold pages_;  ///< that the state has because this has read them
   mutable Mutex mutex_;
   std::shared_ptr<LaneTask> task_ DHPMAP_GUARDED_BY(mutex_);             ///< the newest
   std::optional<Clock::time_point> asked_at_ DHPMAP_GUARDED_BY(mutex_);  ///< first, to let go

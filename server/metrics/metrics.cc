@@ -57,14 +57,17 @@ prometheus::MetricFamily Gauge(const std::string& name, const std::string& help,
   return family;
 }
 
-prometheus::MetricFamily CounterOf(const std::string& name, const std::string& help, std::uint64_t value) {
+prometheus::MetricFamily CounterOf(const std::string& name, const std::string& help, double value) {
   prometheus::MetricFamily family;
   family.name = name;
   family.help = help;
   family.type = prometheus::MetricType::Counter;
   family.metric.emplace_back();
-  family.metric.back().counter.value = static_cast<double>(value);
+  family.metric.back().counter.value = value;
   return family;
+}
+prometheus::MetricFamily CounterOf(const std::string& name, const std::string& help, std::uint64_t value) {
+  return CounterOf(name, help, static_cast<double>(value));
 }
 
 using ValueOfKind = std::pair<const char*, std::size_t>;
@@ -194,6 +197,10 @@ std::string Metrics::Text(const Gauges& gauges) const {
                            static_cast<double>(gauges.page_bytes)));
   families.push_back(
       CounterOf("dhpmap_pages_read_total", "Tiles of voxels that were read from the disk", gauges.num_pages_read));
+  families.push_back(CounterOf("dhpmap_pages_read_seconds_total", "Time that reading them took, of all threads",
+                               static_cast<double>(gauges.page_read_ns) * 1e-9));
+  families.push_back(Gauge("dhpmap_page_held_bytes", "Memory of such voxels that requests under way have read",
+                           static_cast<double>(gauges.page_held_bytes)));
   families.push_back(CounterOf("dhpmap_pages_unreadable_total", "Tries to read a tile of voxels that failed",
                                gauges.num_pages_unreadable));
   families.push_back(CounterOf("dhpmap_pages_let_go_total",

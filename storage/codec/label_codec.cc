@@ -147,7 +147,8 @@ VoxelBits LabelledVoxels(const LabelBlock& block) {
 }
 
 void WriteBlock(const LabelBlock& block, const VoxelWalk& walk, Buffer& buffer) {
-  VoxelWalk::Grid class_grid{}, count_grid{};
+  VoxelWalk::Grid& class_grid = VoxelWalk::GridOfThread();
+  VoxelWalk::Grid& count_grid = VoxelWalk::GridOfThread(VoxelWalk::Scratch::kSecond);
   ByteWriter rest(buffer.rest);
   HistogramReader reader(block);
   std::size_t n = buffer.planes[kForm].size();
@@ -183,7 +184,8 @@ void Append(const Buffer& buffer, ByteWriter& writer) {
 /// Reads an empty block from its part of the planes, and takes its varints from `rest`.
 Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumPlanes>& planes, ByteReader& rest,
                  LabelBlock& block) {
-  VoxelWalk::Grid class_grid{}, count_grid{};
+  VoxelWalk::Grid& class_grid = VoxelWalk::GridOfThread();
+  VoxelWalk::Grid& count_grid = VoxelWalk::GridOfThread(VoxelWalk::Scratch::kSecond);
   LabelHistograms voxel;
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {

@@ -66,7 +66,7 @@ VoxelBits ObservedVoxels(const TsdfBlock& block) {
 }
 
 void WriteDistances(const TsdfBlock& block, const VoxelWalk& walk, float step_m, const Planes& planes) {
-  VoxelWalk::Grid grid{};
+  VoxelWalk::Grid& grid = VoxelWalk::GridOfThread();
   const double steps_per_m = 1.0 / static_cast<double>(step_m);
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {
@@ -81,7 +81,7 @@ void WriteDistances(const TsdfBlock& block, const VoxelWalk& walk, float step_m,
 }
 
 void ReadDistances(const VoxelWalk& walk, float step_m, const ReadPlanes& planes, TsdfBlock& block) {
-  VoxelWalk::Grid grid{};
+  VoxelWalk::Grid& grid = VoxelWalk::GridOfThread();
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {
     const std::int32_t difference = UnZigZag(planes[kDistance0][n] | (planes[kDistance1][n] << 8));
@@ -93,7 +93,7 @@ void ReadDistances(const VoxelWalk& walk, float step_m, const ReadPlanes& planes
 }
 
 void WriteWeights(const TsdfBlock& block, const VoxelWalk& walk, const Planes& planes) {
-  VoxelWalk::Grid grid{};
+  VoxelWalk::Grid& grid = VoxelWalk::GridOfThread();
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {
     const std::int32_t code = WeightCode(block.weight[site.linear]);
@@ -109,7 +109,7 @@ void WriteWeights(const TsdfBlock& block, const VoxelWalk& walk, const Planes& p
 }
 
 bool ReadWeights(const VoxelWalk& walk, const ReadPlanes& planes, TsdfBlock& block) {
-  VoxelWalk::Grid grid{};
+  VoxelWalk::Grid& grid = VoxelWalk::GridOfThread();
   bool all_observed = true;
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {
@@ -127,7 +127,7 @@ constexpr std::array<std::uint8_t Color::*, 3> kChannels = {&Color::g, &Color::r
 
 void WriteColors(const TsdfBlock& block, const VoxelWalk& walk, const Planes& planes) {
   for (std::size_t channel = 0; channel < kChannels.size(); ++channel) {
-    VoxelWalk::Grid grid{};
+    VoxelWalk::Grid& grid = VoxelWalk::GridOfThread();
     std::size_t n = 0;
     for (const auto& site : walk.sites()) {
       const std::int32_t value = block.color[site.linear].*kChannels[channel];
@@ -140,7 +140,7 @@ void WriteColors(const TsdfBlock& block, const VoxelWalk& walk, const Planes& pl
 
 void ReadColors(const VoxelWalk& walk, const ReadPlanes& planes, TsdfBlock& block) {
   for (std::size_t channel = 0; channel < kChannels.size(); ++channel) {
-    VoxelWalk::Grid grid{};
+    VoxelWalk::Grid& grid = VoxelWalk::GridOfThread();
     std::size_t n = 0;
     for (const auto& site : walk.sites()) {
       const std::int32_t difference = UnZigZag(planes[kGreen + channel][n++]);

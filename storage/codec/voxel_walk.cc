@@ -41,4 +41,9 @@ VoxelWalk::VoxelWalk(const VoxelBits& mask) {
   }
 }
 
+VoxelWalk::Grid& VoxelWalk::GridOfThread(Scratch which) {
+  thread_local std::array<Grid, 2> grids{};
+  return grids[static_cast<std::size_t>(which)];
+}
+
 }  // namespace dhpmap

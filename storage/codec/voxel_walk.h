@@ -46,6 +46,12 @@ class VoxelWalk {
   explicit VoxelWalk(const VoxelBits& mask);
   [[nodiscard]] std::span<const Site> sites() const { return {sites_.data(), num_sites_}; }
 
+  /// One of a few grids of the calling thread, to be walked once. Its border holds zeros, everything else what whoever
+  /// had it last has left there: no prediction looks at a value that this walk has not written. A grid of its own for
+  /// each walk would have to be cleared, which takes longer than to read the 200 voxels that most blocks have.
+  enum class Scratch : std::uint8_t { kFirst, kSecond };
+  static Grid& GridOfThread(Scratch which = Scratch::kFirst);
+
   /// For values with noise: the nearest value.
   static std::int32_t PredictNear(const Grid& grid, const Site& site) { return grid[site.near]; }
   /// For smooth values: the mean of the parallelograms that the masked neighbours span (Lorenzo predictor).

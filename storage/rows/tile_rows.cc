@@ -83,14 +83,16 @@ Result<TileRows> TileRows::Prepare(Database& database) {
        "INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, 1) ON CONFLICT (blob_key) DO UPDATE SET num_more = "
        "num_more + 1"},
       {&rows.copy_,
-       "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key, cells) SELECT ?, x, y, z, layer, blob_key, cells FROM "
-       "tiles WHERE owner_key = ?"},
+       "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key, cells, extent) SELECT ?, x, y, z, layer, blob_key, "
+       "cells, extent FROM tiles WHERE owner_key = ?"},
       {&rows.share_copied_,
        "INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, ?1 FROM tiles WHERE owner_key = ?2 ON CONFLICT "
        "(blob_key) DO UPDATE SET num_more = num_more + ?1"},
-      {&rows.insert_, "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key, cells) VALUES (?, ?, ?, ?, ?, ?, ?)"},
+      {&rows.insert_,
+       "INSERT INTO tiles (owner_key, x, y, z, layer, blob_key, cells, extent) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"},
       {&rows.update_,
-       "UPDATE tiles SET blob_key = ?, cells = ? WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
+       "UPDATE tiles SET blob_key = ?, cells = ?, extent = ? WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND "
+       "layer = ?"},
       {&rows.erase_, "DELETE FROM tiles WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
   };
   for (const Text& text : texts) {
@@ -162,11 +164,13 @@ Status TileRows::Copy(std::int64_t from_owner_key, std::int64_t to_owner_key, st
 Status TileRows::Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
                      const StoredBlob& after, TileTotals& totals) {
   totals.Add(index, layer, after);
-  const auto cells = static_cast<std::int64_t>(after.cells);
-  if (before.key == 0) return BindIndex(insert_->Bind(owner_key), index).Bind(layer).Bind(after.key).Bind(cells).Run();
+  const auto cells = static_cast<std::int64_t>(after.cells), extent = static_cast<std::int64_t>(after.extent);
+  if (before.key == 0) {
+    return BindIndex(insert_->Bind(owner_key), index).Bind(layer).Bind(after.key).Bind(cells).Bind(extent).Run();
+  }
   totals.Remove(index, layer, before);
   may_have_dead_ = true;
-  return BindIndex(update_->Bind(after.key).Bind(cells).Bind(owner_key), index).Bind(layer).Run();
+  return BindIndex(update_->Bind(after.key).Bind(cells).Bind(extent).Bind(owner_key), index).Bind(layer).Run();
 }
 
 Status TileRows::Erase(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
@@ -181,19 +185,33 @@ Result<TileRowReader> TileRowReader::Prepare(Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
       database.Prepare("SELECT x, y, z, layer, tiles.blob_key, tile_blobs.blob_key IS NULL, num_more IS NOT NULL, "
-                       "ifnull(num_blocks, 0), cells, blob "
+                       "ifnull(num_blocks, 0), cells, extent, blob "
                        "FROM tiles LEFT JOIN tile_blobs USING (blob_key) LEFT JOIN shared_blobs USING (blob_key) "
                        "WHERE owner_key = ? ORDER BY owner_key, x, y, z, layer",
                        kReadTask));
   return TileRowReader(std::move(select));
 }
 
+namespace {
+
+Result<Statement> SelectWithoutBlobs(Database& database, const std::string& of_which) {
+  return database.Prepare(
+      "SELECT x, y, z, layer, tiles.blob_key, 0, num_more IS NOT NULL, 0, cells, extent, x'' FROM tiles LEFT "
+      "JOIN shared_blobs USING (blob_key) WHERE " +
+          of_which + " ORDER BY owner_key, x, y, z, layer",
+      kReadTask);
+}
+
+}  // namespace
+
 Result<TileRowReader> TileRowReader::PrepareWithoutBlobs(Database& database) {
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement select,
-      database.Prepare("SELECT x, y, z, layer, tiles.blob_key, 0, num_more IS NOT NULL, 0, cells, x'' FROM tiles LEFT "
-                       "JOIN shared_blobs USING (blob_key) WHERE owner_key = ? ORDER BY owner_key, x, y, z, layer",
-                       kReadTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, SelectWithoutBlobs(database, "owner_key = ?"));
+  return TileRowReader(std::move(select));
+}
+
+Result<TileRowReader> TileRowReader::PrepareForATile(Database& database) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select,
+                          SelectWithoutBlobs(database, "owner_key = ? AND x = ? AND y = ? AND z = ?"));
   return TileRowReader(std::move(select));
 }
 
@@ -207,6 +225,7 @@ TileRowReader::Row TileRowReader::Current() const {
   row.is_shared = columns.Int() != 0;
   row.num_blocks = columns.Int();
   row.cells = static_cast<std::uint64_t>(columns.Int());
+  row.extent = static_cast<std::uint64_t>(columns.Int());
   row.blob = columns.Blob();
   return row;
 }

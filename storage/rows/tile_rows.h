@@ -26,7 +26,8 @@ struct StoredBlob {
   std::int64_t key = 0;         ///< 0: there is no row
   std::int64_t num_blocks = 0;  ///< that the blob holds; 0 for layers of maps
   std::int64_t bytes = 0;
-  std::uint64_t cells = 0;  ///< bit c: the blob holds the block at cell c; 0: not known, or a layer of maps
+  std::uint64_t cells = 0;   ///< bit c: the blob holds the block at cell c; 0: not known, or a layer of maps
+  std::uint64_t extent = 0;  ///< of a TSDF: TileExtent::Code; 0: not known, or another layer
 };
 
 inline constexpr std::size_t kNumLayerNumbers = 16;  ///< a layer's number is half a byte
@@ -87,20 +88,34 @@ class TileRowReader {
     std::int64_t layer = 0;
     std::int64_t blob_key = 0;
     std::int64_t num_blocks = 0;
-    bool is_missing = false;  ///< there is no such blob
-    bool is_shared = false;   ///< other rows refer to it, too
-    std::uint64_t cells = 0;  ///< see StoredBlob
-    ByteView blob;            ///< lives as long as the visit
+    bool is_missing = false;              ///< there is no such blob
+    bool is_shared = false;               ///< other rows refer to it, too
+    std::uint64_t cells = 0, extent = 0;  ///< see StoredBlob
+    ByteView blob;                        ///< lives as long as the visit
   };
 
   static Result<TileRowReader> Prepare(sqlite::Database& database);
   /// One that does not touch the blobs: whether they are missing, their number of blocks and themselves it leaves out.
   static Result<TileRowReader> PrepareWithoutBlobs(sqlite::Database& database);
+  /// Likewise, for ForEachOf.
+  static Result<TileRowReader> PrepareForATile(sqlite::Database& database);
 
   /// Calls visit(const Row&), which returns a Status; ends with the first error.
   template <typename Visitor>
   Status ForEach(std::int64_t owner_key, Visitor&& visit) {
     select_.Bind(owner_key);
+    return VisitRows(visit);
+  }
+  /// Likewise, for the rows of one tile.
+  template <typename Visitor>
+  Status ForEachOf(std::int64_t owner_key, TileIndex index, Visitor&& visit) {
+    select_.Bind(owner_key).Bind(index.x).Bind(index.y).Bind(index.z);
+    return VisitRows(visit);
+  }
+
+ private:
+  template <typename Visitor>
+  Status VisitRows(Visitor& visit) {
     for (;;) {
       DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select_.Step());
       if (!has_row) return Status::Ok();
@@ -110,8 +125,6 @@ class TileRowReader {
       return visited;
     }
   }
-
- private:
   explicit TileRowReader(sqlite::Statement select) : select_(std::move(select)) {}
   [[nodiscard]] Row Current() const;
   sqlite::Statement select_;

@@ -19,6 +19,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[9]},                          // 0010_locks_and_kept_clear.sql
       {.sql = SchemaSql()[10]},                         // 0011_tile_cells.sql
       {.sql = SchemaSql()[11]},                         // 0012_leaving.sql
+      {.sql = SchemaSql()[12]},                         // 0013_tile_extents.sql
   };
   return steps;
 }

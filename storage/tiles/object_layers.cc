@@ -112,4 +112,13 @@ SubmapCounts CountBlocks(const Submap& submap) {
   return counts;
 }
 
+Status CheckCounts(const SubmapCounts& found, const SubmapCounts& stored) {
+  for (const ObjectLayer& layer : kLayers) {
+    if (layer.count == nullptr || found.*layer.count == stored.*layer.count) continue;
+    return DataLoss("has " + std::to_string(found.*layer.count) + " " + std::string(layer.name) + " blocks, not " +
+                    std::to_string(stored.*layer.count));
+  }
+  return Status::Ok();
+}
+
 }  // namespace dhpmap

@@ -44,5 +44,7 @@ std::string TileName(std::uint32_t submap_id, std::int64_t layer, TileIndex inde
 
 /// Of all of a submap; reads no blocks, and leaves blob_bytes at 0.
 SubmapCounts CountBlocks(const Submap& submap);
+/// Whether as many blocks of each layer are there as are said to be. DATA_LOSS, to be put behind the submap's name.
+Status CheckCounts(const SubmapCounts& found, const SubmapCounts& stored);
 
 }  // namespace dhpmap

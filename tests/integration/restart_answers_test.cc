@@ -7,10 +7,12 @@
 #include <memory>
 #include <string>
 
+#include "mapping/map/page_reader.h"
 #include "mapping/map/tile_page.h"
 #include "tests/integration/server_on_file.h"
 #include "tests/integration/walked_room.h"
 #include "tests/support/eventually.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -203,6 +205,39 @@ TEST_F(RestartAnswers, AreTheSameBytesAtAnyMemoryBudget) {
     EXPECT_GT(CountPages().num_reads, before);
   }
   EXPECT_TRUE(Eventually([] { return CountPages().num_let_go > 0; })) << "of a budget of nothing";
+}
+
+TEST_F(RestartAnswers, ThatNeedMoreThanRequestsMayHoldAreRefusedAndAllElseGoesOn) {
+  MapUntilTheChairIsGone();
+  page_bytes = std::int64_t{1} << 20;
+  Restart();
+  SetPageReaderLimit({.bytes = 1, .wait_s = 0.01});  // one tile, then no other
+  v1::QueryPointsRequest request;
+  request.set_map("maps/room");
+  request.set_packed(true);
+  v1::QueryPointsResponse response;
+  ForEachPlace(0.3, [&](double x, double y, double z) {
+    for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+  });
+  {
+    grpc::ClientContext context;
+    const grpc::Status status = server->queries->QueryPoints(&context, request, &response);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << status.error_message();
+    EXPECT_EQ(ReasonOf(status), "OVER_MEMORY_BUDGET");
+  }
+  {
+    v1::GetSubmapMeshRequest mesh;
+    mesh.set_name("maps/room");
+    grpc::ClientContext context;
+    const auto stream = server->submaps->GetSubmapMesh(&context, mesh);
+    for (v1::GetSubmapMeshResponse part; stream->Read(&part);) continue;
+    EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  }
+  EXPECT_TRUE(Eventually([] { return PageReaderBytes() == 0; })) << "what was refused holds nothing";
+  Walk(*server, "room", WalkedRoom(false, true), 26, 28);  // frames are not refused for what requests hold
+  SetPageReaderLimit({});
+  grpc::ClientContext context;
+  EXPECT_TRUE(server->queries->QueryPoints(&context, request, &response).ok());
 }
 
 /// How many of two lists, as long as each other, differ.

@@ -101,6 +101,7 @@ TEST_F(FormatTest, ItFindsInRowsWhichBlocksTheirBlobsHold) {
   ExpectReadable("grotto");
   CreateSample("house");
   EXPECT_EQ(Query(unknown), 0) << "of rows that are new";
+  EXPECT_EQ(Query("SELECT count(*) FROM tiles WHERE owner_key > 0 AND layer = 1 AND extent = 0"), 0);
   ExpectReadable("house");
 }
 
@@ -110,6 +111,7 @@ TEST_F(FormatTest, ItSeesDamage) {
   for (const char* damage :
        {"UPDATE tiles SET blob_key = blob_key + 1 WHERE layer = 1", "UPDATE maps SET tiles_sum = tiles_sum + 1",
         "UPDATE tiles SET cells = cells + 1 WHERE layer = 1", "UPDATE tiles SET cells = 1 WHERE layer = 3",
+        "UPDATE tiles SET extent = extent - (1 << 7) WHERE layer = 1", "UPDATE tiles SET extent = 1 WHERE layer = 3",
         "UPDATE tile_blobs SET blob = CAST(substr(blob, 1, 30) || x'5A' || substr(blob, 32) AS BLOB)"}) {
     const std::string intact = Path() + ".intact";
     store_ = nullptr;

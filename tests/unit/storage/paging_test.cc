@@ -159,6 +159,81 @@ TEST_F(PagingTest, WhatCannotBeReadKeepsNoCommitWaiting) {
   EXPECT_TRUE(store_->Commit(*after, *map.Publish(51), Durability::kNormal).ok());
 }
 
+TEST_F(PagingTest, AnObjectOfWhichRowsAreLostIsTheOnlyOneThatCannotBeRead) {
+  MakeSample();
+  OpenPaged();
+  const std::string of_second = "owner_key = (SELECT submap_key FROM submaps WHERE submap_id = 2)";
+  Tamper("DELETE FROM tiles WHERE layer = 2 AND " + of_second);
+  Map map(Load());
+  const auto before = map.published();
+  for (int n = 0; n < 2; ++n) {
+    const Status status = ReadVoxelsOf(*before->Find(SubmapId(2)));
+    EXPECT_EQ(status.code(), StatusCode::kDataLoss);
+    EXPECT_EQ(status.reason(), Reason("DAMAGED_MAP"));
+    EXPECT_EQ(status.message(), "map 'house': submap 2: has other tiles than were stored");
+  }
+  for (const auto id : {1u, 3u}) EXPECT_TRUE(ReadVoxelsOf(*before->Find(SubmapId(id))).ok());
+  EXPECT_THROW(map.FindMutable(SubmapId(2))->DropLabels(), StatusError);
+  map.FindMutable(SubmapId(2))->mutable_info().display_name = "lost";
+  map.FindMutable(SubmapId(3))->mutable_info().num_frames_observed += 1;
+  const Status stored = store_->Commit(*before, *map.Publish(50), Durability::kNormal);
+  EXPECT_TRUE(stored.ok()) << stored.ToString() << ": nobody's commit waits for a disk to be mended";
+  const auto after = map.published();
+  EXPECT_TRUE(map.Remove(SubmapId(2))) << "it can be deleted";
+  EXPECT_TRUE(store_->Commit(*after, *map.Publish(51), Durability::kNormal).ok());
+  EXPECT_TRUE(MapsAreEqual(*map.published(), *Load()));
+}
+
+TEST_F(PagingTest, ARowOfALayerToComeIsToldToWhoNeedsTheTile) {
+  MakeSample();
+  OpenPaged();
+  Tamper(
+      "UPDATE tiles SET layer = 15 WHERE layer = 2 AND owner_key = (SELECT submap_key FROM submaps WHERE submap_id = "
+      "2)");
+  const auto paged = Load();
+  const Status status = ReadVoxelsOf(*paged->Find(SubmapId(2)));
+  EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition) << status.ToString();
+  EXPECT_EQ(status.reason(), Reason("NEWER_LAYER"));
+  EXPECT_TRUE(ReadVoxelsOf(*paged->Find(SubmapId(1))).ok());
+}
+
+TEST_F(PagingTest, ABlockIsFoundWithoutTheOtherTilesOfItsObject) {
+  const auto whole = MakeSample();
+  OpenPaged();
+  const auto paged = Load();
+  const std::uint64_t before = NumReads();
+  const Submap& expected = *whole->Find(SubmapId(2));
+  const BlockEntry& wanted = expected.blocks().entries().front();
+  const BlockTable& blocks = paged->Find(SubmapId(2))->blocks();
+  const BlockEntry* found = blocks.Find(wanted.index);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->tsdf->distance_m, wanted.tsdf->distance_m);
+  EXPECT_EQ(blocks.Find({wanted.index.x + 4000, wanted.index.y, wanted.index.z}), nullptr);
+  EXPECT_EQ(NumReads(), before + 1);
+  EXPECT_TRUE(blocks.tiles_if_read().empty());
+  EXPECT_EQ(blocks.size(), expected.blocks().size());
+  EXPECT_EQ(blocks.Find(wanted.index), found) << "the same when all are known";
+  EXPECT_EQ(NumReads(), before + 1);
+}
+
+TEST_F(PagingTest, ABlockOfAStateThatTheMapHasLeftBehindExpires) {
+  MakeSample();
+  OpenPaged();
+  const auto held = Load();
+  Map map(Load());  // by whoever opens it after it was closed
+  const BlockIndex index = map.Find(SubmapId(2))->blocks().entries().front().index;
+  const auto before = map.published();
+  map.FindMutable(SubmapId(2))->MutableTsdf(index).weight[0] += 1;
+  ASSERT_TRUE(store_->Commit(*before, *map.Publish(50), Durability::kNormal).ok());
+  try {
+    (void)held->Find(SubmapId(2))->blocks().Find(index);
+    FAIL() << "it must not be told what is there now";
+  } catch (const StatusError& error) {
+    EXPECT_EQ(error.status().code(), StatusCode::kAborted) << error.status().ToString();
+    EXPECT_EQ(error.status().reason(), Reason("SNAPSHOT_EXPIRED"));
+  }
+}
+
 TEST_F(PagingTest, ATileThatIsMissingIsTold) {
   MakeSample();
   OpenPaged();
@@ -174,6 +249,7 @@ TEST_F(PagingTest, AStateOfBeforeTheMapWasLoadedAnewIsNotCalledDamaged) {
   OpenPaged();
   const auto held = Load();
   ASSERT_TRUE(ReadVoxelsOf(*held->Find(SubmapId(1))).ok());
+  ASSERT_FALSE(held->Find(SubmapId(2))->blocks().tiles().empty());
   Map map(Load());  // as who closes a map and opens it again
   const auto before = map.published();
   map.Remove(SubmapId(1));

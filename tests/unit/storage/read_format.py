@@ -312,9 +312,10 @@ def hash_of(row):
 
 def tiles_of(database, owner, tiles_sum):
     schema = database.execute("PRAGMA user_version").fetchone()[0]
-    rows = database.execute("SELECT x, y, z, layer, blob_key, num_blocks, %s, blob FROM tiles JOIN tile_blobs"
+    rows = database.execute("SELECT x, y, z, layer, blob_key, num_blocks, %s, %s, blob FROM tiles JOIN tile_blobs"
                             " USING (blob_key) WHERE owner_key = ? ORDER BY x, y, z, layer"
-                            % ("cells" if schema >= 11 else "0"), (owner,)).fetchall()
+                            % ("cells" if schema >= 11 else "0", "extent" if schema >= 13 else "0"),
+                            (owner,)).fetchall()
     total = sum(hash_of(row[:5]) for row in rows) & MASK64
     check(tiles_sum is None or total == tiles_sum & MASK64, "tiles_sum does not match the rows")
     return rows
@@ -351,13 +352,25 @@ def text_of_gone(block):
 TEXTS = {1: text_of_tsdf, 2: text_of_labels, 4: text_of_gone}
 
 
+def extent_of(blocks):
+    """Of the voxels of a TSDF tile, as column extent has it."""
+    places = [[8 * (cell >> 2 * axis & 3) + (voxel[0] >> 3 * axis & 7) for axis in range(3)]
+              for cell, block in blocks.items() for voxel in block]
+    code = 1 << 42
+    for axis, along in enumerate(zip(*places)):
+        code |= min(along) << 14 * axis | (max(along) + 1) << 14 * axis + 7
+    return code
+
+
 def print_submap(database, row):
     submap_key, submap_id, version, tiles_sum, *counts = row
     tiles, num_blocks = {}, {1: 0, 2: 0, 4: 0}
-    for x, y, z, layer, _, num, cells, blob in tiles_of(database, submap_key, tiles_sum if version >= 3 else None):
+    rows = tiles_of(database, submap_key, tiles_sum if version >= 3 else None)
+    for x, y, z, layer, _, num, cells, extent, blob in rows:
         blocks = read_tile(layer, (x, y, z), blob)
         check(len(blocks) == num, "num_blocks does not match the blob")
         check(cells == 0 or cells & MASK64 == sum(1 << cell for cell in blocks), "cells do not match the blob")
+        check(extent == 0 or layer == 1 and extent == extent_of(blocks), "the extent does not match the blob")
         num_blocks[layer] += num
         for cell, block in blocks.items():
             tiles.setdefault((x, y, z), {}).setdefault(cell, {})[layer] = block
@@ -383,8 +396,8 @@ def print_map(database, name):
     rows = tiles_of(database, -map_key, tiles_sum if version >= 6 else None)
     check(len(rows) == num_tiles, "a map has not as many tiles as its row says")
     voxels = {3: 0, 5: 0}
-    for x, y, z, layer, _, _, cells, blob in rows:
-        check(cells == 0, "a layer of a map has cells")
+    for x, y, z, layer, _, _, cells, extent, blob in rows:
+        check(cells == 0 and extent == 0, "a layer of a map has cells")
         voxels[layer] += read_free(layer, (x, y, z), blob)
     print("free %d vacated %d" % (voxels[3], voxels[5]))
 

@@ -111,6 +111,10 @@ const std::vector<Case>& Cases() {
       {"UPDATE tiles SET cells = -1 WHERE layer = 1 AND owner_key = (SELECT submap_key FROM submaps WHERE map_key = 1 "
        "AND submap_id = 1)",
        FaultKind::kCount, "submap 1: tsdf tile ("},
+      {"UPDATE tiles SET extent = extent - (1 << 7) WHERE layer = 1 AND owner_key = (SELECT submap_key FROM submaps "
+       "WHERE map_key = 1 "
+       "AND submap_id = 1)",
+       FaultKind::kCount, "submap 1: tsdf tile ("},
       {"DELETE FROM tiles WHERE owner_key = -1 AND layer = 5", FaultKind::kCount, "map"},
       {"UPDATE submap_boxes SET max_x_m = min_x_m WHERE submap_key = (SELECT submap_key FROM submaps WHERE map_key = 1 "
        "AND submap_id = 1)",
@@ -126,7 +130,7 @@ const std::vector<Case>& Cases() {
        FaultKind::kBounds, "submap 1"},
       {"INSERT INTO submap_boxes VALUES (999, 0, 1, 0, 1, 0, 1, 1)", FaultKind::kReference, "database"},
       {"UPDATE shared_blobs SET num_more = num_more + 1", FaultKind::kReference, "database"},
-      {"INSERT INTO tiles SELECT 999, x, y, z, layer, blob_key, cells FROM tiles WHERE owner_key = -1",
+      {"INSERT INTO tiles SELECT 999, x, y, z, layer, blob_key, cells, extent FROM tiles WHERE owner_key = -1",
        FaultKind::kReference, "database"},
       {"INSERT INTO map_config VALUES (77, 'voxel_size_m', '1')", FaultKind::kReference, "database"},
       {"DELETE FROM edits WHERE request_id = 'abc'", FaultKind::kReference, "database"},

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "mapping/base/mutex.h"
+#include "mapping/base/result.h"
+#include "mapping/map/block_table.h"
+#include "mapping/map/tile_marks.h"
+
+namespace dhpmap {
+
+/// Where it is read from which tiles a submap has: a store. Thread-safe.
+///
+/// It tells of the state in which the submap was loaded. Whoever changes its tiles reads all of them first
+/// (BlockTable), so nothing of the newest state need be read after a commit; who has a state of a map that was loaded
+/// anew since may be told ABORTED, reason SNAPSHOT_EXPIRED. Other errors as of TileSource.
+class TileDirectory {
+ public:
+  virtual ~TileDirectory() = default;
+  struct Tile {
+    TileIndex index;
+    std::shared_ptr<const BlockTile> tile;  ///< neither null nor empty
+  };
+  /// At least one.
+  virtual Result<std::vector<Tile>> ReadAll() = 0;
+  /// Null if there is no such tile.
+  virtual Result<std::shared_ptr<const BlockTile>> ReadOne(TileIndex index) = 0;
+};
+
+/// The marks of tiles that nobody has asked for: there are some once somebody has. Thread-safe.
+class UnreadMarks {
+ public:
+  explicit UnreadMarks(std::shared_ptr<TileDirectory> directory) : directory_(std::move(directory)) {}
+
+  /// Reads them if nobody has read the tiles, whose names then are others than they will be. Empty where they cannot be
+  /// read.
+  [[nodiscard]] const TileMarkTable& Read() const DHPMAP_EXCLUDES(mutex_);
+  /// Null if nobody has read the tiles.
+  [[nodiscard]] const TileMarkTable* IfRead() const {
+    return is_read_.load(std::memory_order_acquire) ? &table_ : nullptr;
+  }
+  /// By who has read the tiles.
+  void Fill(std::span<const TileEntry> tiles) const DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  void FillNow(std::span<const TileEntry> tiles) const DHPMAP_REQUIRES(mutex_);
+
+  const std::shared_ptr<TileDirectory> directory_;
+  mutable Mutex mutex_;
+  mutable std::atomic<bool> is_read_ = false;
+  mutable TileMarkTable table_;  ///< written once, before is_read_
+};
+
+/// The tiles of a submap, which are read when somebody asks for more than a few of their blocks. Shared by all states
+/// that have the submap as it was loaded. Thread-safe.
+class UnreadTiles {
+ public:
+  explicit UnreadTiles(std::shared_ptr<TileDirectory> directory)
+      : directory_(directory), marks_(std::make_shared<const UnreadMarks>(std::move(directory))) {}
+
+  /// Null if the block is not there. Valid as long as this. Throws StatusError.
+  [[nodiscard]] const BlockEntry* Find(BlockIndex index) const DHPMAP_EXCLUDES(mutex_);
+  /// All of them, once and for all. Throws StatusError; the next call tries again.
+  [[nodiscard]] const BlockTable& Read() const DHPMAP_EXCLUDES(mutex_);
+  /// Null if nobody has read all of them.
+  [[nodiscard]] const BlockTable* IfRead() const { return all_.load(std::memory_order_acquire); }
+
+  [[nodiscard]] const std::shared_ptr<const UnreadMarks>& marks() const { return marks_; }
+
+ private:
+  const BlockTable& ReadNow() const DHPMAP_REQUIRES(mutex_);
+  /// Null if there is no such tile.
+  const BlockTile* ReadOne(TileIndex index) const DHPMAP_REQUIRES(mutex_);
+
+  const std::shared_ptr<TileDirectory> directory_;
+  const std::shared_ptr<const UnreadMarks> marks_;
+  mutable Mutex mutex_;  ///< of who reads
+  /// Read one by one; null: there is none. They stay what they are when all are read.
+  mutable std::vector<TileDirectory::Tile> some_ DHPMAP_GUARDED_BY(mutex_);
+  mutable int num_lookups_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  mutable std::unique_ptr<const BlockTable> table_ DHPMAP_GUARDED_BY(mutex_);
+  mutable std::atomic<const BlockTable*> all_ = nullptr;  ///< table_, once it is read
+};
+
+}  // namespace dhpmap
