@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/base/guarded.h"
 #include "storage/map_layers.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
@@ -66,14 +67,21 @@ bool CanBeLeftUnread(const SubmapRow& row, const std::vector<std::int64_t>& with
 }
 
 /// With its tiles left on the disk.
-std::shared_ptr<const Submap> Unread(const SubmapRow& row, std::uint16_t store, const Paging& paging,
-                                     const std::shared_ptr<SharedTiles>& shared, const std::string& map) {
+Result<std::shared_ptr<const Submap>> Unread(const SubmapRow& row, std::uint16_t store, const Paging& paging,
+                                             const std::shared_ptr<SharedTiles>& shared, const std::string& map) {
   constexpr std::uint64_t kOlderThanAnyWriter = 0;
   auto stored = std::make_shared<StoredSubmap>(paging.blobs, store, shared, map, row);
   auto submap =
       std::make_shared<Submap>(row.info, kOlderThanAnyWriter, std::make_shared<const UnreadTiles>(std::move(stored)));
   submap->set_bounding_sphere(row.sphere);
-  return submap;
+  if (!row.CoversTiles()) {  // nothing would tell later whether they are still the same
+    Status read = Guarded<Status>([&submap] {
+      (void)submap->blocks().tiles();
+      return Status::Ok();
+    });
+    if (!read.ok()) return read;
+  }
+  return std::shared_ptr<const Submap>(std::move(submap));
 }
 
 class SubmapReader {
@@ -163,7 +171,7 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::
   for (const SubmapRow& row : rows) {
     std::shared_ptr<const Submap>& submap = submaps.emplace_back();
     if (paging != nullptr && CanBeLeftUnread(row, without_cells)) {
-      submap = Unread(row, store, *paging, shared, map.info.name);
+      DHPMAP_ASSIGN_OR_RETURN(submap, Unread(row, store, *paging, shared, map.info.name));
     } else {
       DHPMAP_ASSIGN_OR_RETURN(submap, reader.Read(row));
     }

@@ -84,6 +84,11 @@ Result<std::shared_ptr<const BlockTile>> StoredSubmap::ReadOne(TileIndex index) 
   });
 }
 
+bool StoredSubmap::HasFew() const {
+  constexpr std::int64_t kFewBlocks = 2000;  // in some 100 rows, which are read in 60 us
+  return counts_.num_tsdf_blocks + counts_.num_label_blocks + counts_.num_gone_blocks <= kFewBlocks;
+}
+
 Status StoredSubmap::Add(const TileRowReader::Row& row, Rows& rows) const {
   const ObjectLayer* layer = FindObjectLayer(row.layer);
   if (layer == nullptr) {
@@ -91,6 +96,7 @@ Status StoredSubmap::Add(const TileRowReader::Row& row, Rows& rows) const {
                               " is of a layer unknown to this version")
         .WithReason("NEWER_LAYER");
   }
+  if (row.cells == 0) return Expired(name_ + ": what is asked for");  // a repair has been here: it said them
   const auto i = static_cast<std::size_t>(layer->layer);
   rows.tile.keys[i] = row.blob_key;
   rows.tile.cells[i] = row.cells;

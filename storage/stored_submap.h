@@ -37,15 +37,16 @@ class SharedTiles {
 /// Thread-safe.
 class StoredSubmap final : public TileSource, public TileDirectory, public std::enable_shared_from_this<StoredSubmap> {
  public:
-  /// Each row of its tiles says which blocks it has. `store`: see StoredKey.
+  /// Each row of its tiles says which blocks it has. `store`: see StoredKey. Where the row does not say what its tiles
+  /// are together, as those of schema 6 and before, all are to be read at once.
   StoredSubmap(std::shared_ptr<TileBlobs> blobs, std::uint16_t store, std::shared_ptr<SharedTiles> shared,
                const std::string& map, const SubmapRow& row);
 
   Result<std::vector<BlockEntry>> Read(const TileOnDisk& tile) override { return blobs_->Read(name_, owner_, tile); }
   /// DATA_LOSS, too, where they are not those that the row speaks of; FAILED_PRECONDITION, reason NEWER_LAYER.
   Result<std::vector<Tile>> ReadAll() override;
-  /// That the submap has lost no other tile is not looked at.
   Result<std::shared_ptr<const BlockTile>> ReadOne(TileIndex index) override;
+  [[nodiscard]] bool HasFew() const override;
 
  private:
   /// What rows say of one tile.

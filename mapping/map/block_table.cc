@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "mapping/base/status_error.h"
 #include "mapping/map/tile_directory.h"
 #include "mapping/map/tile_spill.h"
 
@@ -145,9 +146,19 @@ void BlockTable::PutLayers(TileIndex index, const BlockTile* from, const BlockLa
   }
 }
 
+/// A few blocks that were found by themselves go with a table that has all tiles: it is read for that.
+bool BlockTable::CanLetGoOfUnread() {
+  if (unread_->IfRead() == nullptr && !unread_->HoldsBlocks()) return false;
+  try {
+    TakeTiles();
+    return true;
+  } catch (const StatusError&) {
+    return false;  // they stay; whoever asks for more of them is told
+  }
+}
+
 bool BlockTable::LetGoOfPages(const LettingGo& rule) {
-  if (unread_ != nullptr && unread_->IfRead() == nullptr) return false;
-  if (unread_ != nullptr) TakeTiles();
+  if (unread_ != nullptr && !CanLetGoOfUnread()) return false;
   bool has_any = false;
   TileSpill* spill = rule.spill;
   for (TileEntry& entry : tiles_) {

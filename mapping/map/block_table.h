@@ -112,6 +112,8 @@ class BlockTable {
   [[nodiscard]] const BlockEntry* FindUnread(BlockIndex index) const;
   /// Has the tiles be its own.
   void TakeTiles();
+  /// Likewise, where blocks of some may be in memory and all can be read.
+  bool CanLetGoOfUnread();
   void BeginWriting() {
     extent_.Forget();
     if (unread_ != nullptr) TakeTiles();

@@ -86,6 +86,11 @@ class LabelBlock {
   /// Replaces a voxel's counts; empty lists clear it. Nothing is concluded of it.
   void Set(int linear, const LabelHistograms& histograms);
   void Clear(int linear) { Set(linear, {}); }
+  /// Of a voxel that has no counts: `count` observations of a class, which count for the own instance, too. The class
+  /// is below 65,535, the count 1 to 65,535.
+  void SetFirst(int linear, LabelCount of_class) {
+    cells_[linear] = {static_cast<std::uint16_t>(of_class.id), static_cast<std::uint16_t>(of_class.count), 0, 0};
+  }
 
   /// Whether some voxel has seen the instance of `other`, as one that is not its own. Quick: few voxels have seen such.
   [[nodiscard]] bool HasSeenInstance(SubmapId other) const;

@@ -8,6 +8,7 @@
 
 #include "mapping/base/status_error.h"
 #include "mapping/map/diff_submap.h"
+#include "mapping/map/page_reader.h"
 #include "mapping/map/vacated_space.h"
 
 namespace dhpmap {
@@ -25,7 +26,8 @@ const Submap* FindIn(const SubmapList& submaps, SubmapId id) {
   return it != submaps.end() && (*it)->id() == id ? it->get() : nullptr;
 }
 
-/// What is on the disk only: its blobs go with the submap, and older states still answer.
+/// What is on the disk only: its blobs go with the submap, and older states still answer, and so do its clones. Throws
+/// StatusError where which tiles there are cannot be read and is not lost: then it can be later.
 void ReadAll(const Submap& submap) {
   const auto is_read = [](auto&& read) {
     try {
@@ -35,7 +37,15 @@ void ReadAll(const Submap& submap) {
       return false;  // whoever asks an older state for it is told
     }
   };
-  if (!is_read([&] { (void)submap.blocks().tiles(); })) return;
+  const auto is_lost = [](StatusCode code) {
+    return code == StatusCode::kDataLoss || code == StatusCode::kFailedPrecondition || code == StatusCode::kAborted;
+  };
+  try {
+    (void)submap.blocks().tiles();
+  } catch (const StatusError& error) {
+    if (is_lost(error.status().code())) return;
+    throw;
+  }
   for (const TileEntry& tile : submap.blocks().tiles()) {
     if (tile.tile->page() != nullptr && tile.tile->page()->HasOwnNames()) continue;  // which goes with no submap
     (void)is_read([&] { (void)tile.tile->entries(); });
@@ -68,6 +78,7 @@ const std::shared_ptr<const FreeSpace>& MapSnapshot::vacated() const {
   if (vacated_ == nullptr) return noted_vacated_;
   const MutexLock lock(vacated_->mutex);
   if (vacated_->layer == nullptr) {
+    const PageReader::Passing passing;  // it is kept: who happens to ask for it first must not decide what it is
     vacated_->layer = WithLeft({*Find(*leaving_), submaps_, info_.config, *free_space_}, noted_vacated_);
   }
   return vacated_->layer;

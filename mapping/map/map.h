@@ -113,7 +113,8 @@ class Map {
   Submap* Clone(SubmapId id);
   /// Adds a submap, without blocks, under the id that `info` has: one that was there before, and is not now.
   Submap& PutBack(SubmapInfo info);
-  /// The unknown submap cannot be removed. Returns whether it was there. What was known of its pairs is forgotten.
+  /// The unknown submap cannot be removed. Returns whether it was there. What was known of its pairs is forgotten. What
+  /// is on the disk only is read, for states and clones that have it, too: throws StatusError where it cannot be now.
   bool Remove(SubmapId id);
 
   [[nodiscard]] const FreeSpace& free_space() const { return *free_space_; }

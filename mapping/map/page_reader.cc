@@ -48,7 +48,11 @@ PageHold::~PageHold() {
 
 PageReader::PageReader(PageHold& hold) noexcept : outer_(std::exchange(current, &hold)) {}
 
+PageReader::PageReader(PageHold* hold) noexcept : outer_(std::exchange(current, hold)) {}
+
 PageReader::~PageReader() { current = outer_; }
+
+PageHold* PageReader::Current() noexcept { return current; }
 
 void PageReader::Admit() {
   const PageHold* const hold = current;
@@ -72,10 +76,10 @@ void PageReader::Admit() {
 
 void PageReader::Count(std::int64_t bytes) noexcept {
   if (current == nullptr) return;
-  current->bytes_ += bytes;
   Shared& shared = OfProcess();
   const MutexLock lock(shared.mutex);
   shared.bytes += bytes;
+  current->bytes_ += bytes;  // under the mutex, too: several threads may read for one request
 }
 
 PageReader::Passing::Passing() noexcept : suspended_(std::exchange(current, nullptr)) {}

@@ -9,7 +9,7 @@ namespace dhpmap {
 /// as long as it holds its state of the map, whatever is let go of meanwhile.
 struct PageReaderLimit {
   std::int64_t bytes = 0;  ///< 0: any number
-  double wait_s = 0.25;    ///< for other requests to end, before one is refused
+  double wait_s = 0.05;    ///< for other requests to end, before one is refused: a thread waits that others need
 };
 /// Of the process, as PageCounts; thread-safe.
 void SetPageReaderLimit(const PageReaderLimit& limit);
@@ -40,6 +40,11 @@ class PageReader {
   ~PageReader();
   PageReader(const PageReader&) = delete;
   PageReader& operator=(const PageReader&) = delete;
+
+  /// That of the calling thread, for others that make a part of its request while it waits for them; null: none.
+  [[nodiscard]] static PageHold* Current() noexcept;
+  /// For such a thread; null: it reads what it needs.
+  explicit PageReader(PageHold* hold) noexcept;
 
   /// Before the calling thread reads a tile: waits where requests hold as much as they may. Throws StatusError:
   /// RESOURCE_EXHAUSTED, reason OVER_MEMORY_BUDGET, if that does not help.

@@ -51,7 +51,7 @@ const BlockEntry* UnreadTiles::Find(BlockIndex index) const {
   const BlockTile* one = nullptr;
   if (all == nullptr) {
     const MutexLock lock(mutex_);
-    const bool are_enough = ++num_lookups_ > kMostLookups || some_.size() == kMostReadOneByOne;
+    const bool are_enough = ++num_lookups_ > kMostLookups || some_.size() == kMostReadOneByOne || directory_->HasFew();
     if (are_enough || table_ != nullptr) all = &ReadNow();
     else one = ReadOne(TileOf(index));
   }
@@ -63,6 +63,12 @@ const BlockTable& UnreadTiles::Read() const {
   if (const BlockTable* all = IfRead()) return *all;
   const MutexLock lock(mutex_);
   return ReadNow();
+}
+
+bool UnreadTiles::HoldsBlocks() const {
+  const MutexLock lock(mutex_);
+  return std::any_of(some_.begin(), some_.end(),
+                     [](const auto& one) { return one.tile != nullptr && one.tile->IsRead(); });
 }
 
 const BlockTable& UnreadTiles::ReadNow() const {

@@ -26,8 +26,10 @@ class TileDirectory {
   };
   /// At least one.
   virtual Result<std::vector<Tile>> ReadAll() = 0;
-  /// Null if there is no such tile.
+  /// Null if there is no such tile. That others are lost need not be seen.
   virtual Result<std::shared_ptr<const BlockTile>> ReadOne(TileIndex index) = 0;
+  /// Whether there are so few that to read one costs about as much.
+  [[nodiscard]] virtual bool HasFew() const = 0;
 };
 
 /// The marks of tiles that nobody has asked for: there are some once somebody has. Thread-safe.
@@ -67,6 +69,9 @@ class UnreadTiles {
   [[nodiscard]] const BlockTable& Read() const DHPMAP_EXCLUDES(mutex_);
   /// Null if nobody has read all of them.
   [[nodiscard]] const BlockTable* IfRead() const { return all_.load(std::memory_order_acquire); }
+
+  /// Whether blocks of tiles that were read one by one are in memory.
+  [[nodiscard]] bool HoldsBlocks() const DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] const std::shared_ptr<const UnreadMarks>& marks() const { return marks_; }
 

@@ -71,7 +71,12 @@ Result<std::vector<BlockEntry>> TilePage::ReadNamed() const {
 }
 
 void TilePage::Read() const {
-  PageReader::Admit();  // first: others who want this tile need not wait for that
+  try {
+    PageReader::Admit();  // first: the page's mutex is not held meanwhile
+  } catch (const StatusError&) {
+    if (IsRead()) return;  // by somebody else by now
+    throw;
+  }
   const MutexLock lock(mutex_);
   if (is_read_.load(std::memory_order_relaxed)) return;  // another thread was first
   const auto begin = std::chrono::steady_clock::now();

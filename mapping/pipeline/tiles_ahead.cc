@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/pipeline/tiles_ahead.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "mapping/base/index_map.h"
+#include "mapping/map/bounding_sphere.h"
 #include "mapping/map/map_grid.h"
 
 namespace dhpmap {
@@ -20,6 +22,15 @@ class EndTiles {
   }
 
   [[nodiscard]] const std::vector<TileIndex>& all() const { return tiles_; }
+  /// Whether what lies within a sphere of the map's grid may have one of them.
+  [[nodiscard]] bool MayMeet(const BoundingSphere& sphere, double voxel_size_m) const {
+    if (tiles_.empty() || sphere.IsEmpty()) return false;
+    const double side_m = kTileSide * kBlockSide * voxel_size_m;
+    const Eigen::Array3d reach_m = Eigen::Array3d::Constant(sphere.radius_m + 1e-6);
+    const Eigen::Array3d low = (sphere.center_m.array() - reach_m) / side_m;
+    const Eigen::Array3d high = (sphere.center_m.array() + reach_m) / side_m;
+    return (high >= low_.cast<double>()).all() && (low <= (high_ + 1).cast<double>()).all();
+  }
   [[nodiscard]] bool Has(TileIndex tile) const { return numbers_.Find(tile) != IndexMap<TileIndex>::kNone; }
 
  private:
@@ -36,10 +47,14 @@ class EndTiles {
     if (Has(tile)) return;
     numbers_.Set(tile, static_cast<std::uint32_t>(tiles_.size()));
     tiles_.push_back(tile);
+    const Eigen::Array3i place(tile.x, tile.y, tile.z);
+    low_ = tiles_.size() == 1 ? place : low_.min(place);
+    high_ = tiles_.size() == 1 ? place : high_.max(place);
   }
 
   IndexMap<TileIndex> numbers_;  ///< position in tiles_
   std::vector<TileIndex> tiles_;
+  Eigen::Array3i low_ = Eigen::Array3i::Zero(), high_ = Eigen::Array3i::Zero();  ///< of them
 };
 
 void AddUnread(const TileEntry* entry, std::vector<const BlockTile*>& unread) {
@@ -63,7 +78,7 @@ void ReadTilesAhead(const std::vector<SegmentBundles>& segments, const Map& map,
   const EndTiles ends(segments, static_cast<std::int32_t>(std::min(rim_blocks, double{kTileSide})));
   std::vector<const BlockTile*> unread;
   for (const auto& submap : map.submaps()) {
-    if (!IsOnMapGrid(submap->info(), config)) continue;
+    if (!IsOnMapGrid(submap->info(), config) || !ends.MayMeet(submap->bounding_sphere(), config.voxel_size_m)) continue;
     const BlockTable& blocks = submap->blocks();
     if (blocks.tiles().size() > ends.all().size()) {
       for (const TileIndex tile : ends.all()) AddUnread(blocks.FindTile(tile), unread);

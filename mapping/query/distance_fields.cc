@@ -21,7 +21,14 @@ const FieldCell* DistanceFields::Find(const MapSurfaces& surfaces, Slot& slot, c
   // Whoever counts on makes it.
   if (num_asked != kEnough || !slot.compare_exchange_strong(num_asked, kEnough + 1)) return nullptr;
   const BlockIndex block = BlockAt(p_map);
-  std::shared_ptr<const NearField> made = NearFieldMaker(surfaces).Make(block, store_->ledger());
+  std::shared_ptr<const NearField> made;
+  try {
+    made = NearFieldMaker(surfaces).Make(block, store_->ledger());
+  } catch (...) {  // there was no memory, or not all of it could be read: another one may make it
+    std::uintptr_t before = kEnough + 1;
+    (void)slot.compare_exchange_strong(before, kEnough);
+    throw;
+  }
   if (made != nullptr) store_->Put(block, state_, made);
   return Keep(surfaces, slot, block, std::move(made));
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/map/tile_directory.h"
 #include "server/app/etag.h"
 #include "server/app/state_bytes.h"
 
@@ -76,7 +77,8 @@ bool KeptStates::HoldBlocks(bool even_written) const {
       const bool holds_any = std::any_of(tiles.begin(), tiles.end(), [even_written](const TileEntry& tile) {
         return tile.tile->page() != nullptr ? tile.tile->page()->IsRead() : even_written && tile.tile->CanBeLeft();
       });
-      if (holds_any) return true;
+      const auto& unread = submap->blocks().unread();
+      if (holds_any || (unread != nullptr && unread->HoldsBlocks())) return true;
     }
   }
   return false;

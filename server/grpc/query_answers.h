@@ -7,6 +7,7 @@
 
 #include "dhpmap/v1/query_service.pb.h"
 #include "mapping/base/spread.h"
+#include "mapping/map/page_reader.h"
 #include "server/app/map_view.h"
 #include "server/grpc/call_runner.h"
 
@@ -72,7 +73,11 @@ Status AnswerFromMap(const ServiceContext& context, const std::shared_ptr<const 
   const bool can_fit = effort.answer_bytes <= context.options.inflight->limit_bytes();
   const Status fits = can_fit ? Status::Ok() : AnswersTooLarge(effort.answer_bytes);
   const Spread on_lane = [&context](std::size_t count, const std::function<void(std::size_t)>& body) {
-    context.lanes.bulk.Share(count, body);
+    PageHold* const hold = PageReader::Current();
+    context.lanes.bulk.Share(count, [hold, &body](std::size_t i) {
+      const PageReader reading(hold);
+      body(i);
+    });
   };
   const Spread spread = effort.is_quick ? Spread(InPlace) : on_lane;
   DHPMAP_RETURN_IF_ERROR(AnswerQuery({context, *view, fits, stop, spread}, request, response));

@@ -195,6 +195,12 @@ Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumPlanes>& 
       return static_cast<std::uint32_t>(grid[site.cell]);
     };
     const LabelCount first{.id = read(class_grid, kClass0), .count = read(count_grid, kCount0)};
+    constexpr std::uint8_t kOneClass = 1;
+    if (planes[kForm][n] == kOneClass && first.id < kMaxInPlane && first.count > 0) {  // nearly all
+      block.SetFirst(site.linear, first);
+      ++n;
+      continue;
+    }
     voxel.classes.clear();
     voxel.instances.clear();
     if (!ReadVoxel(planes[kForm][n++], first, rest, voxel)) return DataLoss("holds a malformed voxel");

@@ -123,31 +123,67 @@ bool ReadWeights(const VoxelWalk& walk, const ReadPlanes& planes, TsdfBlock& blo
   return all_observed;
 }
 
-constexpr std::array<std::uint8_t Color::*, 3> kChannels = {&Color::g, &Color::r, &Color::b};
+/// Green, red and blue, which are predicted alike and side by side; the fourth is nothing.
+struct Channels {
+  std::array<std::int32_t, 4> values{};
+};
+
+template <typename Operation>
+Channels OneByOne(const Channels& a, const Channels& b, Operation&& operation) {
+  Channels result;
+  for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] = operation(a.values[i], b.values[i]);
+  return result;
+}
+Channels operator+(const Channels& a, const Channels& b) {
+  return OneByOne(a, b, [](std::int32_t x, std::int32_t y) { return x + y; });
+}
+Channels operator-(const Channels& a, const Channels& b) {
+  return OneByOne(a, b, [](std::int32_t x, std::int32_t y) { return x - y; });
+}
+/// `count`: 2 or 3.
+Channels Quotient(const Channels& sum, std::int32_t count) {
+  if (count == 2) return OneByOne(sum, {}, [](std::int32_t x, std::int32_t) { return x / 2; });
+  return OneByOne(sum, {}, [](std::int32_t x, std::int32_t) { return x / 3; });
+}
+
+using ColorGrid = VoxelWalk::GridOf<Channels>;
+
+/// As VoxelWalk::GridOfThread.
+ColorGrid& ColorGridOfThread() {
+  thread_local ColorGrid grid{};
+  return grid;
+}
 
 void WriteColors(const TsdfBlock& block, const VoxelWalk& walk, const Planes& planes) {
-  for (std::size_t channel = 0; channel < kChannels.size(); ++channel) {
-    VoxelWalk::Grid& grid = VoxelWalk::GridOfThread();
-    std::size_t n = 0;
-    for (const auto& site : walk.sites()) {
-      const std::int32_t value = block.color[site.linear].*kChannels[channel];
-      grid[site.cell] = value;
-      const auto difference = static_cast<std::int8_t>(value - VoxelWalk::PredictSmooth(grid, site));
-      planes[kGreen + channel][n++] = static_cast<std::uint8_t>(ZigZag(difference));
+  ColorGrid& grid = ColorGridOfThread();
+  std::size_t n = 0;
+  for (const auto& site : walk.sites()) {
+    const Color& color = block.color[site.linear];
+    const Channels values{{color.g, color.r, color.b, 0}};
+    const Channels difference = values - VoxelWalk::PredictSmooth(grid, site);
+    grid[site.cell] = values;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const auto rounded = static_cast<std::int8_t>(difference.values[channel]);
+      planes[kGreen + channel][n] = static_cast<std::uint8_t>(ZigZag(rounded));
     }
+    ++n;
   }
 }
 
 void ReadColors(const VoxelWalk& walk, const ReadPlanes& planes, TsdfBlock& block) {
-  for (std::size_t channel = 0; channel < kChannels.size(); ++channel) {
-    VoxelWalk::Grid& grid = VoxelWalk::GridOfThread();
-    std::size_t n = 0;
-    for (const auto& site : walk.sites()) {
-      const std::int32_t difference = UnZigZag(planes[kGreen + channel][n++]);
-      const auto value = static_cast<std::uint8_t>(VoxelWalk::PredictSmooth(grid, site) + difference);
-      grid[site.cell] = value;
-      block.color[site.linear].*kChannels[channel] = value;
+  ColorGrid& grid = ColorGridOfThread();
+  std::size_t n = 0;
+  for (const auto& site : walk.sites()) {
+    Channels values = VoxelWalk::PredictSmooth(grid, site);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const std::int32_t difference = UnZigZag(planes[kGreen + channel][n]);
+      values.values[channel] = static_cast<std::uint8_t>(values.values[channel] + difference);
     }
+    ++n;
+    grid[site.cell] = values;
+    block.color[site.linear] = {static_cast<std::uint8_t>(values.values[1]),
+                                static_cast<std::uint8_t>(values.values[0]),
+                                static_cast<std::uint8_t>(values.values[2])};
   }
 }
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "mapping/base/grid.h"
@@ -20,10 +21,15 @@ inline void MaskVoxel(VoxelBits& mask, int linear) {
 }
 inline bool IsMasked(const VoxelBits& mask, int linear) { return (mask[linear / 8] >> (linear % 8)) & 1u; }
 
-/// `mask`: the bytes of a VoxelBits.
+static_assert(sizeof(VoxelBits) % sizeof(std::uint64_t) == 0, "counted a word at a time");
+/// `mask`: the bytes of VoxelBits, one or several.
 inline std::size_t NumMasked(ByteView mask) {
   std::size_t count = 0;
-  for (const std::uint8_t byte : mask) count += static_cast<std::size_t>(std::popcount(byte));
+  for (std::size_t i = 0; i < mask.size(); i += sizeof(std::uint64_t)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, mask.data() + i, sizeof(word));
+    count += static_cast<std::size_t>(std::popcount(word));
+  }
   return count;
 }
 
@@ -34,7 +40,9 @@ class VoxelWalk {
   static constexpr int kGridSide = kBlockSide + 1;
   static constexpr int kGridSize = kGridSide * kGridSide * kGridSide;
   /// Values by Site::cell. The border holds zeros.
-  using Grid = std::array<std::int32_t, kGridSize>;
+  template <typename Value>
+  using GridOf = std::array<Value, kGridSize>;
+  using Grid = GridOf<std::int32_t>;
 
   struct Site {
     std::uint16_t linear;  ///< voxel in its block
@@ -55,7 +63,9 @@ class VoxelWalk {
   /// For values with noise: the nearest value.
   static std::int32_t PredictNear(const Grid& grid, const Site& site) { return grid[site.near]; }
   /// For smooth values: the mean of the parallelograms that the masked neighbours span (Lorenzo predictor).
-  static std::int32_t PredictSmooth(const Grid& grid, const Site& site);
+  /// `Value`: a number, or several that add up one by one, with a Quotient(sum, count).
+  template <typename Value>
+  static Value PredictSmooth(const GridOf<Value>& grid, const Site& site);
 
  private:
   static constexpr int kStepX = 1, kStepY = kGridSide, kStepZ = kGridSide * kGridSide;
@@ -65,14 +75,19 @@ class VoxelWalk {
   std::size_t num_sites_ = 0;
 };
 
-inline std::int32_t VoxelWalk::PredictSmooth(const Grid& grid, const Site& site) {
-  const std::int32_t* value = grid.data() + site.cell;
-  const std::int32_t x = value[-kStepX], y = value[-kStepY], z = value[-kStepZ];
-  std::int32_t sum = 0, count = 0;
-  if (site.faces & kXy) sum += x + y - value[-kStepX - kStepY], ++count;
-  if (site.faces & kXz) sum += x + z - value[-kStepX - kStepZ], ++count;
-  if (site.faces & kYz) sum += y + z - value[-kStepY - kStepZ], ++count;
-  return count == 0 ? PredictNear(grid, site) : sum / count;
+constexpr std::int32_t Quotient(std::int32_t sum, std::int32_t count) { return sum / count; }
+
+template <typename Value>
+Value VoxelWalk::PredictSmooth(const GridOf<Value>& grid, const Site& site) {
+  if (site.faces == 0) return grid[site.near];
+  const Value* value = grid.data() + site.cell;
+  const Value x = value[-kStepX], y = value[-kStepY], z = value[-kStepZ];
+  Value sum{};
+  std::int32_t count = 0;
+  if (site.faces & kXy) sum = sum + x + y - value[-kStepX - kStepY], ++count;
+  if (site.faces & kXz) sum = sum + x + z - value[-kStepX - kStepZ], ++count;
+  if (site.faces & kYz) sum = sum + y + z - value[-kStepY - kStepZ], ++count;
+  return count == 1 ? sum : Quotient(sum, count);
 }
 
 // Differences of either sign as small unsigned numbers; undone exactly, modulo 2^32.

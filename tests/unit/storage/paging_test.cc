@@ -172,6 +172,7 @@ TEST_F(PagingTest, AnObjectOfWhichRowsAreLostIsTheOnlyOneThatCannotBeRead) {
     EXPECT_EQ(status.reason(), Reason("DAMAGED_MAP"));
     EXPECT_EQ(status.message(), "map 'house': submap 2: has other tiles than were stored");
   }
+  EXPECT_THROW((void)before->Find(SubmapId(2))->blocks().Find({0, 0, 0}), StatusError) << "no hole in the map";
   for (const auto id : {1u, 3u}) EXPECT_TRUE(ReadVoxelsOf(*before->Find(SubmapId(id))).ok());
   EXPECT_THROW(map.FindMutable(SubmapId(2))->DropLabels(), StatusError);
   map.FindMutable(SubmapId(2))->mutable_info().display_name = "lost";
@@ -209,11 +210,69 @@ TEST_F(PagingTest, ABlockIsFoundWithoutTheOtherTilesOfItsObject) {
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->tsdf->distance_m, wanted.tsdf->distance_m);
   EXPECT_EQ(blocks.Find({wanted.index.x + 4000, wanted.index.y, wanted.index.z}), nullptr);
-  EXPECT_EQ(NumReads(), before + 1);
-  EXPECT_TRUE(blocks.tiles_if_read().empty());
+  EXPECT_EQ(NumReads(), before + 1) << "one tile's voxels";
   EXPECT_EQ(blocks.size(), expected.blocks().size());
   EXPECT_EQ(blocks.Find(wanted.index), found) << "the same when all are known";
   EXPECT_EQ(NumReads(), before + 1);
+}
+
+TEST_F(PagingTest, ABlockOfALargeObjectIsFoundByItsRowAlone) {
+  constexpr int kNumTiles = 1200;
+  Open();
+  MapInfo info;
+  info.name = "house";
+  Map made(std::move(info));
+  SubmapInfo wide;
+  wide.panoptic = Panoptic::kThing;
+  wide.voxel_size_m = 0.1;
+  wide.truncation_m = 0.3;
+  Submap& submap = made.Create(std::move(wide));
+  for (int x = 0; x < kNumTiles; ++x) {
+    for (const int cell : {0, 21})
+      submap.MutableTsdf(BlockIn({x, 0, 0}, cell)).weight[static_cast<std::size_t>(x % 512)] = 1;
+  }
+  submap.UpdateBoundingSphere();
+  const SubmapId id = submap.id();
+  ASSERT_TRUE(store_->CreateMap(*made.Publish(1)).ok());
+  OpenPaged();
+  Map map(Load());
+  const auto held = map.published();
+  const BlockTable& blocks = held->Find(id)->blocks();
+  for (int n = 0; n < 2; ++n) {
+    const BlockEntry* found = blocks.Find(BlockIn({700, 0, 0}, 21));
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->tsdf->weight[700 % 512], 1);
+    EXPECT_EQ(blocks.Find(BlockIn({700, 0, 0}, 20)), nullptr);
+    EXPECT_EQ(blocks.Find(BlockIn({700, 1, 0}, 21)), nullptr);
+  }
+  EXPECT_TRUE(blocks.tiles_if_read().empty());
+
+  // Another session changes it.
+  Map other(Load());
+  const auto before = other.published();
+  other.FindMutable(id)->MutableTsdf(BlockIn({800, 0, 0}, 21)).weight[0] = 3;
+  ASSERT_TRUE(store_->Commit(*before, *other.Publish(50), Durability::kNormal).ok());
+  EXPECT_NE(blocks.Find(BlockIn({700, 0, 0}, 21)), nullptr) << "what was found stays";
+  try {
+    (void)blocks.Find(BlockIn({800, 0, 0}, 21));
+    FAIL() << "it must not be told what is there now";
+  } catch (const StatusError& error) {
+    EXPECT_EQ(error.status().reason(), Reason("SNAPSHOT_EXPIRED")) << error.status().ToString();
+  }
+}
+
+TEST_F(PagingTest, AStateThatIsHeldWhileTheMapIsRepairedExpires) {
+  MakeSample();
+  OpenPaged();
+  const auto held = Load();
+  Tamper("UPDATE tiles SET extent = extent - (1 << 7) WHERE layer = 1");
+  const auto repaired = store_->VerifyMap("house", true, {});
+  ASSERT_TRUE(repaired.ok());
+  EXPECT_GT(repaired->num_faults, 0);
+  const Status status = ReadVoxelsOf(*held->Find(SubmapId(2)));
+  EXPECT_EQ(status.reason(), Reason("SNAPSHOT_EXPIRED")) << status.ToString();
+  EXPECT_THROW((void)held->Find(SubmapId(2))->blocks().Find({0, 0, 0}), StatusError);
+  EXPECT_TRUE(ReadVoxelsOf(*Load()->Find(SubmapId(2))).ok());
 }
 
 TEST_F(PagingTest, ABlockOfAStateThatTheMapHasLeftBehindExpires) {

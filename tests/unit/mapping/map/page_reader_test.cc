@@ -93,6 +93,22 @@ TEST_F(PageReaderTest, WhatFusesAndWhatPassesIsNotBounded) {
   EXPECT_FALSE(Read(1).ok());
 }
 
+TEST_F(PageReaderTest, OthersWhoReadForARequestCountForIt) {
+  SetPageReaderLimit({.bytes = 100, .wait_s = 0});
+  const PageReader request;
+  PageHold* const hold = PageReader::Current();
+  ASSERT_NE(hold, nullptr);
+  std::thread helper([hold] {
+    EXPECT_EQ(PageReader::Current(), nullptr);
+    const PageReader reading(hold);
+    EXPECT_TRUE(Read(100).ok());
+    EXPECT_FALSE(Read(1).ok());
+  });
+  helper.join();
+  EXPECT_EQ(PageReaderBytes(), 100);
+  EXPECT_NE(Read(1).message().find("ask for less"), std::string::npos) << "it is its own";
+}
+
 TEST_F(PageReaderTest, WithoutALimitThereIsNone) {
   const PageReader request;
   for (int n = 0; n < 10; ++n) EXPECT_TRUE(Read(std::int64_t{1} << 40).ok());

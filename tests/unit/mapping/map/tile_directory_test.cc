@@ -51,7 +51,10 @@ class MadeDirectory final : public TileDirectory {
     return is_there ? Make(index) : nullptr;
   }
 
+  [[nodiscard]] bool HasFew() const override { return has_few; }
+
   int num_all = 0, num_one = 0;
+  bool has_few = false;
   Status failure;
 
  private:
@@ -115,6 +118,14 @@ TEST_F(UnreadTilesTest, WhoAsksForTheSameAgainAndAgainReadsAll) {
   EXPECT_EQ(directory_->num_all, 1) << "lookups then wait for nobody";
 }
 
+TEST_F(UnreadTilesTest, WhereThereAreFewAllAreReadAtOnce) {
+  directory_->has_few = true;
+  const BlockTable table = Table();
+  ASSERT_NE(table.Find(BlockIn({5, 0, 0}, 0)), nullptr);
+  EXPECT_EQ(directory_->num_all, 1);
+  EXPECT_EQ(directory_->num_one, 0);
+}
+
 TEST_F(UnreadTilesTest, AnErrorIsToldAndTriedAgain) {
   const BlockTable table = Table();
   directory_->failure = Unavailable("the disk is away");
@@ -140,6 +151,23 @@ TEST_F(UnreadTilesTest, WhoWritesReadsAllFirstAndOthersKeepWhatTheyHave) {
   EXPECT_NE(table.Find(BlockIn({1, 0, 0}, 0)), nullptr);
   EXPECT_EQ(written.FindTile({50, 0, 0})->tile, table.FindTile({50, 0, 0})->tile) << "shared";
   EXPECT_EQ(directory_->num_all, 1);
+}
+
+TEST_F(UnreadTilesTest, BlocksThatWereFoundByThemselvesAreLetGoOf) {
+  const LettingGo rule{.even_used = true};
+  const BlockTable table = Table();
+  BlockTable same = table;
+  EXPECT_FALSE(same.LetGoOfPages(rule)) << "nothing is in memory";
+  EXPECT_EQ(directory_->num_all, 0);
+  ASSERT_NE(table.Find(BlockIn({3, 0, 0}, 0)), nullptr);
+  EXPECT_TRUE(unread_->HoldsBlocks());
+  directory_->failure = Unavailable("the disk is away");
+  EXPECT_FALSE(same.LetGoOfPages(rule)) << "what cannot be read lets nobody down";
+  directory_->failure = Status::Ok();
+  EXPECT_TRUE(same.LetGoOfPages(rule));
+  EXPECT_FALSE(same.FindTile({3, 0, 0})->tile->IsRead());
+  EXPECT_EQ(same.FindTile({3, 0, 0})->tile->part_id(), table.FindTile({3, 0, 0})->tile->part_id());
+  EXPECT_EQ(same.size(), table.size());
 }
 
 TEST_F(UnreadTilesTest, ManyWhoAskAtOnceReadOnce) {

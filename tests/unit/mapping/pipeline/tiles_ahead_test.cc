@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
+#include "mapping/map/tile_directory.h"
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
 #include "tests/support/scenes.h"
@@ -178,6 +179,33 @@ TEST(TilesAhead, AreThoseInWhichItEndsAndMayWriteOfWhatLiesAsMapped) {
   EXPECT_TRUE(IsRead(map, first, beside)) << "the band around the ends reaches there";
   EXPECT_FALSE(IsRead(map, first, afar));
   for (const TileIndex tile : {here, beside, afar}) EXPECT_FALSE(IsRead(map, moved, tile));
+}
+
+/// Of an object of which nothing can be read.
+class LostDirectory final : public TileDirectory {
+ public:
+  Result<std::vector<Tile>> ReadAll() override { return DataLoss("all of it is lost"); }
+  Result<std::shared_ptr<const BlockTile>> ReadOne(TileIndex) override { return DataLoss("all of it is lost"); }
+  [[nodiscard]] bool HasFew() const override { return true; }
+};
+
+TEST(TilesAhead, AnObjectElsewhereThatCannotBeReadIsNoMatterOfAFrame) {
+  const auto whole = MappedOnce();
+  std::vector<std::shared_ptr<const Submap>> submaps = whole->submaps();
+  SubmapInfo lost = submaps.back()->info();
+  lost.id = whole->info().next_submap_id;
+  auto elsewhere =
+      std::make_shared<Submap>(lost, 0, std::make_shared<const UnreadTiles>(std::make_shared<LostDirectory>()));
+  elsewhere->set_bounding_sphere({{40, 40, 1}, 0.5});
+  submaps.push_back(std::move(elsewhere));
+  MapInfo info = whole->info();
+  info.next_submap_id++;
+  MapBuilder builder(std::make_shared<const MapSnapshot>(info, submaps, whole->free_space(), VacatedSpace{}), 1);
+  EXPECT_TRUE(HasTilesOnDisk(builder.map()));
+  for (const double eye_y_m : {0.5, -0.5}) {
+    const auto report = builder.Integrate(Frame(eye_y_m));
+    EXPECT_TRUE(report.ok()) << report.status().ToString();
+  }
 }
 
 }  // namespace
