@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/map/tile_marks.h"
 
+#include <bit>
 #include <utility>
 
 #include "mapping/map/diff_submap.h"
@@ -16,24 +17,32 @@ std::uint64_t CellsOf(const Blocks& blocks) {
   return cells;
 }
 
-/// What the layers of blocks are called, and which there are. Each of `blocks` is a BlockEntry or a BlockMark.
-template <typename Blocks>
-PartNames NamesOf(const Blocks& blocks, std::uint64_t tile, LayerCells& cells) {
-  std::array<std::vector<std::uint64_t>, kNumBlockLayers> names;
+/// Calls visit(layer number, cell, name) for each layer that blocks have. Each is a BlockEntry or a BlockMark.
+template <typename Blocks, typename Visitor>
+void VisitNames(const Blocks& blocks, Visitor&& visit) {
   for (const auto& block : blocks) {
+    const int cell = CellOf(block.index);
     ForEachLayer(
         [&](BlockLayer layer, const auto& part) {
-          if (!WasThere(part)) return;
-          const auto l = static_cast<std::size_t>(layer);
-          cells[l] |= std::uint64_t{1} << CellOf(block.index);
-          names[l].push_back(PartIdOf(part));
+          if (WasThere(part)) visit(static_cast<std::size_t>(layer), cell, PartIdOf(part));
         },
         block);
   }
-  std::vector<std::uint64_t> all;
-  all.reserve(names[0].size() + names[1].size() + names[2].size());
-  for (const auto& of_layer : names) all.insert(all.end(), of_layer.begin(), of_layer.end());
-  return {std::move(all), tile};
+}
+
+/// What the layers of blocks are called, and which there are.
+template <typename Blocks>
+PartNames NamesOf(const Blocks& blocks, std::uint64_t tile, LayerCells& cells) {
+  VisitNames(blocks, [&](std::size_t layer, int cell, std::uint64_t) { cells[layer] |= std::uint64_t{1} << cell; });
+  std::array<std::size_t, kNumBlockLayers> next{};
+  std::size_t num_names = 0;
+  for (std::size_t layer = 0; layer < kNumBlockLayers; ++layer) {
+    next[layer] = num_names;
+    num_names += static_cast<std::size_t>(std::popcount(cells[layer]));
+  }
+  std::vector<std::uint64_t> names(num_names);
+  VisitNames(blocks, [&](std::size_t layer, int, std::uint64_t name) { names[next[layer]++] = name; });
+  return {std::move(names), tile};
 }
 
 }  // namespace
