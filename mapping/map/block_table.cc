@@ -65,7 +65,9 @@ BlockTile& BlockTable::Own(TileEntry& entry, std::uint64_t generation) {
 
 const BlockTable& BlockTable::ReadTiles() const { return unread_->Read(); }
 
-const BlockEntry* BlockTable::FindUnread(BlockIndex index) const { return unread_->Find(index); }
+const BlockEntry* BlockTable::FindElsewhere(BlockIndex index) const {
+  return unread_ == nullptr ? nullptr : unread_->Find(index);
+}
 
 std::span<const TileEntry> BlockTable::tiles_if_read() const {
   if (unread_ == nullptr) return tiles_;

@@ -53,8 +53,9 @@ class BlockTable {
   /// Null if the block is not there. Valid until the table is next written to.
   [[nodiscard]] const BlockEntry* Find(BlockIndex index) const {
     const std::uint32_t tile = numbers_.Find(TileOf(index));
-    if (tile != kNone) return tiles_[tile].tile->Find(CellOf(index));
-    return unread_ == nullptr ? nullptr : FindUnread(index);
+    if (tile == kNone) [[unlikely]]
+      return FindElsewhere(index);
+    return tiles_[tile].tile->Find(CellOf(index));
   }
   /// Null if the tile is not there. Valid until the table is next written to.
   [[nodiscard]] const TileEntry* FindTile(TileIndex index) const {
@@ -109,7 +110,8 @@ class BlockTable {
   /// The table that has the tiles.
   [[nodiscard]] const BlockTable& Read() const { return unread_ == nullptr ? *this : ReadTiles(); }
   [[nodiscard]] const BlockTable& ReadTiles() const;
-  [[nodiscard]] const BlockEntry* FindUnread(BlockIndex index) const;
+  /// Of a tile that this table does not have.
+  [[nodiscard]] const BlockEntry* FindElsewhere(BlockIndex index) const;
   /// Has the tiles be its own.
   void TakeTiles();
   /// Likewise, where blocks of some may be in memory and all can be read.
