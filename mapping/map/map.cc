@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -29,26 +30,22 @@ const Submap* FindIn(const SubmapList& submaps, SubmapId id) {
 /// What is on the disk only: its blobs go with the submap, and older states still answer, and so do its clones. Throws
 /// StatusError where which tiles there are cannot be read and is not lost: then it can be later.
 void ReadAll(const Submap& submap) {
-  const auto is_read = [](auto&& read) {
-    try {
-      read();
-      return true;
-    } catch (const StatusError&) {
-      return false;  // whoever asks an older state for it is told
-    }
-  };
   const auto is_lost = [](StatusCode code) {
     return code == StatusCode::kDataLoss || code == StatusCode::kFailedPrecondition || code == StatusCode::kAborted;
   };
+  std::span<const TileEntry> tiles;
   try {
-    (void)submap.blocks().tiles();
+    tiles = submap.blocks().tiles();
   } catch (const StatusError& error) {
-    if (is_lost(error.status().code())) return;
-    throw;
+    if (!is_lost(error.status().code())) throw;
   }
-  for (const TileEntry& tile : submap.blocks().tiles()) {
+  for (const TileEntry& tile : tiles) {
     if (tile.tile->page() != nullptr && tile.tile->page()->HasOwnNames()) continue;  // which goes with no submap
-    (void)is_read([&] { (void)tile.tile->entries(); });
+    try {
+      (void)tile.tile->entries();
+    } catch (const StatusError&) {
+      continue;  // whoever asks an older state for it is told
+    }
   }
 }
 
