@@ -68,7 +68,7 @@ class StoredSide {
     }
     map_->mutable_info().num_frames += 1;
     const auto state = map_->Publish(time_ns);
-    const std::string text = TextOfTiles(DiffTiles(*marks_, *state));
+    std::string text = TextOfTiles(DiffTiles(*marks_, *state));
     const Status stored = store_->Commit(*marks_, *state, Durability::kNormal);
     EXPECT_TRUE(stored.ok()) << stored.ToString();
     marks_ = std::make_shared<const StateMarks>(*state, marks_.get());

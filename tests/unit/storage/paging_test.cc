@@ -234,7 +234,7 @@ TEST_F(PagingTest, ABlockOfALargeObjectIsFoundByItsRowAlone) {
   ASSERT_TRUE(store_->CreateMap(*made.Publish(1)).ok());
   OpenPaged();
   Map map(Load());
-  const auto held = map.published();
+  const auto& held = map.published();
   const BlockTable& blocks = held->Find(id)->blocks();
   for (int n = 0; n < 2; ++n) {
     const BlockEntry* found = blocks.Find(BlockIn({700, 0, 0}, 21));
