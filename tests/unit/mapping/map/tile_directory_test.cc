@@ -41,6 +41,7 @@ class MadeDirectory final : public TileDirectory {
     ++num_all;
     if (!failure.ok()) return failure;
     std::vector<Tile> tiles;
+    tiles.reserve(kNumMade);
     for (int x = 0; x < kNumMade; ++x) tiles.push_back({{x, 0, 0}, Make({x, 0, 0})});
     return tiles;
   }
