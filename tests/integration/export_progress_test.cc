@@ -17,7 +17,8 @@
 namespace dhpmap::testing {
 namespace {
 
-constexpr int kNumParts = 50, kPart_bytes = 1000;
+constexpr int kNumParts = 50;
+constexpr std::int64_t kPart_bytes = 1000;
 constexpr std::chrono::seconds kTooLong{60};
 
 /// Each part waits until it may go.
