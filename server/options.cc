@@ -159,6 +159,7 @@ Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight
   const PageCounts pages = CountPages();
   gauges.page_bytes = pages.resident_bytes;
   gauges.num_pages_read = pages.num_reads;
+  gauges.num_page_hits = pages.num_hits;
   gauges.num_pages_unreadable = pages.num_failures;
   gauges.page_read_ns = pages.read_ns;
   gauges.page_held_bytes = PageReaderBytes();

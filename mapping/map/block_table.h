@@ -71,6 +71,11 @@ class BlockTable {
   /// Null where it was written to since it was loaded, or came whole. Reads nothing.
   [[nodiscard]] const std::shared_ptr<const UnreadTiles>& unread() const { return unread_; }
 
+  /// Whether both are known to have the same tiles, as they were loaded. Reads nothing.
+  [[nodiscard]] bool SharesUnread(const BlockTable& other) const {
+    return unread_ != nullptr && unread_ == other.unread_;
+  }
+
   /// All blocks, tile by tile: a forward range of const BlockEntry&.
   class Range;
   [[nodiscard]] Range entries() const;

@@ -62,7 +62,7 @@ inline bool IsSameTile(const TileEntry& old, const TileEntry& now) { return IsSa
 inline bool IsSameTile(const TileMarks& old, const TileEntry& now) { return old.IsOf(now); }
 /// Whether two are known to have the same tiles without a look at them; reads nothing.
 inline bool HaveSameUnread(const Submap& old, const Submap& now) {
-  return old.blocks().unread() != nullptr && old.blocks().unread() == now.blocks().unread();
+  return old.blocks().SharesUnread(now.blocks());
 }
 inline bool HaveSameUnread(const SubmapMarks& old, const Submap& now) { return old.HaveUnread(now); }
 

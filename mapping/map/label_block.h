@@ -92,6 +92,9 @@ class LabelBlock {
     cells_[linear] = {static_cast<std::uint16_t>(of_class.id), static_cast<std::uint16_t>(of_class.count), 0, 0};
   }
 
+  /// Makes room for so many voxels that have seen more than a cell holds.
+  void ReserveOverflow(std::size_t num_voxels) { overflow_.reserve(num_voxels); }
+
   /// Whether some voxel has seen the instance of `other`, as one that is not its own. Quick: few voxels have seen such.
   [[nodiscard]] bool HasSeenInstance(SubmapId other) const;
   /// What was seen of the instance of `from`, as one that is not the own, was `to`: their counts are added up.

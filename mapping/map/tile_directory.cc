@@ -74,11 +74,13 @@ bool UnreadTiles::HoldsBlocks() const {
 const BlockTable& UnreadTiles::ReadNow() const {
   if (table_ != nullptr) return *table_;
   auto table = std::make_unique<BlockTable>();
+  IndexMap<TileIndex> known;  // position in some_
+  for (std::uint32_t i = 0; i < some_.size(); ++i) {
+    if (some_[i].tile != nullptr) known.Set(some_[i].index, i);
+  }
   for (TileDirectory::Tile& read : OrThrow(directory_->ReadAll())) {
-    const auto known =
-        std::find_if(some_.begin(), some_.end(), [&read](const auto& one) { return one.index == read.index; });
-    const bool is_known = known != some_.end() && known->tile != nullptr;
-    table->PutTile(read.index, is_known ? known->tile : std::move(read.tile));
+    const std::uint32_t i = known.Find(read.index);
+    table->PutTile(read.index, i != IndexMap<TileIndex>::kNone ? some_[i].tile : std::move(read.tile));
   }
   marks_->Fill(table->tiles());
   table_ = std::move(table);

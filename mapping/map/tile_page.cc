@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "mapping/base/status_error.h"
 #include "mapping/map/page_reader.h"
@@ -11,7 +12,7 @@ namespace dhpmap {
 namespace {
 
 struct PageCounters {
-  std::atomic<std::uint64_t> num_reads{0}, num_failures{0}, num_let_go{0}, num_spilled{0}, num_unspilled{0};
+  std::atomic<std::uint64_t> num_reads{0}, num_hits{0}, num_failures{0}, num_let_go{0}, num_spilled{0}, num_unspilled{0};
   std::atomic<std::int64_t> read_ns{0}, resident_bytes{0}, table_bytes{0};
 };
 PageCounters& Counters() {
@@ -40,6 +41,10 @@ TilePage::TableBytes::TableBytes(std::size_t name_bytes)
 }
 
 TilePage::TableBytes::~TableBytes() { Counters().table_bytes.fetch_sub(bytes_, std::memory_order_relaxed); }
+
+void TilePage::AddHits() {
+  Counters().num_hits.fetch_add(std::exchange(hits_of_thread_, 0), std::memory_order_relaxed);
+}
 
 TilePage::~TilePage() {
   Counters().resident_bytes.fetch_sub(static_cast<std::int64_t>(num_bytes_), std::memory_order_relaxed);
@@ -98,6 +103,7 @@ void TilePage::Read() const {
 PageCounts CountPages() {
   const PageCounters& counters = Counters();
   return {.num_reads = counters.num_reads.load(std::memory_order_relaxed),
+          .num_hits = counters.num_hits.load(std::memory_order_relaxed),
           .num_failures = counters.num_failures.load(std::memory_order_relaxed),
           .num_let_go = counters.num_let_go.load(std::memory_order_relaxed),
           .num_spilled = counters.num_spilled.load(std::memory_order_relaxed),

@@ -64,7 +64,8 @@ class TilePage {
   /// again.
   [[nodiscard]] std::span<const BlockEntry> blocks() const {
     if (!is_used_.load(std::memory_order_relaxed)) is_used_.store(true, std::memory_order_relaxed);
-    if (!IsRead()) Read();
+    if (IsRead()) CountHit();
+    else Read();
     return blocks_;
   }
   [[nodiscard]] bool IsRead() const { return is_read_.load(std::memory_order_acquire); }
@@ -91,6 +92,15 @@ class TilePage {
     const std::int64_t bytes_;
   };
 
+  /// A lookup must cost no atomic: each thread adds up many before it tells.
+  static void CountHit() {
+    if (++hits_of_thread_ == kHitsAtOnce) [[unlikely]]
+      AddHits();
+  }
+  static void AddHits();
+  static constexpr std::uint32_t kHitsAtOnce = 256;
+  static inline constinit thread_local std::uint32_t hits_of_thread_ = 0;
+
   void Read() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] Result<std::vector<BlockEntry>> ReadNamed() const;
 
@@ -109,6 +119,7 @@ class TilePage {
 /// What pages of all maps have in memory, and what was done for it. Of the process; thread-safe.
 struct PageCounts {
   std::uint64_t num_reads = 0;      ///< tiles that were read, from a store or a TileSpill
+  std::uint64_t num_hits = 0;       ///< times that one was in memory already, up to 255 a thread fewer
   std::uint64_t num_failures = 0;   ///< tiles that could not be
   std::uint64_t num_let_go = 0;     ///< tiles that were left on the disk again
   std::uint64_t num_spilled = 0;    ///< tiles that were written to a TileSpill

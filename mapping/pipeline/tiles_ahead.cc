@@ -8,6 +8,7 @@
 #include "mapping/base/index_map.h"
 #include "mapping/map/bounding_sphere.h"
 #include "mapping/map/map_grid.h"
+#include "mapping/map/read_tiles.h"
 
 namespace dhpmap {
 namespace {
@@ -57,7 +58,7 @@ class EndTiles {
   Eigen::Array3i low_ = Eigen::Array3i::Zero(), high_ = Eigen::Array3i::Zero();  ///< of them
 };
 
-void AddUnread(const TileEntry* entry, std::vector<const BlockTile*>& unread) {
+void AddIfUnread(const TileEntry* entry, std::vector<const BlockTile*>& unread) {
   if (entry != nullptr && !entry->tile->IsRead()) unread.push_back(entry->tile.get());
 }
 
@@ -81,14 +82,14 @@ void ReadTilesAhead(const std::vector<SegmentBundles>& segments, const Map& map,
     if (!IsOnMapGrid(submap->info(), config) || !ends.MayMeet(submap->bounding_sphere(), config.voxel_size_m)) continue;
     const BlockTable& blocks = submap->blocks();
     if (blocks.tiles().size() > ends.all().size()) {
-      for (const TileIndex tile : ends.all()) AddUnread(blocks.FindTile(tile), unread);
+      for (const TileIndex tile : ends.all()) AddIfUnread(blocks.FindTile(tile), unread);
     } else {
       for (const TileEntry& entry : blocks.tiles()) {
-        if (ends.Has(entry.index)) AddUnread(&entry, unread);
+        if (ends.Has(entry.index)) AddIfUnread(&entry, unread);
       }
     }
   }
-  pool.ParallelFor(unread.size(), [&unread](std::size_t i) { (void)unread[i]->entries(); });
+  ReadTiles(unread, [&pool](std::size_t count, const auto& body) { pool.ParallelFor(count, body); });
 }
 
 }  // namespace dhpmap

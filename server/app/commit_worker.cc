@@ -20,7 +20,7 @@ void AdoptStored(const MapSnapshot& stored, const std::shared_ptr<const MapSnaps
   for (const auto& submap : stored.submaps()) {
     const Submap* same = other->Find(submap->id());
     if (same == nullptr || same == submap.get()) continue;
-    if (submap->blocks().unread() != nullptr && submap->blocks().unread() == same->blocks().unread()) continue;
+    if (submap->blocks().SharesUnread(same->blocks())) continue;
     for (const TileEntry& entry : submap->blocks().tiles_if_read()) {
       const TileEntry* there = same->blocks().FindTile(entry.index);
       if (there == nullptr || there->tile == entry.tile || there->tile->part_id() != entry.tile->part_id()) continue;

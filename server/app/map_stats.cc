@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/map_stats.h"
 
+#include <atomic>
 #include <bit>
+#include <vector>
 
 #include "mapping/map/scanned_tile.h"
 
 namespace dhpmap {
 namespace {
 
-void AddBlocks(const Submap& submap, bool with_voxels, MapStats& stats) {
+void AddBlocks(const Submap& submap, MapStats& stats) {
   for (const TileEntry& tile : submap.blocks().tiles()) {
     const std::int64_t num_labels = std::popcount(tile.tile->CellsWith(BlockLayer::kLabels));
     const std::int64_t num_tsdf = std::popcount(tile.tile->CellsWith(BlockLayer::kTsdf));
@@ -18,16 +20,28 @@ void AddBlocks(const Submap& submap, bool with_voxels, MapStats& stats) {
       stats.num_label_blocks_in_memory += num_labels;
       stats.num_tsdf_blocks_in_memory += num_tsdf;
     }
-    if (!with_voxels) continue;
-    for (const ScannedTile scanned(*tile.tile); const BlockEntry& entry : scanned.entries()) {
-      stats.num_observed_voxels += entry.tsdf ? entry.tsdf->NumObservedVoxels() : 0;
-    }
   }
+}
+
+std::int64_t NumObservedVoxels(const MapSnapshot& snapshot, const Spread& spread) {
+  std::vector<const BlockTile*> tiles;
+  for (const auto& submap : snapshot.submaps()) {
+    for (const TileEntry& entry : submap->blocks().tiles()) tiles.push_back(entry.tile.get());
+  }
+  std::atomic<std::int64_t> num_voxels = 0;
+  spread(tiles.size(), [&](std::size_t i) {
+    std::int64_t of_tile = 0;
+    for (const ScannedTile scanned(*tiles[i]); const BlockEntry& entry : scanned.entries()) {
+      of_tile += entry.tsdf ? entry.tsdf->NumObservedVoxels() : 0;
+    }
+    num_voxels.fetch_add(of_tile, std::memory_order_relaxed);
+  });
+  return num_voxels.load();
 }
 
 }  // namespace
 
-MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels) {
+MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels, const Spread& spread) {
   MapStats stats;
   stats.memory_bytes =
       static_cast<std::int64_t>(snapshot.free_space()->MemoryBytes() + snapshot.noted_vacated()->MemoryBytes());
@@ -38,17 +52,18 @@ MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels) {
     stats.num_stuff += submap->info().panoptic == Panoptic::kStuff ? 1 : 0;
     stats.num_active += is_thing && submap->info().activity == Activity::kActive ? 1 : 0;
     stats.memory_bytes += static_cast<std::int64_t>(submap->MemoryBytes());
-    AddBlocks(*submap, with_voxels, stats);
+    AddBlocks(*submap, stats);
   }
+  if (with_voxels) stats.num_observed_voxels = NumObservedVoxels(snapshot, spread);
   return stats;
 }
 
-Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view) {
+Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view, const Spread& spread) {
   const MapSnapshot& snapshot = view.snapshot();
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t disk_bytes, registry.DiskBytes(snapshot.info().name));
   return MapReport{.revision = snapshot.revision(),
                    .num_frames = snapshot.info().num_frames,
-                   .stats = ComputeStats(snapshot, /*with_voxels=*/true),
+                   .stats = ComputeStats(snapshot, /*with_voxels=*/true, spread),
                    .disk_bytes = disk_bytes};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mapping/base/result.h"
+#include "mapping/base/spread.h"
 #include "mapping/map/map.h"
 #include "server/app/map_registry.h"
 
@@ -26,8 +27,8 @@ struct MapStats {
 };
 
 /// Visits every block; if `with_voxels` also every voxel, else num_observed_voxels stays 0. Blocks that clones share
-/// count once for each.
-MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels);
+/// count once for each. Throws StatusError.
+MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels, const Spread& spread = InPlace);
 
 /// What there is to know of a map and its cost.
 struct MapReport {
@@ -37,7 +38,7 @@ struct MapReport {
   std::int64_t disk_bytes = 0;  ///< encoded blocks in the store, as it is now
 };
 
-/// Of a state of a map; NOT_FOUND if the map is gone. Visits every voxel.
-Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view);
+/// Of a state of a map; NOT_FOUND if the map is gone. Visits every voxel. Throws StatusError.
+Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view, const Spread& spread = InPlace);
 
 }  // namespace dhpmap

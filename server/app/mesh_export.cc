@@ -7,6 +7,7 @@
 
 #include "mapping/io/pcd.h"
 #include "mapping/io/ply.h"
+#include "mapping/map/read_tiles.h"
 #include "server/app/submap_edits.h"
 
 namespace dhpmap {
@@ -16,6 +17,15 @@ namespace {
 std::size_t CapacityOf(const Mesh& mesh) {
   return CapacityBytes(mesh.vertices_m) + CapacityBytes(mesh.normals) + CapacityBytes(mesh.colors) +
          CapacityBytes(mesh.classes) + CapacityBytes(mesh.instances) + CapacityBytes(mesh.triangles);
+}
+
+/// Of what MeshStream goes through.
+void ReadAll(const MapSnapshot& map, const Submap* only, const Spread& spread, const std::stop_token& stop) {
+  std::vector<const BlockTile*> unread;
+  for (const auto& submap : map.submaps()) {
+    if (only != nullptr ? submap.get() == only : !submap->IsAbsent()) AddUnread(submap->blocks(), unread);
+  }
+  ReadTiles(unread, spread, stop);
 }
 
 }  // namespace
@@ -60,11 +70,12 @@ std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request) {
 }
 
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
-                            const std::stop_token& stop) {
+                            const std::stop_token& stop, const Spread& spread) {
   const Submap* submap = request.submap ? map->Find(*request.submap) : nullptr;
   if (request.submap && submap == nullptr) return NoSuchSubmap(map->info(), *request.submap);
   const std::int64_t revision = map->revision();
   CountedBytes reserved(MemoryKind::kReserved, BytesOfExport(*map, request));
+  ReadAll(*map, submap, spread, stop);
   MeshStream mesh(std::move(map), submap, request.coloring, stop);
   if (stop.stop_requested()) return Cancelled("nobody waits for the mesh any longer");
   std::string head;

@@ -10,6 +10,7 @@
 
 #include "mapping/base/memory_count.h"
 #include "mapping/base/result.h"
+#include "mapping/base/spread.h"
 #include "mapping/map/map.h"
 #include "mapping/mesh/mesh_stream.h"
 
@@ -40,7 +41,7 @@ class MeshFile {
 
  private:
   friend Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
-                                     const std::stop_token& stop);
+                                     const std::stop_token& stop, const Spread& spread);
   MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head, CountedBytes reserved);
 
   std::int64_t revision_;
@@ -58,8 +59,8 @@ class MeshFile {
 std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request);
 
 /// Counts the surface, which takes one core about half the time of making it. NOT_FOUND; CANCELLED after a `stop`
-/// requested meanwhile.
+/// requested meanwhile. What is on the disk is read by `spread` first. Throws StatusError.
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
-                            const std::stop_token& stop = {});
+                            const std::stop_token& stop = {}, const Spread& spread = InPlace);
 
 }  // namespace dhpmap

@@ -76,7 +76,7 @@ std::size_t SpaceBytesNotIn(const std::shared_ptr<const FreeSpace>& before, cons
 
 std::size_t BlockBytesNotIn(const Submap& before, const Submap* later) {
   std::size_t bytes = 0;
-  if (later != nullptr && before.blocks().unread() != nullptr && before.blocks().unread() == later->blocks().unread()) {
+  if (later != nullptr && before.blocks().SharesUnread(later->blocks())) {
     return bytes;  // which nobody has written to since the map was loaded
   }
   for (const TileEntry& tile : before.blocks().tiles_if_read()) {

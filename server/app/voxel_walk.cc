@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/voxel_walk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,7 +10,7 @@
 namespace dhpmap {
 
 Result<VoxelWalk> VoxelWalk::Begin(std::shared_ptr<const MapSnapshot> snapshot, SubmapId submap,
-                                   double max_abs_distance_m) {
+                                   double max_abs_distance_m, Spread spread) {
   if (!std::isfinite(max_abs_distance_m) || max_abs_distance_m < 0) {
     return InvalidArgument("max_abs_distance_m is not usable")
         .WithReason("BAD_DISTANCE")
@@ -17,17 +18,30 @@ Result<VoxelWalk> VoxelWalk::Begin(std::shared_ptr<const MapSnapshot> snapshot, 
   }
   const Submap* found = snapshot->Find(submap);
   if (found == nullptr) return NoSuchSubmap(snapshot->info(), submap);
-  return VoxelWalk(std::move(snapshot), *found, max_abs_distance_m);
+  return VoxelWalk(std::move(snapshot), *found, max_abs_distance_m, std::move(spread));
 }
 
-VoxelWalk::VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m)
-    : snapshot_(std::move(snapshot)), submap_(&submap), max_abs_distance_m_(max_abs_distance_m) {}
+VoxelWalk::VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m,
+                     Spread spread)
+    : snapshot_(std::move(snapshot)),
+      submap_(&submap),
+      max_abs_distance_m_(max_abs_distance_m),
+      spread_(std::move(spread)) {}
+
+void VoxelWalk::ReadAhead() {
+  constexpr std::size_t kTilesAhead = 4;  // which nobody bounds otherwise: some 2 MB at most
+  const auto tiles = submap_->blocks().tiles().subspan(tile_);
+  std::vector<std::shared_ptr<const ScannedTile>> scanned(std::min(tiles.size(), kTilesAhead));
+  spread_(scanned.size(), [&](std::size_t i) { scanned[i] = std::make_shared<const ScannedTile>(*tiles[i].tile); });
+  scanned_.assign(scanned.begin(), scanned.end());
+}
 
 BlockEntry VoxelWalk::Next() {
-  if (scanned_ == nullptr) scanned_ = std::make_shared<const ScannedTile>(*submap_->blocks().tiles()[tile_].tile);
-  BlockEntry block = scanned_->entries()[block_++];
-  if (block_ == scanned_->entries().size()) {
-    scanned_ = nullptr;
+  if (scanned_.empty()) ReadAhead();
+  const ScannedTile& scanned = *scanned_.front();
+  BlockEntry block = scanned.entries()[block_++];
+  if (block_ == scanned.entries().size()) {
+    scanned_.pop_front();
     block_ = 0;
     ++tile_;
   }

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "mapping/base/result.h"
+#include "mapping/base/spread.h"
 #include "mapping/map/map.h"
 #include "mapping/map/scanned_tile.h"
 
@@ -24,13 +26,13 @@ struct ObservedVoxel {
 };
 
 /// Goes through the observed voxels of one submap, block by block. What it reads from the disk for it, and nobody else
-/// has, stays for a tile only. Thread-compatible; keeps its snapshot alive.
+/// has, stays for a few tiles only. Thread-compatible; keeps its snapshot alive.
 class VoxelWalk {
  public:
   /// Only voxels with |distance| up to `max_abs_distance_m`; 0: all. NOT_FOUND; INVALID_ARGUMENT for a distance that is
-  /// negative or not finite.
+  /// negative or not finite. `spread` reads from the disk, and lives as long as the walk. Throws StatusError.
   static Result<VoxelWalk> Begin(std::shared_ptr<const MapSnapshot> snapshot, SubmapId submap,
-                                 double max_abs_distance_m);
+                                 double max_abs_distance_m, Spread spread = InPlace);
 
   [[nodiscard]] std::int64_t revision() const { return snapshot_->revision(); }
   /// Whether every block has been visited.
@@ -40,14 +42,18 @@ class VoxelWalk {
   std::span<const ObservedVoxel> NextBlock();
 
  private:
-  VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m);
+  VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m,
+            Spread spread);
   BlockEntry Next();
+  /// The next tile and those behind it.
+  void ReadAhead();
 
   std::shared_ptr<const MapSnapshot> snapshot_;
   const Submap* submap_;
   double max_abs_distance_m_;
-  std::size_t tile_ = 0, block_ = 0;            ///< the next
-  std::shared_ptr<const ScannedTile> scanned_;  ///< that tile, once it was begun
+  Spread spread_;
+  std::size_t tile_ = 0, block_ = 0;                         ///< the next
+  std::deque<std::shared_ptr<const ScannedTile>> scanned_;  ///< that tile, once it was begun, and others behind it
   std::vector<ObservedVoxel> voxels_;
 };
 

@@ -17,6 +17,16 @@ bool IsOurFault(StatusCode code) {
 
 }  // namespace
 
+Spread OnBulkLane(const ServiceContext& context) {
+  return [&bulk = context.lanes.bulk](std::size_t count, const std::function<void(std::size_t)>& body) {
+    PageHold* const hold = PageReader::Current();
+    bulk.Share(count, [hold, &body](std::size_t i) {
+      const PageReader reading(hold);
+      body(i);
+    });
+  };
+}
+
 void CallRecord::End(const Status& status) const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   if (context_.observer.on_call) context_.observer.on_call(method_, status.code(), elapsed.count());

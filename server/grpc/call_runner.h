@@ -20,6 +20,7 @@
 #include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
+#include "mapping/base/spread.h"
 #include "mapping/map/page_reader.h"
 #include "server/app/held_states.h"
 #include "server/app/map_registry.h"
@@ -37,6 +38,10 @@ struct ServiceContext {
   const GrpcObserver& observer;
   HeldStates& held;
 };
+
+/// Over the calling thread and those of the bulk lane that have nothing else to do. What they read from the disk counts
+/// for the caller's request. Lives as long as the lane.
+Spread OnBulkLane(const ServiceContext& context);
 
 /// The bookkeeping of one call: takes its time, tells the observer, and logs an error that is our fault, once.
 class CallRecord {

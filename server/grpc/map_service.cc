@@ -154,7 +154,7 @@ class MapService final : public CountedService<v1::MapService> {
   }
   Result<MapReport> ReportAt(const std::string& map, const v1::GetMapStatsRequest& request) const {
     DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request));
-    return ReportOf(context_.registry, *view);
+    return ReportOf(context_.registry, *view, OnBulkLane(context_));
   }
 
   const ServiceContext& context_;

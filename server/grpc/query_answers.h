@@ -72,14 +72,7 @@ Status AnswerFromMap(const ServiceContext& context, const std::shared_ptr<const 
   const QueryEffort effort = EffortOf(request);
   const bool can_fit = effort.answer_bytes <= context.options.inflight->limit_bytes();
   const Status fits = can_fit ? Status::Ok() : AnswersTooLarge(effort.answer_bytes);
-  const Spread on_lane = [&context](std::size_t count, const std::function<void(std::size_t)>& body) {
-    PageHold* const hold = PageReader::Current();
-    context.lanes.bulk.Share(count, [hold, &body](std::size_t i) {
-      const PageReader reading(hold);
-      body(i);
-    });
-  };
-  const Spread spread = effort.is_quick ? Spread(InPlace) : on_lane;
+  const Spread spread = effort.is_quick ? Spread(InPlace) : OnBulkLane(context);
   DHPMAP_RETURN_IF_ERROR(AnswerQuery({context, *view, fits, stop, spread}, request, response));
   if (context.observer.on_query) context.observer.on_query(effort.num_items);
   return Status::Ok();

@@ -126,7 +126,7 @@ class SubmapService final : public CountedService<v1::SubmapService> {
           const auto state = OnlySubmap(view->snapshot(), name.submap);
           if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), name.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
-          DHPMAP_ASSIGN_OR_RETURN(VoxelWalk walk, VoxelWalk::Begin(state, name.submap, request->max_abs_distance_m()));
+          DHPMAP_ASSIGN_OR_RETURN(VoxelWalk walk, VoxelWalk::Begin(state, name.submap, request->max_abs_distance_m(), OnBulkLane(context_)));
           return Stream::Next([chunks = VoxelChunks(std::move(walk))](v1::StreamSubmapVoxelsResponse& message) mutable {
             return chunks.Next(message);
           });
@@ -147,7 +147,7 @@ class SubmapService final : public CountedService<v1::SubmapService> {
           if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), *wanted.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
           if (!keeps.room.Grow(BytesOfExport(*state, wanted))) return TooManyBytes();
-          DHPMAP_ASSIGN_OR_RETURN(MeshFile file, ExportMesh(std::move(state), wanted, stop));
+          DHPMAP_ASSIGN_OR_RETURN(MeshFile file, ExportMesh(std::move(state), wanted, stop, OnBulkLane(context_)));
           return Stream::Next([chunks = std::make_shared<MeshChunks>(std::move(file))](
                                   v1::GetSubmapMeshResponse& message) mutable { return chunks->Next(message); });
         });

@@ -197,6 +197,9 @@ std::string Metrics::Text(const Gauges& gauges) const {
                            static_cast<double>(gauges.page_bytes)));
   families.push_back(
       CounterOf("dhpmap_pages_read_total", "Tiles of voxels that were read from the disk", gauges.num_pages_read));
+  families.push_back(CounterOf("dhpmap_page_hits_total",
+                               "Lookups of voxels in such a tile that was in memory already, about",
+                               gauges.num_page_hits));
   families.push_back(CounterOf("dhpmap_pages_read_seconds_total", "Time that reading them took, of all threads",
                                static_cast<double>(gauges.page_read_ns) * 1e-9));
   families.push_back(Gauge("dhpmap_page_held_bytes", "Memory of such voxels that requests under way have read",

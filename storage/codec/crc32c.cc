@@ -3,6 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
+
+#if defined(__x86_64__)
+#include <nmmintrin.h>
+#endif
 
 namespace dhpmap {
 namespace {
@@ -31,10 +36,10 @@ constexpr Tables MakeTables() {
 
 constexpr Tables kTables = MakeTables();
 
-}  // namespace
+/// Of bits that are inverted before and after.
+using Update = std::uint32_t (*)(std::span<const std::uint8_t> bytes, std::uint32_t crc);
 
-std::uint32_t Crc32c(std::span<const std::uint8_t> bytes, std::uint32_t crc) {
-  crc = ~crc;
+std::uint32_t UpdateByTables(std::span<const std::uint8_t> bytes, std::uint32_t crc) {
   const std::uint8_t* p = bytes.data();
   std::size_t left = bytes.size();
   for (; left >= kSlices; left -= kSlices, p += kSlices) {
@@ -44,7 +49,36 @@ std::uint32_t Crc32c(std::span<const std::uint8_t> bytes, std::uint32_t crc) {
           kTables[4][low >> 24] ^ kTables[3][p[4]] ^ kTables[2][p[5]] ^ kTables[1][p[6]] ^ kTables[0][p[7]];
   }
   for (; left > 0; --left, ++p) crc = (crc >> 8) ^ kTables[0][(crc ^ *p) & 0xFF];
-  return ~crc;
+  return crc;
+}
+
+#if defined(__x86_64__)
+__attribute__((target("sse4.2"))) std::uint32_t UpdateBySse(std::span<const std::uint8_t> bytes, std::uint32_t crc) {
+  const std::uint8_t* p = bytes.data();
+  std::size_t left = bytes.size();
+  for (; left >= sizeof(std::uint64_t); left -= sizeof(std::uint64_t), p += sizeof(std::uint64_t)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, p, sizeof(word));
+    crc = static_cast<std::uint32_t>(_mm_crc32_u64(crc, word));
+  }
+  for (; left > 0; --left, ++p) crc = _mm_crc32_u8(crc, *p);
+  return crc;
+}
+
+Update UpdateOfMachine() { return __builtin_cpu_supports("sse4.2") ? UpdateBySse : UpdateByTables; }
+#else
+Update UpdateOfMachine() { return UpdateByTables; }
+#endif
+
+}  // namespace
+
+std::uint32_t Crc32c(std::span<const std::uint8_t> bytes, std::uint32_t crc) {
+  static const Update update = UpdateOfMachine();
+  return ~update(bytes, ~crc);
+}
+
+std::uint32_t Crc32cByTables(std::span<const std::uint8_t> bytes, std::uint32_t crc) {
+  return ~UpdateByTables(bytes, ~crc);
 }
 
 }  // namespace dhpmap

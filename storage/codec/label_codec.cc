@@ -181,11 +181,19 @@ void Append(const Buffer& buffer, ByteWriter& writer) {
   writer.PutBytes(buffer.rest);
 }
 
+/// How many voxels of these forms do not fit into a cell of a LabelBlock, or may not.
+std::size_t NumNotInline(ByteView forms) {
+  constexpr std::uint8_t kMostInline = 2;  // classes, of the own instance
+  return static_cast<std::size_t>(
+      std::count_if(forms.begin(), forms.end(), [](std::uint8_t form) { return form > kMostInline; }));
+}
+
 /// Reads an empty block from its part of the planes, and takes its varints from `rest`.
 Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumPlanes>& planes, ByteReader& rest,
                  LabelBlock& block) {
   VoxelWalk::Grid& class_grid = VoxelWalk::GridOfThread();
   VoxelWalk::Grid& count_grid = VoxelWalk::GridOfThread(VoxelWalk::Scratch::kSecond);
+  block.ReserveOverflow(NumNotInline(planes[kForm].first(walk.sites().size())));
   LabelHistograms voxel;
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {

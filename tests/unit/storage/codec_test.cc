@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "storage/codec/crc32c.h"
 #include "storage/codec/envelope.h"
@@ -56,6 +57,16 @@ TEST(Crc32c, MatchesPublishedVectors) {
   EXPECT_EQ(Crc32c(bytes), 0xE3069283u);
   EXPECT_EQ(Crc32c(Bytes(32, 0)), 0x8A9136AAu);     // RFC 3720, B.4
   EXPECT_EQ(Crc32c(Bytes(32, 0xFF)), 0x62A8AB43u);  // RFC 3720, B.4
+}
+
+TEST(Crc32c, IsTheSameWithTheMachinesInstructionAndWithout) {
+  Bytes bytes;
+  std::mt19937 random(3);
+  for (int i = 0; i < 300; ++i) {
+    EXPECT_EQ(Crc32c(bytes), Crc32cByTables(bytes)) << i;
+    EXPECT_EQ(Crc32c(bytes, 7), Crc32cByTables(bytes, 7)) << i;
+    bytes.push_back(static_cast<std::uint8_t>(random()));
+  }
 }
 
 TEST(Crc32c, GoesOnFromWhatCameBefore) {

@@ -2,6 +2,7 @@
 // Open maps whose voxels are read from the store when they are needed, and how many of these stay in memory.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
@@ -16,6 +17,8 @@
 #include "mapping/map/tile_page.h"
 #include "server/app/map_registry.h"
 #include "server/app/map_stats.h"
+#include "server/app/mesh_export.h"
+#include "server/app/voxel_walk.h"
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/server/app/edited_room.h"
@@ -221,10 +224,78 @@ TEST_F(PageBudgetTest, StatisticsCountWhatIsInMemoryAndKeepNothing) {
   EXPECT_EQ(paged.num_label_blocks, whole.num_label_blocks);
   EXPECT_EQ(paged.num_observed_voxels, whole.num_observed_voxels);
   EXPECT_EQ(paged.num_tsdf_blocks_in_memory, 0);
+  ThreadPool pool(3);
+  const Spread on_threads = [&pool](std::size_t count, const auto& body) { pool.ParallelFor(count, body); };
+  EXPECT_EQ(ComputeStats(View()->snapshot(), true, on_threads).num_observed_voxels, whole.num_observed_voxels);
   EXPECT_EQ(paged.num_label_blocks_in_memory, 0);
   const auto tsdf_bytes = whole.num_tsdf_blocks * static_cast<std::int64_t>(sizeof(TsdfBlock));
   EXPECT_LT(paged.memory_bytes, whole.memory_bytes - tsdf_bytes / 2);
   EXPECT_EQ(ResidentBytes(), before);
+}
+
+/// The centres and distances of all voxels of all submaps, then the map's mesh as a file.
+std::string WalkAndMesh(const std::shared_ptr<const MapSnapshot>& state, const Spread& spread) {
+  std::string bytes;
+  for (const auto& submap : state->submaps()) {
+    auto walk = VoxelWalk::Begin(state, submap->id(), 0, spread).value();
+    while (!walk.is_done()) {
+      for (const ObservedVoxel& voxel : walk.NextBlock()) {
+        bytes.append(reinterpret_cast<const char*>(voxel.centre_m.data()), sizeof(voxel.centre_m));
+        bytes.append(reinterpret_cast<const char*>(&voxel.distance_m), sizeof(voxel.distance_m));
+      }
+    }
+  }
+  MeshFile file = ExportMesh(state, {}, {}, spread).value();
+  for (std::string piece; file.Next(piece);) bytes += piece;
+  return bytes;
+}
+
+TEST_F(PageBudgetTest, VoxelsAndMeshesAreThoseOfAMapInMemoryWhenTheyAreReadAhead) {
+  Open(0);
+  const std::string whole = WalkAndMesh(View()->shared_snapshot(), InPlace);
+  ThreadPool pool(3);
+  std::size_t most_at_once = 0;
+  const Spread on_threads = [&](std::size_t count, const auto& body) {
+    most_at_once = std::max(most_at_once, count);
+    pool.ParallelFor(count, body);
+  };
+  Open(1 << 30);
+  const PageCounts before = CountPages();
+  EXPECT_TRUE(WalkAndMesh(View()->shared_snapshot(), on_threads) == whole);
+  EXPECT_GT(most_at_once, 1u);
+  EXPECT_GT(CountPages().num_reads, before.num_reads);
+}
+
+TEST_F(PageBudgetTest, WhatCannotBeReadAheadIsToldToWhoAsked) {
+  Close();
+  DamageBlobsOfLabels();
+  Open(1 << 30);
+  ThreadPool pool(3);
+  const Spread on_threads = [&pool](std::size_t count, const auto& body) { pool.ParallelFor(count, body); };
+  const auto code_of = [](const auto& work) {
+    try {
+      work();
+      return StatusCode::kOk;
+    } catch (const StatusError& error) {
+      return error.status().code();
+    }
+  };
+  const auto state = View()->shared_snapshot();
+  EXPECT_EQ(code_of([&] { (void)ExportMesh(state, {}, {}, on_threads); }), StatusCode::kDataLoss);
+  EXPECT_EQ(code_of([&] { (void)ComputeStats(*state, true, on_threads); }), StatusCode::kDataLoss);
+  EXPECT_EQ(code_of([&] { (void)WalkAndMesh(state, on_threads); }), StatusCode::kDataLoss);
+}
+
+TEST_F(PageBudgetTest, LookupsInTilesThatWereReadAreCounted) {
+  Open(1 << 30);
+  const auto view = View();
+  for (const auto& submap : view->snapshot().submaps()) ReadAllOf(*submap);
+  const std::uint64_t before = CountPages().num_hits;
+  constexpr std::uint64_t kTimes = 1000, kNotTold = 256;
+  const TileEntry& tile = view->snapshot().submaps().back()->blocks().tiles().front();
+  for (std::uint64_t i = 0; i < kTimes; ++i) (void)tile.tile->entries();
+  EXPECT_GE(CountPages().num_hits, before + kTimes - kNotTold);
+  EXPECT_LE(CountPages().num_hits, before + kTimes + kNotTold);
 }
 
 TEST_F(PageBudgetTest, WhatFramesWroteLeavesMemoryTooAndIsReadAgainAsItWas) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map/read_tiles.h"
+
+#include "mapping/map/page_reader.h"
+
+namespace dhpmap {
+
+void AddUnread(const BlockTable& blocks, std::vector<const BlockTile*>& unread) {
+  for (const TileEntry& entry : blocks.tiles()) {
+    if (!entry.tile->IsRead()) unread.push_back(entry.tile.get());
+  }
+}
+
+void ReadTiles(std::span<const BlockTile* const> unread, const Spread& spread, const std::stop_token& stop) {
+  if (unread.empty()) return;
+  PageHold* const hold = PageReader::Current();
+  spread(unread.size(), [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    const PageReader reading(hold);
+    (void)unread[i]->entries();
+  });
+}
+
+}  // namespace dhpmap
