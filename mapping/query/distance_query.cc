@@ -75,7 +75,10 @@ SurfaceDistance DistanceQuery::At(const Eigen::Vector3d& p_map) const {
     if (cell != nullptr) {
       const Eigen::Vector3f p = (p_map - cell->field->centre_m()).cast<float>();
       SurfaceDistance answer;
-      if (TryField(p_map, *cell, p, ListAt(*cell->field, p), answer)) return answer;
+      double within_m = options_.max_distance_m;
+      if (TryField(p_map, *cell, p, ListAt(*cell->field, p), answer, within_m)) return answer;
+      if (within_m < options_.max_distance_m) answer = Within(p_map, within_m);
+      if (answer.submap != nullptr) return answer;
     }
   }
   return Within(p_map, options_.max_distance_m);
@@ -124,9 +127,8 @@ void DistanceQuery::AtInOrder(std::span<const Eigen::Vector3d> points_m, std::sp
 
 void DistanceQuery::AtOrdered(std::span<const Eigen::Vector3d> points_m, std::vector<std::uint32_t> order,
                               std::span<SurfaceDistance> answers) const {
-  if (takes_fields_) order = AtByFields(points_m, order, answers);
   if (world_.grown().size() == 1) {
-    AtTogether(points_m, order, answers);
+    AtTogether(points_m, takes_fields_ ? AtByFields(points_m, order, answers) : AllOf(order), answers);
     return;
   }
   Searches searches(world_);
@@ -141,8 +143,15 @@ void DistanceQuery::AtOrdered(std::span<const Eigen::Vector3d> points_m, std::ve
   }
 }
 
+std::vector<DistanceQuery::Open> DistanceQuery::AllOf(std::span<const std::uint32_t> order) const {
+  std::vector<Open> open;
+  open.reserve(order.size());
+  for (const std::uint32_t point : order) open.push_back({point, options_.max_distance_m});
+  return open;
+}
+
 /// Where all that is there is grown alike: a search a point, some of them side by side, so that none waits for memory.
-void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,
+void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<const Open> open,
                                std::span<SurfaceDistance> answers) const {
   constexpr std::size_t kMostInFlight = 16;
   struct Flight {
@@ -156,8 +165,8 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
   std::size_t next = 0;
   Limit limit(most_m);
   const auto start_next = [&](Flight& flight) {
-    flight.point = order[next++];
-    flight.limit_m = limit.At(points_m[flight.point]);
+    flight.point = open[next].point;
+    flight.limit_m = std::min(limit.At(points_m[flight.point]), open[next++].within_m);
     flight.search.Start(points_m[flight.point], flight.limit_m + padding_m);
   };
   const auto finish = [&](Flight& flight) {
@@ -167,7 +176,7 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
     answers[flight.point] = Describe(p, most_m, found, padding_m);
     if (found.is_any) limit.Learn(p, (found.p_submap - found.point_submap).norm() - padding_m);
   };
-  std::vector<Flight> flights(std::min(order.size(), kMostInFlight), Flight{NearestSearch(world_.surfaces(), is_held)});
+  std::vector<Flight> flights(std::min(open.size(), kMostInFlight), Flight{NearestSearch(world_.surfaces(), is_held)});
   std::vector<Flight*> in_flight;
   for (Flight& flight : flights) {
     start_next(flight);
@@ -177,7 +186,7 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
     std::erase_if(in_flight, [&](Flight* flight) {
       if (!flight->search.Step()) return false;
       finish(*flight);
-      if (next == order.size()) return true;
+      if (next == open.size()) return true;
       start_next(*flight);
       return false;
     });
@@ -186,9 +195,9 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
 
 /// Points whose cell has a field, some side by side, each step of all before the next one, so that none waits for
 /// memory. Returns the others, in their order.
-std::vector<std::uint32_t> DistanceQuery::AtByFields(std::span<const Eigen::Vector3d> points_m,
-                                                     std::span<const std::uint32_t> order,
-                                                     std::span<SurfaceDistance> answers) const {
+std::vector<DistanceQuery::Open> DistanceQuery::AtByFields(std::span<const Eigen::Vector3d> points_m,
+                                                           std::span<const std::uint32_t> order,
+                                                           std::span<SurfaceDistance> answers) const {
   constexpr std::size_t kSideBySide = 16;
   struct Lookup {
     DistanceFields::Slot* slot;
@@ -199,7 +208,7 @@ std::vector<std::uint32_t> DistanceQuery::AtByFields(std::span<const Eigen::Vect
   };
   std::array<Lookup, kSideBySide> lookups;
   const DistanceFields& fields = world_.surfaces().fields();
-  std::vector<std::uint32_t> others;
+  std::vector<Open> others;
   for (std::size_t first = 0; first < order.size(); first += kSideBySide) {
     const std::span<const std::uint32_t> some = order.subspan(first, std::min(kSideBySide, order.size() - first));
     for (std::size_t i = 0; i < some.size(); ++i) {
@@ -236,17 +245,20 @@ std::vector<std::uint32_t> DistanceQuery::AtByFields(std::span<const Eigen::Vect
     for (std::size_t i = 0; i < some.size(); ++i) {
       const Lookup& lookup = lookups[i];
       SurfaceDistance& answer = answers[some[i]];
-      if (lookup.cell == nullptr || !TryField(points_m[some[i]], *lookup.cell, lookup.p, lookup.list, answer)) {
-        others.push_back(some[i]);
+      double within_m = options_.max_distance_m;
+      if (lookup.cell == nullptr ||
+          !TryField(points_m[some[i]], *lookup.cell, lookup.p, lookup.list, answer, within_m)) {
+        others.push_back({some[i], within_m});
       }
     }
   }
   return others;
 }
 
-/// Whether the field knows. What it holds to be nearest of all is nearest of what is there, if that is there.
+/// Whether the field knows; else `within_m` may be lowered. What it holds to be nearest of all is nearest of what is
+/// there, if that is there.
 bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell, const Eigen::Vector3f& p,
-                             const NearField::List& list, SurfaceDistance& answer) const {
+                             const NearField::List& list, SurfaceDistance& answer, double& within_m) const {
   const double limit_m = options_.max_distance_m, padding_m = world_.most_padding_m();
   if (cell.field->is_far()) {
     if (limit_m + padding_m > NearField::kReach_m) return false;
@@ -262,6 +274,8 @@ bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell
     answer = Clamped(limit_m);
     return true;
   }
+  constexpr double kRounding_m = 1e-4;
+  within_m = std::min(limit_m, distance_m - padding_m + kRounding_m);
   found.p_submap = world_.surfaces().index().entries()[found.number].ToSubmap(p_map);
   found.sight = &cell.sight;
   if (!list.is_side_known) {
@@ -270,9 +284,8 @@ bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell
     if (distance_m <= band_m || !world_.SightAt(p_map, found).is_front) return false;
     found.is_behind = false;
   }
-  if (found.is_behind && !nearest.is_across) {
-    // Which edges of a surface are its last ones no field knows. Of no account, if the place itself was seen to be
-    // inside, or, beyond the band, to be in front.
+  if (found.is_behind && list.may_end && !nearest.is_across) {
+    // Of no account, if the place itself was seen to be inside, or, beyond the band, to be in front.
     const double band_m = world_.surfaces().index().entries()[found.number].submap().info().truncation_m;
     const QueryWorld::Sight sight = world_.SightAt(p_map, found);
     if (!sight.is_seen || (sight.is_front && distance_m <= band_m)) return false;

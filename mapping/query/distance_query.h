@@ -69,12 +69,18 @@ class DistanceQuery {
   class Limit;
   void AtOrdered(std::span<const Eigen::Vector3d> points_m, std::vector<std::uint32_t> order,
                  std::span<SurfaceDistance> answers) const;
-  void AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,
+  /// A point that has yet to be searched for, and how far it is to something, if that is known.
+  struct Open {
+    std::uint32_t point;
+    double within_m;
+  };
+  void AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<const Open> open,
                   std::span<SurfaceDistance> answers) const;
-  std::vector<std::uint32_t> AtByFields(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,
-                                        std::span<SurfaceDistance> answers) const;
+  [[nodiscard]] std::vector<Open> AllOf(std::span<const std::uint32_t> order) const;
+  std::vector<Open> AtByFields(std::span<const Eigen::Vector3d> points_m, std::span<const std::uint32_t> order,
+                               std::span<SurfaceDistance> answers) const;
   bool TryField(const Eigen::Vector3d& p_map, const FieldCell& cell, const Eigen::Vector3f& p,
-                const NearField::List& list, SurfaceDistance& answer) const;
+                const NearField::List& list, SurfaceDistance& answer, double& within_m) const;
   void Tell(const Eigen::Vector3d& p_map, const NearestSurface& found, double distance_m, double padding_m,
             SurfaceDistance& answer, double& side) const;
   [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, double limit_m, const NearestSurface& found,

@@ -10,6 +10,17 @@ namespace dhpmap {
 
 FieldNormals::FieldNormals(std::size_t num_triangles) : entries_(std::bit_ceil(12 * num_triangles + 8), Entry{0, 0}) {}
 
+namespace {
+
+/// Sums of a few of these are 0 by chance once in 2^64.
+std::uint64_t Mix(std::uint64_t value) {
+  value = (value ^ value >> 30) * 0xBF58476D1CE4E5B9ull;
+  value = (value ^ value >> 27) * 0x94D049BB133111EBull;
+  return value ^ value >> 31;
+}
+
+}  // namespace
+
 std::uint64_t FieldNormals::KeyOf(const Eigen::Vector3f& corner) {
   constexpr double kSteps_per_m = 1e4, kHalf = 1 << 20;
   std::uint64_t key = 1;
@@ -37,6 +48,7 @@ std::uint32_t FieldNormals::PlaceOf(std::uint64_t key) {
   if (entry.key == 0) {
     entry = {key, static_cast<std::uint32_t>(sums_.size())};
     sums_.emplace_back(Eigen::Vector3f::Zero());
+    ends_.push_back(0);
   }
   return entry.place;
 }
@@ -52,24 +64,31 @@ FieldNormals::Places FieldNormals::Want(const TriangleCorners& triangle) {
   return places;
 }
 
-void FieldNormals::Add(const TriangleCorners& triangle) {
+void FieldNormals::Add(const TriangleCorners& triangle, std::uint32_t surface) {
   constexpr std::uint32_t kNone = 0xFFFFFFFF;
   std::array<std::uint32_t, 3> places;
+  std::array<std::uint64_t, 3> keys;
   bool is_any = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Entry& entry = Find(KeyOf(triangle[i]));
+    keys[i] = KeyOf(triangle[i]);
+    const Entry& entry = Find(keys[i]);
     places[i] = entry.key == 0 ? kNone : entry.place;
     is_any |= entry.key != 0;
   }
   if (!is_any) return;
   const Eigen::Vector3f normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
+  const std::uint64_t own = 0x9E3779B97F4A7C15ull * (std::uint64_t{surface} + 1);
   for (std::size_t i = 0; i < 3; ++i) {
     if (places[i] == kNone) continue;
-    const std::size_t next = (i + 1) % 3;
-    const Eigen::Vector3f u = triangle[next] - triangle[i], v = triangle[(i + 2) % 3] - triangle[i];
+    const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
+    const Eigen::Vector3f u = triangle[next] - triangle[i], v = triangle[last] - triangle[i];
     sums_[places[i]] += std::atan2(u.cross(v).norm(), u.dot(v)) * normal;
+    ends_[places[i]] += Mix(keys[next] + own) - Mix(keys[last] + own);
     if (places[next] == kNone) continue;
-    if (const Entry& edge = Find(KeyOf(places[i], places[next])); edge.key != 0) sums_[edge.place] += normal;
+    const Entry& edge = Find(KeyOf(places[i], places[next]));
+    if (edge.key == 0) continue;
+    sums_[edge.place] += normal;
+    ends_[edge.place] += places[i] < places[next] ? Mix(own) : 0 - Mix(own);
   }
 }
 

@@ -39,6 +39,7 @@ class NearField {
   struct List {
     std::uint32_t first = 0, count = 0;  ///< none: not known
     bool is_side_known = true;           ///< else is_behind may be wrong
+    bool may_end = false;                ///< some surface may end where one of its points has its nearest
   };
 
   [[nodiscard]] const Eigen::Vector3d& centre_m() const { return centre_m_; }
@@ -66,7 +67,7 @@ class NearField {
   [[nodiscard]] List ListOf(std::uint32_t cube) const {
     std::uint32_t at = grid_[cube >> grid_shift_];
     for (int shift = grid_shift_ - 3; (at & kLeaf) == 0; shift -= 3) at = nodes_[at][cube >> shift & 7u];
-    return {at & (kMostListed - 1), at >> kCountShift & kMostInList, (at & kUnsure) == 0};
+    return {at & (kMostListed - 1), at >> kCountShift & kMostInList, (at & kUnsure) == 0, (at & kMayEnd) != 0};
   }
   void Prefetch(const List& list) const { __builtin_prefetch(&lists_[list.first]); }
   void PrefetchTriangles(const List& list) const {
@@ -82,9 +83,10 @@ class NearField {
 
  private:
   friend class NearFieldMaker;
-  // A leaf: bit 31, whether the side is unsure, the length of its list in 7 bits, where it begins in 23. Else a node.
-  static constexpr std::uint32_t kLeaf = 1u << 31, kUnsure = 1u << 30, kCountShift = 23, kMostListed = 1u << 23,
-                                 kMostInList = 127;
+  // A leaf: bit 31, whether the side is unsure, the length of its list in 7 bits, whether surfaces may end there, where
+  // the list begins in 22. Else a node.
+  static constexpr std::uint32_t kLeaf = 1u << 31, kUnsure = 1u << 30, kCountShift = 23, kMayEnd = 1u << 22,
+                                 kMostListed = 1u << 22, kMostInList = 127;
   static constexpr int kLevels = 4;  ///< of eight children each: cubes down to a sixteenth of the cell
   struct alignas(64) Triangle {
     float corners[3][3];

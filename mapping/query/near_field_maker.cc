@@ -60,10 +60,12 @@ std::shared_ptr<const NearField> NearFieldMaker::Make(BlockIndex block, std::sha
     field_->nearest_ = (T * nearest.point_submap - field_->centre_m_).cast<float>();
     Gather(field_->centre_m_, field_->Reach());
     nodes_.clear();
+    leaves_.clear();
+    exact_.clear();
     const std::uint32_t root = has_failed_ ? 0 : Divide(0, Eigen::Vector3f::Zero(), field_->half_);
     if (has_failed_) return nullptr;
-    Lay(root);
     AddNormals();
+    Lay(root);
     field_->nodes_.shrink_to_fit();
     field_->lists_.shrink_to_fit();
     field_->triangles_.shrink_to_fit();
@@ -279,6 +281,20 @@ void NearFieldMaker::Compact(const Pool& from, Pool& to) const {
 }
 
 std::uint32_t NearFieldMaker::MakeLeaf(const Pool& pool, bool is_unsure) {
+  Leaf leaf{.is_unsure = is_unsure, .first_exact = static_cast<std::uint32_t>(exact_.size())};
+  for (std::size_t i = 0; i < saved_.size(); ++i) {
+    for (unsigned left = saved_[i]; left != 0; left &= left - 1) {
+      exact_.push_back(pool.ids[i * kLanes + static_cast<std::size_t>(std::countr_zero(left))]);
+    }
+  }
+  leaf.num_exact = static_cast<std::uint32_t>(exact_.size()) - leaf.first_exact;
+  List(pool, leaf);
+  leaves_.push_back(leaf);
+  return NearField::kLeaf | static_cast<std::uint32_t>(leaves_.size() - 1);
+}
+
+/// What is left of a pool, the nearest first.
+void NearFieldMaker::List(const Pool& pool, Leaf& leaf) {
   listed_.clear();
   for (std::size_t i = 0; i < alive_.size(); ++i) {
     for (unsigned left = alive_[i]; left != 0; left &= left - 1) {
@@ -286,21 +302,29 @@ std::uint32_t NearFieldMaker::MakeLeaf(const Pool& pool, bool is_unsure) {
       listed_.emplace_back(tangents_[i].distance[lane], static_cast<std::uint32_t>(i * kLanes + lane));
     }
   }
+  if (listed_.size() > NearField::kMostInList) return;  // not known
   std::sort(listed_.begin(), listed_.end());
-  if (listed_.size() > NearField::kMostInList) return NearField::kLeaf;  // not known
-  const auto leaf = [&](std::uint32_t first) {
-    return NearField::kLeaf | (is_unsure ? NearField::kUnsure : 0) |
-           static_cast<std::uint32_t>(listed_.size()) << NearField::kCountShift | first;
-  };
-  const auto first = static_cast<std::uint32_t>(field_->lists_.size());
-  has_failed_ = has_failed_ || first + listed_.size() >= NearField::kMostListed;
+  leaf.first = static_cast<std::uint32_t>(field_->lists_.size());
+  leaf.count = static_cast<std::uint32_t>(listed_.size());
+  has_failed_ = has_failed_ || leaf.first + leaf.count >= NearField::kMostListed;
   for (const auto& [distance, at] : listed_) {
     const std::uint16_t kept = Keep(pool.ids[at], pool.packets[at / kLanes].Get(at % kLanes));
-    if (listed_.size() == 1 && alone_[kept] != kNowhere) return leaf(alone_[kept]);
-    if (listed_.size() == 1) alone_[kept] = first;
+    if (leaf.count == 1) {
+      if (alone_[kept] != kNowhere) {
+        leaf.first = alone_[kept];
+        return;
+      }
+      alone_[kept] = leaf.first;
+    }
     field_->lists_.push_back(kept);
   }
-  return leaf(first);
+}
+
+std::uint32_t NearFieldMaker::CodeOf(const Leaf& leaf) const {
+  const auto begin = exact_.begin() + leaf.first_exact;
+  const bool may_end = std::any_of(begin, begin + leaf.num_exact, [this](std::uint32_t id) { return may_end_[id]; });
+  return NearField::kLeaf | (leaf.is_unsure ? NearField::kUnsure : 0) | leaf.count << NearField::kCountShift |
+         (may_end ? NearField::kMayEnd : 0) | leaf.first;
 }
 
 std::uint16_t NearFieldMaker::Keep(std::uint32_t id, const TriangleCorners& triangle) {
@@ -340,7 +364,7 @@ void NearFieldMaker::Lay(std::uint32_t root) {
 
 /// What is below the grid.
 std::uint32_t NearFieldMaker::Copy(std::uint32_t at) {
-  if ((at & NearField::kLeaf) != 0) return at;
+  if ((at & NearField::kLeaf) != 0) return CodeOf(leaves_[at & ~NearField::kLeaf]);
   const auto copy = static_cast<std::uint32_t>(field_->nodes_.size());
   field_->nodes_.emplace_back();
   for (std::size_t child = 0; child < 8; ++child) {
@@ -350,19 +374,33 @@ std::uint32_t NearFieldMaker::Copy(std::uint32_t at) {
   return copy;
 }
 
-/// Of the corners and edges of what is kept, from all triangles around them.
+/// Of the corners and edges of what is kept, from all triangles around them; and which surfaces may end there.
 void NearFieldMaker::AddNormals() {
-  FieldNormals normals(field_->triangles_.size());
-  std::vector<FieldNormals::Places> places;
-  for (const NearField::Triangle& triangle : field_->triangles_) {
-    places.push_back(normals.Want(NearField::CornersOf(triangle)));
+  may_end_.assign(numbers_.size(), false);
+  std::vector<std::uint32_t> wanted;
+  for (const std::uint32_t id : exact_) {
+    if (may_end_[id]) continue;
+    may_end_[id] = true;
+    wanted.push_back(id);
   }
   const Pool& all = pools_[0];
-  for (std::size_t i = 0; i < all.ids.size(); ++i) normals.Add(all.packets[i / kLanes].Get(i % kLanes));
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  const auto triangle = [&all](std::uint32_t id) { return all.packets[id / kLanes].Get(id % kLanes); };
+  FieldNormals normals(wanted.size());
+  std::vector<FieldNormals::Places> places;
+  places.reserve(wanted.size());
+  for (const std::uint32_t id : wanted) places.push_back(normals.Want(triangle(id)));
+  for (const std::uint32_t id : all.ids) normals.Add(triangle(id), numbers_[id]);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    bool goes_on = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      field_->triangles_[i].corner_normals[k] = NearField::PackNormal(normals.sums()[places[i].corners[k]]);
-      field_->triangles_[i].edge_normals[k] = NearField::PackNormal(normals.sums()[places[i].edges[k]]);
+      goes_on = goes_on && normals.GoesOn(places[i].corners[k]) && normals.GoesOn(places[i].edges[k]);
+    }
+    may_end_[wanted[i]] = !goes_on;
+    if (kept_[wanted[i]] == kNotKept) continue;
+    NearField::Triangle& kept = field_->triangles_[kept_[wanted[i]]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      kept.corner_normals[k] = NearField::PackNormal(normals.sums()[places[i].corners[k]]);
+      kept.edge_normals[k] = NearField::PackNormal(normals.sums()[places[i].edges[k]]);
     }
   }
 }

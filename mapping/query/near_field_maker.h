@@ -56,7 +56,15 @@ class NearFieldMaker {
   void DropFarther(const AtCorners& other, float half, float slack);
   [[nodiscard]] std::size_t NumAlive() const;
   void Compact(const Pool& from, Pool& to) const;
+  /// A leaf while the field is made: what is listed, and what is nearest to any of its points.
+  struct Leaf {
+    std::uint32_t first = 0, count = 0;  ///< in the field's lists
+    bool is_unsure = false;
+    std::uint32_t first_exact = 0, num_exact = 0;  ///< in exact_
+  };
   std::uint32_t MakeLeaf(const Pool& pool, bool is_unsure);
+  void List(const Pool& pool, Leaf& leaf);
+  [[nodiscard]] std::uint32_t CodeOf(const Leaf& leaf) const;
   void Lay(std::uint32_t root);
   std::uint32_t Copy(std::uint32_t at);
   std::uint16_t Keep(std::uint32_t id, const TriangleCorners& triangle);
@@ -64,7 +72,10 @@ class NearFieldMaker {
 
   const MapSurfaces& surfaces_;
   std::array<Pool, NearField::kLevels + 1> pools_;  ///< by level
-  std::vector<std::array<std::uint32_t, 8>> nodes_;
+  std::vector<std::array<std::uint32_t, 8>> nodes_;  ///< other nodes, or the number of a leaf with NearField::kLeaf
+  std::vector<Leaf> leaves_;
+  std::vector<std::uint32_t> exact_;    ///< candidates, leaf by leaf
+  std::vector<bool> may_end_;           ///< by candidate that is in exact_: some surface ends on its border, or may
   std::vector<std::uint32_t> numbers_;  ///< of the submaps, by candidate
   std::vector<Tangents> tangents_;
   std::vector<std::uint8_t> alive_, saved_, picked_, front_, back_;  ///< a bit a lane
