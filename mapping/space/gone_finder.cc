@@ -9,7 +9,8 @@
 namespace dhpmap {
 namespace {
 
-/// A tile of which nothing has been looked through so far is looked at in one of so many frames: most of a map stays.
+/// A tile of what the frame has seen, of which nothing has been looked through so far, is looked at in one of so many
+/// frames: most of a map stays.
 constexpr std::uint64_t kTurns = 3;
 
 /// Whether any part of the sphere, of a submap on the map's grid, lies within a box around the sensor.
@@ -69,9 +70,12 @@ void GoneFinder::LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo
   }
 }
 
-void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t turn) {
+/// `turn`: of submaps whose tiles take turns.
+void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, const std::optional<std::uint64_t>& turn) {
   const BlockTile& tile = *entry.tile;
-  if (!IsItsTurn(entry.index, turn) && !HasCounts(tile)) return;
+  const bool has_counts = HasCounts(tile);
+  if (turn && !has_counts && !IsItsTurn(entry.index, *turn)) return;
+  if (has_counts) AddLeft(tile);
   if (num_jobs_ == jobs_.size()) jobs_.emplace_back();
   jobs_[num_jobs_].id = submap.id();
   jobs_[num_jobs_].submap = &submap;
@@ -79,16 +83,19 @@ void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, std::uint6
   ++num_jobs_;
 }
 
-void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Map& map) {
+void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map) {
   num_jobs_ = 0;
+  left_.Clear();
   in_view_ = {};
   in_view_.Reserve(tiles_.size());
   for (std::size_t i = 0; i < tiles_.size(); ++i) in_view_.Set(tiles_[i].index, static_cast<std::uint32_t>(i));
-  const std::uint64_t turn = DigitSum(static_cast<std::uint64_t>(map.info().num_frames));
+  const std::uint64_t turn_of_frame = DigitSum(static_cast<std::uint64_t>(map.info().num_frames));
   for (const auto& submap : map.submaps()) {
     const SubmapInfo& info = submap->info();
     if (info.is_placed || info.is_locked || !IsOnMapGrid(info, map.info().config)) continue;
     if (!MayReach(reach, origin, submap->bounding_sphere(), info.voxel_size_m)) continue;
+    const bool is_seen = info.last_observed_ns == from.stamp_ns;
+    const std::optional<std::uint64_t> turn = is_seen ? std::optional(turn_of_frame) : std::nullopt;
     const BlockTable& blocks = submap->blocks();
     if (blocks.tiles().size() <= tiles_.size()) {
       for (const TileEntry& entry : blocks.tiles()) {
@@ -102,25 +109,24 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Map&
   }
 }
 
+void GoneFinder::AddLeft(const BlockTile& tile) {
+  for (const BlockEntry& entry : tile.entries()) {
+    if (entry.gone == nullptr) continue;
+    const VoxelMask gone = entry.gone->Contradicted();
+    if (!HasNone(gone)) left_.Add(entry.index, NumIn(gone));
+  }
+}
+
 void GoneFinder::AddUp() {
-  at_ = {};
-  together_.clear();
+  together_.Clear();
   for (std::size_t i = 0; i < num_jobs_; ++i) {
-    for (const ContradictedBlock& block : jobs_[i].found) {
-      std::uint32_t at = at_.Find(block.index);
-      if (at == IndexMap<BlockIndex>::kNone) {
-        at = static_cast<std::uint32_t>(together_.size());
-        at_.Set(block.index, at);
-        together_.push_back(0);
-      }
-      together_[at] += block.num_in_all;
-    }
+    for (const ContradictedBlock& block : jobs_[i].found) together_.Add(block.index, block.num_in_all);
   }
 }
 
 bool GoneFinder::IsEnough(const ContradictedBlock& block) const {
   if (block.num_voxels >= kLeastVoxels) return true;
-  return block.num_voxels > 0 && together_[at_.Find(block.index)] >= kLeastTogether;
+  return block.num_voxels > 0 && together_.CountIn(block.index) >= kLeastTogether;
 }
 
 std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -17,8 +18,9 @@
 
 namespace dhpmap {
 
-/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number
-/// of the frame, until something of them is counted. Submaps that somebody has put where they are or has locked, and
+/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles of submaps that the same
+/// frame has observed take turns, by the number of the frame, until something of them is counted: what is seen where it
+/// is has mostly not left. Of others each view counts, as there may be few. Submaps that somebody has put where they are or has locked, and
 /// those on another grid than the map's, which were moved, are left alone, and so are voxels in regions that are kept
 /// clear, of which no point is seen. Keeps its buffers. Thread-compatible.
 class GoneFinder {
@@ -31,13 +33,13 @@ class GoneFinder {
     const MapConfig& config = map.info().config;
     const float farther_by_vox = GoneLook<View>::FartherBy_vox(config.voxel_size_m, config.truncation_m);
     ListTiles(view, origin, tiles_, farther_by_vox);
-    ListJobs(view.Reach().GrownBy(farther_by_vox), origin, map);
+    ListJobs(view.Reach().GrownBy(farther_by_vox), origin, from, map);
     pool.ParallelFor(num_jobs_, [&](std::size_t i) {
       ThrowIfStopped(stop);
       Job& job = jobs_[i];
       const SubmapInfo& info = job.submap->info();
       job.found.clear();
-      GoneLook<View>(view, origin, from, info.voxel_size_m, info.truncation_m, job.found).Look(*job.tile);
+      GoneLook<View>(view, origin, from, left_, info.voxel_size_m, info.truncation_m, job.found).Look(*job.tile);
       LeaveOutKeptClear(map.info().kept_clear, info, job.found);
     });
     return Count(from, map);
@@ -62,8 +64,9 @@ class GoneFinder {
   static void LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo& info,
                                 std::vector<ContradictedBlock>& found);
   /// The tiles of submaps that are in view.
-  void ListJobs(const Box& reach, const GridOrigin& origin, const Map& map);
-  void AddJob(const Submap& submap, const TileEntry& entry, std::uint64_t turn);
+  void ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map);
+  void AddJob(const Submap& submap, const TileEntry& entry, const std::optional<std::uint64_t>& turn);
+  void AddLeft(const BlockTile& tile);
   void AddUp();
   [[nodiscard]] bool IsEnough(const ContradictedBlock& block) const;
   std::vector<SubmapId> Count(const Viewpoint& from, Map& map);
@@ -72,8 +75,8 @@ class GoneFinder {
   IndexMap<TileIndex> in_view_;    ///< the same
   std::vector<Job> jobs_;          ///< beyond num_jobs_ they are kept for their memory
   std::size_t num_jobs_ = 0;
-  IndexMap<BlockIndex> at_;  ///< in `together_`
-  std::vector<int> together_;
+  LeftBlocks left_;      ///< before the look
+  LeftBlocks together_;  ///< after it, with what it says
 };
 
 }  // namespace dhpmap

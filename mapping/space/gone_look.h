@@ -10,11 +10,44 @@
 #include <numeric>
 #include <vector>
 
+#include "mapping/base/index_map.h"
 #include "mapping/map/block_table.h"
 #include "mapping/space/cell.h"
 #include "mapping/space/grid_origin.h"
 
 namespace dhpmap {
+
+inline int NumIn(const VoxelMask& mask) {
+  return std::accumulate(mask.begin(), mask.end(), 0,
+                         [](int sum, std::uint64_t word) { return sum + std::popcount(word); });
+}
+
+/// Blocks of a grid in which something is gone, of whichever submaps.
+class LeftBlocks {
+ public:
+  void Clear() {
+    at_ = {};
+    counts_.clear();
+  }
+  /// So many more voxels of the block are contradicted.
+  void Add(BlockIndex block, int num_voxels) {
+    const std::uint32_t known = at_.Find(block);
+    if (known != IndexMap<BlockIndex>::kNone) {
+      counts_[known] += num_voxels;
+      return;
+    }
+    at_.Set(block, static_cast<std::uint32_t>(counts_.size()));
+    counts_.push_back(num_voxels);
+  }
+  [[nodiscard]] int CountIn(BlockIndex block) const {
+    const std::uint32_t known = at_.Find(block);
+    return known == IndexMap<BlockIndex>::kNone ? 0 : counts_[known];
+  }
+
+ private:
+  IndexMap<BlockIndex> at_;  ///< in `counts_`
+  std::vector<int> counts_;
+};
 
 /// What a look says of a block of a submap.
 struct ContradictedBlock {
@@ -44,11 +77,12 @@ class GoneLook {
   }
 
   /// `truncation_m`: of the submap; what is farther from its surface says nothing of one.
-  GoneLook(const View& view, const GridOrigin& origin, const Viewpoint& from, double voxel_size_m, double truncation_m,
-           std::vector<ContradictedBlock>& found)
+  GoneLook(const View& view, const GridOrigin& origin, const Viewpoint& from, const LeftBlocks& left,
+           double voxel_size_m, double truncation_m, std::vector<ContradictedBlock>& found)
       : view_(view),
         origin_(origin),
         from_(from),
+        left_(left),
         voxels_per_m_(static_cast<float>(1 / voxel_size_m)),
         // What carving leaves is no surface.
         most_m_(static_cast<float>(0.999 * truncation_m)),
@@ -84,6 +118,9 @@ class GoneLook {
  private:
   /// Behind a surface of which a part is gone, what is seen is not inside of anything.
   static constexpr float kInside_vox = 0.75f;
+  /// Where so many voxels of a block, in all submaps, are contradicted, what is left of it, such as voxels of what left
+  /// that went to the wall behind it, need not be seen past by whole balls.
+  static constexpr int kLeastLeft = 12;
 
   /// `x`, `y`, `z`: the block's centre.
   void LookAtBlock(const BlockEntry& entry, float x, float y, float z) {
@@ -91,13 +128,14 @@ class GoneLook {
     CellSights sights;
     view_.Classify(Nearer(octants, farther_by_vox_), sights);
     contradicted_ = {.index = entry.index};
-    const int num_before = entry.gone != nullptr ? CountOf(entry.gone->Contradicted()) : 0;
+    const int num_before = entry.gone != nullptr ? NumIn(entry.gone->Contradicted()) : 0;
     is_open_ = num_before > 0;
+    is_left_ = left_.CountIn(entry.index) >= kLeastLeft;
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (sights[i] != CellSight::kHidden) LookAtOctant(entry, i, octants.x[i], octants.y[i], octants.z[i]);
     }
     if (num_balls_ > 0) Decide();
-    contradicted_.num_voxels = CountOf(contradicted_.voxels);
+    contradicted_.num_voxels = NumIn(contradicted_.voxels);
     contradicted_.num_in_all = contradicted_.num_voxels + num_before;
     if (contradicted_.num_in_all > 0) found_.push_back(contradicted_);
   }
@@ -122,6 +160,7 @@ class GoneLook {
     const float scale = ScaleToNearer(x, y, z, farther_by_vox_);
     view_.Test(scale * x + kToFirst, scale * y + kToFirst, scale * z + kToFirst, is_before);
     for (std::size_t i = 0; i < kOctantVoxels; ++i) is_before[i] &= is_near[i];
+    const bool is_remains = is_left_ && HasLeft(is_near, is_before);
     for (int i = 0; i < kOctantVoxels; ++i) {
       if ((i & 7) == 0 && !HasAny(is_before.data() + i)) {
         i += 7;
@@ -135,16 +174,19 @@ class GoneLook {
       balls_.x[num_balls_] = x + kToFirst + static_cast<float>(dx);
       balls_.y[num_balls_] = y + kToFirst + static_cast<float>(dy);
       balls_.z[num_balls_] = z + kToFirst + static_cast<float>(dz);
-      balls_.radius[num_balls_] =
-          is_open_ && distance_m < 0 ? kInside_vox : std::abs(distance_m) * voxels_per_m_ + kSlack_vox;
+      balls_.radius[num_balls_] = is_remains                   ? kSlack_vox
+                                  : is_open_ && distance_m < 0 ? kInside_vox
+                                                               : std::abs(distance_m) * voxels_per_m_ + kSlack_vox;
       linear_[num_balls_] = linear;
       if (++num_balls_ == kLanes) Decide();
     }
   }
 
-  static int CountOf(const VoxelMask& mask) {
-    return std::accumulate(mask.begin(), mask.end(), 0,
-                           [](int sum, std::uint64_t word) { return sum + std::popcount(word); });
+  /// Whether nearly all that says that there is something in an octant is seen past by the pixels of its centres.
+  static bool HasLeft(const std::array<std::uint8_t, kOctantVoxels>& is_near,
+                      const std::array<std::uint8_t, kOctantVoxels>& is_before) {
+    const auto count = [](const auto& all) { return std::accumulate(all.begin(), all.end(), 0); };
+    return 10 * count(is_before) >= 9 * count(is_near);
   }
 
   static bool HasAny(const std::uint8_t* eight) {
@@ -178,6 +220,7 @@ class GoneLook {
   const View& view_;
   const GridOrigin& origin_;
   const Viewpoint& from_;
+  const LeftBlocks& left_;
   const float voxels_per_m_, most_m_, balls_farther_by_vox_, farther_by_vox_;
   std::vector<ContradictedBlock>& found_;
   ContradictedBlock contradicted_;
@@ -185,6 +228,7 @@ class GoneLook {
   std::array<int, kLanes> linear_{};
   std::size_t num_balls_ = 0;
   bool is_open_ = false;  ///< of the block, something is gone already
+  bool is_left_ = false;  ///< of this block and others at its place, much is
 };
 
 }  // namespace dhpmap

@@ -17,13 +17,15 @@ void AddVoxelsOf(const BlockEntry& entry, const SubmapInfo& info, SurfaceVoxels&
     if (std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) >= near_m) continue;
     ++voxels.all;
     voxels.contradicted += entry.IsContradicted(linear);
+    voxels.settled += !is_unseen && entry.IsContradicted(linear);
     voxels.doubted_unseen += is_unseen && entry.gone->Count(linear) >= 2;
   }
 }
 
 bool IsMostGone(const SurfaceVoxels& voxels) {
-  const auto all = static_cast<double>(voxels.all);
-  return static_cast<double>(voxels.contradicted) > kAbsentShare * all ||
+  const auto all = static_cast<double>(voxels.all), contradicted = static_cast<double>(voxels.contradicted);
+  if (static_cast<double>(voxels.settled) > kMovedShare * contradicted) return contradicted > kAbsentShareMoved * all;
+  return contradicted > kAbsentShare * all ||
          static_cast<double>(voxels.doubted_unseen) > kAbsentShareUnseen * all;
 }
 

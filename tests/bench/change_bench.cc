@@ -40,10 +40,11 @@ class Points {
  public:
   explicit Points(double cell_m) : cell_m_(cell_m) {}
   void Add(const Eigen::Vector3d& p) { points_.try_emplace(VoxelAt(p, cell_m_), p); }
+  /// Within two cells along each axis.
   [[nodiscard]] bool HasNear(const Eigen::Vector3d& p) const {
     const VoxelIndex v = VoxelAt(p, cell_m_);
-    for (int i = 0; i < 27; ++i) {
-      if (points_.contains({v.x + i % 3 - 1, v.y + i / 3 % 3 - 1, v.z + i / 9 - 1})) return true;
+    for (int i = 0; i < 125; ++i) {
+      if (points_.contains({v.x + i % 5 - 2, v.y + i / 5 % 5 - 2, v.z + i / 25 - 2})) return true;
     }
     return false;
   }
@@ -143,7 +144,7 @@ Status RunChangeBench(const ChangeBenchOptions& options) {
   const auto after = builder.map().Publish(0);
   if (between == nullptr) return InvalidArgument("the recording has one walk only");
 
-  // Of what is gone, what had a surface, and where there is nothing else now.
+  // Of what is gone, what had a surface, and where there is nothing else now: else that has one within a voxel.
   std::vector<Eigen::Vector3d> gone;
   const std::vector<Eigen::Vector3d> once = measured.gone.List();
   const std::vector<bool> had = HaveSurface(between, once);
