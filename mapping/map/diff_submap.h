@@ -61,9 +61,7 @@ inline TileIndex IndexOf(const TileMarks& tile) { return tile.index(); }
 inline bool IsSameTile(const TileEntry& old, const TileEntry& now) { return IsSamePart(old.tile, now.tile); }
 inline bool IsSameTile(const TileMarks& old, const TileEntry& now) { return old.IsOf(now); }
 /// Whether two are known to have the same tiles without a look at them; reads nothing.
-inline bool HaveSameUnread(const Submap& old, const Submap& now) {
-  return old.blocks().SharesUnread(now.blocks());
-}
+inline bool HaveSameUnread(const Submap& old, const Submap& now) { return old.blocks().SharesUnread(now.blocks()); }
 inline bool HaveSameUnread(const SubmapMarks& old, const Submap& now) { return old.HaveUnread(now); }
 
 /// Lists what was written of a tile; `before` may be null.

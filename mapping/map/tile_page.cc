@@ -12,7 +12,8 @@ namespace dhpmap {
 namespace {
 
 struct PageCounters {
-  std::atomic<std::uint64_t> num_reads{0}, num_hits{0}, num_failures{0}, num_let_go{0}, num_spilled{0}, num_unspilled{0};
+  std::atomic<std::uint64_t> num_reads{0}, num_hits{0}, num_failures{0}, num_let_go{0}, num_spilled{0},
+      num_unspilled{0};
   std::atomic<std::int64_t> read_ns{0}, resident_bytes{0}, table_bytes{0};
 };
 PageCounters& Counters() {

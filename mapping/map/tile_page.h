@@ -119,7 +119,7 @@ class TilePage {
 /// What pages of all maps have in memory, and what was done for it. Of the process; thread-safe.
 struct PageCounts {
   std::uint64_t num_reads = 0;      ///< tiles that were read, from a store or a TileSpill
-  std::uint64_t num_hits = 0;       ///< times that one was in memory already, up to 255 a thread fewer
+  std::uint64_t num_hits = 0;       ///< times that one was in memory already; each thread keeps up to 255 back
   std::uint64_t num_failures = 0;   ///< tiles that could not be
   std::uint64_t num_let_go = 0;     ///< tiles that were left on the disk again
   std::uint64_t num_spilled = 0;    ///< tiles that were written to a TileSpill

@@ -56,7 +56,7 @@ MeshStream::MeshStream(MeshStream&&) noexcept = default;
 void MeshStream::AddLayer(const std::vector<const Submap*>& submaps, MeshColoring coloring,
                           const std::stop_token& stop) {
   if (stop.stop_requested()) return;
-  ThreadPool here(1);  // an export takes a core at most from mapping
+  ThreadPool here(1);  // an export takes a core at most from mapping, but to read
   auto layer = std::make_unique<Layer>(submaps, *map_->info().label_set, coloring, here, stop);
   layer->first_vertex = num_vertices();
   layer->first_triangle = num_triangles();

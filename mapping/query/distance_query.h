@@ -52,7 +52,7 @@ class DistanceQuery {
   /// `p_map`: finite, metres of the map frame.
   [[nodiscard]] SurfaceDistance At(const Eigen::Vector3d& p_map) const;
 
-  /// The same, exactly, with a limit of its own: finite, not negative.
+  /// The same, exactly, with a limit of its own: finite; less than 0 only if something is grown by as much.
   [[nodiscard]] SurfaceDistance Within(const Eigen::Vector3d& p_map, double limit_m) const;
 
   /// The same for many points, in their order; faster, as it goes from each to one close by. As many answers as points.

@@ -84,7 +84,7 @@ void FieldNormals::Add(const TriangleCorners& triangle, std::uint32_t surface) {
     const Eigen::Vector3f u = triangle[next] - triangle[i], v = triangle[last] - triangle[i];
     sums_[places[i]] += std::atan2(u.cross(v).norm(), u.dot(v)) * normal;
     ends_[places[i]] += Mix(keys[next] + own) - Mix(keys[last] + own);
-    if (places[next] == kNone) continue;
+    if (places[next] == kNone || places[next] == places[i]) continue;
     const Entry& edge = Find(KeyOf(places[i], places[next]));
     if (edge.key == 0) continue;
     sums_[edge.place] += normal;

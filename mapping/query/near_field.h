@@ -51,7 +51,7 @@ class NearField {
   [[nodiscard]] FieldReach Reach() const {
     return is_far_ ? FieldReach(horizon_m_) : FieldReach(double{half_}, horizon_m_, nearest_);
   }
-  /// Those of what it holds.
+  /// Those of what it holds, and of what else is nearest to any of its points.
   [[nodiscard]] const std::vector<SubmapId>& submaps() const { return submaps_; }
   [[nodiscard]] std::size_t MemoryBytes() const;
   [[nodiscard]] std::size_t num_triangles() const { return triangles_.size(); }

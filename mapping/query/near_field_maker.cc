@@ -327,16 +327,21 @@ std::uint32_t NearFieldMaker::CodeOf(const Leaf& leaf) const {
          (may_end ? NearField::kMayEnd : 0) | leaf.first;
 }
 
+std::uint16_t NearFieldMaker::NumberInField(std::uint32_t number) {
+  const SubmapId submap = surfaces_.index().entries()[number].submap().id();
+  const auto known = std::find(field_->submaps_.begin(), field_->submaps_.end(), submap);
+  const auto position = static_cast<std::uint16_t>(known - field_->submaps_.begin());
+  if (known == field_->submaps_.end()) field_->submaps_.push_back(submap);
+  return position;
+}
+
 std::uint16_t NearFieldMaker::Keep(std::uint32_t id, const TriangleCorners& triangle) {
   if (kept_[id] != kNotKept) return kept_[id];
-  const SubmapId submap = surfaces_.index().entries()[numbers_[id]].submap().id();
-  const auto known = std::find(field_->submaps_.begin(), field_->submaps_.end(), submap);
   NearField::Triangle& kept = field_->triangles_.emplace_back();
   for (std::size_t i = 0; i < 3; ++i) {
     for (int axis = 0; axis < 3; ++axis) kept.corners[i][axis] = triangle[i][axis];
   }
-  kept.submap = static_cast<std::uint16_t>(known - field_->submaps_.begin());
-  if (known == field_->submaps_.end()) field_->submaps_.push_back(submap);
+  kept.submap = NumberInField(numbers_[id]);
   alone_.push_back(kNowhere);
   kept_[id] = static_cast<std::uint16_t>(field_->triangles_.size() - 1);
   return kept_[id];
@@ -396,6 +401,7 @@ void NearFieldMaker::AddNormals() {
       goes_on = goes_on && normals.GoesOn(places[i].corners[k]) && normals.GoesOn(places[i].edges[k]);
     }
     may_end_[wanted[i]] = !goes_on;
+    (void)NumberInField(numbers_[wanted[i]]);  // what becomes of it concerns the field, whether it is listed or not
     if (kept_[wanted[i]] == kNotKept) continue;
     NearField::Triangle& kept = field_->triangles_[kept_[wanted[i]]];
     for (std::size_t k = 0; k < 3; ++k) {

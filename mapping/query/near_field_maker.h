@@ -67,11 +67,13 @@ class NearFieldMaker {
   [[nodiscard]] std::uint32_t CodeOf(const Leaf& leaf) const;
   void Lay(std::uint32_t root);
   std::uint32_t Copy(std::uint32_t at);
+  /// Of a submap in MapSurfaces: its position in the field's.
+  std::uint16_t NumberInField(std::uint32_t number);
   std::uint16_t Keep(std::uint32_t id, const TriangleCorners& triangle);
   void AddNormals();
 
   const MapSurfaces& surfaces_;
-  std::array<Pool, NearField::kLevels + 1> pools_;  ///< by level
+  std::array<Pool, NearField::kLevels + 1> pools_;   ///< by level
   std::vector<std::array<std::uint32_t, 8>> nodes_;  ///< other nodes, or the number of a leaf with NearField::kLeaf
   std::vector<Leaf> leaves_;
   std::vector<std::uint32_t> exact_;    ///< candidates, leaf by leaf

@@ -2,16 +2,20 @@
 #include "mapping/space/gone_finder.h"
 
 #include <cmath>
+#include <cstdlib>
 
+#include "mapping/map/read_tiles.h"
 #include "mapping/map/region.h"
 #include "mapping/map/voxel_mask.h"
 
 namespace dhpmap {
 namespace {
 
-/// A tile of what the frame has seen, of which nothing has been looked through so far, is looked at in one of so many
-/// frames: most of a map stays.
+/// A tile of which nothing has been looked through so far is looked at in one of so many frames: most of a map stays.
 constexpr std::uint64_t kTurns = 3;
+
+/// What has left longer ago has nothing to do with what is there now.
+constexpr std::int64_t kLeavesFor_ns = 60'000'000'000;
 
 /// Whether any part of the sphere, of a submap on the map's grid, lies within a box around the sensor.
 bool MayReach(const Box& reach, const GridOrigin& origin, const BoundingSphere& sphere, double voxel_size_m) {
@@ -75,17 +79,16 @@ void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, const std:
   const BlockTile& tile = *entry.tile;
   const bool has_counts = HasCounts(tile);
   if (turn && !has_counts && !IsItsTurn(entry.index, *turn)) return;
-  if (has_counts) AddLeft(tile);
   if (num_jobs_ == jobs_.size()) jobs_.emplace_back();
   jobs_[num_jobs_].id = submap.id();
   jobs_[num_jobs_].submap = &submap;
   jobs_[num_jobs_].tile = &tile;
+  jobs_[num_jobs_].has_counts = has_counts;
   ++num_jobs_;
 }
 
 void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map) {
   num_jobs_ = 0;
-  left_.Clear();
   in_view_ = {};
   in_view_.Reserve(tiles_.size());
   for (std::size_t i = 0; i < tiles_.size(); ++i) in_view_.Set(tiles_[i].index, static_cast<std::uint32_t>(i));
@@ -94,8 +97,8 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const View
     const SubmapInfo& info = submap->info();
     if (info.is_placed || info.is_locked || !IsOnMapGrid(info, map.info().config)) continue;
     if (!MayReach(reach, origin, submap->bounding_sphere(), info.voxel_size_m)) continue;
-    const bool is_seen = info.last_observed_ns == from.stamp_ns;
-    const std::optional<std::uint64_t> turn = is_seen ? std::optional(turn_of_frame) : std::nullopt;
+    const bool may_have_left = info.panoptic == Panoptic::kThing && info.last_observed_ns != from.stamp_ns;
+    const std::optional<std::uint64_t> turn = may_have_left ? std::nullopt : std::optional(turn_of_frame);
     const BlockTable& blocks = submap->blocks();
     if (blocks.tiles().size() <= tiles_.size()) {
       for (const TileEntry& entry : blocks.tiles()) {
@@ -109,11 +112,21 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const View
   }
 }
 
-void GoneFinder::AddLeft(const BlockTile& tile) {
-  for (const BlockEntry& entry : tile.entries()) {
-    if (entry.gone == nullptr) continue;
-    const VoxelMask gone = entry.gone->Contradicted();
-    if (!HasNone(gone)) left_.Add(entry.index, NumIn(gone));
+void GoneFinder::NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop) {
+  left_.Clear();
+  std::vector<const BlockTile*> unread;
+  for (std::size_t i = 0; i < num_jobs_; ++i) {
+    if (jobs_[i].has_counts && !jobs_[i].tile->IsRead()) unread.push_back(jobs_[i].tile);
+  }
+  ReadTiles(
+      unread, [&pool](std::size_t count, const auto& body) { pool.ParallelFor(count, body); }, stop);
+  ThrowIfStopped(stop);
+  for (std::size_t i = 0; i < num_jobs_; ++i) {
+    if (!jobs_[i].has_counts) continue;
+    for (const BlockEntry& entry : jobs_[i].tile->entries()) {
+      if (entry.gone == nullptr || std::abs(from.stamp_ns - entry.gone->last().stamp_ns) > kLeavesFor_ns) continue;
+      left_.Add(entry.index, NumIn(entry.gone->Contradicted()));
+    }
   }
 }
 

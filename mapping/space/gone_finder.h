@@ -18,11 +18,11 @@
 
 namespace dhpmap {
 
-/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles of submaps that the same
-/// frame has observed take turns, by the number of the frame, until something of them is counted: what is seen where it
-/// is has mostly not left. Of others each view counts, as there may be few. Submaps that somebody has put where they are or has locked, and
-/// those on another grid than the map's, which were moved, are left alone, and so are voxels in regions that are kept
-/// clear, of which no point is seen. Keeps its buffers. Thread-compatible.
+/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the
+/// number of the frame, until something of them is counted, but for those of things that the same frame has not
+/// observed: of what may have left there may be few views. Submaps that somebody has put where they are or has locked,
+/// and those on another grid than the map's, which were moved, are left alone, and so are voxels in regions that are
+/// kept clear, of which no point is seen. Keeps its buffers. Thread-compatible.
 class GoneFinder {
  public:
   /// Returns the submaps of which voxels were counted, by ascending id. The outcome does not depend on the number of
@@ -34,6 +34,7 @@ class GoneFinder {
     const float farther_by_vox = GoneLook<View>::FartherBy_vox(config.voxel_size_m, config.truncation_m);
     ListTiles(view, origin, tiles_, farther_by_vox);
     ListJobs(view.Reach().GrownBy(farther_by_vox), origin, from, map);
+    NoteLeft(from, pool, stop);
     pool.ParallelFor(num_jobs_, [&](std::size_t i) {
       ThrowIfStopped(stop);
       Job& job = jobs_[i];
@@ -57,6 +58,7 @@ class GoneFinder {
     // Until the map is written to:
     const Submap* submap = nullptr;
     const BlockTile* tile = nullptr;
+    bool has_counts = false;
     std::vector<ContradictedBlock> found;
   };
 
@@ -66,7 +68,8 @@ class GoneFinder {
   /// The tiles of submaps that are in view.
   void ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map);
   void AddJob(const Submap& submap, const TileEntry& entry, const std::optional<std::uint64_t>& turn);
-  void AddLeft(const BlockTile& tile);
+  /// Reads what is on the disk of the tiles that have counts.
+  void NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop);
   void AddUp();
   [[nodiscard]] bool IsEnough(const ContradictedBlock& block) const;
   std::vector<SubmapId> Count(const Viewpoint& from, Map& map);

@@ -118,8 +118,8 @@ class GoneLook {
  private:
   /// Behind a surface of which a part is gone, what is seen is not inside of anything.
   static constexpr float kInside_vox = 0.75f;
-  /// Where so many voxels of a block, in all submaps, are contradicted, what is left of it, such as voxels of what left
-  /// that went to the wall behind it, need not be seen past by whole balls.
+  /// Where so many voxels of a block, in all submaps, are contradicted, what is left of a surface, such as voxels of
+  /// what left that went to the wall behind it, need not be seen past by whole balls.
   static constexpr int kLeastLeft = 12;
 
   /// `x`, `y`, `z`: the block's centre.
@@ -174,9 +174,10 @@ class GoneLook {
       balls_.x[num_balls_] = x + kToFirst + static_cast<float>(dx);
       balls_.y[num_balls_] = y + kToFirst + static_cast<float>(dy);
       balls_.z[num_balls_] = z + kToFirst + static_cast<float>(dz);
-      balls_.radius[num_balls_] = is_remains                   ? kSlack_vox
+      const float away_vox = std::abs(distance_m) * voxels_per_m_;
+      balls_.radius[num_balls_] = is_remains && away_vox <= 1  ? kSlack_vox
                                   : is_open_ && distance_m < 0 ? kInside_vox
-                                                               : std::abs(distance_m) * voxels_per_m_ + kSlack_vox;
+                                                               : away_vox + kSlack_vox;
       linear_[num_balls_] = linear;
       if (++num_balls_ == kLanes) Decide();
     }

@@ -12,21 +12,22 @@ void AddVoxelsOf(const BlockEntry& entry, const SubmapInfo& info, SurfaceVoxels&
   if (entry.tsdf == nullptr) return;
   const auto near_m = static_cast<float>(info.voxel_size_m);
   const bool is_unseen = entry.gone != nullptr && entry.gone->last().stamp_ns > info.last_observed_ns;
+  const bool is_settled = entry.gone != nullptr && entry.gone->last().stamp_ns < info.last_observed_ns;
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
     if (!entry.tsdf->IsObserved(linear)) continue;
     if (std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) >= near_m) continue;
     ++voxels.all;
     voxels.contradicted += entry.IsContradicted(linear);
-    voxels.settled += !is_unseen && entry.IsContradicted(linear);
+    voxels.settled += is_settled && entry.IsContradicted(linear);
     voxels.doubted_unseen += is_unseen && entry.gone->Count(linear) >= 2;
   }
 }
 
 bool IsMostGone(const SurfaceVoxels& voxels) {
-  const auto all = static_cast<double>(voxels.all), contradicted = static_cast<double>(voxels.contradicted);
-  if (static_cast<double>(voxels.settled) > kMovedShare * contradicted) return contradicted > kAbsentShareMoved * all;
-  return contradicted > kAbsentShare * all ||
-         static_cast<double>(voxels.doubted_unseen) > kAbsentShareUnseen * all;
+  const auto all = static_cast<double>(voxels.all), settled = static_cast<double>(voxels.settled);
+  const auto contradicted = static_cast<double>(voxels.contradicted);
+  if (settled > kMovedShare * all) return contradicted - settled > kAbsentShare * (all - settled);
+  return contradicted > kAbsentShare * all || static_cast<double>(voxels.doubted_unseen) > kAbsentShareUnseen * all;
 }
 
 /// Blocks against which nothing was counted can only add to what is there: they are looked at if the others alone would

@@ -14,15 +14,15 @@ inline constexpr double kAbsentShare = 0.6;
 /// The same of one that nobody has seen since sensors looked through it: what they did not look at goes with the rest.
 inline constexpr double kAbsentShareUnseen = 0.25;
 
-/// The same of one that was seen although much of it had been contradicted before: it was moved, and is where it was
-/// seen. That part is more than this share of what is contradicted.
-inline constexpr double kAbsentShareMoved = 0.9, kMovedShare = 0.05;
+/// One that was seen although more than this share of it had been contradicted before was moved, and is where it was
+/// seen: of all else, kAbsentShare has to be contradicted.
+inline constexpr double kMovedShare = 0.1;
 
 /// Voxels of a submap within a voxel of its surface.
 struct SurfaceVoxels {
   std::int64_t all = 0, contradicted = 0;
-  /// Of the contradicted, those of blocks against which nothing was counted since the submap was last observed: it was
-  /// there all the same, such as where it was moved to.
+  /// Of the contradicted, those of blocks against which nothing was counted after the submap was last observed, nor
+  /// with it: it was seen all the same, such as where it was moved to.
   std::int64_t settled = 0;
   /// Looked through at least twice, in blocks that were so after the submap was last observed.
   std::int64_t doubted_unseen = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/map_stats.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <vector>
@@ -23,25 +24,29 @@ void AddBlocks(const Submap& submap, MapStats& stats) {
   }
 }
 
-std::int64_t NumObservedVoxels(const MapSnapshot& snapshot, const Spread& spread) {
+std::int64_t NumObservedVoxels(const MapSnapshot& snapshot, const Spread& spread, const std::stop_token& stop) {
   std::vector<const BlockTile*> tiles;
   for (const auto& submap : snapshot.submaps()) {
     for (const TileEntry& entry : submap->blocks().tiles()) tiles.push_back(entry.tile.get());
   }
   std::atomic<std::int64_t> num_voxels = 0;
-  spread(tiles.size(), [&](std::size_t i) {
-    std::int64_t of_tile = 0;
-    for (const ScannedTile scanned(*tiles[i]); const BlockEntry& entry : scanned.entries()) {
-      of_tile += entry.tsdf ? entry.tsdf->NumObservedVoxels() : 0;
-    }
-    num_voxels.fetch_add(of_tile, std::memory_order_relaxed);
-  });
+  constexpr std::size_t kAtOnce = 64;  // then who helps is let go, for what else there is to do
+  for (std::size_t begin = 0; begin < tiles.size() && !stop.stop_requested(); begin += kAtOnce) {
+    spread(std::min(kAtOnce, tiles.size() - begin), [&](std::size_t i) {
+      std::int64_t of_tile = 0;
+      for (const ScannedTile scanned(*tiles[begin + i]); const BlockEntry& entry : scanned.entries()) {
+        of_tile += entry.tsdf ? entry.tsdf->NumObservedVoxels() : 0;
+      }
+      num_voxels.fetch_add(of_tile, std::memory_order_relaxed);
+    });
+  }
   return num_voxels.load();
 }
 
 }  // namespace
 
-MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels, const Spread& spread) {
+MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels, const Spread& spread,
+                      const std::stop_token& stop) {
   MapStats stats;
   stats.memory_bytes =
       static_cast<std::int64_t>(snapshot.free_space()->MemoryBytes() + snapshot.noted_vacated()->MemoryBytes());
@@ -54,16 +59,19 @@ MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels, const Sprea
     stats.memory_bytes += static_cast<std::int64_t>(submap->MemoryBytes());
     AddBlocks(*submap, stats);
   }
-  if (with_voxels) stats.num_observed_voxels = NumObservedVoxels(snapshot, spread);
+  if (with_voxels) stats.num_observed_voxels = NumObservedVoxels(snapshot, spread, stop);
   return stats;
 }
 
-Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view, const Spread& spread) {
+Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view, const Spread& spread,
+                           const std::stop_token& stop) {
   const MapSnapshot& snapshot = view.snapshot();
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t disk_bytes, registry.DiskBytes(snapshot.info().name));
+  const MapStats stats = ComputeStats(snapshot, /*with_voxels=*/true, spread, stop);
+  if (stop.stop_requested()) return Cancelled("nobody waits for the statistics any longer");
   return MapReport{.revision = snapshot.revision(),
                    .num_frames = snapshot.info().num_frames,
-                   .stats = ComputeStats(snapshot, /*with_voxels=*/true, spread),
+                   .stats = stats,
                    .disk_bytes = disk_bytes};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <string>
 
 #include "mapping/base/result.h"
@@ -27,8 +28,9 @@ struct MapStats {
 };
 
 /// Visits every block; if `with_voxels` also every voxel, else num_observed_voxels stays 0. Blocks that clones share
-/// count once for each. Throws StatusError.
-MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels, const Spread& spread = InPlace);
+/// count once for each. After a `stop` requested meanwhile they are of no use. Throws StatusError.
+MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels, const Spread& spread = InPlace,
+                      const std::stop_token& stop = {});
 
 /// What there is to know of a map and its cost.
 struct MapReport {
@@ -38,7 +40,8 @@ struct MapReport {
   std::int64_t disk_bytes = 0;  ///< encoded blocks in the store, as it is now
 };
 
-/// Of a state of a map; NOT_FOUND if the map is gone. Visits every voxel. Throws StatusError.
-Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view, const Spread& spread = InPlace);
+/// Of a state of a map; NOT_FOUND if the map is gone, CANCELLED after a `stop`. Visits every voxel. Throws StatusError.
+Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view, const Spread& spread = InPlace,
+                           const std::stop_token& stop = {});
 
 }  // namespace dhpmap

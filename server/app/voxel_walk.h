@@ -52,7 +52,7 @@ class VoxelWalk {
   const Submap* submap_;
   double max_abs_distance_m_;
   Spread spread_;
-  std::size_t tile_ = 0, block_ = 0;                         ///< the next
+  std::size_t tile_ = 0, block_ = 0;                        ///< the next
   std::deque<std::shared_ptr<const ScannedTile>> scanned_;  ///< that tile, once it was begun, and others behind it
   std::vector<ObservedVoxel> voxels_;
 };

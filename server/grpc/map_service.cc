@@ -138,9 +138,9 @@ class MapService final : public CountedService<v1::MapService> {
   grpc::ServerUnaryReactor* GetMapStats(grpc::CallbackServerContext*, const v1::GetMapStatsRequest* request,
                                         v1::GetMapStatsResponse* response) override {
     return RunBulk(context_, {"MapService/GetMapStats", request, response}, 0,
-                   [=, this](const std::stop_token&) -> Status {
+                   [=, this](const std::stop_token& stop) -> Status {
                      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
-                     DHPMAP_ASSIGN_OR_RETURN(const MapReport report, ReportAt(name, *request));
+                     DHPMAP_ASSIGN_OR_RETURN(const MapReport report, ReportAt(name, *request, stop));
                      *response = ToProto(report);
                      return Status::Ok();
                    });
@@ -152,9 +152,10 @@ class MapService final : public CountedService<v1::MapService> {
     DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request));
     return SummaryOf(view->snapshot());
   }
-  Result<MapReport> ReportAt(const std::string& map, const v1::GetMapStatsRequest& request) const {
+  Result<MapReport> ReportAt(const std::string& map, const v1::GetMapStatsRequest& request,
+                             const std::stop_token& stop) const {
     DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request));
-    return ReportOf(context_.registry, *view, OnBulkLane(context_));
+    return ReportOf(context_.registry, *view, OnBulkLane(context_), stop);
   }
 
   const ServiceContext& context_;

@@ -139,5 +139,32 @@ TEST(GoneRemains, AThingOfWhichAPartIsGoneIsThereWhileTheRestIsSeen) {
   EXPECT_FALSE(after->Find(id)->IsAbsent());
 }
 
+TEST(GoneRemains, AFewLooksInARowAreEnoughForWhatIsNotSeenWhereItWas) {
+  Session session;
+  session.Walk(With(EmptyRoom(), Chair()), 12);
+  const auto chair = WithSurface(session.Now(), PointsOf(Chair()));
+  session.Walk(EmptyRoom(), 4);
+  EXPECT_LE(ShareWithSurface(session.Now(), chair), 0.05);
+}
+
+TEST(GoneRemains, AThingThatWasMovedIsThereWhileOnlyItsOldPlaceIsInSight) {
+  Session session;
+  session.Walk(With(EmptyRoom(), Chair()), 12);
+  const SubmapId id = FindThing(*session.Now(), kChair)->id();
+  const Solid there = Chair(1.9, 0.9);
+  session.Walk(With(EmptyRoom(), there), 8);
+  ASSERT_EQ(FindThing(*session.Now(), kChair)->id(), id) << "by its persistent id";
+  // Then somebody steps between the camera and its new place, and the lower part of its old one.
+  const Solid board = Box(kDoor, {1.2, 0.85, 0.6}, {0.03, 0.45, 0.6}),
+              low = Box(kDoor, {1.2, 0, 0.2}, {0.03, 0.4, 0.2});
+  session.Walk(With(With(With(EmptyRoom(), there), board), low), 10);
+  UpdatePresenceOfAll(session.map());
+  const auto after = session.Now();
+  const SurfaceVoxels voxels = CountSurfaceVoxels(*after->Find(id));
+  EXPECT_GT(voxels.settled, 0);
+  EXPECT_GT(static_cast<double>(voxels.doubted_unseen), kAbsentShareUnseen * static_cast<double>(voxels.all));
+  EXPECT_FALSE(after->Find(id)->IsAbsent());
+}
+
 }  // namespace
 }  // namespace dhpmap

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mapping/query/distance_query.h"
+#include "mapping/query/field_normals.h"
 #include "mapping/query/near_field_maker.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
@@ -395,6 +396,68 @@ TEST_F(FieldStoreTest, DropsThoseNotAskedForLongest) {
   EXPECT_NE(store_.Find({0, 0, 2}, 0), nullptr);
   EXPECT_EQ(store_.Find({0, 0, 0}, 0), nullptr);
   EXPECT_LE(ledger_->cell_bytes, ledger_->most_field_bytes);
+}
+
+/// Two triangles a square of a metre, of `size` times `size` of them in the plane z = 0, seen from above.
+std::vector<TriangleCorners> Sheet(int size) {
+  std::vector<TriangleCorners> triangles;
+  for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y) {
+      const Eigen::Vector3f a(static_cast<float>(x), static_cast<float>(y), 0), u = Eigen::Vector3f::UnitX(),
+                                                                                v = Eigen::Vector3f::UnitY();
+      triangles.push_back({a, a + u, a + v});
+      triangles.push_back({a + u, a + u + v, a + v});
+    }
+  }
+  return triangles;
+}
+
+bool IsInside(const Eigen::Vector3f& p, int size) {
+  return p.x() > 0 && p.y() > 0 && p.x() < static_cast<float>(size) && p.y() < static_cast<float>(size);
+}
+
+TEST(FieldNormals, ASheetEndsAtItsBorderAndNowhereElse) {
+  constexpr int kSize = 4;
+  const auto sheet = Sheet(kSize);
+  FieldNormals normals(sheet.size());
+  std::vector<FieldNormals::Places> places;
+  places.reserve(sheet.size());
+  for (const TriangleCorners& triangle : sheet) places.push_back(normals.Want(triangle));
+  for (const TriangleCorners& triangle : sheet) normals.Add(triangle, 7);
+  for (std::size_t i = 0; i < sheet.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Vector3f &a = sheet[i][k], &b = sheet[i][(k + 1) % 3];
+      EXPECT_EQ(normals.GoesOn(places[i].corners[k]), IsInside(a, kSize)) << a.transpose();
+      EXPECT_EQ(normals.GoesOn(places[i].edges[k]), IsInside((a + b) / 2, kSize))
+          << a.transpose() << ", " << b.transpose();
+      EXPECT_TRUE(normals.sums()[places[i].edges[k]].normalized().isApprox(Eigen::Vector3f::UnitZ()));
+    }
+  }
+}
+
+TEST(FieldNormals, ASurfaceDoesNotGoOnInAnotherThatMeetsIt) {
+  const auto sheet = Sheet(2);
+  FieldNormals normals(sheet.size());
+  const FieldNormals::Places places = normals.Want(sheet[0]);
+  for (std::size_t i = 0; i < sheet.size(); ++i) normals.Add(sheet[i], i == 1 ? 1 : 0);
+  EXPECT_FALSE(normals.GoesOn(places.edges[1])) << "the other triangle of the square is of another surface";
+  EXPECT_FALSE(normals.GoesOn(places.corners[1]));
+}
+
+TEST(FieldNormals, AClosedSurfaceGoesOnEverywhere) {
+  const Eigen::Vector3f o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const std::vector<TriangleCorners> tetrahedron = {{o, y, x}, {o, x, z}, {o, z, y}, {x, y, z}};
+  FieldNormals normals(tetrahedron.size());
+  std::vector<FieldNormals::Places> places;
+  places.reserve(tetrahedron.size());
+  for (const TriangleCorners& triangle : tetrahedron) places.push_back(normals.Want(triangle));
+  for (const TriangleCorners& triangle : tetrahedron) normals.Add(triangle, 0);
+  for (const FieldNormals::Places& of : places) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_TRUE(normals.GoesOn(of.corners[k]));
+      EXPECT_TRUE(normals.GoesOn(of.edges[k]));
+    }
+  }
 }
 
 }  // namespace
