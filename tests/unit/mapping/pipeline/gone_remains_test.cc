@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "mapping/space/presence.h"
 #include "tests/unit/mapping/pipeline/gone_scene.h"
@@ -147,23 +149,37 @@ TEST(GoneRemains, AFewLooksInARowAreEnoughForWhatIsNotSeenWhereItWas) {
   EXPECT_LE(ShareWithSurface(session.Now(), chair), 0.05);
 }
 
-TEST(GoneRemains, AThingThatWasMovedIsThereWhileOnlyItsOldPlaceIsInSight) {
-  Session session;
-  session.Walk(With(EmptyRoom(), Chair()), 12);
-  const SubmapId id = FindThing(*session.Now(), kChair)->id();
-  const Solid there = Chair(1.9, 0.9);
-  session.Walk(With(EmptyRoom(), there), 8);
-  ASSERT_EQ(FindThing(*session.Now(), kChair)->id(), id) << "by its persistent id";
-  // Then somebody steps between the camera and its new place, and the lower part of its old one.
-  const Solid board = Box(kDoor, {1.2, 0.85, 0.6}, {0.03, 0.45, 0.6}),
-              low = Box(kDoor, {1.2, 0, 0.2}, {0.03, 0.4, 0.2});
-  session.Walk(With(With(With(EmptyRoom(), there), board), low), 10);
-  UpdatePresenceOfAll(session.map());
-  const auto after = session.Now();
-  const SurfaceVoxels voxels = CountSurfaceVoxels(*after->Find(id));
-  EXPECT_GT(voxels.settled, 0);
-  EXPECT_GT(static_cast<double>(voxels.doubted_unseen), kAbsentShareUnseen * static_cast<double>(voxels.all));
-  EXPECT_FALSE(after->Find(id)->IsAbsent());
+/// Looks through all blocks of a submap at this height so often, last at `stamp_ns`.
+void LookThrough(std::int32_t height, int times, std::int64_t stamp_ns, Submap& submap) {
+  VoxelMask all;
+  all.fill(~std::uint64_t{0});
+  std::vector<BlockIndex> blocks;
+  for (const BlockEntry& entry : submap.blocks().entries()) {
+    if (entry.index.z == height) blocks.push_back(entry.index);
+  }
+  for (const BlockIndex block : blocks) {
+    for (int i = 0; i < times; ++i) submap.MutableGone(block).Raise(all, {.position_m = {}, .stamp_ns = stamp_ns});
+  }
+}
+
+TEST(GoneRemains, WhatWasContradictedBeforeAThingWasLastSeenSaysNothingOfWhereItIs) {
+  constexpr std::int64_t kSeen_ns = 50'000'000'000, kLater_ns = 60'000'000'000;
+  for (const bool is_before : {true, false}) {
+    Session session;
+    session.Walk(With(EmptyRoom(), Chair()), 12);
+    Submap& chair = *session.map().FindMutable(FindThing(*session.Now(), kChair)->id());
+    chair.mutable_info().activity = Activity::kInactive;
+    chair.mutable_info().last_observed_ns = kSeen_ns;
+    LookThrough(0, GoneBlock::kContradicted, is_before ? kSeen_ns - 1 : kLater_ns, chair);
+    LookThrough(1, GoneBlock::kContradicted - 1, kLater_ns, chair);
+    const SurfaceVoxels voxels = CountSurfaceVoxels(chair);
+    ASSERT_LT(static_cast<double>(voxels.contradicted), kAbsentShare * static_cast<double>(voxels.all));
+    ASSERT_GT(static_cast<double>(voxels.contradicted), kMovedShare * static_cast<double>(voxels.all));
+    ASSERT_GT(static_cast<double>(voxels.doubted_unseen), kAbsentShareUnseen * static_cast<double>(voxels.all));
+    EXPECT_EQ(voxels.settled, is_before ? voxels.contradicted : 0);
+    UpdatePresenceOfAll(session.map());
+    EXPECT_EQ(chair.IsAbsent(), !is_before) << "it was moved, and is where it was seen";
+  }
 }
 
 }  // namespace
