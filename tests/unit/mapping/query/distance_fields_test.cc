@@ -250,6 +250,7 @@ TEST(DistanceFields, OfManyThreadsAreRight) {
   const DistanceQuery quick(cache.Of(state), Approximate()), exact(fresh.Of(state), {});
   std::vector<std::vector<SurfaceDistance>> answers(4);
   std::vector<std::thread> threads;
+  threads.reserve(answers.size());
   for (auto& mine : answers) threads.emplace_back([&] { mine = AskOften(quick, points); });
   for (std::thread& thread : threads) thread.join();
   for (std::size_t i = 0; i < points.size(); ++i) {
