@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <stop_token>
 
 namespace dhpmap {
 
@@ -13,6 +15,18 @@ using Spread = std::function<void(std::size_t count, const std::function<void(st
 /// The Spread that runs everything in place.
 inline void InPlace(std::size_t count, const std::function<void(std::size_t)>& body) {
   for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+/// The same of many items that take long, some at a time, so that who helps is let go for what else there is to do.
+/// After a `stop` requested meanwhile some are left.
+inline void InParts(std::size_t count, const Spread& spread, const std::stop_token& stop,
+                    const std::function<void(std::size_t)>& body) {
+  constexpr std::size_t kAtOnce = 64;
+  for (std::size_t begin = 0; begin < count && !stop.stop_requested(); begin += kAtOnce) {
+    spread(std::min(kAtOnce, count - begin), [&](std::size_t i) {
+      if (!stop.stop_requested()) body(begin + i);
+    });
+  }
 }
 
 }  // namespace dhpmap

@@ -14,8 +14,8 @@ namespace dhpmap {
 void AddUnread(const BlockTable& blocks, std::vector<const BlockTile*>& unread);
 
 /// Reads them, several at a time, for who is about to go through all of them: one after the other they would be waited
-/// for. Who helps is let go after a few, for what else there is to do. They count for the request of the calling thread
-/// (PageReader). After a `stop` that is requested meanwhile some are left. Throws StatusError.
+/// for. They count for whose requests the threads of `spread` read (PageReader). After a `stop` that is requested
+/// meanwhile some are left. Throws StatusError.
 void ReadTiles(std::span<const BlockTile* const> unread, const Spread& spread, const std::stop_token& stop = {});
 
 }  // namespace dhpmap

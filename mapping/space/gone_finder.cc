@@ -2,7 +2,6 @@
 #include "mapping/space/gone_finder.h"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "mapping/map/read_tiles.h"
 #include "mapping/map/region.h"
@@ -15,7 +14,13 @@ namespace {
 constexpr std::uint64_t kTurns = 3;
 
 /// What has left longer ago has nothing to do with what is there now.
-constexpr std::int64_t kLeavesFor_ns = 60'000'000'000;
+constexpr std::uint64_t kLeavesFor_ns = 60'000'000'000;
+
+/// Of stamps that may be as far apart as they can.
+bool IsWithin(std::uint64_t most_ns, std::int64_t a_ns, std::int64_t b_ns) {
+  const auto a = static_cast<std::uint64_t>(a_ns), b = static_cast<std::uint64_t>(b_ns);
+  return (a_ns > b_ns ? a - b : b - a) <= most_ns;
+}
 
 /// Whether any part of the sphere, of a submap on the map's grid, lies within a box around the sensor.
 bool MayReach(const Box& reach, const GridOrigin& origin, const BoundingSphere& sphere, double voxel_size_m) {
@@ -124,7 +129,7 @@ void GoneFinder::NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::st
   for (std::size_t i = 0; i < num_jobs_; ++i) {
     if (!jobs_[i].has_counts) continue;
     for (const BlockEntry& entry : jobs_[i].tile->entries()) {
-      if (entry.gone == nullptr || std::abs(from.stamp_ns - entry.gone->last().stamp_ns) > kLeavesFor_ns) continue;
+      if (entry.gone == nullptr || !IsWithin(kLeavesFor_ns, from.stamp_ns, entry.gone->last().stamp_ns)) continue;
       left_.Add(entry.index, NumIn(entry.gone->Contradicted()));
     }
   }

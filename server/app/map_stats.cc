@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/map_stats.h"
 
-#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <vector>
@@ -30,16 +29,13 @@ std::int64_t NumObservedVoxels(const MapSnapshot& snapshot, const Spread& spread
     for (const TileEntry& entry : submap->blocks().tiles()) tiles.push_back(entry.tile.get());
   }
   std::atomic<std::int64_t> num_voxels = 0;
-  constexpr std::size_t kAtOnce = 64;  // then who helps is let go, for what else there is to do
-  for (std::size_t begin = 0; begin < tiles.size() && !stop.stop_requested(); begin += kAtOnce) {
-    spread(std::min(kAtOnce, tiles.size() - begin), [&](std::size_t i) {
-      std::int64_t of_tile = 0;
-      for (const ScannedTile scanned(*tiles[begin + i]); const BlockEntry& entry : scanned.entries()) {
-        of_tile += entry.tsdf ? entry.tsdf->NumObservedVoxels() : 0;
-      }
-      num_voxels.fetch_add(of_tile, std::memory_order_relaxed);
-    });
-  }
+  InParts(tiles.size(), spread, stop, [&](std::size_t i) {
+    std::int64_t of_tile = 0;
+    for (const ScannedTile scanned(*tiles[i]); const BlockEntry& entry : scanned.entries()) {
+      of_tile += entry.tsdf ? entry.tsdf->NumObservedVoxels() : 0;
+    }
+    num_voxels.fetch_add(of_tile, std::memory_order_relaxed);
+  });
   return num_voxels.load();
 }
 

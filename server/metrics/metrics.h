@@ -35,8 +35,8 @@ class Metrics {
     // Tiles of maps that are on the disk, in the store or in the file beside it, until they are needed.
     std::int64_t page_bytes = 0;             ///< of voxels that were, and are still in memory
     std::uint64_t num_pages_read = 0;        ///< since the start
-    std::uint64_t num_page_hits = 0;         ///< times that one was in memory already
     std::int64_t page_read_ns = 0;           ///< that this took, of all threads
+    std::uint64_t num_page_hits = 0;         ///< times that one was in memory already
     std::int64_t page_held_bytes = 0;        ///< of what requests under way have read
     std::uint64_t num_pages_unreadable = 0;  ///< tries to read one that failed
     std::uint64_t num_pages_let_go = 0;      ///< left in the store again, as there were too many

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "mapping/space/presence.h"
@@ -146,6 +147,18 @@ TEST(GoneRemains, AFewLooksInARowAreEnoughForWhatIsNotSeenWhereItWas) {
   session.Walk(With(EmptyRoom(), Chair()), 12);
   const auto chair = WithSurface(session.Now(), PointsOf(Chair()));
   session.Walk(EmptyRoom(), 4);
+  EXPECT_LE(ShareWithSurface(session.Now(), chair), 0.05);
+}
+
+TEST(GoneRemains, StampsMayBeAsFarApartAsTheyCan) {
+  Session session;
+  session.Walk(With(EmptyRoom(), Chair()), 12);
+  const auto chair = WithSurface(session.Now(), PointsOf(Chair()));
+  for (int i = 0; i < 14; ++i) {
+    PanopticFrame frame = WalkFrame(EmptyRoom(), 12 + i);
+    frame.stamp_ns = i % 2 == 0 ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
+    session.Take(frame);
+  }
   EXPECT_LE(ShareWithSurface(session.Now(), chair), 0.05);
 }
 
