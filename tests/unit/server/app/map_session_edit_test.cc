@@ -210,14 +210,15 @@ TEST_F(MapSessionTest, WhatTheMovesOfAListHaveLeftIsStoredAndUndone) {
   EXPECT_EQ(session->View()->snapshot().vacated()->NumFreeVoxels(), before->vacated()->NumFreeVoxels());
 }
 
-/// A memory store of which a commit that is no edit's waits until it may go.
+/// A memory store of which the commit of what an edit has left waits until it may go. No other one of the same state
+/// does: one may come twice, as a frame's commit is in the store before the session knows.
 class WaitingStore final : public MapStore {
  public:
   Result<std::vector<StoredMap>> ListMaps() override { return inner_->ListMaps(); }
   Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
-    if (before.revision() == after.revision()) may_go_.wait();
+    if (before.revision() == after.revision() && before.lacks_left()) may_go_.wait();
     return inner_->Commit(before, after, durability);
   }
   Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
