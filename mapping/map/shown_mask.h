@@ -7,6 +7,10 @@
 #include <cstdint>
 #include <cstring>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "mapping/map/block_entry.h"
 #include "mapping/map/voxel_mask.h"
 
@@ -14,19 +18,36 @@ namespace dhpmap {
 
 // What holds of the voxels of a block, of all at once: a fraction of what it costs to ask for each.
 
-/// Those of whose value the condition holds, of values by LinearIndex. A comparison is made of several at a time.
+/// Those of a layer of voxels (one z) of whose value the condition holds, of 64 values by LinearIndex: a bit each. A
+/// comparison is made of several at a time.
+template <typename Value, typename Condition>
+[[nodiscard]] std::uint64_t LayerWhere(const Value* values, Condition&& holds) {
+  static_assert(std::endian::native == std::endian::little, "the first of eight bytes has the lowest bits");
+  constexpr std::size_t kVoxels = std::size_t{kBlockSide} * kBlockSide;
+  std::array<std::uint8_t, kVoxels> flags;  // a byte each: a loop that is vectorised
+  for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = holds(values[i]) ? 0xFF : 0;
+  std::uint64_t layer = 0;
+#ifdef __SSE2__
+  for (std::size_t i = 0; i < flags.size(); i += sizeof(__m128i)) {
+    const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&flags[i]));
+    layer |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(_mm_movemask_epi8(bytes))) << i;
+  }
+#else
+  constexpr std::uint64_t kLowBits = 0x0101010101010101u, kLowBitsToTop = 0x0102040810204080u;
+  for (std::size_t i = 0; i < flags.size(); i += 8) {
+    std::uint64_t bytes;
+    std::memcpy(&bytes, &flags[i], sizeof(bytes));
+    layer |= ((bytes & kLowBits) * kLowBitsToTop >> 56) << i;
+  }
+#endif
+  return layer;
+}
+
+/// The same of a whole block.
 template <typename Value, typename Condition>
 [[nodiscard]] VoxelMask MaskWhere(const std::array<Value, kBlockVoxels>& values, Condition&& holds) {
-  static_assert(std::endian::native == std::endian::little, "the first of eight bytes has the lowest bits");
-  constexpr std::uint64_t kLowBitsToTop = 0x0102040810204080u;  // of eight bytes to those of the highest, in order
-  std::array<std::uint8_t, kBlockVoxels> flags;                 // a byte each: a loop that is vectorised
-  for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = holds(values[i]) ? 1 : 0;
-  VoxelMask mask{};
-  for (std::size_t row = 0; row < flags.size() / 8; ++row) {
-    std::uint64_t bytes;
-    std::memcpy(&bytes, flags.data() + 8 * row, sizeof(bytes));
-    mask[row / kBlockSide] |= (bytes * kLowBitsToTop >> 56) << (8 * (row % kBlockSide));
-  }
+  VoxelMask mask;
+  for (std::size_t z = 0; z < mask.size(); ++z) mask[z] = LayerWhere(&values[64 * z], holds);
   return mask;
 }
 

@@ -21,6 +21,11 @@ TileNeighbourhood FindNeighbourhood(const BlockTable& blocks, TileIndex tile);
 /// The blocks of them that it is made of: the tile's own and those that touch it, at offsets -1 to kTileSide from its
 /// first, x fastest. Null where there is no TSDF. While what these show of a surface is the same, so is the surface.
 using TileBlocks = std::array<const BlockEntry*, std::size_t{kTileSide + 2} * (kTileSide + 2) * (kTileSide + 2)>;
+/// Where such a block is, in blocks from the tile's first.
+constexpr BlockIndex OffsetInTile(int number) {
+  constexpr int kAround = kTileSide + 2;
+  return {number % kAround - 1, number / kAround % kAround - 1, number / (kAround * kAround) - 1};
+}
 TileBlocks FindBlocks(const TileNeighbourhood& around, TileIndex tile);
 
 /// What such a block shows a surface by (see PartId); 0 where there is none.

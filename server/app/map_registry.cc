@@ -426,7 +426,9 @@ MapSummary MapRegistry::Summarise(const Entry& entry) const {
 
 std::shared_ptr<MapSession> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot) {
   SessionOptions options = options_;
-  options.on_publish = [this](const std::shared_ptr<const MapSnapshot>& state) { keeper_.Note(state); };
+  options.prepare = [this](const ShownView::State& state, std::function<void()> ready) {
+    return keeper_.Note(state, std::move(ready));
+  };
   options.on_stored = [this, name = snapshot->info().name] { changes_.Notify(name); };
   options.on_finishing = options.on_stored;
   auto session = std::make_shared<MapSession>(std::move(snapshot), store_, std::move(options));

@@ -62,16 +62,13 @@ MapSession::MapSession(std::shared_ptr<const MapSnapshot> snapshot, MapStore& st
       seats_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.feed_idle_s)),
              options_.max_feeds),
       builder_(snapshot, PoolOf(options_), options_.refinement_timing, options_.refinement_slots),
-      view_(std::make_shared<const MapView>(std::move(snapshot))) {}
+      shown_(std::make_shared<ShownView>(std::make_shared<const MapView>(std::move(snapshot)), options_.prepare)) {}
 
 MapSession::~MapSession() { (void)Stop(); }
 
 Status MapSession::ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
 
-std::shared_ptr<const MapView> MapSession::View() const {
-  const MutexLock lock(view_mutex_);
-  return view_;
-}
+std::shared_ptr<const MapView> MapSession::View() const { return shown_->Get(); }
 
 Result<std::shared_ptr<Feed>> MapSession::BeginFeed(FeedRequest request) {
   if (!request.session.empty()) DHPMAP_RETURN_IF_ERROR(ValidateSessionName(request.session));
@@ -301,26 +298,47 @@ void MapSession::NoteChange() {
   if (num_uncommitted_++ == 0) commit_due_ = In(options_.commit_s);
 }
 
+bool MapSession::HasBatch() const {
+  return num_unpublished_ > 0 || num_uncommitted_ > 0 || is_batch_waiting_ || shown_->IsWaiting();
+}
+
 MapSession::TimePoint MapSession::BatchDue() const {
-  if (num_uncommitted_ == 0) return publish_due_;
-  return num_unpublished_ == 0 ? commit_due_ : std::min(publish_due_, commit_due_);
+  const bool is_waiting = shown_->IsWaiting();
+  auto due = TimePoint::max();
+  if (num_unpublished_ > 0) due = std::min(due, publish_due_);
+  if (num_uncommitted_ > 0 || (is_batch_waiting_ && !is_waiting)) due = std::min(due, commit_due_);
+  return is_waiting ? std::min(due, show_due_) : due;
 }
 
 void MapSession::DoBatchesThatAreDue() {
   const Status status = Guarded<Status>([this] {
     const auto now = Clock::now();
-    if (num_uncommitted_ > 0 && (num_uncommitted_ >= options_.commit_frames || now >= commit_due_)) {
-      Publish();
-      // On the commit thread: here fusion would wait for the store, which may be in the middle of a commit.
-      RequestCommit(Durability::kNormal, [this, name = builder_.map().info().name](const Status& stored) {
-        if (stored.ok()) numbers_.GoAhead(name);
-      });
-    } else if (num_unpublished_ > 0 && (num_unpublished_ >= options_.publish_frames || now >= publish_due_)) {
-      Publish();
+    if (now >= show_due_) shown_->ShowNewest();
+    const bool is_commit_due = num_uncommitted_ > 0 && !is_batch_waiting_ &&
+                               (num_uncommitted_ >= options_.commit_frames || now >= commit_due_);
+    const bool is_publish_due =
+        num_unpublished_ > 0 && (num_unpublished_ >= options_.publish_frames || now >= publish_due_);
+    if (is_batch_waiting_ && (is_publish_due || !shown_->IsWaiting())) CommitBatch();
+    if (num_unpublished_ > 0 && (is_commit_due || is_publish_due)) PublishPrepared();
+    if (is_commit_due) {
+      is_batch_waiting_ = true;
+      num_uncommitted_ = 0;
+      if (!shown_->IsWaiting()) CommitBatch();
     }
     return Status::Ok();
   });
   if (!status.ok()) publish_due_ = commit_due_ = In(options_.commit_retry_s);  // it is still to be done
+}
+
+/// Of what was published last, which is seen first: nobody is told of a state that nobody sees. On the commit thread:
+/// here fusion would wait for the store, which may be in the middle of a commit.
+void MapSession::CommitBatch() {
+  shown_->ShowNewest();
+  commits_.Request(builder_.map().published(), Durability::kNormal,
+                   [this, name = builder_.map().info().name](const Status& stored) {
+                     if (stored.ok()) numbers_.GoAhead(name);
+                   });
+  is_batch_waiting_ = false;
 }
 
 double MapSession::BehindSeconds() const {
@@ -413,38 +431,42 @@ Result<FrameReport> MapSession::Fuse(Feed* feed, std::int64_t sequence, const Pa
   return report;
 }
 
-/// If it throws, what is to be seen still is.
-std::shared_ptr<const MapView> MapSession::Publish() {
+/// Of what was fused; null: nobody may see it yet. If it throws, what is to be seen still is.
+std::shared_ptr<const MapView> MapSession::MakeView() {
   auto snapshot = builder_.map().Publish(options_.now_ns());
   // Nobody sees numbers that might be given out again after a crash; the next turn tries again.
   const Status covered = Guarded<Status>([&] { return numbers_.Cover(snapshot->info()); });
   if (!covered.ok() && commits_.committed_revision() != snapshot->revision()) {
     num_unpublished_ = std::min(num_unpublished_, 1);
     publish_due_ = In(options_.commit_retry_s);
-    return View();
+    return nullptr;
   }
-  auto view = View();
-  if (view->shared_snapshot() != snapshot)
-    view = Show(std::make_shared<const MapView>(std::move(snapshot), view.get()));
+  auto newest = shown_->Newest();
+  if (newest->shared_snapshot() == snapshot) return newest;
+  return std::make_shared<const MapView>(std::move(snapshot), newest.get());
+}
+
+/// Returns what is seen then.
+std::shared_ptr<const MapView> MapSession::Publish() {
+  auto view = MakeView();
+  if (view == nullptr) return View();
+  shown_->Show(view);
   num_unpublished_ = 0;
   return view;
+}
+
+void MapSession::PublishPrepared() {
+  auto view = MakeView();
+  if (view == nullptr) return;
+  shown_->ShowPrepared(std::move(view));
+  num_unpublished_ = 0;
+  show_due_ = In(options_.publish_s);
 }
 
 void MapSession::ReleaseNumbers() {
   const MapInfo& info = builder_.map().info();
   if (!commits_.last_outcome().ok() || commits_.committed_revision() != info.revision) return;
   numbers_.Release(info);
-}
-
-std::shared_ptr<const MapView> MapSession::Show(std::shared_ptr<const MapView> next) {
-  auto view = View();
-  if (view->shared_snapshot() == next->shared_snapshot()) return view;
-  {
-    const MutexLock lock(view_mutex_);
-    view_ = next;  // `view` still holds the old one: nothing is freed under the lock
-  }
-  if (options_.on_publish) TellSafely([&] { options_.on_publish(next->shared_snapshot()); });
-  return next;
 }
 
 /// Not with a full sync: that comes with the commit of the change.
@@ -460,6 +482,7 @@ Status MapSession::CommitPublished() {
 void MapSession::RequestCommit(Durability durability, CommitWorker::Done done) {
   commits_.Request(builder_.map().published(), durability, std::move(done));
   num_uncommitted_ = 0;
+  is_batch_waiting_ = false;
 }
 
 }  // namespace dhpmap

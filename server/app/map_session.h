@@ -25,6 +25,7 @@
 #include "server/app/map_view.h"
 #include "server/app/number_reserve.h"
 #include "server/app/session_list.h"
+#include "server/app/shown_view.h"
 #include "server/app/store_lag.h"
 
 namespace dhpmap {
@@ -66,8 +67,9 @@ struct SessionOptions {
   std::size_t max_kept_states = 64;                        ///< that were stored last, of each map, to be read again
   std::size_t kept_states_bytes = 256u << 20;              ///< that these take, of all maps
   std::shared_ptr<ByteBudget> kept_budget = nullptr;       ///< of so many, shared with other maps; null: of its own
-  /// A state that has just become visible; on the writer thread; may be empty.
-  std::function<void(const std::shared_ptr<const MapSnapshot>&)> on_publish;
+  /// What is made ready for queries before they see a state; may be empty. May keep one that frames have made from them
+  /// for another publish_s.
+  ShownView::Prepare prepare;
 };
 
 /// What counts against page_bytes now.
@@ -266,7 +268,7 @@ class MapSession {
   void RefuseAll() DHPMAP_EXCLUDES(mutex_);
   static Status ShuttingDown();
   void StoreTheRest() DHPMAP_EXCLUDES(mutex_);
-  [[nodiscard]] bool HasBatch() const { return num_unpublished_ > 0 || num_uncommitted_ > 0; }
+  [[nodiscard]] bool HasBatch() const;
   [[nodiscard]] TimePoint BatchDue() const;
   void NoteChange();
   void DoBatchesThatAreDue();
@@ -291,7 +293,9 @@ class MapSession {
   [[nodiscard]] bool HasTooManyPages() const;
   void LetGoOfPages();
   std::shared_ptr<const MapView> Publish();
-  std::shared_ptr<const MapView> Show(std::shared_ptr<const MapView> next);
+  void PublishPrepared();
+  std::shared_ptr<const MapView> MakeView();
+  void CommitBatch();
   Status CommitPublished();
   void ReleaseNumbers();
   void RequestCommit(Durability durability, CommitWorker::Done done = {});
@@ -311,13 +315,14 @@ class MapSession {
   int num_uncommitted_ = 0;
   TimePoint publish_due_;
   TimePoint commit_due_;
+  TimePoint show_due_;             ///< of a state that waits to be seen
+  bool is_batch_waiting_ = false;  ///< until it is seen: then it is committed
 
   std::atomic<bool> is_asked_for_pages_ = false;   ///< a job that lets go of them waits
   std::atomic<bool> has_kept_pages_ = false;       ///< a state was kept with pages since they were let go of
   std::atomic<std::int64_t> held_page_bytes_ = 0;  ///< what was left of them the last time, if that was too much
 
-  mutable Mutex view_mutex_;
-  std::shared_ptr<const MapView> view_ DHPMAP_GUARDED_BY(view_mutex_);
+  const std::shared_ptr<ShownView> shown_;  // outlived by what prepares
 
   Mutex stop_mutex_ DHPMAP_ACQUIRED_BEFORE(mutex_);
   mutable Mutex mutex_;

@@ -97,7 +97,8 @@ Result<EditOutcome> MapSession::StoreEdit(const EditRequest& request, const Edit
   // It is stored: nothing may throw from here on.
   if (record != nullptr && recorder_ && *recorder_)
     TellSafely([&] { (*recorder_)->OnEdited(view->snapshot().revision(), request.arrived); });
-  outcome.view = Show(view);
+  shown_->Show(view);
+  outcome.view = view;
   return outcome;
 }
 

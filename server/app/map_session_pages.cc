@@ -69,10 +69,10 @@ void MapSession::LetGoOfPages() {
       if (same != before || (even_used && kept_states_->HoldBlocks(options_.spill != nullptr)))
         kept_states_->LetGoOfPages(same);
       before.reset();
-      auto view = View();
+      auto view = shown_->Newest();
       // Else that state is not to be seen yet.
       if (view->shared_snapshot() != same && view->snapshot().revision() == same->revision()) {
-        view = Show(std::make_shared<const MapView>(std::move(same), view.get()));
+        shown_->Show(std::make_shared<const MapView>(std::move(same), view.get()));
       }
       view.reset();
       if (ResidentBytes(options_) <= BytesToKeep(options_)) break;

@@ -5,21 +5,24 @@
 #include <new>
 #include <utility>
 
+#include "mapping/base/guarded.h"
 #include "mapping/base/this_thread.h"
 
 namespace dhpmap {
 
-void SurfaceKeeper::Note(std::shared_ptr<const MapSnapshot> state) {
-  if (!cache_.IsWanted(state->info().name)) return;
+bool SurfaceKeeper::Note(std::shared_ptr<const MapSnapshot> state, std::function<void()> ready) {
+  if (!cache_.IsWanted(state->info().name)) return false;
+  Noted noted{std::move(state), std::move(ready)};
   const MutexLock lock(mutex_);
-  if (stopping_) return;
+  if (stopping_) return false;
   try {
-    if (!thread_.Start([this] { Loop(); }).ok()) return;
-    newest_[state->info().name].swap(state);
+    if (!thread_.Start([this] { Loop(); }).ok()) return false;
+    std::swap(newest_[noted.state->info().name], noted);
   } catch (const std::bad_alloc&) {
-    return;  // who asks makes it, or is told
+    return false;  // who asks makes it, or is told
   }
   wake_.NotifyOne();
+  return true;
 }
 
 void SurfaceKeeper::Stop() {
@@ -34,21 +37,23 @@ void SurfaceKeeper::Stop() {
 }
 
 void SurfaceKeeper::Loop() {
-  constexpr int kNiceness = 10;  // after frames and quick answers, before bulk ones
+  constexpr int kNiceness = 5;  // as those that fuse: until it has made them, nobody sees a state
   NameThisThread("surfaces");
   MakeThisThreadNicer(kNiceness);
+  (void)TakeTurns(Turns::kOrdinary);  // a quick thread may have begun it
   MutexLock lock(mutex_);
   const auto has_work = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !newest_.empty(); };
   while (wake_.WaitFor(mutex_, LazyThread::kIdle, has_work) && !stopping_) {
-    std::shared_ptr<const MapSnapshot> state = std::move(newest_.begin()->second);
+    Noted noted = std::move(newest_.begin()->second);
     newest_.erase(newest_.begin());
     lock.Unlock();
     try {
-      cache_.Freshen(state, stop_.get_token());
+      cache_.Freshen(noted.state, stop_.get_token());
     } catch (const std::exception&) {
       // As above.
     }
-    state.reset();
+    if (noted.ready) TellSafely(noted.ready);
+    noted = {};
     lock.Lock();
   }
   thread_.Retire();

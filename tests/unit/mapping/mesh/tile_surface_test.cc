@@ -6,9 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
 #include <set>
 #include <vector>
 
+#include "mapping/map/slope.h"
+#include "mapping/mesh/cell_cases.h"
 #include "mapping/mesh/mesh.h"
 #include "tests/unit/mapping/mesh/solid_submap.h"
 
@@ -113,6 +118,133 @@ TEST(TileSurface, OfASingleVoxelOrNothingIsNothing) {
   block.distance_m[9] = -0.01f;
   block.weight[9] = 1;
   EXPECT_TRUE(TrianglesOf(submap).empty());
+}
+
+/// Surfaces from a few voxels here and there, some of them looked through: all distances as likely as any.
+Submap Shreds(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> distance_m(-3 * kVoxel_m, 3 * kVoxel_m), unit(0, 1);
+  const float roughness = unit(random), density = 0.2f + 0.8f * unit(random);
+  Submap submap(testing::SolidInfo(), 1);
+  for (int i = 0; i < 12; ++i) {
+    const BlockIndex index{static_cast<int>(random() % 4) - 2, static_cast<int>(random() % 4) - 2,
+                           static_cast<int>(random() % 4) - 2};
+    TsdfBlock& block = submap.MutableTsdf(index);
+    for (int linear = 0; linear < kBlockVoxels; ++linear) {
+      if (unit(random) > density) continue;
+      const Eigen::Vector3d p = VoxelCentre(VoxelIn(index, linear), kVoxel_m);
+      const auto smooth = static_cast<float>(p.z() + 0.3 * p.x() - 0.02);
+      const auto at = static_cast<std::size_t>(linear);
+      block.distance_m[at] = random() % 20 == 0 ? 0 : smooth + roughness * distance_m(random);
+      block.weight[at] = 1;
+    }
+    if (random() % 2 == 0) continue;
+    GoneBlock& gone = submap.MutableGone(index);
+    for (int k = 0; k < 100; ++k) gone.Set(static_cast<int>(random() % kBlockVoxels), static_cast<int>(random() % 4));
+  }
+  return submap;
+}
+
+/// The same surfaces from the definition, voxel by voxel.
+class PlainSurface {
+ public:
+  explicit PlainSurface(const Submap& submap) : submap_(submap) {}
+
+  [[nodiscard]] std::vector<Triangle> Triangles() const {
+    std::vector<Triangle> triangles;
+    for (int z = -20; z < 20; ++z) {
+      for (int y = -20; y < 20; ++y) {
+        for (int x = -20; x < 20; ++x) AddCell({x, y, z}, triangles);
+      }
+    }
+    return triangles;
+  }
+
+ private:
+  using Distance = std::optional<float>;
+
+  [[nodiscard]] static VoxelIndex At(VoxelIndex v, int x, int y, int z) { return {v.x + x, v.y + y, v.z + z}; }
+  [[nodiscard]] Distance Observed(VoxelIndex v) const {
+    const BlockEntry* block = submap_.blocks().Find(BlockOf(v));
+    const int linear = LinearIndex(v);
+    if (block == nullptr || block->tsdf == nullptr || !block->Shows(linear)) return std::nullopt;
+    return block->tsdf->distance_m[static_cast<std::size_t>(linear)];
+  }
+  [[nodiscard]] bool IsContradicted(VoxelIndex v) const {
+    const BlockEntry* block = submap_.blocks().Find(BlockOf(v));
+    return block != nullptr && block->tsdf != nullptr && block->IsContradicted(LinearIndex(v));
+  }
+  [[nodiscard]] float SlopeAlong(VoxelIndex v, float here_m, int axis) const {
+    const auto step = [&](int by) { return At(v, axis == 0 ? by : 0, axis == 1 ? by : 0, axis == 2 ? by : 0); };
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    return Slope(Observed(step(-1)).value_or(kNone), here_m, Observed(step(1)).value_or(kNone));
+  }
+  [[nodiscard]] Distance ValueAt(VoxelIndex v) const {
+    if (const Distance observed = Observed(v)) return observed;
+    if (IsContradicted(v)) return std::nullopt;
+    float sum_m = 0, weight = 0;
+    for (int k = 0; k < 27; ++k) {
+      const Eigen::Vector3f offset(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 % 3 - 1),
+                                   static_cast<float>(k / 9 - 1));
+      const VoxelIndex from = At(v, k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+      const Distance there = Observed(from);
+      if (!there) continue;
+      const Eigen::Vector3f slope(SlopeAlong(from, *there, 0), SlopeAlong(from, *there, 1),
+                                  SlopeAlong(from, *there, 2));
+      const float nearness = 1 / offset.squaredNorm();
+      sum_m += nearness * (*there - slope.dot(offset));
+      weight += nearness;
+    }
+    return weight > 0 ? Distance(sum_m / weight) : std::nullopt;
+  }
+  void AddCell(VoxelIndex low, std::vector<Triangle>& triangles) const {
+    std::array<float, kCellCorners> values;
+    unsigned inside = 0;
+    bool has_observed = false;
+    for (int c = 0; c < kCellCorners; ++c) {
+      const VoxelIndex corner = At(low, c & 1, c >> 1 & 1, c >> 2 & 1);
+      const Distance value = ValueAt(corner);
+      if (!value) return;
+      has_observed |= Observed(corner).has_value();
+      values[static_cast<std::size_t>(c)] = *value;
+      inside |= *value < 0 ? 1u << c : 0;
+    }
+    if (!has_observed) return;
+    const CellCase& cell_case = CellCases()[inside];
+    for (std::size_t k = 0; k < cell_case.num_triangles; ++k) {
+      Triangle& triangle = triangles.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const CellEdge edge = CellEdgeTable()[cell_case.triangles[k][i]];
+        const float a = values[edge.corner], b = values[edge.corner | std::size_t{1} << edge.axis];
+        triangle[i] = VoxelCentre(At(low, edge.corner & 1, edge.corner >> 1 & 1, edge.corner >> 2 & 1), kVoxel_m);
+        triangle[i][edge.axis] += std::clamp(a / (a - b), 1e-3f, 1 - 1e-3f) * kVoxel_m;
+      }
+    }
+  }
+
+  const Submap& submap_;
+};
+
+TEST(TileSurface, OfWhateverIsLeftIsTheOneOfItsDefinition) {
+  std::size_t num_triangles = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const Submap submap = Shreds(seed);
+    std::vector<Triangle> surface = TrianglesOf(submap), expected = PlainSurface(submap).Triangles();
+    ASSERT_EQ(surface.size(), expected.size()) << "seed " << seed;
+    const auto by_place = [](const Triangle& a, const Triangle& b) { return KeyOf(a) < KeyOf(b); };
+    std::sort(surface.begin(), surface.end(), by_place);
+    std::sort(expected.begin(), expected.end(), by_place);
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      ASSERT_EQ(KeyOf(surface[i]), KeyOf(expected[i])) << "seed " << seed;
+      for (const Eigen::Vector3d& corner : surface[i]) {
+        const auto distance_m = [&](const Eigen::Vector3d& p) { return (p - corner).norm(); };
+        const auto& there = expected[i];
+        EXPECT_LT(std::min({distance_m(there[0]), distance_m(there[1]), distance_m(there[2])}), 1e-4 * kVoxel_m);
+      }
+    }
+    num_triangles += surface.size();
+  }
+  EXPECT_GT(num_triangles, 10000u);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "server/app/edit_list.h"
 #include "server/app/edit_summary.h"
 #include "server/app/map_registry.h"
+#include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/server/app/map_session_fixture.h"
 
@@ -120,12 +121,17 @@ class EditedRoom {
   [[nodiscard]] SurfaceCache& surfaces() { return registry_->surfaces(); }
   [[nodiscard]] MapStore& store() { return *store_; }
 
+  /// Until it is seen: while surfaces are asked for, that may be after the answer.
   Status Integrate(const RoomView& view, bool has_persistent_ids) {
     constexpr std::int64_t kPeriod_ns = 200'000'000;
+    const auto before = Now();
     PanopticFrame frame = frames_.Take(view, has_persistent_ids, ++num_frames_ * kPeriod_ns);
     const auto outcome =
         Wait<FrameOutcome>([&](auto done) { session_->Integrate(Result<PanopticFrame>(std::move(frame)), done); });
-    return outcome.report.status();
+    if (!outcome.report.ok()) return outcome.report.status();
+    const std::int64_t num_frames = before->info().num_frames + 1;
+    if (!Eventually([&] { return Now()->info().num_frames >= num_frames; })) return Internal("nobody sees the frame");
+    return Status::Ok();
   }
   Status Finish() {
     return Wait<Result<FinishOutcome>>([&](auto done) { session_->Finish(done); }).status();

@@ -33,6 +33,67 @@ TEST_F(MapSessionTest, FramesAreSeenWithTheirBatch) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 4);
 }
 
+/// A session whose states are prepared when the test says so.
+class PreparedSessionTest : public MapSessionTest {
+ protected:
+  void Open(SessionOptions options) {
+    options.prepare = [this](const ShownView::State&, std::function<void()> ready) {
+      if (ready) ready_ = std::move(ready);
+      return true;
+    };
+    Map map(RoomInfo("room"));
+    const auto state = map.Publish(0);
+    ASSERT_TRUE(store->CreateMap(*state).ok());
+    session = std::make_shared<MapSession>(state, *store, std::move(options));
+  }
+  std::int64_t NumSeen() const { return session->View()->snapshot().info().num_frames; }
+  std::int64_t NumStored() const { return store->GetMap("room")->info.num_frames; }
+  ~PreparedSessionTest() override { session.reset(); }
+
+  std::function<void()> ready_;
+};
+
+TEST_F(PreparedSessionTest, FramesAreSeenOncePreparedAndStoredOnceSeen) {
+  Open({.publish_frames = 1, .publish_s = 1000, .commit_frames = 1, .commit_s = 1000});
+  ASSERT_TRUE(Integrate(0).report.ok());
+  EXPECT_EQ(NumSeen(), 0);
+  EXPECT_EQ(NumStored(), 0) << "who follows the map is told of what is stored, and wants to see it";
+  ready_();
+  EXPECT_EQ(NumSeen(), 1);
+  ASSERT_TRUE(Integrate(1).report.ok());
+  EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 1; }));
+  EXPECT_EQ(NumSeen(), 1);
+  ASSERT_TRUE(Integrate(2).report.ok());
+  EXPECT_EQ(NumSeen(), 2) << "the next one comes, and nobody has prepared this one";
+  EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 2; }));
+}
+
+TEST_F(PreparedSessionTest, WhatIsNeverPreparedIsSeenAndStoredAfterAWhile) {
+  Open({.publish_frames = 1000, .publish_s = 0.01, .commit_frames = 1000, .commit_s = 0.02});
+  ASSERT_TRUE(Integrate(0).report.ok());
+  EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 1; }));
+  EXPECT_EQ(NumSeen(), 1);
+}
+
+TEST_F(PreparedSessionTest, AFlushAndAnEditWaitForNobody) {
+  Open({.publish_frames = 1, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000});
+  ASSERT_TRUE(Integrate(0).report.ok());
+  EXPECT_EQ(NumSeen(), 0);
+  ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
+  EXPECT_EQ(NumSeen(), 1);
+  EXPECT_EQ(NumStored(), 1);
+  ASSERT_TRUE(Integrate(1).report.ok());
+  EXPECT_EQ(NumSeen(), 1);
+  const auto edited = Wait<Result<EditOutcome>>([&](auto done) {
+    session->Edit([](Map& map) -> Result<SubmapId> { return map.Clone(SubmapId(1))->id(); }, done);
+  });
+  ASSERT_TRUE(edited.ok());
+  EXPECT_EQ(session->View(), edited->view);
+  EXPECT_EQ(NumSeen(), 2);
+  ready_();
+  EXPECT_EQ(session->View(), edited->view) << "what was prepared is older";
+}
+
 TEST_F(MapSessionTest, FramesAreSeenAndStoredAfterAWhileEvenIfNoMoreCome) {
   Open({.publish_frames = 1000, .publish_s = 0.01, .commit_frames = 1000, .commit_s = 0.02});
   Integrate(0);

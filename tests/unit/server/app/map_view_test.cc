@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
+#include <new>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include "server/app/shown_view.h"
 
 namespace dhpmap {
 namespace {
@@ -70,6 +75,71 @@ TEST(MapView, GoesOnWithTheIndexOfTheViewBefore) {
     EXPECT_FALSE(view->lookup().At({11.05, 0.05, 0.05}).is_observed);
     EXPECT_TRUE(view->lookup().At({5.05, 0.05, 0.05}).is_observed);
   }
+}
+
+/// States of a map, and what is asked to prepare them.
+class ShownViewTest : public ::testing::Test {
+ protected:
+  std::shared_ptr<const MapView> Next() {
+    map_.Create({});
+    return std::make_shared<const MapView>(map_.Publish(0));
+  }
+
+  Map map_{RoomInfo()};
+  const std::shared_ptr<const MapView> first_ = Next();
+  std::vector<std::function<void()>> ready_;  // of each that was handed in
+  std::shared_ptr<ShownView> shown_ =
+      std::make_shared<ShownView>(first_, [this](const ShownView::State&, std::function<void()> ready) {
+        ready_.push_back(std::move(ready));
+        return true;
+      });
+};
+
+TEST_F(ShownViewTest, AStateIsSeenOnceItIsPrepared) {
+  const auto second = Next();
+  shown_->ShowPrepared(second);
+  EXPECT_EQ(shown_->Get(), first_);
+  EXPECT_EQ(shown_->Newest(), second);
+  EXPECT_TRUE(shown_->IsWaiting());
+  ready_[0]();
+  EXPECT_EQ(shown_->Get(), second);
+  EXPECT_FALSE(shown_->IsWaiting());
+}
+
+TEST_F(ShownViewTest, AStateThatWaitsIsSeenWhenTheNextOneComesAndNoneComesBack) {
+  const auto second = Next(), third = Next(), fourth = Next();
+  shown_->ShowPrepared(second);
+  shown_->ShowPrepared(third);
+  EXPECT_EQ(shown_->Get(), second);
+  ready_[0]();
+  EXPECT_EQ(shown_->Get(), second) << "the third is not prepared yet";
+  shown_->Show(fourth);
+  EXPECT_EQ(shown_->Get(), fourth);
+  EXPECT_FALSE(ready_[2]) << "nobody waits for it";
+  ready_[1]();
+  EXPECT_EQ(shown_->Get(), fourth);
+  EXPECT_FALSE(shown_->IsWaiting());
+}
+
+TEST_F(ShownViewTest, WhatNobodyPreparesIsSeenAtOnce) {
+  const auto second = Next(), third = Next();
+  ShownView::Prepare refuse = [](const ShownView::State&, const std::function<void()>&) { return false; };
+  ShownView::Prepare fail = [](const ShownView::State&, const std::function<void()>&) -> bool {
+    throw std::bad_alloc();
+  };
+  for (const ShownView::Prepare& prepare : {ShownView::Prepare(), std::move(refuse), std::move(fail)}) {
+    const auto shown = std::make_shared<ShownView>(first_, prepare);
+    shown->ShowPrepared(second);
+    EXPECT_EQ(shown->Get(), second);
+    shown->Show(third);
+    EXPECT_EQ(shown->Get(), third);
+  }
+}
+
+TEST_F(ShownViewTest, WhatIsPreparedAfterTheEndOfTheMapIsNoHarm) {
+  shown_->ShowPrepared(Next());
+  shown_.reset();
+  ready_[0]();
 }
 
 }  // namespace
