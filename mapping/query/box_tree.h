@@ -166,7 +166,8 @@ class BoxTree {
     Eigen::Vector3f at;
     std::uint32_t item;
   };
-  static void Arrange(std::span<Centre> items, std::size_t child_capacity);
+  class Halver;
+  static void Arrange(std::span<Centre> items, std::size_t child_capacity, Halver& halver);
   void BuildLevels(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size);
 
   Eigen::AlignedBox3f bounds_;
