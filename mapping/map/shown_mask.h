@@ -18,13 +18,15 @@ namespace dhpmap {
 
 // What holds of the voxels of a block, of all at once: a fraction of what it costs to ask for each.
 
-/// Those of a layer of voxels (one z) of whose value the condition holds, of 64 values by LinearIndex: a bit each. A
+/// Of one z.
+inline constexpr std::size_t kLayerVoxels = std::size_t{kBlockSide} * kBlockSide;
+
+/// Those of a layer of voxels of whose value the condition holds, of 64 values by LinearIndex: a bit each. A
 /// comparison is made of several at a time.
 template <typename Value, typename Condition>
 [[nodiscard]] std::uint64_t LayerWhere(const Value* values, Condition&& holds) {
   static_assert(std::endian::native == std::endian::little, "the first of eight bytes has the lowest bits");
-  constexpr std::size_t kVoxels = std::size_t{kBlockSide} * kBlockSide;
-  std::array<std::uint8_t, kVoxels> flags;  // a byte each: a loop that is vectorised
+  std::array<std::uint8_t, kLayerVoxels> flags;  // a byte each: a loop that is vectorised
   for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = holds(values[i]) ? 0xFF : 0;
   std::uint64_t layer = 0;
 #ifdef __SSE2__
@@ -47,7 +49,7 @@ template <typename Value, typename Condition>
 template <typename Value, typename Condition>
 [[nodiscard]] VoxelMask MaskWhere(const std::array<Value, kBlockVoxels>& values, Condition&& holds) {
   VoxelMask mask;
-  for (std::size_t z = 0; z < mask.size(); ++z) mask[z] = LayerWhere(&values[64 * z], holds);
+  for (std::size_t z = 0; z < mask.size(); ++z) mask[z] = LayerWhere(&values[kLayerVoxels * z], holds);
   return mask;
 }
 

@@ -234,7 +234,7 @@ void MapSession::WriterLoop() {
   MutexLock lock(mutex_);
   while (!stopping_) {
     const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !jobs_.empty(); };
-    if (HasBatch()) wake_.WaitUntil(mutex_, BatchDue(), is_ready);
+    if (const auto due = BatchDue()) wake_.WaitUntil(mutex_, *due, is_ready);
     else if (!wake_.WaitFor(mutex_, LazyThread::kIdle, is_ready)) return writer_.Retire();
     if (!stopping_ && !jobs_.empty()) RunOne();
     lock.Unlock();
@@ -298,16 +298,15 @@ void MapSession::NoteChange() {
   if (num_uncommitted_++ == 0) commit_due_ = In(options_.commit_s);
 }
 
-bool MapSession::HasBatch() const {
-  return num_unpublished_ > 0 || num_uncommitted_ > 0 || is_batch_waiting_ || shown_->IsWaiting();
-}
-
-MapSession::TimePoint MapSession::BatchDue() const {
+/// When there is something to publish, show or commit; none: there is nothing.
+std::optional<MapSession::TimePoint> MapSession::BatchDue() const {
   const bool is_waiting = shown_->IsWaiting();
-  auto due = TimePoint::max();
-  if (num_unpublished_ > 0) due = std::min(due, publish_due_);
-  if (num_uncommitted_ > 0 || (is_batch_waiting_ && !is_waiting)) due = std::min(due, commit_due_);
-  return is_waiting ? std::min(due, show_due_) : due;
+  std::optional<TimePoint> due;
+  const auto by = [&due](TimePoint time) { due = due ? std::min(*due, time) : time; };
+  if (num_unpublished_ > 0) by(publish_due_);
+  if (is_batch_waiting_ ? !is_waiting : num_uncommitted_ > 0) by(commit_due_);
+  if (is_waiting) by(show_due_);
+  return due;
 }
 
 void MapSession::DoBatchesThatAreDue() {
@@ -449,7 +448,10 @@ std::shared_ptr<const MapView> MapSession::MakeView() {
 /// Returns what is seen then.
 std::shared_ptr<const MapView> MapSession::Publish() {
   auto view = MakeView();
-  if (view == nullptr) return View();
+  if (view == nullptr) {
+    shown_->ShowNewest();
+    return View();
+  }
   shown_->Show(view);
   num_unpublished_ = 0;
   return view;
@@ -460,7 +462,7 @@ void MapSession::PublishPrepared() {
   if (view == nullptr) return;
   shown_->ShowPrepared(std::move(view));
   num_unpublished_ = 0;
-  show_due_ = In(options_.publish_s);
+  show_due_ = In(std::min(options_.publish_s, options_.commit_s));  // nobody is told when it is seen
 }
 
 void MapSession::ReleaseNumbers() {

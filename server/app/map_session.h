@@ -68,7 +68,7 @@ struct SessionOptions {
   std::size_t kept_states_bytes = 256u << 20;              ///< that these take, of all maps
   std::shared_ptr<ByteBudget> kept_budget = nullptr;       ///< of so many, shared with other maps; null: of its own
   /// What is made ready for queries before they see a state; may be empty. May keep one that frames have made from them
-  /// for another publish_s.
+  /// for another publish_s, or commit_s if that is less.
   ShownView::Prepare prepare;
 };
 
@@ -163,7 +163,7 @@ class MapSession {
   MapSession(const MapSession&) = delete;
   MapSession& operator=(const MapSession&) = delete;
 
-  /// The last published state.
+  /// The state that is seen: see ShownView.
   [[nodiscard]] std::shared_ptr<const MapView> View() const;
 
   /// The states that were stored last. Never null.
@@ -268,8 +268,7 @@ class MapSession {
   void RefuseAll() DHPMAP_EXCLUDES(mutex_);
   static Status ShuttingDown();
   void StoreTheRest() DHPMAP_EXCLUDES(mutex_);
-  [[nodiscard]] bool HasBatch() const;
-  [[nodiscard]] TimePoint BatchDue() const;
+  [[nodiscard]] std::optional<TimePoint> BatchDue() const;
   void NoteChange();
   void DoBatchesThatAreDue();
   [[nodiscard]] Status WhyBehind() const;

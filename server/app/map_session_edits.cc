@@ -21,7 +21,9 @@ void MapSession::Edit(EditRequest request, std::function<void(Result<EditOutcome
   auto run = [this, request = std::move(request), done] {
     done(Guarded<Result<EditOutcome>>([&] { return EditNow(request); }));
     // Nobody waits for it. Frames that are fused already keep their time: they may not be in this state.
-    if (commits_.lacks_left()) commits_.Request(builder_.map().published(), Durability::kNormal);
+    if (!commits_.lacks_left()) return;
+    shown_->ShowNewest();  // which may be that of frames
+    commits_.Request(builder_.map().published(), Durability::kNormal);
   };
   Post({.run = std::move(run),
         .refuse = [done = std::move(done)](const Status& status) { done(CopyOf(status)); },

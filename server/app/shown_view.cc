@@ -30,7 +30,7 @@ void ShownView::Show(std::shared_ptr<const MapView> next) {
   std::shared_ptr<const MapView> waiting;
   {
     const MutexLock lock(mutex_);
-    if (shown_ == next) return;
+    if (shown_->shared_snapshot() == state) return;  // it knows more than a new one
     shown_.swap(next);
     waiting_.swap(waiting);
   }

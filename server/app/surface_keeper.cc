@@ -43,9 +43,13 @@ void SurfaceKeeper::Loop() {
   (void)TakeTurns(Turns::kOrdinary);  // a quick thread may have begun it
   MutexLock lock(mutex_);
   const auto has_work = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !newest_.empty(); };
+  std::string last;
   while (wake_.WaitFor(mutex_, LazyThread::kIdle, has_work) && !stopping_) {
-    Noted noted = std::move(newest_.begin()->second);
-    newest_.erase(newest_.begin());
+    auto next = newest_.upper_bound(last);  // in turn: there may be more to do than time
+    if (next == newest_.end()) next = newest_.begin();
+    Noted noted = std::move(next->second);
+    last = next->first;
+    newest_.erase(next);
     lock.Unlock();
     try {
       cache_.Freshen(noted.state, stop_.get_token());

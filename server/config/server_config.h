@@ -121,7 +121,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("mapping.num_threads", c.mapping.num_threads, 0, 256,
         "threads of fusion, of all maps together; 0 = one a core");
   visit("mapping.publish_frames", c.mapping.publish_frames, 1, 1e6, "queries see frames after so many of them");
-  visit("mapping.publish_s", c.mapping.publish_s, 0, 3600, "s; or after so long; while planners ask for distances, up to twice that");
+  visit("mapping.publish_s", c.mapping.publish_s, 0, 3600,
+        "s; or after so long; while planners ask for distances, up to twice that");
   visit("mapping.max_frames_in_flight", c.mapping.max_frames_in_flight, 1, 1000,
         "of a stream, read but not yet acknowledged; then the client has to wait");
   visit("mapping.feed_idle_s", c.mapping.feed_idle_s, 0, 86400,
@@ -137,7 +138,7 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("maps.idle_close_s", c.maps.idle_close_s, 0, 1e6,
         "s after which a map that nobody uses is closed, and its memory freed; 0 = never");
   visit("store.commit_frames", c.store.commit_frames, 1, 1e6, "frames go to the store after so many of them");
-  visit("store.commit_s", c.store.commit_s, 0, 3600, "s; or after so long; while planners ask for distances, up to twice that");
+  visit("store.commit_s", c.store.commit_s, 0, 3600, "s; or after so long");
   visit("store.retry_s", c.store.retry_s, 0.01, 3600, "s between attempts while the store refuses");
   visit("store.max_behind_s", c.store.max_behind_s, 0, 86400,
         "s that fused frames may wait to be stored; then further ones are refused, and /readyz says so");

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <functional>
 #include <limits>
 #include <map>
 #include <random>
@@ -85,6 +87,34 @@ TEST(BoxTree, PutsWhatIsCloseTogetherIntoOneNode) {
     sum += node.sizes().maxCoeff();
   }
   EXPECT_LT(sum / 512, 2) << "of ten: 512 equal cubes would have sides of 1.25";
+}
+
+TEST(BoxTree, CutsALineIntoPiecesInWhateverOrderItsBoxesCome) {
+  constexpr int kCount = 100'000;
+  using Place = std::function<int(int)>;
+  const std::vector<Place> orders = {
+      [](int i) { return i; },
+      [](int i) { return -i; },
+      [](int i) { return std::abs(i - kCount / 2); },  // out and back, so that each place comes twice
+      [](int i) { return -std::abs(i - kCount / 2); },
+      [](int i) { return i % 2 == 0 ? i : -i; },
+      [](int i) { return i % 317; },
+      [](int i) { return i * 7919 % kCount; },
+  };
+  for (const Place& place : orders) {
+    std::vector<Eigen::AlignedBox3f> boxes;
+    boxes.reserve(kCount);
+    for (int i = 0; i < kCount; ++i) boxes.emplace_back(Eigen::Vector3f(static_cast<float>(place(i)), -0.0f, 0.0f));
+    const BoxTree tree(boxes);
+    float behind = -std::numeric_limits<float>::infinity();
+    for (std::size_t first = 0; first < kCount; first += BoxTree::kLanes) {
+      Eigen::AlignedBox3f node;
+      for (std::size_t lane = 0; lane < BoxTree::kLanes; ++lane) node.extend(boxes[tree.items()[first + lane]]);
+      ASSERT_GE(node.min().x(), behind);
+      behind = node.max().x();
+    }
+    EXPECT_EQ(std::set<std::uint32_t>(tree.items().begin(), tree.items().end()).size(), std::size_t{kCount});
+  }
 }
 
 TEST(BoxTree, FindsAllThatOverlap) {

@@ -75,6 +75,13 @@ TEST_F(PreparedSessionTest, WhatIsNeverPreparedIsSeenAndStoredAfterAWhile) {
   EXPECT_EQ(NumSeen(), 1);
 }
 
+TEST_F(PreparedSessionTest, WhatIsToBeStoredSoonIsNotKeptForThatWhichIsSeldomSeen) {
+  Open({.publish_frames = 1, .publish_s = 1000, .commit_frames = 1000, .commit_s = 0.02});
+  ASSERT_TRUE(Integrate(0).report.ok());
+  EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 1; }));
+  EXPECT_EQ(NumSeen(), 1);
+}
+
 TEST_F(PreparedSessionTest, AFlushAndAnEditWaitForNobody) {
   Open({.publish_frames = 1, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000});
   ASSERT_TRUE(Integrate(0).report.ok());

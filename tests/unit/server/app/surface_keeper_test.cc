@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "mapping/query/distance_query.h"
 #include "tests/support/eventually.h"
 #include "tests/unit/mapping/query/surface_scene.h"
@@ -47,6 +49,28 @@ TEST_F(SurfaceKeeperTest, MakesWhatWasAskedForBeforeItIsAskedForAgain) {
   EXPECT_EQ(Ask(), distance_m);
   keeper.Stop();
   EXPECT_EQ(cache_.bytes(), ready) << "nothing else was made, by either";
+}
+
+TEST_F(SurfaceKeeperTest, SaysWhenAllIsMadeThatWasAskedFor) {
+  SurfaceKeeper keeper(cache_);
+  std::atomic<int> num_ready = 0;
+  EXPECT_FALSE(keeper.Note(map_.published(), [&] { ++num_ready; })) << "nobody has asked";
+  (void)Ask();
+  for (int i = 1; i <= 3; ++i) {
+    Grow(0.01 * i);
+    SurfaceCache other(std::size_t{1} << 30);
+    (void)Ask(other);
+    std::atomic<bool> is_made = false;
+    EXPECT_TRUE(keeper.Note(map_.published(), [&] {
+      is_made = cache_.bytes() >= other.bytes();
+      ++num_ready;
+    }));
+    ASSERT_TRUE(testing::Eventually([&] { return num_ready == i; }));
+    EXPECT_TRUE(is_made);
+  }
+  keeper.Stop();
+  EXPECT_FALSE(keeper.Note(map_.published(), [&] { ++num_ready; }));
+  EXPECT_EQ(num_ready, 3);
 }
 
 TEST_F(SurfaceKeeperTest, MakesNothingForWhomNobodyAsks) {
