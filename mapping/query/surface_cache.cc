@@ -128,7 +128,7 @@ bool SurfaceCache::IsWanted(const std::string& map) const {
 }
 
 void SurfaceCache::Freshen(const std::shared_ptr<const MapSnapshot>& state, const std::stop_token& stop) {
-  constexpr std::uint64_t kLately = 64;  // questions
+  constexpr std::uint64_t kLately = 256;  // questions
   if (!IsWanted(state->info().name)) return;
   const std::uint64_t now = ledger_->time.load(std::memory_order_relaxed);
   const std::shared_ptr<const MapSurfaces> surfaces = Find(state, false);
