@@ -108,7 +108,7 @@ Eigen::Vector3f TileWindow::SlopeAt(std::size_t row, int x) const {
   };
   const Row* observed = &room_.observed[row];
   return {slope(*observed >> (x - 1), *observed >> (x + 1), 1), slope(observed[-1] >> x, observed[1] >> x, kSide),
-          slope(observed[-kSide] >> x, observed[kSide] >> x, kSide * kSide)};
+          slope(observed[-kSide] >> x, observed[kSide] >> x, std::ptrdiff_t{kSide} * kSide)};
 }
 
 /// What is in front of the surface or expects others in front of it, and what is behind: one that is so close that it
