@@ -13,6 +13,7 @@ namespace {
 using Row = TileRoom::Row;
 constexpr int kSide = TileRoom::kSide;
 constexpr int kMargin = TileRoom::kMargin;
+
 /// A voxel beside one.
 struct Neighbour {
   int step;  ///< to it
