@@ -47,6 +47,7 @@ TEST(MapView, KeepsTheSpheresThatItWasAskedForWhoeverAsks) {
     }
   };
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i) threads.emplace_back(expect_all);
   for (std::thread& thread : threads) thread.join();
 }
