@@ -29,7 +29,8 @@ std::shared_ptr<const MapSnapshot> Made() {
     info.voxel_size_m = 0.1;
     info.T_map_submap.translation() = Eigen::Vector3d(i, 0, 0);
     Submap& submap = map.Create(info);
-    for (int voxel = 0; voxel < 3 * i; ++voxel) submap.MutableTsdf({voxel, i, 0}).weight[7 * voxel] = 1;
+    for (int voxel = 0; voxel < 3 * i; ++voxel)
+      submap.MutableTsdf({voxel, i, 0}).weight[static_cast<std::size_t>(7 * voxel)] = 1;
   }
   return map.Publish(0);
 }
