@@ -192,6 +192,7 @@ class EditedRoom {
     SessionOptions options;
     options.num_threads = 1;
     options.publish_frames = 1;
+    options.publish_s = 0.01;  // so long a frame may wait for surfaces
     options.commit_s = options.max_behind_s = kNever;
     options.idle_close_s = 0;
     options.page_bytes = kind_ == Store::kPaged ? 1 : 0;
