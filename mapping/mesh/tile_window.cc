@@ -39,8 +39,8 @@ constexpr Row Bit(int x) { return Row{1} << x; }
 constexpr Row From(int first) { return ~Row{0} << first; }
 constexpr Row kCorners = From(kMargin - 1) & ~From(kMargin + TileRoom::kTileVoxels + 1);  ///< that cells may have
 
-/// The same and all that are next to one of them along a row, then in y, then in z. Beside the last row of a plane is
-/// the first of the next: what lies there is no corner of any cell.
+/// The same and all that are next to one of them, along x and y, then along z. Beside the last row of a plane is the
+/// first of the next: what lies there is no corner of any cell.
 void Widen(const TileRoom::Rows& rows, TileRoom::Rows& wider) {
   const auto along_x = [&](std::size_t i) { return rows[i] | rows[i] << 1 | rows[i] >> 1; };
   for (std::size_t i = 1; i + 1 < TileRoom::kRows; ++i) wider[i] = along_x(i - 1) | along_x(i) | along_x(i + 1);

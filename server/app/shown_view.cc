@@ -56,9 +56,7 @@ void ShownView::ShowPrepared(std::shared_ptr<const MapView> next) {
   if (!is_taken) OnPrepared(view);
 }
 
-void ShownView::ShowNewest() {
-  if (const auto newest = Newest(); newest != nullptr) OnPrepared(newest);
-}
+void ShownView::ShowNewest() { OnPrepared(Newest()); }
 
 void ShownView::OnPrepared(const std::weak_ptr<const MapView>& view) {
   auto prepared = view.lock();
