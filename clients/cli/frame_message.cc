@@ -55,6 +55,11 @@ v1::Frame ToMessage(const DatasetFrame& frame, bool has_persistent_ids) {
     row.set_id(segment.id.value);
     if (segment.class_id) row.set_class_id(segment.class_id->value);
     row.set_score(segment.score);
+    for (const ClassScore& entry : segment.class_scores) {
+      v1::ClassScore& score = *row.add_class_scores();
+      score.set_class_id(entry.class_id.value);
+      score.set_score(entry.score);
+    }
   }
   out.set_has_persistent_ids(has_persistent_ids);
   out.set_unlisted_ids_are_unknown(true);

@@ -22,6 +22,25 @@ float ScoreOf(const Json& object) {
   return it != object.end() && it->is_number() ? std::clamp(it->get<float>(), 0.0f, 1.0f) : 0.0f;
 }
 
+/// "class_scores": {"category_id": score, ...}; unknown categories say nothing.
+Result<std::vector<ClassScore>> ClassScoresOf(const Json& object, const LabelTable& table) {
+  std::vector<ClassScore> scores;
+  const auto it = object.find("class_scores");
+  if (it == object.end()) return scores;
+  if (!it->is_object()) return InvalidArgument("has class_scores that are not an object");
+  for (const auto& [key, value] : it->items()) {
+    const bool is_number = !key.empty() && key.size() < 10 &&
+                           std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const LabelRow* row = is_number ? table.Find(std::stoll(key)) : nullptr;
+    if (row == nullptr) {
+      return InvalidArgument("has class_scores of category_id " + key + ", which the label table does not list");
+    }
+    if (!value.is_number()) return InvalidArgument("has class_scores that are not numbers");
+    if (!row->is_unknown) scores.push_back({row->label_class.id, std::clamp(value.get<float>(), 0.0f, 1.0f)});
+  }
+  return scores;
+}
+
 Result<SegmentInfo> ParseSegment(const Json& object, const LabelTable& table) {
   if (!object.is_object()) return InvalidArgument("is not an object");
   const std::int64_t id = WholeNumber(object, "id");
@@ -36,6 +55,8 @@ Result<SegmentInfo> ParseSegment(const Json& object, const LabelTable& table) {
   segment.id = SegmentId(static_cast<std::uint32_t>(id));
   if (!row->is_unknown) segment.class_id = row->label_class.id;
   segment.score = ScoreOf(object);
+  DHPMAP_ASSIGN_OR_RETURN(std::vector<ClassScore> class_scores, ClassScoresOf(object, table));
+  if (segment.class_id) segment.class_scores = std::move(class_scores);
   return segment;
 }
 
@@ -51,7 +72,7 @@ Result<std::vector<SegmentInfo>> ReadSegmentTable(const std::filesystem::path& p
     if (!segment.ok()) {
       return BadFile(path, "entry " + std::to_string(i) + " " + segment.status().message()).WithReason("BAD_LABELS");
     }
-    if (segment->id != kNoSegment) segments.push_back(*segment);
+    if (segment->id != kNoSegment) segments.push_back(*std::move(segment));
   }
   return segments;
 }

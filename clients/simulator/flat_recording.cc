@@ -93,7 +93,8 @@ class FrameWriter {
     if (options_.has_predictions) {
       const Prediction predicted = PredictPanoptic(frame, scene_.instances(), {}, options_.seed, number);
       DHPMAP_RETURN_IF_ERROR(WriteIdPng(start + "_predicted.png", options_.width_px, predicted.ids));
-      DHPMAP_RETURN_IF_ERROR(WriteText(start + "_labels.json", SegmentsJson(predicted.segments)));
+      DHPMAP_RETURN_IF_ERROR(
+          WriteText(start + "_labels.json", SegmentsJson(predicted.segments, options_.has_class_scores)));
     }
     return ViewsOfInstances(frame, scene_.instances().size());
   }

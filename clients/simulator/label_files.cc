@@ -24,6 +24,15 @@ std::string Row(std::size_t id, ObjectClass object_class, const std::string& nam
          (info.is_thing ? "1," : "0,") + color + name + "," + info.size + "\n";
 }
 
+double Rounded(float score) { return std::round(static_cast<double>(score) * 1000) / 1000; }
+
+Json ClassScores(const PredictedSegment& segment) {
+  const auto key = [](ObjectClass c) { return std::to_string(static_cast<int>(c)); };
+  Json scores{{key(segment.object_class), Rounded(segment.score)}};
+  if (segment.second_score > 0) scores[key(segment.second_class)] = Rounded(segment.second_score);
+  return scores;
+}
+
 }  // namespace
 
 std::string GroundTruthTable(std::span<const Instance> instances) {
@@ -40,14 +49,15 @@ std::string CategoryTable() {
   return csv;
 }
 
-std::string SegmentsJson(std::span<const PredictedSegment> segments) {
+std::string SegmentsJson(std::span<const PredictedSegment> segments, bool has_class_scores) {
   Json list = Json::array();
   for (const PredictedSegment& segment : segments) {
     const bool is_thing = InfoOf(segment.object_class).is_thing;
     Json entry{{"id", segment.id}, {"isthing", is_thing}, {"category_id", static_cast<int>(segment.object_class)}};
     if (is_thing) {
       entry["instance_id"] = segment.id;
-      entry["score"] = std::round(static_cast<double>(segment.score) * 1000) / 1000;
+      entry["score"] = Rounded(segment.score);
+      if (has_class_scores) entry["class_scores"] = ClassScores(segment);
     }
     list.push_back(std::move(entry));
   }

@@ -14,7 +14,7 @@ namespace dhpmap::simulator {
 std::string GroundTruthTable(std::span<const Instance> instances);
 /// detectron_labels.csv: a row a class.
 std::string CategoryTable();
-/// NNNNNN_labels.json
-std::string SegmentsJson(std::span<const PredictedSegment> segments);
+/// NNNNNN_labels.json; with the classes that the network thinks of, if that is wanted.
+std::string SegmentsJson(std::span<const PredictedSegment> segments, bool has_class_scores);
 
 }  // namespace dhpmap::simulator

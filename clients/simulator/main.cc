@@ -61,6 +61,7 @@ int Run(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--no-noise", no_noise, "Exact depth");
   app.add_flag("--no-predictions", no_predictions, "Ground truth labels only");
+  app.add_flag("--class-scores", options.has_class_scores, "Predictions say which classes the network thinks of");
   app.add_option("--threads", num_threads, "0 = one a core")->check(CLI::Range(0, 1024))->capture_default_str();
   app.add_option("--plan", plan, "Also draw the apartment from above into this PNG file");
   app.add_flag("--quiet", is_quiet, "No progress");

@@ -16,6 +16,8 @@ namespace {
 constexpr int kMinSharedBorder_px = 4;
 constexpr float kTouching_m = 0.3f;
 constexpr std::size_t kNumIds = 256;
+constexpr double kTruthIsSecondShare = 0.7;  // of things said to be something else
+constexpr double kSecondShare = 0.8;         // of what the score of a class leaves, that of the next
 
 /// A smooth random shift with the given root mean square, by interpolation between knots.
 class ShiftField {
@@ -73,11 +75,13 @@ struct Cut {
 
 class Predictor {
  public:
-  Predictor(const RenderedFrame& frame, std::span<const Instance> instances, const PanopticNoise& noise, Random random)
+  Predictor(const RenderedFrame& frame, std::span<const Instance> instances, const PanopticNoise& noise, Random random,
+            Random score_random)
       : frame_(frame),
         instances_(instances),
         noise_(noise),
         random_(random),
+        score_random_(score_random),
         width_(frame.camera.width_px),
         height_(frame.camera.height_px),
         scale_(width_ / 640.0) {}
@@ -180,12 +184,22 @@ class Predictor {
 
   float Score(bool is_wrong) {
     const double score = is_wrong ? random_.Uniform(0.5, 0.85) : 0.99 - 0.4 * std::pow(random_.Uniform(), 2);
-    return static_cast<float>(std::round(score * 1000) / 1000);
+    return Rounded(score);
   }
+
+  /// As files have it.
+  static float Rounded(double score) { return static_cast<float>(std::round(score * 1000) / 1000); }
 
   std::uint8_t AddSegment(std::uint8_t group, ObjectClass object_class, float score) {
     const auto id = static_cast<std::uint8_t>(prediction_.segments.size() + 1);
-    prediction_.segments.push_back({id, object_class, score, largest_[group]});
+    PredictedSegment segment{.id = id, .object_class = object_class, .score = score, .truth = largest_[group]};
+    if (InfoOf(object_class).is_thing) {
+      const ObjectClass truth = instances_[group].object_class;
+      const bool knows_better = score_random_.Chance(kTruthIsSecondShare);
+      segment.second_class = object_class != truth && knows_better ? truth : InfoOf(object_class).mistaken_for;
+      segment.second_score = Rounded(kSecondShare * (1 - static_cast<double>(score)));
+    }
+    prediction_.segments.push_back(segment);
     return id;
   }
 
@@ -242,7 +256,7 @@ class Predictor {
   const RenderedFrame& frame_;
   std::span<const Instance> instances_;
   const PanopticNoise& noise_;
-  Random random_;
+  Random random_, score_random_;
   const int width_, height_;
   const double scale_;
 
@@ -258,7 +272,9 @@ class Predictor {
 
 Prediction PredictPanoptic(const RenderedFrame& frame, std::span<const Instance> instances, const PanopticNoise& noise,
                            std::uint64_t seed, std::uint64_t frame_number) {
-  return Predictor(frame, instances, noise, Random(seed, frame_number, kPredictionStream)).Run();
+  return Predictor(frame, instances, noise, Random(seed, frame_number, kPredictionStream),
+                   Random(seed, frame_number, kScoreStream))
+      .Run();
 }
 
 }  // namespace dhpmap::simulator

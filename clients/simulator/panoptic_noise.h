@@ -26,7 +26,11 @@ struct PanopticNoise {
 struct PredictedSegment {
   std::uint8_t id = 0;  ///< pixel value in this frame; means nothing in others
   ObjectClass object_class = ObjectClass::kUnknown;
-  float score = 0;         ///< 0..1; 0 for stuff, which has none
+  float score = 0;  ///< 0..1; 0 for stuff, which has none
+  /// Of a thing, the class that the network thinks of next: if object_class is wrong, mostly what it is, else what it
+  /// is easily mistaken for; with most of what the score leaves.
+  ObjectClass second_class = ObjectClass::kUnknown;
+  float second_score = 0;
   std::uint8_t truth = 0;  ///< ground-truth id of the largest thing in it; for stuff, of one of that class
 };
 

@@ -16,7 +16,7 @@ constexpr std::uint64_t MixBits(std::uint64_t x) {
 }
 
 /// What a stream of random numbers is for.
-inline constexpr std::uint64_t kDepthStream = 1, kPredictionStream = 2;
+inline constexpr std::uint64_t kDepthStream = 1, kPredictionStream = 2, kScoreStream = 3;
 
 /// The same numbers from every compiler and standard library, unlike <random>'s distributions.
 class Random {

@@ -150,15 +150,18 @@ RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
     : voxel(VoxelAt(p_grid_m, voxel_size_m)),
       offset_vox((p_grid_m / voxel_size_m - Eigen::Vector3d(voxel.x, voxel.y, voxel.z)).cast<float>()) {}
 
-std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> class_id,
+std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, const LabelHistograms& votes,
                               const IntegrationConfig& config, Submap& submap, const std::stop_token& stop,
                               KeptClearVoxels* kept_clear) {
   if (segment.is_cut_short) throw std::bad_alloc();  // it was too much for memory: the frame fails as a whole
   const UpdateRule rule = MakeRule(config, submap);
   const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
-  Neighbourhood neighbourhood(segment, class_id.has_value(), submap, kept_clear);
+  const bool has_votes = !votes.classes.empty();
+  const bool is_simple = votes.classes.size() == 1 && votes.instances.size() == 1 && votes.instances[0].id.IsOwn();
+  Neighbourhood neighbourhood(segment, has_votes, submap, kept_clear);
   std::int64_t num_updates = 0;
   std::uint64_t num_labelled = 0;
+  const ClassId class_id(is_simple ? static_cast<std::uint16_t>(votes.classes[0].id) : std::uint16_t{0});
 
   for (const BundleCell& cell : segment.cells) {
     ThrowIfStopped(stop);
@@ -197,15 +200,19 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
         if (!is_updated) continue;
         ++num_updates;
         const float before_m = range_m - along_m;
-        if (!class_id || before_m <= -rule.truncation_m ||
+        if (!has_votes || before_m <= -rule.truncation_m ||
             before_m > rule.truncation_m + kHalfDiagonal_vox * voxel_size_m)
           continue;
-        here->labels->AddObservation(static_cast<int>(linear), *class_id);
+        if (is_simple) here->labels->AddObservation(static_cast<int>(linear), class_id, votes.classes[0].count);
+        else here->labels->AddVotes(static_cast<int>(linear), votes);
         ++num_labelled;
       }
     }
   }
-  if (num_labelled > 0) submap.AddClassObservations(*class_id, num_labelled);
+  if (num_labelled == 0) return num_updates;
+  for (const LabelCount& vote : votes.classes) {
+    submap.AddClassObservations(ClassId(static_cast<std::uint16_t>(vote.id)), num_labelled * vote.count);
+  }
   return num_updates;
 }
 

@@ -9,13 +9,13 @@ namespace dhpmap {
 namespace {
 
 template <typename Id>
-void Increment(std::vector<SeenCount<Id>>& counts, Id id) {
+void Increase(std::vector<SeenCount<Id>>& counts, Id id, std::uint32_t by) {
   const auto it = std::lower_bound(counts.begin(), counts.end(), id,
                                    [](const SeenCount<Id>& entry, Id wanted) { return entry.id < wanted; });
   if (it != counts.end() && it->id == id) {
-    ++it->count;
+    it->count = SumOfCounts(it->count, by);
   } else {
-    counts.insert(it, {id, 1});
+    counts.insert(it, {id, by});
   }
 }
 
@@ -33,24 +33,44 @@ BestSeen<Id> FindBest(const std::vector<SeenCount<Id>>& counts) {
 
 }  // namespace
 
-void LabelBlock::AddObservationSlowly(int linear, ClassId c) {
+LabelBlock::Cell LabelBlock::Cell::OfOneClass(std::uint16_t id, std::uint32_t count) {
+  if (count <= kMaxInlineCount) return {id, static_cast<std::uint16_t>(count), 0, 0};
+  return {id, static_cast<std::uint16_t>(count), kWide, static_cast<std::uint16_t>(count >> 16)};
+}
+
+void LabelBlock::AddObservationSlowly(int linear, ClassId c, std::uint32_t count) {
   Cell& cell = cells_[linear];
   if (cell.class_a != kOverflow) {
-    if (cell.count_a == 0 || (cell.class_a == c.value && cell.count_a < kMaxInlineCount)) {
-      cell.class_a = c.value;
-      ++cell.count_a;
+    if (cell.IsEmpty() || (cell.class_a == c.value && cell.CountB() == 0)) {
+      cell = Cell::OfOneClass(c.value, SumOfCounts(cell.CountA(), count));
       return;
     }
-    const bool b_takes_it = cell.count_b == 0 || (cell.class_b == c.value && cell.count_b < kMaxInlineCount);
-    if (cell.class_a != c.value && b_takes_it) {
+    if (cell.class_a == c.value && cell.count_a + count <= kMaxInlineCount) {
+      cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
+      return;
+    }
+    const bool b_takes_it = cell.count_b == 0 || (cell.class_b == c.value && cell.count_b + count <= kMaxInlineCount);
+    if (!cell.IsWide() && cell.class_a != c.value && b_takes_it) {
       cell.class_b = c.value;
-      ++cell.count_b;
+      cell.count_b = static_cast<std::uint16_t>(cell.count_b + count);
       return;
     }
   }
   LabelHistograms& histograms = MoveToOverflow(linear);
-  Increment(histograms.classes, std::uint32_t{c.value});
-  Increment(histograms.instances, kOwnInstance);
+  Increase(histograms.classes, std::uint32_t{c.value}, count);
+  Increase(histograms.instances, kOwnInstance, count);
+}
+
+void LabelBlock::AddVotes(int linear, const LabelHistograms& votes) {
+  if (votes.instances.size() == 1 && votes.instances.front().id.IsOwn()) {
+    for (const LabelCount& vote : votes.classes) {
+      AddObservation(linear, ClassId(static_cast<std::uint16_t>(vote.id)), vote.count);
+    }
+    return;
+  }
+  LabelHistograms& histograms = MoveToOverflow(linear);
+  for (const LabelCount& vote : votes.classes) Increase(histograms.classes, vote.id, vote.count);
+  for (const InstanceCount& vote : votes.instances) Increase(histograms.instances, vote.id, vote.count);
 }
 
 void LabelBlock::Add(int linear, const LabelHistograms& added) {
@@ -73,14 +93,19 @@ void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
   const auto& instances = histograms.instances;
   if (classes.empty() && instances.empty()) return;
 
+  const bool is_own_alone = instances.size() == 1 && instances[0].id == kOwnInstance;
+  if (is_own_alone && classes.size() == 1 && classes[0].count > kMaxInlineCount &&
+      instances[0].count == classes[0].count) {
+    cell = Cell::OfOneClass(static_cast<std::uint16_t>(classes[0].id), classes[0].count);
+    return;
+  }
   const bool small_counts = std::all_of(classes.begin(), classes.end(), [](const LabelCount& entry) {
     return entry.count >= 1 && entry.count <= kMaxInlineCount;
   });
   const std::uint64_t class_total =
       std::accumulate(classes.begin(), classes.end(), std::uint64_t{0},
                       [](std::uint64_t sum, const LabelCount& entry) { return sum + entry.count; });
-  if (small_counts && !classes.empty() && classes.size() <= 2 && instances.size() == 1 &&
-      instances[0].id == kOwnInstance && instances[0].count == class_total) {
+  if (small_counts && !classes.empty() && classes.size() <= 2 && is_own_alone && instances[0].count == class_total) {
     cell.class_a = static_cast<std::uint16_t>(classes[0].id);
     cell.count_a = static_cast<std::uint16_t>(classes[0].count);
     if (classes.size() == 2) {
@@ -112,37 +137,35 @@ void LabelBlock::RenameInstance(SubmapId from, SeenInstance to) {
   }
 }
 
-bool LabelBlock::IsEmpty(int linear) const {
-  return cells_[linear].class_a != kOverflow && cells_[linear].count_a == 0;
-}
+bool LabelBlock::IsEmpty(int linear) const { return cells_[linear].class_a != kOverflow && cells_[linear].IsEmpty(); }
 
 LabelHistograms LabelBlock::Get(int linear) const {
   const Cell& cell = cells_[linear];
   if (cell.class_a == kOverflow) return Overflow(cell);
   LabelHistograms histograms;
-  if (cell.count_a == 0) return histograms;
-  histograms.classes.push_back({cell.class_a, cell.count_a});
-  if (cell.count_b != 0) histograms.classes.push_back({cell.class_b, cell.count_b});
-  if (cell.count_b != 0 && cell.class_b < cell.class_a) std::swap(histograms.classes[0], histograms.classes[1]);
-  histograms.instances.push_back({kOwnInstance, static_cast<std::uint32_t>(cell.count_a) + cell.count_b});
+  if (cell.IsEmpty()) return histograms;
+  histograms.classes.push_back({cell.class_a, cell.CountA()});
+  if (cell.CountB() != 0) histograms.classes.push_back({cell.class_b, cell.CountB()});
+  if (cell.CountB() != 0 && cell.class_b < cell.class_a) std::swap(histograms.classes[0], histograms.classes[1]);
+  histograms.instances.push_back({kOwnInstance, cell.Total()});
   return histograms;
 }
 
 BestLabel LabelBlock::BestClass(int linear) const {
   const Cell& cell = cells_[linear];
   if (cell.class_a == kOverflow) return FindBest(Overflow(cell).classes);
-  if (cell.count_a == 0) return {};
-  const bool b_wins = cell.count_b > cell.count_a || (cell.count_b == cell.count_a && cell.class_b < cell.class_a);
-  const std::uint32_t total = static_cast<std::uint32_t>(cell.count_a) + cell.count_b;
-  const std::uint32_t best = b_wins ? cell.count_b : cell.count_a;
-  return {b_wins ? cell.class_b : cell.class_a, best, static_cast<float>(best) / static_cast<float>(total)};
+  if (cell.IsEmpty()) return {};
+  const std::uint32_t a = cell.CountA(), b = cell.CountB();
+  const bool b_wins = b > a || (b == a && cell.class_b < cell.class_a);
+  const std::uint32_t best = b_wins ? b : a;
+  return {b_wins ? cell.class_b : cell.class_a, best, static_cast<float>(best) / static_cast<float>(cell.Total())};
 }
 
 BestSeen<SeenInstance> LabelBlock::BestInstance(int linear) const {
   const Cell& cell = cells_[linear];
   if (cell.class_a == kOverflow) return FindBest(Overflow(cell).instances);
-  if (cell.count_a == 0) return {};
-  return {kOwnInstance, static_cast<std::uint32_t>(cell.count_a) + cell.count_b, 1.0f};
+  if (cell.IsEmpty()) return {};
+  return {kOwnInstance, cell.Total(), 1.0f};
 }
 
 void LabelBlock::AddTo(LabelTotals& totals) const {
@@ -153,10 +176,10 @@ void LabelBlock::AddTo(LabelTotals& totals) const {
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
     const Cell& cell = cells_[static_cast<std::size_t>(linear)];
     if (cell.class_a != kOverflow && !IsConcluded(linear)) {  // nearly all
-      const std::uint32_t own = std::uint32_t{cell.count_a} + cell.count_b;
+      const std::uint32_t own = cell.Total();
       if (own == 0) continue;
-      add_class(cell.class_a, cell.count_a);
-      if (cell.count_b != 0) add_class(cell.class_b, cell.count_b);
+      add_class(cell.class_a, cell.CountA());
+      if (cell.CountB() != 0) add_class(cell.class_b, cell.CountB());
       totals.own += own;
       totals.instances += own;
       continue;
@@ -171,7 +194,7 @@ void LabelBlock::AddTo(LabelTotals& totals) const {
 
 std::uint64_t LabelBlock::NumObservations(int linear) const {
   const Cell& cell = cells_[linear];
-  if (cell.class_a != kOverflow) return static_cast<std::uint64_t>(cell.count_a) + cell.count_b;
+  if (cell.class_a != kOverflow) return cell.Total();
   std::uint64_t total = 0;
   for (const InstanceCount& entry : Overflow(cell).instances) total += entry.count;
   return total;

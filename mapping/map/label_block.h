@@ -29,6 +29,10 @@ using SubmapCount = SeenCount<SubmapId>;
 struct LabelHistograms {
   std::vector<LabelCount> classes;
   std::vector<InstanceCount> instances;
+  /// A class, seen so often as the own instance's.
+  static LabelHistograms OfClass(ClassId c, std::uint32_t count = 1) {
+    return {{{c.value, count}}, {{kOwnInstance, count}}};
+  }
   bool operator==(const LabelHistograms&) const = default;
 };
 
@@ -42,6 +46,9 @@ struct BestSeen {
 };
 using BestLabel = BestSeen<std::uint32_t>;
 
+/// What two counts are together: no more than 2^32 - 1, so that what was seen most stays that.
+constexpr std::uint32_t SumOfCounts(std::uint32_t a, std::uint32_t b) { return a > ~b ? ~std::uint32_t{0} : a + b; }
+
 /// Sums two lists that are sorted by id.
 template <typename Id>
 std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const std::vector<SeenCount<Id>>& b);
@@ -53,8 +60,8 @@ struct LabelTotals {
 };
 
 /// Exact label counts of one block (paper II-A, II-C). Nearly every voxel has seen one instance, its own submap, and
-/// one or two classes: those counts are inline in 8 bytes. Anything else (a third class, another instance, a count
-/// above 65,535) moves the voxel to an overflow list without any cap. Thread-compatible.
+/// one or two classes: those counts are inline in 8 bytes. Anything else (a third class, another instance, a count of
+/// one of two classes above 65,535) moves the voxel to an overflow list. A count ends at 2^32 - 1. Thread-compatible.
 ///
 /// Counts are what was seen, and nothing but more of it changes them. What refinement concludes from them is apart: a
 /// voxel that the submap holds although it has seen another instance more often, or none at all, has a bit for it, and
@@ -63,15 +70,21 @@ class LabelBlock {
  public:
   PartId part_id;  ///< of this block; no part of what it says
 
-  /// Adds one observation of class `c` that also counts for the own instance (paper II-C).
-  void AddObservation(int linear, ClassId c) {
+  /// Adds one observation of class `c` that also counts for the own instance (paper II-C). `count` is what it counts,
+  /// 1 to 65,535 (see TrackingConfig::SightingUnit).
+  void AddObservation(int linear, ClassId c, std::uint32_t count = 1) {
     Cell& cell = cells_[linear];
-    if (cell.class_a == c.value && cell.count_a - 1u < kMaxInlineCount - 1u) {  // 1..65534: by far the most frequent
-      ++cell.count_a;
+    // Nearly always. The lower half of a wide count, too, if that does not carry.
+    if (cell.class_a == c.value && cell.count_a != 0 && cell.count_a + count <= kMaxInlineCount) {
+      cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
     } else {
-      AddObservationSlowly(linear, c);
+      AddObservationSlowly(linear, c, count);
     }
   }
+
+  /// Adds an observation that counts so much, which may be for several classes and for other instances, too. Lists
+  /// sorted by id; of the same sum.
+  void AddVotes(int linear, const LabelHistograms& votes);
 
   /// Adds whole histograms, such as those of a voxel of another submap; lists sorted by id, ids of classes below
   /// 65,535.
@@ -126,15 +139,26 @@ class LabelBlock {
 
  private:
   // Inline: classes a and b with their counts, the own instance with count_a + count_b. count_a == 0 means empty.
+  // Wide: class_b == kWide, class a alone, and count_b is the upper half of its count.
   // Overflow: class_a == kOverflow and the entry number in the other three fields.
   struct Cell {
     std::uint16_t class_a = 0, count_a = 0, class_b = 0, count_b = 0;
+    // Of a cell that is not kOverflow.
+    [[nodiscard]] bool IsWide() const { return class_b == kWide; }
+    [[nodiscard]] bool IsEmpty() const { return count_a == 0 && !IsWide(); }
+    [[nodiscard]] std::uint32_t CountA() const {
+      return IsWide() ? count_a | static_cast<std::uint32_t>(count_b) << 16 : std::uint32_t{count_a};
+    }
+    [[nodiscard]] std::uint32_t CountB() const { return IsWide() ? 0u : std::uint32_t{count_b}; }
+    [[nodiscard]] std::uint32_t Total() const { return CountA() + CountB(); }
+    static Cell OfOneClass(std::uint16_t id, std::uint32_t count);
   };
   static constexpr std::uint16_t kOverflow = 0xFFFF;
+  static constexpr std::uint16_t kWide = 0xFFFF;
 
   static constexpr std::uint32_t kMaxInlineCount = 0xFFFF;
 
-  void AddObservationSlowly(int linear, ClassId c);
+  void AddObservationSlowly(int linear, ClassId c, std::uint32_t count);
   [[nodiscard]] const LabelHistograms& Overflow(const Cell& cell) const;
   LabelHistograms& MoveToOverflow(int linear);
 
@@ -156,7 +180,7 @@ std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const 
     } else if (i == a.size() || b[j].id < a[i].id) {
       sum.push_back(b[j++]);
     } else {
-      sum.push_back({a[i].id, a[i].count + b[j].count});
+      sum.push_back({a[i].id, SumOfCounts(a[i].count, b[j].count)});
       ++i, ++j;
     }
   }
@@ -170,8 +194,8 @@ void LabelBlock::VisitClasses(int linear, Visitor&& visit) const {
     for (const LabelCount& entry : Overflow(cell).classes) visit(entry);
     return;
   }
-  if (cell.count_a != 0) visit(LabelCount{cell.class_a, cell.count_a});
-  if (cell.count_b != 0) visit(LabelCount{cell.class_b, cell.count_b});
+  if (const std::uint32_t count = cell.CountA(); count != 0) visit(LabelCount{cell.class_a, count});
+  if (const std::uint32_t count = cell.CountB(); count != 0) visit(LabelCount{cell.class_b, count});
 }
 
 template <typename Visitor>
@@ -181,8 +205,7 @@ void LabelBlock::VisitInstances(int linear, Visitor&& visit) const {
     for (const InstanceCount& entry : Overflow(cell).instances) visit(entry);
     return;
   }
-  const std::uint32_t own = std::uint32_t{cell.count_a} + cell.count_b;
-  if (own != 0) visit(InstanceCount{kOwnInstance, own});
+  if (const std::uint32_t own = cell.Total(); own != 0) visit(InstanceCount{kOwnInstance, own});
 }
 
 }  // namespace dhpmap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,12 +29,18 @@ struct TrackingConfig {
   double iou_threshold = 0.12;        ///< a segment joins a submap only above this IoU
   double depth_tolerance_vox = 1.0;   ///< a point hits a submap where |distance| is below this
   bool match_requires_class = false;  ///< things only match submaps of their own class
-  double min_score = 0;         ///< segments of a smaller score are geometry only; those without one (0) always count
+  double min_score = 0;  ///< segments of a smaller score are geometry only; those without one (0) always count
+  /// What is seen of a segment counts as its score says, and its class_scores count, too; see SightingUnit.
+  bool weigh_scores = false;
   int split_gap_vox = 5;        ///< parts of a thing's segment that lie farther apart are matched one by one; 0 = never
   int min_points_stuff = 1000;  ///< points that a new background submap needs in one frame
   int min_points_small = 60;    ///< the same for things, by the size of their class
   int min_points_medium = 60;
   int min_points_large = 1000;
+
+  /// What one sighting adds to the counts of a voxel that nobody doubts: of weighed ones, counts are in 1/256, so that
+  /// they stay whole numbers, which add up exactly in any order.
+  [[nodiscard]] std::uint32_t SightingUnit() const { return weigh_scores ? 256 : 1; }
 };
 
 struct ActivityConfig {
@@ -110,6 +117,8 @@ void VisitFields(Config& c, Visitor&& visit) {
         "things only match submaps of their own class");
   visit("tracking.min_score", c.tracking.min_score, 0.0, 1.0,
         "segments of a smaller score are geometry only; those without one always count");
+  visit("tracking.weigh_scores", c.tracking.weigh_scores, 0.0, 1.0,
+        "what is seen of a segment counts as its score, or its class_scores, say");
   visit("tracking.split_gap_vox", c.tracking.split_gap_vox, 0.0, 1000.0,
         "parts of a thing's segment farther apart are matched one by one; 0 = never");
   visit("tracking.min_points_stuff", c.tracking.min_points_stuff, 1.0, 1e9, "points a new background submap needs");

@@ -10,6 +10,7 @@
 #include "mapping/fusion/kept_clear_voxels.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/pipeline/assigned_parts.h"
+#include "mapping/tracking/segment_votes.h"
 #include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
@@ -19,16 +20,23 @@ namespace {
 struct SubmapWork {
   Submap* submap;
   std::vector<std::size_t> segments;
+  std::vector<LabelHistograms> votes;  ///< of each
   std::int64_t num_updates = 0;
 };
 
-std::vector<SubmapWork> GroupBySubmap(std::span<const Assignment> assignments, Map& map) {
+/// Votes are asked for before submaps change, and with them what their classes are.
+std::vector<SubmapWork> GroupBySubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                                      std::span<const Assignment> assignments, Map& map) {
   std::vector<SubmapWork> works;
+  FrameVotes votes(frame, map);
   for (std::size_t s = 0; s < assignments.size(); ++s) {
     Submap* submap = map.FindMutable(assignments[s].submap);
     auto it = std::find_if(works.begin(), works.end(), [&](const SubmapWork& work) { return work.submap == submap; });
     if (it == works.end()) it = works.insert(works.end(), {submap, {}});
     it->segments.push_back(s);
+    it->votes.push_back(segments[s].row < 0
+                            ? LabelHistograms{}
+                            : votes.Of(frame.segments[static_cast<std::size_t>(segments[s].row)], *submap));
   }
   return works;
 }
@@ -49,7 +57,6 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
   }
   const SubmapInfo& info = submap.info();
   const IntegrationConfig& config = map_config.integration;
-  const bool is_unknown = info.id == kUnknownSubmap;
   const bool on_map_grid = IsOnMapGrid(info, map_config);
   const Transform T_submap_sensor = info.T_map_submap.inverse() * frame.T_map_sensor;
   const RayOrigin origin(T_submap_sensor.translation(), info.voxel_size_m);
@@ -66,7 +73,8 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
 
   std::optional<KeptClearVoxels> kept_clear = KeptClearVoxelsOf(map, info);
   int last_row = -2;
-  for (const std::size_t s : work.segments) {
+  for (std::size_t i = 0; i < work.segments.size(); ++i) {
+    const std::size_t s = work.segments[i];
     const int row = segments[s].row;
     const SegmentBundles* bundles = &segments[s];
     if (!on_map_grid) {
@@ -75,10 +83,8 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
       if (own == bundled->end()) continue;  // a point or two, on the face of a voxel of another's
       bundles = &*own;
     }
-    std::optional<ClassId> class_id;
-    if (!is_unknown) class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
     work.num_updates +=
-        IntegrateSegment(*bundles, origin, class_id, config, submap, stop, kept_clear ? &*kept_clear : nullptr);
+        IntegrateSegment(*bundles, origin, work.votes[i], config, submap, stop, kept_clear ? &*kept_clear : nullptr);
   }
   if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
   submap.mutable_info().num_frames_observed += 1;
@@ -115,7 +121,7 @@ std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>
 std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                        std::span<const Assignment> assignments, Map& map, ThreadPool& pool,
                        const std::stop_token& stop) {
-  std::vector<SubmapWork> works = GroupBySubmap(assignments, map);
+  std::vector<SubmapWork> works = GroupBySubmap(frame, segments, assignments, map);
   const MapConfig& config = map.info().config;
   pool.ParallelFor(works.size(), [&](std::size_t i) { FuseSubmap(frame, segments, map.info(), stop, works[i]); });
   std::int64_t num_updates = 0;

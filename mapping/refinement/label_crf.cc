@@ -58,7 +58,7 @@ struct TileOutcome {
 TileOutcome SolveTile(std::span<const HeldBlock> blocks, const KnownInstances& known, const CrfTile& tile, int rim,
                       const MapConfig& config) {
   const TileProblem problem(blocks, known, tile, rim, config.voxel_size_m);
-  const ScratchVector<float> values = TileMarginals(problem, config.refinement);
+  const ScratchVector<float> values = TileMarginals(problem, config);
   const ScratchVector<SubmapId> labels = Conclude(problem, values);
   TileOutcome outcome{.handovers = {}, .num_voxels = static_cast<std::int64_t>(problem.num_inner())};
   for (std::size_t m = 0; m < problem.num_inner(); ++m) {

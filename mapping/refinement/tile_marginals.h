@@ -9,6 +9,6 @@ namespace dhpmap {
 
 /// How likely each instance is at each of a tile's voxels, the rim's included, after the CRF: by member, then channel;
 /// those of a member add up to 1. From what was seen alone, whatever was concluded before.
-ScratchVector<float> TileMarginals(const TileProblem& problem, const RefinementConfig& config);
+ScratchVector<float> TileMarginals(const TileProblem& problem, const MapConfig& map_config);
 
 }  // namespace dhpmap

@@ -11,6 +11,32 @@ namespace {
 
 constexpr std::size_t kMaxIdsNamed = 20;  // of ids without a row: a wrong table may miss thousands
 
+constexpr float kMostInSum = 1.001f;  // of what a softmax in single precision may add up to
+
+void CheckClassScores(const SegmentInfo& segment, const std::string& segment_field, const LabelSet& label_set,
+                      Status& bad) {
+  if (segment.class_scores.empty()) return;
+  const std::string field = segment_field + ".class_scores";
+  if (segment.class_scores.size() > kMostClassScores) {
+    bad.AddViolation(field, "has " + std::to_string(segment.class_scores.size()) + " classes, more than " +
+                                std::to_string(kMostClassScores));
+    return;
+  }
+  float sum = 0;
+  std::vector<ClassId> classes;
+  for (const ClassScore& entry : segment.class_scores) {
+    if (!(entry.score >= 0.0f && entry.score <= 1.0f))
+      bad.AddViolation(field, "of class " + std::to_string(entry.class_id.value) + " is not within 0 and 1");
+    if (label_set.Find(entry.class_id) == nullptr)
+      bad.AddViolation(field, "class " + std::to_string(entry.class_id.value) + " is not in the label set");
+    sum += entry.score;
+    classes.push_back(entry.class_id);
+  }
+  if (sum > kMostInSum) bad.AddViolation(field, "add up to " + std::to_string(sum) + ", more than 1");
+  std::sort(classes.begin(), classes.end());
+  if (std::adjacent_find(classes.begin(), classes.end()) != classes.end()) bad.AddViolation(field, "has a class twice");
+}
+
 void CheckSegmentTable(const PanopticFrame& frame, const LabelSet& label_set, Status& bad) {
   std::vector<std::uint32_t> ids;
   for (std::size_t i = 0; i < frame.segments.size(); ++i) {
@@ -23,6 +49,7 @@ void CheckSegmentTable(const PanopticFrame& frame, const LabelSet& label_set, St
     if (!(segment.score >= 0.0f && segment.score <= 1.0f)) {
       bad.AddViolation(field + ".score", std::to_string(segment.score) + " is not within 0 and 1");
     }
+    CheckClassScores(segment, field, label_set, bad);
     ids.push_back(segment.id.value);
   }
   std::sort(ids.begin(), ids.end());
@@ -102,6 +129,23 @@ void CheckLidar(const PanopticFrame& frame, const LidarData& data, Status& bad) 
 }
 
 }  // namespace
+
+bool SegmentInfo::IsDoubtful(double min_score) const {
+  float sure = score;
+  if (sure == 0.0f && class_id) {
+    const auto own = std::find_if(class_scores.begin(), class_scores.end(),
+                                  [&](const ClassScore& entry) { return entry.class_id == *class_id; });
+    if (own != class_scores.end()) sure = own->score;
+  }
+  return sure > 0 && static_cast<double>(sure) < min_score;
+}
+
+std::optional<ClassId> LikeliestClass(std::span<const ClassScore> scores) {
+  const auto most = std::max_element(scores.begin(), scores.end(),
+                                     [](const ClassScore& a, const ClassScore& b) { return a.score < b.score; });
+  if (most == scores.end() || !(most->score > 0)) return std::nullopt;
+  return most->class_id;
+}
 
 Status ValidateFrame(const PanopticFrame& frame, const LabelSet& label_set) {
   Status bad = InvalidArgument("the frame is not usable").WithReason("BAD_FRAME");

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,16 +16,31 @@
 
 namespace dhpmap {
 
+/// How likely a class is.
+struct ClassScore {
+  ClassId class_id;
+  float score = 0;  ///< 0..1
+  bool operator==(const ClassScore&) const = default;
+};
+
+/// The likeliest (of equals, the first); nothing if none is above 0.
+std::optional<ClassId> LikeliestClass(std::span<const ClassScore> scores);
+
 /// One row of a frame's segment table: what the panoptic segmentation says of a segment id.
 struct SegmentInfo {
   SegmentId id;  ///< not 0, unique in its frame
   /// Empty: the object is not known; its points go to the unknown submap.
   std::optional<ClassId> class_id;
   float score = 0.0f;  ///< 0..1, 0 where the network gives none
+  /// How likely each class is; empty where the network does not say. At most kMostClassScores, of different classes, in
+  /// sum at most 1.
+  std::vector<ClassScore> class_scores;
 
-  /// The network itself gives it less than `min_score`.
-  [[nodiscard]] bool IsDoubtful(double min_score) const { return score > 0 && static_cast<double>(score) < min_score; }
+  /// The network itself gives it less than `min_score`: by its score, or, where it has none, by that of its class.
+  [[nodiscard]] bool IsDoubtful(double min_score) const;
 };
+
+inline constexpr std::size_t kMostClassScores = 64;
 
 /// Images of one depth camera, registered to each other: same size, row-major, width * height values.
 struct DepthCameraData {
@@ -62,8 +78,8 @@ struct PanopticFrame {
 
 /// INVALID_ARGUMENT, naming every violation at once, for: a pose with non-finite entries, neither or both sensors, a
 /// camera that is not usable, image sizes that do not fit, a segment id of 0 or given twice, a class outside the label
-/// set, a score outside 0..1, non-finite points, and an id without a row unless the frame allows it. Violations name
-/// the members above: "camera.depth_m", "segments[3].score".
+/// set, a score outside 0..1, class scores that are none, non-finite points, and an id without a row unless the frame
+/// allows it. Violations name the members above: "camera.depth_m", "segments[3].score".
 Status ValidateFrame(const PanopticFrame& frame, const LabelSet& label_set);
 
 }  // namespace dhpmap

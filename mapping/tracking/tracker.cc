@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "mapping/tracking/find_stuff.h"
 #include "mapping/tracking/find_track.h"
 #include "mapping/tracking/split_things.h"
 #include "mapping/tracking/visibility.h"
@@ -13,22 +14,6 @@ namespace {
 
 /// Of the largest part of its segment: a smaller one makes no object.
 constexpr double kLeastShareOfPart = 0.1;
-
-/// What frames mean by the class. Where it was seen: what somebody has moved or copied is not what is seen there now.
-/// What was made for the class comes first, then what was seen as it before somebody gave it another, then what
-/// somebody has given this one.
-const Submap* FindStuff(const Map& map, ClassId class_id) {
-  const Submap* seen_as = nullptr;
-  const Submap* relabelled = nullptr;
-  for (const auto& submap : map.submaps()) {
-    const SubmapInfo& info = submap->info();
-    if (info.panoptic != Panoptic::kStuff || info.is_placed || !info.IsSeenAs(class_id)) continue;
-    if (!info.class_is_fixed) return submap.get();
-    const Submap*& first = info.class_id != class_id ? seen_as : relabelled;
-    if (first == nullptr) first = submap.get();
-  }
-  return seen_as != nullptr ? seen_as : relabelled;
-}
 
 /// Only other sessions know it by an id.
 bool IsTrackOfOthers(const SubmapInfo& info, const std::string& session) {

@@ -9,6 +9,7 @@
 
 #include "mapping/sensor/lidar_projection.h"
 #include "server/wire/image_conversion.h"
+#include "server/wire/types/label_conversion.h"
 #include "server/wire/types/pose_conversion.h"
 
 namespace dhpmap {
@@ -96,6 +97,30 @@ Transform PoseOf(const v1::Frame& frame, Status& bad) {
 }
 
 constexpr int kMaxSegments = 1 << 16;
+constexpr std::size_t kMaxScoresAFrame = std::size_t{1} << 18;
+
+std::size_t NumClassScores(const v1::Frame& frame) {
+  std::size_t num_scores = 0;
+  for (const v1::Segment& segment : frame.segments())
+    num_scores += static_cast<std::size_t>(segment.class_scores_size());
+  return num_scores;
+}
+
+std::vector<ClassScore> ClassScoresOf(const v1::Segment& segment, const std::string& field, Status& bad) {
+  std::vector<ClassScore> scores;
+  const auto num_scores = static_cast<std::size_t>(segment.class_scores_size());
+  if (num_scores > kMostClassScores) {
+    bad.AddViolation(field,
+                     "has " + std::to_string(num_scores) + " classes, more than " + std::to_string(kMostClassScores));
+    return scores;
+  }
+  scores.reserve(num_scores);
+  for (const v1::ClassScore& entry : segment.class_scores()) {
+    if (const auto class_id = ClassIdFromProto(entry.class_id())) scores.push_back({*class_id, entry.score()});
+    else bad.AddViolation(field, "class " + std::to_string(entry.class_id()) + " is not within 0 and 65534");
+  }
+  return scores;
+}
 
 std::vector<SegmentInfo> SegmentTableOf(const v1::Frame& frame, Status& bad) {
   std::vector<SegmentInfo> table;
@@ -104,17 +129,23 @@ std::vector<SegmentInfo> SegmentTableOf(const v1::Frame& frame, Status& bad) {
                                      std::to_string(kMaxSegments));
     return table;
   }
+  if (NumClassScores(frame) > kMaxScoresAFrame) {
+    bad.AddViolation("segments", "have more than " + std::to_string(kMaxScoresAFrame) + " class_scores");
+    return table;
+  }
   table.reserve(static_cast<std::size_t>(frame.segments_size()));
   for (int i = 0; i < frame.segments_size(); ++i) {
     const v1::Segment& segment = frame.segments(i);
-    SegmentInfo info{.id = SegmentId(segment.id()), .score = segment.score()};
+    const std::string field = "segments[" + std::to_string(i) + "]";
+    SegmentInfo info{.id = SegmentId(segment.id()),
+                     .score = segment.score(),
+                     .class_scores = ClassScoresOf(segment, field + ".class_scores", bad)};
     if (segment.has_class_id() && segment.class_id() > kMaxClassId) {
-      bad.AddViolation("segments[" + std::to_string(i) + "].class_id",
-                       std::to_string(segment.class_id()) + " is not within 0 and 65534");
-    } else if (segment.has_class_id()) {
-      info.class_id = ClassId(static_cast<std::uint16_t>(segment.class_id()));
+      bad.AddViolation(field + ".class_id", std::to_string(segment.class_id()) + " is not within 0 and 65534");
+    } else {
+      info.class_id = segment.has_class_id() ? ClassIdFromProto(segment.class_id()) : LikeliestClass(info.class_scores);
     }
-    table.push_back(info);
+    table.push_back(std::move(info));
   }
   return table;
 }
@@ -217,7 +248,8 @@ std::size_t DecodedBytes(const v1::Frame& frame) {
     if (width_px < 1 || width_px > kMaxSide_px || height_px < 1 || height_px > kMaxSide_px) return 0;
     return kBytesAPixel * static_cast<std::size_t>(width_px * height_px);
   };
-  return points + pixels(frame.depth_camera().camera()) + pixels(lidar.camera());
+  const std::size_t scores = sizeof(ClassScore) * NumClassScores(frame);
+  return points + pixels(frame.depth_camera().camera()) + pixels(lidar.camera()) + scores;
 }
 
 Result<PanopticFrame> FrameFromProto(const v1::Frame& frame) {

@@ -51,7 +51,7 @@ Status SingleMap::Integrate(const PanopticFrame& frame) {
 void SingleMap::Fuse(const SegmentBundles& rays, const RayOrigin& origin) {
   const IntegrationConfig& config = setup_.config.integration;
   const std::size_t num_blocks = map_.blocks().size();
-  IntegrateSegment(rays, origin, std::nullopt, config, map_);
+  IntegrateSegment(rays, origin, {}, config, map_);
   if (!config.carving) return;
   if (map_.blocks().size() != num_blocks) map_.UpdateBoundingSphere();  // outside of it, nothing is carved
   CarveFreeSpace({&rays, 1}, origin, config, map_);

@@ -92,7 +92,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
        {"band_size.h", "bundler.h", "grid_ray.h", "integrator.h", "kept_clear_points.h", "kept_clear_voxels.h",
         "segment_bundles.h", "segment_parts.h"}},
       {"mapping/space", {"free_space_finder.h", "presence.h"}},
-      {"mapping/tracking", {"activity.h", "overlap_table.h", "tracker.h", "visibility.h"}},
+      {"mapping/tracking", {"activity.h", "overlap_table.h", "segment_votes.h", "tracker.h", "visibility.h"}},
       {"mapping/crf", {"dense_crf.h", "label_channels.h"}},
       {"mapping/evidence",
        {"known_instances.h", "label_management.h", "refinement_region.h", "stray_voxels.h", "submap_labels.h",

@@ -43,6 +43,16 @@ TEST_F(FlatDataset, PredictedSegmentsTakeTheirClassFromTheTable) {
   EXPECT_FALSE(dataset->has_persistent_ids());
 }
 
+TEST_F(FlatDataset, SegmentsMaySayHowLikelyEachClassIs) {
+  const auto dataset = Open(LabelSource::kPredicted);
+  WriteText(root() / "run1" / "000000_labels.json",
+            R"([{"id": 1, "category_id": 55, "class_scores": {"53": 0.25, "55": 0.5}}, {"id": 2, "category_id": 53}])");
+  const DatasetFrame frame = dataset->Read(0).value();
+  const std::vector<ClassScore> scores{{ClassId(53), 0.25f}, {ClassId(55), 0.5f}};
+  EXPECT_EQ(frame.segments[0].class_scores, scores);
+  EXPECT_TRUE(frame.segments[1].class_scores.empty());
+}
+
 TEST_F(FlatDataset, PredictedClassesLeaveOutTheUnknownOnesAndMakeUpColours) {
   const auto dataset = Open(LabelSource::kPredicted);
   const std::vector<LabelClass>& classes = dataset->label_classes();
@@ -128,6 +138,11 @@ TEST_F(FlatDataset, BrokenFramesSayWhatIsWrong) {
   EXPECT_EQ(reason_with("_labels.json", R"({"id":1})"), "BAD_LABELS");
   EXPECT_EQ(reason_with("_labels.json", R"([{"id":-1,"category_id":53}])"), "BAD_LABELS");
   EXPECT_EQ(reason_with("_labels.json", R"([{"id":1,"category_id":77}])"), "BAD_LABELS");
+  for (const char* scores : {R"([0.5])", R"({"77": 0.5})", R"({"-1": 0.5})", R"({"": 1})", R"({"53": "sure"})",
+                             R"({"99999999999999999999": 0.5})"}) {
+    const std::string text = R"([{"id":1,"category_id":53,"class_scores":)" + std::string(scores) + "}]";
+    EXPECT_EQ(reason_with("_labels.json", text.c_str()), "BAD_LABELS") << scores;
+  }
   EXPECT_EQ(reason_with("_depth.tiff", ""), "BAD_IMAGE");
 }
 

@@ -102,7 +102,8 @@ TEST(PanopticNoise, ListsEverySegmentOnceAndOnlyThose) {
       EXPECT_TRUE(listed.insert(segment.id).second);
       if (InfoOf(segment.object_class).is_thing) {
         EXPECT_GT(segment.score, 0.4f);
-        EXPECT_LE(segment.score, 1.0f);
+        EXPECT_LE(segment.score + segment.second_score, 1.0f);
+        EXPECT_NE(segment.second_class, segment.object_class);
       } else {
         EXPECT_TRUE(stuff.insert(segment.object_class).second) << "one segment a stuff class";
       }

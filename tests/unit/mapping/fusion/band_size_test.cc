@@ -42,7 +42,7 @@ Counted Count(const PanopticFrame& frame) {
   Map map(info);
   Submap& submap = *map.FindMutable(kUnknownSubmap);
   for (const SegmentBundles& segment : segments) {
-    IntegrateSegment(segment, origin, std::nullopt, info.config.integration, submap);
+    IntegrateSegment(segment, origin, {}, info.config.integration, submap);
   }
   constexpr std::size_t kNoLimit = 1'000'000'000;
   return {submap.blocks().size(), CountBandBlocks(segments, origin, kVoxel_m, kTruncation_m, 1),

@@ -91,7 +91,7 @@ TEST(MapConfig, KeysAreUnique) {
   std::vector<std::string> keys = Keys();
   std::sort(keys.begin(), keys.end());
   EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end());
-  EXPECT_EQ(keys.size(), 34u);
+  EXPECT_EQ(keys.size(), 35u);
 }
 
 TEST(MapConfig, TextRoundTripIsExactForEveryField) {

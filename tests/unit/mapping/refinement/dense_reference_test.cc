@@ -283,7 +283,7 @@ TEST_P(DenseReferenceTest, MarginalsOfTilesAreThoseOfTheWholeMapUpToTheLatticeAn
     std::int64_t num_marginals = 0, num_voxels = 0;
     for (const CrfTile& tile : CutTiles(blocks, known, side, rim_, pool_)) {
       const TileProblem problem(blocks, known, tile, rim_, config_.voxel_size_m);
-      const auto values = TileMarginals(problem, config_.refinement);
+      const auto values = TileMarginals(problem, config_);
       const auto stride = static_cast<std::size_t>(problem.channels().num_channels());
       for (std::size_t m = 0; m < problem.num_inner(); ++m) {
         const TileProblem::Member& member = problem.members()[m];

@@ -95,6 +95,28 @@ INSTANTIATE_TEST_SUITE_P(
         BadFrame{"IdTwice", [](auto& f) { f.segments.push_back(f.segments[0]); }, "segments"},
         BadFrame{"UnknownClass", [](auto& f) { f.segments[1].class_id = ClassId(4); }, "segments[1].class_id"},
         BadFrame{"ScoreAboveOne", [](auto& f) { f.segments[0].score = 1.5f; }, "segments[0].score"},
+        BadFrame{"ScoresOfNoClass",
+                 [](auto& f) {
+                   f.segments[0].class_scores = {{ClassId(99), 0.5f}};
+                 },
+                 "segments[0].class_scores"},
+        BadFrame{"ScoresOfAClassTwice",
+                 [](auto& f) {
+                   f.segments[0].class_scores = {{ClassId(1), 0.5f}, {ClassId(1), 0.1f}};
+                 },
+                 "segments[0].class_scores"},
+        BadFrame{"ScoresAboveOneInSum",
+                 [](auto& f) {
+                   f.segments[1].class_scores = {{ClassId(1), 0.6f}, {ClassId(2), 0.5f}};
+                 },
+                 "segments[1].class_scores"},
+        BadFrame{"NanClassScore",
+                 [](auto& f) {
+                   f.segments[1].class_scores = {{ClassId(1), std::nanf("")}};
+                 },
+                 "segments[1].class_scores"},
+        BadFrame{"TooManyClassScores", [](auto& f) { f.segments[1].class_scores.resize(kMostClassScores + 1); },
+                 "segments[1].class_scores"},
         BadFrame{"NanScore", [](auto& f) { f.segments[0].score = std::nanf(""); }, "segments[0].score"}),
     [](const auto& frame) { return frame.param.name; });
 

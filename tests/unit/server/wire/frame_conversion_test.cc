@@ -206,6 +206,26 @@ TEST(FrameFromProto, EveryBadFieldIsNamedAtOnce) {
   EXPECT_EQ(BadFields(frame), (Set{"map_from_sensor", "segments[1].class_id", "sensor"}));
 }
 
+TEST(FrameFromProto, TakesClassScoresAndTheLikeliestWhereNoClassIsSaid) {
+  v1::Frame frame = CameraFrame();
+  for (v1::Segment& segment : *frame.mutable_segments()) {
+    for (const auto& [class_id, score] : {std::pair(3u, 0.25f), std::pair(7u, 0.5f)}) {
+      segment.add_class_scores()->set_class_id(class_id);
+      segment.mutable_class_scores()->rbegin()->set_score(score);
+    }
+  }
+  const auto taken = FrameFromProto(frame);
+  ASSERT_TRUE(taken.ok()) << taken.status().ToString();
+  EXPECT_EQ(taken->segments[0].class_id, ClassId(0)) << "it is said";
+  EXPECT_EQ(taken->segments[1].class_id, ClassId(7));
+  const std::vector<ClassScore> scores{{ClassId(3), 0.25f}, {ClassId(7), 0.5f}};
+  EXPECT_EQ(taken->segments[0].class_scores, scores);
+  frame.mutable_segments(1)->mutable_class_scores(0)->set_class_id(65'535);
+  EXPECT_EQ(BadFields(frame), Set{"segments[1].class_scores"});
+  for (int i = 0; i < 64; ++i) frame.mutable_segments(0)->add_class_scores();
+  EXPECT_EQ(BadFields(frame), (Set{"segments[0].class_scores", "segments[1].class_scores"}));
+}
+
 TEST(FrameFromProto, ATableOfTooManySegmentsIsOneFault) {
   v1::Frame frame = CameraFrame();
   for (int i = 0; i < 70'000; ++i) frame.add_segments()->set_class_id(70'000);
@@ -277,6 +297,8 @@ TEST(DecodedBytes, FollowTheSizesThatAFrameTells) {
   EXPECT_EQ(DecodedBytes(large), 0u) << "refused for its size, not for want of room";
   large.mutable_depth_camera()->mutable_camera()->set_width_px(std::numeric_limits<int>::max());
   EXPECT_EQ(DecodedBytes(large), 0u);
+  for (int i = 0; i < 64; ++i) large.mutable_segments(0)->add_class_scores();
+  EXPECT_GE(DecodedBytes(large), 64 * sizeof(ClassScore));
   EXPECT_EQ(DecodedBytes({}), 0u);
 }
 
