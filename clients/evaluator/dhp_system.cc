@@ -2,10 +2,12 @@
 #include "clients/evaluator/dhp_system.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "clients/evaluator/map_surface.h"
 #include "mapping/pipeline/map_builder.h"
+#include "mapping/query/point_lookup.h"
 
 namespace dhpmap::evaluator {
 namespace {
@@ -42,6 +44,22 @@ class DhpSystem : public MappingSystem {
   }
 
   LabelledSurface Surface() const override { return SurfaceOf(builder_.map(), surface_); }
+  std::optional<PointLabels> LabelsAt(std::span<const Eigen::Vector3f> points_m) const override {
+    const Map& map = builder_.map();
+    const PointLookup lookup(std::make_shared<const MapSnapshot>(map.info(), map.submaps()));
+    const double truncation_m = map.info().config.truncation_m;
+    PointLabels labels;
+    labels.classes.reserve(points_m.size());
+    labels.instances.reserve(points_m.size());
+    for (const Eigen::Vector3f& p_m : points_m) {
+      const PointInfo info = lookup.At(p_m.cast<double>());
+      const bool is_near = info.is_observed && std::abs(info.distance_m) < truncation_m;
+      const bool is_known = is_near && info.panoptic != Panoptic::kUnknown;
+      labels.classes.push_back(is_known ? info.class_id.value : std::uint16_t{0});
+      labels.instances.push_back(is_known ? info.submap.value : 0);
+    }
+    return labels;
+  }
   SystemTimes times() const override { return times_; }
 
  private:

@@ -23,15 +23,24 @@ std::vector<ElementLabel> TruthLabels(const SurfaceSamples& truth, const ClassMa
   return labels;
 }
 
+std::vector<ElementLabel> LabelsOf(std::span<const std::uint16_t> predicted_classes,
+                                   std::span<const std::uint32_t> predicted_instances, const ClassMap& classes,
+                                   bool use_instances) {
+  std::vector<ElementLabel> labels(predicted_classes.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (predicted_classes[i] == 0) continue;
+    const std::uint32_t instance = use_instances ? predicted_instances[i] : 1;
+    labels[i] = MakeLabel(classes.OfPrediction(predicted_classes[i]), instance, classes);
+  }
+  return labels;
+}
+
 std::vector<ElementLabel> PredictedLabels(std::span<const Neighbour> neighbours, const SurfaceSamples& predicted,
                                           const ClassMap& classes, double d_match_m, bool use_instances) {
+  const std::vector<ElementLabel> known = LabelsOf(predicted.classes, predicted.instances, classes, use_instances);
   std::vector<ElementLabel> labels(neighbours.size());
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    if (!neighbours[i].exists() || neighbours[i].distance_m > d_match_m) continue;
-    const std::uint32_t p = neighbours[i].index;
-    if (predicted.classes[p] == 0) continue;
-    const std::uint32_t instance = use_instances ? predicted.instances[p] : 1;
-    labels[i] = MakeLabel(classes.OfPrediction(predicted.classes[p]), instance, classes);
+    if (neighbours[i].exists() && neighbours[i].distance_m <= d_match_m) labels[i] = known[neighbours[i].index];
   }
   return labels;
 }

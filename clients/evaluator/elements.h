@@ -27,6 +27,12 @@ struct Element {
 /// The ground truth's labels of its samples.
 std::vector<ElementLabel> TruthLabels(const SurfaceSamples& truth, const ClassMap& classes);
 
+/// What a prediction says, place by place: kNone where the class is 0 or not evaluated. `use_instances` false: of each
+/// class, all is one instance.
+std::vector<ElementLabel> LabelsOf(std::span<const std::uint16_t> predicted_classes,
+                                   std::span<const std::uint32_t> predicted_instances, const ClassMap& classes,
+                                   bool use_instances);
+
 /// The prediction's label of each sample of the ground truth, whose nearest predicted samples are `neighbours`: that of
 /// the neighbour; kNone if it is farther than d_match_m or does not say. `use_instances` false: of each class, all is
 /// one instance.

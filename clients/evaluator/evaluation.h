@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,10 @@ class Truth {
   [[nodiscard]] const ClassMap& classes() const { return classes_; }
   [[nodiscard]] const Protocol& protocol() const { return protocol_; }
 
+  /// How many elements false surface of a sample counts for, the same for all systems; 1 unless it is set.
+  [[nodiscard]] double elements_a_sample() const { return elements_a_sample_; }
+  void set_elements_a_sample(double elements) { elements_a_sample_ = elements; }
+
  private:
   Mesh mesh_;
   ClassMap classes_;
@@ -54,6 +59,17 @@ class Truth {
   SurfaceSamples samples_;
   std::vector<ElementLabel> labels_;
   NearestSample nearest_;
+  double elements_a_sample_ = 1;
+};
+
+/// How many elements of the truth there are for a sample of a surface, where both are within protocol().d_match_m of
+/// each other.
+double ElementsASample(const Truth& truth, const SurfaceSamples& surface, ThreadPool& pool);
+
+/// Label scores when surfaces where there are none are wrong, too.
+struct WithFalseSurface {
+  std::int64_t num_false = 0;  ///< elements that they count for (see FalseSurface)
+  double pq = 0, mean_iou = 0;
 };
 
 /// Everything that is measured of one system on one data set.
@@ -63,6 +79,7 @@ struct Scores {
   SemanticScore semantics;
   PanopticScore panoptics;              ///< a system without instances: of each class, all is one segment
   std::vector<PrecisionAt> precisions;  ///< empty for a system without instances
+  WithFalseSurface with_false;
   GeometryScore geometry;
   SystemTimes times;
 };
@@ -70,5 +87,9 @@ struct Scores {
 /// `labels`, if not null, receives the predicted label of each sample of the truth.
 Scores Evaluate(const Truth& truth, const LabelledSurface& surface, bool has_instances, ThreadPool& pool,
                 std::vector<ElementLabel>* labels);
+
+/// The same of what a system says of the truth's samples when it is asked there; geometry is not judged.
+Scores EvaluateAsked(const Truth& truth, const PointLabels& asked,
+                     const std::map<std::uint32_t, float>& instance_scores, bool has_instances);
 
 }  // namespace dhpmap::evaluator

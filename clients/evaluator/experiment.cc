@@ -78,13 +78,14 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
   experiment.num_truth_samples = static_cast<std::int64_t>(truth.samples().size());
   DHPMAP_ASSIGN_OR_RETURN(TruthPoints points, MeasuredPoints(options, experiment.config.integration));
   experiment.points_protocol = ProtocolForElements(experiment.protocol, points.cell_m());
-  const Truth truth_points(points.Elements(), experiment.classes, experiment.points_protocol);
+  ThreadPool pool(options.num_threads);
+  Truth truth_points(points.Elements(), experiment.classes, experiment.points_protocol);
+  truth_points.set_elements_a_sample(ElementsASample(truth_points, truth.samples(), pool));
   points = TruthPoints(experiment.config.integration);  // its memory
   experiment.num_truth_points = static_cast<std::int64_t>(truth_points.samples().size());
 
   SystemSetup setup{experiment.config, nullptr, options.num_threads};
   DHPMAP_ASSIGN_OR_RETURN(setup.label_set, MakeLabelSet(recording.label_classes()));
-  ThreadPool pool(options.num_threads);
   for (const std::string& name : options.systems) {
     DHPMAP_ASSIGN_OR_RETURN(const std::unique_ptr<MappingSystem> system, MakeSystem(name, setup));
     DHPMAP_RETURN_IF_ERROR(Map(*system, recording));
@@ -95,6 +96,11 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
     scores.system = on_points.system = name;
     scores.times = on_points.times = system->times();
     experiment.on_points.push_back(std::move(on_points));
+    if (const auto asked = system->LabelsAt(truth_points.samples().positions_m)) {
+      experiment.asked.push_back(EvaluateAsked(truth_points, *asked, surface.instance_scores, system->has_instances()));
+      experiment.asked.back().system = name;
+      experiment.asked.back().times = system->times();
+    }
     if (visit) DHPMAP_RETURN_IF_ERROR(visit(truth, scores, labels));
     experiment.num_frames = scores.times.num_frames;
     experiment.systems.push_back(std::move(scores));

@@ -35,6 +35,7 @@ struct Experiment {
   Protocol points_protocol;
   std::int64_t num_truth_points = 0;
   std::vector<Scores> on_points;  ///< the same systems, against the ground truth's own points (TruthPoints)
+  std::vector<Scores> asked;      ///< those that answer points (LabelsAt), asked at each of these points
 };
 
 /// Called after each system, before its map is freed.

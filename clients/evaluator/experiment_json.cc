@@ -71,6 +71,8 @@ json ToJson(const Scores& s, const ClassMap& classes) {
              {"accuracy", s.semantics.accuracy},
              {"num_samples", s.semantics.num_elements},
              {"num_answered", s.semantics.num_answered}}},
+           {"with_false_surface",
+            {{"num_false", s.with_false.num_false}, {"pq", s.with_false.pq}, {"mean_iou", s.with_false.mean_iou}}},
            {"geometry",
             {{"accuracy_m", s.geometry.accuracy_m},
              {"completion_m", s.geometry.completion_m},
@@ -100,6 +102,10 @@ json ToJson(const Experiment& experiment) {
     for (const Scores& scores : all) systems.push_back(ToJson(scores, experiment.classes));
     return systems;
   };
+  json asked = list(experiment.asked);
+  for (json& system : asked) {
+    for (const char* of_surfaces : {"geometry", "with_false_surface"}) system.erase(of_surfaces);
+  }
   return {{"data_set", experiment.directory},
           {"preset", experiment.preset},
           {"labels", experiment.labels},
@@ -112,7 +118,8 @@ json ToJson(const Experiment& experiment) {
           {"systems", list(experiment.systems)},
           {"points_protocol", ToJson(experiment.points_protocol)},
           {"num_truth_points", experiment.num_truth_points},
-          {"systems_on_points", list(experiment.on_points)}};
+          {"systems_on_points", list(experiment.on_points)},
+          {"systems_asked", std::move(asked)}};
 }
 
 }  // namespace dhpmap::evaluator

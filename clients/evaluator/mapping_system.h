@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +23,12 @@ struct LabelledSurface {
   Mesh mesh;
   /// How sure the system is of an instance, 0..1, for average precision; absent = 1.
   std::map<std::uint32_t, float> instance_scores;
+};
+
+/// What a system says of some points, in their order: class and instance 0 where it does not say.
+struct PointLabels {
+  std::vector<std::uint16_t> classes;
+  std::vector<std::uint32_t> instances;
 };
 
 /// Wall time spent, summed over a run.
@@ -42,6 +51,11 @@ class MappingSystem {
   /// Ends the session. Called once, before Surface.
   virtual void Finish() = 0;
   [[nodiscard]] virtual LabelledSurface Surface() const = 0;
+  /// What is at these points of the map frame, by the voxels that hold them, where these have a surface within the
+  /// truncation: as who asks for a point is answered, not by the nearest surface. None: the system answers no points.
+  [[nodiscard]] virtual std::optional<PointLabels> LabelsAt(std::span<const Eigen::Vector3f> /*points_m*/) const {
+    return std::nullopt;
+  }
   [[nodiscard]] virtual SystemTimes times() const = 0;
 };
 

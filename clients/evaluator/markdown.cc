@@ -79,6 +79,10 @@ std::string ProtocolText(const Experiment& experiment) {
       << " m squared.\n"
       << "- An element has the label of the nearest sample of the system's surface within " << Decimals(p.d_match_m, 3)
       << " m, else none.\n"
+      << "- All surface: where a system has one farther than that from any element, its label is wrong, for as many "
+         "elements as there are on as much surface; so is what lies in gaps between points.\n"
+      << "- Asked: what a system says of the element's point, by the voxel that holds it, if that has a surface within "
+         "the truncation (QueryPoints); systems that answer no points are left out.\n"
       << "- Segments match above IoU 0.5; unmatched ones below " << experiment.points_protocol.min_elements
       << " elements, in the second table " << p.min_elements << " samples, are ignored.\n"
       << "- Geometry: distance of each element to the triangle of the system's nearest sample; of each of those to the "
@@ -100,28 +104,44 @@ std::string ProtocolText(const Experiment& experiment) {
 
 namespace {
 
-std::string TableOf(const std::vector<Scores>& systems, const Protocol& protocol) {
+std::vector<std::string> LabelHeader(const Protocol& protocol) {
   std::vector<std::string> header{"system", "PQ", "SQ", "RQ", "PQ things", "PQ stuff", "mIoU", "accuracy", "answered"};
   for (const double iou : protocol.precision_ious) header.push_back("mAP-" + Decimals(iou, 1));
+  return header;
+}
+
+std::vector<std::string> LabelCells(const Scores& s, const Protocol& protocol) {
+  const PanopticScore& p = s.panoptics;
+  const double num_elements = std::max<double>(1, static_cast<double>(s.semantics.num_elements));
+  std::vector<std::string> row{s.system,
+                               Decimals(p.all.pq, 3),
+                               Decimals(p.all.sq, 3),
+                               Decimals(p.all.rq, 3),
+                               Decimals(p.things.pq, 3),
+                               Decimals(p.stuff.pq, 3),
+                               Decimals(s.semantics.mean_iou, 3),
+                               Decimals(s.semantics.accuracy, 3),
+                               Decimals(static_cast<double>(s.semantics.num_answered) / num_elements, 3)};
+  for (std::size_t i = 0; i < protocol.precision_ious.size(); ++i) {
+    row.push_back(i < s.precisions.size() ? Decimals(s.precisions[i].mean, 3) : "-");
+  }
+  return row;
+}
+
+/// `has_all_surface`: also with what false surface costs.
+std::string TableOf(const std::vector<Scores>& systems, const Protocol& protocol, bool has_all_surface) {
+  std::vector<std::string> header = LabelHeader(protocol);
+  if (has_all_surface) header.insert(header.end(), {"PQ, all surface", "mIoU, all surface"});
   for (const char* name : {"Acc. m", "Comp. m", "C-L1 m", "precision %", "recall %", "F-score %", "ms/frame",
                            "refine ms/frame", "finish s"}) {
     header.emplace_back(name);
   }
   MarkdownTable table(header);
   for (const Scores& s : systems) {
-    const PanopticScore& p = s.panoptics;
-    const double num_elements = std::max<double>(1, static_cast<double>(s.semantics.num_elements));
-    std::vector<std::string> row{s.system,
-                                 Decimals(p.all.pq, 3),
-                                 Decimals(p.all.sq, 3),
-                                 Decimals(p.all.rq, 3),
-                                 Decimals(p.things.pq, 3),
-                                 Decimals(p.stuff.pq, 3),
-                                 Decimals(s.semantics.mean_iou, 3),
-                                 Decimals(s.semantics.accuracy, 3),
-                                 Decimals(static_cast<double>(s.semantics.num_answered) / num_elements, 3)};
-    for (std::size_t i = 0; i < protocol.precision_ious.size(); ++i) {
-      row.push_back(i < s.precisions.size() ? Decimals(s.precisions[i].mean, 3) : "-");
+    std::vector<std::string> row = LabelCells(s, protocol);
+    if (has_all_surface) {
+      row.push_back(Decimals(s.with_false.pq, 3));
+      row.push_back(Decimals(s.with_false.mean_iou, 3));
     }
     for (const double metres : {s.geometry.accuracy_m, s.geometry.completion_m, s.geometry.chamfer_l1_m()}) {
       row.push_back(Decimals(metres, 4));
@@ -139,8 +159,16 @@ std::string TableOf(const std::vector<Scores>& systems, const Protocol& protocol
 
 }  // namespace
 
-std::string ScoreTable(const Experiment& experiment) { return TableOf(experiment.systems, experiment.protocol); }
-std::string PointsTable(const Experiment& experiment) { return TableOf(experiment.on_points, experiment.protocol); }
+std::string AskedTable(const Experiment& experiment) {
+  MarkdownTable table(LabelHeader(experiment.protocol));
+  for (const Scores& s : experiment.asked) table.Add(LabelCells(s, experiment.protocol));
+  return table.Text();
+}
+
+std::string ScoreTable(const Experiment& experiment) { return TableOf(experiment.systems, experiment.protocol, false); }
+std::string PointsTable(const Experiment& experiment) {
+  return TableOf(experiment.on_points, experiment.protocol, true);
+}
 
 std::string ClassTable(const Experiment& experiment) {
   std::vector<std::string> header{"class", "samples"};

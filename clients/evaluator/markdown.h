@@ -31,6 +31,8 @@ std::string ProtocolText(const Experiment& experiment);
 std::string ScoreTable(const Experiment& experiment);
 /// The same against the ground truth's own points.
 std::string PointsTable(const Experiment& experiment);
+/// Labels alone, of the systems that were asked at these points.
+std::string AskedTable(const Experiment& experiment);
 /// One row a class: IoU and PQ of each system.
 std::string ClassTable(const Experiment& experiment);
 

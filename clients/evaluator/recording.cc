@@ -17,6 +17,7 @@ std::size_t BytesOf(const std::vector<T>& values) {
 
 std::size_t BytesOf(const PanopticFrame& frame) {
   std::size_t bytes = sizeof(frame) + BytesOf(frame.segments);
+  for (const SegmentInfo& segment : frame.segments) bytes += BytesOf(segment.class_scores);
   if (frame.camera)
     bytes += BytesOf(frame.camera->depth_m) + BytesOf(frame.camera->color) + BytesOf(frame.camera->segments);
   if (frame.lidar)

@@ -33,8 +33,10 @@ Status Run(RunOptions& options) {
     return options.pictures.empty() ? Status::Ok() : DrawPictures(truth, scores, labels, options.pictures);
   };
   DHPMAP_ASSIGN_OR_RETURN(const Experiment experiment, RunExperiment(wanted, draw));
-  const std::string text = ProtocolText(experiment) + "\n" + PointsTable(experiment) + "\n" + ScoreTable(experiment) +
-                           "\n" + "Classes of the second table:\n\n" + ClassTable(experiment);
+  const std::string text = ProtocolText(experiment) + "\n" + PointsTable(experiment) +
+                           "\nAsked at the same points:\n\n" + AskedTable(experiment) +
+                           "\nAgainst the map of the true labels:\n\n" + ScoreTable(experiment) + "\n" +
+                           "Classes of that table:\n\n" + ClassTable(experiment);
   std::cout << text;
   if (!options.markdown.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.markdown, text));
   if (!options.json.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.json, ToJson(experiment).dump(1) + "\n"));

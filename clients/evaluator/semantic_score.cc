@@ -8,6 +8,17 @@ double ClassCounts::iou() const {
   return num_either == 0 ? 0.0 : static_cast<double>(num_right) / static_cast<double>(num_either);
 }
 
+double MeanIou(std::span<const ClassCounts> classes) {
+  int num_present = 0;
+  double sum = 0;
+  for (const ClassCounts& counts : classes) {
+    if (counts.num_truth == 0) continue;
+    ++num_present;
+    sum += counts.iou();
+  }
+  return num_present == 0 ? 0.0 : sum / num_present;
+}
+
 SemanticScore ScoreSemantics(std::span<const Element> elements, std::size_t num_classes) {
   SemanticScore score;
   score.classes.resize(num_classes);
@@ -24,13 +35,7 @@ SemanticScore ScoreSemantics(std::span<const Element> elements, std::size_t num_
     ++num_right;
     ++score.classes[static_cast<std::size_t>(truth)].num_right;
   }
-  int num_present = 0;
-  for (const ClassCounts& counts : score.classes) {
-    if (counts.num_truth == 0) continue;
-    ++num_present;
-    score.mean_iou += counts.iou();
-  }
-  if (num_present > 0) score.mean_iou /= num_present;
+  score.mean_iou = MeanIou(score.classes);
   if (score.num_elements > 0) {
     score.accuracy = static_cast<double>(num_right) / static_cast<double>(score.num_elements);
   }

@@ -27,6 +27,9 @@ struct SemanticScore {
   double accuracy = 0;               ///< share of the judged elements with the right class
 };
 
+/// Mean of the classes' IoU over those that the ground truth has.
+double MeanIou(std::span<const ClassCounts> classes);
+
 SemanticScore ScoreSemantics(std::span<const Element> elements, std::size_t num_classes);
 
 }  // namespace dhpmap::evaluator

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "clients/evaluator/baselines/baselines.h"
 #include "clients/evaluator/baselines/panmap_merging.h"
+#include "clients/evaluator/baselines/stored_distance.h"
 #include "clients/evaluator/baselines/whole_frame.h"
 #include "mapping/fusion/segment_parts.h"
 
@@ -96,11 +98,29 @@ LabelledSurface Panmap::Surface() const {
   LabelledSurface surface;
   for (const auto& submap : submaps_) {
     const Mesh mesh = ExtractMesh(submap->OwnGeometry(), *setup_.label_set, MeshColoring::kSensor);
-    if (mesh.vertices_m.empty()) continue;
     surface.instance_scores[submap->geometry.id().value] = submap->Confidence();
+    if (mesh.vertices_m.empty()) continue;
     AppendMesh(mesh, surface.mesh);
   }
   return surface;
+}
+
+std::optional<PointLabels> Panmap::LabelsAt(std::span<const Eigen::Vector3f> points_m) const {
+  PointLabels labels;
+  labels.classes.assign(points_m.size(), 0);
+  labels.instances.assign(points_m.size(), 0);
+  for (std::size_t i = 0; i < points_m.size(); ++i) {
+    const VoxelIndex voxel = VoxelAt(points_m[i].cast<double>(), setup_.config.voxel_size_m);
+    auto nearest_m = static_cast<float>(setup_.config.truncation_m);
+    for (const auto& submap : submaps_) {
+      const std::optional<float> distance_m = DistanceAt(submap->geometry, voxel);
+      if (!distance_m || std::abs(*distance_m) >= nearest_m || !submap->Belongs(voxel)) continue;
+      nearest_m = std::abs(*distance_m);
+      labels.classes[i] = submap->geometry.info().class_id.value;
+      labels.instances[i] = submap->geometry.id().value;
+    }
+  }
+  return labels;
 }
 
 std::unique_ptr<MappingSystem> MakePanmap(const SystemSetup& setup) { return std::make_unique<Panmap>(setup); }

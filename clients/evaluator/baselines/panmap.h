@@ -28,6 +28,9 @@ class Panmap final : public MappingSystem {
   /// All submaps' own surfaces, overlapping where submaps do. An instance's score is the share of its voxels' counts
   /// that say it is of its class.
   [[nodiscard]] LabelledSurface Surface() const override;
+  /// Of the submaps that have observed the point's voxel and to which it belongs, the one whose surface is nearest by
+  /// that voxel says.
+  [[nodiscard]] std::optional<PointLabels> LabelsAt(std::span<const Eigen::Vector3f> points_m) const override;
   [[nodiscard]] SystemTimes times() const override { return times_; }
 
   [[nodiscard]] const PanmapSubmaps& submaps() const { return submaps_; }

@@ -2,10 +2,12 @@
 #include "clients/evaluator/baselines/single_map.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "clients/evaluator/baselines/baselines.h"
 #include "clients/evaluator/baselines/connected_objects.h"
+#include "clients/evaluator/baselines/stored_distance.h"
 #include "mapping/fusion/integrator.h"
 
 namespace dhpmap::evaluator {
@@ -78,6 +80,21 @@ LabelledSurface SingleMap::Surface() const {
     surface.mesh.classes[i] = LabelNear(surface.mesh.vertices_m[i]).value;
   }
   return surface;
+}
+
+std::optional<PointLabels> SingleMap::LabelsAt(std::span<const Eigen::Vector3f> points_m) const {
+  const MapConfig& config = setup_.config;
+  PointLabels labels;
+  labels.instances.assign(points_m.size(), 0);
+  labels.classes.reserve(points_m.size());
+  for (const Eigen::Vector3f& p_m : points_m) {
+    const VoxelIndex voxel = VoxelAt(p_m.cast<double>(), config.voxel_size_m);
+    const std::optional<float> distance_m = DistanceAt(map_, voxel);
+    const bool is_near = distance_m && std::abs(static_cast<double>(*distance_m)) < config.truncation_m;
+    const auto label = is_near ? labels_->LabelAt(voxel) : std::nullopt;
+    labels.classes.push_back(label.value_or(ClassId(0)).value);
+  }
+  return labels;
 }
 
 namespace {

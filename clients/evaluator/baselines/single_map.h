@@ -23,6 +23,7 @@ class SingleMap final : public MappingSystem {
   void Finish() override { map_.UpdateBoundingSphere(); }
   /// The class of a vertex is that of the nearer of the two voxels between which it lies, if that one has a label.
   [[nodiscard]] LabelledSurface Surface() const override;
+  [[nodiscard]] std::optional<PointLabels> LabelsAt(std::span<const Eigen::Vector3f> points_m) const override;
   [[nodiscard]] SystemTimes times() const override { return times_; }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "clients/evaluator/false_surface.h"
 #include "tests/unit/clients/evaluator/labelled_elements.h"
 
 namespace dhpmap::evaluator {
@@ -47,6 +48,14 @@ TEST(PredictedLabels, AreOneSegmentAClassWithoutInstances) {
   const auto labels =
       PredictedLabels(std::vector<Neighbour>{{0, 0.0f}, {1, 0.0f}}, predicted, ThreeClasses(), 1, false);
   EXPECT_EQ(labels[0], labels[1]);
+}
+
+TEST(FalseSurface, IsWhatIsFarFromAnyElementInElements) {
+  const std::vector<Neighbour> from_predicted{{0, 0}, {1, 0.08f}, {3, 0.081f}, {3, 0.5f}, {}, {}, {}, {}};
+  const ElementLabel ball{0, 7}, box{1, 8};
+  const std::vector<ElementLabel> labels{ball, ball, box, box, ball, ball, ball, kMissing};
+  EXPECT_EQ(FalseSurface(from_predicted, labels, 0.08001, 1), (LabelCounts{{ball, 3}, {box, 2}}));
+  EXPECT_EQ(FalseSurface(from_predicted, labels, 0.08001, 0.25), (LabelCounts{{ball, 1}, {box, 1}}));
 }
 
 }  // namespace

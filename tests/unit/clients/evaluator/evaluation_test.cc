@@ -127,7 +127,8 @@ TEST_F(EvaluationTest, SwappedThingClassesAreWorthNothing) {
 TEST_F(EvaluationTest, AgainstPointsASurfaceWhereThereIsNoneCostsPrecision) {
   TruthPoints points{MapSetup().config.integration};
   for (const PanopticFrame& frame : frames_) points.Add(frame);
-  const Truth truth(points.Elements(), *ClassMap::Same(MapSetup().label_set->classes()), truth_->protocol());
+  Truth truth(points.Elements(), *ClassMap::Same(MapSetup().label_set->classes()), truth_->protocol());
+  truth.set_elements_a_sample(ElementsASample(truth, truth_->samples(), pool_));
   const Scores right = Evaluate(truth, truth_surface_, true, pool_, nullptr);
   EXPECT_GT(right.semantics.accuracy, 0.98);
   EXPECT_GT(right.panoptics.all.pq, 0.95);
@@ -140,6 +141,33 @@ TEST_F(EvaluationTest, AgainstPointsASurfaceWhereThereIsNoneCostsPrecision) {
   const Scores wrong = Evaluate(truth, doubled, true, pool_, nullptr);
   EXPECT_EQ(wrong.geometry.recall, right.geometry.recall);
   EXPECT_NEAR(wrong.geometry.precision, right.geometry.precision / 2, 0.02);
+  EXPECT_EQ(wrong.semantics.mean_iou, right.semantics.mean_iou) << "no element is the nearer to it";
+  EXPECT_GT(right.with_false.mean_iou, right.semantics.mean_iou - 0.1);
+  EXPECT_LE(right.with_false.mean_iou, right.semantics.mean_iou);
+  EXPECT_NEAR(wrong.with_false.mean_iou, right.with_false.mean_iou / 2, 0.05);
+  EXPECT_LT(wrong.with_false.pq, 0.6 * right.with_false.pq) << "an IoU of a half is no match";
+}
+
+TEST_F(EvaluationTest, WhoAsksAtTheMeasuredPointsIsToldWhatIsThere) {
+  TruthPoints points{MapSetup().config.integration};
+  for (const PanopticFrame& frame : frames_) points.Add(frame);
+  const Truth truth(points.Elements(), *ClassMap::Same(MapSetup().label_set->classes()), truth_->protocol());
+  for (const char* name : {"dhp", "dhp_no_refine", "panmap", "kimera", "votes"}) {
+    const auto system = MakeSystem(name, MapSetup());
+    ASSERT_TRUE(system.ok());
+    const LabelledSurface surface = MapOf(**system, frames_);
+    const auto asked = (*system)->LabelsAt(truth.samples().positions_m);
+    ASSERT_TRUE(asked) << name;
+    const Scores scores = EvaluateAsked(truth, *asked, surface.instance_scores, (*system)->has_instances());
+    EXPECT_GT(scores.semantics.accuracy, 0.97) << name;
+    EXPECT_EQ(scores.precisions.empty(), !(*system)->has_instances()) << name;
+    if ((*system)->has_instances()) {
+      EXPECT_GT(scores.panoptics.all.pq, 0.9) << name;
+    }
+    const std::vector<Eigen::Vector3f> nowhere{{0, 0, 30}};
+    EXPECT_EQ((*system)->LabelsAt(nowhere)->classes, std::vector<std::uint16_t>{0}) << name;
+  }
+  EXPECT_FALSE((*MakeSystem("votes_objects", MapSetup()))->LabelsAt({})) << "its objects are parts of a surface";
 }
 
 TEST_F(EvaluationTest, HalfASurfaceHasHalfTheRecall) {

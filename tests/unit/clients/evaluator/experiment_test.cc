@@ -81,6 +81,13 @@ TEST_F(ExperimentTest, RunsEverySystemOnPredictions) {
     EXPECT_GT(on_points.geometry.recall, 0.9) << on_map.system;
     EXPECT_NE(on_points.geometry.chamfer_l1_m(), on_map.geometry.chamfer_l1_m());
   }
+  ASSERT_EQ(experiment->asked.size(), experiment->systems.size());
+  for (std::size_t i = 0; i < experiment->asked.size(); ++i) {
+    const Scores& asked = experiment->asked[i];
+    EXPECT_EQ(asked.system, experiment->systems[i].system);
+    EXPECT_EQ(asked.semantics.num_elements, experiment->num_truth_points);
+    EXPECT_NEAR(asked.semantics.accuracy, experiment->on_points[i].semantics.accuracy, 0.05) << asked.system;
+  }
   EXPECT_EQ(experiment->on_points.back().panoptics.matches.size(), experiment->systems.back().panoptics.matches.size());
 }
 
@@ -132,6 +139,9 @@ TEST_F(ExperimentTest, LosesNothingInJson) {
   EXPECT_EQ(json["class_map"].size(), experiment->classes.classes().size());
   EXPECT_EQ(json["num_truth_points"], experiment->num_truth_points);
   EXPECT_EQ(json["systems_on_points"].size(), json["systems"].size());
+  EXPECT_EQ(json["systems_asked"][1]["semantic"]["mean_iou"], experiment->asked[1].semantics.mean_iou);
+  EXPECT_FALSE(json["systems_asked"][1].contains("geometry")) << "who asks at a point sees no surface";
+  EXPECT_EQ(json["systems_on_points"][1]["with_false_surface"]["pq"], experiment->on_points[1].with_false.pq);
   const nlohmann::json& dhp = json["systems"][1];
   const Scores& scores = experiment->systems[1];
   EXPECT_EQ(dhp["panoptic"]["all"]["pq"], scores.panoptics.all.pq);
@@ -156,7 +166,8 @@ TEST_F(ExperimentTest, PrintsThresholdsClassMapAndEverySystem) {
   for (const char* part : {"0.080 m", "0.050 m", "30 samples", "predicted labels", "6 frames"}) {
     EXPECT_NE(protocol.find(part), std::string::npos) << part << " in " << protocol;
   }
-  for (const std::string& table : {PointsTable(*experiment), ScoreTable(*experiment), ClassTable(*experiment)}) {
+  for (const std::string& table :
+       {PointsTable(*experiment), AskedTable(*experiment), ScoreTable(*experiment), ClassTable(*experiment)}) {
     EXPECT_NE(table.find("votes"), std::string::npos);
     EXPECT_NE(table.find("dhp"), std::string::npos);
   }

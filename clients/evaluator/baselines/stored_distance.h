@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "mapping/map/submap.h"
+
+namespace dhpmap::evaluator {
+
+/// What a map on the grid of its frame has stored at a voxel; nothing where it was not observed.
+inline std::optional<float> DistanceAt(const Submap& map, VoxelIndex voxel) {
+  const BlockEntry* block = map.blocks().Find(BlockOf(voxel));
+  const int linear = LinearIndex(voxel);
+  if (block == nullptr || block->tsdf == nullptr || !block->tsdf->IsObserved(linear)) return std::nullopt;
+  return block->tsdf->distance_m[static_cast<std::size_t>(linear)];
+}
+
+}  // namespace dhpmap::evaluator
