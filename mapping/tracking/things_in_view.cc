@@ -47,7 +47,7 @@ std::vector<ThingInView> FindCandidates(const PanopticFrame& frame, const Map& m
 }
 
 /// Where something was and is no longer, a segment of its class may be it come back; anything else is not.
-void FindNear(const std::vector<ThingInView>& candidates, BlockIndex block, std::optional<ClassId> class_id,
+void FindNear(std::span<const ThingInView> candidates, BlockIndex block, std::optional<ClassId> class_id,
               double voxel_size_m, std::vector<NearCandidate>& near) {
   const double side_m = kBlockSide * voxel_size_m;
   const BoundingSphere cell{BlockCorner(block, voxel_size_m) + Eigen::Vector3d::Constant(side_m / 2),
@@ -64,20 +64,12 @@ void FindNear(const std::vector<ThingInView>& candidates, BlockIndex block, std:
   }
 }
 
-/// Of one cell.
-void FindHits(const SegmentBundles& segment, const BundleCell& cell, const std::vector<NearCandidate>& near,
-              const Eigen::Vector3d& sensor_map, std::vector<std::uint32_t>& hit_by) {
-  for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
-    const Bundle& bundle = segment.bundles[b];
-    float most = 0;
-    for (const NearCandidate& candidate : near) {
-      const float weight =
-          candidate.entry != nullptr
-              ? ObservedWeight(*candidate.entry, bundle.linear, candidate.may_return, candidate.candidate->tolerance_m)
-              : MovedWeight(candidate, sensor_map + (bundle.weighted_sum_m / bundle.weight).cast<double>());
-      if (weight > most) most = weight, hit_by[b] = static_cast<std::uint32_t>(candidate.column);
-    }
+/// How much of the candidate has been observed where the bundle ends, if its surface is near; 0 if not.
+float WeightAt(const Bundle& bundle, const NearCandidate& near, const Eigen::Vector3d& sensor_map) {
+  if (near.entry == nullptr) {
+    return MovedWeight(near, sensor_map + (bundle.weighted_sum_m / bundle.weight).cast<double>());
   }
+  return ObservedWeight(*near.entry, bundle.linear, near.may_return, near.candidate->tolerance_m);
 }
 
 }  // namespace
@@ -85,16 +77,43 @@ void FindHits(const SegmentBundles& segment, const BundleCell& cell, const std::
 ThingsInView::ThingsInView(const PanopticFrame& frame, const Map& map)
     : frame_(frame), voxel_size_m_(map.info().config.voxel_size_m), things_(FindCandidates(frame, map)) {}
 
-std::vector<std::uint32_t> ThingsInView::HitsOf(const SegmentBundles& segment) const {
+template <typename Visitor>
+void ThingsInView::VisitCells(const SegmentBundles& segment, std::span<const ThingInView> things,
+                              Visitor&& visit) const {
   std::optional<ClassId> class_id;
   if (segment.row >= 0) class_id = frame_.segments[static_cast<std::size_t>(segment.row)].class_id;
-  std::vector<std::uint32_t> hit_by(segment.bundles.size(), kNone);
   std::vector<NearCandidate> near;
   for (const BundleCell& cell : segment.cells) {
-    FindNear(things_, cell.block, class_id, voxel_size_m_, near);
-    FindHits(segment, cell, near, frame_.T_map_sensor.translation(), hit_by);
+    FindNear(things, cell.block, class_id, voxel_size_m_, near);
+    if (!near.empty()) visit(cell, near);
   }
+}
+
+std::vector<std::uint32_t> ThingsInView::HitsOf(const SegmentBundles& segment) const {
+  std::vector<std::uint32_t> hit_by(segment.bundles.size(), kNone);
+  const Eigen::Vector3d& sensor_map = frame_.T_map_sensor.translation();
+  VisitCells(segment, things_, [&](const BundleCell& cell, const std::vector<NearCandidate>& near) {
+    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+      float most = 0;
+      for (const NearCandidate& candidate : near) {
+        const float weight = WeightAt(segment.bundles[b], candidate, sensor_map);
+        if (weight > most) most = weight, hit_by[b] = static_cast<std::uint32_t>(candidate.column);
+      }
+    }
+  });
   return hit_by;
+}
+
+std::int64_t ThingsInView::NumPointsOn(const SegmentBundles& segment, std::size_t thing) const {
+  std::int64_t num_points = 0;
+  const Eigen::Vector3d& sensor_map = frame_.T_map_sensor.translation();
+  VisitCells(segment, {&things_[thing], 1}, [&](const BundleCell& cell, const std::vector<NearCandidate>& near) {
+    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+      const Bundle& bundle = segment.bundles[b];
+      if (WeightAt(bundle, near.front(), sensor_map) > 0) num_points += bundle.num_points;
+    }
+  });
+  return num_points;
 }
 
 }  // namespace dhpmap

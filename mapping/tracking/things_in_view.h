@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mapping/fusion/segment_bundles.h"
@@ -32,8 +33,14 @@ class ThingsInView {
   [[nodiscard]] const std::vector<ThingInView>& list() const { return things_; }
   /// For each bundle of the segment the number in the list of the thing that it hits, or kNone.
   [[nodiscard]] std::vector<std::uint32_t> HitsOf(const SegmentBundles& segment) const;
+  /// How many points of the segment lie on one thing of the list, whatever else they lie on.
+  [[nodiscard]] std::int64_t NumPointsOn(const SegmentBundles& segment, std::size_t thing) const;
 
  private:
+  /// Calls visit(cell, near) for each cell of the segment.
+  template <typename Visitor>
+  void VisitCells(const SegmentBundles& segment, std::span<const ThingInView> things, Visitor&& visit) const;
+
   const PanopticFrame& frame_;
   double voxel_size_m_;
   std::vector<ThingInView> things_;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "mapping/tracking/covered_things.h"
 #include "mapping/tracking/find_stuff.h"
 #include "mapping/tracking/find_track.h"
 #include "mapping/tracking/split_things.h"
@@ -275,6 +277,9 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     if (frame.has_persistent_ids) NoteTracks(frame, segments, is_open, assignments, map);
     HandToSplitParts(frame, segments, overlaps_, map, assignments);
   }
+  std::vector<SubmapId> taken;
+  for (const Assignment& assignment : assignments) taken.push_back(assignment.submap);
+  CoveredThings covered(frame, segments, map, std::move(taken));
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (classes[s] == nullptr || assignments[s].submap != kUnknownSubmap) continue;
     if (segments[s].num_points < MinPoints(*classes[s])) continue;
@@ -287,6 +292,12 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
       }
     }
     if (is_open[s] && IsMaskBorder(segments, s, overlaps_)) continue;
+    if (is_open[s] && !frame.has_persistent_ids) {
+      if (const auto match = covered.Find(segments[s], classes[s]->id); match.submap != kUnknownSubmap) {
+        assignments[s] = {match.submap, false, static_cast<float>(match.iou)};
+        continue;
+      }
+    }
     assignments[s] = {CreateSubmap(frame, segment, *classes[s], map), true, 0};
   }
   if (frame.has_persistent_ids && !has_others && !has_locked) overlaps_ = {};  // such ids tell pairs apart themselves

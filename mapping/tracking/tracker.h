@@ -35,6 +35,8 @@ struct Assignment {
 ///   one
 ///     that is no background and matches nothing is a match of the locked thing that half of its points lie on;
 ///   - what the network itself doubts (tracking.min_score) goes to the unknown submap;
+///   - a thing's segment that would make a new submap goes to one of its class that it lies on, though others hide it
+///     (CoveredThings);
 ///   - what is left makes a new submap if it is large enough and no mere border of a mask, else goes to the unknown
 ///     submap.
 /// Ties are broken by submap id, then by table row. Thread-compatible.

@@ -340,6 +340,51 @@ TEST_F(TrackerTest, WhatTheNetworkDoubtsIsGeometryOnly) {
   EXPECT_EQ(second[1].submap, kUnknownSubmap);
 }
 
+/// A block with a thin slab on it, which most frames take for a part of the block; segments 1 and 2.
+Scene SlabOnBlock() {
+  return {{{.shape = Solid::Shape::kBox, .center_m = {2, 0, 0.3}, .size_m = {0.6, 0.6, 0.3}, .segment = 1},
+           {.shape = Solid::Shape::kBox, .center_m = {1.9, 0.1, 0.6}, .size_m = {0.12, 0.12, 0.005}, .segment = 2}}};
+}
+
+PanopticFrame FrameOfSlab(int i, ClassId class_of_slab) {
+  PanopticFrame frame = Render(SlabOnBlock(), SmallCamera(), LookAt({0.6, 0.02 * i, 1.6}, {2, 0, 0.6}));
+  frame.stamp_ns = i;
+  frame.segments = {{.id = SegmentId(1), .class_id = kBox}, {.id = SegmentId(2), .class_id = class_of_slab}};
+  return frame;
+}
+
+TEST_F(TrackerTest, WhatLiesFlatOnALargerThingIsFoundAgain) {
+  map_.mutable_info().config.tracking.min_points_medium = 20;
+  for (int i = 0; i < 6; ++i) {
+    PanopticFrame frame = FrameOfSlab(i, kChair);
+    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
+    ASSERT_NE(Feed(frame)[0].submap, kUnknownSubmap);
+  }
+  const std::size_t num_before = map_.submaps().size();
+  const Assignment first = Feed(FrameOfSlab(6, kChair))[1];
+  ASSERT_TRUE(first.is_new);
+  for (int i = 7; i < 12; ++i) {
+    const Assignment again = Feed(FrameOfSlab(i, kChair))[1];
+    EXPECT_EQ(again.submap, first.submap) << i;
+    EXPECT_GT(again.iou, map_.info().config.tracking.iou_threshold);
+  }
+  EXPECT_EQ(map_.submaps().size(), num_before + 1);
+}
+
+TEST_F(TrackerTest, WhatIsOfAnotherClassThanWhatLiesThereIsNew) {
+  map_.mutable_info().config.tracking.min_points_medium = 20;
+  map_.mutable_info().label_set = testing::MakeLabelSet(3, 1);
+  for (int i = 0; i < 6; ++i) {
+    PanopticFrame frame = FrameOfSlab(i, kChair);
+    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
+    Feed(frame);
+  }
+  const Assignment chair = Feed(FrameOfSlab(6, kChair))[1];
+  const Assignment other = Feed(FrameOfSlab(7, ClassId(3)))[1];
+  EXPECT_TRUE(other.is_new);
+  EXPECT_NE(other.submap, chair.submap);
+}
+
 TEST_F(TrackerTest, ThingThatIsNotSeenAgainDissolvesAndItsGeometryStays) {
   const auto first = Feed(FrameOf(TwoBoxes()));
   const auto count_observed = [this] {
