@@ -28,7 +28,8 @@ bool IsAtEdge(const RenderedFrame& frame, int u, int v) {
 
 }  // namespace
 
-std::vector<float> NoisyDepth(const RenderedFrame& frame, std::uint64_t seed, std::uint64_t frame_number) {
+std::vector<float> NoisyDepth(const RenderedFrame& frame, double level, std::uint64_t seed,
+                              std::uint64_t frame_number) {
   Random random(seed, frame_number, kDepthStream);
   std::vector<float> noisy(frame.depth_m.size(), 0.0f);
   std::size_t i = 0;
@@ -37,7 +38,7 @@ std::vector<float> NoisyDepth(const RenderedFrame& frame, std::uint64_t seed, st
       const float z = frame.depth_m[i];
       if (z <= 0 || z > kMaxNoisyDepth_m) continue;
       if (IsAtEdge(frame, u, v) && random.Chance(kEdgeDropOut)) continue;
-      noisy[i] = std::max(0.0f, z + static_cast<float>(DepthSigma_m(z) * random.Gaussian()));
+      noisy[i] = std::max(0.0f, z + static_cast<float>(level * DepthSigma_m(z) * random.Gaussian()));
     }
   }
   return noisy;

@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMaxFrames = 100'000, kMaxChanged = 100;
+constexpr double kMaxNoiseLevel = 5;
 constexpr int kMinSide_px = 16, kMaxSide_px = 4096;
 constexpr std::int64_t kFirstStamp_ns = 1'600'000'000'000'000'000;
 constexpr std::int64_t kFramePeriod_ns = 100'000'000;
@@ -86,12 +87,13 @@ class FrameWriter {
     const std::string start = (options_.directory / options_.run / FrameId(frame_number)).string();
     DHPMAP_RETURN_IF_ERROR(WriteText(start + "_pose.txt", PoseText(frame.T_map_camera)));
     DHPMAP_RETURN_IF_ERROR(WriteColorPng(start + "_color.png", options_.width_px, frame.color));
-    DHPMAP_RETURN_IF_ERROR(
-        WriteDepthTiff(start + "_depth.tiff", options_.width_px,
-                       options_.has_depth_noise ? NoisyDepth(frame, options_.seed, number) : frame.depth_m));
+    DHPMAP_RETURN_IF_ERROR(WriteDepthTiff(
+        start + "_depth.tiff", options_.width_px,
+        options_.has_depth_noise ? NoisyDepth(frame, options_.noise_level, options_.seed, number) : frame.depth_m));
     DHPMAP_RETURN_IF_ERROR(WriteIdPng(start + "_segmentation.png", options_.width_px, frame.instances));
     if (options_.has_predictions) {
-      const Prediction predicted = PredictPanoptic(frame, scene_.instances(), {}, options_.seed, number);
+      const PanopticNoise noise = PanopticNoise().Times(options_.noise_level);
+      const Prediction predicted = PredictPanoptic(frame, scene_.instances(), noise, options_.seed, number);
       DHPMAP_RETURN_IF_ERROR(WriteIdPng(start + "_predicted.png", options_.width_px, predicted.ids));
       DHPMAP_RETURN_IF_ERROR(
           WriteText(start + "_labels.json", SegmentsJson(predicted.segments, options_.has_class_scores)));
@@ -171,6 +173,9 @@ Status RecordingOptions::Validate() const {
   check("change", num_changed, 0, kMaxChanged);
   check("width", width_px, kMinSide_px, kMaxSide_px);
   check("height", height_px, kMinSide_px, kMaxSide_px);
+  if (!(noise_level >= 0 && noise_level <= kMaxNoiseLevel)) {
+    status.AddViolation("noise", "must be 0 to 5, not " + std::to_string(noise_level));
+  }
   if (run.empty() || run.find('/') != std::string::npos || run == "." || run == "..") {
     status.AddViolation("run", "must be the name of a folder, not '" + run + "'");
   }

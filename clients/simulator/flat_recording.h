@@ -23,6 +23,7 @@ struct RecordingOptions {
   int width_px = 640;
   int height_px = 480;
   bool has_depth_noise = true;
+  double noise_level = 1;         ///< how much depth and predictions err: 1 as a depth camera and a network do
   bool has_predictions = true;    ///< beside the ground truth
   bool has_class_scores = false;  ///< in predictions: the classes that the network thinks of
   /// Things that are moved, and as many that are taken away, before a second walk of as many frames, an hour later. 0:

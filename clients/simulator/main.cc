@@ -59,6 +59,7 @@ int Run(int argc, char** argv) {
   app.add_option("--change", options.num_changed,
                  "Walk twice, with so many things moved and as many taken away in between; changes.json says which")
       ->capture_default_str();
+  app.add_option("--noise", options.noise_level, "How much depth and predictions err, 0 to 5")->capture_default_str();
   app.add_flag("--no-noise", no_noise, "Exact depth");
   app.add_flag("--no-predictions", no_predictions, "Ground truth labels only");
   app.add_flag("--class-scores", options.has_class_scores, "Predictions say which classes the network thinks of");

@@ -270,6 +270,16 @@ class Predictor {
 
 }  // namespace
 
+PanopticNoise PanopticNoise::Times(double level) const {
+  PanopticNoise noise = *this;
+  for (double* share : {&noise.missed_share, &noise.wrong_class_share, &noise.merged_share, &noise.split_share}) {
+    *share = std::min(0.9, level * *share);
+  }
+  noise.border_rms_px *= level;
+  noise.max_holes = static_cast<int>(std::lround(level * max_holes));
+  return noise;
+}
+
 Prediction PredictPanoptic(const RenderedFrame& frame, std::span<const Instance> instances, const PanopticNoise& noise,
                            std::uint64_t seed, std::uint64_t frame_number) {
   return Predictor(frame, instances, noise, Random(seed, frame_number, kPredictionStream),

@@ -21,6 +21,9 @@ struct PanopticNoise {
   int max_holes = 5;                ///< patches without label in a frame, from 0
   double max_hole_radius_px = 18.0;
   double min_area_px = 80.0;  ///< smaller things are not found
+
+  /// So many times as many errors, and as large; no share above nine tenths. `level` >= 0.
+  [[nodiscard]] PanopticNoise Times(double level) const;
 };
 
 struct PredictedSegment {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -173,9 +174,10 @@ TEST(FlatRecording, RefusesWhatItCannotMake) {
   options.num_frames = 0;
   options.width_px = 3;
   options.run = "../up";
+  options.noise_level = std::nan("");
   const Status status = Record(options).status();
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
-  EXPECT_EQ(status.violations().size(), 3u);
+  EXPECT_EQ(status.violations().size(), 4u);
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 

@@ -82,7 +82,7 @@ TEST(DepthNoise, HasTheSpreadOfADepthCamera) {
   RenderedFrame wall{.camera = FlatLayoutCamera(160, 120)};
   for (const float z : {0.8f, 2.0f, 4.0f}) {
     wall.depth_m.assign(160 * 120, z);
-    const std::vector<float> noisy = NoisyDepth(wall, 1, 0);
+    const std::vector<float> noisy = NoisyDepth(wall, 1, 1, 0);
     double sum = 0, sum_of_squares = 0;
     int count = 0;
     for (float measured : noisy) {
@@ -96,12 +96,14 @@ TEST(DepthNoise, HasTheSpreadOfADepthCamera) {
     EXPECT_NEAR(std::sqrt(sum_of_squares / count), DepthSigma_m(z), 0.03 * DepthSigma_m(z));
   }
   EXPECT_DOUBLE_EQ(DepthSigma_m(2.4), 0.0012 + 0.0019 * 4);
+  const std::vector<float> once = NoisyDepth(wall, 1, 1, 0), twice = NoisyDepth(wall, 2, 1, 0);
+  for (std::size_t i = 0; i < once.size(); ++i) ASSERT_NEAR(twice[i] - 4.0f, 2 * (once[i] - 4.0f), 1e-5);
 }
 
 TEST(DepthNoise, DropsWhatIsFarAndMostAtEdges) {
   RenderedFrame step{.camera = FlatLayoutCamera(160, 120)};
   for (int i = 0; i < 160 * 120; ++i) step.depth_m.push_back(i % 160 < 80 ? 2.0f : i % 160 < 120 ? 5.0f : 8.5f);
-  const std::vector<float> noisy = NoisyDepth(step, 1, 0);
+  const std::vector<float> noisy = NoisyDepth(step, 1, 1, 0);
   int at_edge = 0, elsewhere = 0;
   for (int i = 0; i < 160 * 120; ++i) {
     const int u = i % 160;
