@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -97,13 +98,25 @@ void PrintThings(const Map& map, const Truth& truth) {
   }
 }
 
-/// A map of all recordings, and what is true of them.
+/// A map of the recordings so far, and what is true of all of them.
 struct Mapped {
   std::optional<MapBuilder> builder;
   std::optional<ClassMap> classes;
-  std::optional<TruthPoints> points;
-  std::vector<double> frame_s, waited_s;
+  std::unique_ptr<Truth> truth;
+  std::vector<double> frame_s, waited_s;  ///< of the last recording
 };
+
+/// The points of the first recording alone: the noise of each more would put elements farther off the surfaces.
+Status MeasureTruth(Dataset& labelled, const MapConfig& config, std::size_t num_frames, Mapped& mapped) {
+  TruthPoints points(config.integration);
+  DHPMAP_RETURN_IF_ERROR(ForEachFrame(labelled, num_frames, [&](const PanopticFrame& frame) {
+    points.Add(frame);
+    return Status::Ok();
+  }));
+  const auto protocol = evaluator::ProtocolForElements(evaluator::ProtocolFor(config.voxel_size_m), points.cell_m());
+  mapped.truth = std::make_unique<Truth>(points.Elements(), *mapped.classes, protocol);
+  return Status::Ok();
+}
 
 Status MapRecording(const std::string& directory, const FrayBenchOptions& options, Mapped& mapped) {
   DHPMAP_ASSIGN_OR_RETURN(const auto dataset, OpenDataset(directory, kAnyFormat, LabelSource::kPredicted));
@@ -112,13 +125,11 @@ Status MapRecording(const std::string& directory, const FrayBenchOptions& option
     DHPMAP_ASSIGN_OR_RETURN(MapInfo info, InfoFor(*dataset, options));
     DHPMAP_ASSIGN_OR_RETURN(mapped.classes,
                             evaluator::FindClassMap(directory, labelled->label_classes(), dataset->label_classes()));
-    mapped.points.emplace(info.config.integration);
+    DHPMAP_RETURN_IF_ERROR(MeasureTruth(*labelled, info.config, options.num_frames, mapped));
     mapped.builder.emplace(std::move(info), options.num_threads);
   }
-  DHPMAP_RETURN_IF_ERROR(ForEachFrame(*labelled, options.num_frames, [&](const PanopticFrame& frame) {
-    mapped.points->Add(frame);
-    return Status::Ok();
-  }));
+  mapped.frame_s.clear();
+  mapped.waited_s.clear();
   DHPMAP_RETURN_IF_ERROR(ForEachFrame(*dataset, options.num_frames, [&](const PanopticFrame& frame) -> Status {
     DHPMAP_ASSIGN_OR_RETURN(const FrameReport report, mapped.builder->Integrate(frame));
     mapped.frame_s.push_back(report.total_s() - report.refine_s);
@@ -158,21 +169,19 @@ void PrintScores(const Map& map, const Truth& truth, const evaluator::Scores& sc
 
 Status RunFrayBench(const FrayBenchOptions& options) {
   Mapped mapped;
+  ThreadPool pool(options.num_threads);
   for (const std::string& directory : options.directories) {
     DHPMAP_RETURN_IF_ERROR(MapRecording(directory, options, mapped));
+    const Map& map = mapped.builder->map();
+    const Truth& truth = *mapped.truth;
+    const auto surface = evaluator::SurfaceOf(map, evaluator::SurfaceKind::kOneField);
+    if (options.list && &directory == &options.directories.back()) PrintThings(map, truth);
+    PrintScores(map, truth, evaluator::Evaluate(truth, surface, true, pool, nullptr));
+    const Summary frame = Summarize(mapped.frame_s), waited = Summarize(mapped.waited_s);
+    std::printf("; frame %.2f ms (p95 %.2f), waits %.2f ms (most %.2f)\n", 1e3 * frame.mean, 1e3 * frame.p95,
+                1e3 * waited.mean, 1e3 * *std::max_element(mapped.waited_s.begin(), mapped.waited_s.end()));
+    std::fflush(stdout);
   }
-  const Map& map = mapped.builder->map();
-  const Truth truth(
-      mapped.points->Elements(), *mapped.classes,
-      evaluator::ProtocolForElements(evaluator::ProtocolFor(map.info().config.voxel_size_m), mapped.points->cell_m()));
-  mapped.points.reset();
-  ThreadPool pool(options.num_threads);
-  const auto surface = evaluator::SurfaceOf(map, evaluator::SurfaceKind::kOneField);
-  if (options.list) PrintThings(map, truth);
-  PrintScores(map, truth, evaluator::Evaluate(truth, surface, true, pool, nullptr));
-  const Summary frame = Summarize(mapped.frame_s), waited = Summarize(mapped.waited_s);
-  std::printf("; frame %.2f ms (p95 %.2f), waits %.2f ms (most %.2f)\n", 1e3 * frame.mean, 1e3 * frame.p95,
-              1e3 * waited.mean, 1e3 * *std::max_element(mapped.waited_s.begin(), mapped.waited_s.end()));
   return Status::Ok();
 }
 

@@ -93,7 +93,10 @@ int main(int argc, char** argv) {
   dhpmap::bench::FrayBenchOptions fray;
   CLI::App* fray_command =
       app.add_subcommand("fray", "How many things are listed a true one, recording after recording");
-  fray_command->add_option("directories", fray.directories, "Data sets of one place with ground truth")->required();
+  fray_command
+      ->add_option("directories", fray.directories,
+                   "Data sets of one place with ground truth, which that of the first is")
+      ->required();
   fray_command->add_option("--set", fray.settings, "key=value of the map's configuration, on top of the preset");
   fray_command->add_option("--frames", fray.num_frames, "Frames of each, 0 = all");
   fray_command->add_option("--threads", fray.num_threads, "Threads, 0 = one a core")->capture_default_str();
