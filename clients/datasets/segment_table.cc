@@ -2,7 +2,9 @@
 #include "clients/datasets/segment_table.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "clients/datasets/file_reader.h"
 
@@ -22,11 +24,23 @@ float ScoreOf(const Json& object) {
   return it != object.end() && it->is_number() ? std::clamp(it->get<float>(), 0.0f, 1.0f) : 0.0f;
 }
 
-/// "class_scores": {"category_id": score, ...}; unknown categories say nothing.
-Result<std::vector<ClassScore>> ClassScoresOf(const Json& object, const LabelTable& table) {
+/// The most that a frame may say, the likeliest ones.
+std::vector<ClassScore> Likeliest(const std::map<ClassId, float>& by_class) {
   std::vector<ClassScore> scores;
+  scores.reserve(by_class.size());
+  for (const auto& [class_id, score] : by_class) scores.push_back({class_id, std::min(score, 1.0f)});
+  if (scores.size() <= kMostClassScores) return scores;
+  std::stable_sort(scores.begin(), scores.end(),
+                   [](const ClassScore& a, const ClassScore& b) { return a.score > b.score; });
+  scores.resize(kMostClassScores);
+  return scores;
+}
+
+/// "class_scores": {"category_id": score, ...}; unknown categories say nothing, those of one class add up.
+Result<std::vector<ClassScore>> ClassScoresOf(const Json& object, const LabelTable& table) {
+  std::map<ClassId, float> by_class;
   const auto it = object.find("class_scores");
-  if (it == object.end()) return scores;
+  if (it == object.end()) return std::vector<ClassScore>{};
   if (!it->is_object()) return InvalidArgument("has class_scores that are not an object");
   for (const auto& [key, value] : it->items()) {
     const bool is_number = !key.empty() && key.size() < 10 &&
@@ -36,9 +50,9 @@ Result<std::vector<ClassScore>> ClassScoresOf(const Json& object, const LabelTab
       return InvalidArgument("has class_scores of category_id " + key + ", which the label table does not list");
     }
     if (!value.is_number()) return InvalidArgument("has class_scores that are not numbers");
-    if (!row->is_unknown) scores.push_back({row->label_class.id, std::clamp(value.get<float>(), 0.0f, 1.0f)});
+    if (!row->is_unknown) by_class[row->label_class.id] += std::clamp(value.get<float>(), 0.0f, 1.0f);
   }
-  return scores;
+  return Likeliest(by_class);
 }
 
 Result<SegmentInfo> ParseSegment(const Json& object, const LabelTable& table) {

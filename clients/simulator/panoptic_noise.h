@@ -22,7 +22,7 @@ struct PanopticNoise {
   double max_hole_radius_px = 18.0;
   double min_area_px = 80.0;  ///< smaller things are not found
 
-  /// So many times as many errors, and as large; no share above nine tenths. `level` >= 0.
+  /// So many times as many errors, and borders that wave as much more; no share above nine tenths. `level` >= 0.
   [[nodiscard]] PanopticNoise Times(double level) const;
 };
 

@@ -108,6 +108,11 @@ class LabelBlock {
   /// Makes room for so many voxels that have seen more than a cell holds.
   void ReserveOverflow(std::size_t num_voxels) { overflow_.reserve(num_voxels); }
 
+  /// Gives back what of it was not needed.
+  void ShrinkOverflow() {
+    if (overflow_.size() < overflow_.capacity()) overflow_.shrink_to_fit();
+  }
+
   /// Whether some voxel has seen the instance of `other`, as one that is not its own. Quick: few voxels have seen such.
   [[nodiscard]] bool HasSeenInstance(SubmapId other) const;
   /// What was seen of the instance of `from`, as one that is not the own, was `to`: their counts are added up.

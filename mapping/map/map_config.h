@@ -29,7 +29,7 @@ struct TrackingConfig {
   double iou_threshold = 0.12;        ///< a segment joins a submap only above this IoU
   double depth_tolerance_vox = 1.0;   ///< a point hits a submap where |distance| is below this
   bool match_requires_class = false;  ///< things only match submaps of their own class
-  double min_score = 0;  ///< segments of a smaller score are geometry only; those without one (0) always count
+  double min_score = 0;  ///< segments that the network is less sure of (SegmentInfo::Sureness) are geometry only
   /// What is seen of a segment counts as its score says, and its class_scores count, too; see SightingUnit.
   bool weigh_scores = false;
   int split_gap_vox = 5;        ///< parts of a thing's segment that lie farther apart are matched one by one; 0 = never
@@ -116,7 +116,8 @@ void VisitFields(Config& c, Visitor&& visit) {
   visit("tracking.match_requires_class", c.tracking.match_requires_class, 0.0, 1.0,
         "things only match submaps of their own class");
   visit("tracking.min_score", c.tracking.min_score, 0.0, 1.0,
-        "segments of a smaller score are geometry only; those without one always count");
+        "segments that the network is less sure of, by score or class_scores, are geometry only; those without always "
+        "count");
   visit("tracking.weigh_scores", c.tracking.weigh_scores, 0.0, 1.0,
         "what is seen of a segment counts as its score, or its class_scores, say");
   visit("tracking.split_gap_vox", c.tracking.split_gap_vox, 0.0, 1000.0,

@@ -93,6 +93,7 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
   LabelCrfReport report{.num_tiles = static_cast<int>(tiles.size())};
   std::vector<TileOutcome> outcomes(tiles.size());
   std::vector<std::size_t> num_blocks;
+  num_blocks.reserve(tiles.size());
   for (const CrfTile& tile : tiles) num_blocks.push_back(tile.inner.size() + tile.rim.size());
   const std::size_t most_at_once =
       std::max(kMostBlocksAtOnce, kMostBlocksAThread * static_cast<std::size_t>(pool.num_threads()));

@@ -24,6 +24,7 @@ void CheckClassScores(const SegmentInfo& segment, const std::string& segment_fie
   }
   float sum = 0;
   std::vector<ClassId> classes;
+  classes.reserve(segment.class_scores.size());
   for (const ClassScore& entry : segment.class_scores) {
     if (!(entry.score >= 0.0f && entry.score <= 1.0f))
       bad.AddViolation(field, "of class " + std::to_string(entry.class_id.value) + " is not within 0 and 1");
@@ -130,19 +131,23 @@ void CheckLidar(const PanopticFrame& frame, const LidarData& data, Status& bad) 
 
 }  // namespace
 
+std::optional<float> SegmentInfo::Sureness() const {
+  if (score > 0) return score;
+  if (class_scores.empty() || !class_id) return std::nullopt;
+  const auto own = std::find_if(class_scores.begin(), class_scores.end(),
+                                [this](const ClassScore& entry) { return entry.class_id == *class_id; });
+  return own != class_scores.end() ? own->score : 0.0f;
+}
+
 bool SegmentInfo::IsDoubtful(double min_score) const {
-  float sure = score;
-  if (sure == 0.0f && class_id) {
-    const auto own = std::find_if(class_scores.begin(), class_scores.end(),
-                                  [&](const ClassScore& entry) { return entry.class_id == *class_id; });
-    if (own != class_scores.end()) sure = own->score;
-  }
-  return sure > 0 && static_cast<double>(sure) < min_score;
+  const std::optional<float> sureness = Sureness();
+  return sureness && static_cast<double>(*sureness) < min_score;
 }
 
 std::optional<ClassId> LikeliestClass(std::span<const ClassScore> scores) {
-  const auto most = std::max_element(scores.begin(), scores.end(),
-                                     [](const ClassScore& a, const ClassScore& b) { return a.score < b.score; });
+  const auto most = std::max_element(scores.begin(), scores.end(), [](const ClassScore& a, const ClassScore& b) {
+    return a.score != b.score ? a.score < b.score : a.class_id > b.class_id;
+  });
   if (most == scores.end() || !(most->score > 0)) return std::nullopt;
   return most->class_id;
 }

@@ -23,7 +23,7 @@ struct ClassScore {
   bool operator==(const ClassScore&) const = default;
 };
 
-/// The likeliest (of equals, the first); nothing if none is above 0.
+/// The likeliest (of equals, the smaller id); nothing if none is above 0.
 std::optional<ClassId> LikeliestClass(std::span<const ClassScore> scores);
 
 /// One row of a frame's segment table: what the panoptic segmentation says of a segment id.
@@ -36,7 +36,10 @@ struct SegmentInfo {
   /// sum at most 1.
   std::vector<ClassScore> class_scores;
 
-  /// The network itself gives it less than `min_score`: by its score, or, where it has none, by that of its class.
+  /// How sure the network is: the score, or, where it gives none, what class_scores have for its class, which may be 0.
+  /// Nothing if it says neither.
+  [[nodiscard]] std::optional<float> Sureness() const;
+  /// The network itself is less sure of it.
   [[nodiscard]] bool IsDoubtful(double min_score) const;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "mapping/tracking/find_stuff.h"
@@ -13,13 +14,17 @@ namespace {
 /// More of them would cost every voxel memory for what is next to nothing.
 constexpr std::size_t kMostClasses = 4;
 constexpr float kLeastScore = 0.05f;
+constexpr float kLeastShareNamed =
+    0.25f;  // of the likeliest: less hardly ever decides, and each costs its voxels memory
 
 float MeanScore(const std::vector<SegmentInfo>& segments) {
   double sum = 0;
   int num_scored = 0;
   for (const SegmentInfo& segment : segments) {
-    sum += static_cast<double>(segment.score);
-    num_scored += segment.score > 0;
+    const std::optional<float> sureness = segment.Sureness();
+    if (!sureness) continue;
+    sum += static_cast<double>(*sureness);
+    ++num_scored;
   }
   return num_scored == 0 ? 1.0f : static_cast<float>(sum / num_scored);
 }
@@ -47,14 +52,20 @@ std::vector<ClassScore> Likeliest(const std::vector<ClassScore>& all, Panoptic k
   return scores;
 }
 
-/// That frames put the segment here decides ties, and says something where its scores do not.
-void CountAssignment(ClassId class_id, LabelHistograms& votes) {
+/// Whether `id` has no count, or one that another, which has most of the others, has, too.
+template <typename Id>
+bool NeedsOne(const std::vector<SeenCount<Id>>& counts, Id id) {
   std::uint32_t own = 0, most = 0;
-  for (const InstanceCount& vote : votes.instances) {
-    if (vote.id.IsOwn()) own = vote.count;
-    else most = std::max(most, vote.count);
+  for (const SeenCount<Id>& entry : counts) {
+    if (entry.id == id) own = entry.count;
+    else most = std::max(most, entry.count);
   }
-  if (own != 0 && own != most) return;
+  return own == 0 || own == most;
+}
+
+/// What the segment is said to be decides ties, and says something where its scores do not.
+void CountAssignment(ClassId class_id, LabelHistograms& votes) {
+  if (!NeedsOne(votes.classes, std::uint32_t{class_id.value}) && !NeedsOne(votes.instances, kOwnInstance)) return;
   AddTo(votes.classes, std::uint32_t{class_id.value}, 1u);
   AddTo(votes.instances, kOwnInstance, 1u);
 }
@@ -64,21 +75,25 @@ void CountAssignment(ClassId class_id, LabelHistograms& votes) {
 FrameVotes::FrameVotes(const PanopticFrame& frame, const Map& map) : map_(map), unscored_(MeanScore(frame.segments)) {}
 
 SeenInstance FrameVotes::InstanceOf(ClassId class_id, const SubmapInfo& holder) {
-  const auto [known, is_new] = backgrounds_.try_emplace(class_id, nullptr);
-  if (is_new) known->second = FindStuff(map_, class_id);
-  const Submap* background = known->second;
-  if (background == nullptr || IsEdited(background->info()) || background->info().is_locked) return kOwnInstance;
-  return SeenInstance::Of(background->id(), holder.id);
+  const auto [known, is_new] = backgrounds_.try_emplace(class_id, kUnknownSubmap);
+  if (is_new) {
+    const Submap* background = FindStuff(map_, class_id);
+    const bool takes = background != nullptr && !IsEdited(background->info()) && !background->info().is_locked;
+    if (takes) known->second = background->id();
+  }
+  return known->second == kUnknownSubmap ? kOwnInstance : SeenInstance::Of(known->second, holder.id);
 }
 
 LabelHistograms FrameVotes::ByClassScores(const SegmentInfo& segment, const SubmapInfo& holder) {
   const MapInfo& map = map_.info();
   const bool is_shared = holder.panoptic == Panoptic::kStuff && !IsEdited(holder);
   LabelHistograms votes;
-  for (const ClassScore& entry : Likeliest(segment.class_scores, holder.panoptic, *map.label_set)) {
+  const std::vector<ClassScore> likeliest = Likeliest(segment.class_scores, holder.panoptic, *map.label_set);
+  for (const ClassScore& entry : likeliest) {
     const std::uint32_t count = Weight(entry.score, map.config.tracking.SightingUnit());
+    const bool is_named = is_shared && entry.score >= kLeastShareNamed * likeliest.front().score;
     AddTo(votes.classes, std::uint32_t{entry.class_id.value}, count);
-    AddTo(votes.instances, is_shared ? InstanceOf(entry.class_id, holder) : kOwnInstance, count);
+    AddTo(votes.instances, is_named ? InstanceOf(entry.class_id, holder) : kOwnInstance, count);
   }
   CountAssignment(*segment.class_id, votes);
   return votes;

@@ -15,8 +15,9 @@ namespace dhpmap {
 ///   - By its score: as much less, 1/256 at least. One without a score is as sure as those of its frame that have one
 ///     are on the average, so that neither wins where masks overlap.
 ///   - By its class scores, where it has them: each of the likeliest few of the submap's kind by its own. Of a thing
-///     they are its classes alone. Of a background, one that has a submap of its own counts for that one's instance,
-///     unless somebody has edited one of the two; the rest, and a tie, is the holder's, which has 1/256 at least.
+///     they are its classes alone. Of a background, one that has a submap of its own and at least a quarter of the most
+///     counts for that one's instance, unless somebody has edited one of the two; the rest is the holder's. The class
+///     that the segment is said to be of has 1/256 at least, and as much more where it would tie.
 /// Refers to frame and map, as they are before anything of the frame is fused.
 class FrameVotes {
  public:
@@ -31,8 +32,9 @@ class FrameVotes {
   SeenInstance InstanceOf(ClassId class_id, const SubmapInfo& holder);
 
   const Map& map_;
-  float unscored_ = 1;                            ///< the score of a segment that has none
-  std::map<ClassId, const Submap*> backgrounds_;  ///< those that were asked for
+  float unscored_ = 1;  ///< the score of a segment that has none
+  /// Those that were asked for; the unknown one where a class has none, or one that takes nothing.
+  std::map<ClassId, SubmapId> backgrounds_;
 };
 
 }  // namespace dhpmap

@@ -201,6 +201,23 @@ void Tracker::MatchLocked(const std::vector<SegmentBundles>& segments, const std
   }
 }
 
+void Tracker::AssignCovered(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                            const std::vector<const LabelClass*>& classes, const std::vector<bool>& is_open,
+                            const Map& map, std::vector<Assignment>& assignments) const {
+  std::vector<UnmatchedSegment> unmatched;
+  std::vector<SubmapId> taken;
+  taken.reserve(segments.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    taken.push_back(assignments[s].submap);
+    if (!is_open[s] || assignments[s].submap != kUnknownSubmap) continue;
+    if (segments[s].num_points < MinPoints(*classes[s]) || IsMaskBorder(segments, s, overlaps_)) continue;
+    unmatched.push_back({s, classes[s]->id});
+  }
+  for (const CoveredMatch& match : MatchCovered(frame, segments, unmatched, overlaps_, taken, map, pool_)) {
+    assignments[match.segment] = {match.submap, false, static_cast<float>(match.iou)};
+  }
+}
+
 std::int64_t Tracker::MinPoints(const LabelClass& label_class) const {
   if (label_class.panoptic == Panoptic::kStuff) return config_.tracking.min_points_stuff;
   switch (label_class.size) {
@@ -277,9 +294,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     if (frame.has_persistent_ids) NoteTracks(frame, segments, is_open, assignments, map);
     HandToSplitParts(frame, segments, overlaps_, map, assignments);
   }
-  std::vector<SubmapId> taken;
-  for (const Assignment& assignment : assignments) taken.push_back(assignment.submap);
-  CoveredThings covered(frame, segments, map, std::move(taken));
+  if (!frame.has_persistent_ids) AssignCovered(frame, segments, classes, is_open, map, assignments);
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (classes[s] == nullptr || assignments[s].submap != kUnknownSubmap) continue;
     if (segments[s].num_points < MinPoints(*classes[s])) continue;
@@ -292,12 +307,6 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
       }
     }
     if (is_open[s] && IsMaskBorder(segments, s, overlaps_)) continue;
-    if (is_open[s] && !frame.has_persistent_ids) {
-      if (const auto match = covered.Find(segments[s], classes[s]->id); match.submap != kUnknownSubmap) {
-        assignments[s] = {match.submap, false, static_cast<float>(match.iou)};
-        continue;
-      }
-    }
     assignments[s] = {CreateSubmap(frame, segment, *classes[s], map), true, 0};
   }
   if (frame.has_persistent_ids && !has_others && !has_locked) overlaps_ = {};  // such ids tell pairs apart themselves

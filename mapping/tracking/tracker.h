@@ -36,7 +36,7 @@ struct Assignment {
 ///     that is no background and matches nothing is a match of the locked thing that half of its points lie on;
 ///   - what the network itself doubts (tracking.min_score) goes to the unknown submap;
 ///   - a thing's segment that would make a new submap goes to one of its class that it lies on, though others hide it
-///     (CoveredThings);
+///     (MatchCovered);
 ///   - what is left makes a new submap if it is large enough and no mere border of a mask, else goes to the unknown
 ///     submap.
 /// Ties are broken by submap id, then by table row. Thread-compatible.
@@ -65,6 +65,9 @@ class Tracker {
   /// What a frame with persistent ids was matched with by overlap has its id from now on.
   static void NoteTracks(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                          const std::vector<bool>& is_open, const std::vector<Assignment>& assignments, Map& map);
+  void AssignCovered(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
+                     const std::vector<const LabelClass*>& classes, const std::vector<bool>& is_open, const Map& map,
+                     std::vector<Assignment>& assignments) const;
   [[nodiscard]] std::int64_t MinPoints(const LabelClass& label_class) const;
   SubmapId CreateSubmap(const PanopticFrame& frame, const SegmentInfo& segment, const LabelClass& label_class,
                         Map& map) const;

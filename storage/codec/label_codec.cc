@@ -215,6 +215,7 @@ Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumPlanes>& 
     if (!voxel.classes.empty() && voxel.classes.back().id >= kMaxInPlane) return DataLoss("holds a class that none is");
     block.Set(site.linear, voxel);
   }
+  block.ShrinkOverflow();  // large counts of one class fit into a cell
   return Status::Ok();
 }
 

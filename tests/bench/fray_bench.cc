@@ -172,6 +172,7 @@ Status RunFrayBench(const FrayBenchOptions& options) {
   ThreadPool pool(options.num_threads);
   for (const std::string& directory : options.directories) {
     DHPMAP_RETURN_IF_ERROR(MapRecording(directory, options, mapped));
+    if (mapped.frame_s.empty()) return InvalidArgument(directory + " has no frames");
     const Map& map = mapped.builder->map();
     const Truth& truth = *mapped.truth;
     const auto surface = evaluator::SurfaceOf(map, evaluator::SurfaceKind::kOneField);

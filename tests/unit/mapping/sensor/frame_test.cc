@@ -120,6 +120,24 @@ INSTANTIATE_TEST_SUITE_P(
         BadFrame{"NanScore", [](auto& f) { f.segments[0].score = std::nanf(""); }, "segments[0].score"}),
     [](const auto& frame) { return frame.param.name; });
 
+TEST(SegmentInfo, IsAsSureAsItsScoreOrElseItsClassScoresSay) {
+  SegmentInfo segment{.id = SegmentId(1), .class_id = ClassId(2)};
+  EXPECT_EQ(segment.Sureness(), std::nullopt);
+  EXPECT_FALSE(segment.IsDoubtful(1)) << "the network says nothing";
+  segment.class_scores = {{ClassId(1), 0.75f}, {ClassId(2), 0.25f}};
+  EXPECT_EQ(segment.Sureness(), 0.25f);
+  EXPECT_TRUE(segment.IsDoubtful(0.6));
+  segment.class_id = ClassId(3);
+  EXPECT_EQ(segment.Sureness(), 0.0f) << "anything but that";
+  EXPECT_TRUE(segment.IsDoubtful(0.6));
+  EXPECT_FALSE(segment.IsDoubtful(0));
+  segment.score = 0.9f;
+  EXPECT_FALSE(segment.IsDoubtful(0.6));
+  const std::vector<ClassScore> tie{{ClassId(5), 0.5f}, {ClassId(4), 0.5f}};
+  EXPECT_EQ(LikeliestClass(tie), ClassId(4));
+  EXPECT_EQ(LikeliestClass({}), std::nullopt);
+}
+
 TEST(ValidateFrame, RefusesLidarScansThatDoNotFit) {
   PanopticFrame frame = GoodLidarFrame();
   frame.lidar->points_m[1].z() = std::numeric_limits<float>::infinity();

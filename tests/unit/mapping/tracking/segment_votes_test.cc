@@ -84,6 +84,8 @@ TEST_F(FrameVotesTest, AWeighedSightingCountsAsItsScoreSays) {
   EXPECT_EQ(of_score(0), LabelHistograms::OfClass(kCup, 256)) << "the network gives nobody a score";
   frame_.segments = {{.id = SegmentId(1), .score = 0.25f}, {.id = SegmentId(2), .score = 0.75f}, {.id = SegmentId(3)}};
   EXPECT_EQ(of_score(0), LabelHistograms::OfClass(kCup, 128)) << "it is as sure as the others";
+  frame_.segments[1] = {.id = SegmentId(2), .class_id = kCup, .class_scores = {{kCup, 0.5f}}};
+  EXPECT_EQ(of_score(0), LabelHistograms::OfClass(kCup, 96)) << "class scores say how sure, too";
 }
 
 TEST_F(FrameVotesTest, ClassScoresOfAThingAreItsClassesAlone) {
@@ -95,6 +97,9 @@ TEST_F(FrameVotesTest, ClassScoresOfAThingAreItsClassesAlone) {
   EXPECT_EQ(VotesOf(said, cup_), expected) << "a thing is no wallpaper, however likely";
   said.class_scores = {{kWallpaper, 1.0f}};
   EXPECT_EQ(VotesOf(said, cup_), LabelHistograms::OfClass(kCup, 1)) << "it was put here";
+  said.class_id = kBowl;
+  said.class_scores = {{kCup, 0.5f}, {kBowl, 0.5f}};
+  EXPECT_EQ(VotesOf(said, cup_).classes, (std::vector<LabelCount>{{kCup.value, 128}, {kBowl.value, 129}})) << "a tie";
 }
 
 TEST_F(FrameVotesTest, ClassScoresOfABackgroundAreForTheSubmapsOfTheirClasses) {
@@ -110,6 +115,8 @@ TEST_F(FrameVotesTest, ClassScoresOfABackgroundAreForTheSubmapsOfTheirClasses) {
   LabelHistograms votes = VotesOf(said, wallpaper_);
   EXPECT_EQ(votes.instances, (std::vector<InstanceCount>{{kOwnInstance, 129}, {SeenInstance(door), 128}})) << "a tie";
   ExpectWellFormed(votes);
+  said.class_scores = {{kDoor, 0.125f}, {kWallpaper, 0.75f}};
+  EXPECT_EQ(VotesOf(said, wallpaper_).instances.size(), 1u) << "too little to decide anything";
   said.class_scores = {{kDoor, 1.0f}};
   votes = VotesOf(said, wallpaper_);
   EXPECT_EQ(votes.instances, (std::vector<InstanceCount>{{kOwnInstance, 1}, {SeenInstance(door), 256}}));

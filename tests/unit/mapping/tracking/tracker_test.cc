@@ -371,6 +371,51 @@ TEST_F(TrackerTest, WhatLiesFlatOnALargerThingIsFoundAgain) {
   EXPECT_EQ(map_.submaps().size(), num_before + 1);
 }
 
+TEST_F(TrackerTest, OfSegmentsThatLieOnOneCoveredThingTheBestIsIt) {
+  map_.mutable_info().config.tracking.min_points_medium = 5;
+  for (int i = 0; i < 6; ++i) {
+    PanopticFrame frame = FrameOfSlab(i, kChair);
+    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
+    Feed(frame);
+  }
+  const Assignment slab = Feed(FrameOfSlab(6, kChair))[1];
+  ASSERT_TRUE(slab.is_new);
+  // A few pixels of it come first in the table, apart from the rest.
+  PanopticFrame frame = FrameOfSlab(7, kChair);
+  frame.segments.insert(frame.segments.begin(), {.id = SegmentId(3), .class_id = kChair});
+  std::vector<std::uint32_t>& ids = frame.camera->segments;
+  const auto first = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), 2u) - ids.begin());
+  const auto width = static_cast<std::size_t>(frame.camera->camera.width_px);
+  for (std::size_t p = first; p < ids.size(); ++p) {
+    if (ids[p] != 2) continue;
+    if (p < first + width) ids[p] = 3;
+    else if (p < first + 4 * width) ids[p] = 1;
+  }
+  const auto at = Feed(frame);
+  EXPECT_EQ(at[2].submap, slab.submap);
+  EXPECT_NE(at[0].submap, slab.submap);
+}
+
+TEST_F(TrackerTest, WhatIsAbsentOrCoveredByItsOwnClassIsNotFoundBelow) {
+  map_.mutable_info().config.tracking.min_points_medium = 20;
+  SubmapId block;
+  for (int i = 0; i < 6; ++i) {
+    PanopticFrame frame = FrameOfSlab(i, kChair);
+    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
+    block = Feed(frame)[0].submap;
+  }
+  const Assignment slab = Feed(FrameOfSlab(6, kChair))[1];
+  ASSERT_TRUE(slab.is_new);
+  const Map before = map_;
+  map_.FindMutable(slab.submap)->mutable_info().presence = Presence::kAbsent;
+  EXPECT_NE(Feed(FrameOfSlab(7, kChair))[1].submap, slab.submap);
+  map_ = before;
+  map_.FindMutable(block)->mutable_info().class_id = kChair;  // then it is rather a part of that
+  EXPECT_NE(Feed(FrameOfSlab(7, kChair))[1].submap, slab.submap);
+  map_ = before;
+  EXPECT_EQ(Feed(FrameOfSlab(7, kChair))[1].submap, slab.submap);
+}
+
 TEST_F(TrackerTest, WhatIsOfAnotherClassThanWhatLiesThereIsNew) {
   map_.mutable_info().config.tracking.min_points_medium = 20;
   map_.mutable_info().label_set = testing::MakeLabelSet(3, 1);
