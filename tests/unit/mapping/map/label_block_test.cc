@@ -161,6 +161,7 @@ TEST(LabelBlock, CountsOnBeyond65535) {
 TEST(LabelBlock, AnObservationMayCountMoreThanOneAndAddsUpInAnyOrder) {
   std::mt19937 random(5);
   std::vector<std::pair<std::uint16_t, std::uint32_t>> seen;
+  seen.reserve(2000);
   for (int i = 0; i < 2000; ++i) {
     seen.emplace_back(static_cast<std::uint16_t>(random() % 3), 1 + static_cast<std::uint32_t>(random() % 256));
   }
