@@ -54,8 +54,10 @@ class GridRay {
   /// Returns the axis along which it went on.
   int Next() {
     const int axis = t_next_[0] < t_next_[1] ? (t_next_[0] < t_next_[2] ? 0 : 2) : (t_next_[1] < t_next_[2] ? 1 : 2);
-    index_[axis] += step_[axis];
-    t_next_[axis] += t_step_[axis];
+    for (int i = 0; i < 3; ++i) {  // all of them: to write one and read all soon after would wait for the write
+      index_[i] += i == axis ? step_[i] : 0;
+      t_next_[i] += i == axis ? t_step_[i] : 0.0f;
+    }
     centre_along_m_ += along_step_m_[axis];
     return axis;
   }

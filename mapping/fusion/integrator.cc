@@ -157,11 +157,12 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
   const UpdateRule rule = MakeRule(config, submap);
   const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
   const bool has_votes = !votes.classes.empty();
-  const bool is_simple = votes.classes.size() == 1 && votes.instances.size() == 1 && votes.instances[0].id.IsOwn();
   Neighbourhood neighbourhood(segment, has_votes, submap, kept_clear);
   std::int64_t num_updates = 0;
   std::uint64_t num_labelled = 0;
-  const ClassId class_id(is_simple ? static_cast<std::uint16_t>(votes.classes[0].id) : std::uint16_t{0});
+  // One sighting of one class, as nearly all are, is known before the loop.
+  const ClassId class_id(static_cast<std::uint16_t>(has_votes ? votes.classes[0].id : 0));
+  const bool is_one_sighting = has_votes && votes == LabelHistograms::OfClass(class_id);
 
   for (const BundleCell& cell : segment.cells) {
     ThrowIfStopped(stop);
@@ -203,7 +204,7 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
         if (!has_votes || before_m <= -rule.truncation_m ||
             before_m > rule.truncation_m + kHalfDiagonal_vox * voxel_size_m)
           continue;
-        if (is_simple) here->labels->AddObservation(static_cast<int>(linear), class_id, votes.classes[0].count);
+        if (is_one_sighting) here->labels->AddObservation(static_cast<int>(linear), class_id);
         else here->labels->AddVotes(static_cast<int>(linear), votes);
         ++num_labelled;
       }
