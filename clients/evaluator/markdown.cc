@@ -70,10 +70,10 @@ std::string ProtocolText(const Experiment& experiment) {
       << " frames";
   if (experiment.num_skipped > 0) out << " (" << experiment.num_skipped << " could not be read)";
   out << ", voxels of " << Decimals(experiment.config.voxel_size_m, 3) << " m.\n\n"
-      << "- Truth of the first table: what the sensor measured, with the data set's labels; "
+      << "- Truth of the first two tables: what the sensor measured, with the data set's labels; "
       << experiment.num_truth_points << " elements, one a cell of " << Decimals(TruthPoints::kCameraCell_m, 2)
       << " m (depth images) or " << Decimals(TruthPoints::kScanCell_m, 2) << " m (scans).\n"
-      << "- Truth of the second: map of the ground truth's labels by the same fusion, each place the object's that was "
+      << "- Truth of the last: map of the ground truth's labels by the same fusion, each place the object's that was "
          "seen there most; "
       << experiment.num_truth_samples << " samples of its triangles, one every " << Decimals(p.spacing_m, 3)
       << " m squared.\n"
@@ -84,9 +84,9 @@ std::string ProtocolText(const Experiment& experiment) {
       << "- Asked: what a system says of the element's point, by the voxel that holds it, if that has a surface within "
          "the truncation (QueryPoints); systems that answer no points are left out.\n"
       << "- Segments match above IoU 0.5; unmatched ones below " << experiment.points_protocol.min_elements
-      << " elements, in the second table " << p.min_elements << " samples, are ignored.\n"
+      << " elements, in the last table " << p.min_elements << " samples, are ignored.\n"
       << "- Geometry: distance of each element to the triangle of the system's nearest sample; of each of those to the "
-         "nearest element, gaps between points included, in the second table to the nearest triangle; F-score at "
+         "nearest element, gaps between points included, in the last table to the nearest triangle; F-score at "
       << Decimals(p.geometry.threshold_m, 3) << " m; accuracy ignores distances above "
       << Decimals(p.geometry.accuracy_truncation_m, 2) << " m, completion clips them at "
       << Decimals(p.geometry.completion_truncation_m, 2) << " m.\n"

@@ -353,13 +353,16 @@ PanopticFrame FrameOfSlab(int i, ClassId class_of_slab) {
   return frame;
 }
 
+/// The slab is taken for a part of the block.
+PanopticFrame FrameOfBlockAlone(int i) {
+  PanopticFrame frame = FrameOfSlab(i, kChair);
+  std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
+  return frame;
+}
+
 TEST_F(TrackerTest, WhatLiesFlatOnALargerThingIsFoundAgain) {
   map_.mutable_info().config.tracking.min_points_medium = 20;
-  for (int i = 0; i < 6; ++i) {
-    PanopticFrame frame = FrameOfSlab(i, kChair);
-    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
-    ASSERT_NE(Feed(frame)[0].submap, kUnknownSubmap);
-  }
+  for (int i = 0; i < 6; ++i) ASSERT_NE(Feed(FrameOfBlockAlone(i))[0].submap, kUnknownSubmap);
   const std::size_t num_before = map_.submaps().size();
   const Assignment first = Feed(FrameOfSlab(6, kChair))[1];
   ASSERT_TRUE(first.is_new);
@@ -373,11 +376,7 @@ TEST_F(TrackerTest, WhatLiesFlatOnALargerThingIsFoundAgain) {
 
 TEST_F(TrackerTest, OfSegmentsThatLieOnOneCoveredThingTheBestIsIt) {
   map_.mutable_info().config.tracking.min_points_medium = 5;
-  for (int i = 0; i < 6; ++i) {
-    PanopticFrame frame = FrameOfSlab(i, kChair);
-    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
-    Feed(frame);
-  }
+  for (int i = 0; i < 6; ++i) Feed(FrameOfBlockAlone(i));
   const Assignment slab = Feed(FrameOfSlab(6, kChair))[1];
   ASSERT_TRUE(slab.is_new);
   // A few pixels of it come first in the table, apart from the rest.
@@ -399,11 +398,7 @@ TEST_F(TrackerTest, OfSegmentsThatLieOnOneCoveredThingTheBestIsIt) {
 TEST_F(TrackerTest, WhatIsCoveredByItsOwnClassIsNotFoundBelow) {
   map_.mutable_info().config.tracking.min_points_medium = 20;
   SubmapId block;
-  for (int i = 0; i < 6; ++i) {
-    PanopticFrame frame = FrameOfSlab(i, kChair);
-    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
-    block = Feed(frame)[0].submap;
-  }
+  for (int i = 0; i < 6; ++i) block = Feed(FrameOfBlockAlone(i))[0].submap;
   const Assignment slab = Feed(FrameOfSlab(6, kChair))[1];
   ASSERT_TRUE(slab.is_new);
   SubmapInfo& info = map_.FindMutable(block)->mutable_info();
@@ -415,11 +410,7 @@ TEST_F(TrackerTest, WhatIsCoveredByItsOwnClassIsNotFoundBelow) {
 
 TEST_F(TrackerTest, WhatIsAbsentIsNotFoundBelow) {
   map_.mutable_info().config.tracking.min_points_medium = 20;
-  for (int i = 0; i < 6; ++i) {
-    PanopticFrame frame = FrameOfSlab(i, kChair);
-    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
-    Feed(frame);
-  }
+  for (int i = 0; i < 6; ++i) Feed(FrameOfBlockAlone(i));
   const Assignment slab = Feed(FrameOfSlab(6, kChair))[1];
   ASSERT_TRUE(slab.is_new);
   map_.FindMutable(slab.submap)->mutable_info().presence = Presence::kAbsent;
@@ -429,11 +420,7 @@ TEST_F(TrackerTest, WhatIsAbsentIsNotFoundBelow) {
 TEST_F(TrackerTest, WhatIsOfAnotherClassThanWhatLiesThereIsNew) {
   map_.mutable_info().config.tracking.min_points_medium = 20;
   map_.mutable_info().label_set = testing::MakeLabelSet(3, 1);
-  for (int i = 0; i < 6; ++i) {
-    PanopticFrame frame = FrameOfSlab(i, kChair);
-    std::replace(frame.camera->segments.begin(), frame.camera->segments.end(), 2u, 1u);
-    Feed(frame);
-  }
+  for (int i = 0; i < 6; ++i) Feed(FrameOfBlockAlone(i));
   const Assignment chair = Feed(FrameOfSlab(6, kChair))[1];
   const Assignment other = Feed(FrameOfSlab(7, ClassId(3)))[1];
   EXPECT_TRUE(other.is_new);
