@@ -7,12 +7,7 @@
 
 #include <cstdint>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(DHPMAP_SANITIZED)
-#define DHPMAP_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define DHPMAP_VECTOR_CLONES
-#endif
-#define DHPMAP_ALWAYS_INLINE __attribute__((always_inline)) inline
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 

@@ -10,12 +10,12 @@ namespace dhpmap {
 void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, std::vector<std::uint32_t>& cell_of,
                 SegmentBundles& segment) {
   if (tally.is_too_large()) return;
-  // First count the bundles of each cell, so that they can lie together; then sum the runs up.
+  // First find where bundles of each cell end, so that they can lie together; then sum the runs up.
   cell_of.resize(runs.size());
   BlockIndex last_block{};
   std::uint32_t last_cell = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const BlockIndex block = BlockOf(runs[i]->voxel);
+    const BlockIndex block = BlockOf(runs[i]->place.voxel());
     if (i == 0 || block != last_block) {
       const BundleCell* found = segment.Find(block);
       if (found == nullptr) {
@@ -26,27 +26,25 @@ void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, std::v
       last_block = block;
     }
     cell_of[i] = last_cell;
-    BundleCell& cell = segment.cells[last_cell];
-    std::uint16_t& slot = cell.slot[static_cast<std::size_t>(LinearIndex(runs[i]->voxel))];
-    if (slot == 0) slot = static_cast<std::uint16_t>(++cell.num_bundles);
+    SetIn(segment.cells[last_cell].ends, LinearIndex(runs[i]->place.voxel()), true);
   }
   std::uint32_t num_bundles = 0;
   for (BundleCell& cell : segment.cells) {
+    cell.CountBundles();
     cell.first_bundle = num_bundles;
     num_bundles += cell.num_bundles;
   }
   segment.bundles.resize(num_bundles);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const PointRun& run = *runs[i];
-    const BundleCell& cell = segment.cells[cell_of[i]];
-    const int linear = LinearIndex(run.voxel);
-    Bundle& bundle = segment.bundles[cell.first_bundle + cell.slot[static_cast<std::size_t>(linear)] - 1u];
+    const int linear = LinearIndex(run.place.voxel());
+    Bundle& bundle = segment.bundles[segment.cells[cell_of[i]].BundleAt(linear)];
     bundle.linear = static_cast<std::uint16_t>(linear);
-    bundle.weighted_sum_m += run.weighted_sum_m;
-    bundle.weight += run.weight;
-    bundle.weighted_color += run.weighted_color;
-    bundle.num_points += run.num_points;
-    segment.num_points += run.num_points;
+    bundle.weighted_sum_m += run.weighted_sum_m();
+    bundle.weight += run.weight();
+    bundle.weighted_color += run.color_sum();
+    bundle.num_points += run.num_points();
+    segment.num_points += run.num_points();
   }
   for (Bundle& bundle : segment.bundles) {
     // Points on all sides of the sensor cancel: in the voxel that it stands in any direction will do.

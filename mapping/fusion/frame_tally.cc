@@ -10,7 +10,8 @@ void FrameTally::NoteRuns(const std::vector<PointRun>& runs) {
   std::size_t num_new = 0;
   const PointRun* last = nullptr;
   for (const PointRun& run : runs) {
-    if (last == nullptr || BlockOf(last->voxel) != BlockOf(run.voxel)) num_new += IsNew(BlockOf(run.voxel));
+    if (last == nullptr || BlockOf(last->place.voxel()) != BlockOf(run.place.voxel()))
+      num_new += IsNew(BlockOf(run.place.voxel()));
     last = &run;
   }
   if (num_blocks_.fetch_add(num_new, std::memory_order_relaxed) + num_new > kMaxBlocksAFrame) {

@@ -9,7 +9,7 @@
 
 #include "mapping/base/stopped.h"
 #include "mapping/fusion/grid_ray.h"
-#include "mapping/fusion/ray_band.h"
+#include "mapping/fusion/ray_kernel.h"
 #include "mapping/map/voxel_average.h"
 
 namespace dhpmap {
@@ -24,9 +24,6 @@ namespace {
   return entry != nullptr ? entry->tsdf.get() : nullptr;
 }
 
-/// The centre of a voxel that a ray crosses is at most so far from it.
-constexpr float kHalfDiagonal_vox = 0.87f;
-
 /// What one submap stores where one block of a ray's neighbourhood lies.
 struct Neighbour {
   TsdfBlock* tsdf = nullptr;
@@ -36,8 +33,7 @@ struct Neighbour {
   const VoxelMask* clear = nullptr;  ///< voxels that are kept clear; null: none
 };
 
-/// The 3 x 3 x 3 blocks around the one in which a cell's bundles end, looked up when a ray first enters them. No ray
-/// leaves them: the truncation is at most one block's side.
+/// The 3 x 3 x 3 blocks around the one in which a cell's bundles end, looked up when a ray first enters them.
 class Neighbourhood {
  public:
   /// `kept_clear` may be null.
@@ -50,18 +46,18 @@ class Neighbourhood {
     is_near_clear_ = kept_clear_ != nullptr && kept_clear_->MayBeAround(center);
   }
 
-  Neighbour& At(BlockIndex block) {
-    const int x = block.x - center_.x + 1, y = block.y - center_.y + 1, z = block.z - center_.z + 1;
-    if (static_cast<unsigned>(x) > 2 || static_cast<unsigned>(y) > 2 || static_cast<unsigned>(z) > 2) {
-      outside_ = {};  // rounding at the very end of the longest ray
-      return Load(block, outside_);
-    }
-    Neighbour& neighbour = blocks_[static_cast<std::size_t>(x + 3 * (y + 3 * z))];
-    return neighbour.tsdf != nullptr ? neighbour : Load(block, neighbour);
+  /// `number`: x + 3 y + 9 z.
+  Neighbour& At(int number) {
+    Neighbour& neighbour = blocks_[static_cast<std::size_t>(number)];
+    return neighbour.tsdf != nullptr ? neighbour : Load(IndexOf(number), neighbour);
   }
+  [[nodiscard]] BlockIndex IndexOf(int number) const {
+    return {center_.x + number % 3 - 1, center_.y + number / 3 % 3 - 1, center_.z + number / 9 - 1};
+  }
+  static constexpr int kCenter = 13;
 
  private:
-  Neighbour& Load(BlockIndex block, Neighbour& neighbour) {
+  [[gnu::noinline]] Neighbour& Load(BlockIndex block, Neighbour& neighbour) {
     neighbour.tsdf = &submap_.MutableTsdf(block);
     if (with_labels_) neighbour.labels = &submap_.MutableLabels(block);
     neighbour.gone = GoneAt(submap_, block);
@@ -77,7 +73,6 @@ class Neighbourhood {
   bool is_near_clear_ = false;
   BlockIndex center_;
   std::array<Neighbour, 27> blocks_;
-  Neighbour outside_;
 };
 
 struct UpdateRule {
@@ -144,6 +139,103 @@ const VoxelMask* KeptClearAt(BlockIndex block, const TsdfBlock* stored, KeptClea
   return kept_clear != nullptr && stored != nullptr ? kept_clear->In(block) : nullptr;
 }
 
+RayGrid GridAround(BlockIndex center, const RayOrigin& origin, const UpdateRule& rule, float voxel_size_m) {
+  const VoxelIndex first = VoxelIn({center.x - 1, center.y - 1, center.z - 1}, 0);
+  const VoxelIndex& sensor = origin.voxel;
+  return {voxel_size_m,          rule.truncation_m,  origin.offset_vox.x(), origin.offset_vox.y(),
+          origin.offset_vox.z(), sensor.x - first.x, sensor.y - first.y,    sensor.z - first.z};
+}
+
+/// Of the lanes that are not used, what the first bundle has.
+void FillLanes(std::span<const Bundle> bundles, RayLanes& rays) {
+  for (std::size_t i = 0; i < kRayLanes; ++i) {
+    const Bundle& bundle = bundles[i < bundles.size() ? i : 0];
+    rays.sum_x_m[i] = bundle.weighted_sum_m.x(), rays.sum_y_m[i] = bundle.weighted_sum_m.y();
+    rays.sum_z_m[i] = bundle.weighted_sum_m.z(), rays.weight[i] = bundle.weight;
+    rays.normal_x[i] = bundle.plane.normal.x(), rays.normal_y[i] = bundle.plane.normal.y();
+    rays.normal_z[i] = bundle.plane.normal.z(), rays.offset_m[i] = bundle.plane.offset_m;
+    rays.before_m[i] = bundle.plane.before_m, rays.behind_m[i] = bundle.plane.behind_m;
+  }
+}
+
+/// Updates one submap with the bundles of one segment.
+class SegmentUpdate {
+ public:
+  SegmentUpdate(const SegmentBundles& segment, const LabelHistograms& votes, const IntegrationConfig& config,
+                Submap& submap, KeptClearVoxels* kept_clear)
+      : votes_(votes),
+        has_votes_(!votes.classes.empty()),
+        class_id_(static_cast<std::uint16_t>(has_votes_ ? votes.classes[0].id : 0)),
+        is_one_sighting_(has_votes_ && votes == LabelHistograms::OfClass(class_id_)),
+        anti_grazing_(config.anti_grazing),
+        rule_(MakeRule(config, submap)),
+        voxel_size_m_(static_cast<float>(submap.info().voxel_size_m)),
+        submap_(submap),
+        neighbourhood_(segment, has_votes_, submap, kept_clear) {}
+
+  void AddCell(const BundleCell& cell, std::span<const Bundle> bundles, const RayOrigin& origin) {
+    neighbourhood_.MoveTo(cell.block);
+    const RayGrid grid = GridAround(cell.block, origin, rule_, voxel_size_m_);
+    for (std::size_t first = 0; first < bundles.size(); first += kRayLanes) {
+      const auto some = bundles.subspan(first, std::min(kRayLanes, bundles.size() - first));
+      FillLanes(some, rays_);
+      WalkRays(grid, rays_, walked_);
+      for (std::size_t lane = 0; lane < some.size(); ++lane) AddRay(some[lane], lane);
+    }
+  }
+
+  [[nodiscard]] std::int64_t num_updates() const { return num_updates_; }
+  [[nodiscard]] std::uint64_t num_labelled() const { return num_labelled_; }
+
+ private:
+  void AddRay(const Bundle& bundle, std::size_t lane) {
+    const Eigen::Vector3f color = bundle.weighted_color / bundle.weight;
+    const int end = Neighbourhood::kCenter * kBlockVoxels + bundle.linear;
+    const auto num_steps = static_cast<std::size_t>(walked_.num_steps[lane]);
+    for (std::size_t step = 0; step < num_steps; ++step) {
+      const std::int32_t code = walked_.voxel[step][lane];
+      if (code == WalkedVoxels::kNone) continue;
+      const int voxel = code & (WalkedVoxels::kLabelled - 1), linear = voxel % kBlockVoxels;
+      Neighbour& here = neighbourhood_.At(voxel / kBlockVoxels);
+      if (here.clear != nullptr && IsIn(*here.clear, linear)) continue;
+      if (anti_grazing_ && here.ends != nullptr && voxel != end && IsIn(here.ends->ends, linear)) continue;
+      if (!Update(walked_.distance_m[step][lane], bundle.weight, color, voxel, here)) continue;
+      ++num_updates_;
+      if (has_votes_ && (code & WalkedVoxels::kLabelled) != 0) AddVotes(linear, *here.labels);
+    }
+  }
+
+  bool Update(float sdf_m, float weight, const Eigen::Vector3f& color, int voxel, Neighbour& here) {
+    const int linear = voxel % kBlockVoxels;
+    if (here.gone != nullptr && here.gone->Count(linear) != 0) {
+      const BlockIndex block = neighbourhood_.IndexOf(voxel / kBlockVoxels);
+      return ObserveAnew(sdf_m, weight, color, rule_, block, static_cast<std::size_t>(linear), here, submap_);
+    }
+    return UpdateVoxel(sdf_m, weight, color, rule_, *here.tsdf, static_cast<std::size_t>(linear));
+  }
+
+  void AddVotes(int linear, LabelBlock& labels) {
+    if (is_one_sighting_) labels.AddObservation(linear, class_id_);
+    else labels.AddVotes(linear, votes_);
+    ++num_labelled_;
+  }
+
+  const LabelHistograms& votes_;
+  const bool has_votes_;
+  // One sighting of one class, as nearly all are, is known before the loop.
+  const ClassId class_id_;
+  const bool is_one_sighting_;
+  const bool anti_grazing_;
+  const UpdateRule rule_;
+  const float voxel_size_m_;
+  Submap& submap_;
+  Neighbourhood neighbourhood_;
+  RayLanes rays_;
+  WalkedVoxels walked_;
+  std::int64_t num_updates_ = 0;
+  std::uint64_t num_labelled_ = 0;
+};
+
 }  // namespace
 
 RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
@@ -154,67 +246,16 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
                               const IntegrationConfig& config, Submap& submap, const std::stop_token& stop,
                               KeptClearVoxels* kept_clear) {
   if (segment.is_cut_short) throw std::bad_alloc();  // it was too much for memory: the frame fails as a whole
-  const UpdateRule rule = MakeRule(config, submap);
-  const auto voxel_size_m = static_cast<float>(submap.info().voxel_size_m);
-  const bool has_votes = !votes.classes.empty();
-  Neighbourhood neighbourhood(segment, has_votes, submap, kept_clear);
-  std::int64_t num_updates = 0;
-  std::uint64_t num_labelled = 0;
-  // One sighting of one class, as nearly all are, is known before the loop.
-  const ClassId class_id(static_cast<std::uint16_t>(has_votes ? votes.classes[0].id : 0));
-  const bool is_one_sighting = has_votes && votes == LabelHistograms::OfClass(class_id);
-
+  SegmentUpdate update(segment, votes, config, submap, kept_clear);
   for (const BundleCell& cell : segment.cells) {
     ThrowIfStopped(stop);
-    neighbourhood.MoveTo(cell.block);
-    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
-      const Bundle& bundle = segment.bundles[b];
-      const Eigen::Vector3f end_m = bundle.weighted_sum_m / bundle.weight;
-      const Eigen::Vector3f color = bundle.weighted_color / bundle.weight;
-      const float range_m = end_m.norm();
-      const Eigen::Vector3f direction = end_m / range_m;
-
-      const RayBand band(bundle.plane, direction, range_m, rule.truncation_m, voxel_size_m);
-      GridRay ray(origin.voxel, origin.offset_vox, direction, voxel_size_m, band.from_m, band.to_m);
-      DistanceToPlane across(ray, origin.offset_vox, voxel_size_m, bundle.plane.normal, bundle.plane.offset_m);
-      BlockIndex block = BlockOf(ray.voxel());
-      Neighbour* here = &neighbourhood.At(block);
-      for (int step = ray.num_voxels(); step > 0; --step, across.GoOn(ray.Next())) {
-        const VoxelIndex voxel = ray.voxel();
-        if (const BlockIndex now = BlockOf(voxel); now != block) {
-          block = now;
-          here = &neighbourhood.At(block);
-        }
-        const auto linear = static_cast<std::size_t>(LinearIndex(voxel));
-        if (here->clear != nullptr && IsIn(*here->clear, static_cast<int>(linear))) continue;
-        if (config.anti_grazing && here->ends != nullptr && here->ends->slot[linear] != 0) {
-          const bool ends_here = block == cell.block && linear == bundle.linear;
-          if (!ends_here) continue;
-        }
-        const float along_m = ray.CentreAlongRay_m();
-        if (along_m >= band.to_m) continue;
-        const float sdf_m = across.distance_m();
-        const bool is_doubted = here->gone != nullptr && here->gone->Count(static_cast<int>(linear)) != 0;
-        const bool is_updated = is_doubted
-                                    ? ObserveAnew(sdf_m, bundle.weight, color, rule, block, linear, *here, submap)
-                                    : UpdateVoxel(sdf_m, bundle.weight, color, rule, *here->tsdf, linear);
-        if (!is_updated) continue;
-        ++num_updates;
-        const float before_m = range_m - along_m;
-        if (!has_votes || before_m <= -rule.truncation_m ||
-            before_m > rule.truncation_m + kHalfDiagonal_vox * voxel_size_m)
-          continue;
-        if (is_one_sighting) here->labels->AddObservation(static_cast<int>(linear), class_id);
-        else here->labels->AddVotes(static_cast<int>(linear), votes);
-        ++num_labelled;
-      }
-    }
+    update.AddCell(cell, std::span(segment.bundles).subspan(cell.first_bundle, cell.num_bundles), origin);
   }
-  if (num_labelled == 0) return num_updates;
+  if (update.num_labelled() == 0) return update.num_updates();
   for (const LabelCount& vote : votes.classes) {
-    submap.AddClassObservations(ClassId(static_cast<std::uint16_t>(vote.id)), num_labelled * vote.count);
+    submap.AddClassObservations(ClassId(static_cast<std::uint16_t>(vote.id)), update.num_labelled() * vote.count);
   }
-  return num_updates;
+  return update.num_updates();
 }
 
 std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayOrigin& origin,

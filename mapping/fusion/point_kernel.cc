@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/fusion/point_kernel.h"
 
-// Versions for wider vector units, chosen at load time. Not under sanitizers: those start after the choice.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(DHPMAP_SANITIZED)
-#define DHPMAP_VECTOR_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define DHPMAP_VECTOR_CLONES
-#endif
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 namespace {
@@ -19,23 +14,21 @@ inline std::int32_t FloorToInt(float value) {
 
 }  // namespace
 
-DHPMAP_VECTOR_CLONES
-void ProjectRow(const float* __restrict depth_m, int width, const RowGeometry& geometry, const RowPoints& points) {
+DHPMAP_WIDE_VECTOR_CLONES
+void ProjectRow(const float* __restrict depth_m, const std::uint32_t* __restrict segments, int width,
+                const RowGeometry& geometry, const RowPoints& points) {
   const RowGeometry g = geometry;
   const float* __restrict column_x = g.column_x;
   const float* __restrict column_y = g.column_y;
   const float* __restrict column_z = g.column_z;
   const float* __restrict column_length2 = g.column_length2;
-  float* __restrict weighted_x_m = points.weighted_x_m;
-  float* __restrict weighted_y_m = points.weighted_y_m;
-  float* __restrict weighted_z_m = points.weighted_z_m;
-  float* __restrict weight = points.weight;
-  std::int32_t* __restrict voxel_x = points.voxel_x;
-  std::int32_t* __restrict voxel_y = points.voxel_y;
-  std::int32_t* __restrict voxel_z = points.voxel_z;
+  float* __restrict weighted_m = points.weighted_m;
+  std::int32_t* __restrict places = points.places;
+  std::uint32_t* __restrict numbers = points.numbers;
   const bool by_depth = g.weighting == Weighting::kInverseDepthSquared;
   const bool by_range = g.weighting == Weighting::kInverseRangeSquared;
 
+  DHPMAP_NOTHING_OVERLAPS
   for (int u = 0; u < width; ++u) {
     const float depth = depth_m[u];
     const float length2 = column_length2[u] + g.row_length2;
@@ -48,31 +41,42 @@ void ProjectRow(const float* __restrict depth_m, int width, const RowGeometry& g
     const float x_m = z * (column_x[u] + g.row_x);
     const float y_m = z * (column_y[u] + g.row_y);
     const float z_m = z * (column_z[u] + g.row_z);
-    weight[u] = w;
-    weighted_x_m[u] = w * x_m;
-    weighted_y_m[u] = w * y_m;
-    weighted_z_m[u] = w * z_m;
-    voxel_x[u] = FloorToInt(x_m * g.voxels_per_m + g.offset_x_vox) + g.base_x;
-    voxel_y[u] = FloorToInt(y_m * g.voxels_per_m + g.offset_y_vox) + g.base_y;
-    voxel_z[u] = FloorToInt(z_m * g.voxels_per_m + g.offset_z_vox) + g.base_z;
+    weighted_m[4 * u] = w;
+    weighted_m[4 * u + 1] = w * x_m;
+    weighted_m[4 * u + 2] = w * y_m;
+    weighted_m[4 * u + 3] = w * z_m;
+    const std::int32_t voxel_x = FloorToInt(x_m * g.voxels_per_m + g.offset_x_vox) + g.base_x;
+    const std::int32_t voxel_y = FloorToInt(y_m * g.voxels_per_m + g.offset_y_vox) + g.base_y;
+    const std::int32_t voxel_z = FloorToInt(z_m * g.voxels_per_m + g.offset_z_vox) + g.base_z;
+    const auto segment = static_cast<std::int32_t>(segments[u]);
+    places[4 * u] = segment;
+    places[4 * u + 1] = voxel_x;
+    places[4 * u + 2] = voxel_y;
+    places[4 * u + 3] = voxel_z;
+    const std::uint32_t number = PlaceNumber(segment, voxel_x, voxel_y, voxel_z);
+    numbers[u] = valid ? number : RowPoints::kNoPoint;
   }
 }
 
-DHPMAP_VECTOR_CLONES
-void MarkRuns(const RowPoints& points, const std::uint32_t* segments, int width, std::uint8_t* goes_on) {
-  const float* __restrict weight = points.weight;
-  const std::int32_t* __restrict x = points.voxel_x;
-  const std::int32_t* __restrict y = points.voxel_y;
-  const std::int32_t* __restrict z = points.voxel_z;
-  std::uint8_t* __restrict result = goes_on;
-  for (int u = 1; u < width; ++u) {
-    const std::int32_t other = (x[u] ^ x[u - 1]) | (y[u] ^ y[u - 1]) | (z[u] ^ z[u - 1]);
-    result[u] = (other == 0) & (weight[u] != 0.0f) & (weight[u - 1] != 0.0f);
+DHPMAP_WIDE_VECTOR_CLONES
+void WeighColors(const Color* __restrict colors, const float* __restrict point, int width, float* __restrict weighted) {
+  if (colors == nullptr) {
+    DHPMAP_NOTHING_OVERLAPS
+    for (int u = 0; u < width; ++u) {
+      const float grey = point[4 * u] * static_cast<float>(kNoColor);
+      weighted[4 * u] = weighted[4 * u + 1] = weighted[4 * u + 2] = grey;
+      weighted[4 * u + 3] = 1.0f;
+    }
+    return;
   }
-  if (segments != nullptr) {
-    for (int u = 1; u < width; ++u) result[u] &= segments[u] == segments[u - 1];
+  DHPMAP_NOTHING_OVERLAPS
+  for (int u = 0; u < width; ++u) {
+    const float w = point[4 * u];
+    weighted[4 * u] = w * static_cast<float>(colors[u].r);
+    weighted[4 * u + 1] = w * static_cast<float>(colors[u].g);
+    weighted[4 * u + 2] = w * static_cast<float>(colors[u].b);
+    weighted[4 * u + 3] = 1.0f;
   }
-  result[0] = result[width] = 0;
 }
 
 }  // namespace dhpmap

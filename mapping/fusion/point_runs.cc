@@ -2,9 +2,9 @@
 #include "mapping/fusion/point_runs.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-
-#include "mapping/fusion/point_kernel.h"
+#include <cstring>
 
 namespace dhpmap {
 namespace {
@@ -13,60 +13,44 @@ namespace {
 constexpr int kRowsPerBand = 16;
 constexpr std::size_t kPointsPerBand = 4096;
 
-Color ColorAt(const std::vector<Color>& colors, std::size_t i) {
-  return colors.empty() ? Color{128, 128, 128} : colors[i];
-}
+/// Finds the run that a point of a band belongs to. Of places that have the same number the latest is known: another
+/// begins a new run when it comes back. No search, as most of what a processor guesses about one is wrong.
+class KnownRuns {
+ public:
+  explicit KnownRuns(std::vector<PointRun>& runs) : runs_(runs) {}
 
-/// What a band's rows are worked on with, one after the other.
-struct RowRoom {
-  std::vector<float> values;
-  std::vector<std::int32_t> voxels;
-  std::vector<std::uint8_t> goes_on;
-  RowPoints points;
+  PointRun& At(std::uint32_t number, const PointPlace& place) {
+    std::uint32_t& known = known_[number];
+    if (known != 0) {
+      PointRun& run = runs_[known - 1];
+      if (std::memcmp(&run.place, &place, sizeof(place)) == 0) return run;
+    }
+    runs_.push_back({.place = place});
+    known = static_cast<std::uint32_t>(runs_.size());
+    return runs_.back();
+  }
 
-  explicit RowRoom(std::size_t width)
-      : values(4 * width), voxels(3 * width), goes_on(width + 1), points{values.data(),
-                                                                         values.data() + width,
-                                                                         values.data() + 2 * width,
-                                                                         values.data() + 3 * width,
-                                                                         voxels.data(),
-                                                                         voxels.data() + width,
-                                                                         voxels.data() + 2 * width} {}
+ private:
+  std::vector<PointRun>& runs_;
+  std::array<std::uint32_t, std::size_t{1} << kPlaceBits> known_{};  // 1 + index; 0: none
 };
 
-/// Sums up a row of pixels, run by run. The sums stay in registers until a run ends.
-void CombineRow(const RowRoom& room, const std::uint32_t* segments, const Color* colors, std::size_t width,
-                std::vector<PointRun>& runs) {
-  constexpr float kGrey = 128.0f;
-  const RowPoints& points = room.points;
-  const std::uint8_t* const goes_on = room.goes_on.data();
-  std::size_t u = 0;
-  while (u < width) {
-    if (points.weight[u] == 0.0f) {
-      ++u;
-      continue;
-    }
-    float weight = 0, sum_x = 0, sum_y = 0, sum_z = 0, red = 0, green = 0, blue = 0;
-    const std::size_t begin = u;
-    do {
-      const float w = points.weight[u];
-      weight += w;
-      sum_x += points.weighted_x_m[u];
-      sum_y += points.weighted_y_m[u];
-      sum_z += points.weighted_z_m[u];
-      if (colors) {
-        red += w * static_cast<float>(colors[u].r);
-        green += w * static_cast<float>(colors[u].g);
-        blue += w * static_cast<float>(colors[u].b);
-      }
-    } while (goes_on[++u] != 0);
-    if (colors == nullptr) red = green = blue = kGrey * weight;
-    runs.push_back({segments ? segments[begin] : 0,
-                    {points.voxel_x[begin], points.voxel_y[begin], points.voxel_z[begin]},
-                    static_cast<std::uint32_t>(u - begin),
-                    weight,
-                    {sum_x, sum_y, sum_z},
-                    {red, green, blue}});
+/// What a part of a row is worked on with: so short that it stays in the first cache.
+struct RowRoom {
+  static constexpr std::size_t kWidth = 128;
+  std::array<Eigen::Array4f, kWidth> weighted_m, colors;
+  std::array<PointPlace, kWidth> places;
+  std::array<std::uint32_t, kWidth> numbers;
+  [[nodiscard]] RowPoints Points() { return {weighted_m.data()->data(), places.data()->words.data(), numbers.data()}; }
+};
+
+/// Sums up pixels.
+void AddPixels(const RowRoom& room, std::size_t width, KnownRuns& runs) {
+  for (std::size_t u = 0; u < width; ++u) {
+    if (room.numbers[u] == RowPoints::kNoPoint) continue;
+    PointRun& run = runs.At(room.numbers[u], room.places[u]);
+    run.weighted_m += room.weighted_m[u];
+    run.weighted_color += room.colors[u];
   }
 }
 
@@ -97,12 +81,14 @@ void CollectCameraRuns(const DepthCameraData& data, const SensorOnGrid& grid, co
   shared.max_range2_m2 = square(config.max_range_m);
   shared.weighting = config.weighting;
 
+  static constexpr std::array<std::uint32_t, RowRoom::kWidth> no_segments{};
   bands.resize(static_cast<std::size_t>((camera.height_px + kRowsPerBand - 1) / kRowsPerBand));
   pool.ParallelFor(bands.size(), [&](std::size_t band) {
     std::vector<PointRun>& runs = bands[band];
     runs.clear();
     if (tally.is_too_large()) return;
-    RowRoom room(width);
+    RowRoom room;
+    KnownRuns known(runs);
     const int end_row = std::min(camera.height_px, static_cast<int>(band + 1) * kRowsPerBand);
     for (int v = static_cast<int>(band) * kRowsPerBand; v < end_row; ++v) {
       const auto y = static_cast<float>((v - camera.cy_px) / camera.fy_px);
@@ -111,13 +97,18 @@ void CollectCameraRuns(const DepthCameraData& data, const SensorOnGrid& grid, co
       geometry.row_y = grid.R_grid_sensor(1, 1) * y + grid.R_grid_sensor(1, 2);
       geometry.row_z = grid.R_grid_sensor(2, 1) * y + grid.R_grid_sensor(2, 2);
       geometry.row_length2 = y * y;
-      const std::size_t first = static_cast<std::size_t>(v) * width;
-      ProjectRow(data.depth_m.data() + first, camera.width_px, geometry, room.points);
-
-      const std::uint32_t* segments = data.segments.empty() ? nullptr : data.segments.data() + first;
-      const Color* colors = data.color.empty() ? nullptr : data.color.data() + first;
-      MarkRuns(room.points, segments, camera.width_px, room.goes_on.data());
-      CombineRow(room, segments, colors, width, runs);
+      for (std::size_t u = 0; u < width; u += RowRoom::kWidth) {
+        const std::size_t first = static_cast<std::size_t>(v) * width + u;
+        const std::size_t num = std::min(RowRoom::kWidth, width - u);
+        geometry.column_x = shared.column_x + u, geometry.column_y = shared.column_y + u;
+        geometry.column_z = shared.column_z + u, geometry.column_length2 = shared.column_length2 + u;
+        const std::uint32_t* segments = data.segments.empty() ? no_segments.data() : data.segments.data() + first;
+        const Color* colors = data.color.empty() ? nullptr : data.color.data() + first;
+        const RowPoints points = room.Points();
+        ProjectRow(data.depth_m.data() + first, segments, static_cast<int>(num), geometry, points);
+        WeighColors(colors, points.weighted_m, static_cast<int>(num), room.colors.data()->data());
+        AddPixels(room, num, known);
+      }
     }
     tally.NoteRuns(runs);
   });
@@ -131,21 +122,21 @@ void CollectLidarRuns(const LidarData& data, const SensorOnGrid& grid, const Int
     std::vector<PointRun>& runs = bands[band];
     runs.clear();
     if (tally.is_too_large()) return;
+    KnownRuns known(runs);
     const std::size_t end = std::min(num_points, (band + 1) * kPointsPerBand);
     for (std::size_t i = band * kPointsPerBand; i < end; ++i) {
       const Eigen::Vector3f& p_sensor = data.points_m[i];
       const double range = p_sensor.cast<double>().norm();
       if (!(range >= kLeastDepth_m && range >= config.min_range_m && range <= config.max_range_m)) continue;
-      float weight = 1.0f;
-      if (config.weighting == Weighting::kInverseRangeSquared) weight = static_cast<float>(1.0 / (range * range));
-      if (config.weighting == Weighting::kInverseDepthSquared) weight = static_cast<float>(1.0 / (range * range));
+      const float weight = config.weighting == Weighting::kConstant ? 1.0f : static_cast<float>(1.0 / (range * range));
       const Eigen::Vector3f p_m = grid.R_grid_sensor * p_sensor;
-      const VoxelIndex voxel = grid.VoxelOf(p_m);
-      const std::uint32_t segment = data.segments.empty() ? 0 : data.segments[i];
-      if (runs.empty() || runs.back().voxel != voxel || runs.back().segment != segment) {
-        runs.push_back({.segment = segment, .voxel = voxel});
-      }
-      runs.back().Add(p_m, weight, ColorAt(data.color, i));
+      const PointPlace place(data.segments.empty() ? 0 : data.segments[i], grid.VoxelOf(p_m));
+      const auto [segment, x, y, z] = place.words;
+      const std::uint32_t number = PlaceNumber(segment, x, y, z);
+      const Color color = data.color.empty() ? Color{kNoColor, kNoColor, kNoColor} : data.color[i];
+      PointRun& run = known.At(number, place);
+      run.weighted_m += weight * Eigen::Array4f(1.0f, p_m.x(), p_m.y(), p_m.z());
+      run.weighted_color += Eigen::Array4f(weight * color.r, weight * color.g, weight * color.b, 1.0f);
     }
     tally.NoteRuns(runs);
   });

@@ -10,30 +10,25 @@
 #include "mapping/base/thread_pool.h"
 #include "mapping/base/transform.h"
 #include "mapping/fusion/frame_tally.h"
-#include "mapping/labels/color.h"
+#include "mapping/fusion/point_kernel.h"
 #include "mapping/map/map_config.h"
 #include "mapping/sensor/frame.h"
 
 namespace dhpmap {
 
-/// Consecutive points of one segment in one voxel, summed up.
+/// Points of one segment in one voxel that lie near each other in the frame, summed up.
 struct PointRun {
-  std::uint32_t segment;
-  VoxelIndex voxel;
-  std::uint32_t num_points = 0;
-  float weight = 0;
-  Eigen::Vector3f weighted_sum_m = Eigen::Vector3f::Zero();
-  Eigen::Vector3f weighted_color = Eigen::Vector3f::Zero();
+  PointPlace place;
+  Eigen::Array4f weighted_m = Eigen::Array4f::Zero();      ///< the weight, and the sum of the points times theirs
+  Eigen::Array4f weighted_color = Eigen::Array4f::Zero();  ///< red, green, blue, and how many points
 
-  void Add(const Eigen::Vector3f& p_m, float w, Color c) {
-    ++num_points;
-    weight += w;
-    weighted_sum_m += w * p_m;
-    weighted_color += w * Eigen::Vector3f(c.r, c.g, c.b);
-  }
+  [[nodiscard]] float weight() const { return weighted_m[0]; }
+  [[nodiscard]] Eigen::Vector3f weighted_sum_m() const { return weighted_m.tail<3>(); }
+  [[nodiscard]] Eigen::Vector3f color_sum() const { return weighted_color.head<3>(); }
+  [[nodiscard]] std::uint32_t num_points() const { return static_cast<std::uint32_t>(weighted_color[3]); }
 };
 
-/// The runs of a frame, band by band in the order of its points. Bands do not depend on the number of threads.
+/// The runs of a frame, band by band, by their first points. Bands do not depend on the number of threads.
 using RunBands = std::vector<std::vector<PointRun>>;
 
 /// The sensor on the grid: axes, and the origin split into its voxel and the rest, so that single precision holds the
@@ -58,8 +53,9 @@ struct SensorOnGrid {
   }
 };
 
-/// Projects every valid point in range onto the grid and sums up those that follow each other in one voxel and segment.
-/// Writes all bands, which keep their memory. Those of a frame that is found too large meanwhile may be empty.
+/// Projects every valid point in range onto the grid and sums up those of a band that lie in one voxel and segment: all
+/// but a few of them in one run. Writes all bands, which keep their memory. Those of a frame that is found too large
+/// meanwhile may be empty.
 void CollectCameraRuns(const DepthCameraData& data, const SensorOnGrid& grid, const IntegrationConfig& config,
                        ThreadPool& pool, FrameTally& tally, RunBands& bands);
 void CollectLidarRuns(const LidarData& data, const SensorOnGrid& grid, const IntegrationConfig& config,

@@ -18,6 +18,20 @@ std::size_t SlotHash(BlockIndex block, std::size_t mask) { return BlockIndexHash
 
 }  // namespace
 
+void BundleCell::CountBundles() {
+  num_bundles = 0;
+  for (std::size_t word = 0; word < ends.size(); ++word) {
+    up_to[word] = static_cast<std::uint16_t>(num_bundles);
+    num_bundles += static_cast<std::uint32_t>(std::popcount(ends[word]));
+  }
+}
+
+void BundleCell::AddBundle(int linear) {
+  SetIn(ends, linear, true);
+  ++num_bundles;
+  for (auto word = static_cast<std::size_t>(linear >> 6) + 1; word < up_to.size(); ++word) ++up_to[word];
+}
+
 const BundleCell* SegmentBundles::Find(BlockIndex block) const {
   if (slots_.empty()) return nullptr;
   const std::size_t mask = slots_.size() - 1;
@@ -29,7 +43,7 @@ const BundleCell* SegmentBundles::Find(BlockIndex block) const {
 
 bool SegmentBundles::EndsIn(VoxelIndex voxel) const {
   const BundleCell* cell = Find(BlockOf(voxel));
-  return cell != nullptr && cell->slot[static_cast<std::size_t>(LinearIndex(voxel))] != 0;
+  return cell != nullptr && IsIn(cell->ends, LinearIndex(voxel));
 }
 
 BundleCell& SegmentBundles::FindOrInsert(BlockIndex block) {
@@ -50,6 +64,16 @@ BundleCell& SegmentBundles::FindOrInsert(BlockIndex block) {
   cells.push_back({.block = block});
   slots_[slot] = static_cast<std::uint32_t>(cells.size());
   return cells.back();
+}
+
+bool SegmentBundles::Append(BlockIndex block, const Bundle& bundle) {
+  BundleCell& cell = FindOrInsert(block);
+  const bool is_new = cell.num_bundles == 0;
+  if (is_new) cell.first_bundle = static_cast<std::uint32_t>(bundles.size());
+  cell.AddBundle(bundle.linear);
+  bundles.push_back(bundle);
+  num_points += bundle.num_points;
+  return is_new;
 }
 
 void SegmentBundles::Reset() {

@@ -3,11 +3,13 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "mapping/base/grid.h"
+#include "mapping/map/voxel_mask.h"
 
 namespace dhpmap {
 
@@ -30,13 +32,24 @@ struct Bundle {
   std::uint16_t linear = 0;  ///< its end voxel, in the cell's block
 };
 
-/// The bundles of one segment that end in one block.
+/// The bundles of one segment that end in one block, by the voxels in which they end.
 struct BundleCell {
   BlockIndex block;
   std::uint32_t first_bundle = 0;
   std::uint32_t num_bundles = 0;
-  /// For each voxel of the block, 1 + the bundle that ends there, counted from first_bundle; 0 = none.
-  std::array<std::uint16_t, kBlockVoxels> slot{};
+  VoxelMask ends{};                               ///< the voxels in which a bundle ends
+  std::array<std::uint16_t, kBlockSide> up_to{};  ///< bundles before those of a word of `ends`; see CountBundles
+
+  /// Of the bundle that ends in a voxel, among all of the segment.
+  [[nodiscard]] std::uint32_t BundleAt(int linear) const {
+    const auto word = static_cast<std::size_t>(linear >> 6);
+    const std::uint64_t before = ends[word] & ((std::uint64_t{1} << (linear & 63)) - 1);
+    return first_bundle + up_to[word] + static_cast<std::uint32_t>(std::popcount(before));
+  }
+  /// Sets num_bundles and up_to by the ends.
+  void CountBundles();
+  /// One more, which ends in a voxel in which none did.
+  void AddBundle(int linear);
 };
 
 /// One segment of a frame, bundled on a grid.
@@ -48,7 +61,7 @@ class SegmentBundles {
   bool is_cut_short = false;
   std::int64_t num_points = 0;
   std::vector<BundleCell> cells;
-  std::vector<Bundle> bundles;
+  std::vector<Bundle> bundles;  ///< cell by cell
 
   /// Null if no bundle ends in that block.
   [[nodiscard]] const BundleCell* Find(BlockIndex block) const;
@@ -56,6 +69,9 @@ class SegmentBundles {
 
   /// May invalidate references to cells.
   BundleCell& FindOrInsert(BlockIndex block);
+  /// Adds a bundle that ends in a block, as another segment has it: those of a cell together, by their voxels. Returns
+  /// whether the cell is new.
+  bool Append(BlockIndex block, const Bundle& bundle);
 
   /// Nothing is in it then; it keeps its memory.
   void Reset();

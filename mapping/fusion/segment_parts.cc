@@ -72,15 +72,7 @@ std::optional<std::vector<SegmentBundles>> Cut(const SegmentBundles& segment, co
   for (const BundleCell& cell : segment.cells) {
     for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
       SegmentBundles& part = parts[part_of[b]];
-      BundleCell& own = part.FindOrInsert(cell.block);
-      if (own.num_bundles == 0) {
-        if (cells_left == 0) return std::nullopt;
-        --cells_left;
-        own.first_bundle = static_cast<std::uint32_t>(part.bundles.size());
-      }
-      own.slot[segment.bundles[b].linear] = static_cast<std::uint16_t>(++own.num_bundles);
-      part.bundles.push_back(segment.bundles[b]);
-      part.num_points += segment.bundles[b].num_points;
+      if (part.Append(cell.block, segment.bundles[b]) && cells_left-- == 0) return std::nullopt;
       part.row = segment.row;
     }
   }

@@ -21,9 +21,9 @@ std::vector<RunsOfSegment> SortRunsBySegment(std::span<const SegmentInfo> table,
   std::uint32_t last_segment = 0, last_position = 0;
   for (const auto& runs : bands) {
     for (const PointRun& run : runs) {
-      if (run.segment != last_segment) {
-        const auto it = position_of.find(run.segment);
-        last_segment = run.segment;
+      if (run.place.segment() != last_segment) {
+        const auto it = position_of.find(run.place.segment());
+        last_segment = run.place.segment();
         last_position = it == position_of.end() ? 0 : it->second;
       }
       positions.push_back(last_position);

@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "mapping/query/vector_clones.h"
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "mapping/query/triangle_tree.h"
-#include "mapping/query/vector_clones.h"
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 

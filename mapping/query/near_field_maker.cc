@@ -10,7 +10,7 @@
 
 #include "mapping/query/field_normals.h"
 #include "mapping/query/nearest_search.h"
-#include "mapping/query/vector_clones.h"
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "mapping/query/surface_rim.h"
-#include "mapping/query/vector_clones.h"
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "mapping/query/vector_clones.h"
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mapping/space/vector_clones.h"
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 
@@ -18,7 +18,7 @@ constexpr float kLeastDepth_vox = 1e-3f;
 
 }  // namespace
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void LimitRow(const float* __restrict depth0_m, const float* __restrict depth1_m, int width,
               const LimitRowGeometry& geometry, float* __restrict limit) {
   const float* __restrict column_length2 = geometry.column_length2;
@@ -41,7 +41,7 @@ void LimitRow(const float* __restrict depth0_m, const float* __restrict depth1_m
   }
 }
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void CloseRow(const float* __restrict above, const float* __restrict row, const float* __restrict below, int width,
               float* __restrict least, float* __restrict count, float* __restrict closed) {
   for (int u = 0; u < width + 2; ++u) {
@@ -58,7 +58,7 @@ void CloseRow(const float* __restrict above, const float* __restrict row, const 
   }
 }
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void BoundCells(const CellBatch& cells, const CameraGeometry& geometry, CellBounds& bounds) {
   const CameraGeometry& g = geometry;
   const auto& corners = g.corners[static_cast<std::size_t>(cells.size)];
@@ -95,7 +95,7 @@ void BoundCells(const CellBatch& cells, const CameraGeometry& geometry, CellBoun
   }
 }
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void BoundBalls(const BallBatch& balls, const CameraGeometry& geometry, CellBounds& bounds) {
   const CameraGeometry& g = geometry;
   float near[kLanes], far[kLanes], x0[kLanes], x1[kLanes], y0[kLanes], y1[kLanes];
@@ -124,7 +124,7 @@ void BoundBalls(const BallBatch& balls, const CameraGeometry& geometry, CellBoun
   }
 }
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void TestOctant(float x, float y, float z, const CameraGeometry& geometry, const float* __restrict limit_vox,
                 std::array<std::uint8_t, kOctantVoxels>& is_free) {
   const CameraGeometry& g = geometry;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mapping/space/vector_clones.h"
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 namespace {
@@ -39,7 +39,7 @@ Direction DirectionOf(float x, float y, float z) {
   return {AzimuthBin(Azimuth(y, x)), ElevationBin(z / (range + kTiny))};
 }
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void SpreadRow(const float* __restrict above, const float* __restrict row, const float* __restrict below, int width,
                float* __restrict least, float* __restrict limit) {
   for (int u = 0; u < width; ++u) {  // what is missing counts as 0
@@ -56,7 +56,7 @@ void SpreadRow(const float* __restrict above, const float* __restrict row, const
   }
 }
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBounds& bounds) {
   const LidarGeometry& g = geometry;
   const float half = HalfSpanOf(cells.size);
@@ -97,7 +97,7 @@ void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBoun
   }
 }
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void BoundBalls(const BallBatch& balls, const LidarGeometry& geometry, LidarBounds& bounds) {
   const LidarGeometry& g = geometry;
   constexpr float kSlack_bins = 0.2f;  // as above
@@ -128,7 +128,7 @@ void BoundBalls(const BallBatch& balls, const LidarGeometry& geometry, LidarBoun
   }
 }
 
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void TestOctant(float x, float y, float z, const LidarGeometry& geometry, const float* __restrict limit_vox,
                 std::array<std::uint8_t, kOctantVoxels>& is_free) {
   const LidarGeometry& g = geometry;

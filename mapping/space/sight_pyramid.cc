@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <bit>
 
-#include "mapping/space/vector_clones.h"
+#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 namespace {
 
 /// Two rows of 2 n values become n of the least and the greatest of four each.
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void HalveRow(const float* __restrict least0, const float* __restrict least1, const float* __restrict most0,
               const float* __restrict most1, int n, float* __restrict least, float* __restrict most) {
   for (int i = 0; i < n; ++i) {
@@ -24,7 +24,7 @@ void HalveRow(const float* __restrict least0, const float* __restrict least1, co
 }
 
 /// The least and the greatest of each 2 x 2, of n + 1 values a row.
-DHPMAP_VECTOR_CLONES
+DHPMAP_WIDE_VECTOR_CLONES
 void SlideRow(const float* __restrict least0, const float* __restrict least1, const float* __restrict most0,
               const float* __restrict most1, int n, float* __restrict least, float* __restrict most) {
   for (int i = 0; i < n; ++i) {

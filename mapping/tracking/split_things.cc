@@ -95,8 +95,8 @@ std::vector<VoxelIndex> VoxelsOf(const SegmentBundles& segment) {
 /// The bundle of the segment that ends there; kNone: there is none.
 std::uint32_t BundleAt(const SegmentBundles& segment, VoxelIndex voxel) {
   const BundleCell* cell = segment.Find(BlockOf(voxel));
-  const auto slot = cell != nullptr ? cell->slot[static_cast<std::size_t>(LinearIndex(voxel))] : std::uint16_t{0};
-  return slot != 0 ? cell->first_bundle + slot - 1u : ThingsInView::kNone;
+  const int linear = LinearIndex(voxel);
+  return cell != nullptr && IsIn(cell->ends, linear) ? cell->BundleAt(linear) : ThingsInView::kNone;
 }
 
 /// Sides that were not seen before hit nothing: they are of the piece that they are next to on the segment's surface,
@@ -132,11 +132,7 @@ std::vector<SegmentBundles> CutSegment(const SegmentBundles& segment, const std:
     for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
       const Bundle& bundle = segment.bundles[b];
       SegmentBundles& piece = pieces[piece_of_bundle[b] != ThingsInView::kNone ? piece_of_bundle[b] : 0];
-      BundleCell& own = piece.FindOrInsert(cell.block);
-      if (own.num_bundles == 0) own.first_bundle = static_cast<std::uint32_t>(piece.bundles.size());
-      own.slot[bundle.linear] = static_cast<std::uint16_t>(++own.num_bundles);
-      piece.bundles.push_back(bundle);
-      piece.num_points += bundle.num_points;
+      piece.Append(cell.block, bundle);
       piece.row = segment.row;
     }
   }

@@ -52,7 +52,7 @@ void MergedRays::CountLabels(const PanopticFrame& frame, const std::vector<Segme
       const BundleCell& whole = *rays_->Find(cell.block);  // the same points are in it
       for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
         const Bundle& bundle = segment.bundles[b];
-        parts.push_back({whole.first_bundle + whole.slot[bundle.linear] - 1u, *class_id, bundle.num_points});
+        parts.push_back({whole.BundleAt(bundle.linear), *class_id, bundle.num_points});
       }
     }
   }

@@ -35,6 +35,27 @@ TEST(SegmentBundles, FindsEveryBlockThatWasPutInAndNoOther) {
   }
 }
 
+TEST(SegmentBundles, NumberTheBundlesOfACellByTheirVoxels) {
+  std::mt19937 random(8);
+  BundleCell cell, counted;
+  cell.first_bundle = counted.first_bundle = 50;
+  std::set<int> ends;
+  for (int n = 0; n < 200; ++n) {
+    const int linear = static_cast<int>(random() % kBlockVoxels);
+    if (!ends.insert(linear).second) continue;
+    cell.AddBundle(linear);
+    SetIn(counted.ends, linear, true);
+  }
+  counted.CountBundles();
+  EXPECT_EQ(cell.num_bundles, ends.size());
+  EXPECT_EQ(counted.num_bundles, ends.size());
+  std::uint32_t number = 50;
+  for (const int linear : ends) {
+    EXPECT_EQ(cell.BundleAt(linear), number);
+    EXPECT_EQ(counted.BundleAt(linear), number++);
+  }
+}
+
 TEST(SegmentBundles, HaveNothingInThemAfterAResetAndCanBeFilledAgain) {
   SegmentBundles segment;
   segment.row = 3;

@@ -69,7 +69,7 @@ TEST_F(SegmentParts, HoldEveryBundleOnceAndFindItByItsVoxel) {
         const VoxelIndex voxel = VoxelIn(cell.block, bundle.linear);
         ++seen[voxel];
         EXPECT_TRUE(part.EndsIn(voxel));
-        EXPECT_EQ(cell.slot[bundle.linear], b + 1);
+        EXPECT_EQ(cell.BundleAt(bundle.linear), cell.first_bundle + b);
       }
     }
   }

@@ -19,7 +19,7 @@ RunBands RandomBands(std::mt19937& random) {
   RunBands bands(random() % 5);
   for (std::vector<PointRun>& band : bands) {
     for (std::size_t n = random() % 40; n > 0; --n) {
-      band.push_back({.segment = std::vector<std::uint32_t>{0, 4, 8, 9}[random() % 4], .voxel = {}});
+      band.push_back({.place = PointPlace(std::vector<std::uint32_t>{0, 4, 8, 9}[random() % 4], {})});
     }
   }
   return bands;
@@ -35,7 +35,7 @@ TEST(SortedRuns, AreThoseOfAllBandsStablySortedByRow) {
       for (const PointRun& run : band) expected.push_back(&run);
     }
     std::stable_sort(expected.begin(), expected.end(), [](const PointRun* a, const PointRun* b) {
-      return RowOfSegment(a->segment) < RowOfSegment(b->segment);
+      return RowOfSegment(a->place.segment()) < RowOfSegment(b->place.segment());
     });
     const std::vector<RunsOfSegment> segments = SortRunsBySegment(kListed, bands, positions, sorted);
     EXPECT_EQ(sorted, expected);
@@ -46,7 +46,7 @@ TEST(SortedRuns, AreThoseOfAllBandsStablySortedByRow) {
       EXPECT_EQ(segment.begin, end);
       ASSERT_LT(segment.begin, segment.end) << "only those that have any";
       for (std::size_t i = segment.begin; i < segment.end; ++i) {
-        EXPECT_EQ(RowOfSegment(sorted[i]->segment), segment.row);
+        EXPECT_EQ(RowOfSegment(sorted[i]->place.segment()), segment.row);
       }
       last_row = segment.row;
       end = segment.end;
