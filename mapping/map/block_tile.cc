@@ -17,6 +17,11 @@ TileExtent BlockTile::Extent() const {
   return extent;
 }
 
+const TileLabels& BlockTile::Labels() const {
+  if (const TileLabels* known = labels_.Find()) return *known;
+  return labels_.Keep(LabelsOf(ScannedTile(*this).entries()));
+}
+
 bool BlockTile::CanBeUnread() const {
   if (page_ == nullptr || !page_->IsRead()) return false;
   if (page_->HasOwnNames()) return true;  // wherever else it is stored
@@ -30,6 +35,7 @@ bool BlockTile::CanBeUnread() const {
 std::shared_ptr<const BlockTile> BlockTile::Unread() const {
   auto unread = std::make_shared<const BlockTile>(page_->LetGo());
   if (const auto known = KnownExtent()) unread->extent_.Keep(*known);
+  if (const TileLabels* known = labels_.Find()) unread->labels_.Keep(*known);
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) unread->stored_[i].Adopt(stored_[i]);
   return unread;
 }
@@ -59,11 +65,12 @@ std::shared_ptr<const BlockTile> BlockTile::LeftAt(std::shared_ptr<TileSource> s
   auto left =
       std::make_shared<const BlockTile>(std::make_shared<const TilePage>(there, std::move(source), std::move(named)));
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) left->stored_[i].Adopt(stored_[i]);
+  if (const TileLabels* known = labels_.Find()) left->labels_.Keep(*known);
   return left;
 }
 
 BlockEntry& BlockTile::FindOrInsert(BlockIndex index) {
-  extent_.Forget();
+  ForgetWhatWasFound();
   const int cell = CellOf(index);
   const std::size_t position = PositionOf(cell);
   const std::uint64_t bit = std::uint64_t{1} << cell;
@@ -77,7 +84,7 @@ BlockEntry& BlockTile::FindOrInsert(BlockIndex index) {
 bool BlockTile::Erase(int cell) {
   const std::uint64_t bit = std::uint64_t{1} << cell;
   if ((cells_ & bit) == 0) return false;
-  extent_.Forget();
+  ForgetWhatWasFound();
   entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(PositionOf(cell)));
   cells_ &= ~bit;
   return true;
@@ -97,7 +104,7 @@ std::uint64_t BlockTile::CellsWith(BlockLayer layer) const {
 }
 
 std::size_t BlockTile::MemoryBytes() const {
-  std::size_t bytes = sizeof(*this) + entries_.capacity() * sizeof(BlockEntry);
+  std::size_t bytes = sizeof(*this) + entries_.capacity() * sizeof(BlockEntry) + labels_.MemoryBytes();
   if (page_ != nullptr) return bytes + sizeof(*page_) + page_->BlockBytes();
   for (const BlockEntry& entry : entries_) {
     if (entry.tsdf) bytes += entry.tsdf->MemoryBytes();

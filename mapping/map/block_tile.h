@@ -13,6 +13,7 @@
 #include "mapping/map/part_id.h"
 #include "mapping/map/stored_key.h"
 #include "mapping/map/tile_extent.h"
+#include "mapping/map/tile_labels.h"
 #include "mapping/map/tile_page.h"
 
 namespace dhpmap {
@@ -52,7 +53,7 @@ class BlockTile {
   }
   /// The caller leaves every index as it is. Only of blocks in memory.
   [[nodiscard]] std::span<BlockEntry> mutable_entries() {
-    extent_.Forget();
+    ForgetWhatWasFound();
     return entries_;
   }
 
@@ -70,6 +71,10 @@ class BlockTile {
   /// Likewise; what has to be read for it goes again, and the extent stays known until the tile is written to. Throws
   /// StatusError.
   [[nodiscard]] TileExtent Extent() const;
+
+  /// What its voxels have seen: counted once, until the tile is written to; what has to be read for it goes again.
+  /// Throws StatusError.
+  [[nodiscard]] const TileLabels& Labels() const;
 
   /// Where a store has a layer of all blocks. Meaningful while nobody writes to the tile.
   [[nodiscard]] const StoredKey& stored(BlockLayer layer) const { return stored_[static_cast<std::size_t>(layer)]; }
@@ -98,9 +103,15 @@ class BlockTile {
     return static_cast<std::size_t>(std::popcount(cells_ & ((std::uint64_t{1} << cell) - 1)));
   }
 
+  void ForgetWhatWasFound() {
+    extent_.Forget();
+    labels_.Forget();
+  }
+
   PartId part_id_;
   std::uint64_t cells_ = 0;  ///< bit c: there is a block at cell c
   KeptTileExtent extent_;
+  KeptTileLabels labels_;
   std::vector<BlockEntry> entries_;
   std::array<StoredKey, kNumBlockLayers> stored_;
   std::shared_ptr<const TilePage> page_;

@@ -135,7 +135,7 @@ Status RunFusionBench(const FusionBenchOptions& options) {
   for (int repetition = 0; repetition < options.repetitions; ++repetition) {
     const std::clock_t cpu_before = std::clock();
     MapBuilder builder(info, options.num_threads);
-    std::vector<double> times_ms, free_ms;
+    std::vector<double> times_ms, free_ms, refine_ms;
     FrameReport sum;
     for (const PanopticFrame& frame : loaded.frames) {
       const auto start = std::chrono::steady_clock::now();
@@ -146,6 +146,7 @@ Status RunFusionBench(const FusionBenchOptions& options) {
       sum.fuse_s += report.fuse_s;
       sum.activity_s += report.activity_s;
       free_ms.push_back(1e3 * report.free_s);
+      if (report.refinement) refine_ms.push_back(1e3 * report.refine_s);
       sum.num_points += report.num_points;
       sum.num_voxels_updated += report.num_voxels_updated;
     }
@@ -156,7 +157,13 @@ Status RunFusionBench(const FusionBenchOptions& options) {
                 1e3 * sum.fuse_s / n, 1e3 * sum.activity_s / n, free.mean, free.median, free.p95,
                 static_cast<double>(sum.num_points) / n, static_cast<double>(sum.num_voxels_updated) / n);
     const auto cpu_s = static_cast<double>(std::clock() - cpu_before) / CLOCKS_PER_SEC;
-    std::printf("            %.2f ms a frame of all cores together\n", 1e3 * cpu_s / n);
+    std::printf("            %.2f ms a frame of all cores together", 1e3 * cpu_s / n);
+    if (!refine_ms.empty()) {
+      const Summary refine = Summarize(refine_ms);
+      std::printf("; %zu waited for a refinement, ms: mean %.2f, median %.2f, p95 %.2f", refine_ms.size(), refine.mean,
+                  refine.median, refine.p95);
+    }
+    std::printf("\n");
     if (repetition + 1 != options.repetitions) continue;
     PrintCutting(loaded.frames, info.kept_clear);
     PrintGone(builder.map());

@@ -173,6 +173,17 @@ TEST_F(TilePages, WhatIsRemovedIsReadFirstForStatesOfBefore) {
   EXPECT_EQ(num_blocks, 6u);
 }
 
+TEST_F(TilePages, WhatTheirVoxelsHaveSeenIsCountedOnceThoughTheyGo) {
+  const auto tile = Tile();
+  EXPECT_EQ(tile->Labels(), TileLabels());
+  EXPECT_FALSE(tile->IsRead()) << "what was read to count went again";
+  EXPECT_EQ(source_->num_reads, 1);
+  (void)tile->entries();
+  const auto again = tile->Unread();
+  EXPECT_EQ(again->Labels(), TileLabels());
+  EXPECT_EQ(source_->num_reads, 2) << "not read to be counted again";
+}
+
 TEST_F(TilePages, ThatCannotBeReadCanBeRemoved) {
   Map map = MapOfTiles();
   source_->failure = DataLoss("is missing");

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mapping/map/block_entry.h"
+
+namespace dhpmap {
+
+/// What the voxels of a tile have seen, summed up: LabelTotals without the classes that nobody has seen.
+struct TileLabels {
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> classes;  ///< by ascending id
+  std::uint64_t own = 0, instances = 0;
+
+  void AddTo(LabelTotals& totals) const;
+  bool operator==(const TileLabels&) const = default;
+};
+
+/// Of blocks of one tile.
+TileLabels LabelsOf(std::span<const BlockEntry> blocks);
+
+/// The labels of a tile, once somebody has counted. Whoever reads the tile may keep what was found, several at once, as
+/// all find the same; to forget it is for who writes. A copy knows nothing. Thread-compatible beyond that.
+class KeptTileLabels {
+ public:
+  KeptTileLabels() = default;
+  KeptTileLabels(KeptTileLabels&& other) noexcept : kept_(other.kept_.exchange(nullptr)) {}
+  KeptTileLabels& operator=(KeptTileLabels&& other) noexcept {
+    if (this != &other) delete kept_.exchange(other.kept_.exchange(nullptr));
+    return *this;
+  }
+  ~KeptTileLabels() { Forget(); }
+
+  /// Null if nobody has.
+  [[nodiscard]] const TileLabels* Find() const { return kept_.load(std::memory_order_acquire); }
+  /// What is kept from then on.
+  const TileLabels& Keep(TileLabels labels) const;
+  void Forget() {
+    if (kept_.load(std::memory_order_relaxed) != nullptr) delete kept_.exchange(nullptr);
+  }
+  [[nodiscard]] std::size_t MemoryBytes() const;
+
+ private:
+  mutable std::atomic<const TileLabels*> kept_ = nullptr;
+};
+
+}  // namespace dhpmap
