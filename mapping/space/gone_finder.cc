@@ -54,6 +54,13 @@ bool HasCounts(const BlockTile& tile) {
                      [](const BlockEntry& entry) { return entry.gone != nullptr; });
 }
 
+/// Those of the voxels that one view has counted.
+VoxelMask CountedOnce(const VoxelMask& voxels, const GoneBlock& gone) {
+  VoxelMask once = voxels;
+  for (std::size_t word = 0; word < once.size(); ++word) once[word] &= gone.low()[word] & ~gone.high()[word];
+  return once;
+}
+
 /// Takes the voxels of the submap that lie in the region out of a block.
 void LeaveOutRegion(const Region& region, const SubmapInfo& info, ContradictedBlock& block) {
   const double half_m = 0.5 * kBlockSide * info.voxel_size_m;
@@ -79,42 +86,60 @@ void GoneFinder::LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo
   }
 }
 
-/// `turn`: of submaps whose tiles take turns.
-void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, const std::optional<std::uint64_t>& turn) {
+void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, const Turn& turn) {
   const BlockTile& tile = *entry.tile;
   const bool has_counts = HasCounts(tile);
-  if (turn && !has_counts && !IsItsTurn(entry.index, *turn)) return;
+  const bool may_have_left = turn.may_have_left || (turn.goes_with_things && things_.Has(entry.index));
+  if (!may_have_left && !has_counts && !IsItsTurn(entry.index, turn.of_frame)) return;
+  if (turn.may_have_left) things_.Add(entry.index);
   if (num_jobs_ == jobs_.size()) jobs_.emplace_back();
   jobs_[num_jobs_].id = submap.id();
   jobs_[num_jobs_].submap = &submap;
   jobs_[num_jobs_].tile = &tile;
   jobs_[num_jobs_].has_counts = has_counts;
+  jobs_[num_jobs_].goes_with_things = may_have_left && turn.goes_with_things;
   ++num_jobs_;
+}
+
+void GoneFinder::AddJobs(const Submap& submap, const Turn& turn) {
+  const BlockTable& blocks = submap.blocks();
+  if (blocks.tiles().size() <= tiles_.size()) {
+    for (const TileEntry& entry : blocks.tiles()) {
+      if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(submap, entry, turn);
+    }
+  } else {  // a wall may go on and on
+    for (const TileToLook& tile : tiles_) {
+      if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(submap, *entry, turn);
+    }
+  }
 }
 
 void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map) {
   num_jobs_ = 0;
+  things_ = {};
   in_view_ = {};
   in_view_.Reserve(tiles_.size());
   for (std::size_t i = 0; i < tiles_.size(); ++i) in_view_.Set(tiles_[i].index, static_cast<std::uint32_t>(i));
-  const std::uint64_t turn_of_frame = DigitSum(static_cast<std::uint64_t>(map.info().num_frames));
+  const auto is_looked_at = [&](const Submap& submap) {
+    const SubmapInfo& info = submap.info();
+    return !info.is_placed && !info.is_locked && IsOnMapGrid(info, map.info().config) &&
+           MayReach(reach, origin, submap.bounding_sphere(), info.voxel_size_m);
+  };
+  Turn turn{.of_frame = DigitSum(static_cast<std::uint64_t>(map.info().num_frames))};
+  const Submap* unknown = nullptr;
   for (const auto& submap : map.submaps()) {
+    if (!is_looked_at(*submap)) continue;
     const SubmapInfo& info = submap->info();
-    if (info.is_placed || info.is_locked || !IsOnMapGrid(info, map.info().config)) continue;
-    if (!MayReach(reach, origin, submap->bounding_sphere(), info.voxel_size_m)) continue;
-    const bool may_have_left = info.panoptic == Panoptic::kThing && info.last_observed_ns != from.stamp_ns;
-    const std::optional<std::uint64_t> turn = may_have_left ? std::nullopt : std::optional(turn_of_frame);
-    const BlockTable& blocks = submap->blocks();
-    if (blocks.tiles().size() <= tiles_.size()) {
-      for (const TileEntry& entry : blocks.tiles()) {
-        if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(*submap, entry, turn);
-      }
-    } else {  // a wall may go on and on
-      for (const TileToLook& tile : tiles_) {
-        if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(*submap, *entry, turn);
-      }
+    if (info.panoptic == Panoptic::kUnknown) {
+      unknown = submap.get();
+      continue;
     }
+    turn.may_have_left = info.panoptic == Panoptic::kThing && info.last_observed_ns != from.stamp_ns;
+    AddJobs(*submap, turn);
   }
+  turn.may_have_left = false;
+  turn.goes_with_things = true;
+  if (unknown != nullptr) AddJobs(*unknown, turn);  // when all things are known
 }
 
 void GoneFinder::NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop) {
@@ -156,7 +181,9 @@ std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
     Submap& submap = *map.FindMutable(jobs_[i].id);
     int num_became = 0;
     for (const ContradictedBlock& block : jobs_[i].found) {
-      num_became += submap.MutableGone(block.index).Raise(block.voxels, from);
+      GoneBlock& gone = submap.MutableGone(block.index);
+      num_became += gone.Raise(block.voxels, from);
+      if (jobs_[i].goes_with_things) num_became += gone.Raise(CountedOnce(block.voxels, gone), from);
     }
     if (num_became > 0) submap.mutable_info().last_contradicted_ns = from.stamp_ns;
     if (changed.empty() || changed.back() != submap.id()) changed.push_back(submap.id());

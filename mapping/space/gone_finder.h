@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
+#include <cstdint>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -20,7 +20,9 @@ namespace dhpmap {
 
 /// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the
 /// number of the frame, until something of them is counted, but for those of things that the same frame has not
-/// observed: of what may have left there may be few views. Submaps that somebody has put where they are or has locked,
+/// observed: of what may have left there may be few views. Points of such a thing that no prediction named are in the
+/// unknown submap and leave with it: there its tiles take no turns either, and what is looked through once counts as
+/// twice. Submaps that somebody has put where they are or has locked,
 /// and those on another grid than the map's, which were moved, are left alone, and so are voxels in regions that are
 /// kept clear, of which no point is seen. Keeps its buffers. Thread-compatible.
 class GoneFinder {
@@ -59,7 +61,25 @@ class GoneFinder {
     const Submap* submap = nullptr;
     const BlockTile* tile = nullptr;
     bool has_counts = false;
+    bool goes_with_things = false;  ///< see Turn; a thing that may have left has blocks in this tile
     std::vector<ContradictedBlock> found;
+  };
+
+  /// When tiles of a submap are looked at.
+  struct Turn {
+    std::uint64_t of_frame = 0;
+    bool may_have_left = false;     ///< in each frame
+    bool goes_with_things = false;  ///< where something that may have left has blocks, likewise
+  };
+
+  /// Tiles, of any submap.
+  class TileSet {
+   public:
+    void Add(TileIndex tile) { tiles_.Set(tile, 0); }
+    [[nodiscard]] bool Has(TileIndex tile) const { return tiles_.Find(tile) != IndexMap<TileIndex>::kNone; }
+
+   private:
+    IndexMap<TileIndex> tiles_;
   };
 
   /// Takes the voxels of the submap that are kept clear out of what was found.
@@ -67,7 +87,8 @@ class GoneFinder {
                                 std::vector<ContradictedBlock>& found);
   /// The tiles of submaps that are in view.
   void ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map);
-  void AddJob(const Submap& submap, const TileEntry& entry, const std::optional<std::uint64_t>& turn);
+  void AddJobs(const Submap& submap, const Turn& turn);
+  void AddJob(const Submap& submap, const TileEntry& entry, const Turn& turn);
   /// Reads what is on the disk of the tiles that have counts.
   void NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop);
   void AddUp();
@@ -76,6 +97,7 @@ class GoneFinder {
 
   std::vector<TileToLook> tiles_;  ///< in view
   IndexMap<TileIndex> in_view_;    ///< the same
+  TileSet things_;                 ///< of things that may have left
   std::vector<Job> jobs_;          ///< beyond num_jobs_ they are kept for their memory
   std::size_t num_jobs_ = 0;
   LeftBlocks left_;      ///< before the look
