@@ -29,7 +29,7 @@ std::vector<std::string> SplitByComma(const std::string& text) {
 /// Of a map's memory_bytes, what MemoryKind::kBlocks counts.
 std::int64_t CountedBlockBytes(const MapStats& stats) {
   return stats.num_tsdf_blocks_in_memory * static_cast<std::int64_t>(sizeof(TsdfBlock)) +
-         stats.num_label_blocks_in_memory * static_cast<std::int64_t>(LabelBlock::CountedBytes());
+         stats.label_plane_bytes_in_memory;
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mapping/base/floor_to_int.h"
+
 namespace dhpmap {
 
 // The permutohedral lattice of dimension D (Adams et al. 2010): the points of the plane sum x_i = 0 of D+1 dimensions
@@ -43,12 +45,6 @@ struct Simplex {
   std::array<LatticeKey<D>, D + 1> keys;
   std::array<float, D + 1> weights;
 };
-
-/// std::floor for values within int32, without a call on machines without SSE4.1.
-inline std::int32_t FloorToInt(float value) {
-  const auto truncated = static_cast<std::int32_t>(value);
-  return truncated - static_cast<std::int32_t>(value < static_cast<float>(truncated));
-}
 
 template <int D>
 class LatticeEmbedding {

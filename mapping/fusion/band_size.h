@@ -11,7 +11,7 @@ namespace dhpmap {
 
 /// Blocks that one frame may touch: each takes about 10 kB, new or copied. A camera frame of a room touches some
 /// hundreds, a LiDAR scan of a street some ten thousand. Nor may it have more cells (BundleCell): each touches a block
-/// at least, and takes 1 kB before anything is touched, 137 MB in all.
+/// at least, and with its bundles takes memory before anything is touched.
 inline constexpr std::size_t kMaxBlocksAFrame = std::size_t{1} << 17;
 
 /// Upper bound of the blocks that IntegrateSegment touches for these segments, which go into different submaps: the

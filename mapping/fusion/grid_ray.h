@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "mapping/base/floor_to_int.h"
 #include "mapping/base/grid.h"
 
 namespace dhpmap {
@@ -23,8 +24,8 @@ class GridRay {
       const float d = direction[axis];
       const float start_vox = offset_vox[axis] + from_m * voxels_per_m * d;
       const float end_vox = offset_vox[axis] + to_m * voxels_per_m * d;
-      index_[axis] = Floor(start_vox);
-      num_voxels_ += std::abs(Floor(end_vox) - index_[axis]);
+      index_[axis] = FloorToInt(start_vox);
+      num_voxels_ += std::abs(FloorToInt(end_vox) - index_[axis]);
       step_[axis] = d < 0 ? -1 : 1;
       const float to_border_vox =
           d < 0 ? start_vox - static_cast<float>(index_[axis]) : static_cast<float>(index_[axis] + 1) - start_vox;
@@ -63,12 +64,6 @@ class GridRay {
   }
 
  private:
-  /// std::floor within int, without a call or SSE4.1.
-  static int Floor(float value) {
-    const int truncated = static_cast<int>(value);
-    return truncated - static_cast<int>(value < static_cast<float>(truncated));
-  }
-
   VoxelIndex base_;
   int index_[3];
   int step_[3];

@@ -139,23 +139,15 @@ const VoxelMask* KeptClearAt(BlockIndex block, const TsdfBlock* stored, KeptClea
   return kept_clear != nullptr && stored != nullptr ? kept_clear->In(block) : nullptr;
 }
 
-RayGrid GridAround(BlockIndex center, const RayOrigin& origin, const UpdateRule& rule, float voxel_size_m) {
-  const VoxelIndex first = VoxelIn({center.x - 1, center.y - 1, center.z - 1}, 0);
-  const VoxelIndex& sensor = origin.voxel;
-  return {voxel_size_m,          rule.truncation_m,  origin.offset_vox.x(), origin.offset_vox.y(),
-          origin.offset_vox.z(), sensor.x - first.x, sensor.y - first.y,    sensor.z - first.z};
-}
-
-/// Of the lanes that are not used, what the first bundle has.
-void FillLanes(std::span<const Bundle> bundles, RayLanes& rays) {
-  for (std::size_t i = 0; i < kRayLanes; ++i) {
-    const Bundle& bundle = bundles[i < bundles.size() ? i : 0];
-    rays.sum_x_m[i] = bundle.weighted_sum_m.x(), rays.sum_y_m[i] = bundle.weighted_sum_m.y();
-    rays.sum_z_m[i] = bundle.weighted_sum_m.z(), rays.weight[i] = bundle.weight;
-    rays.normal_x[i] = bundle.plane.normal.x(), rays.normal_y[i] = bundle.plane.normal.y();
-    rays.normal_z[i] = bundle.plane.normal.z(), rays.offset_m[i] = bundle.plane.offset_m;
-    rays.before_m[i] = bundle.plane.before_m, rays.behind_m[i] = bundle.plane.behind_m;
-  }
+void FillLane(const Bundle& bundle, BlockIndex block, const RayOrigin& origin, std::size_t lane, RayLanes& rays) {
+  rays.sum_x_m[lane] = bundle.weighted_sum_m.x(), rays.sum_y_m[lane] = bundle.weighted_sum_m.y();
+  rays.sum_z_m[lane] = bundle.weighted_sum_m.z(), rays.weight[lane] = bundle.weight;
+  rays.normal_x[lane] = bundle.plane.normal.x(), rays.normal_y[lane] = bundle.plane.normal.y();
+  rays.normal_z[lane] = bundle.plane.normal.z(), rays.offset_m[lane] = bundle.plane.offset_m;
+  rays.before_m[lane] = bundle.plane.before_m, rays.behind_m[lane] = bundle.plane.behind_m;
+  const VoxelIndex first = VoxelIn({block.x - 1, block.y - 1, block.z - 1}, 0);
+  rays.from_corner_x[lane] = origin.voxel.x - first.x, rays.from_corner_y[lane] = origin.voxel.y - first.y;
+  rays.from_corner_z[lane] = origin.voxel.z - first.z;
 }
 
 /// Updates one submap with the bundles of one segment.
@@ -173,21 +165,48 @@ class SegmentUpdate {
         submap_(submap),
         neighbourhood_(segment, has_votes_, submap, kept_clear) {}
 
-  void AddCell(const BundleCell& cell, std::span<const Bundle> bundles, const RayOrigin& origin) {
-    neighbourhood_.MoveTo(cell.block);
-    const RayGrid grid = GridAround(cell.block, origin, rule_, voxel_size_m_);
-    for (std::size_t first = 0; first < bundles.size(); first += kRayLanes) {
-      const auto some = bundles.subspan(first, std::min(kRayLanes, bundles.size() - first));
-      FillLanes(some, rays_);
-      WalkRays(grid, rays_, walked_);
-      for (std::size_t lane = 0; lane < some.size(); ++lane) AddRay(some[lane], lane);
+  /// Throws Stopped.
+  void AddAll(const SegmentBundles& segment, const RayOrigin& origin, const std::stop_token& stop) {
+    grid_ = {voxel_size_m_, rule_.truncation_m, origin.offset_vox.x(), origin.offset_vox.y(), origin.offset_vox.z()};
+    std::size_t num = 0;
+    for (const BundleCell& cell : segment.cells) {
+      for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+        ends_[num] = {&cell, &segment.bundles[b]};
+        FillLane(segment.bundles[b], cell.block, origin, num, rays_);
+        if (++num < kRayLanes) continue;
+        ThrowIfStopped(stop);
+        AddRays(num);
+        num = 0;
+      }
     }
+    if (num == 0) return;
+    for (std::size_t lane = num; lane < kRayLanes; ++lane) {
+      FillLane(*ends_[0].bundle, ends_[0].cell->block, origin, lane, rays_);
+    }
+    AddRays(num);
   }
 
   [[nodiscard]] std::int64_t num_updates() const { return num_updates_; }
   [[nodiscard]] std::uint64_t num_labelled() const { return num_labelled_; }
 
  private:
+  /// What is in a lane.
+  struct End {
+    const BundleCell* cell = nullptr;
+    const Bundle* bundle = nullptr;
+  };
+
+  void AddRays(std::size_t num) {
+    WalkRays(grid_, rays_, walked_);
+    for (std::size_t lane = 0; lane < num; ++lane) {
+      if (ends_[lane].cell != cell_) {
+        cell_ = ends_[lane].cell;
+        neighbourhood_.MoveTo(cell_->block);
+      }
+      AddRay(*ends_[lane].bundle, lane);
+    }
+  }
+
   void AddRay(const Bundle& bundle, std::size_t lane) {
     const Eigen::Vector3f color = bundle.weighted_color / bundle.weight;
     const int end = Neighbourhood::kCenter * kBlockVoxels + bundle.linear;
@@ -230,6 +249,9 @@ class SegmentUpdate {
   const float voxel_size_m_;
   Submap& submap_;
   Neighbourhood neighbourhood_;
+  const BundleCell* cell_ = nullptr;  ///< around which the neighbourhood is
+  std::array<End, kRayLanes> ends_;
+  RayGrid grid_{};
   RayLanes rays_;
   WalkedVoxels walked_;
   std::int64_t num_updates_ = 0;
@@ -247,10 +269,7 @@ std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& or
                               KeptClearVoxels* kept_clear) {
   if (segment.is_cut_short) throw std::bad_alloc();  // it was too much for memory: the frame fails as a whole
   SegmentUpdate update(segment, votes, config, submap, kept_clear);
-  for (const BundleCell& cell : segment.cells) {
-    ThrowIfStopped(stop);
-    update.AddCell(cell, std::span(segment.bundles).subspan(cell.first_bundle, cell.num_bundles), origin);
-  }
+  update.AddAll(segment, origin, stop);
   if (update.num_labelled() == 0) return update.num_updates();
   for (const LabelCount& vote : votes.classes) {
     submap.AddClassObservations(ClassId(static_cast<std::uint16_t>(vote.id)), update.num_labelled() * vote.count);

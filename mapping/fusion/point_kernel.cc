@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/fusion/point_kernel.h"
 
+#include "mapping/base/floor_to_int.h"
 #include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
-namespace {
-
-/// std::floor for values within int32, in a form that vectorises without SSE4.1.
-inline std::int32_t FloorToInt(float value) {
-  const auto truncated = static_cast<std::int32_t>(value);
-  return truncated - static_cast<std::int32_t>(value < static_cast<float>(truncated));
-}
-
-}  // namespace
 
 DHPMAP_WIDE_VECTOR_CLONES
 void ProjectRow(const float* __restrict depth_m, const std::uint32_t* __restrict segments, int width,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mapping/base/floor_to_int.h"
 #include "mapping/base/vector_clones.h"
 #include "mapping/fusion/ray_band.h"
 
@@ -16,12 +17,6 @@ constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
 /// The centre of a voxel that a ray crosses is at most so far from it.
 constexpr float kHalfDiagonal_vox = 0.87f;
-
-/// std::floor for values within int32, in a form that vectorises without SSE4.1.
-DHPMAP_ALWAYS_INLINE std::int32_t FloorToInt(float value) {
-  const auto truncated = static_cast<std::int32_t>(value);
-  return truncated - static_cast<std::int32_t>(value < static_cast<float>(truncated));
-}
 
 /// Where rays are along one axis.
 struct AxisLanes {
@@ -86,15 +81,15 @@ DHPMAP_ALWAYS_INLINE void BeginAlong(const RayGrid& grid, float offset_vox, cons
   }
 }
 
-DHPMAP_ALWAYS_INLINE void TellVoxels(const RayGrid& grid, const Lanes& lanes, std::int32_t step,
+DHPMAP_ALWAYS_INLINE void TellVoxels(const RayGrid& grid, const RayLanes& rays, const Lanes& lanes, std::int32_t step,
                                      std::int32_t* __restrict voxel, float* __restrict distance_m) {
   constexpr auto kAround = static_cast<std::uint32_t>(3 * kBlockSide);
   constexpr std::int32_t kInBlock = kBlockSide - 1;
   const float truncation_m = grid.truncation_m;
   const float farthest_m = truncation_m + kHalfDiagonal_vox * grid.voxel_size_m;
   for (int i = 0; i < kLanes; ++i) {
-    const std::int32_t x = lanes.x.index[i] + grid.to_corner_x, y = lanes.y.index[i] + grid.to_corner_y,
-                       z = lanes.z.index[i] + grid.to_corner_z;
+    const std::int32_t x = lanes.x.index[i] + rays.from_corner_x[i], y = lanes.y.index[i] + rays.from_corner_y[i],
+                       z = lanes.z.index[i] + rays.from_corner_z[i];
     const std::int32_t block = (x >> kBlockSideLog2) + 3 * ((y >> kBlockSideLog2) + 3 * (z >> kBlockSideLog2));
     const std::int32_t linear =
         (x & kInBlock) | (y & kInBlock) << kBlockSideLog2 | (z & kInBlock) << (2 * kBlockSideLog2);
@@ -147,7 +142,7 @@ void WalkRays(const RayGrid& grid, const RayLanes& rays, WalkedVoxels& walked) {
   most = std::min(most, static_cast<std::int32_t>(WalkedVoxels::kMostSteps));
   for (std::int32_t step = 0; step < most; ++step) {
     const auto s = static_cast<std::size_t>(step);
-    TellVoxels(grid, lanes, step, walked.voxel[s].data(), walked.distance_m[s].data());
+    TellVoxels(grid, rays, lanes, step, walked.voxel[s].data(), walked.distance_m[s].data());
     GoOn(lanes);
   }
   for (int i = 0; i < kLanes; ++i) walked.num_steps[i] = std::min(walked.num_steps[i], most);

@@ -13,23 +13,24 @@ namespace dhpmap {
 inline constexpr std::size_t kRayLanes = 16;
 using LaneFloats = std::array<float, kRayLanes>;
 
-/// Bundles that end in one block (see Bundle), one a lane.
+/// Bundles (see Bundle), one a lane, and where each ends.
 struct RayLanes {
   LaneFloats sum_x_m, sum_y_m, sum_z_m, weight;
   LaneFloats normal_x, normal_y, normal_z, offset_m, before_m, behind_m;
+  /// The sensor's voxel, from the first one of the 3^3 blocks around the one in which the ray ends.
+  std::array<std::int32_t, kRayLanes> from_corner_x, from_corner_y, from_corner_z;
 };
 
-/// The blocks around the one in which the rays end, and the sensor.
 struct RayGrid {
   float voxel_size_m, truncation_m;
-  float offset_x_vox, offset_y_vox, offset_z_vox;      ///< of the sensor within its voxel, 0..1
-  std::int32_t to_corner_x, to_corner_y, to_corner_z;  ///< that voxel, from the first one of the 3^3 blocks
+  float offset_x_vox, offset_y_vox, offset_z_vox;  ///< of the sensor within its voxel, 0..1
 };
 
 /// The voxels that rays cross within their bands (see RayBand), in order: those of one step one a lane.
 struct WalkedVoxels {
-  /// The truncation is at most a block's side, and so are longer bands: at most 2 * 8 * sqrt(3) borders are crossed.
-  static constexpr std::size_t kMostSteps = 32;
+  /// The truncation is at most a block's side, and so are longer bands: along no axis more than 10 borders are crossed,
+  /// and 30 in all. A ray so far from its sensor that single precision makes more of it is cut.
+  static constexpr std::size_t kMostSteps = 40;
   /// What a voxel is, or kNone: none, or nothing is written there. The block (x + 3 y + 9 z of 3^3, 13 the one in the
   /// middle) times kBlockVoxels, plus the voxel in it; kLabelled if labels are written there, too.
   static constexpr std::int32_t kNone = -1, kLabelled = 1 << 14;

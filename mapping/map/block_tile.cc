@@ -33,9 +33,9 @@ bool BlockTile::CanBeUnread() const {
 }
 
 std::shared_ptr<const BlockTile> BlockTile::Unread() const {
-  auto unread = std::make_shared<const BlockTile>(page_->LetGo());
+  auto unread = std::make_shared<BlockTile>(page_->LetGo());
   if (const auto known = KnownExtent()) unread->extent_.Keep(*known);
-  if (const TileLabels* known = labels_.Find()) unread->labels_.Keep(*known);
+  unread->labels_.KeepLittleOf(labels_);
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) unread->stored_[i].Adopt(stored_[i]);
   return unread;
 }
@@ -62,10 +62,9 @@ std::shared_ptr<const BlockTile> BlockTile::LeftAt(std::shared_ptr<TileSource> s
     }
   }
   PartNames named(std::move(names), part_id_.value());
-  auto left =
-      std::make_shared<const BlockTile>(std::make_shared<const TilePage>(there, std::move(source), std::move(named)));
+  auto left = std::make_shared<BlockTile>(std::make_shared<const TilePage>(there, std::move(source), std::move(named)));
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) left->stored_[i].Adopt(stored_[i]);
-  if (const TileLabels* known = labels_.Find()) left->labels_.Keep(*known);
+  left->labels_.KeepLittleOf(labels_);
   return left;
 }
 

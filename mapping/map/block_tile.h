@@ -72,9 +72,11 @@ class BlockTile {
   /// StatusError.
   [[nodiscard]] TileExtent Extent() const;
 
-  /// What its voxels have seen: counted once, until the tile is written to; what has to be read for it goes again.
-  /// Throws StatusError.
+  /// What its voxels have seen: counted when it is first asked for, until the tile is written to; what has to be read
+  /// for it goes again, if it can. Throws StatusError.
   [[nodiscard]] const TileLabels& Labels() const;
+  /// What that takes in memory, beside the blocks.
+  [[nodiscard]] std::size_t LabelsBytes() const { return labels_.MemoryBytes(); }
 
   /// Where a store has a layer of all blocks. Meaningful while nobody writes to the tile.
   [[nodiscard]] const StoredKey& stored(BlockLayer layer) const { return stored_[static_cast<std::size_t>(layer)]; }

@@ -38,8 +38,34 @@ LabelBlock::Cell LabelBlock::Cell::OfOneClass(std::uint16_t id, std::uint32_t co
   return {id, static_cast<std::uint16_t>(count), kWide, static_cast<std::uint16_t>(count >> 16)};
 }
 
+LabelBlock::Cell& LabelBlock::Widen(int linear) {
+  if (counts_) {
+    cells_.emplace();
+    for (std::size_t i = 0; i < kBlockVoxels; ++i) {
+      if ((*counts_)[i] != 0) (*cells_)[i] = Cell::OfOneClass(class_, (*counts_)[i]);
+    }
+    counts_.reset();
+  }
+  return (*cells_)[static_cast<std::size_t>(linear)];
+}
+
+bool LabelBlock::SetNarrow(int linear, LabelCount of_class) {
+  if (!counts_) return false;
+  if (class_ == kNoClass) class_ = static_cast<std::uint16_t>(of_class.id);
+  if (of_class.id == class_ && of_class.count <= kMaxInlineCount) {
+    (*counts_)[static_cast<std::size_t>(linear)] = static_cast<std::uint16_t>(of_class.count);
+    return true;
+  }
+  Widen(linear);
+  return false;
+}
+
 void LabelBlock::AddObservationSlowly(int linear, ClassId c, std::uint32_t count) {
-  Cell& cell = cells_[linear];
+  if (counts_ && (class_ == kNoClass || class_ == c.value)) {
+    const std::uint32_t before = (*counts_)[static_cast<std::size_t>(linear)];
+    if (SetNarrow(linear, {c.value, SumOfCounts(before, count)})) return;
+  }
+  Cell& cell = Widen(linear);
   if (cell.class_a != kOverflow) {
     if (cell.IsEmpty() || (cell.class_a == c.value && cell.CountB() == 0)) {
       cell = Cell::OfOneClass(c.value, SumOfCounts(cell.CountA(), count));
@@ -82,20 +108,25 @@ void LabelBlock::Add(int linear, const LabelHistograms& added) {
 
 void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
   SetConcluded(linear, false);
-  Cell& cell = cells_[linear];
+  const auto& classes = histograms.classes;
+  const auto& instances = histograms.instances;
+  const bool is_own_alone = instances.size() == 1 && instances[0].id == kOwnInstance;
+  const bool is_of_one_class = is_own_alone && classes.size() == 1 && instances[0].count == classes[0].count;
+  if (counts_ && classes.empty() && instances.empty()) {
+    (*counts_)[static_cast<std::size_t>(linear)] = 0;
+    return;
+  }
+  if (is_of_one_class && SetNarrow(linear, classes[0])) return;
+  Cell& cell = Widen(linear);
   if (cell.class_a == kOverflow) {
     const std::uint32_t entry = cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16);
     overflow_[entry] = {};
     free_overflow_.push_back(entry);
   }
   cell = {};
-  const auto& classes = histograms.classes;
-  const auto& instances = histograms.instances;
   if (classes.empty() && instances.empty()) return;
 
-  const bool is_own_alone = instances.size() == 1 && instances[0].id == kOwnInstance;
-  if (is_own_alone && classes.size() == 1 && classes[0].count > kMaxInlineCount &&
-      instances[0].count == classes[0].count) {
+  if (is_of_one_class && classes[0].count > kMaxInlineCount) {
     cell = Cell::OfOneClass(static_cast<std::uint16_t>(classes[0].id), classes[0].count);
     return;
   }
@@ -137,10 +168,13 @@ void LabelBlock::RenameInstance(SubmapId from, SeenInstance to) {
   }
 }
 
-bool LabelBlock::IsEmpty(int linear) const { return cells_[linear].class_a != kOverflow && cells_[linear].IsEmpty(); }
+bool LabelBlock::IsEmpty(int linear) const {
+  const Cell cell = CellAt(linear);
+  return cell.class_a != kOverflow && cell.IsEmpty();
+}
 
 LabelHistograms LabelBlock::Get(int linear) const {
-  const Cell& cell = cells_[linear];
+  const Cell cell = CellAt(linear);
   if (cell.class_a == kOverflow) return Overflow(cell);
   LabelHistograms histograms;
   if (cell.IsEmpty()) return histograms;
@@ -152,7 +186,7 @@ LabelHistograms LabelBlock::Get(int linear) const {
 }
 
 BestLabel LabelBlock::BestClass(int linear) const {
-  const Cell& cell = cells_[linear];
+  const Cell cell = CellAt(linear);
   if (cell.class_a == kOverflow) return FindBest(Overflow(cell).classes);
   if (cell.IsEmpty()) return {};
   const std::uint32_t a = cell.CountA(), b = cell.CountB();
@@ -162,29 +196,38 @@ BestLabel LabelBlock::BestClass(int linear) const {
 }
 
 BestSeen<SeenInstance> LabelBlock::BestInstance(int linear) const {
-  const Cell& cell = cells_[linear];
+  const Cell cell = CellAt(linear);
   if (cell.class_a == kOverflow) return FindBest(Overflow(cell).instances);
   if (cell.IsEmpty()) return {};
   return {kOwnInstance, cell.Total(), 1.0f};
 }
 
+void LabelBlock::AddCountsTo(LabelTotals& totals) const {
+  std::uint64_t all = 0, not_concluded = 0;
+  for (std::size_t i = 0; i < kBlockVoxels; ++i) {
+    const std::uint32_t count = (*counts_)[i];
+    all += count;
+    not_concluded += IsConcluded(static_cast<int>(i)) ? 0 : count;
+  }
+  totals.own += all;
+  totals.instances += all;
+  totals.AddClass(class_, not_concluded);
+}
+
 void LabelBlock::AddTo(LabelTotals& totals) const {
-  const auto add_class = [&totals](std::uint32_t id, std::uint32_t count) {
-    if (id >= totals.classes.size()) totals.classes.resize(id + 1);
-    totals.classes[id] += count;
-  };
+  if (counts_) return AddCountsTo(totals);
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
-    const Cell& cell = cells_[static_cast<std::size_t>(linear)];
+    const Cell cell = CellAt(linear);
     if (cell.class_a != kOverflow && !IsConcluded(linear)) {  // nearly all
       const std::uint32_t own = cell.Total();
       if (own == 0) continue;
-      add_class(cell.class_a, cell.CountA());
-      if (cell.CountB() != 0) add_class(cell.class_b, cell.CountB());
+      totals.AddClass(cell.class_a, cell.CountA());
+      if (cell.CountB() != 0) totals.AddClass(cell.class_b, cell.CountB());
       totals.own += own;
       totals.instances += own;
       continue;
     }
-    if (!IsConcluded(linear)) VisitClasses(linear, [&](LabelCount seen) { add_class(seen.id, seen.count); });
+    if (!IsConcluded(linear)) VisitClasses(linear, [&](LabelCount seen) { totals.AddClass(seen.id, seen.count); });
     VisitInstances(linear, [&totals](InstanceCount seen) {
       totals.instances += seen.count;
       if (seen.id.IsOwn()) totals.own += seen.count;
@@ -193,7 +236,7 @@ void LabelBlock::AddTo(LabelTotals& totals) const {
 }
 
 std::uint64_t LabelBlock::NumObservations(int linear) const {
-  const Cell& cell = cells_[linear];
+  const Cell cell = CellAt(linear);
   if (cell.class_a != kOverflow) return cell.Total();
   std::uint64_t total = 0;
   for (const InstanceCount& entry : Overflow(cell).instances) total += entry.count;
@@ -203,7 +246,7 @@ std::uint64_t LabelBlock::NumObservations(int linear) const {
 std::size_t LabelBlock::NumOverflowVoxels() const { return overflow_.size() - free_overflow_.size(); }
 
 std::size_t LabelBlock::MemoryBytes() const {
-  std::size_t bytes = sizeof(*this) + decltype(cells_)::kBytes + overflow_.capacity() * sizeof(LabelHistograms) +
+  std::size_t bytes = sizeof(*this) + CountedBytes() + overflow_.capacity() * sizeof(LabelHistograms) +
                       free_overflow_.capacity() * sizeof(std::uint32_t);
   for (const LabelHistograms& entry : overflow_) {
     bytes += entry.classes.capacity() * sizeof(LabelCount) + entry.instances.capacity() * sizeof(InstanceCount);
@@ -223,7 +266,7 @@ const LabelHistograms& LabelBlock::Overflow(const Cell& cell) const {
 }
 
 LabelHistograms& LabelBlock::MoveToOverflow(int linear) {
-  Cell& cell = cells_[linear];
+  Cell& cell = Widen(linear);
   if (cell.class_a == kOverflow) return overflow_[cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16)];
   LabelHistograms histograms = Get(linear);
   std::uint32_t entry;

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "mapping/base/grid.h"
@@ -56,12 +58,22 @@ std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const 
 /// What voxels have seen, summed up.
 struct LabelTotals {
   std::vector<std::uint64_t> classes;    ///< by id, of voxels of which nothing is concluded
+  std::vector<std::uint32_t> seen;       ///< the ids of those that are not 0, in any order
   std::uint64_t own = 0, instances = 0;  ///< counts of the own instance, and of all
+
+  void AddClass(std::uint32_t id, std::uint64_t count) {
+    if (count == 0) return;
+    if (id >= classes.size()) classes.resize(std::size_t{id} + 1);
+    if (classes[id] == 0) seen.push_back(id);
+    classes[id] += count;
+  }
 };
 
-/// Exact label counts of one block (paper II-A, II-C). Nearly every voxel has seen one instance, its own submap, and
-/// one or two classes: those counts are inline in 8 bytes. Anything else (a third class, another instance, a count of
-/// one of two classes above 65,535) moves the voxel to an overflow list. A count ends at 2^32 - 1. Thread-compatible.
+/// Exact label counts of one block (paper II-A, II-C). In most blocks, all voxels have seen one class and their own
+/// submap, if anything: a count of 2 bytes each. From the first that has seen more on, a voxel takes 8 bytes, in which
+/// counts of one or two classes of the own instance are inline. Anything else (a third class, another instance, a count
+/// of one of two classes above 65,535) moves the voxel to an overflow list. A count ends at 2^32 - 1.
+/// Thread-compatible.
 ///
 /// Counts are what was seen, and nothing but more of it changes them. What refinement concludes from them is apart: a
 /// voxel that the submap holds although it has seen another instance more often, or none at all, has a bit for it, and
@@ -73,13 +85,22 @@ class LabelBlock {
   /// Adds one observation of class `c` that also counts for the own instance (paper II-C). `count` is what it counts,
   /// 1 to 65,535 (see TrackingConfig::SightingUnit).
   void AddObservation(int linear, ClassId c, std::uint32_t count = 1) {
-    Cell& cell = cells_[linear];
-    // Nearly always. The lower half of a wide count, too, if that does not carry.
-    if (cell.class_a == c.value && cell.count_a != 0 && cell.count_a + count <= kMaxInlineCount) {
-      cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
+    const auto i = static_cast<std::size_t>(linear);
+    if (counts_) {
+      std::uint16_t& seen = (*counts_)[i];
+      if (class_ == c.value && seen + count <= kMaxInlineCount) {  // nearly always
+        seen = static_cast<std::uint16_t>(seen + count);
+        return;
+      }
     } else {
-      AddObservationSlowly(linear, c, count);
+      // The lower half of a wide count, too, if that does not carry.
+      Cell& cell = (*cells_)[i];
+      if (cell.class_a == c.value && cell.count_a != 0 && cell.count_a + count <= kMaxInlineCount) {
+        cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
+        return;
+      }
     }
+    AddObservationSlowly(linear, c, count);
   }
 
   /// Adds an observation that counts so much, which may be for several classes and for other instances, too. Lists
@@ -102,7 +123,9 @@ class LabelBlock {
   /// Of a voxel that has no counts: `count` observations of a class, which count for the own instance, too. The class
   /// is below 65,535, the count 1 to 65,535.
   void SetFirst(int linear, LabelCount of_class) {
-    cells_[linear] = {static_cast<std::uint16_t>(of_class.id), static_cast<std::uint16_t>(of_class.count), 0, 0};
+    if (SetNarrow(linear, of_class)) return;
+    (*cells_)[static_cast<std::size_t>(linear)] =
+        Cell::OfOneClass(static_cast<std::uint16_t>(of_class.id), of_class.count);
   }
 
   /// Makes room for so many voxels that have seen more than a cell holds.
@@ -139,7 +162,7 @@ class LabelBlock {
   [[nodiscard]] std::size_t NumOverflowVoxels() const;
   [[nodiscard]] std::size_t MemoryBytes() const;
   /// Of them, what is counted as MemoryKind::kBlocks.
-  [[nodiscard]] static constexpr std::size_t CountedBytes() { return decltype(cells_)::kBytes; }
+  [[nodiscard]] std::size_t CountedBytes() const { return counts_ ? Counts::kBytes : Cells::kBytes; }
   bool operator==(const LabelBlock& other) const;
 
  private:
@@ -160,15 +183,34 @@ class LabelBlock {
   };
   static constexpr std::uint16_t kOverflow = 0xFFFF;
   static constexpr std::uint16_t kWide = 0xFFFF;
+  static constexpr std::uint16_t kNoClass = 0xFFFF;
 
   static constexpr std::uint32_t kMaxInlineCount = 0xFFFF;
 
+  /// What a cell says, or would: of any block.
+  [[nodiscard]] Cell CellAt(int linear) const {
+    const auto i = static_cast<std::size_t>(linear);
+    if (!counts_) return (*cells_)[i];
+    const std::uint16_t count = (*counts_)[i];
+    return count != 0 ? Cell{class_, count, 0, 0} : Cell{};
+  }
+  /// The cell to write to: makes cells of counts.
+  Cell& Widen(int linear);
+  /// Of the own instance and one class alone, 0 to 65,535 times, where a count says all of it; else false, and there
+  /// are cells.
+  bool SetNarrow(int linear, LabelCount of_class);
+  void AddCountsTo(LabelTotals& totals) const;
   void AddObservationSlowly(int linear, ClassId c, std::uint32_t count);
   [[nodiscard]] const LabelHistograms& Overflow(const Cell& cell) const;
   LabelHistograms& MoveToOverflow(int linear);
 
-  VoxelPlane<Cell> cells_;
-  static_assert(decltype(cells_)::kBytes == 4096, "a page");
+  using Counts = VoxelPlane<std::uint16_t>;
+  using Cells = VoxelPlane<Cell>;
+  static_assert(Cells::kBytes == 4096, "a page");
+  // One of both.
+  std::optional<Counts> counts_{std::in_place};
+  std::optional<Cells> cells_;
+  std::uint16_t class_ = kNoClass;  ///< of the counts, from the first on
   std::vector<LabelHistograms> overflow_;
   std::vector<std::uint32_t> free_overflow_;
   VoxelMask concluded_{};
@@ -194,7 +236,7 @@ std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const 
 
 template <typename Visitor>
 void LabelBlock::VisitClasses(int linear, Visitor&& visit) const {
-  const Cell& cell = cells_[static_cast<std::size_t>(linear)];
+  const Cell cell = CellAt(linear);
   if (cell.class_a == kOverflow) {
     for (const LabelCount& entry : Overflow(cell).classes) visit(entry);
     return;
@@ -205,7 +247,7 @@ void LabelBlock::VisitClasses(int linear, Visitor&& visit) const {
 
 template <typename Visitor>
 void LabelBlock::VisitInstances(int linear, Visitor&& visit) const {
-  const Cell& cell = cells_[static_cast<std::size_t>(linear)];
+  const Cell cell = CellAt(linear);
   if (cell.class_a == kOverflow) {
     for (const InstanceCount& entry : Overflow(cell).instances) visit(entry);
     return;

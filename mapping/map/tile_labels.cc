@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/map/tile_labels.h"
 
-#include <cstddef>
+#include <algorithm>
+#include <utility>
 
 #include "mapping/base/memory_count.h"
 
 namespace dhpmap {
 
 void TileLabels::AddTo(LabelTotals& totals) const {
-  if (!classes.empty() && classes.back().first >= totals.classes.size())
-    totals.classes.resize(classes.back().first + 1);
-  for (const auto& [id, count] : classes) totals.classes[id] += count;
+  for (const auto& [id, count] : classes) totals.AddClass(id, count);
   totals.own += own;
   totals.instances += instances;
 }
 
 TileLabels LabelsOf(std::span<const BlockEntry> blocks) {
+  thread_local std::vector<std::uint64_t> zeros;  // ids may be large, and tiles are many
   LabelTotals totals;
+  totals.classes.swap(zeros);
   for (const BlockEntry& block : blocks) {
     if (block.labels) block.labels->AddTo(totals);
   }
+  std::sort(totals.seen.begin(), totals.seen.end());
   TileLabels labels{.classes = {}, .own = totals.own, .instances = totals.instances};
-  for (std::size_t id = 0; id < totals.classes.size(); ++id) {
-    if (totals.classes[id] != 0) labels.classes.emplace_back(static_cast<std::uint32_t>(id), totals.classes[id]);
-  }
-  labels.classes.shrink_to_fit();
+  labels.classes.reserve(totals.seen.size());
+  for (const std::uint32_t id : totals.seen) labels.classes.emplace_back(id, std::exchange(totals.classes[id], 0));
+  zeros.swap(totals.classes);
   return labels;
 }
 
@@ -33,6 +34,12 @@ const TileLabels& KeptTileLabels::Keep(TileLabels labels) const {
   const TileLabels* kept = nullptr;
   if (kept_.compare_exchange_strong(kept, made.get(), std::memory_order_acq_rel)) return *made.release();
   return *kept;
+}
+
+void KeptTileLabels::KeepLittleOf(const KeptTileLabels& other) {
+  constexpr std::size_t kMostClasses = 4;  // in TilePage::TableBytes
+  const TileLabels* labels = other.Find();
+  if (labels != nullptr && labels->classes.size() <= kMostClasses) Keep(*labels);
 }
 
 std::size_t KeptTileLabels::MemoryBytes() const {

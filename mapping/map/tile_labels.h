@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,8 +15,8 @@ namespace dhpmap {
 
 /// What the voxels of a tile have seen, summed up: LabelTotals without the classes that nobody has seen.
 struct TileLabels {
-  std::vector<std::pair<std::uint32_t, std::uint64_t>> classes;  ///< by ascending id
-  std::uint64_t own = 0, instances = 0;
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> classes;  ///< counts, by ascending id
+  std::uint64_t own = 0, instances = 0;                          ///< see LabelTotals
 
   void AddTo(LabelTotals& totals) const;
   bool operator==(const TileLabels&) const = default;
@@ -25,7 +26,7 @@ struct TileLabels {
 TileLabels LabelsOf(std::span<const BlockEntry> blocks);
 
 /// The labels of a tile, once somebody has counted. Whoever reads the tile may keep what was found, several at once, as
-/// all find the same; to forget it is for who writes. A copy knows nothing. Thread-compatible beyond that.
+/// all find the same; to forget it is for who writes. Nobody copies it. Thread-compatible beyond that.
 class KeptTileLabels {
  public:
   KeptTileLabels() = default;
@@ -38,8 +39,10 @@ class KeptTileLabels {
 
   /// Null if nobody has.
   [[nodiscard]] const TileLabels* Find() const { return kept_.load(std::memory_order_acquire); }
-  /// What is kept from then on.
+  /// Returns what is kept from then on.
   const TileLabels& Keep(TileLabels labels) const;
+  /// What another one has kept, of the same blocks, unless it is much: for a tile that is to cost little.
+  void KeepLittleOf(const KeptTileLabels& other);
   void Forget() {
     if (kept_.load(std::memory_order_relaxed) != nullptr) delete kept_.exchange(nullptr);
   }

@@ -21,9 +21,9 @@ PageCounters& Counters() {
   return counters;
 }
 
-/// About: the page, the BlockTile, the entry in a table and the marks, with what the allocator adds, but for names that
-/// it has of its own.
-constexpr std::int64_t kTileTableBytes = 640;
+/// About: the page, the BlockTile, its labels, the entry in a table and the marks, with what the allocator adds, but
+/// for names that it has of its own.
+constexpr std::int64_t kTileTableBytes = 768;
 
 std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {
   std::size_t bytes = blocks.capacity() * sizeof(BlockEntry);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mapping/query/triangle_tree.h"
 #include "mapping/base/vector_clones.h"
+#include "mapping/query/triangle_tree.h"
 
 namespace dhpmap {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "mapping/base/vector_clones.h"
 #include "mapping/query/field_normals.h"
 #include "mapping/query/nearest_search.h"
-#include "mapping/base/vector_clones.h"
 
 namespace dhpmap {
 namespace {

@@ -11,8 +11,8 @@
 #include <tuple>
 #include <utility>
 
-#include "mapping/query/surface_rim.h"
 #include "mapping/base/vector_clones.h"
+#include "mapping/query/surface_rim.h"
 
 namespace dhpmap {
 namespace {

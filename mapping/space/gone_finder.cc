@@ -54,11 +54,9 @@ bool HasCounts(const BlockTile& tile) {
                      [](const BlockEntry& entry) { return entry.gone != nullptr; });
 }
 
-/// Those of the voxels that one view has counted.
-VoxelMask CountedOnce(const VoxelMask& voxels, const GoneBlock& gone) {
-  VoxelMask once = voxels;
-  for (std::size_t word = 0; word < once.size(); ++word) once[word] &= gone.low()[word] & ~gone.high()[word];
-  return once;
+/// What left long ago takes nothing with it any more.
+bool IsThereOrLeftLately(const Submap& thing, const Viewpoint& from) {
+  return !thing.IsAbsent() || IsWithin(kLeavesFor_ns, from.stamp_ns, thing.info().last_contradicted_ns);
 }
 
 /// Takes the voxels of the submap that lie in the region out of a block.
@@ -86,30 +84,30 @@ void GoneFinder::LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo
   }
 }
 
-void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, const Turn& turn) {
+void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, Role role, std::uint64_t turn) {
   const BlockTile& tile = *entry.tile;
   const bool has_counts = HasCounts(tile);
-  const bool may_have_left = turn.may_have_left || (turn.goes_with_things && things_.Has(entry.index));
-  if (!may_have_left && !has_counts && !IsItsTurn(entry.index, turn.of_frame)) return;
-  if (turn.may_have_left) things_.Add(entry.index);
+  const bool takes_turns = role == Role::kStays || (role == Role::kNameless && !things_.Has(entry.index));
+  if (takes_turns && !has_counts && !IsItsTurn(entry.index, turn)) return;
+  if (role == Role::kMayHaveLeft) things_.Add(entry.index);
   if (num_jobs_ == jobs_.size()) jobs_.emplace_back();
   jobs_[num_jobs_].id = submap.id();
   jobs_[num_jobs_].submap = &submap;
   jobs_[num_jobs_].tile = &tile;
   jobs_[num_jobs_].has_counts = has_counts;
-  jobs_[num_jobs_].goes_with_things = may_have_left && turn.goes_with_things;
+  jobs_[num_jobs_].role = role;
   ++num_jobs_;
 }
 
-void GoneFinder::AddJobs(const Submap& submap, const Turn& turn) {
+void GoneFinder::AddJobs(const Submap& submap, Role role, std::uint64_t turn) {
   const BlockTable& blocks = submap.blocks();
   if (blocks.tiles().size() <= tiles_.size()) {
     for (const TileEntry& entry : blocks.tiles()) {
-      if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(submap, entry, turn);
+      if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(submap, entry, role, turn);
     }
   } else {  // a wall may go on and on
     for (const TileToLook& tile : tiles_) {
-      if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(submap, *entry, turn);
+      if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(submap, *entry, role, turn);
     }
   }
 }
@@ -125,7 +123,7 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const View
     return !info.is_placed && !info.is_locked && IsOnMapGrid(info, map.info().config) &&
            MayReach(reach, origin, submap.bounding_sphere(), info.voxel_size_m);
   };
-  Turn turn{.of_frame = DigitSum(static_cast<std::uint64_t>(map.info().num_frames))};
+  const std::uint64_t turn = DigitSum(static_cast<std::uint64_t>(map.info().num_frames));
   const Submap* unknown = nullptr;
   for (const auto& submap : map.submaps()) {
     if (!is_looked_at(*submap)) continue;
@@ -134,12 +132,10 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const View
       unknown = submap.get();
       continue;
     }
-    turn.may_have_left = info.panoptic == Panoptic::kThing && info.last_observed_ns != from.stamp_ns;
-    AddJobs(*submap, turn);
+    const bool may_have_left = info.panoptic == Panoptic::kThing && info.last_observed_ns != from.stamp_ns;
+    AddJobs(*submap, may_have_left ? Role::kMayHaveLeft : Role::kStays, turn);
   }
-  turn.may_have_left = false;
-  turn.goes_with_things = true;
-  if (unknown != nullptr) AddJobs(*unknown, turn);  // when all things are known
+  if (unknown != nullptr) AddJobs(*unknown, Role::kNameless, turn);  // when the tiles of all things are known
 }
 
 void GoneFinder::NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop) {
@@ -160,11 +156,24 @@ void GoneFinder::NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::st
   }
 }
 
-void GoneFinder::AddUp() {
+void GoneFinder::AddUp(const Viewpoint& from) {
   together_.Clear();
+  leaving_.Clear();
   for (std::size_t i = 0; i < num_jobs_; ++i) {
-    for (const ContradictedBlock& block : jobs_[i].found) together_.Add(block.index, block.num_in_all);
+    const bool is_leaving = jobs_[i].role == Role::kMayHaveLeft && IsThereOrLeftLately(*jobs_[i].submap, from);
+    for (const ContradictedBlock& block : jobs_[i].found) {
+      together_.Add(block.index, block.num_in_all);
+      if (is_leaving) leaving_.Add(block.index, block.num_in_all);
+    }
   }
+}
+
+bool GoneFinder::IsByWhatLeaves(BlockIndex block) const {
+  for (int n = 0; n < 27; ++n) {
+    if (leaving_.CountIn({block.x + n % 3 - 1, block.y + n / 3 % 3 - 1, block.z + n / 9 - 1}) >= kLeastVoxels)
+      return true;
+  }
+  return false;
 }
 
 bool GoneFinder::IsEnough(const ContradictedBlock& block) const {
@@ -173,7 +182,7 @@ bool GoneFinder::IsEnough(const ContradictedBlock& block) const {
 }
 
 std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
-  AddUp();
+  AddUp(from);
   std::vector<SubmapId> changed;
   for (std::size_t i = 0; i < num_jobs_; ++i) {
     std::erase_if(jobs_[i].found, [&](const ContradictedBlock& block) { return !IsEnough(block); });
@@ -181,13 +190,15 @@ std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
     Submap& submap = *map.FindMutable(jobs_[i].id);
     int num_became = 0;
     for (const ContradictedBlock& block : jobs_[i].found) {
-      GoneBlock& gone = submap.MutableGone(block.index);
-      num_became += gone.Raise(block.voxels, from);
-      if (jobs_[i].goes_with_things) num_became += gone.Raise(CountedOnce(block.voxels, gone), from);
+      const bool counts_twice = jobs_[i].role == Role::kNameless && IsByWhatLeaves(block.index);
+      for (int n = counts_twice ? 2 : 1; n > 0; --n) {
+        num_became += submap.MutableGone(block.index).Raise(block.voxels, from);
+      }
     }
     if (num_became > 0) submap.mutable_info().last_contradicted_ns = from.stamp_ns;
     if (changed.empty() || changed.back() != submap.id()) changed.push_back(submap.id());
   }
+  std::sort(changed.begin(), changed.end());  // jobs of the unknown submap come last
   return changed;
 }
 

@@ -18,13 +18,13 @@
 
 namespace dhpmap {
 
-/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the
-/// number of the frame, until something of them is counted, but for those of things that the same frame has not
-/// observed: of what may have left there may be few views. Points of such a thing that no prediction named are in the
-/// unknown submap and leave with it: there its tiles take no turns either, and what is looked through once counts as
-/// twice. Submaps that somebody has put where they are or has locked,
-/// and those on another grid than the map's, which were moved, are left alone, and so are voxels in regions that are
-/// kept clear, of which no point is seen. Keeps its buffers. Thread-compatible.
+/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number of
+/// the frame, until something of them is counted, but for those of things that the same frame has not observed: of what
+/// may have left there may be few views. What no prediction named of such a thing is in the unknown submap: in these
+/// tiles it takes no turns either, and where the same look goes through the thing, in a block or right beside it, one
+/// look at what is nameless counts as two. Submaps that somebody has put where they are or has locked, and those on
+/// another grid than the map's, which were moved, are left alone, and so are voxels in regions that are kept clear, of
+/// which no point is seen. Keeps its buffers but for a few maps of indices. Thread-compatible.
 class GoneFinder {
  public:
   /// Returns the submaps of which voxels were counted, by ascending id. The outcome does not depend on the number of
@@ -55,21 +55,21 @@ class GoneFinder {
   /// other submaps, a few to each.
   static constexpr int kLeastTogether = 12;
 
+  /// What a look has to find of a submap.
+  enum class Role : std::uint8_t {
+    kStays,        ///< is there, most likely
+    kMayHaveLeft,  ///< a thing that the frame has not observed
+    kNameless,     ///< the unknown submap, which has parts of anything
+  };
+
   struct Job {
     SubmapId id;
     // Until the map is written to:
     const Submap* submap = nullptr;
     const BlockTile* tile = nullptr;
     bool has_counts = false;
-    bool goes_with_things = false;  ///< see Turn; a thing that may have left has blocks in this tile
+    Role role = Role::kStays;
     std::vector<ContradictedBlock> found;
-  };
-
-  /// When tiles of a submap are looked at.
-  struct Turn {
-    std::uint64_t of_frame = 0;
-    bool may_have_left = false;     ///< in each frame
-    bool goes_with_things = false;  ///< where something that may have left has blocks, likewise
   };
 
   /// Tiles, of any submap.
@@ -87,12 +87,15 @@ class GoneFinder {
                                 std::vector<ContradictedBlock>& found);
   /// The tiles of submaps that are in view.
   void ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map);
-  void AddJobs(const Submap& submap, const Turn& turn);
-  void AddJob(const Submap& submap, const TileEntry& entry, const Turn& turn);
+  /// `turn`: of the frame.
+  void AddJobs(const Submap& submap, Role role, std::uint64_t turn);
+  void AddJob(const Submap& submap, const TileEntry& entry, Role role, std::uint64_t turn);
   /// Reads what is on the disk of the tiles that have counts.
   void NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop);
-  void AddUp();
+  void AddUp(const Viewpoint& from);
   [[nodiscard]] bool IsEnough(const ContradictedBlock& block) const;
+  /// Whether a thing that is leaving is looked through there or right beside it.
+  [[nodiscard]] bool IsByWhatLeaves(BlockIndex block) const;
   std::vector<SubmapId> Count(const Viewpoint& from, Map& map);
 
   std::vector<TileToLook> tiles_;  ///< in view
@@ -102,6 +105,7 @@ class GoneFinder {
   std::size_t num_jobs_ = 0;
   LeftBlocks left_;      ///< before the look
   LeftBlocks together_;  ///< after it, with what it says
+  LeftBlocks leaving_;   ///< of them, those of things that the frame has not observed, if they were there a minute ago
 };
 
 }  // namespace dhpmap

@@ -19,6 +19,9 @@ void AddBlocks(const Submap& submap, MapStats& stats) {
     if (tile.tile->IsRead()) {
       stats.num_label_blocks_in_memory += num_labels;
       stats.num_tsdf_blocks_in_memory += num_tsdf;
+      for (const ScannedTile scanned(*tile.tile); const BlockEntry& entry : scanned.entries()) {
+        if (entry.labels) stats.label_plane_bytes_in_memory += static_cast<std::int64_t>(entry.labels->CountedBytes());
+      }
     }
   }
 }

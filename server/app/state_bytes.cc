@@ -58,7 +58,8 @@ std::size_t TableBytesNotIn(const Submap& before, const Submap* later) {
   for (const TileEntry& tile : tiles) {
     const TileEntry* now = later != nullptr ? later->blocks().FindTile(tile.index) : nullptr;
     const bool is_shared = now != nullptr && now->tile == tile.tile;
-    bytes += sizeof(TileEntry) + (is_shared ? 0 : sizeof(BlockTile) + tile.tile->size() * sizeof(BlockEntry));
+    bytes += sizeof(TileEntry) +
+             (is_shared ? 0 : sizeof(BlockTile) + tile.tile->size() * sizeof(BlockEntry) + tile.tile->LabelsBytes());
   }
   return bytes;
 }

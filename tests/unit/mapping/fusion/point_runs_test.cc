@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <random>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,6 +31,7 @@ DepthCameraData NoisyWall(int width_px, int height_px) {
   for (int i = 0; i < width_px * height_px; ++i) {
     data.depth_m.push_back(random() % 9 == 0 ? 0.0f : 2.0f + 0.001f * static_cast<float>(random() % 400));
     data.segments.push_back(random() % 4);
+    data.color.push_back({static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()), 7});
   }
   return data;
 }
@@ -44,23 +45,56 @@ RunBands RunsOf(const DepthCameraData& data, int num_threads) {
   return bands;
 }
 
-TEST(PointRuns, HoldEveryPointOnceAndNearlyEachPlaceOfABandOnce) {
-  const DepthCameraData data = NoisyWall(301, 50);
-  std::int64_t num_valid = 0, num_counted = 0, num_runs = 0, num_places = 0;
-  for (const float depth_m : data.depth_m) num_valid += depth_m > 0;
-  for (const std::vector<PointRun>& band : RunsOf(data, 1)) {
-    std::map<Place, std::uint32_t> of_place;
-    for (const PointRun& run : band) {
-      EXPECT_GT(run.num_points(), 0u);
-      EXPECT_EQ(run.weight(), static_cast<float>(run.num_points()));
-      of_place[PlaceOf(run)] += run.num_points();
-      num_counted += run.num_points();
-      ++num_runs;
+struct Sum {
+  std::uint32_t num_points = 0;
+  Eigen::Vector3d sum_m = Eigen::Vector3d::Zero(), color = Eigen::Vector3d::Zero();
+};
+
+/// Pixel by pixel, by band of 16 rows, in single precision where it decides on voxels.
+std::vector<std::map<Place, Sum>> SlowSums(const DepthCameraData& data) {
+  const PinholeCamera& camera = data.camera;
+  std::vector<std::map<Place, Sum>> bands(static_cast<std::size_t>((camera.height_px + 15) / 16));
+  const SensorOnGrid grid(Transform::Identity(), 0.1);
+  for (int v = 0; v < camera.height_px; ++v) {
+    for (int u = 0; u < camera.width_px; ++u) {
+      const auto i = static_cast<std::size_t>(v * camera.width_px + u);
+      if (!(data.depth_m[i] > 0)) continue;
+      const auto x = static_cast<float>((u - camera.cx_px) / camera.fx_px);
+      const auto y = static_cast<float>((v - camera.cy_px) / camera.fy_px);
+      const Eigen::Vector3f p_m(data.depth_m[i] * x, data.depth_m[i] * y, data.depth_m[i]);
+      Sum& sum = bands[static_cast<std::size_t>(v / 16)][{data.segments[i], grid.VoxelOf(p_m)}];
+      ++sum.num_points;
+      sum.sum_m += p_m.cast<double>();
+      sum.color += Eigen::Vector3d(data.color[i].r, data.color[i].g, data.color[i].b);
     }
-    num_places += static_cast<std::int64_t>(of_place.size());
   }
-  EXPECT_EQ(num_counted, num_valid);
-  EXPECT_GE(num_runs, num_places);
+  return bands;
+}
+
+TEST(PointRuns, HoldEveryPointOfABandAndNearlyEachPlaceOnce) {
+  const DepthCameraData data = NoisyWall(301, 50);
+  const auto expected = SlowSums(data);
+  const RunBands bands = RunsOf(data, 1);
+  ASSERT_EQ(bands.size(), expected.size());
+  std::size_t num_runs = 0, num_places = 0;
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    std::map<Place, Sum> of_place;
+    for (const PointRun& run : bands[b]) {
+      EXPECT_EQ(run.weight(), static_cast<float>(run.num_points()));
+      Sum& sum = of_place[PlaceOf(run)];
+      sum.num_points += run.num_points();
+      sum.sum_m += run.weighted_sum_m().cast<double>();
+      sum.color += run.color_sum().cast<double>();
+    }
+    ASSERT_EQ(of_place.size(), expected[b].size());
+    for (const auto& [place, sum] : expected[b]) {
+      ASSERT_EQ(of_place[place].num_points, sum.num_points);
+      ASSERT_TRUE(of_place[place].sum_m.isApprox(sum.sum_m, 1e-5));
+      ASSERT_TRUE(of_place[place].color.isApprox(sum.color, 1e-5));
+    }
+    num_runs += bands[b].size();
+    num_places += of_place.size();
+  }
   EXPECT_LT(static_cast<double>(num_runs), 1.2 * static_cast<double>(num_places));
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -53,12 +55,6 @@ BlockIndex BlockOfEnd(const RayScene& scene, const Bundle& bundle) {
                   scene.sensor.z + static_cast<std::int32_t>(std::floor(end_vox.z()))});
 }
 
-RayGrid GridAround(const RayScene& scene, BlockIndex center) {
-  const VoxelIndex first = VoxelIn({center.x - 1, center.y - 1, center.z - 1}, 0);
-  return {scene.voxel_size_m,   scene.truncation_m,       scene.offset_vox.x(),     scene.offset_vox.y(),
-          scene.offset_vox.z(), scene.sensor.x - first.x, scene.sensor.y - first.y, scene.sensor.z - first.z};
-}
-
 /// What the kernel makes of one bundle in a lane, with others in the other lanes.
 Walk WalkInLane(const RayScene& scene, const Bundle& bundle, const Bundle& others, std::size_t lane) {
   RayLanes rays;
@@ -69,10 +65,15 @@ Walk WalkInLane(const RayScene& scene, const Bundle& bundle, const Bundle& other
     rays.normal_x[i] = of_lane.plane.normal.x(), rays.normal_y[i] = of_lane.plane.normal.y();
     rays.normal_z[i] = of_lane.plane.normal.z(), rays.offset_m[i] = of_lane.plane.offset_m;
     rays.before_m[i] = of_lane.plane.before_m, rays.behind_m[i] = of_lane.plane.behind_m;
+    const BlockIndex block = BlockOfEnd(scene, of_lane);
+    const VoxelIndex first = VoxelIn({block.x - 1, block.y - 1, block.z - 1}, 0);
+    rays.from_corner_x[i] = scene.sensor.x - first.x, rays.from_corner_y[i] = scene.sensor.y - first.y;
+    rays.from_corner_z[i] = scene.sensor.z - first.z;
   }
   const BlockIndex center = BlockOfEnd(scene, bundle);
   WalkedVoxels walked;
-  WalkRays(GridAround(scene, center), rays, walked);
+  WalkRays({scene.voxel_size_m, scene.truncation_m, scene.offset_vox.x(), scene.offset_vox.y(), scene.offset_vox.z()},
+           rays, walked);
   Walk walk;
   for (std::size_t step = 0; step < static_cast<std::size_t>(walked.num_steps[lane]); ++step) {
     const std::int32_t code = walked.voxel[step][lane];

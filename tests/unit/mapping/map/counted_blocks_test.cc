@@ -22,7 +22,8 @@ std::size_t CountedNow() { return CountOf(MemoryKind::kBlocks).now_bytes(); }
 /// The slow way: the layers that are in any of the states, by their addresses.
 template <typename... States>
 std::size_t BytesOfLayers(const States&... states) {
-  std::set<const void*> geometry, labels;
+  std::set<const void*> geometry;
+  std::set<const LabelBlock*> labels;
   const auto add = [&](const auto& state) {
     for (const auto& submap : state.submaps()) {
       for (const BlockEntry& entry : submap->blocks().entries()) {
@@ -32,7 +33,9 @@ std::size_t BytesOfLayers(const States&... states) {
     }
   };
   (add(states), ...);
-  return geometry.size() * HeapBytesFor(sizeof(TsdfBlock)) + labels.size() * LabelBlock::CountedBytes();
+  std::size_t bytes = geometry.size() * HeapBytesFor(sizeof(TsdfBlock));
+  for (const LabelBlock* block : labels) bytes += block->CountedBytes();
+  return bytes;
 }
 
 void Write(Map& map, SubmapId id, int begin, int end) {

@@ -35,7 +35,10 @@ class MadeTiles final : public TileSource {
       tsdf->distance_m[0] = static_cast<float>(cell);
       tsdf->weight[0] = 1;
       block.tsdf = tsdf;
-      if (cell == 0) block.labels = std::shared_ptr<const LabelBlock>(new LabelBlock());
+      if (cell != 0) continue;
+      const auto labels = std::shared_ptr<LabelBlock>(new LabelBlock());
+      labels->AddObservation(5, ClassId(4));
+      block.labels = labels;
     }
     return blocks;
   }
@@ -174,14 +177,30 @@ TEST_F(TilePages, WhatIsRemovedIsReadFirstForStatesOfBefore) {
 }
 
 TEST_F(TilePages, WhatTheirVoxelsHaveSeenIsCountedOnceThoughTheyGo) {
+  const TileLabels expected{.classes = {{4, 1}}, .own = 1, .instances = 1};
   const auto tile = Tile();
-  EXPECT_EQ(tile->Labels(), TileLabels());
+  EXPECT_EQ(tile->Labels(), expected);
   EXPECT_FALSE(tile->IsRead()) << "what was read to count went again";
   EXPECT_EQ(source_->num_reads, 1);
-  (void)tile->entries();
+  const auto in_memory = std::make_shared<const BlockTile>(*tile);
+  EXPECT_EQ(source_->num_reads, 2) << "to be written to";
   const auto again = tile->Unread();
-  EXPECT_EQ(again->Labels(), TileLabels());
+  EXPECT_EQ(again->Labels(), expected);
+  EXPECT_EQ(in_memory->Labels(), expected);
+  const auto left = in_memory->LeftAt(source_);
+  EXPECT_EQ(left->Labels(), expected);
+  EXPECT_FALSE(left->IsRead());
   EXPECT_EQ(source_->num_reads, 2) << "not read to be counted again";
+}
+
+TEST_F(TilePages, TilesOnTheDiskKeepNoLongListOfWhatTheirVoxelsHaveSeen) {
+  BlockTile tile;
+  const auto labels = std::shared_ptr<LabelBlock>(new LabelBlock());
+  for (std::uint16_t c = 0; c < 50; ++c) labels->AddObservation(c, ClassId(c));
+  tile.FindOrInsert(BlockIn(kTile, 0)).labels = labels;
+  EXPECT_EQ(tile.Labels().classes.size(), 50u);
+  EXPECT_GT(tile.LabelsBytes(), 50u * 8);
+  EXPECT_EQ(tile.LeftAt(source_)->LabelsBytes(), 0u);
 }
 
 TEST_F(TilePages, ThatCannotBeReadCanBeRemoved) {

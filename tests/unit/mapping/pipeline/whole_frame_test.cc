@@ -165,11 +165,11 @@ TEST(WholeFrame, AHugeFrameStopsSoonAfterItIsToldTo) {
   using Clock = std::chrono::steady_clock;
   MapInfo info = Info();
   info.config.voxel_size_m = 0.002;
-  info.config.truncation_m = 0.1;
+  info.config.truncation_m = 0.016;
   info.config.integration.max_range_m = 1.2;
   PanopticFrame frame;
-  frame.camera.emplace().camera = {160, 120, 160, 160, 80, 60};
-  frame.camera->depth_m.assign(std::size_t{160} * 120, 1.0f);
+  frame.camera.emplace().camera = {640, 480, 640, 640, 320, 240};
+  frame.camera->depth_m.assign(std::size_t{640} * 480, 1.0f);
   MapBuilder builder(info, 2), untroubled(info, 2);
   const auto begin = Clock::now();
   ASSERT_TRUE(untroubled.Integrate(frame).ok());
