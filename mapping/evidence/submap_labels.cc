@@ -27,7 +27,7 @@ void RecomputeSubmapLabels(Submap& submap) {
   SubmapInfo& info = submap.mutable_info();
   if (info.panoptic == Panoptic::kUnknown) return;
   LabelTotals totals;
-  for (const TileEntry& tile : submap.blocks().tiles()) tile.tile->Labels().AddTo(totals);
+  for (const TileEntry& tile : submap.blocks().tiles()) tile.tile->AddLabelsTo(totals);
   if (totals.instances == 0) return;
   info.class_counts.clear();
   for (std::size_t id = 0; id < totals.classes.size(); ++id) {

@@ -9,7 +9,7 @@
 
 namespace dhpmap {
 
-/// Blocks that one frame may touch: each takes about 10 kB, new or copied. A camera frame of a room touches some
+/// Blocks that one frame may touch: each takes up to 10 kB, new or copied. A camera frame of a room touches some
 /// hundreds, a LiDAR scan of a street some ten thousand. Nor may it have more cells (BundleCell): each touches a block
 /// at least, and with its bundles takes memory before anything is touched.
 inline constexpr std::size_t kMaxBlocksAFrame = std::size_t{1} << 17;

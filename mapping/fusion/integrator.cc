@@ -174,8 +174,7 @@ class SegmentUpdate {
         ends_[num] = {&cell, &segment.bundles[b]};
         FillLane(segment.bundles[b], cell.block, origin, num, rays_);
         if (++num < kRayLanes) continue;
-        ThrowIfStopped(stop);
-        AddRays(num);
+        AddRays(num, stop);
         num = 0;
       }
     }
@@ -183,7 +182,7 @@ class SegmentUpdate {
     for (std::size_t lane = num; lane < kRayLanes; ++lane) {
       FillLane(*ends_[0].bundle, ends_[0].cell->block, origin, lane, rays_);
     }
-    AddRays(num);
+    AddRays(num, stop);
   }
 
   [[nodiscard]] std::int64_t num_updates() const { return num_updates_; }
@@ -196,7 +195,8 @@ class SegmentUpdate {
     const Bundle* bundle = nullptr;
   };
 
-  void AddRays(std::size_t num) {
+  void AddRays(std::size_t num, const std::stop_token& stop) {
+    ThrowIfStopped(stop);
     WalkRays(grid_, rays_, walked_);
     for (std::size_t lane = 0; lane < num; ++lane) {
       if (ends_[lane].cell != cell_) {

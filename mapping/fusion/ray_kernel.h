@@ -28,8 +28,8 @@ struct RayGrid {
 
 /// The voxels that rays cross within their bands (see RayBand), in order: those of one step one a lane.
 struct WalkedVoxels {
-  /// The truncation is at most a block's side, and so are longer bands: along no axis more than 10 borders are crossed,
-  /// and 30 in all. A ray so far from its sensor that single precision makes more of it is cut.
+  /// The truncation is at most a block's side, and so are longer bands: a ray crosses at most 2 * 8 * sqrt(3) + 3, so
+  /// 30, borders. One so far from its sensor that single precision makes more of it is cut.
   static constexpr std::size_t kMostSteps = 40;
   /// What a voxel is, or kNone: none, or nothing is written there. The block (x + 3 y + 9 z of 3^3, 13 the one in the
   /// middle) times kBlockVoxels, plus the voxel in it; kLabelled if labels are written there, too.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -30,6 +31,14 @@ struct BlockEntry {
   /// Whether a voxel says something of a surface: it was observed, and not contradicted since. Needs a TSDF.
   [[nodiscard]] bool Shows(int linear) const { return tsdf->IsObserved(linear) && !IsContradicted(linear); }
 };
+
+/// What LabelBlock::CountedBytes counts, of some blocks.
+template <typename Blocks>
+std::size_t LabelPlaneBytesOf(const Blocks& blocks) {
+  std::size_t bytes = 0;
+  for (const BlockEntry& block : blocks) bytes += block.labels != nullptr ? block.labels->CountedBytes() : 0;
+  return bytes;
+}
 
 /// The layers of a block.
 enum class BlockLayer : std::uint8_t { kTsdf, kLabels, kGone };

@@ -17,9 +17,16 @@ TileExtent BlockTile::Extent() const {
   return extent;
 }
 
-const TileLabels& BlockTile::Labels() const {
-  if (const TileLabels* known = labels_.Find()) return *known;
-  return labels_.Keep(LabelsOf(ScannedTile(*this).entries()));
+void BlockTile::AddLabelsTo(LabelTotals& totals) const {
+  if (const TileLabels* known = labels_.Find()) return known->AddTo(totals);
+  TileLabels labels = LabelsOf(ScannedTile(*this).entries());
+  labels.AddTo(totals);
+  if (page_ == nullptr || labels.IsShort()) labels_.Keep(std::move(labels));
+}
+
+void BlockTile::KeepShortLabelsOf(const BlockTile& other) {
+  const TileLabels* known = other.labels_.Find();
+  if (known != nullptr && known->IsShort()) labels_.Keep(*known);
 }
 
 bool BlockTile::CanBeUnread() const {
@@ -35,7 +42,7 @@ bool BlockTile::CanBeUnread() const {
 std::shared_ptr<const BlockTile> BlockTile::Unread() const {
   auto unread = std::make_shared<BlockTile>(page_->LetGo());
   if (const auto known = KnownExtent()) unread->extent_.Keep(*known);
-  unread->labels_.KeepLittleOf(labels_);
+  unread->KeepShortLabelsOf(*this);
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) unread->stored_[i].Adopt(stored_[i]);
   return unread;
 }
@@ -64,7 +71,7 @@ std::shared_ptr<const BlockTile> BlockTile::LeftAt(std::shared_ptr<TileSource> s
   PartNames named(std::move(names), part_id_.value());
   auto left = std::make_shared<BlockTile>(std::make_shared<const TilePage>(there, std::move(source), std::move(named)));
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) left->stored_[i].Adopt(stored_[i]);
-  left->labels_.KeepLittleOf(labels_);
+  left->KeepShortLabelsOf(*this);
   return left;
 }
 

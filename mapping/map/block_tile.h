@@ -72,11 +72,16 @@ class BlockTile {
   /// StatusError.
   [[nodiscard]] TileExtent Extent() const;
 
-  /// What its voxels have seen: counted when it is first asked for, until the tile is written to; what has to be read
-  /// for it goes again, if it can. Throws StatusError.
-  [[nodiscard]] const TileLabels& Labels() const;
+  /// Adds what its voxels have seen: counted when it is first asked for, until the tile is written to. Of a tile on the
+  /// disk that is kept if it is a short list, and what has to be read for it goes again, if it can. Throws StatusError.
+  void AddLabelsTo(LabelTotals& totals) const;
   /// What that takes in memory, beside the blocks.
   [[nodiscard]] std::size_t LabelsBytes() const { return labels_.MemoryBytes(); }
+
+  /// Of the label blocks in memory, what LabelBlock::CountedBytes counts; reads none, and is no use of any.
+  [[nodiscard]] std::size_t LabelPlaneBytes() const {
+    return page_ != nullptr ? page_->LabelPlaneBytes() : LabelPlaneBytesOf(entries_);
+  }
 
   /// Where a store has a layer of all blocks. Meaningful while nobody writes to the tile.
   [[nodiscard]] const StoredKey& stored(BlockLayer layer) const { return stored_[static_cast<std::size_t>(layer)]; }
@@ -109,6 +114,9 @@ class BlockTile {
     extent_.Forget();
     labels_.Forget();
   }
+
+  /// Of a tile of the same blocks.
+  void KeepShortLabelsOf(const BlockTile& other);
 
   PartId part_id_;
   std::uint64_t cells_ = 0;  ///< bit c: there is a block at cell c

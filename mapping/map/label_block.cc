@@ -38,22 +38,42 @@ LabelBlock::Cell LabelBlock::Cell::OfOneClass(std::uint16_t id, std::uint32_t co
   return {id, static_cast<std::uint16_t>(count), kWide, static_cast<std::uint16_t>(count >> 16)};
 }
 
+LabelBlock& LabelBlock::operator=(const LabelBlock& other) {
+  LabelBlock copy(other);
+  counts_ = std::move(copy.counts_);
+  cells_ = std::move(copy.cells_);
+  class_ = copy.class_;
+  overflow_ = std::move(copy.overflow_);
+  free_overflow_ = std::move(copy.free_overflow_);
+  concluded_ = copy.concluded_;
+  return *this;
+}
+
 LabelBlock::Cell& LabelBlock::Widen(int linear) {
   if (counts_) {
-    cells_.emplace();
+    Cells cells;
     for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-      if ((*counts_)[i] != 0) (*cells_)[i] = Cell::OfOneClass(class_, (*counts_)[i]);
+      if (counts_[i] != 0) cells[i] = Cell::OfOneClass(class_, counts_[i]);
     }
-    counts_.reset();
+    cells_ = std::move(cells);
+    counts_ = Counts::None();
   }
-  return (*cells_)[static_cast<std::size_t>(linear)];
+  return cells_[static_cast<std::size_t>(linear)];
+}
+
+bool LabelBlock::HasNoCount() const {
+  if (class_ == kNoClass) return true;
+  for (std::size_t i = 0; i < kBlockVoxels; ++i) {
+    if (counts_[i] != 0) return false;
+  }
+  return true;
 }
 
 bool LabelBlock::SetNarrow(int linear, LabelCount of_class) {
   if (!counts_) return false;
-  if (class_ == kNoClass) class_ = static_cast<std::uint16_t>(of_class.id);
+  if (of_class.id != class_ && HasNoCount()) class_ = static_cast<std::uint16_t>(of_class.id);
   if (of_class.id == class_ && of_class.count <= kMaxInlineCount) {
-    (*counts_)[static_cast<std::size_t>(linear)] = static_cast<std::uint16_t>(of_class.count);
+    counts_[static_cast<std::size_t>(linear)] = static_cast<std::uint16_t>(of_class.count);
     return true;
   }
   Widen(linear);
@@ -61,8 +81,8 @@ bool LabelBlock::SetNarrow(int linear, LabelCount of_class) {
 }
 
 void LabelBlock::AddObservationSlowly(int linear, ClassId c, std::uint32_t count) {
-  if (counts_ && (class_ == kNoClass || class_ == c.value)) {
-    const std::uint32_t before = (*counts_)[static_cast<std::size_t>(linear)];
+  if (counts_ && (class_ == c.value || HasNoCount())) {
+    const std::uint32_t before = counts_[static_cast<std::size_t>(linear)];
     if (SetNarrow(linear, {c.value, SumOfCounts(before, count)})) return;
   }
   Cell& cell = Widen(linear);
@@ -111,9 +131,10 @@ void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
   const auto& classes = histograms.classes;
   const auto& instances = histograms.instances;
   const bool is_own_alone = instances.size() == 1 && instances[0].id == kOwnInstance;
-  const bool is_of_one_class = is_own_alone && classes.size() == 1 && instances[0].count == classes[0].count;
+  const bool is_of_one_class =
+      is_own_alone && classes.size() == 1 && classes[0].count != 0 && instances[0].count == classes[0].count;
   if (counts_ && classes.empty() && instances.empty()) {
-    (*counts_)[static_cast<std::size_t>(linear)] = 0;
+    counts_[static_cast<std::size_t>(linear)] = 0;
     return;
   }
   if (is_of_one_class && SetNarrow(linear, classes[0])) return;
@@ -205,7 +226,7 @@ BestSeen<SeenInstance> LabelBlock::BestInstance(int linear) const {
 void LabelBlock::AddCountsTo(LabelTotals& totals) const {
   std::uint64_t all = 0, not_concluded = 0;
   for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-    const std::uint32_t count = (*counts_)[i];
+    const std::uint32_t count = counts_[i];
     all += count;
     not_concluded += IsConcluded(static_cast<int>(i)) ? 0 : count;
   }

@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "mapping/base/grid.h"
@@ -70,7 +68,7 @@ struct LabelTotals {
 };
 
 /// Exact label counts of one block (paper II-A, II-C). In most blocks, all voxels have seen one class and their own
-/// submap, if anything: a count of 2 bytes each. From the first that has seen more on, a voxel takes 8 bytes, in which
+/// submap, if anything: a count of 2 bytes each. Once one has seen more, each voxel takes 8 bytes for good, in which
 /// counts of one or two classes of the own instance are inline. Anything else (a third class, another instance, a count
 /// of one of two classes above 65,535) moves the voxel to an overflow list. A count ends at 2^32 - 1.
 /// Thread-compatible.
@@ -82,19 +80,25 @@ class LabelBlock {
  public:
   PartId part_id;  ///< of this block; no part of what it says
 
+  LabelBlock() = default;
+  LabelBlock(const LabelBlock& other) = default;
+  /// As a whole or, where memory does not suffice, not at all.
+  LabelBlock& operator=(const LabelBlock& other);
+  ~LabelBlock() = default;
+
   /// Adds one observation of class `c` that also counts for the own instance (paper II-C). `count` is what it counts,
   /// 1 to 65,535 (see TrackingConfig::SightingUnit).
   void AddObservation(int linear, ClassId c, std::uint32_t count = 1) {
     const auto i = static_cast<std::size_t>(linear);
     if (counts_) {
-      std::uint16_t& seen = (*counts_)[i];
+      std::uint16_t& seen = counts_[i];
       if (class_ == c.value && seen + count <= kMaxInlineCount) {  // nearly always
         seen = static_cast<std::uint16_t>(seen + count);
         return;
       }
     } else {
       // The lower half of a wide count, too, if that does not carry.
-      Cell& cell = (*cells_)[i];
+      Cell& cell = cells_[i];
       if (cell.class_a == c.value && cell.count_a != 0 && cell.count_a + count <= kMaxInlineCount) {
         cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
         return;
@@ -124,7 +128,7 @@ class LabelBlock {
   /// is below 65,535, the count 1 to 65,535.
   void SetFirst(int linear, LabelCount of_class) {
     if (SetNarrow(linear, of_class)) return;
-    (*cells_)[static_cast<std::size_t>(linear)] =
+    cells_[static_cast<std::size_t>(linear)] =
         Cell::OfOneClass(static_cast<std::uint16_t>(of_class.id), of_class.count);
   }
 
@@ -190,8 +194,8 @@ class LabelBlock {
   /// What a cell says, or would: of any block.
   [[nodiscard]] Cell CellAt(int linear) const {
     const auto i = static_cast<std::size_t>(linear);
-    if (!counts_) return (*cells_)[i];
-    const std::uint16_t count = (*counts_)[i];
+    if (!counts_) return cells_[i];
+    const std::uint16_t count = counts_[i];
     return count != 0 ? Cell{class_, count, 0, 0} : Cell{};
   }
   /// The cell to write to: makes cells of counts.
@@ -199,6 +203,8 @@ class LabelBlock {
   /// Of the own instance and one class alone, 0 to 65,535 times, where a count says all of it; else false, and there
   /// are cells.
   bool SetNarrow(int linear, LabelCount of_class);
+  /// Of a block of counts, which then may be of any class.
+  [[nodiscard]] bool HasNoCount() const;
   void AddCountsTo(LabelTotals& totals) const;
   void AddObservationSlowly(int linear, ClassId c, std::uint32_t count);
   [[nodiscard]] const LabelHistograms& Overflow(const Cell& cell) const;
@@ -208,8 +214,8 @@ class LabelBlock {
   using Cells = VoxelPlane<Cell>;
   static_assert(Cells::kBytes == 4096, "a page");
   // One of both.
-  std::optional<Counts> counts_{std::in_place};
-  std::optional<Cells> cells_;
+  Counts counts_;
+  Cells cells_ = Cells::None();
   std::uint16_t class_ = kNoClass;  ///< of the counts, from the first on
   std::vector<LabelHistograms> overflow_;
   std::vector<std::uint32_t> free_overflow_;

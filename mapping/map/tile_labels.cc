@@ -29,17 +29,10 @@ TileLabels LabelsOf(std::span<const BlockEntry> blocks) {
   return labels;
 }
 
-const TileLabels& KeptTileLabels::Keep(TileLabels labels) const {
+void KeptTileLabels::Keep(TileLabels labels) const {
   auto made = std::make_unique<const TileLabels>(std::move(labels));
   const TileLabels* kept = nullptr;
-  if (kept_.compare_exchange_strong(kept, made.get(), std::memory_order_acq_rel)) return *made.release();
-  return *kept;
-}
-
-void KeptTileLabels::KeepLittleOf(const KeptTileLabels& other) {
-  constexpr std::size_t kMostClasses = 4;  // in TilePage::TableBytes
-  const TileLabels* labels = other.Find();
-  if (labels != nullptr && labels->classes.size() <= kMostClasses) Keep(*labels);
+  if (kept_.compare_exchange_strong(kept, made.get(), std::memory_order_acq_rel)) (void)made.release();
 }
 
 std::size_t KeptTileLabels::MemoryBytes() const {

@@ -19,6 +19,8 @@ struct TileLabels {
   std::uint64_t own = 0, instances = 0;                          ///< see LabelTotals
 
   void AddTo(LabelTotals& totals) const;
+  /// Whether it is no more than what TilePage counts for a tile on the disk.
+  [[nodiscard]] bool IsShort() const { return classes.size() <= 8; }
   bool operator==(const TileLabels&) const = default;
 };
 
@@ -26,10 +28,11 @@ struct TileLabels {
 TileLabels LabelsOf(std::span<const BlockEntry> blocks);
 
 /// The labels of a tile, once somebody has counted. Whoever reads the tile may keep what was found, several at once, as
-/// all find the same; to forget it is for who writes. Nobody copies it. Thread-compatible beyond that.
+/// all find the same; to forget it is for who writes. Thread-compatible beyond that.
 class KeptTileLabels {
  public:
   KeptTileLabels() = default;
+  KeptTileLabels(const KeptTileLabels& other) = delete;
   KeptTileLabels(KeptTileLabels&& other) noexcept : kept_(other.kept_.exchange(nullptr)) {}
   KeptTileLabels& operator=(KeptTileLabels&& other) noexcept {
     if (this != &other) delete kept_.exchange(other.kept_.exchange(nullptr));
@@ -39,10 +42,7 @@ class KeptTileLabels {
 
   /// Null if nobody has.
   [[nodiscard]] const TileLabels* Find() const { return kept_.load(std::memory_order_acquire); }
-  /// Returns what is kept from then on.
-  const TileLabels& Keep(TileLabels labels) const;
-  /// What another one has kept, of the same blocks, unless it is much: for a tile that is to cost little.
-  void KeepLittleOf(const KeptTileLabels& other);
+  void Keep(TileLabels labels) const;
   void Forget() {
     if (kept_.load(std::memory_order_relaxed) != nullptr) delete kept_.exchange(nullptr);
   }

@@ -23,7 +23,7 @@ PageCounters& Counters() {
 
 /// About: the page, the BlockTile, its labels, the entry in a table and the marks, with what the allocator adds, but
 /// for names that it has of its own.
-constexpr std::int64_t kTileTableBytes = 768;
+constexpr std::int64_t kTileTableBytes = 832;
 
 std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {
   std::size_t bytes = blocks.capacity() * sizeof(BlockEntry);
@@ -95,6 +95,7 @@ void TilePage::Read() const {
   }
   blocks_ = std::move(blocks).value();
   num_bytes_ = BytesOf(blocks_);
+  num_label_plane_bytes_ = LabelPlaneBytesOf(blocks_);
   PageReader::Count(static_cast<std::int64_t>(num_bytes_));
   Counters().num_reads.fetch_add(1, std::memory_order_relaxed);
   Counters().resident_bytes.fetch_add(static_cast<std::int64_t>(num_bytes_), std::memory_order_relaxed);

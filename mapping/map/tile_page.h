@@ -77,6 +77,8 @@ class TilePage {
 
   /// Of the blocks, if they are read.
   [[nodiscard]] std::size_t BlockBytes() const { return IsRead() ? num_bytes_ : 0; }
+  /// Likewise, what LabelBlock::CountedBytes counts.
+  [[nodiscard]] std::size_t LabelPlaneBytes() const { return IsRead() ? num_label_plane_bytes_ : 0; }
 
  private:
   /// What a tile takes that is on the disk, counted as long as this lives: its page, what knows of it in a state, and
@@ -113,7 +115,7 @@ class TilePage {
   mutable std::atomic<bool> is_used_ = false;
   // Written once, before is_read_.
   mutable std::vector<BlockEntry> blocks_;
-  mutable std::size_t num_bytes_ = 0;
+  mutable std::size_t num_bytes_ = 0, num_label_plane_bytes_ = 0;
 };
 
 /// What pages of all maps have in memory, and what was done for it. Of the process; thread-safe.

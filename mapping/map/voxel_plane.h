@@ -12,18 +12,21 @@ namespace dhpmap {
 
 /// One value a voxel of a block, zero at first, in an allocation of its own: where that is a whole page, the allocator
 /// rounds nothing up and gives the page back with the block, whatever its neighbours do. Indexed by LinearIndex. Copies
-/// are deep; it is never without its values, so there is no moving. Counted as MemoryKind::kBlocks. Thread-compatible.
+/// are deep. Counted as MemoryKind::kBlocks. Thread-compatible.
 template <typename T>
 class VoxelPlane {
  public:
   VoxelPlane() : values_(std::make_unique<Values>()) {}
-  VoxelPlane(const VoxelPlane& other) : values_(std::make_unique<Values>(*other.values_)) {}
-  VoxelPlane& operator=(const VoxelPlane& other) {
-    *values_ = *other.values_;
-    return *this;
-  }
+  /// Without values; so is one that was moved from.
+  static VoxelPlane None() { return VoxelPlane(nullptr); }
+  VoxelPlane(const VoxelPlane& other) : values_(other ? std::make_unique<Values>(*other.values_) : nullptr) {}
+  VoxelPlane& operator=(const VoxelPlane& other) { return *this = VoxelPlane(other); }
+  VoxelPlane(VoxelPlane&& other) noexcept = default;
+  VoxelPlane& operator=(VoxelPlane&& other) noexcept = default;
   ~VoxelPlane() = default;
 
+  /// Whether it has values.
+  explicit operator bool() const { return values_ != nullptr; }
   T& operator[](std::size_t linear) { return values_->all[linear]; }
   const T& operator[](std::size_t linear) const { return values_->all[linear]; }
 
@@ -35,6 +38,8 @@ class VoxelPlane {
     static void* operator new(std::size_t bytes) { return NewCounted(MemoryKind::kBlocks, bytes, bytes); }
     static void operator delete(void* values, std::size_t bytes) { DeleteCounted(MemoryKind::kBlocks, values, bytes); }
   };
+  explicit VoxelPlane(std::nullptr_t) {}
+
   std::unique_ptr<Values> values_;
 };
 

@@ -54,11 +54,6 @@ bool HasCounts(const BlockTile& tile) {
                      [](const BlockEntry& entry) { return entry.gone != nullptr; });
 }
 
-/// What left long ago takes nothing with it any more.
-bool IsThereOrLeftLately(const Submap& thing, const Viewpoint& from) {
-  return !thing.IsAbsent() || IsWithin(kLeavesFor_ns, from.stamp_ns, thing.info().last_contradicted_ns);
-}
-
 /// Takes the voxels of the submap that lie in the region out of a block.
 void LeaveOutRegion(const Region& region, const SubmapInfo& info, ContradictedBlock& block) {
   const double half_m = 0.5 * kBlockSide * info.voxel_size_m;
@@ -156,14 +151,14 @@ void GoneFinder::NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::st
   }
 }
 
-void GoneFinder::AddUp(const Viewpoint& from) {
+void GoneFinder::AddUp() {
   together_.Clear();
   leaving_.Clear();
   for (std::size_t i = 0; i < num_jobs_; ++i) {
-    const bool is_leaving = jobs_[i].role == Role::kMayHaveLeft && IsThereOrLeftLately(*jobs_[i].submap, from);
     for (const ContradictedBlock& block : jobs_[i].found) {
       together_.Add(block.index, block.num_in_all);
-      if (is_leaving) leaving_.Add(block.index, block.num_in_all);
+      // What was looked through before takes nothing with it any more.
+      if (jobs_[i].role == Role::kMayHaveLeft) leaving_.Add(block.index, block.num_voxels);
     }
   }
 }
@@ -182,7 +177,7 @@ bool GoneFinder::IsEnough(const ContradictedBlock& block) const {
 }
 
 std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
-  AddUp(from);
+  AddUp();
   std::vector<SubmapId> changed;
   for (std::size_t i = 0; i < num_jobs_; ++i) {
     std::erase_if(jobs_[i].found, [&](const ContradictedBlock& block) { return !IsEnough(block); });

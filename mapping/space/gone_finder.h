@@ -21,7 +21,7 @@ namespace dhpmap {
 /// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number of
 /// the frame, until something of them is counted, but for those of things that the same frame has not observed: of what
 /// may have left there may be few views. What no prediction named of such a thing is in the unknown submap: in these
-/// tiles it takes no turns either, and where the same look goes through the thing, in a block or right beside it, one
+/// tiles it takes no turns either, and where the same look goes through such things, in a block or right beside it, one
 /// look at what is nameless counts as two. Submaps that somebody has put where they are or has locked, and those on
 /// another grid than the map's, which were moved, are left alone, and so are voxels in regions that are kept clear, of
 /// which no point is seen. Keeps its buffers but for a few maps of indices. Thread-compatible.
@@ -92,9 +92,9 @@ class GoneFinder {
   void AddJob(const Submap& submap, const TileEntry& entry, Role role, std::uint64_t turn);
   /// Reads what is on the disk of the tiles that have counts.
   void NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop);
-  void AddUp(const Viewpoint& from);
+  void AddUp();
   [[nodiscard]] bool IsEnough(const ContradictedBlock& block) const;
-  /// Whether a thing that is leaving is looked through there or right beside it.
+  /// Whether things that are leaving are looked through there or right beside it.
   [[nodiscard]] bool IsByWhatLeaves(BlockIndex block) const;
   std::vector<SubmapId> Count(const Viewpoint& from, Map& map);
 
@@ -105,7 +105,7 @@ class GoneFinder {
   std::size_t num_jobs_ = 0;
   LeftBlocks left_;      ///< before the look
   LeftBlocks together_;  ///< after it, with what it says
-  LeftBlocks leaving_;   ///< of them, those of things that the frame has not observed, if they were there a minute ago
+  LeftBlocks leaving_;   ///< of the look alone, what goes through things that the frame has not observed
 };
 
 }  // namespace dhpmap

@@ -16,13 +16,8 @@ void AddBlocks(const Submap& submap, MapStats& stats) {
     const std::int64_t num_tsdf = std::popcount(tile.tile->CellsWith(BlockLayer::kTsdf));
     stats.num_label_blocks += num_labels;
     stats.num_tsdf_blocks += num_tsdf;
-    if (tile.tile->IsRead()) {
-      stats.num_label_blocks_in_memory += num_labels;
-      stats.num_tsdf_blocks_in_memory += num_tsdf;
-      for (const ScannedTile scanned(*tile.tile); const BlockEntry& entry : scanned.entries()) {
-        if (entry.labels) stats.label_plane_bytes_in_memory += static_cast<std::int64_t>(entry.labels->CountedBytes());
-      }
-    }
+    stats.num_tsdf_blocks_in_memory += tile.tile->IsRead() ? num_tsdf : 0;
+    stats.label_plane_bytes_in_memory += static_cast<std::int64_t>(tile.tile->LabelPlaneBytes());
   }
 }
 

@@ -23,8 +23,7 @@ struct MapStats {
   std::int64_t num_observed_voxels = 0;
   // Of the blocks, those that are not left in the store (see TilePage).
   std::int64_t num_tsdf_blocks_in_memory = 0;
-  std::int64_t num_label_blocks_in_memory = 0;
-  std::int64_t label_plane_bytes_in_memory = 0;  ///< of theirs, what LabelBlock::CountedBytes counts
+  std::int64_t label_plane_bytes_in_memory = 0;  ///< see LabelBlock::CountedBytes
   std::int64_t memory_bytes = 0;
 };
 

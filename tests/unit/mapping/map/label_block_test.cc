@@ -161,8 +161,11 @@ TEST(LabelBlock, OfOneClassAgreesWithANaiveOneUntilAnotherComes) {
       }
       for (const auto& [voxel, of_voxel] : naive) ExpectSame(block, voxel, of_voxel);
       if (step % 50 == 0) {
-        const LabelBlock copy = block;
-        EXPECT_TRUE(copy == block);
+        LabelBlock assigned;
+        if (random() % 2 == 0) assigned.Set(0, {{{1, 1}, {2, 1}}, {{kOwnInstance, 2}}});
+        assigned = block;
+        EXPECT_TRUE(assigned == block && LabelBlock(block) == block);
+        EXPECT_EQ(assigned.CountedBytes(), block.CountedBytes());
       }
       EXPECT_GE(block.MemoryBytes(), most_bytes) << "cells stay";
       most_bytes = block.CountedBytes();
@@ -172,7 +175,8 @@ TEST(LabelBlock, OfOneClassAgreesWithANaiveOneUntilAnotherComes) {
 }
 
 TEST(LabelBlock, TotalsAreThoseOfAllVoxelsWithoutTheClassesOfWhatIsConcluded) {
-  for (unsigned seed = 0; seed < 10; ++seed) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const bool is_of_one_class = seed % 2 == 0;
     std::mt19937 random(seed);
     LabelBlock block;
     std::map<std::uint32_t, std::uint64_t> classes;
@@ -181,6 +185,8 @@ TEST(LabelBlock, TotalsAreThoseOfAllVoxelsWithoutTheClassesOfWhatIsConcluded) {
       LabelHistograms seen = RandomHistograms(random);
       if (random() % 2 == 0)
         seen = {{{static_cast<std::uint32_t>(1 + random() % 3), 7}}, {{kOwnInstance, 7}}};  // inline
+      if (is_of_one_class)
+        seen = LabelHistograms::OfClass(ClassId(9), 1 + static_cast<std::uint32_t>(random() % 65'535));
       block.Set(linear, seen);
       const bool is_concluded = random() % 3 == 0;
       block.SetConcluded(linear, is_concluded);
@@ -190,6 +196,7 @@ TEST(LabelBlock, TotalsAreThoseOfAllVoxelsWithoutTheClassesOfWhatIsConcluded) {
         own += c.id.IsOwn() ? c.count : 0;
       }
     }
+    EXPECT_EQ(block.CountedBytes(), (is_of_one_class ? 2u : 8u) * kBlockVoxels);
     LabelTotals totals;
     block.AddTo(totals);
     EXPECT_EQ(totals.own, own);
@@ -323,6 +330,15 @@ TEST(LabelBlock, OverflowPlacesAreUsedAgain) {
 }
 
 TEST(LabelBlock, KeepsHistogramsWithZeroCountsAsTheyAre) {
+  for (const bool is_of_one_class : {true, false}) {
+    LabelBlock block;
+    if (!is_of_one_class) block.Set(9, {{{1, 1}, {2, 1}}, {{kOwnInstance, 2}}});
+    const LabelHistograms zero{{{5, 0}}, {{kOwnInstance, 0}}};
+    block.Set(3, zero);
+    EXPECT_EQ(block.Get(3), zero);
+    EXPECT_FALSE(block.IsEmpty(3));
+  }
+
   LabelBlock block;
   const LabelHistograms odd{{{1, 0}, {2, 5}}, {{kOwnInstance, 5}}};
   block.Set(0, odd);

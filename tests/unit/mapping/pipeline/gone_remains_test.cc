@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "mapping/space/free_space_finder.h"
 #include "mapping/space/presence.h"
 #include "tests/unit/mapping/pipeline/gone_scene.h"
 
@@ -174,6 +175,36 @@ TEST(GoneRemains, WhatIsNamelessBesideAThingThatIsOnlyOverlookedIsLookedThroughT
   EXPECT_GE(ShareWithSurface(session.Now(), of_crate), 0.99);
   session.Walk(With(EmptyRoom(), overlooked), 4);
   EXPECT_LE(ShareWithSurface(session.Now(), of_crate), 0.3);
+}
+
+TEST(GoneRemains, WhatAThingLostLongAgoTakesNothingWithIt) {
+  const Solid back = Box(kChair, {1.5, 0.2, 1.0}, {0.04, 0.25, 0.2}),
+              crate = Box(kNobody, {1.9, 0.2, 1.0}, {0.04, 0.25, 0.2});
+  Session session;
+  session.Walk(With(With(EmptyRoom(), Chair()), back), 12);
+  session.Walk(With(EmptyRoom(), Chair()), 14);
+  const Submap* chair = FindThing(*session.Now(), kChair);
+  ASSERT_NE(chair, nullptr);
+  ASSERT_GT(CountSurfaceVoxels(*chair).contradicted, 50);
+  session.next_ += 1200;  // two minutes
+  session.Walk(With(With(EmptyRoom(), Chair()), crate), 12);
+  const auto of_crate = WithSurface(session.Now(), PointsOf(crate));
+  ASSERT_GT(of_crate.size(), 30u);
+  Solid overlooked = Chair();
+  overlooked.segment = kNobody.value;
+  session.Walk(With(EmptyRoom(), overlooked), 2);
+  EXPECT_GE(ShareWithSurface(session.Now(), of_crate), 0.99);
+}
+
+TEST(GoneRemains, ChangedSubmapsAreToldByAscendingIdTheUnknownOneFirst) {
+  const Solid back = Box(kNobody, {1.9, 0.2, 1.0}, {0.04, 0.25, 0.2});
+  Session session;
+  session.Walk(With(With(EmptyRoom(), Chair()), back), 12);
+  ThreadPool pool(1);
+  const auto changed = FreeSpaceFinder().Look(testing::WalkFrame(EmptyRoom(), 13), session.map(), pool);
+  ASSERT_GE(changed.size(), 2u);
+  EXPECT_EQ(changed.front(), kUnknownSubmap);
+  EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end()));
 }
 
 TEST(GoneRemains, StampsMayBeAsFarApartAsTheyCan) {
