@@ -192,6 +192,28 @@ TEST(LabelCodec, TheSameCountsAreTheSameBytesHoweverTheyCameAbout) {
   EXPECT_EQ(EncodeLabelBlock(one, kIndex), EncodeLabelBlock(other, kIndex));
 }
 
+TEST(LabelCodec, ABlockOfOneClassIsTheSameBytesWhicheverWayItIsHeld) {
+  for (const std::uint16_t c : {std::uint16_t{0}, std::uint16_t{7}, std::uint16_t{65'534}}) {
+    LabelBlock counts, cells;
+    cells.Set(500, {{{1, 1}, {2, 1}}, {{kOwnInstance, 2}}});
+    cells.Clear(500);
+    for (int i = 0; i < 200; ++i) {
+      const std::uint32_t count = i % 10 == 0 ? 65'535 : 1 + static_cast<std::uint32_t>(i);
+      counts.AddObservation(i, ClassId(c), count);
+      cells.AddObservation(i, ClassId(c), count);
+    }
+    counts.SetConcluded(3, true);
+    cells.SetConcluded(3, true);
+    ASSERT_LT(counts.CountedBytes(), cells.CountedBytes());
+    const Bytes bytes = EncodeLabelBlock(counts, kIndex);
+    EXPECT_EQ(bytes, EncodeLabelBlock(cells, kIndex));
+    LabelBlock decoded;
+    ASSERT_TRUE(DecodeLabelBlock(bytes, kIndex, decoded).ok());
+    EXPECT_EQ(decoded.CountedBytes(), counts.CountedBytes());
+    EXPECT_EQ(EncodeLabelBlock(decoded, kIndex), bytes);
+  }
+}
+
 TEST(LabelCodec, AnEmptyBlockIsTiny) {
   EXPECT_LT(EncodeLabelBlock(LabelBlock(), kIndex).size(), 40u);
   EXPECT_TRUE(RoundTrip(LabelBlock()) == LabelBlock());
