@@ -110,7 +110,7 @@ std::uint64_t BlockTile::CellsWith(BlockLayer layer) const {
 }
 
 std::size_t BlockTile::MemoryBytes() const {
-  std::size_t bytes = sizeof(*this) + entries_.capacity() * sizeof(BlockEntry) + labels_.MemoryBytes();
+  std::size_t bytes = sizeof(*this) + entries_.capacity() * sizeof(BlockEntry);
   if (page_ != nullptr) return bytes + sizeof(*page_) + page_->BlockBytes();
   for (const BlockEntry& entry : entries_) {
     if (entry.tsdf) bytes += entry.tsdf->MemoryBytes();

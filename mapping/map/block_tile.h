@@ -102,7 +102,7 @@ class BlockTile {
   /// Whether its blocks are in memory.
   [[nodiscard]] bool IsRead() const { return page_ == nullptr || page_->IsRead(); }
 
-  /// Of what is in memory.
+  /// Of what is in memory, but for what was found of it meanwhile (LabelsBytes): the same for the same blocks.
   [[nodiscard]] std::size_t MemoryBytes() const;
 
  private:
