@@ -163,36 +163,43 @@ TEST(GoneRemains, WhatNoPredictionNamedOfAThingLeavesWithIt) {
   EXPECT_LE(ShareWithSurface(session.Now(), of_back), 0.2) << "two looks";
 }
 
-TEST(GoneRemains, WhatIsNamelessBesideAThingThatIsOnlyOverlookedIsLookedThroughThreeTimes) {
-  const Solid crate = Box(kNobody, {1.9, 0.2, 1.0}, {0.04, 0.25, 0.2});
-  Session session;
-  session.Walk(With(With(EmptyRoom(), Chair()), crate), 12);
-  const auto of_crate = WithSurface(session.Now(), PointsOf(crate));
-  ASSERT_GT(of_crate.size(), 30u);
+/// A chair that no prediction names.
+Scene RoomWithOverlookedChair() {
   Solid overlooked = Chair();
   overlooked.segment = kNobody.value;
-  session.Walk(With(EmptyRoom(), overlooked), 2);
+  return With(EmptyRoom(), overlooked);
+}
+
+/// A nameless crate stands beside the chair for a while, then is gone for two frames, which overlook the chair. Returns
+/// points of the crate that had a surface.
+std::vector<Eigen::Vector3d> TakeCrateAwayFromOverlookedChair(Session& session) {
+  const Solid crate = Box(kNobody, {1.9, 0.2, 1.0}, {0.04, 0.25, 0.2});
+  session.Walk(With(With(EmptyRoom(), Chair()), crate), 12);
+  std::vector<Eigen::Vector3d> of_crate = WithSurface(session.Now(), PointsOf(crate));
+  EXPECT_GT(of_crate.size(), 30u);
+  session.Walk(RoomWithOverlookedChair(), 2);
+  return of_crate;
+}
+
+TEST(GoneRemains, WhatIsNamelessBesideAThingThatIsOnlyOverlookedIsLookedThroughThreeTimes) {
+  Session session;
+  const auto of_crate = TakeCrateAwayFromOverlookedChair(session);
   EXPECT_GE(ShareWithSurface(session.Now(), of_crate), 0.99);
-  session.Walk(With(EmptyRoom(), overlooked), 4);
+  session.Walk(RoomWithOverlookedChair(), 4);
   EXPECT_LE(ShareWithSurface(session.Now(), of_crate), 0.3);
 }
 
 TEST(GoneRemains, WhatAThingLostLongAgoTakesNothingWithIt) {
-  const Solid back = Box(kChair, {1.5, 0.2, 1.0}, {0.04, 0.25, 0.2}),
-              crate = Box(kNobody, {1.9, 0.2, 1.0}, {0.04, 0.25, 0.2});
+  const Solid back = Box(kChair, {1.5, 0.2, 1.0}, {0.04, 0.25, 0.2});
   Session session;
   session.Walk(With(With(EmptyRoom(), Chair()), back), 12);
   session.Walk(With(EmptyRoom(), Chair()), 14);
-  const Submap* chair = FindThing(*session.Now(), kChair);
+  const auto before = session.Now();
+  const Submap* chair = FindThing(*before, kChair);
   ASSERT_NE(chair, nullptr);
   ASSERT_GT(CountSurfaceVoxels(*chair).contradicted, 50);
   session.next_ += 1200;  // two minutes
-  session.Walk(With(With(EmptyRoom(), Chair()), crate), 12);
-  const auto of_crate = WithSurface(session.Now(), PointsOf(crate));
-  ASSERT_GT(of_crate.size(), 30u);
-  Solid overlooked = Chair();
-  overlooked.segment = kNobody.value;
-  session.Walk(With(EmptyRoom(), overlooked), 2);
+  const auto of_crate = TakeCrateAwayFromOverlookedChair(session);
   EXPECT_GE(ShareWithSurface(session.Now(), of_crate), 0.99);
 }
 
