@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <iterator>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -84,6 +85,7 @@ TEST_F(TilePages, AreReadOnceForAllWhoAskAndNotForWhatIsKnown) {
 
   std::vector<const BlockEntry*> found(4);
   std::vector<std::thread> readers;
+  readers.reserve(std::size(found));
   for (auto& entry : found) readers.emplace_back([&tile, &entry] { entry = tile->Find(3); });
   for (std::thread& reader : readers) reader.join();
   EXPECT_EQ(source_->num_reads, 1);
