@@ -81,7 +81,7 @@ bool LabelBlock::SetNarrow(int linear, LabelCount of_class) {
 }
 
 void LabelBlock::AddObservationSlowly(int linear, ClassId c, std::uint32_t count) {
-  if (counts_ && (class_ == c.value || HasNoCount())) {
+  if (counts_) {
     const std::uint32_t before = counts_[static_cast<std::size_t>(linear)];
     if (SetNarrow(linear, {c.value, SumOfCounts(before, count)})) return;
   }
