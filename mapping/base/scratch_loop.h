@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/thread_pool.h"
 
 namespace dhpmap {
@@ -13,6 +14,7 @@ namespace dhpmap {
 /// scratch at a time. What it holds from earlier items must not change what item i gives.
 template <typename Scratch, typename Body>
 void ParallelForWithScratch(ThreadPool& pool, std::size_t count, std::vector<Scratch>& scratch, const Body& body) {
+  static_assert(alignof(Scratch) >= kCacheLineBytes, "those of two threads lie side by side");
   const auto num_lanes = static_cast<std::size_t>(pool.num_threads());
   if (scratch.size() < num_lanes) scratch.resize(num_lanes);
   std::atomic<std::size_t> next{0};

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/scratch_loop.h"
 
 namespace dhpmap {
@@ -18,7 +20,7 @@ constexpr std::size_t kPieceGhosts = 4096;
 
 /// What one thread works with. Numbers the keys of a chunk in the order in which they come up.
 template <int D>
-struct LatticeBuilder<D>::Lane {
+struct alignas(kCacheLineBytes) LatticeBuilder<D>::Lane {
   ScratchVector<std::uint16_t> slots = ScratchVector<std::uint16_t>(2048, kFree);
   ScratchVector<std::uint32_t> hashes;  ///< by number
   ScratchVector<Key> keys;              ///< by number
@@ -105,10 +107,10 @@ void LatticeBuilder<D>::FindCorners(std::span<const typename Lattice::Feature> f
 
 template <int D>
 void LatticeBuilder<D>::SortByPart(ChunkRows& rows) const {
-  rows.part_begin.fill(0);
-  for (const Key& key : rows.keys) ++rows.part_begin[PartOf(HashOfKey(key)) + 1];
-  for (std::size_t part = 0; part < kNumParts; ++part) rows.part_begin[part + 1] += rows.part_begin[part];
-  std::array<std::uint32_t, kNumParts + 1> at = rows.part_begin;
+  std::array<std::uint32_t, kNumParts + 1> at{};
+  for (const Key& key : rows.keys) ++at[PartOf(HashOfKey(key)) + 1];
+  for (std::size_t part = 0; part < kNumParts; ++part) at[part + 1] += at[part];
+  rows.part_begin = at;
   rows.by_part.resize(rows.keys.size());
   for (std::size_t row = 0; row < rows.keys.size(); ++row) {
     rows.by_part[at[PartOf(HashOfKey(rows.keys[row]))]++] = static_cast<std::uint16_t>(row);
@@ -219,13 +221,15 @@ void LatticeBuilder<D>::FindNext(int axis, std::size_t begin, std::size_t end) {
 }
 
 template <int D>
-void LatticeBuilder<D>::ListChains(std::size_t begin, std::size_t end, ScratchVector<std::uint32_t>& chains) const {
+void LatticeBuilder<D>::ListChains(std::size_t begin, std::size_t end, ScratchVector<std::uint32_t>& listed) const {
+  ScratchVector<std::uint32_t> chains = std::move(listed);  // see kCacheLineBytes
   chains.clear();
   for (std::size_t row = begin; row < end; ++row) {
     if (next_[row] == kNone || has_previous_[row] != 0) continue;
     chains.push_back(static_cast<std::uint32_t>(row) | LatticeGraph::kChainStart);
     for (std::uint32_t r = next_[row]; r != kNone; r = next_[r]) chains.push_back(r);
   }
+  listed = std::move(chains);
 }
 
 template <int D>

@@ -58,7 +58,7 @@ class LatticeBuilder {
   [[nodiscard]] const Entry& Slot(std::uint32_t hash) const;
   [[nodiscard]] std::uint32_t Find(Key key, std::uint32_t hash) const;
   void FindNext(int axis, std::size_t begin, std::size_t end);
-  void ListChains(std::size_t begin, std::size_t end, ScratchVector<std::uint32_t>& chains) const;
+  void ListChains(std::size_t begin, std::size_t end, ScratchVector<std::uint32_t>& listed) const;
 
   ThreadPool& pool_;
   std::vector<Lane> lanes_;

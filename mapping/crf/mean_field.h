@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/refinement_scratch.h"
 #include "mapping/crf/permutohedral_lattice.h"
 
@@ -47,7 +48,7 @@ enum class MeanFieldPass {
 };
 
 /// Working memory of one thread; its contents mean nothing between passes.
-struct MeanFieldScratch {
+struct alignas(kCacheLineBytes) MeanFieldScratch {
   ScratchVector<float> smoothness_rows, appearance_rows;  ///< what is being splatted
   ScratchVector<float> q, tails;                          ///< marginals of some points; last unaries of each
 };

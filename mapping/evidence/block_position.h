@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/refinement_scratch.h"
 #include "mapping/evidence/voxel_merge.h"
 #include "mapping/map/map.h"
@@ -26,7 +27,7 @@ struct Holder {
 };
 
 /// The submaps that hold a block at one index, by ascending id. A voxel is written at most once.
-struct Position {
+struct alignas(kCacheLineBytes) Position {
   BlockIndex index;
   ScratchVector<Holder> holders;
   std::int64_t num_shared = 0, num_moved = 0;

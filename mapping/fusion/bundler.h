@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/memory_count.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/base/transform.h"
@@ -37,7 +38,7 @@ class Bundler {
 
  private:
   /// What a thread works on a segment with.
-  struct Room {
+  struct alignas(kCacheLineBytes) Room {
     std::vector<std::uint32_t> cell_of;
     MomentPyramid pyramid;
   };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 namespace dhpmap {
 namespace {
@@ -84,9 +85,9 @@ void CollectCameraRuns(const DepthCameraData& data, const SensorOnGrid& grid, co
   static constexpr std::array<std::uint32_t, RowRoom::kWidth> no_segments{};
   bands.resize(static_cast<std::size_t>((camera.height_px + kRowsPerBand - 1) / kRowsPerBand));
   pool.ParallelFor(bands.size(), [&](std::size_t band) {
-    std::vector<PointRun>& runs = bands[band];
-    runs.clear();
+    bands[band].clear();
     if (tally.is_too_large()) return;
+    std::vector<PointRun> runs = std::move(bands[band]);  // see kCacheLineBytes
     RowRoom room;
     KnownRuns known(runs);
     const int end_row = std::min(camera.height_px, static_cast<int>(band + 1) * kRowsPerBand);
@@ -111,6 +112,7 @@ void CollectCameraRuns(const DepthCameraData& data, const SensorOnGrid& grid, co
       }
     }
     tally.NoteRuns(runs);
+    bands[band] = std::move(runs);
   });
 }
 
@@ -119,9 +121,9 @@ void CollectLidarRuns(const LidarData& data, const SensorOnGrid& grid, const Int
   const std::size_t num_points = data.points_m.size();
   bands.resize((num_points + kPointsPerBand - 1) / kPointsPerBand);
   pool.ParallelFor(bands.size(), [&](std::size_t band) {
-    std::vector<PointRun>& runs = bands[band];
-    runs.clear();
+    bands[band].clear();
     if (tally.is_too_large()) return;
+    std::vector<PointRun> runs = std::move(bands[band]);  // see kCacheLineBytes
     KnownRuns known(runs);
     const std::size_t end = std::min(num_points, (band + 1) * kPointsPerBand);
     for (std::size_t i = band * kPointsPerBand; i < end; ++i) {
@@ -139,6 +141,7 @@ void CollectLidarRuns(const LidarData& data, const SensorOnGrid& grid, const Int
       run.weighted_color += Eigen::Array4f(weight * color.r, weight * color.g, weight * color.b, 1.0f);
     }
     tally.NoteRuns(runs);
+    bands[band] = std::move(runs);
   });
 }
 

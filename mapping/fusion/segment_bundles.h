@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/grid.h"
 #include "mapping/map/voxel_mask.h"
 
@@ -53,7 +54,7 @@ struct BundleCell {
 };
 
 /// One segment of a frame, bundled on a grid.
-class SegmentBundles {
+class alignas(kCacheLineBytes) SegmentBundles {
  public:
   /// Row of the frame's segment table, or -1 for points of no known object.
   int row = -1;

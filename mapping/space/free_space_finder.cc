@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/stopped.h"
 #include "mapping/map/free_space.h"
 #include "mapping/space/camera_view.h"
@@ -18,7 +19,7 @@ namespace {
 // Tiles are looked at in parts of so many, so that what they are found to be takes some 1 MB.
 constexpr std::size_t kTilesAPart = 256;
 
-struct Found {
+struct alignas(kCacheLineBytes) Found {
   FreeBlocks blocks;
   bool is_news = false;
 };

@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/index_map.h"
 #include "mapping/base/stopped.h"
 #include "mapping/base/thread_pool.h"
@@ -62,7 +63,7 @@ class GoneFinder {
     kNameless,     ///< the unknown submap, which has parts of anything
   };
 
-  struct Job {
+  struct alignas(kCacheLineBytes) Job {
     SubmapId id;
     // Until the map is written to:
     const Submap* submap = nullptr;
