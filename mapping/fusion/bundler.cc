@@ -2,9 +2,9 @@
 #include "mapping/fusion/bundler.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "mapping/base/largest_first.h"
 #include "mapping/base/scratch_loop.h"
 #include "mapping/fusion/bundle_cells.h"
 #include "mapping/fusion/sorted_runs.h"
@@ -15,15 +15,10 @@ namespace dhpmap {
 Bundler::Bundler(const IntegrationConfig& config, ThreadPool& pool) : config_(config), pool_(pool) {}
 Bundler::~Bundler() = default;
 
-void Bundler::HandOutSegments(const std::vector<RunsOfSegment>& ranges) {
+void Bundler::HandOutSegments(const std::vector<RunsOfSegment>& ranges, std::span<const std::size_t> by_size) {
   std::vector<SegmentBundles> kept = std::exchange(segments_, {});
   std::sort(kept.begin(), kept.end(), [](const SegmentBundles& a, const SegmentBundles& b) {
     return a.bundles.capacity() > b.bundles.capacity();
-  });
-  std::vector<std::size_t> by_size(ranges.size());
-  std::iota(by_size.begin(), by_size.end(), 0);
-  std::sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b) {
-    return ranges[a].end - ranges[a].begin > ranges[b].end - ranges[b].begin;
   });
   segments_.resize(ranges.size());
   for (std::size_t i = 0; i < std::min(kept.size(), ranges.size()); ++i) {
@@ -35,15 +30,20 @@ void Bundler::HandOutSegments(const std::vector<RunsOfSegment>& ranges) {
 
 void Bundler::BundleSegments(const PanopticFrame& frame, double voxel_size_m, FrameTally& tally) {
   const std::vector<RunsOfSegment> ranges = SortRunsBySegment(frame.segments, bands_, positions_, sorted_runs_);
-  HandOutSegments(ranges);
-  ParallelForWithScratch(pool_, ranges.size(), rooms_, [&](std::size_t s, Room& room) {
+  std::vector<std::size_t> sizes;
+  sizes.reserve(ranges.size());
+  for (const RunsOfSegment& range : ranges) sizes.push_back(range.end - range.begin);
+  const std::vector<std::size_t> by_size = LargestFirst(sizes);
+  HandOutSegments(ranges, by_size);
+  ParallelForWithScratch(pool_, ranges.size(), rooms_, [&](std::size_t i, Room& room) {
+    const std::size_t s = by_size[i];
     const std::span runs(sorted_runs_.data() + ranges[s].begin, ranges[s].end - ranges[s].begin);
     BundleRuns(runs, tally, room.cell_of, segments_[s]);
   });
   if (tally.is_too_large()) return;
   const PointSpacing spacing = frame.lidar ? PointSpacing::kScan : PointSpacing::kDense;
-  ParallelForWithScratch(pool_, segments_.size(), rooms_, [&](std::size_t s, Room& room) {
-    FitTangentPlanes(voxel_size_m, spacing, room.pyramid, segments_[s]);
+  ParallelForWithScratch(pool_, segments_.size(), rooms_, [&](std::size_t i, Room& room) {
+    FitTangentPlanes(voxel_size_m, spacing, room.pyramid, segments_[by_size[i]]);
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mapping/base/cache_line.h"
@@ -45,7 +46,7 @@ class Bundler {
 
   void BundleSegments(const PanopticFrame& frame, double voxel_size_m, FrameTally& tally);
   /// An empty segment each; those with the most runs in what held the largest of the last frame.
-  void HandOutSegments(const std::vector<RunsOfSegment>& ranges);
+  void HandOutSegments(const std::vector<RunsOfSegment>& ranges, std::span<const std::size_t> by_size);
   [[nodiscard]] std::size_t BufferBytes() const;
 
   IntegrationConfig config_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "mapping/base/largest_first.h"
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
 #include "mapping/fusion/kept_clear_voxels.h"
@@ -21,6 +22,7 @@ struct SubmapWork {
   Submap* submap;
   std::vector<std::size_t> segments;
   std::vector<LabelHistograms> votes;  ///< of each
+  std::size_t num_bundles = 0;
   std::int64_t num_updates = 0;
 };
 
@@ -34,6 +36,7 @@ std::vector<SubmapWork> GroupBySubmap(const PanopticFrame& frame, const std::vec
     auto it = std::find_if(works.begin(), works.end(), [&](const SubmapWork& work) { return work.submap == submap; });
     if (it == works.end()) it = works.insert(works.end(), {submap, {}});
     it->segments.push_back(s);
+    it->num_bundles += segments[s].bundles.size();
     it->votes.push_back(segments[s].row < 0
                             ? LabelHistograms{}
                             : votes.Of(frame.segments[static_cast<std::size_t>(segments[s].row)], *submap));
@@ -123,7 +126,12 @@ std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBund
                        const std::stop_token& stop) {
   std::vector<SubmapWork> works = GroupBySubmap(frame, segments, assignments, map);
   const MapConfig& config = map.info().config;
-  pool.ParallelFor(works.size(), [&](std::size_t i) { FuseSubmap(frame, segments, map.info(), stop, works[i]); });
+  std::vector<std::size_t> sizes;
+  sizes.reserve(works.size());
+  for (const SubmapWork& work : works) sizes.push_back(work.num_bundles);
+  const std::vector<std::size_t> by_size = LargestFirst(sizes);
+  pool.ParallelFor(works.size(),
+                   [&](std::size_t i) { FuseSubmap(frame, segments, map.info(), stop, works[by_size[i]]); });
   std::int64_t num_updates = 0;
   for (const SubmapWork& work : works) num_updates += work.num_updates;
   if (config.integration.carving) num_updates += Carve(frame, segments, map, pool, stop);
