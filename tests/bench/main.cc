@@ -78,7 +78,9 @@ int main(int argc, char** argv) {
   CLI::App* query_command = app.add_subcommand("query", "Queries a second of one core, and their errors");
   query_command->add_option("directory", query.directory, "Data set")->required();
   query_command->add_option("--frames", query.num_frames, "Frames, 0 = all");
-  query_command->add_option("--points", query.num_points, "Points of each kind")->capture_default_str();
+  query_command->add_option("--points", query.num_points, "Points of each kind")
+      ->check(CLI::Range(10, 10'000'000))
+      ->capture_default_str();
   query_command->add_option("--check", query.num_checked, "Of these, compared with brute force")->capture_default_str();
   query_command->add_flag("--distances", query.only_distances, "Nothing but distances");
 

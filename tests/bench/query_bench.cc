@@ -340,12 +340,13 @@ void MeasureState(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& c
   const Soup soup(*map);
   const std::vector<Kind> kinds = Points(*map, soup, options.num_points, random), coherent = InOrder(kinds);
   std::vector<SurfaceDistance> answers(kBatch);
+  const std::size_t num_first = std::min(kBatch, options.num_points);
   const double first_s = Seconds([&] { query.At(std::span(kinds[0].points).first(10), answers); });
   const double cold_s = Seconds([&] {
-    for (const Kind& kind : kinds) query.At(std::span(kind.points).first(kBatch), answers);
+    for (const Kind& kind : kinds) query.At(std::span(kind.points).first(num_first), answers);
   });
   std::printf("%zu submaps, %zu tiles, %zu triangles; index %.2f ms, first 10 points %.2f ms, first %zu %.1f ms\n",
-              map->submaps().size(), cache.num_tiles(), soup.triangles.size(), 1e3 * index_s, 1e3 * first_s, 3 * kBatch,
+              map->submaps().size(), cache.num_tiles(), soup.triangles.size(), 1e3 * index_s, 1e3 * first_s, 3 * num_first,
               1e3 * cold_s);
   std::printf("  M a second, one core                   near   middle      far\n");
   const auto in_batches = [&](auto points) { query.At(points, std::span(answers).first(points.size())); };
