@@ -81,8 +81,13 @@ CarriedBody WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t ma
   whole.ShareBlocks();  // before anything is written to them
   whole.DropGone();
   const auto ledger = std::make_shared<SurfaceLedger>();
-  const SubmapSurface surface(whole, [&](const TileNeighbourhood& around, TileIndex tile) {
-    return std::make_shared<const TileSurfaceSlot>(around, tile, whole.info().voxel_size_m, ledger);
+  const SubmapSurface surface(whole, [&](std::span<const SubmapSurface::Place> places) {
+    SubmapSurface::Slots slots;
+    slots.reserve(places.size());
+    for (const auto& [tile, around] : places) {
+      slots.push_back(std::make_shared<const TileSurfaceSlot>(around, tile, whole.info().voxel_size_m, ledger));
+    }
+    return slots;
   });
   return CarriedBodyOf(whole, surface, max_balls);
 }

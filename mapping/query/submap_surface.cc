@@ -22,19 +22,22 @@ Eigen::AlignedBox3d BoxOf(const TileEntry& tile, double voxel_size_m) {
 
 }  // namespace
 
-SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slot_of) {
+SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slots_of) {
   const double voxel_size_m = submap.info().voxel_size_m;
   std::vector<Tile> tiles;
   std::vector<Eigen::AlignedBox3d> boxes_m;
+  std::vector<Place> places;
   for (const TileEntry& entry : submap.blocks().tiles()) {
     const Eigen::AlignedBox3d box = BoxOf(entry, voxel_size_m);
     if (box.isEmpty()) continue;
     boxes_m.push_back(box);
     box_m_.extend(box);
-    tiles.push_back({entry.index, TileCorner(entry.index, voxel_size_m), box,
-                     slot_of(FindNeighbourhood(submap.blocks(), entry.index), entry.index)});
+    tiles.push_back({entry.index, TileCorner(entry.index, voxel_size_m), box, nullptr});
+    places.push_back({entry.index, FindNeighbourhood(submap.blocks(), entry.index)});
   }
   if (tiles.empty()) return;
+  Slots slots = slots_of(places);
+  for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].slot = std::move(slots[i]);
   origin_m_ = box_m_.center();
   const float rounding_m = static_cast<float>(1e-6 * box_m_.sizes().norm());
   std::vector<Eigen::AlignedBox3f> boxes;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -19,10 +20,15 @@ namespace dhpmap {
 /// are not made. Holds no voxels: whoever asks has the submap. Thread-safe.
 class SubmapSurface {
  public:
-  using SlotSource = std::function<std::shared_ptr<const TileSurfaceSlot>(const TileNeighbourhood&, TileIndex)>;
+  struct Place {
+    TileIndex tile;
+    TileNeighbourhood around;
+  };
+  using Slots = std::vector<std::shared_ptr<const TileSurfaceSlot>>;
+  using SlotSource = std::function<Slots(std::span<const Place>)>;
 
-  /// Takes a look at each tile; `slot_of` gives the slots.
-  SubmapSurface(const Submap& submap, const SlotSource& slot_of);
+  /// Takes a look at each tile; `slots_of` gives their slots.
+  SubmapSurface(const Submap& submap, const SlotSource& slots_of);
 
   /// Null: there is none.
   [[nodiscard]] std::shared_ptr<const TileSurfaceSlot> SlotAt(TileIndex tile) const;

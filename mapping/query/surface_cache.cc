@@ -18,6 +18,16 @@ std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> s
   return {std::make_shared<const Both>(std::move(state), std::move(surfaces)), both};
 }
 
+/// What is known of what is there no longer.
+template <typename Map>
+void DropExpired(Map& map, std::vector<std::shared_ptr<const void>>& forgotten) {
+  std::erase_if(map, [&](auto& known) {
+    if (!known.second.key.expired()) return false;
+    forgotten.push_back(std::move(known.second.value));
+    return true;
+  });
+}
+
 }  // namespace
 
 MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts,
@@ -141,10 +151,11 @@ void SurfaceCache::Freshen(const std::shared_ptr<const MapSnapshot>& state, cons
 std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<const MapSnapshot>& state,
                                                       bool with_absent) {
   std::shared_ptr<const MapSurfaces> before;
+  Forgotten forgotten;
+  if (ledger_->bytes + ledger_->cell_bytes > limit_bytes_) Evict();
   {
     const MutexLock lock(mutex_);
-    if (ledger_->bytes + ledger_->cell_bytes > limit_bytes_) Evict();
-    DropOldStates();
+    DropOldStates(forgotten);
     States& states = states_[with_absent ? 1 : 0];
     if (const auto known = states.known.find(state.get()); known != states.known.end()) {
       std::deque<const MapSnapshot*>& asked = states.asked[state->info().name];
@@ -156,24 +167,28 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<cons
   }
   std::shared_ptr<const MapSurfaces> made = Make(*state, with_absent, before.get());
   const MutexLock lock(mutex_);
-  if (slots_.size() + submaps_.size() > sweep_at_) Sweep();
+  if (slots_.size() + submaps_.size() > sweep_at_) Sweep(forgotten);
   if (asked_.contains(state->info().name)) {  // else it was forgotten meanwhile
-    Remember(states_[with_absent ? 1 : 0], state, made);
+    Remember(states_[with_absent ? 1 : 0], state, made, forgotten);
   }
   return HoldBoth(state, std::move(made));
 }
 
 /// A few of each map: states that are kept to be read some day do not keep all that was made for them, too.
 void SurfaceCache::Remember(States& states, const std::shared_ptr<const MapSnapshot>& state,
-                            const std::shared_ptr<const MapSurfaces>& made) {
+                            const std::shared_ptr<const MapSurfaces>& made, Forgotten& forgotten) {
   constexpr std::size_t kMostOfAMap = 4;
-  states.known.insert_or_assign(state.get(), Known<MapSnapshot, MapSurfaces>{state, made});
-  states.latest[state->info().name] = made;
+  forgotten.push_back(std::exchange(states.known[state.get()], {state, made}).value);
+  forgotten.push_back(std::exchange(states.latest[state->info().name], made));
   std::deque<const MapSnapshot*>& asked = states.asked[state->info().name];
   std::erase(asked, state.get());
   asked.push_back(state.get());
   if (asked.size() <= kMostOfAMap) return;
-  states.known.erase(asked.front());  // another state may have the address by now: it is made again
+  // Another state may have the address by now: it is made again.
+  if (const auto oldest = states.known.find(asked.front()); oldest != states.known.end()) {
+    forgotten.push_back(std::move(oldest->second.value));
+    states.known.erase(oldest);
+  }
   asked.pop_front();
 }
 
@@ -196,75 +211,109 @@ std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_p
     const auto known = submaps_.find(submap.get());
     if (known != submaps_.end() && !known->second.key.expired()) return known->second.value;
   }
-  auto made = std::make_shared<const SubmapSurface>(*submap, [&](const TileNeighbourhood& around, TileIndex tile) {
-    return SlotOf(around, tile, submap->info().voxel_size_m, before);
+  auto made = std::make_shared<const SubmapSurface>(*submap, [&](std::span<const SubmapSurface::Place> places) {
+    return SlotsOf(places, submap->info().voxel_size_m, before);
   });
+  Known<Submap, SubmapSurface> now{submap, made};
   const MutexLock lock(mutex_);
-  submaps_.insert_or_assign(submap.get(), Known<Submap, SubmapSurface>{submap, made});
+  std::swap(submaps_[submap.get()], now);
   return made;
 }
 
-/// That of the same tile, of one before it that shows the same, or a new one.
-SurfaceCache::Slot SurfaceCache::SlotOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m,
-                                        const SubmapSurface* before) {
-  const std::shared_ptr<const BlockTile>& centre = around[kCentre]->tile;
-  const auto fits = [&](const Slot& slot) { return slot != nullptr && slot->IsOf(around, tile, voxel_size_m); };
+/// Those of the same tiles, of others before them that show the same, or new ones. What is looked at is not looked at
+/// under the mutex: a nice thread that loses its core meanwhile would keep everybody waiting.
+SubmapSurface::Slots SurfaceCache::SlotsOf(std::span<const SubmapSurface::Place> places, double voxel_size_m,
+                                           const SubmapSurface* before) {
+  const auto centre_of = [](const SubmapSurface::Place& place) -> const std::shared_ptr<const BlockTile>& {
+    return place.around[kCentre]->tile;
+  };
+  SubmapSurface::Slots known(places.size());
   {
     const MutexLock lock(mutex_);
-    const auto known = slots_.find(centre.get());
-    if (known != slots_.end() && !known->second.key.expired() && fits(known->second.value)) return known->second.value;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto found = slots_.find(centre_of(places[i]).get());
+      if (found != slots_.end() && !found->second.key.expired()) known[i] = found->second.value;
+    }
   }
-  Slot slot = before == nullptr ? nullptr : before->SlotAt(tile);
-  if (!fits(slot)) {
-    const std::uint64_t last_used = slot == nullptr ? 0 : slot->last_used();
-    slot = std::make_shared<const TileSurfaceSlot>(around, tile, voxel_size_m, ledger_, last_used);
+  SubmapSurface::Slots slots = known;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [tile, around] = places[i];
+    const auto fits = [&](const Slot& slot) { return slot != nullptr && slot->IsOf(around, tile, voxel_size_m); };
+    if (fits(slots[i])) continue;
+    if (Slot earlier = before == nullptr ? nullptr : before->SlotAt(tile); fits(earlier)) {
+      slots[i] = std::move(earlier);
+    } else {
+      const std::uint64_t last_used = earlier == nullptr ? 0 : earlier->last_used();
+      slots[i] = std::make_shared<const TileSurfaceSlot>(around, tile, voxel_size_m, ledger_, last_used);
+    }
   }
+  Forgotten forgotten;
   const MutexLock lock(mutex_);
-  Known<BlockTile, TileSurfaceSlot>& known = slots_[centre.get()];
-  const bool is_there = !known.key.expired() && fits(known.value);  // somebody else has been here
-  if (!is_there) known = {centre, std::move(slot)};
-  return known.value;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Known<BlockTile, TileSurfaceSlot>& there = slots_[centre_of(places[i]).get()];  // may have been let go of meanwhile
+    if (there.value == slots[i] && !there.key.expired()) continue;
+    const bool is_new = !there.key.expired() && there.value != known[i];  // somebody else has been here
+    if (is_new && there.value->IsOf(places[i].around, places[i].tile, voxel_size_m)) {
+      slots[i] = there.value;
+      continue;
+    }
+    forgotten.push_back(std::exchange(there, {centre_of(places[i]), slots[i]}).value);
+  }
+  return slots;
 }
 
 void SurfaceCache::Forget(const std::string& map) {
+  Forgotten forgotten;
   const MutexLock lock(mutex_);
   for (States& states : states_) {
-    states.latest.erase(map);
+    if (const auto latest = states.latest.find(map); latest != states.latest.end()) {
+      forgotten.push_back(std::move(latest->second));
+      states.latest.erase(latest);
+    }
     states.asked.erase(map);
   }
   asked_.erase(map);
-  DropOldStates();
-  Sweep();
+  DropOldStates(forgotten);
+  Sweep(forgotten);
 }
 
-void SurfaceCache::DropOldStates() {
-  for (States& states : states_) {
-    std::erase_if(states.known, [](const auto& known) { return known.second.key.expired(); });
-  }
+void SurfaceCache::DropOldStates(Forgotten& forgotten) {
+  for (States& states : states_) DropExpired(states.known, forgotten);
 }
 
 /// Forgets what nobody has any longer. Costs as much as there is, so it comes when that has grown by a quarter: while
 /// frames come, each state that is asked about leaves surfaces behind.
-void SurfaceCache::Sweep() {
-  std::erase_if(slots_, [](const auto& slot) { return slot.second.key.expired(); });
-  std::erase_if(submaps_, [](const auto& known) { return known.second.key.expired(); });
+void SurfaceCache::Sweep(Forgotten& forgotten) {
+  DropExpired(slots_, forgotten);
+  DropExpired(submaps_, forgotten);
   sweep_at_ = (slots_.size() + submaps_.size()) / 4 * 5 + 64;
 }
 
-/// Forgets surfaces, until what is left takes three quarters of the limit, and all that refers to them.
-void SurfaceCache::Evict() {
-  for (States& states : states_) states.latest.clear();
-  Sweep();
+void SurfaceCache::ForgetStates() {
+  Forgotten forgotten;
+  const MutexLock lock(mutex_);
   for (States& states : states_) {
-    states.known.clear();  // and their cells, but for those in use
+    for (auto& [map, surfaces] : states.latest) forgotten.push_back(std::move(surfaces));
+    states.latest.clear();
+    for (auto& [state, known] : states.known) forgotten.push_back(std::move(known.value));
+    states.known.clear();
     states.asked.clear();
   }
+  Sweep(forgotten);
+}
+
+/// Forgets surfaces, until what is left takes three quarters of the limit, and all that refers to them: states first,
+/// and with them their cells, but for those in use.
+void SurfaceCache::Evict() {
+  ForgetStates();
+  Forgotten forgotten;
   std::unordered_set<Slot> made;  // several tiles may show the same
+  std::vector<std::pair<std::uint64_t, Slot>> by_use;
+  const MutexLock lock(mutex_);
   for (const auto& [tile, known] : slots_) {
     if (known.value->bytes() > 0) made.insert(known.value);
   }
   // As they were used by now: others go on marking them.
-  std::vector<std::pair<std::uint64_t, Slot>> by_use;
   by_use.reserve(made.size());
   for (const Slot& slot : made) by_use.emplace_back(slot->last_used(), slot);
   std::sort(by_use.begin(), by_use.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -277,10 +326,12 @@ void SurfaceCache::Evict() {
     dropped.insert(slot.get());
   }
   if (dropped.empty()) return;
-  std::erase_if(slots_, [&](const auto& slot) { return dropped.contains(slot.second.value.get()); });
-  std::erase_if(submaps_, [&](const auto& known) {
+  std::erase_if(slots_,
+                [&](const auto& slot) { return dropped.contains(slot.second.value.get()); });  // `made` has them
+  std::erase_if(submaps_, [&](auto& known) {
     bool is_hit = false;
     known.second.value->ForEachSlot([&](const TileSurfaceSlot& slot) { is_hit |= dropped.contains(&slot); });
+    if (is_hit) forgotten.push_back(std::move(known.second.value));
     return is_hit;
   });
 }

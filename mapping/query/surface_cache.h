@@ -66,7 +66,7 @@ class MapSurfaces {
 
 /// Surfaces of the maps that are asked about, made when they are first wanted and kept for later states, moved objects
 /// and clones: only tiles that were written since are made again. Holds no voxels. Thread-safe; nobody waits while
-/// others make surfaces, but for the same tile.
+/// others make surfaces, look at what is new in a state, or give memory back.
 class SurfaceCache {
  public:
   /// What surfaces may take in all; those that were not wanted for longest go first. What a caller still holds counts,
@@ -104,6 +104,8 @@ class SurfaceCache {
   };
 
   using Clock = std::chrono::steady_clock;
+  /// Made before the mutex is taken, so that it goes after that is free again.
+  using Forgotten = std::vector<std::shared_ptr<const void>>;
 
   std::shared_ptr<const MapSurfaces> Find(const std::shared_ptr<const MapSnapshot>& state, bool with_absent)
       DHPMAP_EXCLUDES(mutex_);
@@ -112,14 +114,16 @@ class SurfaceCache {
   /// `before`: of an earlier state of the submap; null: there was none.
   std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap,
                                                  const SubmapSurface* before) DHPMAP_EXCLUDES(mutex_);
-  Slot SlotOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m, const SubmapSurface* before)
-      DHPMAP_EXCLUDES(mutex_);
+  SubmapSurface::Slots SlotsOf(std::span<const SubmapSurface::Place> places, double voxel_size_m,
+                               const SubmapSurface* before) DHPMAP_EXCLUDES(mutex_);
   struct States;
+  // What they forget they leave to the caller, to be freed without the mutex.
   void Remember(States& states, const std::shared_ptr<const MapSnapshot>& state,
-                const std::shared_ptr<const MapSurfaces>& made) DHPMAP_REQUIRES(mutex_);
-  void DropOldStates() DHPMAP_REQUIRES(mutex_);
-  void Sweep() DHPMAP_REQUIRES(mutex_);
-  void Evict() DHPMAP_REQUIRES(mutex_);
+                const std::shared_ptr<const MapSurfaces>& made, Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
+  void DropOldStates(Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
+  void Sweep(Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
+  void Evict() DHPMAP_EXCLUDES(mutex_);
+  void ForgetStates() DHPMAP_EXCLUDES(mutex_);
 
   const std::size_t limit_bytes_;
   const std::shared_ptr<SurfaceLedger> ledger_ = std::make_shared<SurfaceLedger>();

@@ -34,7 +34,10 @@ std::vector<TileSurfaceSlot::Layers> TileSurfaceSlot::LayersOf(const TileNames& 
   return layers;
 }
 
-TileSurfaceSlot::~TileSurfaceSlot() { ledger_->bytes -= bytes(); }
+TileSurfaceSlot::~TileSurfaceSlot() {
+  ledger_->bytes -= bytes();
+  delete ready_.load();
+}
 
 bool TileSurfaceSlot::IsOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m) const {
   if (voxel_size_m != voxel_size_m_) return false;
@@ -58,14 +61,12 @@ std::size_t TileSurfaceSlot::bytes() const {
 }
 
 const TriangleTree& TileSurfaceSlot::Make(const BlockTable& blocks, TileIndex tile) const {
-  const MutexLock lock(mutex_);
-  if (made_ == nullptr) {
-    made_ = std::make_unique<const TriangleTree>(
-        ExtractTileSurface(FindBlocks(FindNeighbourhood(blocks, tile), tile), voxel_size_m_));
-    ledger_->bytes += made_->MemoryBytes();
-    ready_.store(made_.get(), std::memory_order_release);
-  }
-  return *made_;
+  auto made = std::make_unique<const TriangleTree>(
+      ExtractTileSurface(FindBlocks(FindNeighbourhood(blocks, tile), tile), voxel_size_m_));
+  const TriangleTree* there = nullptr;
+  if (!ready_.compare_exchange_strong(there, made.get(), std::memory_order_acq_rel)) return *there;
+  ledger_->bytes += made->MemoryBytes();
+  return *made.release();
 }
 
 }  // namespace dhpmap

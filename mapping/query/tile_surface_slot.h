@@ -8,7 +8,6 @@
 #include <memory>
 #include <vector>
 
-#include "mapping/base/mutex.h"
 #include "mapping/mesh/tile_surface.h"
 #include "mapping/query/surface_ledger.h"
 #include "mapping/query/triangle_tree.h"
@@ -16,9 +15,9 @@
 namespace dhpmap {
 
 /// The surface of one tile of a submap, made when it is first asked for, from whichever map, clone or state has the
-/// same surface voxels there; labels may differ. Knows them by identity and does not keep them alive. Thread-safe:
-/// threads that want the same surface wait for one of them to make it (a fraction of a millisecond), and for nothing
-/// else.
+/// same surface voxels there; labels may differ. Knows them by identity and does not keep them alive. Thread-safe;
+/// nobody waits: one thread that wants what another is making makes it, too (a fraction of a millisecond), as that one
+/// may have lost its core.
 class TileSurfaceSlot {
  public:
   /// `last_used`: of the slot in whose place it comes.
@@ -72,9 +71,7 @@ class TileSurfaceSlot {
   const double voxel_size_m_;
   const std::shared_ptr<SurfaceLedger> ledger_;
   mutable std::atomic<std::uint64_t> last_used_;
-  mutable Mutex mutex_;
-  mutable std::unique_ptr<const TriangleTree> made_ DHPMAP_GUARDED_BY(mutex_);
-  mutable std::atomic<const TriangleTree*> ready_{nullptr};  // made_, once it is there
+  mutable std::atomic<const TriangleTree*> ready_{nullptr};  ///< its own
 };
 
 }  // namespace dhpmap

@@ -279,6 +279,35 @@ TEST(SurfaceCache, ThreadsMayAskWhileOthersMakeAndEvict) {
   }
 }
 
+TEST(SurfaceCache, ThreadsThatWantASurfaceAtOnceGetOneThatIsCountedOnce) {
+  constexpr std::size_t kThreads = 6;
+  Map map = testing::FurnishedRoom();
+  const auto state = map.Publish(0);
+  SurfaceCache alone(kPlenty);
+  const auto prepare = [&](SurfaceCache& cache) {
+    std::vector<const TriangleTree*> made;
+    const auto surfaces = cache.Of(state);
+    const std::span<const SubmapIndex::Entry> entries = surfaces->index().entries();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const SubmapSurface& surface = surfaces->surface(i);
+      for (std::size_t t = 0; t < surface.num_tiles(); ++t) made.push_back(&surface.Surface(entries[i].submap(), t));
+    }
+    return made;
+  };
+  ASSERT_GT(prepare(alone).size(), 5u);
+  for (int round = 0; round < 20; ++round) {
+    SurfaceCache cache(kPlenty);
+    std::array<std::vector<const TriangleTree*>, kThreads> made;
+    {
+      std::vector<std::jthread> threads;
+      threads.reserve(kThreads);
+      for (auto& of_thread : made) threads.emplace_back([&] { of_thread = prepare(cache); });
+    }
+    for (const auto& of_thread : made) ASSERT_EQ(of_thread, made[0]);
+    ASSERT_EQ(cache.bytes(), alone.bytes());
+  }
+}
+
 /// So many that some are mostly in the middle of it.
 TEST(SurfaceCache, EvictsWhileOthersGoOnMarkingWhatTheyUse) {
   constexpr std::size_t kMarking = 6, kAsking = 2;
