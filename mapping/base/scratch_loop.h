@@ -17,7 +17,7 @@ void ParallelForWithScratch(ThreadPool& pool, std::size_t count, std::vector<Scr
   static_assert(alignof(Scratch) >= kCacheLineBytes, "those of two threads lie side by side");
   const auto num_lanes = static_cast<std::size_t>(pool.num_threads());
   if (scratch.size() < num_lanes) scratch.resize(num_lanes);
-  std::atomic<std::size_t> next{0};
+  alignas(kCacheLineBytes) std::atomic<std::size_t> next{0};
   pool.ParallelFor(num_lanes, [&](std::size_t lane) {
     for (std::size_t i = next++; i < count; i = next++) body(i, scratch[lane]);
   });

@@ -25,6 +25,8 @@ struct SchedulingAttributes {
 
 constexpr std::uint64_t kShortTurn_ns = 100'000;  // the shortest that the kernel grants
 
+thread_local bool is_nicer = false;
+
 bool ReadAttributes(SchedulingAttributes& attributes) {
   return syscall(SYS_sched_getattr, 0, &attributes, sizeof attributes, 0) == 0;
 }
@@ -37,10 +39,13 @@ void NameThisThread(const char* name) {
 
 void MakeThisThreadNicer(int by) {
   if (by <= 0) return;
+  is_nicer = true;
   // On Linux a niceness is a thread's own.
   const int now = getpriority(PRIO_PROCESS, 0);
   (void)setpriority(PRIO_PROCESS, 0, now + by);
 }
+
+bool IsThisThreadNicer() { return is_nicer; }
 
 bool TakeTurns(Turns turns) {
   SchedulingAttributes attributes;  // with the niceness that it has

@@ -10,6 +10,9 @@ void NameThisThread(const char* name);
 /// nine times in ten. Threads that it starts are as nice. Needs no rights; to be less nice than the process needs some,
 /// and is never asked for. 0 or less changes nothing.
 void MakeThisThreadNicer(int by);
+/// Whether it was: then others may have its core for long, and whoever is not should not wait for what it does. Knows
+/// nothing of niceness that was inherited.
+bool IsThisThreadNicer();
 
 /// How long a thread runs before others that wait for its core have their turn.
 enum class Turns { kOrdinary, kShort };

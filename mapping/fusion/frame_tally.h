@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/grid.h"
 #include "mapping/fusion/band_size.h"
 
@@ -41,8 +42,9 @@ class FrameTally {
   [[nodiscard]] bool IsNew(BlockIndex block);
 
   std::vector<std::atomic<std::uint64_t>> blocks_seen_;
-  std::atomic<std::size_t> num_runs_ = 0, num_blocks_ = 0, num_cells_ = 0;
+  std::atomic<std::size_t> num_runs_ = 0, num_blocks_ = 0;
   std::atomic<bool> is_too_large_ = false;
+  alignas(kCacheLineBytes) std::atomic<std::size_t> num_cells_ = 0;
 };
 
 }  // namespace dhpmap

@@ -6,6 +6,7 @@
 #include <bit>
 #include <optional>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/map/voxel_answer.h"
 #include "mapping/mesh/cell_cases.h"
 #include "mapping/mesh/owner_halo.h"
@@ -27,7 +28,7 @@ struct ActiveCell {
 
 /// A block of the field during extraction. Vertices are numbered by block, then by edge, so that the same edge gives
 /// the same vertex to every cell around it, whichever block the cell is in.
-struct MeshBlock {
+struct alignas(kCacheLineBytes) MeshBlock {
   const BlockEntry* entry = nullptr;
   std::array<int, kCellCorners> forward{};           ///< neighbours at offsets 0 or 1 by corner number; -1 = none
   std::array<std::uint8_t, kRows> inside{};          ///< bit x of row y + 8 z: distance < 0

@@ -22,7 +22,6 @@ struct SubmapWork {
   Submap* submap;
   std::vector<std::size_t> segments;
   std::vector<LabelHistograms> votes;  ///< of each
-  std::size_t num_bundles = 0;
   std::int64_t num_updates = 0;
 };
 
@@ -36,7 +35,6 @@ std::vector<SubmapWork> GroupBySubmap(const PanopticFrame& frame, const std::vec
     auto it = std::find_if(works.begin(), works.end(), [&](const SubmapWork& work) { return work.submap == submap; });
     if (it == works.end()) it = works.insert(works.end(), {submap, {}});
     it->segments.push_back(s);
-    it->num_bundles += segments[s].bundles.size();
     it->votes.push_back(segments[s].row < 0
                             ? LabelHistograms{}
                             : votes.Of(frame.segments[static_cast<std::size_t>(segments[s].row)], *submap));
@@ -48,6 +46,23 @@ std::vector<SubmapWork> GroupBySubmap(const PanopticFrame& frame, const std::vec
 std::optional<KeptClearVoxels> KeptClearVoxelsOf(const MapInfo& map, const SubmapInfo& submap) {
   if (map.kept_clear.empty()) return std::nullopt;
   return std::optional<KeptClearVoxels>(std::in_place, map.kept_clear, submap);
+}
+
+/// Bundles that there are to be traced; what has a grid of its own bundles the whole frame again.
+std::vector<std::size_t> SizesOf(const std::vector<SubmapWork>& works, const std::vector<SegmentBundles>& segments,
+                                 const MapConfig& config) {
+  std::size_t of_frame = 0;
+  for (const SegmentBundles& segment : segments) of_frame += segment.bundles.size();
+  std::vector<std::size_t> sizes;
+  sizes.reserve(works.size());
+  for (const SubmapWork& work : works) {
+    const SubmapInfo& info = work.submap->info();
+    std::size_t size = 0;
+    for (const std::size_t segment : work.segments) size += segments[segment].bundles.size();
+    if (!IsOnMapGrid(info, config)) size += of_frame;
+    sizes.push_back(info.is_locked ? 0 : size);
+  }
+  return sizes;
 }
 
 void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, const MapInfo& map,
@@ -126,10 +141,7 @@ std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBund
                        const std::stop_token& stop) {
   std::vector<SubmapWork> works = GroupBySubmap(frame, segments, assignments, map);
   const MapConfig& config = map.info().config;
-  std::vector<std::size_t> sizes;
-  sizes.reserve(works.size());
-  for (const SubmapWork& work : works) sizes.push_back(work.num_bundles);
-  const std::vector<std::size_t> by_size = LargestFirst(sizes);
+  const std::vector<std::size_t> by_size = LargestFirst(SizesOf(works, segments, config));
   pool.ParallelFor(works.size(),
                    [&](std::size_t i) { FuseSubmap(frame, segments, map.info(), stop, works[by_size[i]]); });
   std::int64_t num_updates = 0;

@@ -26,71 +26,96 @@ bool Concerns(const SurfaceChange& change, const NearField& field, const FieldRe
   });
 }
 
-}  // namespace
-
-std::optional<std::uint64_t> FieldStore::Append(std::uint64_t before, std::vector<SurfaceChange> changed) {
-  constexpr std::size_t kMostChanges = 256;  // what nobody asked for in as many states is made again
-  const MutexLock lock(mutex_);
-  if (before != last_) return std::nullopt;
-  changes_.push_back(std::move(changed));
-  if (changes_.size() > kMostChanges) changes_.pop_front();
-  return ++last_;
-}
-
-bool FieldStore::Holds(const Entry& entry, std::uint64_t state) const {
-  if (last_ - entry.checked > changes_.size()) return false;  // forgotten
-  const FieldReach reach = entry.field->Reach();
-  for (std::uint64_t next = entry.checked + 1; next <= state; ++next) {
-    for (const SurfaceChange& change : changes_[changes_.size() - 1 - (last_ - next)]) {
-      if (Concerns(change, *entry.field, reach)) return false;
+/// Whether nothing near it has changed.
+bool Holds(const NearField& field, const std::vector<std::shared_ptr<const std::vector<SurfaceChange>>>& changes) {
+  const FieldReach reach = field.Reach();
+  for (const auto& of_state : changes) {
+    for (const SurfaceChange& change : *of_state) {
+      if (Concerns(change, field, reach)) return false;
     }
   }
   return true;
 }
 
+}  // namespace
+
+std::optional<std::uint64_t> FieldStore::Append(std::uint64_t before, std::vector<SurfaceChange> changed) {
+  constexpr std::size_t kMostChanges = 256;  // what nobody asked for in as many states is made again
+  auto changes = std::make_shared<const std::vector<SurfaceChange>>(std::move(changed));
+  Changes forgotten;
+  const MutexLock lock(mutex_);
+  if (before != last_) return std::nullopt;
+  changes_.push_back(std::move(changes));
+  if (changes_.size() > kMostChanges) {
+    forgotten = std::move(changes_.front());
+    changes_.pop_front();
+  }
+  return ++last_;
+}
+
+std::optional<std::vector<FieldStore::Changes>> FieldStore::ChangesSince(const Entry& entry,
+                                                                         std::uint64_t state) const {
+  if (last_ - entry.checked > changes_.size()) return std::nullopt;
+  const auto first = changes_.end() - static_cast<std::ptrdiff_t>(last_ - entry.checked);
+  return std::vector<Changes>(first, first + static_cast<std::ptrdiff_t>(state - entry.checked));
+}
+
 std::shared_ptr<const NearField> FieldStore::Find(BlockIndex block, std::uint64_t state) {
+  Entry known;
+  std::optional<std::vector<Changes>> changes;
+  {
+    const MutexLock lock(mutex_);
+    const auto found = entries_.find(block);
+    if (found == entries_.end() || state < found->second.made) return nullptr;
+    found->second.last_used = ledger_->time.load(std::memory_order_relaxed);
+    if (state <= found->second.checked) return found->second.field;
+    known = found->second;
+    changes = ChangesSince(known, state);
+  }
+  const bool holds = changes && Holds(*known.field, *changes);
   const MutexLock lock(mutex_);
   const auto found = entries_.find(block);
-  if (found == entries_.end() || state < found->second.made) return nullptr;
-  Entry& entry = found->second;
-  if (state > entry.checked) {
-    if (!Holds(entry, state)) {
-      bytes_ -= entry.field->MemoryBytes();
+  // Else another one is in its place: it is nothing to this one.
+  if (found != entries_.end() && found->second.field == known.field) {
+    if (holds) {
+      found->second.checked = std::max(found->second.checked, state);
+    } else if (found->second.checked < state) {
+      bytes_ -= known.field->MemoryBytes();
       entries_.erase(found);
-      return nullptr;
     }
-    entry.checked = state;
   }
-  entry.last_used = ledger_->time.load(std::memory_order_relaxed);
-  return entry.field;
+  return holds ? known.field : nullptr;
 }
 
 void FieldStore::Put(BlockIndex block, std::uint64_t state, std::shared_ptr<const NearField> field) {
+  Fields dropped;
   const MutexLock lock(mutex_);
-  if (bytes_ + field->MemoryBytes() > ledger_->most_field_bytes) DropOldest();
+  if (bytes_ + field->MemoryBytes() > ledger_->most_field_bytes) DropOldest(dropped);
   Entry& entry = entries_[block];
   if (entry.field != nullptr) {
     if (entry.checked > state) return;  // that one is of more use
     bytes_ -= entry.field->MemoryBytes();
   }
   bytes_ += field->MemoryBytes();
-  entry = {std::move(field), state, state, ledger_->time.load(std::memory_order_relaxed)};
+  field = std::exchange(entry, {std::move(field), state, state, ledger_->time.load(std::memory_order_relaxed)}).field;
 }
 
 /// Half of them, so that it comes seldom.
-void FieldStore::DropOldest() {
+void FieldStore::DropOldest(Fields& dropped) {
   if (entries_.empty()) return;
   std::vector<std::uint64_t> times;
   for (const auto& [block, entry] : entries_) times.push_back(entry.last_used);
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::nth_element(times.begin(), middle, times.end());
   const std::uint64_t last_to_go = *middle;
+  dropped.reserve(entries_.size());
   for (auto entry = entries_.begin(); entry != entries_.end();) {
     if (entry->second.last_used > last_to_go) {
       ++entry;
       continue;
     }
     bytes_ -= entry->second.field->MemoryBytes();
+    dropped.push_back(std::move(entry->second.field));
     entry = entries_.erase(entry);
   }
 }

@@ -19,7 +19,8 @@ namespace dhpmap {
 
 /// The near fields of a map, from state to state: one serves until something comes nearer to it than what it holds, or
 /// some of that goes. What goes of others is no loss: what it holds was as near.
-/// States have numbers, in the order in which they were first asked about. Thread-safe.
+/// States have numbers, in the order in which they were first asked about. Thread-safe: nobody waits while another
+/// compares a field with what has changed, or frees some.
 class FieldStore {
  public:
   explicit FieldStore(std::shared_ptr<SurfaceLedger> ledger) : ledger_(std::move(ledger)) {}
@@ -46,16 +47,20 @@ class FieldStore {
     std::uint64_t made = 0, checked = 0;  ///< right in the states from one to the other
     std::uint64_t last_used = 0;
   };
-  /// Whether nothing near it has changed from a state it is right in to a later one.
-  [[nodiscard]] bool Holds(const Entry& entry, std::uint64_t state) const DHPMAP_REQUIRES(mutex_);
-  void DropOldest() DHPMAP_REQUIRES(mutex_);
+  using Changes = std::shared_ptr<const std::vector<SurfaceChange>>;
+  using Fields = std::vector<std::shared_ptr<const NearField>>;
+  /// What has changed from a state an entry is right in to a later one; nothing if that is forgotten.
+  [[nodiscard]] std::optional<std::vector<Changes>> ChangesSince(const Entry& entry, std::uint64_t state) const
+      DHPMAP_REQUIRES(mutex_);
+  /// Leaves what goes to the caller, to be freed without the mutex.
+  void DropOldest(Fields& dropped) DHPMAP_REQUIRES(mutex_);
 
   const std::shared_ptr<SurfaceLedger> ledger_;
   mutable Mutex mutex_;
   std::unordered_map<BlockIndex, Entry, BlockIndexHash> entries_ DHPMAP_GUARDED_BY(mutex_);
   std::size_t bytes_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::uint64_t last_ DHPMAP_GUARDED_BY(mutex_) = kFirst;
-  std::deque<std::vector<SurfaceChange>> changes_ DHPMAP_GUARDED_BY(mutex_);  ///< up to the last state
+  std::deque<Changes> changes_ DHPMAP_GUARDED_BY(mutex_);  ///< up to the last state
 };
 
 }  // namespace dhpmap

@@ -21,9 +21,9 @@ std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> s
 /// What is known of what is there no longer.
 template <typename Map>
 void DropExpired(Map& map, std::vector<std::shared_ptr<const void>>& forgotten) {
-  std::erase_if(map, [&](auto& known) {
+  std::erase_if(map, [&](const auto& known) {
     if (!known.second.key.expired()) return false;
-    forgotten.push_back(std::move(known.second.value));
+    forgotten.push_back(known.second.value);
     return true;
   });
 }
@@ -151,9 +151,9 @@ void SurfaceCache::Freshen(const std::shared_ptr<const MapSnapshot>& state, cons
 std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<const MapSnapshot>& state,
                                                       bool with_absent) {
   std::shared_ptr<const MapSurfaces> before;
-  Forgotten forgotten;
   if (ledger_->bytes + ledger_->cell_bytes > limit_bytes_) Evict();
   {
+    Forgotten forgotten;
     const MutexLock lock(mutex_);
     DropOldStates(forgotten);
     States& states = states_[with_absent ? 1 : 0];
@@ -166,6 +166,7 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<cons
     if (const auto last = states.latest.find(state->info().name); last != states.latest.end()) before = last->second;
   }
   std::shared_ptr<const MapSurfaces> made = Make(*state, with_absent, before.get());
+  Forgotten forgotten;
   const MutexLock lock(mutex_);
   if (slots_.size() + submaps_.size() > sweep_at_) Sweep(forgotten);
   if (asked_.contains(state->info().name)) {  // else it was forgotten meanwhile
@@ -186,7 +187,7 @@ void SurfaceCache::Remember(States& states, const std::shared_ptr<const MapSnaps
   if (asked.size() <= kMostOfAMap) return;
   // Another state may have the address by now: it is made again.
   if (const auto oldest = states.known.find(asked.front()); oldest != states.known.end()) {
-    forgotten.push_back(std::move(oldest->second.value));
+    forgotten.push_back(oldest->second.value);
     states.known.erase(oldest);
   }
   asked.pop_front();
@@ -237,24 +238,27 @@ SubmapSurface::Slots SurfaceCache::SlotsOf(std::span<const SubmapSurface::Place>
   }
   SubmapSurface::Slots slots = known;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& [tile, around] = places[i];
-    const auto fits = [&](const Slot& slot) { return slot != nullptr && slot->IsOf(around, tile, voxel_size_m); };
+    const SubmapSurface::Place& place = places[i];
+    const auto fits = [&](const Slot& slot) {
+      return slot != nullptr && slot->IsOf(place.around, place.tile, voxel_size_m);
+    };
     if (fits(slots[i])) continue;
-    if (Slot earlier = before == nullptr ? nullptr : before->SlotAt(tile); fits(earlier)) {
+    if (Slot earlier = before == nullptr ? nullptr : before->SlotAt(place.tile); fits(earlier)) {
       slots[i] = std::move(earlier);
     } else {
       const std::uint64_t last_used = earlier == nullptr ? 0 : earlier->last_used();
-      slots[i] = std::make_shared<const TileSurfaceSlot>(around, tile, voxel_size_m, ledger_, last_used);
+      slots[i] = std::make_shared<const TileSurfaceSlot>(place.around, place.tile, voxel_size_m, ledger_, last_used);
     }
   }
   Forgotten forgotten;
+  forgotten.reserve(places.size());
   const MutexLock lock(mutex_);
   for (std::size_t i = 0; i < places.size(); ++i) {
     Known<BlockTile, TileSurfaceSlot>& there = slots_[centre_of(places[i]).get()];  // may have been let go of meanwhile
     if (there.value == slots[i] && !there.key.expired()) continue;
     const bool is_new = !there.key.expired() && there.value != known[i];  // somebody else has been here
     if (is_new && there.value->IsOf(places[i].around, places[i].tile, voxel_size_m)) {
-      slots[i] = there.value;
+      forgotten.push_back(std::exchange(slots[i], there.value));
       continue;
     }
     forgotten.push_back(std::exchange(there, {centre_of(places[i]), slots[i]}).value);
@@ -267,7 +271,7 @@ void SurfaceCache::Forget(const std::string& map) {
   const MutexLock lock(mutex_);
   for (States& states : states_) {
     if (const auto latest = states.latest.find(map); latest != states.latest.end()) {
-      forgotten.push_back(std::move(latest->second));
+      forgotten.push_back(latest->second);
       states.latest.erase(latest);
     }
     states.asked.erase(map);
@@ -289,27 +293,50 @@ void SurfaceCache::Sweep(Forgotten& forgotten) {
   sweep_at_ = (slots_.size() + submaps_.size()) / 4 * 5 + 64;
 }
 
-void SurfaceCache::ForgetStates() {
-  Forgotten forgotten;
-  const MutexLock lock(mutex_);
+void SurfaceCache::ForgetStates(Forgotten& forgotten) {
   for (States& states : states_) {
-    for (auto& [map, surfaces] : states.latest) forgotten.push_back(std::move(surfaces));
+    for (const auto& [map, surfaces] : states.latest) forgotten.push_back(surfaces);
+    for (const auto& [state, known] : states.known) forgotten.push_back(known.value);
     states.latest.clear();
-    for (auto& [state, known] : states.known) forgotten.push_back(std::move(known.value));
     states.known.clear();
     states.asked.clear();
   }
-  Sweep(forgotten);
 }
 
-/// Forgets surfaces, until what is left takes three quarters of the limit, and all that refers to them: states first,
-/// and with them their cells, but for those in use.
+/// One thread at a time; the others go on meanwhile.
 void SurfaceCache::Evict() {
-  ForgetStates();
+  {
+    const MutexLock lock(mutex_);
+    if (is_evicting_ || ledger_->bytes + ledger_->cell_bytes <= limit_bytes_) return;
+    is_evicting_ = true;
+  }
+  try {
+    {
+      Forgotten forgotten;
+      const MutexLock lock(mutex_);
+      ForgetStates(forgotten);
+      Sweep(forgotten);
+    }
+    DropUnused();
+  } catch (...) {
+    const MutexLock lock(mutex_);
+    is_evicting_ = false;
+    throw;
+  }
+  const MutexLock lock(mutex_);
+  is_evicting_ = false;
+}
+
+/// Forgets surfaces, those that were not used for longest, until what is left takes three quarters of the limit, and
+/// all that refers to them. Cells are counted as they are: those of the states that were forgotten are freed by now,
+/// but for those in use.
+void SurfaceCache::DropUnused() {
   Forgotten forgotten;
   std::unordered_set<Slot> made;  // several tiles may show the same
   std::vector<std::pair<std::uint64_t, Slot>> by_use;
+  std::unordered_set<const TileSurfaceSlot*> dropped;
   const MutexLock lock(mutex_);
+  ForgetStates(forgotten);  // that somebody has asked about since: they may have what is dropped
   for (const auto& [tile, known] : slots_) {
     if (known.value->bytes() > 0) made.insert(known.value);
   }
@@ -319,21 +346,19 @@ void SurfaceCache::Evict() {
   std::sort(by_use.begin(), by_use.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::size_t bytes = ledger_->cell_bytes;
   for (const auto& [last_used, slot] : by_use) bytes += slot->bytes();
-  std::unordered_set<const TileSurfaceSlot*> dropped;
   for (const auto& [last_used, slot] : by_use) {
     if (bytes <= limit_bytes_ / 4 * 3) break;
     bytes -= slot->bytes();
     dropped.insert(slot.get());
   }
   if (dropped.empty()) return;
-  std::erase_if(slots_,
-                [&](const auto& slot) { return dropped.contains(slot.second.value.get()); });  // `made` has them
-  std::erase_if(submaps_, [&](auto& known) {
+  std::erase_if(submaps_, [&](const auto& known) {
     bool is_hit = false;
     known.second.value->ForEachSlot([&](const TileSurfaceSlot& slot) { is_hit |= dropped.contains(&slot); });
-    if (is_hit) forgotten.push_back(std::move(known.second.value));
+    if (is_hit) forgotten.push_back(known.second.value);
     return is_hit;
   });
+  std::erase_if(slots_, [&](const auto& slot) { return dropped.contains(slot.second.value.get()); });
 }
 
 }  // namespace dhpmap

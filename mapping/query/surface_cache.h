@@ -66,7 +66,7 @@ class MapSurfaces {
 
 /// Surfaces of the maps that are asked about, made when they are first wanted and kept for later states, moved objects
 /// and clones: only tiles that were written since are made again. Holds no voxels. Thread-safe; nobody waits while
-/// others make surfaces, look at what is new in a state, or give memory back.
+/// others make surfaces, but for the same tile (see TileSurfaceSlot), or free them.
 class SurfaceCache {
  public:
   /// What surfaces may take in all; those that were not wanted for longest go first. What a caller still holds counts,
@@ -122,8 +122,9 @@ class SurfaceCache {
                 const std::shared_ptr<const MapSurfaces>& made, Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
   void DropOldStates(Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
   void Sweep(Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
+  void ForgetStates(Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
   void Evict() DHPMAP_EXCLUDES(mutex_);
-  void ForgetStates() DHPMAP_EXCLUDES(mutex_);
+  void DropUnused() DHPMAP_EXCLUDES(mutex_);
 
   const std::size_t limit_bytes_;
   const std::shared_ptr<SurfaceLedger> ledger_ = std::make_shared<SurfaceLedger>();
@@ -140,7 +141,8 @@ class SurfaceCache {
   };
   std::array<States, 2> states_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<std::string, Clock::time_point> asked_ DHPMAP_GUARDED_BY(mutex_);  // last, by map
-  std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;                                 // so many slots and submaps
+  bool is_evicting_ DHPMAP_GUARDED_BY(mutex_) = false;
+  std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;  // so many slots and submaps
 };
 
 }  // namespace dhpmap

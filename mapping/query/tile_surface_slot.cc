@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mapping/base/this_thread.h"
+
 namespace dhpmap {
 namespace {
 
@@ -58,6 +60,12 @@ bool TileSurfaceSlot::HasLayersOf(const TileNames& names) const {
 std::size_t TileSurfaceSlot::bytes() const {
   const TriangleTree* ready = ready_.load(std::memory_order_acquire);
   return ready == nullptr ? 0 : ready->MemoryBytes();
+}
+
+const TriangleTree& TileSurfaceSlot::MakeInTurn(const BlockTable& blocks, TileIndex tile) const {
+  const MutexLock lock(IsThisThreadNicer() ? nice_makers_ : makers_);
+  const TriangleTree* ready = ready_.load(std::memory_order_acquire);
+  return ready != nullptr ? *ready : Make(blocks, tile);
 }
 
 const TriangleTree& TileSurfaceSlot::Make(const BlockTable& blocks, TileIndex tile) const {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "mapping/base/mutex.h"
 #include "mapping/mesh/tile_surface.h"
 #include "mapping/query/surface_ledger.h"
 #include "mapping/query/triangle_tree.h"
@@ -15,9 +16,9 @@
 namespace dhpmap {
 
 /// The surface of one tile of a submap, made when it is first asked for, from whichever map, clone or state has the
-/// same surface voxels there; labels may differ. Knows them by identity and does not keep them alive. Thread-safe;
-/// nobody waits: one thread that wants what another is making makes it, too (a fraction of a millisecond), as that one
-/// may have lost its core.
+/// same surface voxels there; labels may differ. Knows them by identity and does not keep them alive. Thread-safe:
+/// threads that ask for the same surface wait for one of them to make it (a fraction of a millisecond), but none for
+/// one that is nicer, which may have lost its core, nor for what is prepared: then it is made twice.
 class TileSurfaceSlot {
  public:
   /// `last_used`: of the slot in whose place it comes.
@@ -34,11 +35,11 @@ class TileSurfaceSlot {
   [[nodiscard]] const TriangleTree& Surface(const BlockTable& blocks, TileIndex tile) const {
     MarkUsed();
     const TriangleTree* ready = ready_.load(std::memory_order_acquire);
-    return ready != nullptr ? *ready : Make(blocks, tile);
+    return ready != nullptr ? *ready : MakeInTurn(blocks, tile);
   }
   /// Makes it, if it is not there, without anybody having asked for it. `blocks` as for Surface.
   void Prepare(const BlockTable& blocks, TileIndex tile) const {
-    if (ready_.load(std::memory_order_acquire) == nullptr) Make(blocks, tile);
+    if (ready_.load(std::memory_order_acquire) == nullptr) (void)Make(blocks, tile);
   }
   /// Null: it is not there. Valid as long as the slot.
   [[nodiscard]] const TriangleTree* IfMade() const { return ready_.load(std::memory_order_acquire); }
@@ -63,6 +64,7 @@ class TileSurfaceSlot {
   };
   static std::vector<Layers> LayersOf(const TileNames& names);
   [[nodiscard]] bool HasLayersOf(const TileNames& names) const;
+  const TriangleTree& MakeInTurn(const BlockTable& blocks, TileIndex tile) const DHPMAP_EXCLUDES(makers_, nice_makers_);
   const TriangleTree& Make(const BlockTable& blocks, TileIndex tile) const;
 
   const std::array<std::uint64_t, 27>
@@ -71,6 +73,7 @@ class TileSurfaceSlot {
   const double voxel_size_m_;
   const std::shared_ptr<SurfaceLedger> ledger_;
   mutable std::atomic<std::uint64_t> last_used_;
+  mutable Mutex makers_, nice_makers_;                       ///< held by who makes it
   mutable std::atomic<const TriangleTree*> ready_{nullptr};  ///< its own
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/tracking/overlap_table.h"
 
+#include <utility>
+
 #include "mapping/tracking/things_in_view.h"
 
 namespace dhpmap {
@@ -18,12 +20,14 @@ OverlapTable CountOverlaps(const PanopticFrame& frame, const std::vector<Segment
   OverlapTable table;
   table.candidates.reserve(num_things);
   for (const ThingInView& thing : things.list()) table.candidates.push_back(thing.submap->id());
-  table.hits.assign(segments.size(), std::vector<std::int64_t>(num_things, 0));
+  table.hits.resize(segments.size());
   pool.ParallelFor(segments.size(), [&](std::size_t s) {
     const std::vector<std::uint32_t> hit_by = things.HitsOf(segments[s]);
+    std::vector<std::int64_t> hits(num_things, 0);
     for (std::size_t b = 0; b < hit_by.size(); ++b) {
-      if (hit_by[b] != ThingsInView::kNone) table.hits[s][hit_by[b]] += segments[s].bundles[b].num_points;
+      if (hit_by[b] != ThingsInView::kNone) hits[hit_by[b]] += segments[s].bundles[b].num_points;
     }
+    table.hits[s] = std::move(hits);
   });
   table.candidate_hits.assign(num_things, 0);
   for (const auto& row : table.hits) {

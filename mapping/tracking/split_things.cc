@@ -29,14 +29,15 @@ bool IsOnGridOf(const Map& map, SubmapId id) { return IsOnMapGrid(map.Find(id)->
 /// What hits what, bundle by bundle and summed up.
 struct FrameHits {
   FrameHits(const ThingsInView& things, const std::vector<SegmentBundles>& segments, ThreadPool& pool)
-      : hit_by(segments.size()),
-        of_segment(segments.size(), std::vector<std::int64_t>(things.list().size(), 0)),
-        of_frame(things.list().size(), 0) {
+      : hit_by(segments.size()), of_segment(segments.size()), of_frame(things.list().size(), 0) {
     pool.ParallelFor(segments.size(), [&](std::size_t s) {
-      hit_by[s] = things.HitsOf(segments[s]);
-      for (std::size_t b = 0; b < hit_by[s].size(); ++b) {
-        if (hit_by[s][b] != ThingsInView::kNone) of_segment[s][hit_by[s][b]] += segments[s].bundles[b].num_points;
+      std::vector<std::uint32_t> hits = things.HitsOf(segments[s]);
+      std::vector<std::int64_t> num_points(of_frame.size(), 0);
+      for (std::size_t b = 0; b < hits.size(); ++b) {
+        if (hits[b] != ThingsInView::kNone) num_points[hits[b]] += segments[s].bundles[b].num_points;
       }
+      hit_by[s] = std::move(hits);
+      of_segment[s] = std::move(num_points);
     });
     for (const auto& hits : of_segment) {
       for (std::size_t t = 0; t < hits.size(); ++t) of_frame[t] += hits[t];

@@ -135,6 +135,7 @@ std::vector<Kind> Points(const MapSnapshot& map, const Soup& soup, std::size_t c
 }
 
 double Quantile(std::vector<double>& values, double share) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
@@ -150,7 +151,7 @@ void PrintErrors(const Kind& kind, const DistanceQuery& query, const Soup& soup,
     const Eigen::Vector3d direction = (kind.points[i] - nearest) / truth_m * (answer.distance_m < 0 ? -1 : 1);
     angles_deg.push_back(std::acos(std::clamp(direction.dot(answer.gradient), -1.0, 1.0)) * 180 / M_PI);
   }
-  const double median = Quantile(errors_vox, 0.5), p99 = Quantile(errors_vox, 0.99), most = errors_vox.back();
+  const double median = Quantile(errors_vox, 0.5), p99 = Quantile(errors_vox, 0.99), most = Quantile(errors_vox, 1);
   std::printf(
       "  %-7s error of distance, voxels: median %.5f p99 %.5f max %.5f; of gradient, degrees: median %.3f p99 %.3f\n",
       kind.name, median, p99, most, Quantile(angles_deg, 0.5), Quantile(angles_deg, 0.99));
@@ -171,7 +172,7 @@ void PrintFieldErrors(const Kind& kind, const DistanceQuery& quick, const Distan
     num_sides += (a[i].distance_m < 0) != (b[i].distance_m < 0);
     angles_deg.push_back(std::acos(std::clamp(a[i].gradient.dot(b[i].gradient), -1.0, 1.0)) * 180 / M_PI);
   }
-  const double median = Quantile(errors_vox, 0.5), p99 = Quantile(errors_vox, 0.99), most = errors_vox.back();
+  const double median = Quantile(errors_vox, 0.5), p99 = Quantile(errors_vox, 0.99), most = Quantile(errors_vox, 1);
   std::printf(
       "  %-7s fields: error of distance, voxels: median %.5f p99 %.5f max %.5f; of gradient, degrees: median %.3f p99 "
       "%.3f; of %zu beyond half a voxel %zu (other side %zu), other status %zu\n",
@@ -346,8 +347,8 @@ void MeasureState(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& c
     for (const Kind& kind : kinds) query.At(std::span(kind.points).first(num_first), answers);
   });
   std::printf("%zu submaps, %zu tiles, %zu triangles; index %.2f ms, first 10 points %.2f ms, first %zu %.1f ms\n",
-              map->submaps().size(), cache.num_tiles(), soup.triangles.size(), 1e3 * index_s, 1e3 * first_s, 3 * num_first,
-              1e3 * cold_s);
+              map->submaps().size(), cache.num_tiles(), soup.triangles.size(), 1e3 * index_s, 1e3 * first_s,
+              3 * num_first, 1e3 * cold_s);
   std::printf("  M a second, one core                   near   middle      far\n");
   const auto in_batches = [&](auto points) { query.At(points, std::span(answers).first(points.size())); };
   Measure("distances, batches, while cells come", kinds, in_batches, 1);

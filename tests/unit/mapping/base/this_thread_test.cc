@@ -44,7 +44,17 @@ TEST(ThisThread, IsNeverLessNice) {
     EXPECT_EQ(Niceness(), before);
     MakeThisThreadNicer(0);
     EXPECT_EQ(Niceness(), before);
+    EXPECT_FALSE(IsThisThreadNicer());
   }).join();
+}
+
+TEST(ThisThread, KnowsThatItWasMadeNicer) {
+  std::thread([] {
+    MakeThisThreadNicer(1);
+    EXPECT_TRUE(IsThisThreadNicer());
+    std::thread([] { EXPECT_FALSE(IsThisThreadNicer()) << "what it starts was not made so itself"; }).join();
+  }).join();
+  EXPECT_FALSE(IsThisThreadNicer());
 }
 
 TEST(ThisThread, TakesShortTurnsAndSoDoesWhatItStartsUntilItSaysOtherwise) {

@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cstddef>
+#include <latch>
 #include <stop_token>
 #include <thread>
 #include <vector>
 
+#include "mapping/base/this_thread.h"
 #include "mapping/query/distance_query.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
@@ -269,14 +271,19 @@ TEST(SurfaceCache, ThreadsMayAskWhileOthersMakeAndEvict) {
   Map map = testing::FurnishedRoom();
   SurfaceCache plenty(kPlenty);
   const double truth = AskEverywhere(plenty, map.Publish(0));
-  SurfaceCache cache(plenty.bytes() / 2);
-  std::vector<std::jthread> threads;
-  threads.reserve(4);
-  for (int t = 0; t < 4; ++t) {
-    threads.emplace_back([&] {
-      for (int n = 0; n < 3; ++n) EXPECT_EQ(AskEverywhere(cache, map.published()), truth);
-    });
+  const std::size_t limit_bytes = plenty.bytes() / 2;
+  SurfaceCache cache(limit_bytes);
+  {
+    std::vector<std::jthread> threads;
+    threads.reserve(4);
+    for (int t = 0; t < 4; ++t) {
+      threads.emplace_back([&] {
+        for (int n = 0; n < 3; ++n) EXPECT_EQ(AskEverywhere(cache, map.published()), truth);
+      });
+    }
   }
+  (void)cache.Of(map.published());
+  EXPECT_LE(cache.bytes(), limit_bytes) << "nothing is kept that nobody knows of";
 }
 
 TEST(SurfaceCache, ThreadsThatWantASurfaceAtOnceGetOneThatIsCountedOnce) {
@@ -284,9 +291,10 @@ TEST(SurfaceCache, ThreadsThatWantASurfaceAtOnceGetOneThatIsCountedOnce) {
   Map map = testing::FurnishedRoom();
   const auto state = map.Publish(0);
   SurfaceCache alone(kPlenty);
-  const auto prepare = [&](SurfaceCache& cache) {
+  const auto prepare = [&](SurfaceCache& cache, std::latch& all_here) {
     std::vector<const TriangleTree*> made;
     const auto surfaces = cache.Of(state);
+    all_here.arrive_and_wait();
     const std::span<const SubmapIndex::Entry> entries = surfaces->index().entries();
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const SubmapSurface& surface = surfaces->surface(i);
@@ -294,17 +302,24 @@ TEST(SurfaceCache, ThreadsThatWantASurfaceAtOnceGetOneThatIsCountedOnce) {
     }
     return made;
   };
-  ASSERT_GT(prepare(alone).size(), 5u);
+  std::latch nobody_else(1);
+  ASSERT_GT(prepare(alone, nobody_else).size(), 5u);
   for (int round = 0; round < 20; ++round) {
     SurfaceCache cache(kPlenty);
     std::array<std::vector<const TriangleTree*>, kThreads> made;
     {
+      std::latch all_here(kThreads);
       std::vector<std::jthread> threads;
       threads.reserve(kThreads);
-      for (auto& of_thread : made) threads.emplace_back([&] { of_thread = prepare(cache); });
+      for (std::size_t t = 0; t < kThreads; ++t) {
+        threads.emplace_back([&, t] {
+          if (t % 2 == 1) MakeThisThreadNicer(1);  // those wait for one another alone
+          made[t] = prepare(cache, all_here);
+        });
+      }
     }
     for (const auto& of_thread : made) ASSERT_EQ(of_thread, made[0]);
-    ASSERT_EQ(cache.bytes(), alone.bytes());
+    ASSERT_EQ(cache.bytes(), alone.bytes()) << "one that was made twice is counted once";
   }
 }
 
