@@ -151,8 +151,8 @@ class SurfaceExtractor::Impl {
 
   void FindCells(int i) {
     MeshBlock& block = blocks_[i];
-    constexpr int kRows9 = kBlockSide + 1;
-    std::array<unsigned, kRows9 * kRows9> inside, observed;
+    constexpr int kRows9 = kBlockSide + 1, kNumRows = kRows9 * kRows9;
+    std::array<unsigned, kNumRows> inside, observed;
     for (int z = 0; z < kRows9; ++z) {
       for (int y = 0; y < kRows9; ++y) {
         inside[y + kRows9 * z] = Row(block, &MeshBlock::inside, y, z);

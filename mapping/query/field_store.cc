@@ -75,16 +75,15 @@ std::shared_ptr<const NearField> FieldStore::Find(BlockIndex block, std::uint64_
   const bool holds = changes && Holds(*known.field, *changes);
   const MutexLock lock(mutex_);
   const auto found = entries_.find(block);
-  // Else another one is in its place: it is nothing to this one.
-  if (found != entries_.end() && found->second.field == known.field) {
-    if (holds) {
-      found->second.checked = std::max(found->second.checked, state);
-    } else if (found->second.checked < state) {
-      bytes_ -= known.field->MemoryBytes();
-      entries_.erase(found);
-    }
+  if (found == entries_.end() || found->second.field != known.field) return holds ? known.field : nullptr;
+  if (state <= found->second.checked) return known.field;  // somebody else has found so meanwhile
+  if (holds) {
+    found->second.checked = state;
+    return known.field;
   }
-  return holds ? known.field : nullptr;
+  bytes_ -= known.field->MemoryBytes();
+  entries_.erase(found);
+  return nullptr;
 }
 
 void FieldStore::Put(BlockIndex block, std::uint64_t state, std::shared_ptr<const NearField> field) {

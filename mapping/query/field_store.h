@@ -20,7 +20,7 @@ namespace dhpmap {
 /// The near fields of a map, from state to state: one serves until something comes nearer to it than what it holds, or
 /// some of that goes. What goes of others is no loss: what it holds was as near.
 /// States have numbers, in the order in which they were first asked about. Thread-safe: nobody waits while another
-/// compares a field with what has changed, or frees some.
+/// compares a field with what has changed or frees it, only for half of them to be chosen where there are too many.
 class FieldStore {
  public:
   explicit FieldStore(std::shared_ptr<SurfaceLedger> ledger) : ledger_(std::move(ledger)) {}

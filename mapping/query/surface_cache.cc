@@ -207,17 +207,20 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, 
 
 std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap,
                                                              const SubmapSurface* before) {
+  std::uint64_t num_evictions = 0;
   {
     const MutexLock lock(mutex_);
     const auto known = submaps_.find(submap.get());
     if (known != submaps_.end() && !known->second.key.expired()) return known->second.value;
+    num_evictions = num_evictions_;
   }
   auto made = std::make_shared<const SubmapSurface>(*submap, [&](std::span<const SubmapSurface::Place> places) {
     return SlotsOf(places, submap->info().voxel_size_m, before);
   });
   Known<Submap, SubmapSurface> now{submap, made};
   const MutexLock lock(mutex_);
-  std::swap(submaps_[submap.get()], now);
+  // Else it may have slots that were dropped meanwhile, which nobody would know of any longer.
+  if (num_evictions == num_evictions_) std::swap(submaps_[submap.get()], now);
   return made;
 }
 
@@ -333,25 +336,31 @@ void SurfaceCache::Evict() {
 void SurfaceCache::DropUnused() {
   Forgotten forgotten;
   std::unordered_set<Slot> made;  // several tiles may show the same
-  std::vector<std::pair<std::uint64_t, Slot>> by_use;
-  std::unordered_set<const TileSurfaceSlot*> dropped;
-  const MutexLock lock(mutex_);
-  ForgetStates(forgotten);  // that somebody has asked about since: they may have what is dropped
-  for (const auto& [tile, known] : slots_) {
-    if (known.value->bytes() > 0) made.insert(known.value);
+  {
+    const MutexLock lock(mutex_);
+    for (const auto& [tile, known] : slots_) {
+      if (known.value->bytes() > 0) made.insert(known.value);
+    }
   }
   // As they were used by now: others go on marking them.
+  std::vector<std::pair<std::uint64_t, const TileSurfaceSlot*>> by_use;
   by_use.reserve(made.size());
-  for (const Slot& slot : made) by_use.emplace_back(slot->last_used(), slot);
-  std::sort(by_use.begin(), by_use.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::size_t bytes = ledger_->cell_bytes;
-  for (const auto& [last_used, slot] : by_use) bytes += slot->bytes();
+  for (const Slot& slot : made) {
+    by_use.emplace_back(slot->last_used(), slot.get());
+    bytes += slot->bytes();
+  }
+  std::sort(by_use.begin(), by_use.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::unordered_set<const TileSurfaceSlot*> dropped;
   for (const auto& [last_used, slot] : by_use) {
     if (bytes <= limit_bytes_ / 4 * 3) break;
     bytes -= slot->bytes();
-    dropped.insert(slot.get());
+    dropped.insert(slot);
   }
   if (dropped.empty()) return;
+  const MutexLock lock(mutex_);
+  ++num_evictions_;
+  ForgetStates(forgotten);  // that somebody has asked about since
   std::erase_if(submaps_, [&](const auto& known) {
     bool is_hit = false;
     known.second.value->ForEachSlot([&](const TileSurfaceSlot& slot) { is_hit |= dropped.contains(&slot); });

@@ -66,7 +66,8 @@ class MapSurfaces {
 
 /// Surfaces of the maps that are asked about, made when they are first wanted and kept for later states, moved objects
 /// and clones: only tiles that were written since are made again. Holds no voxels. Thread-safe; nobody waits while
-/// others make surfaces, but for the same tile (see TileSurfaceSlot), or free them.
+/// others make surfaces, but for the same tile (see TileSurfaceSlot), or free them. What is evicted is looked up in a
+/// walk over what is known, for which they wait.
 class SurfaceCache {
  public:
   /// What surfaces may take in all; those that were not wanted for longest go first. What a caller still holds counts,
@@ -142,6 +143,7 @@ class SurfaceCache {
   std::array<States, 2> states_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<std::string, Clock::time_point> asked_ DHPMAP_GUARDED_BY(mutex_);  // last, by map
   bool is_evicting_ DHPMAP_GUARDED_BY(mutex_) = false;
+  std::uint64_t num_evictions_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;  // so many slots and submaps
 };
 

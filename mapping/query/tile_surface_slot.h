@@ -17,8 +17,9 @@ namespace dhpmap {
 
 /// The surface of one tile of a submap, made when it is first asked for, from whichever map, clone or state has the
 /// same surface voxels there; labels may differ. Knows them by identity and does not keep them alive. Thread-safe:
-/// threads that ask for the same surface wait for one of them to make it (a fraction of a millisecond), but none for
-/// one that is nicer, which may have lost its core, nor for what is prepared: then it is made twice.
+/// threads that ask for the same surface wait for one of them to make it (a fraction of a millisecond, once its blocks
+/// are in memory), but none for one that is nicer, which may have lost its core, nor for what is prepared: then it is
+/// made twice.
 class TileSurfaceSlot {
  public:
   /// `last_used`: of the slot in whose place it comes.

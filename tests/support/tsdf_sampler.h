@@ -83,7 +83,7 @@ inline TsdfSampler::Sample TsdfSampler::Between(const Eigen::Vector3d& p_submap)
                              static_cast<float>(at.z() - low.z));
   const float x = part.x(), y = part.y(), z = part.z();
   float along_x[4], slope_x[4];  // at the corners in y and z
-  for (int k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     slope_x[k] = value[2 * k + 1] - value[2 * k];
     along_x[k] = value[2 * k] + x * slope_x[k];
   }
