@@ -17,9 +17,11 @@ void ParallelForWithScratch(ThreadPool& pool, std::size_t count, std::vector<Scr
   static_assert(alignof(Scratch) >= kCacheLineBytes, "those of two threads lie side by side");
   const auto num_lanes = static_cast<std::size_t>(pool.num_threads());
   if (scratch.size() < num_lanes) scratch.resize(num_lanes);
-  alignas(kCacheLineBytes) std::atomic<std::size_t> next{0};
+  struct alignas(kCacheLineBytes) Counter {  // a line of its own: what lies beside it every thread reads
+    std::atomic<std::size_t> next{0};
+  } counter;
   pool.ParallelFor(num_lanes, [&](std::size_t lane) {
-    for (std::size_t i = next++; i < count; i = next++) body(i, scratch[lane]);
+    for (std::size_t i = counter.next++; i < count; i = counter.next++) body(i, scratch[lane]);
   });
 }
 
