@@ -7,6 +7,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -74,6 +77,12 @@ bool IsAnswering(const ServerProcess& server) {
   return v1::MapService::NewStub(server.Connect())->ListMaps(&context, {}, &response).ok();
 }
 
+/// That a process has now.
+std::ptrdiff_t NumDescriptors(pid_t pid) {
+  const std::filesystem::directory_iterator first("/proc/" + std::to_string(pid) + "/fd");
+  return std::distance(begin(first), end(first));
+}
+
 /// GetMap of "room", by a client that has 20 s.
 grpc::Status AskForRoom(const std::shared_ptr<grpc::Channel>& channel) {
   grpc::ClientContext context;
@@ -112,6 +121,8 @@ TEST(Descriptors, WhenThereAreNoneForMoreConnectionsTheServerGoesOnAfterwards) {
     ASSERT_TRUE(silent.Open(2 * kAtMost));
     EXPECT_EQ(RunProgram(folder.path(), {"curl", "--silent", "--fail", server.http_url() + "/healthz"}).exit_code, 0);
   }
+  // Until the server has seen that they are gone, there are none and it refuses others.
+  ASSERT_TRUE(Eventually([&] { return NumDescriptors(server.process().pid()) < kAtMost / 2; }));
   EXPECT_TRUE(IsAnswering(server));
 }
 
