@@ -18,12 +18,7 @@ fail() { printf 'run.sh: %s\n' "$*" >&2; exit 1; }
 
 say "1/4 Installing and building"
 deploy/setup.sh
-mkdir -p build
-cmake --preset release >build/release-configure.log 2>&1 || { cat build/release-configure.log; exit 1; }
-cmake --build --preset release --target dhpmap-server dhpmap dhpmap-simulate >build/release-build.log 2>&1 || {
-  tail -n 60 build/release-build.log
-  exit 1
-}
+deploy/ci/build.sh release dhpmap-server dhpmap dhpmap-simulate
 bin=build/release/bin
 
 demo=build/demo

@@ -2,19 +2,19 @@
 # Installs what the build needs: Debian 12 packages, and the google/api protos, which Debian ships only inside a
 # Go -dev package (unpacked here without its dependencies). Asks nothing, skips what is there, safe to run again.
 #   deploy/setup.sh [--quiet] [--checks]
-# --checks adds what deploy/check.sh and the fuzzers need and a build does not: clang, its formatter and its tidy.
+# --checks adds what deploy/check.sh and the sanitizers need and a build does not: clang, its formatter and its tidy.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(
-  g++ cmake ninja-build ccache pkg-config ca-certificates curl
+  g++ cmake ninja-build ccache pkg-config ca-certificates curl python3
   libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
   libsqlite3-dev libzstd-dev libjemalloc-dev zlib1g-dev libspng-dev libtiff-dev libturbojpeg0-dev
   libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libpcl-dev
   libspdlog-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev libnanoflann-dev
   libgtest-dev
 )
-check_packages=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev)
+check_packages=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev lld-14)
 googleapis_package=golang-github-gogo-googleapis-dev  # the grpc-gateway one is older and has no google.rpc.ErrorInfo
 googleapis_dir=build/googleapis
 
@@ -33,23 +33,23 @@ done
 as_root() {
   if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi
 }
+has_googleapis() { grep -qs 'message ErrorInfo' "$googleapis_dir/google/rpc/error_details.proto"; }
 
-missing=()
-for package in "${packages[@]}"; do
-  dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
-done
+mapfile -t missing < <(comm -23 <(printf '%s\n' "${packages[@]}" | sort) <(
+  dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p' | sort))
+if [ ${#missing[@]} -gt 0 ] || ! has_googleapis; then
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq
+fi
 if [ ${#missing[@]} -gt 0 ]; then
   say "setup: installing ${missing[*]}"
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 
-if ! grep -qs 'message ErrorInfo' "$googleapis_dir/google/rpc/error_details.proto"; then
+if ! has_googleapis; then
   say "setup: unpacking the google/api protos from $googleapis_package"
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
-  fetch() { (cd "$work" && apt-get download -qq "$googleapis_package" >/dev/null 2>&1); }
-  fetch || { as_root apt-get update -qq; fetch; }
+  (cd "$work" && apt-get download -qq "$googleapis_package" >/dev/null)
   dpkg -x "$work"/*.deb "$work/root"
   protos=$(dirname "$(dirname "$(dirname "$(find "$work/root" -path '*google/api/annotations.proto' | head -n 1)")")")
   mkdir -p "$googleapis_dir"

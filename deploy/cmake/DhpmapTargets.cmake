@@ -1,12 +1,9 @@
 # dhpmap_library(NAME room_name SOURCES ... PUBLIC ... PRIVATE ... [STUBS] [ALONE ...]): one static library a room, with our warnings.
 # dhpmap_program(NAME ... SOURCES ... LIBS ... [STUBS] [ALONE ...]): a program in bin/.
-# dhpmap_tests(ROOM path LIBS ... [ENVIRONMENT name=value] [COST seconds [SHARDS n]] [STUBS] [ALONE ...]): all tests/<path>/*_test.cc
-# as one test binary.
+# dhpmap_tests(ROOM path LIBS ... [ENVIRONMENT name=value] [COST seconds] [STUBS] [ALONE ...]): all tests/<path>/*_test.cc
+# as one test binary; COST is what it takes in the release build, where that is seconds: the costliest run first.
 # STUBS: most of its sources include messages or gRPC; they share those headers too.
 # ALONE: sources that name a helper like another source of the room does (or a macro); all others are compiled eight together.
-# ctest runs each case on its own, but under sanitizers, where each start takes a third of a second, a binary as a whole:
-# the costliest first. COST is what the whole takes in the release build, where that is seconds; SHARDS, in how many
-# processes it then runs, so that no core waits long for the last of them.
 
 find_program(DHPMAP_CCACHE ccache)
 if(DHPMAP_CCACHE)
@@ -27,11 +24,11 @@ endif()
 # The same sums on every machine: fused multiply-add would round differently where it exists.
 add_compile_options(-ffp-contract=off)
 
-if(DHPMAP_SANITIZE STREQUAL "address")
+if(DHPMAP_SANITIZE STREQUAL "address")  # clang only: libFuzzer and the analysis of what a Mutex guards come with it
   # A null pointer ends the program anyway, and AddressSanitizer says where; with the two others, the checks of each access
   # were half of a build.
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,object-size,vptr -fno-sanitize-recover=all
-    -fno-omit-frame-pointer)
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize=null,object-size,vptr
+    -fno-sanitize-recover=all -fno-omit-frame-pointer -Wthread-safety -Werror=thread-safety)
   add_link_options(-fsanitize=address,undefined)
   add_compile_definitions(DHPMAP_SANITIZED)
 elseif(DHPMAP_SANITIZE STREQUAL "thread")
@@ -40,12 +37,8 @@ elseif(DHPMAP_SANITIZE STREQUAL "thread")
   add_compile_options(-fsanitize=thread -fno-omit-frame-pointer -U__SANITIZE_THREAD__)
   add_link_options(-fsanitize=thread)
   add_compile_definitions(DHPMAP_SANITIZED DHPMAP_THREAD_SANITIZER _GLIBCXX_TSAN=1)
-elseif(DHPMAP_SANITIZE STREQUAL "fuzzer")  # clang only; tests/fuzz links the fuzzers themselves
-  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  add_link_options(-fsanitize=address,undefined)
-  add_compile_definitions(DHPMAP_SANITIZED)
 elseif(DHPMAP_SANITIZE)
-  message(FATAL_ERROR "DHPMAP_SANITIZE is '${DHPMAP_SANITIZE}', not address, thread or fuzzer")
+  message(FATAL_ERROR "DHPMAP_SANITIZE is '${DHPMAP_SANITIZE}', not address or thread")
 endif()
 
 if(DHPMAP_PRECOMPILE AND DHPMAP_CCACHE)  # which needs care beside precompiled headers
@@ -122,7 +115,7 @@ if(DHPMAP_WERROR)
 endif()
 
 # Only the rooms that map take numbers for vectors, which have to be aligned.
-if(DHPMAP_SANITIZE STREQUAL "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+if(DHPMAP_SANITIZE STREQUAL "address")
   set(dhpmap_unaligned -fno-sanitize=alignment)
 endif()
 
@@ -152,14 +145,52 @@ function(dhpmap_program)
   dhpmap_compile_together(${ARG_NAME} ${ARG_ALONE})
 endfunction()
 
-# What the sanitizer runs build: unit tests of what is served or talks to a server, those of tools that work on files at
-# home, and the tests of rooms that start threads. Tests of the sources' text and of scripts are none of them.
-add_custom_target(dhpmap_unit_tests)
-add_custom_target(dhpmap_tool_tests)
-add_custom_target(dhpmap_threaded_tests)
+# dhpmap_room_of_tests(ROOM path TARGET name COMMAND ... [GTEST] [COST seconds] [ENVIRONMENT name=value]): a test of ctest, and a line of
+# tests/rooms.json, by which deploy/ci/run_rooms.py finds it.
+function(dhpmap_room_of_tests)
+  cmake_parse_arguments(ARG "GTEST" "ROOM;TARGET;COST" "COMMAND;ENVIRONMENT" ${ARGN})
+  string(REGEX MATCH "^[a-z0-9]+" label ${ARG_ROOM})
+  add_test(NAME ${ARG_ROOM} COMMAND ${ARG_COMMAND})
+  set_tests_properties(${ARG_ROOM} PROPERTIES LABELS ${label} TIMEOUT 1200)
+  if(ARG_ENVIRONMENT)
+    set_tests_properties(${ARG_ROOM} PROPERTIES ENVIRONMENT "${ARG_ENVIRONMENT}")
+  endif()
+  # What sanitizers run it: those that work on files at home are tools, the others serve or talk to a server; some start threads.
+  # Tests of the sources' text and of scripts, and of whole processes, are none of them.
+  set(kinds)
+  if(ARG_ROOM MATCHES "^unit/clients/(evaluator|simulator)")
+    list(APPEND kinds tool)
+  elseif(label STREQUAL unit AND NOT ARG_ROOM MATCHES "^unit/(architecture|deploy)$")
+    list(APPEND kinds served)
+  endif()
+  if(ARG_ROOM MATCHES
+      "^(integration|unit/(server/(app|wire|net|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|crf|evidence|refinement|pipeline)))$")
+    list(APPEND kinds threaded)
+  endif()
+  if(NOT ARG_COST)
+    set(ARG_COST 0)
+  endif()
+  set(entry "{\"room\": \"${ARG_ROOM}\", \"target\": \"${ARG_TARGET}\", \"command\": [\"$<JOIN:${ARG_COMMAND},\", \">\"]")
+  string(APPEND entry ", \"is_gtest\": $<IF:$<BOOL:${ARG_GTEST}>,true,false>, \"cost_s\": ${ARG_COST}")
+  foreach(name kinds ARG_ENVIRONMENT)
+    list(JOIN ${name} "\", \"" ${name}_list)
+    if(${name}_list)
+      set(${name}_list "\"${${name}_list}\"")
+    endif()
+  endforeach()
+  string(APPEND entry ", \"kinds\": [${kinds_list}], \"environment\": [${ARG_ENVIRONMENT_list}]}")
+  set_property(GLOBAL APPEND_STRING PROPERTY dhpmap_rooms_of_tests "${entry},\n")
+endfunction()
+
+# dhpmap_write_rooms_of_tests(): tests/rooms.json, of all rooms named so far.
+function(dhpmap_write_rooms_of_tests)
+  get_property(rooms GLOBAL PROPERTY dhpmap_rooms_of_tests)
+  string(REGEX REPLACE ",\n$" "" rooms "${rooms}")
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/tests/rooms.json CONTENT "[\n${rooms}\n]\n")
+endfunction()
 
 function(dhpmap_tests)
-  cmake_parse_arguments(ARG "STUBS" "ROOM;COST;SHARDS" "LIBS;ENVIRONMENT;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "ROOM;COST" "LIBS;ENVIRONMENT;ALONE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${ARG_ROOM}/*_test.cc)
   if(NOT sources)
     return()
@@ -177,38 +208,6 @@ function(dhpmap_tests)
   dhpmap_use_prelude(${name} tests ${ARG_STUBS})
   list(TRANSFORM ARG_ALONE PREPEND ${CMAKE_SOURCE_DIR}/tests/${ARG_ROOM}/)
   dhpmap_compile_together(${name} ${ARG_ALONE})
-  string(REGEX MATCH "^[a-z0-9]+" label ${ARG_ROOM})
-  if(ARG_ROOM MATCHES "^unit/clients/(evaluator|simulator)")
-    add_dependencies(dhpmap_tool_tests ${name})
-  elseif(label STREQUAL unit AND NOT ARG_ROOM MATCHES "^unit/(architecture|deploy)$")
-    add_dependencies(dhpmap_unit_tests ${name})
-  endif()
-  if(ARG_ROOM MATCHES "^(integration|unit/(server/(app|wire|net|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|crf|evidence|refinement|pipeline)))$")
-    add_dependencies(dhpmap_threaded_tests ${name})
-  endif()
-  # One label only, and no property without a value: gtest_discover_tests passes lists on as separate words.
-  set(properties LABELS ${label})
-  if(ARG_ENVIRONMENT)
-    list(APPEND properties ENVIRONMENT ${ARG_ENVIRONMENT})
-  endif()
-  if(DHPMAP_SANITIZE)  # deploy/count_cases.sh counts by the reports
-    if(ARG_COST)
-      list(APPEND properties COST ${ARG_COST})
-    endif()
-    if(NOT ARG_SHARDS)
-      set(ARG_SHARDS 1)
-    endif()
-    foreach(shard RANGE 1 ${ARG_SHARDS})
-      set(suffix)
-      if(ARG_SHARDS GREATER 1)
-        set(suffix .${shard}of${ARG_SHARDS})
-      endif()
-      math(EXPR index "${shard} - 1")
-      add_test(NAME ${ARG_ROOM}${suffix} COMMAND ${name} --gtest_output=xml:${CMAKE_BINARY_DIR}/tests/reports/${name}${suffix}.xml)
-      set_tests_properties(${ARG_ROOM}${suffix} PROPERTIES TIMEOUT 1200 ${properties})
-      set_property(TEST ${ARG_ROOM}${suffix} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=${ARG_SHARDS} GTEST_SHARD_INDEX=${index})
-    endforeach()
-  else()
-    gtest_discover_tests(${name} TEST_PREFIX "${ARG_ROOM}/" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 240 ${properties})
-  endif()
+  dhpmap_room_of_tests(ROOM ${ARG_ROOM} TARGET ${name} COMMAND $<TARGET_FILE:${name}> GTEST COST ${ARG_COST}
+    ENVIRONMENT ${ARG_ENVIRONMENT})
 endfunction()
