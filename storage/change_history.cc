@@ -13,14 +13,14 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read what was changed";
-constexpr char kWriteTask[] = "write what was changed";
-constexpr char kTrimTask[] = "delete what was changed long ago";
+constexpr char kReadChangesTask[] = "read what was changed";
+constexpr char kWriteChangesTask[] = "write what was changed";
+constexpr char kTrimChangesTask[] = "delete what was changed long ago";
 
 /// Of those beyond the limits so many go with one commit, which adds one.
-constexpr std::int64_t kMostTrimmed = 16;
+constexpr std::int64_t kMostChangesTrimmed = 16;
 
-Status Damaged(const std::string& map, std::int64_t after_revision) {
+Status DamagedChanges(const std::string& map, std::int64_t after_revision) {
   return DataLoss("map '" + map + "': what is kept of its changes after revision " + std::to_string(after_revision) +
                   " is damaged")
       .WithReason("DAMAGED_CHANGES");
@@ -34,7 +34,7 @@ Result<ChangeLogRow> LogBefore(Database& database, std::int64_t map_key, const M
   const bool goes_on =
       stored.ok() && *stored && (*stored)->history_id == info.history_id && (*stored)->last_revision <= before;
   if (goes_on) return **stored;
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare("DELETE FROM changes WHERE map_key = ?", kTrimTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare("DELETE FROM changes WHERE map_key = ?", kTrimChangesTask));
   DHPMAP_RETURN_IF_ERROR(erase.Bind(map_key).Run());
   return ChangeLogRow{
       .map_key = map_key, .history_id = info.history_id, .complete_after = before, .last_revision = before, .seal = {}};
@@ -50,19 +50,20 @@ Status InsertChange(Database& database, const MapChange& change, Bytes blob, con
                 .seal = {}};
   row.seal = Changes().SealOf(row);
   // A damaged row may have this number already.
-  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Changes().Upsert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Changes().Upsert(), kWriteChangesTask));
   Changes().BindAll(row, upsert);
   return upsert.Run();
 }
 
 /// Deletes the oldest changes while they are beyond the limits, or the log does not count on them.
-Status Trim(Database& database, std::int64_t now_ns, const ChangeHistoryLimits& limits, ChangeLogRow& log) {
+Status TrimChanges(Database& database, std::int64_t now_ns, const ChangeHistoryLimits& limits, ChangeLogRow& log) {
   DHPMAP_ASSIGN_OR_RETURN(Statement oldest,
                           database.Prepare("SELECT change_key, last_revision, time_ns, length(blob) FROM changes "
                                            "WHERE map_key = ? ORDER BY last_revision LIMIT 1",
-                                           kTrimTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare("DELETE FROM changes WHERE change_key = ?", kTrimTask));
-  for (std::int64_t n = 0; n < kMostTrimmed; ++n) {
+                                           kTrimChangesTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement erase,
+                          database.Prepare("DELETE FROM changes WHERE change_key = ?", kTrimChangesTask));
+  for (std::int64_t n = 0; n < kMostChangesTrimmed; ++n) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, oldest.Bind(log.map_key).Step());
     if (!has_row) return Status::Ok();
     const std::int64_t key = oldest.Int(0), revision = oldest.Int(1), time_ns = oldest.Int(2), bytes = oldest.Int(3);
@@ -88,24 +89,24 @@ Result<std::shared_ptr<const MapChange>> ChangeOf(const ChangeRow& row) {
 }
 
 /// Rows from `after` on, each of which follows the one before.
-Status ReadRows(Database& database, const MapRow& map, const ChangeLogRow& log, std::int64_t after,
-                std::size_t max_bytes, ChangeList& list) {
+Status ReadChangeRows(Database& database, const MapRow& map, const ChangeLogRow& log, std::int64_t after,
+                      std::size_t max_bytes, ChangeList& list) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
       database.Prepare(
           Changes().Select("WHERE map_key = ? AND last_revision > ? AND last_revision <= ? ORDER BY last_revision"),
-          kReadTask));
+          kReadChangesTask));
   select.Bind(map.key).Bind(after).Bind(log.last_revision);
   std::int64_t previous = after;
   for (std::size_t num_bytes = 0; num_bytes < max_bytes;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
-    if (!has_row) return previous >= log.last_revision ? Status::Ok() : Damaged(map.info.name, previous);
+    if (!has_row) return previous >= log.last_revision ? Status::Ok() : DamagedChanges(map.info.name, previous);
     ChangeRow row;
     const bool is_intact = Changes().Read(select, row) && Changes().IsIntact(row, row.seal);
     const bool follows = list.changes.empty() ? row.previous_revision <= previous : row.previous_revision == previous;
-    if (!is_intact || !follows) return Damaged(map.info.name, previous);
+    if (!is_intact || !follows) return DamagedChanges(map.info.name, previous);
     auto change = ChangeOf(row);
-    if (change.status().code() == StatusCode::kDataLoss) return Damaged(map.info.name, previous);
+    if (change.status().code() == StatusCode::kDataLoss) return DamagedChanges(map.info.name, previous);
     if (!change.ok()) return change.status();
     num_bytes += BytesOf(**change);
     list.changes.push_back(std::move(*change));
@@ -144,16 +145,16 @@ Status RecordChange(Database& database, std::int64_t map_key, const MapInfo& inf
     log.num_bytes += num_bytes;
   }
   log.last_revision = change.last_revision;
-  DHPMAP_RETURN_IF_ERROR(Trim(database, change.time_ns, limits, log));
+  DHPMAP_RETURN_IF_ERROR(TrimChanges(database, change.time_ns, limits, log));
   log.seal = ChangeLogs().SealOf(log);
-  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(ChangeLogs().Upsert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(ChangeLogs().Upsert(), kWriteChangesTask));
   ChangeLogs().BindAll(log, upsert);
   return upsert.Run();
 }
 
 Status ForgetChanges(Database& database, std::int64_t map_key) {
   for (const char* sql : {"DELETE FROM changes WHERE map_key = ?", "DELETE FROM change_logs WHERE map_key = ?"}) {
-    DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare(sql, kWriteTask));
+    DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare(sql, kWriteChangesTask));
     DHPMAP_RETURN_IF_ERROR(erase.Bind(map_key).Run());
   }
   return Status::Ok();
@@ -164,13 +165,13 @@ Result<ChangeList> ReadChanges(Database& database, const MapRow& map, std::int64
   ChangeList list{
       .history_id = map.info.history_id, .revision = map.info.revision, .complete_after = map.info.revision};
   const auto stored = ReadChangeLog(database, map.key);
-  if (stored.status().code() == StatusCode::kDataLoss) return Damaged(map.info.name, after_revision);
+  if (stored.status().code() == StatusCode::kDataLoss) return DamagedChanges(map.info.name, after_revision);
   if (!stored.ok()) return stored.status();
   const bool has_log = *stored && (*stored)->history_id == map.info.history_id;
   if (has_log) list.complete_after = (*stored)->complete_after;
-  if (has_log && (*stored)->last_revision > list.revision) return Damaged(map.info.name, after_revision);
+  if (has_log && (*stored)->last_revision > list.revision) return DamagedChanges(map.info.name, after_revision);
   if (after_revision < list.complete_after) return ChangesNotKept(list.complete_after);
-  if (has_log) DHPMAP_RETURN_IF_ERROR(ReadRows(database, map, **stored, after_revision, max_bytes, list));
+  if (has_log) DHPMAP_RETURN_IF_ERROR(ReadChangeRows(database, map, **stored, after_revision, max_bytes, list));
   return list;
 }
 

@@ -21,16 +21,16 @@ using sqlite::Columns;
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read what undoes an edit";
-constexpr char kWriteTask[] = "write what undoes an edit";
-constexpr char kTrimTask[] = "delete what undoes edits of long ago";
+constexpr char kReadHistoryTask[] = "read what undoes an edit";
+constexpr char kWriteHistoryTask[] = "write what undoes an edit";
+constexpr char kTrimHistoryTask[] = "delete what undoes edits of long ago";
 
 /// Of those beyond the limits so many go with one edit.
-constexpr int kMostTrimmed = 16;
+constexpr int kMostHistoriesTrimmed = 16;
 /// What a row of edit_tiles counts.
 constexpr std::int64_t kRowBytes = 64;
 
-Status Damaged(const MapRow& map, std::int64_t revision, const std::string& what) {
+Status DamagedHistory(const MapRow& map, std::int64_t revision, const std::string& what) {
   return DataLoss("map '" + map.info.name + "': what undoes edit " + std::to_string(revision) + " " + what)
       .WithReason("DAMAGED_EDITS");
 }
@@ -114,7 +114,8 @@ Status AddTile(const Row& row, std::uint16_t store, StateDelta& delta) {
 Result<std::optional<std::int64_t>> OldestKept(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
-      database.Prepare("SELECT revision FROM edit_histories WHERE map_key = ? ORDER BY revision LIMIT 1", kReadTask));
+      database.Prepare("SELECT revision FROM edit_histories WHERE map_key = ? ORDER BY revision LIMIT 1",
+                       kReadHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Bind(map_key).Step());
   return has_row ? std::optional(select.Int(0)) : std::nullopt;
 }
@@ -126,7 +127,7 @@ Status ReadTiles(Database& database, const MapRow& map, const EditHistoryRow& hi
       database.Prepare("SELECT submap_id, x, y, z, layer, before_key, after_key, b.blob, a.blob FROM edit_tiles "
                        "LEFT JOIN tile_blobs b ON b.blob_key = before_key LEFT JOIN tile_blobs a ON a.blob_key = "
                        "after_key WHERE edit_key = ? ORDER BY submap_id, x, y, z, layer",
-                       kReadTask));
+                       kReadHistoryTask));
   TileTotals totals;
   select.Bind(history.key);
   for (;;) {
@@ -137,9 +138,9 @@ Status ReadTiles(Database& database, const MapRow& map, const EditHistoryRow& hi
     row.after = select.Blob(8);
     AddEditTile(totals, row.submap_id, row.index, row.layer, row.before_key, row.after_key);
     const Status added = AddTile(row, store, delta);
-    if (!added.ok()) return Damaged(map, history.revision, added.message());
+    if (!added.ok()) return DamagedHistory(map, history.revision, added.message());
   }
-  return totals.sum == history.tiles_sum ? Status::Ok() : Damaged(map, history.revision, "lacks tiles");
+  return totals.sum == history.tiles_sum ? Status::Ok() : DamagedHistory(map, history.revision, "lacks tiles");
 }
 
 }  // namespace
@@ -174,7 +175,7 @@ Result<EditTileRecorder> EditTileRecorder::Prepare(Database& database, std::int6
       {&recorder.rows_, "SELECT x, y, z, layer, blob_key FROM tiles WHERE owner_key = ?"},
   };
   for (const Text& text : texts) {
-    DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(text.sql, kWriteTask));
+    DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(text.sql, kWriteHistoryTask));
     text.statement->emplace(std::move(statement));
   }
   return recorder;
@@ -233,7 +234,7 @@ Status RecordHistory(Database& database, std::int64_t map_key, std::int64_t edit
                      .seal = {}};
   row.num_bytes += static_cast<std::int64_t>(row.blob.bytes.size());
   row.seal = EditHistories().SealOf(row);
-  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(EditHistories().Insert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(EditHistories().Insert(), kWriteHistoryTask));
   EditHistories().BindAll(row, insert);
   return insert.Run();
 }
@@ -243,7 +244,7 @@ Result<std::optional<EditTileRecorder>> RecorderOfLeft(Database& database, const
   DHPMAP_ASSIGN_OR_RETURN(Statement find,
                           database.Prepare("SELECT edit_key FROM edit_histories WHERE edit_key = (SELECT edit_key FROM "
                                            "edits WHERE map_key = ? ORDER BY revision DESC LIMIT 1)",
-                                           kReadTask));
+                                           kReadHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool is_kept, find.Bind(map.key).Step());
   if (!is_kept) return std::optional<EditTileRecorder>();
   DHPMAP_ASSIGN_OR_RETURN(EditTileRecorder recorder, EditTileRecorder::Prepare(database, find.Int(0)));
@@ -251,7 +252,8 @@ Result<std::optional<EditTileRecorder>> RecorderOfLeft(Database& database, const
 }
 
 Status AddToHistory(Database& database, const EditTileRecorder& left, const EditLogLimits& limits) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement select,
+                          database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadHistoryTask));
   DHPMAP_RETURN_IF_ERROR(select.Bind(left.edit_key()).Step().status());
   EditHistoryRow row;
   const bool is_intact = EditHistories().Read(select, row) && EditHistories().IsIntact(row, row.seal);
@@ -261,12 +263,13 @@ Status AddToHistory(Database& database, const EditTileRecorder& left, const Edit
   row.tiles_sum = static_cast<std::int64_t>(static_cast<std::uint64_t>(row.tiles_sum) +
                                             static_cast<std::uint64_t>(left.tiles_sum()));
   row.seal = EditHistories().SealOf(row);
-  DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(EditHistories().Update("WHERE edit_key = ?"), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement update,
+                          database.Prepare(EditHistories().Update("WHERE edit_key = ?"), kWriteHistoryTask));
   EditHistories().BindChanges(row, update);
   DHPMAP_RETURN_IF_ERROR(update.Bind(row.key).Run());
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement totals,
-      database.Prepare("UPDATE edit_totals SET history_bytes = history_bytes + ? WHERE map_key = ?", kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement totals,
+                          database.Prepare("UPDATE edit_totals SET history_bytes = history_bytes + ? WHERE map_key = ?",
+                                           kWriteHistoryTask));
   DHPMAP_RETURN_IF_ERROR(totals.Bind(left.num_bytes()).Bind(row.map_key).Run());
   return TrimHistories(database, row.map_key, row.time_ns, limits);
 }
@@ -276,19 +279,19 @@ Status TrimHistories(Database& database, std::int64_t map_key, std::int64_t now_
                           database.Prepare("DELETE FROM edit_histories WHERE edit_key = (SELECT edit_key FROM "
                                            "edit_histories WHERE map_key = ? ORDER BY revision DESC LIMIT 1) AND "
                                            "num_bytes > ?",
-                                           kTrimTask));
+                                           kTrimHistoryTask));
   DHPMAP_RETURN_IF_ERROR(oversized.Bind(map_key).Bind(limits.max_history_bytes).Run());
   DHPMAP_ASSIGN_OR_RETURN(Statement oldest,
                           database.Prepare("SELECT h.edit_key, h.time_ns, num_histories, history_bytes FROM "
                                            "edit_histories h JOIN edit_totals USING (map_key) WHERE map_key = ? ORDER "
                                            "BY h.revision LIMIT 1",
-                                           kTrimTask));
+                                           kTrimHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase,
-                          database.Prepare("DELETE FROM edit_histories WHERE edit_key = ?", kTrimTask));
+                          database.Prepare("DELETE FROM edit_histories WHERE edit_key = ?", kTrimHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement count,
-                          database.Prepare("SELECT count(*) FROM edit_tiles WHERE edit_key = ?", kTrimTask));
+                          database.Prepare("SELECT count(*) FROM edit_tiles WHERE edit_key = ?", kTrimHistoryTask));
   std::int64_t num_tiles = 0;
-  for (int n = 0; n < kMostTrimmed && num_tiles < kMostTilesTrimmed; ++n) {
+  for (int n = 0; n < kMostHistoriesTrimmed && num_tiles < kMostTilesTrimmed; ++n) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, oldest.Bind(map_key).Step());
     if (!has_row) return Status::Ok();
     const std::int64_t key = oldest.Int(0);
@@ -313,13 +316,15 @@ Status UndoNotKept(std::int64_t revision, std::optional<std::int64_t> oldest_edi
 }
 
 Result<StateDelta> ReadHistory(Database& database, const MapRow& map, std::int64_t revision, std::uint16_t store) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement find,
-                          database.Prepare("SELECT edit_key FROM edits WHERE map_key = ? AND revision = ?", kReadTask));
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement find,
+      database.Prepare("SELECT edit_key FROM edits WHERE map_key = ? AND revision = ?", kReadHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool is_there, find.Bind(map.key).Bind(revision).Step());
   if (!is_there) {
     return NotFound("the log of the map has no edit " + std::to_string(revision)).WithReason("EDIT_NOT_FOUND");
   }
-  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement select,
+                          database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool is_kept, select.Bind(find.Int(0)).Step());
   if (!is_kept) {
     DHPMAP_ASSIGN_OR_RETURN(const auto oldest, OldestKept(database, map.key));
@@ -327,11 +332,11 @@ Result<StateDelta> ReadHistory(Database& database, const MapRow& map, std::int64
   }
   EditHistoryRow row;
   if (!EditHistories().Read(select, row) || !EditHistories().IsIntact(row, row.seal) || row.revision != revision) {
-    return Damaged(map, revision, "has a wrong checksum");
+    return DamagedHistory(map, revision, "has a wrong checksum");
   }
   StateDelta delta;
   const Status decoded = DecodeEditRows(row.blob.bytes, revision, delta);
-  if (!decoded.ok()) return Damaged(map, revision, decoded.message());
+  if (!decoded.ok()) return DamagedHistory(map, revision, decoded.message());
   DHPMAP_RETURN_IF_ERROR(ReadTiles(database, map, row, store, delta));
   return delta;
 }

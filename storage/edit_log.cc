@@ -13,14 +13,14 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read the log of edits";
-constexpr char kWriteTask[] = "write the log of edits";
-constexpr char kTrimTask[] = "delete edits of long ago from their log";
+constexpr char kReadEditsTask[] = "read the log of edits";
+constexpr char kWriteEditsTask[] = "write the log of edits";
+constexpr char kTrimEditsTask[] = "delete edits of long ago from their log";
 
 /// Of those beyond the limits so many go with one edit.
-constexpr int kMostTrimmed = 16;
+constexpr int kMostEditsTrimmed = 16;
 
-Status Damaged(const std::string& map, const std::string& what) {
+Status DamagedLog(const std::string& map, const std::string& what) {
   return DataLoss("map '" + map + "': " + what + " of the log of its edits is damaged").WithReason("DAMAGED_EDITS");
 }
 
@@ -31,7 +31,7 @@ Status InsertTargets(Database& database, std::int64_t map_key, const EditEntry& 
   DHPMAP_ASSIGN_OR_RETURN(
       Statement insert,
       database.Prepare("INSERT OR REPLACE INTO edit_targets (map_key, target, revision, kind) VALUES (?, ?, ?, ?)",
-                       kWriteTask));
+                       kWriteEditsTask));
   for (const std::int64_t target : entry.summary.targets) {
     insert.Bind(map_key).Bind(target).Bind(entry.revision).Bind(static_cast<std::int64_t>(entry.summary.kind));
     DHPMAP_RETURN_IF_ERROR(insert.Run());
@@ -40,15 +40,15 @@ Status InsertTargets(Database& database, std::int64_t map_key, const EditEntry& 
 }
 
 /// The newest stays, whatever it takes: it was made, and may be asked for again.
-Status Trim(Database& database, std::int64_t map_key, std::int64_t newest, std::int64_t now_ns,
-            const EditLogLimits& limits) {
+Status TrimEdits(Database& database, std::int64_t map_key, std::int64_t newest, std::int64_t now_ns,
+                 const EditLogLimits& limits) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement oldest,
       database.Prepare("SELECT edit_key, time_ns, num_edits, edit_bytes FROM edits JOIN edit_totals USING (map_key) "
                        "WHERE map_key = ? AND edit_key <> ? ORDER BY revision LIMIT 1",
-                       kTrimTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare("DELETE FROM edits WHERE edit_key = ?", kTrimTask));
-  for (int n = 0; n < kMostTrimmed; ++n) {
+                       kTrimEditsTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare("DELETE FROM edits WHERE edit_key = ?", kTrimEditsTask));
+  for (int n = 0; n < kMostEditsTrimmed; ++n) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, oldest.Bind(map_key).Bind(newest).Step());
     if (!has_row) return Status::Ok();
     const std::int64_t key = oldest.Int(0);
@@ -67,7 +67,7 @@ class TargetStates {
     DHPMAP_ASSIGN_OR_RETURN(Statement select,
                             database.Prepare("SELECT kind FROM edit_targets WHERE map_key = ? AND target = ? ORDER BY "
                                              "revision DESC LIMIT 1",
-                                             kReadTask));
+                                             kReadEditsTask));
     return TargetStates(std::move(select));
   }
   Result<bool> IsUndone(std::int64_t map_key, std::int64_t revision) {
@@ -109,12 +109,12 @@ Result<std::int64_t> RecordEdit(Database& database, std::int64_t map_key, const 
               .answer = BlobOf(edit.answer),
               .seal = {}};
   row.seal = Edits().SealOf(row);
-  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Edits().Insert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Edits().Insert(), kWriteEditsTask));
   Edits().BindAll(row, insert);
   DHPMAP_RETURN_IF_ERROR(insert.Run());
   const std::int64_t key = database.LastInsertRowId();
   DHPMAP_RETURN_IF_ERROR(InsertTargets(database, map_key, entry));
-  DHPMAP_RETURN_IF_ERROR(Trim(database, map_key, key, entry.time_ns, limits));
+  DHPMAP_RETURN_IF_ERROR(TrimEdits(database, map_key, key, entry.time_ns, limits));
   return key;
 }
 
@@ -123,9 +123,9 @@ Result<std::vector<LoggedEdit>> ReadEdits(Database& database, const MapRow& map,
   const char* const which = query.author
                                 ? "WHERE map_key = ? AND revision < ? AND author = ? ORDER BY revision DESC LIMIT ?"
                                 : "WHERE map_key = ? AND revision < ? ORDER BY revision DESC LIMIT ?";
-  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Edits().Select(which), kReadTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Edits().Select(which), kReadEditsTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement kept,
-                          database.Prepare("SELECT 1 FROM edit_histories WHERE edit_key = ?", kReadTask));
+                          database.Prepare("SELECT 1 FROM edit_histories WHERE edit_key = ?", kReadEditsTask));
   select.Bind(map.key).Bind(query.before_revision.value_or(std::numeric_limits<std::int64_t>::max()));
   if (query.author) select.Bind(std::string_view(*query.author));
   select.Bind(query.max_edits);
@@ -135,12 +135,12 @@ Result<std::vector<LoggedEdit>> ReadEdits(Database& database, const MapRow& map,
     if (!has_row) return edits;
     EditRow row;
     if (!Edits().Read(select, row) || !Edits().IsIntact(row, row.seal)) {
-      return Damaged(map.info.name, "revision " + std::to_string(row.revision));
+      return DamagedLog(map.info.name, "revision " + std::to_string(row.revision));
     }
     LoggedEdit edit{.entry = {.revision = row.revision, .time_ns = row.time_ns, .source = row.source, .summary = {}}};
     edit.entry.summary.kind = row.kind;
     if (!DecodeEditSummary(row.summary.bytes, edit.entry).ok()) {
-      return Damaged(map.info.name, "revision " + std::to_string(row.revision));
+      return DamagedLog(map.info.name, "revision " + std::to_string(row.revision));
     }
     DHPMAP_ASSIGN_OR_RETURN(edit.is_undone, states.IsUndone(map.key, row.revision));
     DHPMAP_ASSIGN_OR_RETURN(edit.is_kept, kept.Bind(row.key).Step());
@@ -154,12 +154,12 @@ Result<std::optional<StoredAnswer>> ReadAnswer(Database& database, const MapRow&
       Statement select,
       database.Prepare(
           Edits().Select("WHERE map_key = ? AND request_id = ? AND request_id <> '' ORDER BY revision DESC LIMIT 1"),
-          kReadTask));
+          kReadEditsTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Bind(map.key).Bind(std::string_view(request_id)).Step());
   if (!has_row) return std::optional<StoredAnswer>();
   EditRow row;
   if (!Edits().Read(select, row) || !Edits().IsIntact(row, row.seal)) {
-    return Damaged(map.info.name, "revision " + std::to_string(row.revision));
+    return DamagedLog(map.info.name, "revision " + std::to_string(row.revision));
   }
   return std::optional(StoredAnswer{.revision = row.revision,
                                     .request_fingerprint = row.source.request_fingerprint,

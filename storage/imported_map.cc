@@ -20,7 +20,7 @@ namespace {
 
 using sqlite::Database;
 
-constexpr char kReadTask[] = "read the file";
+constexpr char kReadImportTask[] = "read the file";
 
 /// Revisions, frames and times of up to this can be added to and subtracted from each other.
 constexpr std::int64_t kBeyondNumbers = std::int64_t{1} << 62;
@@ -213,12 +213,13 @@ Status CheckRowCounts(Database& file, const RowBounds& bounds) {
     const std::string table = bound.table;
     DHPMAP_ASSIGN_OR_RETURN(
         const std::int64_t num_tables,
-        file.QueryInt("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = '" + table + "'", kReadTask));
+        file.QueryInt("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = '" + table + "'",
+                      kReadImportTask));
     if (num_tables == 0) continue;  // of another schema
     DHPMAP_ASSIGN_OR_RETURN(
         const std::int64_t num_rows,
         file.QueryInt("SELECT count(*) FROM (SELECT 1 FROM " + table + " LIMIT " + std::to_string(bound.most + 1) + ")",
-                      kReadTask));
+                      kReadImportTask));
     if (num_rows > bound.most) {
       return Bad(bound.what, "are more than the " + std::to_string(bound.most) + " that a file may have");
     }
@@ -232,7 +233,7 @@ Status CheckTileIndices(Database& file) {
   DHPMAP_ASSIGN_OR_RETURN(
       const std::int64_t is_any_beyond,
       file.QueryInt("SELECT EXISTS (SELECT 1 FROM tiles WHERE x" + beyond + " OR y" + beyond + " OR z" + beyond + ")",
-                    kReadTask));
+                    kReadImportTask));
   return is_any_beyond == 0 ? Status::Ok() : Bad("tiles", "are beyond what the grid reaches");
 }
 

@@ -20,13 +20,11 @@ using sqlite::Database;
 using sqlite::Statement;
 using sqlite::Transaction;
 
-constexpr char kReadTask[] = "read the file";
-constexpr char kWriteTask[] = "add the map";
+constexpr char kReadFileTask[] = "read the file";
+constexpr char kAddMapTask[] = "add the map";
 constexpr std::uint64_t kGeneration = 1;
 /// Some milliseconds of the writer's time.
 constexpr std::size_t kStepBytes = 512u << 10;
-
-Status NobodyWaits() { return Cancelled("nobody waits for the map any more"); }
 
 /// What the map's own row is written from: its submaps without their voxels.
 MapSnapshot WithoutVoxels(MapInfo info, const std::vector<SubmapRow>& rows) {
@@ -50,7 +48,7 @@ class TileRowCopier {
   static Result<TileRowCopier> Prepare(Database& file, Database& database, const Brought& brought) {
     DHPMAP_ASSIGN_OR_RETURN(
         Statement select,
-        file.Prepare("SELECT x, y, z, layer, blob_key, cells, extent FROM tiles WHERE owner_key = ?", kReadTask));
+        file.Prepare("SELECT x, y, z, layer, blob_key, cells, extent FROM tiles WHERE owner_key = ?", kReadFileTask));
     DHPMAP_ASSIGN_OR_RETURN(TileRows rows, TileRows::Prepare(database));
     return TileRowCopier(std::move(select), std::move(rows), brought);
   }
@@ -80,7 +78,7 @@ class TileRowCopier {
   /// Says of each blob how many more than one refer to it.
   Status NoteShared(Database& database) const {
     DHPMAP_ASSIGN_OR_RETURN(
-        Statement insert, database.Prepare("INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, ?)", kWriteTask));
+        Statement insert, database.Prepare("INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, ?)", kAddMapTask));
     for (std::size_t rank = 0; rank < num_uses_.size(); ++rank) {
       if (num_uses_[rank] < 2) continue;
       const std::int64_t key = brought_.first_key + static_cast<std::int64_t>(rank);
@@ -122,7 +120,7 @@ Status MapCopy::ListBlobs(const std::stop_token& stop) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
                           file.Prepare("SELECT blob_key FROM tiles WHERE owner_key = ?1 UNION ALL SELECT blob_key FROM "
                                        "submaps JOIN tiles ON owner_key = submap_key WHERE map_key = ?2",
-                                       kReadTask));
+                                       kReadFileTask));
   select.Bind(OwnerOfMap(map.key)).Bind(map.key);
   for (;;) {
     if (stop.stop_requested()) return NobodyWaits();
@@ -159,7 +157,7 @@ Status MapCopy::BringStep(std::size_t& next) {
   };
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
-      file_.database().Prepare("SELECT num_blocks, blob FROM tile_blobs WHERE blob_key = ?", kReadTask));
+      file_.database().Prepare("SELECT num_blocks, blob FROM tile_blobs WHERE blob_key = ?", kReadFileTask));
   std::vector<Blob> step;
   for (std::size_t num_bytes = 0; num_bytes < kStepBytes && next + step.size() < blobs_.size();) {
     DHPMAP_ASSIGN_OR_RETURN(const bool is_there, select.Bind(blobs_[next + step.size()]).Step());

@@ -31,8 +31,6 @@ Status NotAMapFile(const std::string& why) {
   return InvalidArgument("the file is no exported map: " + why).WithReason("BAD_MAP");
 }
 
-Status NobodyWaits() { return Cancelled("nobody waits for the map any more"); }
-
 /// A backup, but of the time of its state, so that a state, once all of it is written, is always the same file.
 /// Rows with the keys that they have, which their checksums cover. Both databases have the tables that the same steps
 /// made, so their columns are in the same order. Left out: how far the changes of the map's history are told, its lost
@@ -168,6 +166,8 @@ Result<MapFile> MapFile::Open(const std::string& path, const std::stop_token& st
   DHPMAP_RETURN_IF_ERROR(OfFile(VerifyFile(file, *name, stop)));
   return MapFile(std::move(file), std::move(name).value());
 }
+
+Status NobodyWaits() { return Cancelled("nobody waits for the map any more"); }
 
 void RemoveDatabase(const std::string& path) {
   std::error_code ignored;

@@ -37,6 +37,9 @@ class MapFile {
   std::string name_;
 };
 
+/// What work on such a file ends with once it is asked to stop: CANCELLED.
+Status NobodyWaits();
+
 /// Removes a file that is a database, and what SQLite keeps beside it.
 void RemoveDatabase(const std::string& path);
 

@@ -28,7 +28,7 @@ constexpr std::uint64_t kLeftFree_bytes = 256u << 20;
 constexpr std::uint64_t kLookEvery_bytes = 8u << 20;
 
 /// Whether there is room for the file's blobs, which it will be copied to, too.
-Status CheckRoom(int descriptor, std::uint64_t file_bytes) {
+Status CheckRoomForFile(int descriptor, std::uint64_t file_bytes) {
   struct statvfs disk {};
   if (fstatvfs(descriptor, &disk) != 0) return Status::Ok();  // then writing tells
   const std::uint64_t free_bytes = std::uint64_t{disk.f_bavail} * disk.f_frsize;
@@ -52,7 +52,7 @@ class FileImport final : public MapImport {
 
   Status Write(std::string_view piece) override {
     if (num_bytes_ >= next_look_bytes_) {
-      DHPMAP_RETURN_IF_ERROR(CheckRoom(descriptor_, num_bytes_ + kLookEvery_bytes));
+      DHPMAP_RETURN_IF_ERROR(CheckRoomForFile(descriptor_, num_bytes_ + kLookEvery_bytes));
       next_look_bytes_ = num_bytes_ + kLookEvery_bytes;
     }
     num_bytes_ += piece.size();

@@ -17,7 +17,7 @@ namespace {
 
 using SnapshotPtr = std::shared_ptr<const MapSnapshot>;
 
-Status NoSuchMap(const std::string& name) {
+Status NoMapNamed(const std::string& name) {
   return NotFound("there is no map '" + name + "'").WithReason("MAP_NOT_FOUND");
 }
 
@@ -208,47 +208,47 @@ class MemoryStore final : public MapStore {
   Result<std::vector<LoggedEdit>> ListEdits(const std::string& name, const EditQuery& query) override {
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(name);
-    if (stored == maps_.end()) return NoSuchMap(name);
+    if (stored == maps_.end()) return NoMapNamed(name);
     return stored->second.edits.List(query);
   }
 
   Result<std::optional<StoredAnswer>> FindAnswer(const std::string& name, const std::string& request_id) override {
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(name);
-    if (stored == maps_.end()) return NoSuchMap(name);
+    if (stored == maps_.end()) return NoMapNamed(name);
     return stored->second.edits.FindAnswer(request_id);
   }
 
   Result<StateDelta> LoadEdit(const std::string& name, std::int64_t revision) override {
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(name);
-    if (stored == maps_.end()) return NoSuchMap(name);
+    if (stored == maps_.end()) return NoMapNamed(name);
     return stored->second.edits.Load(revision);
   }
 
   Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) override {
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(name);
-    if (stored == maps_.end()) return NoSuchMap(name);
+    if (stored == maps_.end()) return NoMapNamed(name);
     return stored->second.changes.List(stored->second.state->info(), after_revision, max_bytes);
   }
 
   Result<SnapshotPtr> LoadMap(const std::string& name) override {
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(name);
-    if (stored == maps_.end()) return NoSuchMap(name);
+    if (stored == maps_.end()) return NoMapNamed(name);
     return stored->second.state;
   }
 
   Status DeleteMap(const std::string& name) override {
     const MutexLock lock(mutex_);
-    return maps_.erase(name) > 0 ? Status::Ok() : NoSuchMap(name);
+    return maps_.erase(name) > 0 ? Status::Ok() : NoMapNamed(name);
   }
 
   /// Nothing outlives a memory store: there is no one to keep the numbers from.
   Status Reserve(const std::string& name, const NumberMarks&) override {
     const MutexLock lock(mutex_);
-    return maps_.contains(name) ? Status::Ok() : NoSuchMap(name);
+    return maps_.contains(name) ? Status::Ok() : NoMapNamed(name);
   }
 
   /// What is in memory is as it was given.
@@ -275,7 +275,7 @@ class MemoryStore final : public MapStore {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
     const MutexLock lock(mutex_);
     const auto stored = maps_.find(before.info().name);
-    if (stored == maps_.end()) return NoSuchMap(before.info().name);
+    if (stored == maps_.end()) return NoMapNamed(before.info().name);
     const MapInfo& head = stored->second.state->info();
     DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.revision, head.create_time_ns));
     if (before.revision() != after.revision()) {

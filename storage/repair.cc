@@ -21,8 +21,8 @@ constexpr char kRepairTask[] = "repair the map";
 
 /// Has the row of a submap say what can be read of it.
 Status Reseal(Database& database, const SubmapRow& row, std::int64_t revision) {
-  constexpr std::uint64_t kGeneration = 1;
-  Submap submap(row.info, kGeneration);
+  constexpr std::uint64_t kRepairGeneration = 1;
+  Submap submap(row.info, kRepairGeneration);
   submap.mutable_info().revision = revision;
   DHPMAP_ASSIGN_OR_RETURN(TileRowReader rows, TileRowReader::Prepare(database));
   TileTotals totals;

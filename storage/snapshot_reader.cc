@@ -21,10 +21,10 @@ namespace dhpmap {
 namespace {
 
 /// Bounds the memory for blobs not yet decoded: some 1 MB.
-constexpr std::size_t kTilesABatch = 128;
+constexpr std::size_t kTilesDecodedABatch = 128;
 
 /// The blobs of one tile, and what they decode to.
-struct Job {
+struct DecodeJob {
   TileIndex index;
   TileKeys keys{};
   std::array<Bytes, kNumBlockLayers> blobs;
@@ -34,7 +34,7 @@ struct Job {
   Status status;
 };
 
-void Decode(Job& job, std::uint16_t store) {
+void Decode(DecodeJob& job, std::uint16_t store) {
   auto tile = std::make_shared<BlockTile>();
   for (const ObjectLayer& layer : ObjectLayers()) {
     const auto i = static_cast<std::size_t>(layer.layer);
@@ -111,10 +111,10 @@ class SubmapReader {
     }
     if (row.is_missing) return DataLoss(TileName(id, row.layer, row.index) + " is missing");
     if (jobs_.empty() || jobs_.back().index != row.index) {
-      if (jobs_.size() == kTilesABatch) DHPMAP_RETURN_IF_ERROR(DecodeBatch(submap));
+      if (jobs_.size() == kTilesDecodedABatch) DHPMAP_RETURN_IF_ERROR(DecodeBatch(submap));
       jobs_.emplace_back().index = row.index;
     }
-    Job& job = jobs_.back();
+    DecodeJob& job = jobs_.back();
     const auto i = static_cast<std::size_t>(layer->layer);
     job.keys[i] = row.blob_key;
     job.blobs[i].assign(row.blob.begin(), row.blob.end());
@@ -123,14 +123,14 @@ class SubmapReader {
   }
 
   Status DecodeBatch(Submap& submap) {
-    for (Job& job : jobs_) {
+    for (DecodeJob& job : jobs_) {
       const auto known = job.is_shared ? shared_.find(job.keys) : shared_.end();
       if (known != shared_.end()) job.tile = known->second;
     }
     pool_.ParallelFor(jobs_.size(), [this](std::size_t i) {
       if (jobs_[i].tile == nullptr) Decode(jobs_[i], store_);
     });
-    for (Job& job : jobs_) {
+    for (DecodeJob& job : jobs_) {
       if (!job.status.ok()) {
         return {job.status.code(),
                 TileName(submap.id().value, job.failed->number, job.index) + " " + job.status.message()};
@@ -145,7 +145,7 @@ class SubmapReader {
   TileRowReader& rows_;
   const std::uint16_t store_;
   ThreadPool& pool_;
-  std::vector<Job> jobs_;
+  std::vector<DecodeJob> jobs_;
   std::map<TileKeys, std::shared_ptr<const BlockTile>> shared_;  ///< clones share them in memory, too
 };
 
@@ -179,7 +179,7 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::
   return submaps;
 }
 
-Status Damaged(const std::string& name, const Status& status) {
+Status DamagedState(const std::string& name, const Status& status) {
   Status named(status.code(), "map '" + name + "': " + status.message());
   // What is refused here as not to be understood is of a version to come; all else is damage, or its cause.
   return status.code() == StatusCode::kFailedPrecondition ? named.WithReason("NEWER_LAYER")
@@ -192,9 +192,9 @@ Result<std::shared_ptr<const MapSnapshot>> ReadSnapshot(sqlite::Database& databa
                                                         std::uint16_t store, ThreadPool& pool, Paging* paging) {
   DHPMAP_ASSIGN_OR_RETURN(MapRow map, ReadMap(database, name));
   Result<std::vector<std::shared_ptr<const Submap>>> submaps = ReadSubmapsWithTiles(database, map, store, pool, paging);
-  if (!submaps.ok()) return Damaged(name, submaps.status());
+  if (!submaps.ok()) return DamagedState(name, submaps.status());
   Result<MapLayers> layers = ReadMapLayers(database, map);
-  if (!layers.ok()) return Damaged(name, layers.status());
+  if (!layers.ok()) return DamagedState(name, layers.status());
   return std::make_shared<const MapSnapshot>(std::move(map.info), std::move(submaps).value(),
                                              std::move(layers->free_space),
                                              VacatedSpace{std::move(layers->vacated), map.leaving()});

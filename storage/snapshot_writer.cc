@@ -15,7 +15,7 @@ namespace dhpmap {
 namespace {
 
 /// Bounds the memory for encoded tiles: some 1 MB.
-constexpr std::size_t kTilesABatch = 256;
+constexpr std::size_t kTilesEncodedABatch = 256;
 
 /// One submap with rows to write.
 struct Target {
@@ -28,16 +28,17 @@ struct Target {
 };
 
 /// One layer of one tile to encode.
-struct Job {
+struct EncodeJob {
   std::size_t target = 0;
   const TileChange* change = nullptr;
   const ObjectLayer* layer = nullptr;
   StoredBlob before;
 };
 
-class Writer {
+class SnapshotWriter {
  public:
-  Writer(SubmapRowWriter submaps, TileRows tiles, std::uint16_t store, ThreadPool& pool, EditTileRecorder* recorder)
+  SnapshotWriter(SubmapRowWriter submaps, TileRows tiles, std::uint16_t store, ThreadPool& pool,
+                 EditTileRecorder* recorder)
       : submaps_(std::move(submaps)), tiles_(std::move(tiles)), store_(store), pool_(pool), recorder_(recorder) {}
 
   Result<WrittenTiles> Write(std::int64_t map_key, const std::vector<SubmapTileChange>& changes) {
@@ -149,7 +150,7 @@ class Writer {
     if (!known) {
       jobs_.push_back({targets_.size() - 1, &change, &layer, before});
       encoding_.insert(change.after.get());
-      return jobs_.size() < kTilesABatch ? Status::Ok() : Flush();
+      return jobs_.size() < kTilesEncodedABatch ? Status::Ok() : Flush();
     }
     return Put(target, change, layer, before, *known);
   }
@@ -183,11 +184,11 @@ class Writer {
   Status Flush() {
     std::vector<Bytes> blobs(jobs_.size());
     pool_.ParallelFor(jobs_.size(), [&](std::size_t i) {
-      const Job& job = jobs_[i];
+      const EncodeJob& job = jobs_[i];
       blobs[i] = job.layer->encode(*job.change->after, job.change->index, targets_[job.target].submap->info());
     });
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
-      const Job& job = jobs_[i];
+      const EncodeJob& job = jobs_[i];
       const std::int64_t num_blocks = job.change->num_after[static_cast<std::size_t>(job.layer->layer)];
       DHPMAP_ASSIGN_OR_RETURN(const StoredBlob blob, tiles_.Insert(blobs[i], num_blocks));
       written_.NoteNewBlob();
@@ -204,7 +205,7 @@ class Writer {
   ThreadPool& pool_;
   EditTileRecorder* const recorder_;  // null: it is no edit
   std::vector<Target> targets_;
-  std::vector<Job> jobs_;
+  std::vector<EncodeJob> jobs_;
   std::unordered_set<const BlockTile*> encoding_;  ///< tiles of the jobs
   WrittenTiles written_;
 };
@@ -224,7 +225,7 @@ Result<WrittenTiles> WriteChanges(sqlite::Database& database, std::int64_t map_k
                                   EditTileRecorder* recorder) {
   DHPMAP_ASSIGN_OR_RETURN(SubmapRowWriter submaps, SubmapRowWriter::Prepare(database));
   DHPMAP_ASSIGN_OR_RETURN(TileRows tiles, TileRows::Prepare(database));
-  return Writer(std::move(submaps), std::move(tiles), store, pool, recorder).Write(map_key, changes);
+  return SnapshotWriter(std::move(submaps), std::move(tiles), store, pool, recorder).Write(map_key, changes);
 }
 
 }  // namespace dhpmap

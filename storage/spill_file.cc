@@ -26,7 +26,7 @@ Status OfDisk(const std::string& task) {
 }
 
 /// The database beside it needs room, too.
-Status CheckRoom(int file, std::size_t num_bytes) {
+Status CheckRoomForPages(int file, std::size_t num_bytes) {
   constexpr std::uint64_t kLeftFree_bytes = 256u << 20;
   struct statvfs disk {};
   if (fstatvfs(file, &disk) != 0) return Status::Ok();  // then writing tells
@@ -46,7 +46,7 @@ int OpenAndForget(const std::string& folder) {
 // the blobs of the other layers as stores have them, which are exact, each after its length; at last a checksum.
 
 template <typename Plane>
-ByteView BytesOf(const Plane& plane) {
+ByteView FileBytesOf(const Plane& plane) {
   return {reinterpret_cast<const std::uint8_t*>(plane.data()), sizeof(plane)};
 }
 template <typename Plane>
@@ -62,9 +62,9 @@ Bytes Flatten(const BlockTile& tile) {
   writer.PutU64(tile.CellsWith(BlockLayer::kTsdf));
   for (const BlockEntry& entry : tile.entries()) {
     if (entry.tsdf == nullptr) continue;
-    writer.PutBytes(BytesOf(entry.tsdf->distance_m));
-    writer.PutBytes(BytesOf(entry.tsdf->weight));
-    writer.PutBytes(BytesOf(entry.tsdf->color));
+    writer.PutBytes(FileBytesOf(entry.tsdf->distance_m));
+    writer.PutBytes(FileBytesOf(entry.tsdf->weight));
+    writer.PutBytes(FileBytesOf(entry.tsdf->color));
   }
   for (const ObjectLayer& layer : ObjectLayers()) {
     if (layer.layer == BlockLayer::kTsdf) continue;
@@ -78,10 +78,10 @@ Bytes Flatten(const BlockTile& tile) {
 }
 
 Status Unflatten(ByteView bytes, TileIndex index, BlockTile& tile) {
-  constexpr std::size_t kChecksumBytes = 4;
-  if (bytes.size() < kChecksumBytes) return DataLoss("is cut short");
-  const ByteView content = bytes.first(bytes.size() - kChecksumBytes);
-  ByteReader checksum(bytes.last(kChecksumBytes));
+  constexpr std::size_t kPageChecksumBytes = 4;
+  if (bytes.size() < kPageChecksumBytes) return DataLoss("is cut short");
+  const ByteView content = bytes.first(bytes.size() - kPageChecksumBytes);
+  ByteReader checksum(bytes.last(kPageChecksumBytes));
   if (checksum.GetU32() != Crc32c(content)) return DataLoss("has a wrong checksum");
   ByteReader reader(content);
   const std::uint64_t cells = reader.GetU64();
@@ -164,7 +164,7 @@ Result<std::vector<std::uint32_t>> SpillFile::Take(std::size_t num_pages) {
   pages.reserve(num_pages);
   const MutexLock lock(mutex_);
   if (num_pages > free_.size()) {
-    DHPMAP_RETURN_IF_ERROR(CheckRoom(file_, num_pages * kPageBytes));
+    DHPMAP_RETURN_IF_ERROR(CheckRoomForPages(file_, num_pages * kPageBytes));
     const std::size_t num_then =
         num_pages_ + num_pages;  // first: to give back must not fail, and nothing is to be lost
     if (free_.capacity() < num_then) free_.reserve(2 * num_then);

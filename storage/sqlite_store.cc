@@ -63,7 +63,7 @@ struct Writer {
   Writer(FileLock file_lock, Database connection) : lock(std::move(file_lock)), database(std::move(connection)) {}
 };
 
-Result<StoredMap> Describe(Database& database, const std::string& name) {
+Result<StoredMap> DescribeStored(Database& database, const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(MapRow row, ReadMap(database, name));
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement sums,
                           database.Prepare("SELECT total(num_tsdf_blocks), total(num_label_blocks), total(blob_bytes) "
@@ -114,7 +114,7 @@ class SqliteStore final : public MapStore {
       DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> names, ReadMapNames(database));
       std::vector<StoredMap> maps;
       for (const std::string& name : names) {
-        Result<StoredMap> map = Describe(database, name);
+        Result<StoredMap> map = DescribeStored(database, name);
         if (!map.ok() && !IsDamage(map.status())) return map.status();
         maps.push_back(map.ok() ? std::move(map).value() : DamagedMap(name, map.status()));
       }
@@ -123,7 +123,7 @@ class SqliteStore final : public MapStore {
   }
 
   Result<StoredMap> GetMap(const std::string& name) override {
-    return Read<StoredMap>([&](Database& database) { return Describe(database, name); });
+    return Read<StoredMap>([&](Database& database) { return DescribeStored(database, name); });
   }
 
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {

@@ -18,7 +18,7 @@ using sqlite::Database;
 using sqlite::Statement;
 using Kind = MapFault::Kind;
 
-constexpr char kTask[] = "verify the map";
+constexpr char kVerifyTask[] = "verify the map";
 
 /// How often a request to stop is looked for.
 constexpr std::int64_t kTilesALook = 64;
@@ -181,7 +181,7 @@ class Verifier {
   Status VerifyBox(const SubmapRow& row) {
     DHPMAP_ASSIGN_OR_RETURN(Statement select, database_.Prepare("SELECT min_x_m, max_x_m, min_y_m, max_y_m, min_z_m, "
                                                                 "max_z_m FROM submap_boxes WHERE submap_key = ?",
-                                                                kTask));
+                                                                kVerifyTask));
     DHPMAP_ASSIGN_OR_RETURN(const bool has_box, select.Bind(row.key).Step());
     if (has_box == row.sphere.IsEmpty()) {
       Fault(Kind::kBounds, SubmapName(row.info.id), has_box ? "has a box, but no sphere" : "has no box");
@@ -258,7 +258,7 @@ class Verifier {
     };
     const std::int64_t num_faults_before = found_.report.num_faults;
     for (const Question& question : kQuestions) {
-      DHPMAP_ASSIGN_OR_RETURN(Statement select, database_.Prepare(question.sql, kTask));
+      DHPMAP_ASSIGN_OR_RETURN(Statement select, database_.Prepare(question.sql, kVerifyTask));
       for (;;) {
         DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
         if (!has_row) break;
@@ -277,7 +277,7 @@ class Verifier {
         Statement select,
         database_.Prepare("SELECT \"table\", \"parent\", count(*) FROM pragma_foreign_key_check GROUP BY 1, 2 ORDER BY "
                           "1, 2",
-                          kTask));
+                          kVerifyTask));
     for (;;) {
       DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
       if (!has_row) return Status::Ok();

@@ -24,8 +24,8 @@ using sqlite::Database;
 using sqlite::Statement;
 using Kind = MapFault::Kind;
 
-constexpr char kTask[] = "verify what was changed";
-constexpr char kRepairTask[] = "repair what was changed";
+constexpr char kVerifyHistoryTask[] = "verify what was changed";
+constexpr char kRepairHistoryTask[] = "repair what was changed";
 constexpr char kWrongChecksum[] = "has a wrong checksum";
 
 std::string EditName(std::int64_t revision) { return "edit " + std::to_string(revision); }
@@ -64,7 +64,7 @@ Result<EditTotals> CountEdits(Database& database, std::int64_t map_key) {
                        "length(request_id) + length(summary) + length(answer)), 0) AS bytes FROM edits WHERE map_key = "
                        "?) e, (SELECT count(*) AS n, ifnull(sum(num_bytes), 0) AS bytes FROM edit_histories WHERE "
                        "map_key = ?) h",
-                       kTask));
+                       kVerifyHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Bind(map_key).Bind(map_key).Step());
   if (!has_row) return Internal("counting the edits gave no row");
   return EditTotals{select.Int(0), select.Int(1), select.Int(2), select.Int(3)};
@@ -103,8 +103,9 @@ class HistoryVerifier {
       fault_(Kind::kCount, "changes",
              "go on to revision " + std::to_string(log.last_revision) + ", beyond that of the map");
     }
-    DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                            database_.Prepare(Changes().Select("WHERE map_key = ? ORDER BY last_revision"), kTask));
+    DHPMAP_ASSIGN_OR_RETURN(
+        Statement select,
+        database_.Prepare(Changes().Select("WHERE map_key = ? ORDER BY last_revision"), kVerifyHistoryTask));
     select.Bind(map_.key);
     ChangeTotals totals;
     std::int64_t previous = log.complete_after;
@@ -153,13 +154,13 @@ class HistoryVerifier {
   }
 
   Status VerifyEdits() {
-    DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                            database_.Prepare(Edits().Select("WHERE map_key = ? ORDER BY revision"), kTask));
+    DHPMAP_ASSIGN_OR_RETURN(
+        Statement select, database_.Prepare(Edits().Select("WHERE map_key = ? ORDER BY revision"), kVerifyHistoryTask));
     DHPMAP_ASSIGN_OR_RETURN(
         Statement find_target,
         database_.Prepare("SELECT (SELECT count(*) FROM edits WHERE map_key = ?1 AND revision = ?2), (SELECT count(*) "
                           "FROM edit_targets WHERE map_key = ?1 AND target = ?2 AND revision = ?3 AND kind = ?4)",
-                          kTask));
+                          kVerifyHistoryTask));
     select.Bind(map_.key);
     for (;;) {
       DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
@@ -208,8 +209,9 @@ class HistoryVerifier {
         Statement select,
         database_.Prepare(EditHistories().Select(
                               "WHERE edit_key IN (SELECT edit_key FROM edits WHERE map_key = ?) ORDER BY edit_key"),
-                          kTask));
-    DHPMAP_ASSIGN_OR_RETURN(Statement find, database_.Prepare("SELECT revision FROM edits WHERE edit_key = ?", kTask));
+                          kVerifyHistoryTask));
+    DHPMAP_ASSIGN_OR_RETURN(Statement find,
+                            database_.Prepare("SELECT revision FROM edits WHERE edit_key = ?", kVerifyHistoryTask));
     select.Bind(map_.key);
     for (;;) {
       DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
@@ -254,7 +256,7 @@ class HistoryVerifier {
                           "NULL, b.blob, a.blob FROM edit_tiles LEFT JOIN tile_blobs b ON b.blob_key = before_key LEFT "
                           "JOIN tile_blobs a ON a.blob_key = after_key WHERE edit_key = ? ORDER BY submap_id, x, y, z, "
                           "layer",
-                          kTask));
+                          kVerifyHistoryTask));
     TileTotals totals;
     select.Bind(history.key);
     for (;;) {
@@ -308,7 +310,7 @@ class HistoryVerifier {
         Statement select,
         database_.Prepare("SELECT target, revision FROM edit_targets t WHERE map_key = ? AND NOT EXISTS (SELECT 1 FROM "
                           "edits e WHERE e.map_key = t.map_key AND e.revision = t.target) ORDER BY 1, 2",
-                          kTask));
+                          kVerifyHistoryTask));
     select.Bind(map_.key);
     for (;;) {
       DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
@@ -323,7 +325,7 @@ class HistoryVerifier {
     DHPMAP_ASSIGN_OR_RETURN(const EditTotals counted, CountEdits(database_, map_.key));
     DHPMAP_ASSIGN_OR_RETURN(Statement select, database_.Prepare("SELECT num_edits, edit_bytes, num_histories, "
                                                                 "history_bytes FROM edit_totals WHERE map_key = ?",
-                                                                kTask));
+                                                                kVerifyHistoryTask));
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Bind(map_.key).Step());
     EditTotals noted{};
     if (has_row) noted = {select.Int(0), select.Int(1), select.Int(2), select.Int(3)};
@@ -344,20 +346,20 @@ class HistoryVerifier {
 };
 
 Status Delete(Database& database, const char* sql, const std::vector<std::int64_t>& keys) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare(sql, kRepairTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare(sql, kRepairHistoryTask));
   for (const std::int64_t key : keys) DHPMAP_RETURN_IF_ERROR(erase.Bind(key).Run());
   return Status::Ok();
 }
 
 /// Says of each edit that is left what the log says that was undone or done again.
 Status NoteTargets(Database& database, std::int64_t map_key) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Edits().Select("WHERE map_key = ?"), kRepairTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Edits().Select("WHERE map_key = ?"), kRepairHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(
       Statement insert,
       database.Prepare(
           "INSERT OR REPLACE INTO edit_targets (map_key, target, revision, kind) SELECT map_key, revision, "
           "?, ? FROM edits WHERE map_key = ? AND revision = ?",
-          kRepairTask));
+          kRepairHistoryTask));
   select.Bind(map_key);
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
@@ -379,7 +381,7 @@ Status NoteTotals(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(Statement insert,
                           database.Prepare("INSERT OR REPLACE INTO edit_totals (map_key, num_edits, edit_bytes, "
                                            "num_histories, history_bytes) VALUES (?, ?, ?, ?, ?)",
-                                           kRepairTask));
+                                           kRepairHistoryTask));
   insert.Bind(map_key);
   for (const std::int64_t total : totals) insert.Bind(total);
   return insert.Run();

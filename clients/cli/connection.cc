@@ -20,7 +20,7 @@ void PrintDetails(const grpc::Status& status) {
   }
 }
 
-void PrintJson(const google::protobuf::Message& message, bool in_lines) {
+void PrintMessage(const google::protobuf::Message& message, bool in_lines) {
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;  // as the REST door prints them
   options.add_whitespace = in_lines;
@@ -68,10 +68,10 @@ ExitCode ReportLocalError(const std::string& message, ExitCode code) {
   return code;
 }
 
-void PrintJson(const google::protobuf::Message& message) { PrintJson(message, true); }
+void PrintJson(const google::protobuf::Message& message) { PrintMessage(message, true); }
 
 void PrintJsonLine(const google::protobuf::Message& message) {
-  PrintJson(message, false);
+  PrintMessage(message, false);
   std::cout << "\n";
 }
 

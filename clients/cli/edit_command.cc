@@ -146,15 +146,9 @@ ExitCode RunRename(const Session& session, const EditOptions& options) {
   return Update(session, options, *Submaps(session), submap, "display_name", "renamed " + options.name());
 }
 
-void SetVector(v1::Vector3& out, const double* values) {
-  out.set_x(values[0]);
-  out.set_y(values[1]);
-  out.set_z(values[2]);
-}
-
 void SetBox(v1::Box& out, const std::vector<double>& values) {
-  SetVector(*out.mutable_min_m(), values.data());
-  SetVector(*out.mutable_max_m(), values.data() + 3);
+  SetVector(values.data(), *out.mutable_min_m());
+  SetVector(values.data() + 3, *out.mutable_max_m());
 }
 
 /// Of a message that has a box or a sphere.
@@ -164,7 +158,7 @@ void SetRegion(Message& out, const EditOptions& options) {
     SetBox(*out.mutable_box(), options.box_m);
     return;
   }
-  SetVector(*out.mutable_sphere()->mutable_center_m(), options.sphere_m.data());
+  SetVector(options.sphere_m.data(), *out.mutable_sphere()->mutable_center_m());
   out.mutable_sphere()->set_radius_m(options.sphere_m[3]);
 }
 
@@ -223,8 +217,8 @@ ExitCode RunSplit(const Session& session, const EditOptions& options) {
   if (!options.box_m.empty()) SetBox(*split.mutable_box(), options.box_m);
   else if (options.plane.empty()) split.mutable_parts()->set_min_voxels(options.min_voxels);
   else {
-    SetVector(*split.mutable_plane()->mutable_point_m(), options.plane.data());
-    SetVector(*split.mutable_plane()->mutable_normal(), options.plane.data() + 3);
+    SetVector(options.plane.data(), *split.mutable_plane()->mutable_point_m());
+    SetVector(options.plane.data() + 3, *split.mutable_plane()->mutable_normal());
   }
   return RunEdits(session, std::move(request), options);
 }

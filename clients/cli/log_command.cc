@@ -4,10 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/text_table.h"
 #include "dhpmap/v1/edit_service.grpc.pb.h"
 
 namespace dhpmap {
@@ -17,11 +17,6 @@ struct LogOptions {
   std::string map, author;
   int most = 50;
 };
-
-std::string Lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 std::string Id(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 

@@ -28,13 +28,7 @@ struct RelationsCommand {
   AskerFlags asker;
 };
 
-void SetVector(const double* xyz, v1::Vector3& vector) {
-  vector.set_x(xyz[0]);
-  vector.set_y(xyz[1]);
-  vector.set_z(xyz[2]);
-}
-
-v1::SearchSubmapsRequest ToRequest(const SearchCommand& command) {
+v1::SearchSubmapsRequest SearchRequest(const SearchCommand& command) {
   v1::SearchSubmapsRequest request;
   request.set_map(MapName(command.map));
   request.set_name_part(command.name_part);
@@ -70,7 +64,7 @@ ExitCode RunSearch(const Session& session, const SearchCommand& command) {
   grpc::ClientContext context;
   v1::SearchSubmapsResponse response;
   const grpc::Status status =
-      v1::QueryService::NewStub(Connect(session))->SearchSubmaps(&context, ToRequest(command), &response);
+      v1::QueryService::NewStub(Connect(session))->SearchSubmaps(&context, SearchRequest(command), &response);
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
   else PrintTable(response);

@@ -39,14 +39,18 @@ void AddQueryFlags(CLI::App& command, QueryFlags& flags) {
   AddWorldFlags(command, flags.world);
 }
 
+void SetVector(const double* xyz, v1::Vector3& vector) {
+  vector.set_x(xyz[0]);
+  vector.set_y(xyz[1]);
+  vector.set_z(xyz[2]);
+}
+
 v1::QueryOptions ToProto(const AskerFlags& flags) {
   v1::QueryOptions options;
   options.set_min_revision(flags.min_revision);
   if (flags.frame.empty()) return options;
   v1::Pose& frame = *options.mutable_frame();
-  frame.mutable_translation_m()->set_x(flags.frame[0]);
-  frame.mutable_translation_m()->set_y(flags.frame[1]);
-  frame.mutable_translation_m()->set_z(flags.frame[2]);
+  SetVector(flags.frame.data(), *frame.mutable_translation_m());
   const double half_rad = flags.frame[3] * M_PI / 360;
   frame.mutable_rotation()->set_z(std::sin(half_rad));
   frame.mutable_rotation()->set_w(std::cos(half_rad));

@@ -170,7 +170,7 @@ void Print(const Counts& counts, const RecordReader& reader, const std::string& 
   if (reader.is_torn()) std::cout << "the record ends with one that was not written as a whole\n";
 }
 
-void PrintJson(const Counts& counts, const RecordReader& reader) {
+void PrintCountsAsJson(const Counts& counts, const RecordReader& reader) {
   std::cout << "{\"frames\": " << counts.num_fused << ", \"refused\": " << counts.num_refused
             << ", \"leftOut\": " << counts.num_skipped << ", \"sessions\": " << counts.sessions.size()
             << ", \"edits\": " << counts.num_edits << ", \"editsRefused\": " << counts.num_edits_refused
@@ -197,7 +197,7 @@ ExitCode RunReplay(const Session& session, const ReplayOptions& options) {
   ReplayEdits edits(channel, reader->start().map().name(), MapName(options.map));
   status = edits.KeepClear(reader->start());
   if (status.ok()) status = Replay(*reader, *stub, edits, options, counts).Run();
-  if (session.json) PrintJson(counts, *reader);
+  if (session.json) PrintCountsAsJson(counts, *reader);
   else Print(counts, *reader, MapName(options.map));
   if (!status.ok()) return ReportError(session, status);
   return counts.num_refused + counts.num_edits_refused > 0 ? ExitCode::kPartly : ExitCode::kOk;

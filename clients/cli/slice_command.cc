@@ -20,7 +20,7 @@ struct SliceCommand {
   WorldFlags world;
 };
 
-v1::GetOccupancySliceRequest ToRequest(const SliceCommand& command) {
+v1::GetOccupancySliceRequest SliceRequest(const SliceCommand& command) {
   v1::GetOccupancySliceRequest request;
   request.set_map(MapName(command.map));
   request.set_min_z_m(command.min_z_m);
@@ -50,7 +50,7 @@ ExitCode RunSlice(const Session& session, const SliceCommand& command) {
   if (!is_png && picture.extension() != ".pgm") {
     return ReportLocalError("--out is FILE.pgm or FILE.png; its YAML is written beside it", ExitCode::kUsage);
   }
-  v1::GetOccupancySliceRequest request = ToRequest(command);
+  v1::GetOccupancySliceRequest request = SliceRequest(command);
   request.set_format(is_png ? v1::PNG : v1::PGM);
   request.set_image(picture.filename().string());
   grpc::ClientContext context;

@@ -23,12 +23,6 @@ struct SubmapsOptions {
   std::int64_t read_revision = 0;
 };
 
-void SetVector(v1::Vector3& out, const double* values) {
-  out.set_x(values[0]);
-  out.set_y(values[1]);
-  out.set_z(values[2]);
-}
-
 std::string StateName(const v1::Submap& submap) {
   std::string name = submap.activity() == v1::ACTIVE ? "active" : "settled";
   if (submap.presence() == v1::ABSENT) name = "absent";
@@ -80,12 +74,12 @@ ExitCode RunList(const Session& session, const SubmapsOptions& options) {
   }
   if (!options.kind.empty()) request.set_kind(options.kind == "thing" ? v1::THING : v1::STUFF);
   if (!options.near.empty()) {
-    SetVector(*request.mutable_near()->mutable_center_m(), options.near.data());
+    SetVector(options.near.data(), *request.mutable_near()->mutable_center_m());
     request.mutable_near()->set_radius_m(options.near[3]);
   }
   if (!options.box.empty()) {
-    SetVector(*request.mutable_region()->mutable_min_m(), options.box.data());
-    SetVector(*request.mutable_region()->mutable_max_m(), options.box.data() + 3);
+    SetVector(options.box.data(), *request.mutable_region()->mutable_min_m());
+    SetVector(options.box.data() + 3, *request.mutable_region()->mutable_max_m());
   }
   const auto submaps = v1::SubmapService::NewStub(channel);
   v1::ListSubmapsResponse response;

@@ -54,4 +54,9 @@ std::string Bytes(double bytes) {
   return Fixed(bytes, unit == 0 ? 0 : 1) + " " + kUnits[unit];
 }
 
+std::string Lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
 }  // namespace dhpmap

@@ -22,5 +22,7 @@ class TextTable {
 std::string Fixed(double value, int decimals);
 /// "12.3 MiB".
 std::string Bytes(double bytes);
+/// The name of an enumerator, as people read it.
+std::string Lower(std::string text);
 
 }  // namespace dhpmap

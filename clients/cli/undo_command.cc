@@ -18,7 +18,7 @@ struct UndoOptions : EditFlags {
   std::int64_t id = 0;
 };
 
-void PrintIds(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
+void PrintObjectIds(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
   if (names.empty()) return;
   std::cout << what;
   for (const std::string& name : names) std::cout << " " << name.substr(name.rfind('/') + 1);
@@ -26,7 +26,7 @@ void PrintIds(const char* what, const google::protobuf::RepeatedPtrField<std::st
 
 /// `call(stub, context, request, response)` is the RPC, `done` what it does.
 template <typename Request, typename Response, typename Call>
-ExitCode Run(const Session& session, const UndoOptions& options, const char* done, Call call) {
+ExitCode RunReversal(const Session& session, const UndoOptions& options, const char* done, Call call) {
   Request request;
   request.set_map(MapName(options.map));
   request.set_count(options.count);
@@ -41,23 +41,23 @@ ExitCode Run(const Session& session, const UndoOptions& options, const char* don
     PrintJson(response);
     return ExitCode::kOk;
   }
-  PrintIds(options.only_try ? "would be:" : done, response.edits());
-  PrintIds(", changed", response.changed());
-  PrintIds(", created", response.created());
-  PrintIds(", removed", response.removed());
+  PrintObjectIds(options.only_try ? "would be:" : done, response.edits());
+  PrintObjectIds(", changed", response.changed());
+  PrintObjectIds(", created", response.created());
+  PrintObjectIds(", removed", response.removed());
   std::cout << ", revision " << response.revision() << "\n";
   return ExitCode::kOk;
 }
 
 ExitCode RunUndo(const Session& session, const UndoOptions& options) {
-  return Run<v1::UndoEditsRequest, v1::UndoEditsResponse>(
+  return RunReversal<v1::UndoEditsRequest, v1::UndoEditsResponse>(
       session, options, "undone:", [](auto& stub, auto* context, const auto& request, auto* response) {
         return stub.UndoEdits(context, request, response);
       });
 }
 
 ExitCode RunRedo(const Session& session, const UndoOptions& options) {
-  return Run<v1::RedoEditsRequest, v1::RedoEditsResponse>(
+  return RunReversal<v1::RedoEditsRequest, v1::RedoEditsResponse>(
       session, options, "done again:", [](auto& stub, auto* context, const auto& request, auto* response) {
         return stub.RedoEdits(context, request, response);
       });

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap watch: what becomes of a map, as it is stored.
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <iostream>
 #include <thread>
@@ -43,11 +41,6 @@ v1::WatchMapRequest RequestOf(const WatchOptions& options) {
     }
   }
   return request;
-}
-
-std::string Lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
 }
 
 /// "changed 7 sofa 'sofa 7': geometry, observation".

@@ -21,7 +21,7 @@ bool IsFolder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
-fs::path FindSequence(const fs::path& directory) {
+fs::path FindKittiSequence(const fs::path& directory) {
   if (IsFolder(directory / "velodyne")) return directory;
   for (const fs::path& parent : {directory, directory / "sequences"}) {
     for (const fs::path& sequence : FoldersWithPrefix(parent, "")) {
@@ -162,11 +162,11 @@ Result<LabelTable> ReadTable(const Sequence& sequence, LabelSource labels) {
 
 }  // namespace
 
-bool LooksLikeKitti(const fs::path& directory) { return !FindSequence(directory).empty(); }
+bool LooksLikeKitti(const fs::path& directory) { return !FindKittiSequence(directory).empty(); }
 
 Result<std::unique_ptr<Dataset>> OpenKitti(const fs::path& directory, LabelSource labels,
                                            const DatasetOptions& options) {
-  const fs::path folder = FindSequence(directory);
+  const fs::path folder = FindKittiSequence(directory);
   if (folder.empty()) return NotFound("there is no velodyne/ folder in " + directory.string() + " or its sequences");
   DHPMAP_ASSIGN_OR_RETURN(Sequence sequence, ReadSequence(folder));
   DHPMAP_ASSIGN_OR_RETURN(LabelTable table, ReadTable(sequence, labels));

@@ -12,12 +12,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr PinholeCamera kKinect{640, 480, 585.0, 585.0, 320.0, 240.0};
-constexpr double kDepthScale_m = 0.001;
+constexpr double kSevenScenesDepthScale_m = 0.001;
 constexpr double kFramePeriod_ns = 1e9 / 30;  // the layout has no times
 constexpr std::int64_t kMaxFrameNumber = 1'000'000'000;
 constexpr const char* kDepthEnding = ".depth.png";
 
-fs::path FindSequence(const fs::path& directory) {
+fs::path FindScene(const fs::path& directory) {
   const auto has_frames = [](const fs::path& folder) {
     for (const std::string& stem : StemsWithSuffix(folder, kDepthEnding)) {
       if (stem.starts_with("frame-")) return true;
@@ -68,7 +68,7 @@ class SevenScenesDataset : public Dataset {
     DatasetFrame::DepthCamera& camera = frame.camera.emplace();
     camera.camera = camera_;
     DHPMAP_ASSIGN_OR_RETURN(camera.depth.bytes, ReadImageFile(folder_ / (frame.id + kDepthEnding)));
-    camera.depth.scale_m = kDepthScale_m;
+    camera.depth.scale_m = kSevenScenesDepthScale_m;
     Result<std::vector<std::byte>> color = ReadImageFile(folder_ / (frame.id + ".color.png"));
     if (!color.ok()) color = ReadImageFile(folder_ / (frame.id + ".color.jpg"));
     DHPMAP_ASSIGN_OR_RETURN(camera.color.bytes, std::move(color));
@@ -84,13 +84,13 @@ class SevenScenesDataset : public Dataset {
 
 }  // namespace
 
-bool LooksLikeSevenScenes(const fs::path& directory) { return !FindSequence(directory).empty(); }
+bool LooksLikeSevenScenes(const fs::path& directory) { return !FindScene(directory).empty(); }
 
 Result<std::unique_ptr<Dataset>> OpenSevenScenes(const fs::path& directory, LabelSource labels) {
   if (labels != LabelSource::kNone) {
     return FailedPrecondition("the 7-Scenes layout has no labels").WithReason("NO_LABELS");
   }
-  const fs::path folder = FindSequence(directory);
+  const fs::path folder = FindScene(directory);
   if (folder.empty())
     return NotFound("there are no frame-*.depth.png in " + directory.string() + " or a seq-* below it");
   const std::array folders{folder, folder.parent_path()};

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kDepthScale_m = 1.0 / 5000.0;
+constexpr double kTumDepthScale_m = 1.0 / 5000.0;
 
 /// Colour intrinsics that the data set gives for each of its three Kinects; the depth is registered to the colour.
 PinholeCamera CameraByName(const std::string& name) {
@@ -52,7 +52,7 @@ class TumDataset : public Dataset {
     DatasetFrame::DepthCamera& camera = frame.camera.emplace();
     camera.camera = camera_;
     DHPMAP_ASSIGN_OR_RETURN(camera.depth.bytes, ReadImageFile(folder_ / depth_[index].file));
-    camera.depth.scale_m = kDepthScale_m;
+    camera.depth.scale_m = kTumDepthScale_m;
     DHPMAP_ASSIGN_OR_RETURN(camera.color.bytes, ReadImageFile(folder_ / color->file));
     return frame;
   }

@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-json ToJson(const Protocol& p) {
+json JsonOf(const Protocol& p) {
   return {{"sample_spacing_m", p.spacing_m},
           {"label_match_distance_m", p.d_match_m},
           {"min_segment_samples", p.min_elements},
@@ -17,7 +17,7 @@ json ToJson(const Protocol& p) {
           {"completion_truncation_m", p.geometry.completion_truncation_m}};
 }
 
-json ToJson(const ClassMap& classes) {
+json JsonOf(const ClassMap& classes) {
   json list = json::array();
   for (const EvaluatedClass& c : classes.classes()) {
     list.push_back(
@@ -26,7 +26,7 @@ json ToJson(const ClassMap& classes) {
   return list;
 }
 
-json ToJson(const PanopticMean& mean) {
+json JsonOf(const PanopticMean& mean) {
   return {{"pq", mean.pq}, {"sq", mean.sq}, {"rq", mean.rq}, {"num_classes", mean.num_classes}};
 }
 
@@ -59,13 +59,13 @@ json ClassesOf(const Scores& scores, const ClassMap& classes) {
   return list;
 }
 
-json ToJson(const Scores& s, const ClassMap& classes) {
+json JsonOf(const Scores& s, const ClassMap& classes) {
   json out{{"system", s.system},
            {"has_instances", s.has_instances},
            {"panoptic",
-            {{"all", ToJson(s.panoptics.all)},
-             {"things", ToJson(s.panoptics.things)},
-             {"stuff", ToJson(s.panoptics.stuff)}}},
+            {{"all", JsonOf(s.panoptics.all)},
+             {"things", JsonOf(s.panoptics.things)},
+             {"stuff", JsonOf(s.panoptics.stuff)}}},
            {"semantic",
             {{"mean_iou", s.semantics.mean_iou},
              {"accuracy", s.semantics.accuracy},
@@ -99,7 +99,7 @@ json ToJson(const Experiment& experiment) {
   for (const auto& [key, value] : ConfigToText(experiment.config)) config[key] = value;
   const auto list = [&experiment](const std::vector<Scores>& all) {
     json systems = json::array();
-    for (const Scores& scores : all) systems.push_back(ToJson(scores, experiment.classes));
+    for (const Scores& scores : all) systems.push_back(JsonOf(scores, experiment.classes));
     return systems;
   };
   json asked = list(experiment.asked);
@@ -112,11 +112,11 @@ json ToJson(const Experiment& experiment) {
           {"num_frames", experiment.num_frames},
           {"num_skipped_frames", experiment.num_skipped},
           {"config", std::move(config)},
-          {"protocol", ToJson(experiment.protocol)},
-          {"class_map", ToJson(experiment.classes)},
+          {"protocol", JsonOf(experiment.protocol)},
+          {"class_map", JsonOf(experiment.classes)},
           {"num_truth_samples", experiment.num_truth_samples},
           {"systems", list(experiment.systems)},
-          {"points_protocol", ToJson(experiment.points_protocol)},
+          {"points_protocol", JsonOf(experiment.points_protocol)},
           {"num_truth_points", experiment.num_truth_points},
           {"systems_on_points", list(experiment.on_points)},
           {"systems_asked", std::move(asked)}};

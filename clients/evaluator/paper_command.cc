@@ -22,7 +22,7 @@ struct PaperOptions {
   std::string json, markdown, pictures;
 };
 
-nlohmann::json ToJson(const RetrievalTimes& r) {
+nlohmann::json TimesToJson(const RetrievalTimes& r) {
   return {{"num_voxels", r.scene.num_voxels},
           {"num_object_voxels", r.scene.num_object_voxels},
           {"num_copied_voxels", r.num_copied},
@@ -77,7 +77,7 @@ Status Run(const PaperOptions& options) {
   json["experiments"] = nlohmann::json::array();
   json["retrieval"] = nlohmann::json::array();
   for (const Experiment& experiment : experiments) json["experiments"].push_back(ToJson(experiment));
-  for (const RetrievalTimes& times : retrievals) json["retrieval"].push_back(ToJson(times));
+  for (const RetrievalTimes& times : retrievals) json["retrieval"].push_back(TimesToJson(times));
   return WriteText(options.json, json.dump(1) + "\n");
 }
 

@@ -8,6 +8,7 @@
 
 #include "clients/simulator/camera_path.h"
 #include "clients/simulator/random.h"
+#include "clients/simulator/rounded_point.h"
 
 namespace dhpmap::simulator {
 namespace {
@@ -127,12 +128,6 @@ class Chooser {
   std::vector<Eigen::Vector3d> eyes_;
 };
 
-Json Rounded(const Eigen::Vector3d& p) {
-  Json json = Json::array();
-  for (int i = 0; i < 3; ++i) json.push_back(std::round(p[i] * 1e4) / 1e4);
-  return json;
-}
-
 }  // namespace
 
 Result<std::vector<Change>> ChooseChanges(const ApartmentScene& scene, int count, std::uint64_t seed) {
@@ -193,8 +188,8 @@ std::string ChangesJson(const ApartmentScene& scene, const std::vector<Change>& 
                   {"class", InfoOf(instance.object_class).name},
                   {"name", instance.name},
                   {"change", change.shift_m ? "moved" : "gone"},
-                  {"box_m", {{"min", Rounded(box.min())}, {"max", Rounded(box.max())}}}};
-    if (change.shift_m) entry["moved_by_m"] = Rounded(*change.shift_m);
+                  {"box_m", {{"min", RoundedPoint(box.min())}, {"max", RoundedPoint(box.max())}}}};
+    if (change.shift_m) entry["moved_by_m"] = RoundedPoint(*change.shift_m);
     list.push_back(std::move(entry));
   }
   return Json{{"first_frame_after", first_frame_after}, {"changes", std::move(list)}}.dump(1) + "\n";

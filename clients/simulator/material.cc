@@ -168,24 +168,23 @@ Light FromHex(std::uint32_t rgb) {
 }
 
 Light Albedo(const Material& m, const SurfacePoint& at) {
-  using Pattern = Material::Pattern;
-  if (m.pattern == Pattern::kPlain) return FromHex(m.first);
-  if (m.pattern == Pattern::kPlanks) return Planks(m, at);
-  if (m.pattern == Pattern::kSky) return Sky(at);
-  if (m.pattern == Pattern::kLandscape) return Landscape(m, at);
+  if (m.pattern == Material::Pattern::kPlain) return FromHex(m.first);
+  if (m.pattern == Material::Pattern::kPlanks) return Planks(m, at);
+  if (m.pattern == Material::Pattern::kSky) return Sky(at);
+  if (m.pattern == Material::Pattern::kLandscape) return Landscape(m, at);
   const FacePoint f = OnFace(at);
   float share = 0;
   switch (m.pattern) {
-    case Pattern::kWood: return Wood(m, at, f, at.solid.look_seed);
-    case Pattern::kTiles: return Tiles(m, at, f);
-    case Pattern::kChecker: share = CheckerCover(m, at, f); break;
-    case Pattern::kStripes: share = BandCover(f.across, 2 * m.scale_m, m.scale_m, at.footprint_m); break;
-    case Pattern::kRings:
+    case Material::Pattern::kWood: return Wood(m, at, f, at.solid.look_seed);
+    case Material::Pattern::kTiles: return Tiles(m, at, f);
+    case Material::Pattern::kChecker: share = CheckerCover(m, at, f); break;
+    case Material::Pattern::kStripes: share = BandCover(f.across, 2 * m.scale_m, m.scale_m, at.footprint_m); break;
+    case Material::Pattern::kRings:
       share = BandCover(std::hypot(f.along, f.across), 2 * m.scale_m, m.scale_m, at.footprint_m);
       break;
-    case Pattern::kWeave: share = WeaveShade(m, at, f); break;
-    case Pattern::kMarble: share = Veins(at, f, m.scale_m); break;
-    case Pattern::kSpeckles: share = Speckles(m, at, f); break;
+    case Material::Pattern::kWeave: share = WeaveShade(m, at, f); break;
+    case Material::Pattern::kMarble: share = Veins(at, f, m.scale_m); break;
+    case Material::Pattern::kSpeckles: share = Speckles(m, at, f); break;
     default: break;
   }
   return Mix(FromHex(m.first), FromHex(m.second), share);

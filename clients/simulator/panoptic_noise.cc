@@ -14,7 +14,7 @@ namespace dhpmap::simulator {
 namespace {
 
 constexpr int kMinSharedBorder_px = 4;
-constexpr float kTouching_m = 0.3f;
+constexpr float kSharedBorder_m = 0.3f;
 constexpr std::size_t kNumIds = 256;
 constexpr double kTruthIsSecondShare = 0.7;  // of things said to be something else
 constexpr double kSecondShare = 0.8;         // of what the score of a class leaves, that of the next
@@ -119,7 +119,7 @@ class Predictor {
     const auto visit = [&](std::size_t i, std::size_t j) {
       const auto [a, b] = std::minmax(frame_.instances[i], frame_.instances[j]);
       if (a == b || a == 0 || instances_[a].object_class != instances_[b].object_class || !IsThing(a)) return;
-      if (std::abs(frame_.depth_m[i] - frame_.depth_m[j]) < kTouching_m) ++shared_px[a * kNumIds + b];
+      if (std::abs(frame_.depth_m[i] - frame_.depth_m[j]) < kSharedBorder_m) ++shared_px[a * kNumIds + b];
     };
     for (int v = 0; v + 1 < height_; ++v) {
       for (int u = 0; u + 1 < width_; ++u) {

@@ -17,7 +17,7 @@ constexpr std::size_t kAround = 27;  // the truncation is at most a block's side
 /// The blocks around a cell's own, x fastest.
 using Mask = std::bitset<kAround>;
 
-BlockIndex Neighbour(BlockIndex center, std::size_t i) {
+BlockIndex NeighbourOf(BlockIndex center, std::size_t i) {
   const auto n = static_cast<int>(i);
   return {center.x + n % 3 - 1, center.y + n / 3 % 3 - 1, center.z + n / 9 - 1};
 }
@@ -75,7 +75,7 @@ std::size_t CountBandBlocks(std::span<const SegmentBundles> segments, const RayO
     for (const BundleCell& cell : segment.cells) {
       const Mask mask = BlocksAround(cell, segment, origin, voxels_per_m, static_cast<float>(truncation_m));
       for (std::size_t i = 0; i < kAround; ++i) {
-        if (mask.test(i)) blocks.insert(Neighbour(cell.block, i));
+        if (mask.test(i)) blocks.insert(NeighbourOf(cell.block, i));
       }
       if (total + blocks.size() > enough) return total + blocks.size();
     }

@@ -92,7 +92,7 @@ std::optional<PanopticFrame> WithoutPixelsIn(const std::vector<SeenRegion>& regi
   return rest;
 }
 
-bool IsIn(const SeenRegion& seen, const Eigen::Vector3d& p_m, const Transform& T_map_sensor) {
+bool IsInRegion(const SeenRegion& seen, const Eigen::Vector3d& p_m, const Transform& T_map_sensor) {
   return (p_m - seen.center_m).squaredNorm() <= seen.radius_m * seen.radius_m &&
          Contains(seen.region, T_map_sensor * p_m);
 }
@@ -104,7 +104,7 @@ std::vector<std::size_t> PointsIn(const std::vector<SeenRegion>& regions, const 
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Eigen::Vector3d p_m = all[i].cast<double>();
     const bool is_in = std::any_of(regions.begin(), regions.end(),
-                                   [&](const SeenRegion& seen) { return IsIn(seen, p_m, frame.T_map_sensor); });
+                                   [&](const SeenRegion& seen) { return IsInRegion(seen, p_m, frame.T_map_sensor); });
     if (is_in) points.push_back(i);
   }
   return points;

@@ -29,7 +29,7 @@ bool IsUsable(const Region& region) {
   return IsWithinReach(sphere.center_m) && sphere.radius_m > 0 && sphere.radius_m <= kMost_m;
 }
 
-bool ComesBefore(const KeptClearRegion& region, std::string_view name) { return region.name < name; }
+bool RegionComesBefore(const KeptClearRegion& region, std::string_view name) { return region.name < name; }
 
 }  // namespace
 
@@ -48,7 +48,7 @@ Status KeptClear::Add(KeptClearRegion region) {
     bad.AddViolation("name", "'" + region.name + "' is not of the form [a-z0-9][a-z0-9._-]{0,62}");
   if (!IsUsable(region.region)) bad.AddViolation("region", "is empty, or beyond 1e9 m");
   if (!bad.violations().empty()) return bad;
-  const auto at = std::lower_bound(list_.begin(), list_.end(), region.name, ComesBefore);
+  const auto at = std::lower_bound(list_.begin(), list_.end(), region.name, RegionComesBefore);
   if (at != list_.end() && at->name == region.name) {
     return AlreadyExists("a region '" + region.name + "' is kept clear already").WithReason("KEPT_CLEAR_EXISTS");
   }
@@ -67,7 +67,7 @@ bool KeptClear::Lift(std::string_view name) {
 }
 
 const KeptClearRegion* KeptClear::Find(std::string_view name) const {
-  const auto at = std::lower_bound(list_.begin(), list_.end(), name, ComesBefore);
+  const auto at = std::lower_bound(list_.begin(), list_.end(), name, RegionComesBefore);
   return at != list_.end() && at->name == name ? &*at : nullptr;
 }
 

@@ -7,7 +7,7 @@
 namespace dhpmap {
 namespace {
 
-std::vector<MergedId>::const_iterator PlaceOf(const std::vector<MergedId>& list, SubmapId merged) {
+std::vector<MergedId>::const_iterator PlaceOfMerged(const std::vector<MergedId>& list, SubmapId merged) {
   return std::lower_bound(list.begin(), list.end(), merged,
                           [](const MergedId& entry, SubmapId wanted) { return entry.merged < wanted; });
 }
@@ -32,7 +32,7 @@ Result<MergedIds> MergedIds::Create(std::vector<MergedId> list) {
 }
 
 std::optional<SubmapId> MergedIds::Into(SubmapId merged) const {
-  const auto found = PlaceOf(list(), merged);
+  const auto found = PlaceOfMerged(list(), merged);
   if (found == list().end() || found->merged != merged) return std::nullopt;
   return found->into;
 }
@@ -42,7 +42,7 @@ void MergedIds::Add(SubmapId merged, SubmapId into) {
   for (MergedId& entry : list) {
     if (entry.into == merged) entry.into = into;
   }
-  list.insert(PlaceOf(list, merged), {merged, into});
+  list.insert(PlaceOfMerged(list, merged), {merged, into});
   list_ = std::make_shared<const std::vector<MergedId>>(std::move(list));
 }
 

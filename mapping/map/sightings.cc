@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-bool ComesBefore(const Sighting& sighting, std::string_view session) { return sighting.session < session; }
+bool SightingComesBefore(const Sighting& sighting, std::string_view session) { return sighting.session < session; }
 
 bool IsUseless(const Sighting& sighting) { return sighting.track_id == 0 && !sighting.has_in_sight; }
 
@@ -149,7 +149,7 @@ std::uint32_t Sightings::TrackOf(std::string_view session) const {
 }
 
 bool Sightings::IsTrackedAs(std::string_view session, std::uint32_t track_id) const {
-  const auto begin = std::lower_bound(all_.begin(), all_.end(), session, ComesBefore);
+  const auto begin = std::lower_bound(all_.begin(), all_.end(), session, SightingComesBefore);
   for (auto entry = begin; entry != all_.end() && entry->session == session; ++entry) {
     if (entry->track_id == track_id) return true;
   }
@@ -161,20 +161,20 @@ bool Sightings::HasTrack() const {
 }
 
 const Sighting* Sightings::Find(std::string_view session) const {
-  const auto found = std::lower_bound(all_.begin(), all_.end(), session, ComesBefore);
+  const auto found = std::lower_bound(all_.begin(), all_.end(), session, SightingComesBefore);
   return found != all_.end() && found->session == session ? &*found : nullptr;
 }
 
 Sighting& Sightings::FindOrAdd(std::string_view session) {
-  auto place = std::lower_bound(all_.begin(), all_.end(), session, ComesBefore);
+  auto place = std::lower_bound(all_.begin(), all_.end(), session, SightingComesBefore);
   if (place != all_.end() && place->session == session) return *place;
   MakeRoom();
-  place = std::lower_bound(all_.begin(), all_.end(), session, ComesBefore);
+  place = std::lower_bound(all_.begin(), all_.end(), session, SightingComesBefore);
   return *all_.insert(place, Sighting{.session = std::string(session)});
 }
 
 std::pair<Sightings::Place, Sightings::Place> Sightings::EntriesOf(std::string_view session) {
-  const auto begin = std::lower_bound(all_.begin(), all_.end(), session, ComesBefore);
+  const auto begin = std::lower_bound(all_.begin(), all_.end(), session, SightingComesBefore);
   return {begin, std::find_if(begin, all_.end(), [&](const Sighting& entry) { return entry.session != session; })};
 }
 

@@ -79,7 +79,7 @@ std::shared_ptr<const BlockTile> Part(const BlockTile* tile, const BlockLayers& 
   return table.empty() ? nullptr : table.FindTile(index)->tile;
 }
 
-std::vector<TileDelta> DiffTilesOf(const Submap* before, const Submap* after) {
+std::vector<TileDelta> TileDeltasOf(const Submap* before, const Submap* after) {
   std::vector<TileDelta> tiles;
   if (before != nullptr && after != nullptr && HaveSameUnread(*before, *after)) return tiles;
   std::set<TileIndex> indices;
@@ -126,7 +126,7 @@ StateDelta DiffRows(const MapSnapshot& before, const MapSnapshot& after) {
 }
 
 void AddTiles(const MapSnapshot& before, const MapSnapshot& after, StateDelta& delta) {
-  for (SubmapDelta& submap : delta.submaps) submap.tiles = DiffTilesOf(before.Find(submap.id), after.Find(submap.id));
+  for (SubmapDelta& submap : delta.submaps) submap.tiles = TileDeltasOf(before.Find(submap.id), after.Find(submap.id));
   std::map<TileIndex, VacatedDelta> vacated;
   for (const FreeTileEntry& entry : before.vacated()->tiles()) vacated[entry.index].before = entry.tile;
   for (const FreeTileEntry& entry : after.vacated()->tiles()) vacated[entry.index].after = entry.tile;

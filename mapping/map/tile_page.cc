@@ -25,7 +25,7 @@ PageCounters& Counters() {
 /// for names that it has of its own.
 constexpr std::int64_t kTileTableBytes = 832;
 
-std::size_t BytesOf(const std::vector<BlockEntry>& blocks) {
+std::size_t BytesOfBlocks(const std::vector<BlockEntry>& blocks) {
   std::size_t bytes = blocks.capacity() * sizeof(BlockEntry);
   for (const BlockEntry& block : blocks) {
     ForEachLayer([&bytes](BlockLayer, const auto& layer) { bytes += layer != nullptr ? layer->MemoryBytes() : 0; },
@@ -94,7 +94,7 @@ void TilePage::Read() const {
     throw StatusError(blocks.status());
   }
   blocks_ = std::move(blocks).value();
-  num_bytes_ = BytesOf(blocks_);
+  num_bytes_ = BytesOfBlocks(blocks_);
   num_label_plane_bytes_ = LabelPlaneBytesOf(blocks_);
   PageReader::Count(static_cast<std::int64_t>(num_bytes_));
   Counters().num_reads.fetch_add(1, std::memory_order_relaxed);

@@ -6,7 +6,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr int kCorners = 18;
+constexpr int kNumCorners = 18;
 constexpr std::uint32_t kNobody = 0;
 
 }  // namespace
@@ -35,8 +35,8 @@ OwnerHalo::OwnerHalo(const SurfaceField& field, const Halo::Blocks& blocks) {
 
 int OwnerHalo::Labelling(int nearer, int farther, int axis) const {
   const int b = Halo::kStride[(axis + 1) % 3], c = Halo::kStride[(axis + 2) % 3];
-  const std::array<int, kCorners / 2> steps = {0, b, -b, c, -c, b + c, b - c, c - b, -b - c};
-  std::array<int, kCorners> corners;  // in the order of preference
+  const std::array<int, kNumCorners / 2> steps = {0, b, -b, c, -c, b + c, b - c, c - b, -b - c};
+  std::array<int, kNumCorners> corners;  // in the order of preference
   for (std::size_t i = 0; i < steps.size(); ++i) {
     corners[2 * i] = nearer + steps[i];
     corners[2 * i + 1] = farther + steps[i];
@@ -46,7 +46,7 @@ int OwnerHalo::Labelling(int nearer, int farther, int axis) const {
   };
   int best = nearer;
   auto most = owner_[nearer] == kNobody ? 0 : count_of(owner_[nearer]);
-  for (std::size_t i = 1; i < kCorners && 2 * most < kCorners; ++i) {
+  for (std::size_t i = 1; i < kNumCorners && 2 * most < kNumCorners; ++i) {
     const std::uint32_t owner = owner_[corners[i]];
     if (owner == kNobody || owner == owner_[best]) continue;
     const auto count = count_of(owner);

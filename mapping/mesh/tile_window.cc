@@ -37,7 +37,7 @@ const NeighbourTable& Neighbours() {
 
 constexpr Row Bit(int x) { return Row{1} << x; }
 constexpr Row From(int first) { return ~Row{0} << first; }
-constexpr Row kCorners = From(kMargin - 1) & ~From(kMargin + TileRoom::kTileVoxels + 1);  ///< that cells may have
+constexpr Row kCornerRow = From(kMargin - 1) & ~From(kMargin + TileRoom::kTileVoxels + 1);  ///< that cells may have
 
 /// The same and all that are next to one of them, along x and y, then along z. Beside the last row of a plane is the
 /// first of the next: what lies there is no corner of any cell.
@@ -146,7 +146,7 @@ void TileWindow::ConcludeSides() {
   for (int z = -1; z <= TileRoom::kTileVoxels; ++z) {
     for (int y = -1; y <= TileRoom::kTileVoxels; ++y) {
       const std::size_t row = RowAt(y, z);
-      const Row open = ~(room_.observed[row] | room_.contradicted[row]) & kCorners;
+      const Row open = ~(room_.observed[row] | room_.contradicted[row]) & kCornerRow;
       const Row in_front = room_.in_front[row] & open, behind = WidenedInZ(room_.wider, row) & open;
       room_.in_front[row] = (in_front & ~behind) | (room_.observed[row] & ~room_.inside[row]);
       room_.inside[row] |= behind & ~in_front;

@@ -24,7 +24,7 @@ struct Island {
 
 constexpr std::int32_t FloorOf(std::int32_t a, std::int32_t b) { return (a >= 0 ? a : a - b + 1) / b; }
 
-BlockIndex CellOf(VoxelIndex v, int cell_vox) {
+BlockIndex PlaceCellOf(VoxelIndex v, int cell_vox) {
   return {FloorOf(v.x, cell_vox), FloorOf(v.y, cell_vox), FloorOf(v.z, cell_vox)};
 }
 
@@ -37,7 +37,7 @@ std::map<BlockIndex, std::int64_t> CountByCell(const Submap& submap, int cell_vo
     for (int i = 0; i < kBlockVoxels; ++i) {
       if (!entry.Shows(i)) continue;
       const double distance_m = entry.tsdf->distance_m[static_cast<std::size_t>(i)];
-      cells[CellOf(VoxelIn(entry.index, i), cell_vox)] += std::abs(distance_m) <= most_m;
+      cells[PlaceCellOf(VoxelIn(entry.index, i), cell_vox)] += std::abs(distance_m) <= most_m;
     }
   }
   return cells;
@@ -108,7 +108,7 @@ int SplitIslands(SubmapId id, int cell_vox, std::int64_t least_surface_voxels, M
     const Island& island = islands[i];
     if (island.num_surface_voxels < std::max<std::int64_t>(1, least_surface_voxels)) break;
     const VoxelChoice goes = [&](const Eigen::Vector3d& p_m) {
-      return island.cells.contains(CellOf(VoxelAt(p_m, voxel_size_m), cell_vox));
+      return island.cells.contains(PlaceCellOf(VoxelAt(p_m, voxel_size_m), cell_vox));
     };
     const std::optional<SubmapId> part = SplitSubmap(id, goes, map);
     if (!part) continue;

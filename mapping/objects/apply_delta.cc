@@ -29,7 +29,7 @@ Status Conflict(SubmapId id, const std::string& field, const std::string& what) 
       .WithMetadata("field", field);
 }
 
-bool IsSame(const BoundingSphere& a, const BoundingSphere& b) {
+bool IsSameState(const BoundingSphere& a, const BoundingSphere& b) {
   return a.center_m == b.center_m && a.radius_m == b.radius_m;
 }
 
@@ -351,8 +351,8 @@ class Application {
 
   /// As it was, unless there is more now that it would not hold: what frames have added where it was larger.
   static void SetSphere(const Way<BoundingSphere>& way, Submap& submap) {
-    const bool is_as_it_was = IsSame(submap.bounding_sphere(), way.from);
-    if (is_as_it_was && IsSame(way.from, way.to)) return;
+    const bool is_as_it_was = IsSameState(submap.bounding_sphere(), way.from);
+    if (is_as_it_was && IsSameState(way.from, way.to)) return;
     if (is_as_it_was) submap.set_bounding_sphere(way.to);
     if (!is_as_it_was || !HoldsAllBlocks(submap)) submap.UpdateBoundingSphere();
   }

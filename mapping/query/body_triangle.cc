@@ -15,7 +15,7 @@ using Corners = std::array<Eigen::Vector3d, 3>;
 
 Corners Exact(const TriangleCorners& t) { return {t[0].cast<double>(), t[1].cast<double>(), t[2].cast<double>()}; }
 
-Eigen::Vector3d NormalOf(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
+Eigen::Vector3d UnitNormalOf(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
 
 void Improve(NearestPoints& best, const Eigen::Vector3d& on_segment, const Eigen::Vector3d& on_triangle) {
   const double distance2 = (on_segment - on_triangle).squaredNorm();
@@ -106,7 +106,7 @@ NearestPoints NearestPointsOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   Improve(best, b, NearestPointOf(triangle, b.cast<float>()).cast<double>());
   const Corners t = Exact(triangle);
   for (std::size_t i = 0; i < 3; ++i) ImproveBySegments(best, a, b, t[i], t[(i + 1) % 3]);
-  if (const auto p = Crossing(a, b, t, NormalOf(t))) best = {*p, *p, 0, true};
+  if (const auto p = Crossing(a, b, t, UnitNormalOf(t))) best = {*p, *p, 0, true};
   return best;
 }
 
@@ -115,7 +115,7 @@ std::optional<BodyTouch> TouchOf(const Capsule& capsule, const TriangleCorners& 
   const double reach_m = capsule.radius_m + padding_m;
   if (!(nearest.distance2 <= reach_m * reach_m)) return std::nullopt;
   const Corners t = Exact(triangle);
-  const Eigen::Vector3d normal = NormalOf(t);
+  const Eigen::Vector3d normal = UnitNormalOf(t);
   if (nearest.is_through) {
     const double lowest_m = std::min(normal.dot(capsule.a_m - t[0]), normal.dot(capsule.b_m - t[0]));
     return BodyTouch{reach_m - lowest_m, nearest.on_triangle, normal, true};
@@ -129,7 +129,7 @@ std::optional<BodyTouch> TouchOf(const Capsule& capsule, const TriangleCorners& 
 std::optional<BodyTouch> TouchOf(const OrientedBox& box, const TriangleCorners& triangle, double padding_m) {
   const Transform T_box_world = box.T_world_box.inverse();
   Corners t = Exact(triangle);
-  const Eigen::Vector3d normal = NormalOf(t);
+  const Eigen::Vector3d normal = UnitNormalOf(t);
   TriangleCorners rounded;
   for (std::size_t i = 0; i < 3; ++i) {
     t[i] = T_box_world * t[i];

@@ -68,7 +68,7 @@ class Votes {
   std::size_t num_fetched_ = 0;
 };
 
-bool IsLookedThrough(const MapSnapshot& map, const Eigen::Vector3d& p_map) {
+bool IsPointLookedThrough(const MapSnapshot& map, const Eigen::Vector3d& p_map) {
   const double voxel_size_m = map.info().config.voxel_size_m;
   const bool is_on_grid = (p_map.array().abs() <= GridReach_m(voxel_size_m)).all();
   return is_on_grid && map.free_space()->IsFree(VoxelAt(p_map, voxel_size_m));
@@ -93,7 +93,7 @@ PointInfo PointLookup::At(const Eigen::Vector3d& p_map) const {
   votes.Count();
   const Vote& best = votes.best();
   PointInfo info;
-  info.is_free = !votes.is_near_surface() && IsLookedThrough(*snapshot_, p_map);
+  info.is_free = !votes.is_near_surface() && IsPointLookedThrough(*snapshot_, p_map);
   if (best.submap == nullptr) return info;
 
   const SubmapInfo& submap = best.submap->info();

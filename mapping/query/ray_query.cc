@@ -16,20 +16,20 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// How far along the ray it meets the triangle, from either side; infinity if it does not (Moeller and Trumbore 1997).
 /// A little over the edges, so that none slips through between two triangles.
 double MeetingOf(const TriangleCorners& triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-  constexpr double kNever = std::numeric_limits<double>::infinity(), kOver = 1e-6;
+  constexpr double kMissed = std::numeric_limits<double>::infinity(), kOver = 1e-6;
   const Eigen::Vector3d a = triangle[0].cast<double>();
   const Eigen::Vector3d ab = triangle[1].cast<double>() - a, ac = triangle[2].cast<double>() - a;
   const Eigen::Vector3d across = direction.cross(ac);
   const double determinant = ab.dot(across);
-  if (std::abs(determinant) < 1e-15) return kNever;  // edge-on: its neighbours are met
+  if (std::abs(determinant) < 1e-15) return kMissed;  // edge-on: its neighbours are met
   const Eigen::Vector3d from_a = origin - a;
   const double u = from_a.dot(across) / determinant;
-  if (u < -kOver || u > 1 + kOver) return kNever;
+  if (u < -kOver || u > 1 + kOver) return kMissed;
   const Eigen::Vector3d other = from_a.cross(ab);
   const double v = direction.dot(other) / determinant;
-  if (v < -kOver || u + v > 1 + kOver) return kNever;
+  if (v < -kOver || u + v > 1 + kOver) return kMissed;
   const double along = ac.dot(other) / determinant;
-  return along >= 0 ? along : kNever;
+  return along >= 0 ? along : kMissed;
 }
 
 /// One by each coordinate, none infinite.
@@ -121,8 +121,8 @@ RayHit RayQuery::FirstHit(const Ray& ray) const {
 /// From voxel to voxel (Amanatides and Woo 1987).
 double RayQuery::SeenUpTo(const Ray& ray, double end_m) const {
   const double size_m = world_.voxel_size_m();
-  constexpr double kGridReach_vox = 1 << 30;
-  if (ray.origin_m.cwiseAbs().maxCoeff() + end_m > kGridReach_vox * size_m) return 0;  // nobody can have been there
+  constexpr double kMostReach_vox = 1 << 30;
+  if (ray.origin_m.cwiseAbs().maxCoeff() + end_m > kMostReach_vox * size_m) return 0;  // nobody can have been there
   VoxelIndex voxel = VoxelAt(ray.origin_m, size_m);
   std::int32_t* const index[3] = {&voxel.x, &voxel.y, &voxel.z};
   Eigen::Vector3d next_m, step_m;  // along the ray: to the next voxel in each axis, and between two

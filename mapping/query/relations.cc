@@ -24,7 +24,7 @@ constexpr std::size_t kFewEnclosed = 8;    // one point of so many of them is as
 constexpr double kLeastInBox = 0.5;        // of the subject's box, for rays to be cast at all
 
 /// A thing or stuff, in the asker's frame.
-struct Body {
+struct RelatedBody {
   std::size_t number = 0;
   const Submap* submap = nullptr;
   Eigen::AlignedBox3d box_m;
@@ -35,7 +35,7 @@ struct Body {
 
 /// A thing with points of its surface: of a few at a time.
 struct Subject {
-  const Body& body;
+  const RelatedBody& body;
   std::vector<Eigen::Vector3d> points_m;
 };
 
@@ -67,7 +67,7 @@ class Judge {
     double share = 0;
     double gap_m = 0;
   };
-  Support SupportOf(const Subject& subject, const Body& object) {
+  Support SupportOf(const Subject& subject, const RelatedBody& object) {
     std::vector<double> heights_m;
     for (const Eigen::Vector3d& p : subject.points_m) heights_m.push_back(p.z());
     const auto lowest =
@@ -91,7 +91,7 @@ class Judge {
   }
 
   /// The least distance, infinity if it is more than the limit.
-  double GapOf(const Subject& subject, const Body& object, double limit_m) {
+  double GapOf(const Subject& subject, const RelatedBody& object, double limit_m) {
     const Hold hold(*this, object.number);
     double gap_m = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : subject.points_m) {
@@ -102,7 +102,7 @@ class Judge {
     return gap_m;
   }
 
-  double EnclosureOf(const Subject& subject, const Body& object) {
+  double EnclosureOf(const Subject& subject, const RelatedBody& object) {
     static const std::vector<Eigen::Vector3d> directions = AllAround();
     const double limit_m = object.box_m.diagonal().norm();
     // Ends with a share below `least` once that is all it can be.
@@ -195,7 +195,7 @@ class Finder {
       constexpr std::uint64_t kEver = 0;  // all of the surface: of a large submap that takes long
       surfaces_.surface(number).PrepareUsedSince(kEver, submap, stop_);
       if (stop_.stop_requested()) break;
-      Body body{.number = number, .submap = &submap, .box_m = SurfaceBox(surfaces_, number, T_query_map)};
+      RelatedBody body{.number = number, .submap = &submap, .box_m = SurfaceBox(surfaces_, number, T_query_map)};
       if (body.box_m.isEmpty()) continue;
       if (bodies_.empty()) origin_m_ = body.box_m.center();
       boxes.push_back(InTree(body.box_m, 0));
@@ -204,7 +204,7 @@ class Finder {
     tree_ = BoxTree(boxes);
   }
 
-  [[nodiscard]] Subject SubjectOf(const Body& body) const {
+  [[nodiscard]] Subject SubjectOf(const RelatedBody& body) const {
     return {body, SurfacePoints(surfaces_, body.number, question_.T_map_query.inverse(), kMostPoints)};
   }
 
@@ -216,7 +216,7 @@ class Finder {
 
   /// Those that may have to do with it, by ascending id.
   std::vector<std::uint32_t> Around(std::size_t a) {
-    const Body& body = bodies_[a];
+    const RelatedBody& body = bodies_[a];
     const double reach_m = std::max(question_.rules.most_gap_m, kContact_vox * body.submap->info().voxel_size_m);
     std::vector<std::uint32_t> around;
     tree_.VisitOverlapping(InTree(body.box_m, reach_m),
@@ -226,7 +226,7 @@ class Finder {
   }
 
   [[nodiscard]] bool IsEnough() const { return found_.size() >= question_.most; }
-  [[nodiscard]] bool IsAskedFor(const Body& a, const Body& b) const {
+  [[nodiscard]] bool IsAskedFor(const RelatedBody& a, const RelatedBody& b) const {
     return !question_.submap || a.id() == *question_.submap || b.id() == *question_.submap;
   }
   [[nodiscard]] bool IsWanted(RelationKind kind) const {
@@ -234,7 +234,7 @@ class Finder {
            std::find(question_.kinds->begin(), question_.kinds->end(), kind) != question_.kinds->end();
   }
 
-  void Compare(const Subject& subject, const Body& object) {
+  void Compare(const Subject& subject, const RelatedBody& object) {
     const Relation on = On(subject, object), in = In(subject, object);
     if (stop_.stop_requested()) return;
     if (on.subject != nullptr && IsWanted(RelationKind::kOn)) found_.push_back(on);
@@ -251,7 +251,7 @@ class Finder {
 
   // Each is without a subject if it does not hold.
 
-  Relation On(const Subject& subject, const Body& object) {
+  Relation On(const Subject& subject, const RelatedBody& object) {
     const double reach_m = kContact_vox * subject.body.submap->info().voxel_size_m;
     Eigen::AlignedBox3d bottom_m = subject.body.box_m;
     bottom_m.min().array() -= reach_m;
@@ -265,7 +265,7 @@ class Finder {
             .gap_m = support.gap_m};
   }
 
-  Relation In(const Subject& subject, const Body& object) {
+  Relation In(const Subject& subject, const RelatedBody& object) {
     const double in_box = Volume(subject.body.box_m.intersection(object.box_m));
     if (in_box < kLeastInBox * Volume(subject.body.box_m) || !object.box_m.contains(subject.body.box_m.center()))
       return {};
@@ -278,7 +278,7 @@ class Finder {
             .gap_m = judge_.GapOf(subject, object, object.box_m.diagonal().norm())};
   }
 
-  Relation NextTo(const Subject& subject, const Body& object) {
+  Relation NextTo(const Subject& subject, const RelatedBody& object) {
     const double shared_m = std::min(subject.body.box_m.max().z(), object.box_m.max().z()) -
                             std::max(subject.body.box_m.min().z(), object.box_m.min().z());
     const double height_share = shared_m / std::min(subject.body.box_m.sizes().z(), object.box_m.sizes().z());
@@ -296,7 +296,7 @@ class Finder {
   const RelationQuestion& question_;
   const std::stop_token& stop_;
   Judge judge_;
-  std::vector<Body> bodies_;  // by ascending id
+  std::vector<RelatedBody> bodies_;  // by ascending id
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();
   BoxTree tree_;  // of their boxes
   std::vector<Relation> found_;

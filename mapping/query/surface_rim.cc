@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-bool Has(const TriangleCorners& triangle, const Eigen::Vector3f& corner, float same_m) {
+bool HasCorner(const TriangleCorners& triangle, const Eigen::Vector3f& corner, float same_m) {
   return std::any_of(triangle.begin(), triangle.end(),
                      [&](const Eigen::Vector3f& other) { return (other - corner).squaredNorm() <= same_m * same_m; });
 }
@@ -17,7 +17,7 @@ bool Has(const TriangleCorners& triangle, const Eigen::Vector3f& corner, float s
 bool IsShared(std::span<const TriangleCorners> triangles, std::size_t own, const Eigen::Vector3f& a,
               const Eigen::Vector3f& b, float same_m) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (i != own && Has(triangles[i], a, same_m) && Has(triangles[i], b, same_m)) return true;
+    if (i != own && HasCorner(triangles[i], a, same_m) && HasCorner(triangles[i], b, same_m)) return true;
   }
   return false;
 }
@@ -33,9 +33,9 @@ float SquaredDistanceToEdge(const Eigen::Vector3f& a, const Eigen::Vector3f& b) 
 
 bool EndsAtOrigin(std::span<const TriangleCorners> triangles, float same_m) {
   const TriangleCorners& first = triangles[0];
-  if (Has(first, Eigen::Vector3f::Zero(), same_m)) {
+  if (HasCorner(first, Eigen::Vector3f::Zero(), same_m)) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (!Has(triangles[i], Eigen::Vector3f::Zero(), same_m)) continue;
+      if (!HasCorner(triangles[i], Eigen::Vector3f::Zero(), same_m)) continue;
       for (const Eigen::Vector3f& end : triangles[i]) {
         if (end.norm() <= same_m) continue;
         if (!IsShared(triangles, i, Eigen::Vector3f::Zero(), end, same_m)) return true;

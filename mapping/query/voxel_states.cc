@@ -17,7 +17,7 @@ namespace {
 /// 2 to 3 MB, and for a slice of some 100 m with a band of some metres all blocks of several rows of cells.
 constexpr std::size_t kMostBlocks = 16384;
 
-constexpr bool Has(const FreeMask& mask, int linear) {
+constexpr bool HasVoxel(const FreeMask& mask, int linear) {
   return (mask[static_cast<std::size_t>(linear >> 6)] >> (linear & 63) & 1u) != 0;
 }
 constexpr void Set(FreeMask& mask, int linear) {
@@ -66,7 +66,7 @@ class VoxelStates::Maker {
     const double half_m = 0.5 * (1 + 1e-3) * surfaces_.index().entries()[number].submap().info().voxel_size_m;
     const float distance_m = voxel.distance_m();
     if (distance_m > half_m) return Set(in_front_, i);
-    if (distance_m < -half_m && Has(looked_through_, i)) return;
+    if (distance_m < -half_m && HasVoxel(looked_through_, i)) return;
     Set(block_.occupied, i);
     if (!with_objects_) return;
     if (block_.numbers.empty()) {
@@ -102,8 +102,8 @@ VoxelStates::Voxel VoxelStates::At(const Eigen::Vector3d& p_map) {
     last_index_ = index;
   }
   const int i = LinearIndex(voxel);
-  if (Has(last_->free, i)) return {.state = VoxelState::kFree};
-  if (!Has(last_->occupied, i)) return {};
+  if (HasVoxel(last_->free, i)) return {.state = VoxelState::kFree};
+  if (!HasVoxel(last_->occupied, i)) return {};
   if (last_->numbers.empty()) return {.state = VoxelState::kOccupied};
   const std::uint32_t number = last_->numbers[static_cast<std::size_t>(i)];
   return {.state = VoxelState::kOccupied, .submap = &world_.surfaces().index().entries()[number].submap().info()};

@@ -11,12 +11,12 @@ namespace {
 
 static_assert(kCubeSide % kTileSide == 0, "a tile lies in one cube");
 
-CubeIndex CubeOf(TileIndex tile) {
-  return dhpmap::CubeOf(BlockIndex{tile.x * kTileSide, tile.y * kTileSide, tile.z * kTileSide});
+CubeIndex CubeOfTile(TileIndex tile) {
+  return CubeOf(BlockIndex{tile.x * kTileSide, tile.y * kTileSide, tile.z * kTileSide});
 }
 
 /// Block by block: what was refined and taken over is in other tiles than it was made in.
-bool IsSame(const TileMarks& before, const TileEntry& now) {
+bool IsSameTile(const TileMarks& before, const TileEntry& now) {
   if (before.IsOf(now)) return true;
   const std::span<const BlockEntry> entries = now.tile->entries();
   return before.cells() == now.tile->cells() &&
@@ -31,7 +31,7 @@ void VisitDifferentTiles(const SubmapMarks* before, const Submap* now, Visitor&&
   for (std::size_t t = 0; now != nullptr && t < now->blocks().tiles().size(); ++t) {
     const TileEntry& tile = now->blocks().tiles()[t];
     const auto old = before != nullptr ? before->FindTile(tile.index) : nullptr;
-    if (old == nullptr || !IsSame(*old, tile)) visit(tile.index);
+    if (old == nullptr || !IsSameTile(*old, tile)) visit(tile.index);
   }
   for (std::size_t t = 0; before != nullptr && t < before->tiles().size(); ++t) {
     const TileIndex index = before->tiles()[t]->index();
@@ -45,7 +45,7 @@ class Around {
   Around(int rim, std::set<CubeIndex>& cubes) : reach_(std::max(0, (rim + kCubeSide - 1) / kCubeSide)), cubes_(cubes) {}
 
   void operator()(TileIndex tile) {
-    const CubeIndex c = CubeOf(tile);
+    const CubeIndex c = CubeOfTile(tile);
     if (has_last_ && c == last_) return;
     has_last_ = true;
     last_ = c;
@@ -110,8 +110,8 @@ std::vector<RefinementRegion> CutRegions(const PendingCubes& pending, const MapS
   for (const auto& submap : state.submaps()) {
     if (Refined(submap.get(), state.info().config) == nullptr) continue;
     for (const TileEntry& tile : submap->blocks().tiles()) {
-      if (!pending.cubes().contains(CubeOf(tile.index))) continue;
-      num_blocks[CubeOf(tile.index)] += tile.tile->size();
+      if (!pending.cubes().contains(CubeOfTile(tile.index))) continue;
+      num_blocks[CubeOfTile(tile.index)] += tile.tile->size();
       all += tile.tile->size();
     }
   }

@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-Status BadImage(std::string_view what) { return InvalidArgument(std::string(what)).WithReason("BAD_IMAGE"); }
+Status BadImageFile(std::string_view what) { return InvalidArgument(std::string(what)).WithReason("BAD_IMAGE"); }
 
 bool StartsWith(Bytes file, std::string_view magic) {
   return file.size() >= magic.size() && std::memcmp(file.data(), magic.data(), magic.size()) == 0;
@@ -59,7 +59,7 @@ Result<ImageHeader> ReadPng(Bytes file) {
   Reader in{file};
   ImageHeader header{.kind = ImageKind::kPng};
   std::uint64_t position = 8;
-  if (in.Read(position + 4, 4) != kIhdr) return BadImage("the PNG file has no header");
+  if (in.Read(position + 4, 4) != kIhdr) return BadImageFile("the PNG file has no header");
   header.width_px = static_cast<std::int64_t>(in.Read(position + 8, 4));
   header.height_px = static_cast<std::int64_t>(in.Read(position + 12, 4));
   header.decoded_bytes = DecodedBytes(header.width_px, header.height_px,
@@ -71,7 +71,7 @@ Result<ImageHeader> ReadPng(Bytes file) {
     if (position > file.size()) break;
     if (type == kIend) return header;
   }
-  return BadImage("the PNG file is truncated");
+  return BadImageFile("the PNG file is truncated");
 }
 
 bool IsFrameMarker(std::uint64_t marker) {
@@ -107,7 +107,7 @@ Result<ImageHeader> ReadJpeg(Bytes file) {
     const std::uint64_t length = in.Read(position + 2, 2);
     if (IsFrameMarker(marker)) {
       // The decoder takes the first, whatever a later one says.
-      if (std::exchange(has_frame, true)) return BadImage("the JPEG file has more than one frame header");
+      if (std::exchange(has_frame, true)) return BadImageFile("the JPEG file has more than one frame header");
       is_progressive = marker == kProgressive;
       header.height_px = static_cast<std::int64_t>(in.Read(position + 5, 2));
       header.width_px = static_cast<std::int64_t>(in.Read(position + 7, 2));
@@ -115,10 +115,10 @@ Result<ImageHeader> ReadJpeg(Bytes file) {
           DecodedBytes(header.width_px, header.height_px, static_cast<std::int64_t>(in.Read(position + 9, 1)));
     }
     num_scans += marker == kSos;
-    if (in.is_short) return BadImage("the JPEG file is truncated");
+    if (in.is_short) return BadImageFile("the JPEG file is truncated");
     position += 2 + length;
   }
-  if (num_scans == 0) return BadImage("the JPEG file holds no image");
+  if (num_scans == 0) return BadImageFile("the JPEG file holds no image");
   // Until the last scan is read the decoder keeps a coefficient of two bytes for each value.
   if (is_progressive || num_scans > 1) header.decoded_bytes *= 3;
   return header;
@@ -178,13 +178,13 @@ Result<ImageHeader> ReadTiff(Bytes file, bool is_big_endian) {
     offsets = FindTiffField(in, directory, 324);
     lengths = FindTiffField(in, directory, 325);
   }
-  if (in.is_short) return BadImage("the TIFF file is truncated");
+  if (in.is_short) return BadImageFile("the TIFF file is truncated");
   if (!width || !height || !offsets || !lengths || offsets->count != lengths->count) {
-    return BadImage("the TIFF file has no complete directory");
+    return BadImageFile("the TIFF file has no complete directory");
   }
   for (std::uint64_t i = 0; i < offsets->count; ++i) {
     const std::uint64_t end = offsets->Value(in, i) + lengths->Value(in, i);
-    if (in.is_short || end > file.size()) return BadImage("the TIFF file is truncated");
+    if (in.is_short || end > file.size()) return BadImageFile("the TIFF file is truncated");
   }
   ImageHeader header{.kind = ImageKind::kTiff,
                      .width_px = static_cast<std::int64_t>(width->Value(in, 0)),
@@ -198,8 +198,8 @@ Result<ImageHeader> ReadTiff(Bytes file, bool is_big_endian) {
     const auto height_of_tile = static_cast<std::int64_t>(tile_height->Value(in, 0));
     header.decoded_bytes = std::max(header.decoded_bytes, DecodedBytes(width_of_tile, height_of_tile, bytes_per_pixel));
   }
-  if (in.is_short) return BadImage("the TIFF file is truncated");
-  if (in.is_strange) return BadImage("the TIFF file's directory has sizes that are neither SHORT nor LONG");
+  if (in.is_short) return BadImageFile("the TIFF file is truncated");
+  if (in.is_strange) return BadImageFile("the TIFF file's directory has sizes that are neither SHORT nor LONG");
   return header;
 }
 
@@ -207,12 +207,12 @@ Result<ImageHeader> ReadTiff(Bytes file, bool is_big_endian) {
 
 Result<ImageHeader> ReadImageHeader(Bytes file) {
   using namespace std::string_view_literals;
-  if (file.empty()) return BadImage("the image file is empty");
+  if (file.empty()) return BadImageFile("the image file is empty");
   if (StartsWith(file, "\x89PNG\r\n\x1a\n"sv)) return ReadPng(file);
   if (StartsWith(file, "\xff\xd8"sv)) return ReadJpeg(file);
   if (StartsWith(file, "II*\0"sv)) return ReadTiff(file, false);
   if (StartsWith(file, "MM\0*"sv)) return ReadTiff(file, true);
-  return BadImage("the image file is neither PNG, JPEG nor TIFF, or is cut off before it says so");
+  return BadImageFile("the image file is neither PNG, JPEG nor TIFF, or is cut off before it says so");
 }
 
 }  // namespace dhpmap

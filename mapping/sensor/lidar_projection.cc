@@ -26,9 +26,10 @@ Status CheckSize(const LidarCamera& camera, const Image<Pixel>& image, const cha
 
 Status Check(const LidarCamera& camera, const Image<Color>& color, const Image<std::uint32_t>& segments,
              const LidarData& scan) {
-  constexpr int kMaxSide_px = 16384;
+  constexpr int kMaxCameraSide_px = 16384;
   Status bad = InvalidArgument("the camera beside the LiDAR is not usable").WithReason("BAD_CAMERA");
-  if (camera.width_px < 1 || camera.width_px > kMaxSide_px || camera.height_px < 1 || camera.height_px > kMaxSide_px) {
+  if (camera.width_px < 1 || camera.width_px > kMaxCameraSide_px || camera.height_px < 1 ||
+      camera.height_px > kMaxCameraSide_px) {
     bad.AddViolation("camera", "width_px or height_px is not within 1 and 16384");
   }
   if (!camera.P_image_lidar.allFinite()) bad.AddViolation("camera.P_image_lidar", "is not finite");

@@ -10,8 +10,8 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kLeastReturn_m = 1e-3;  // nearer than any scanner measures
-constexpr float kSlack_vox = 2e-3f;
+constexpr double kLeastRange_m = 1e-3;  // nearer than any scanner measures
+constexpr float kRangeSlack_vox = 2e-3f;
 constexpr auto kColumns = static_cast<std::size_t>(kAzimuthBins);
 
 }  // namespace
@@ -29,7 +29,7 @@ void LidarView::BinPoints(const LidarData& data, const LookOptions& options) {
   first_column_ = kColumns, last_column_ = 0;
   for (const Eigen::Vector3f& p : data.points_m) {
     const double range = p.cast<double>().norm();
-    if (!(range >= kLeastReturn_m)) continue;
+    if (!(range >= kLeastRange_m)) continue;
     const Eigen::Vector3f ray = (p.cast<double>() / range).cast<float>();
     const Direction direction = DirectionOf(ray.x(), ray.y(), ray.z());
     const int column = std::clamp(static_cast<int>(direction.azimuth), 0, kAzimuthBins - 1);
@@ -114,7 +114,7 @@ void LidarView::Classify(const CellBatch& cells, CellSights& sights) const {
   const auto last_u = static_cast<float>(kAzimuthBins - 1), last_v = static_cast<float>(geometry_.height - 1);
   for (std::size_t i = 0; i < kLanes; ++i) {
     sights[i] = CellSight::kHidden;
-    const float near = bounds.near[i] - kSlack_vox, far = bounds.far[i] + kSlack_vox;
+    const float near = bounds.near[i] - kRangeSlack_vox, far = bounds.far[i] + kRangeSlack_vox;
     if (near >= pyramid_.most()) continue;
     const float v0 = bounds.elevation0[i] - first_row, v1 = bounds.elevation1[i] - first_row;
     if (v1 < 0 || v0 >= last_v + 1) continue;
@@ -137,7 +137,7 @@ void LidarView::LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_pa
   const auto first_row = static_cast<float>(geometry_.first_row), end_v = static_cast<float>(geometry_.height);
   for (std::size_t i = 0; i < kLanes; ++i) {
     is_past[i] = false;
-    const float far = bounds.far[i] + kSlack_vox;
+    const float far = bounds.far[i] + kRangeSlack_vox;
     const float u0 = bounds.azimuth0[i], u1 = bounds.azimuth1[i];
     const float v0 = bounds.elevation0[i] - first_row, v1 = bounds.elevation1[i] - first_row;
     if (far >= pyramid_.most() || !(v0 >= 0 && v1 < end_v) || u1 - u0 >= kAzimuthBins) continue;

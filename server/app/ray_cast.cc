@@ -8,7 +8,7 @@ namespace dhpmap {
 namespace {
 
 // Between two batches the cache may let go of surfaces, and the caller of the answer.
-constexpr std::size_t kBatch = 256;
+constexpr std::size_t kRaysABatch = 256;
 
 }  // namespace
 
@@ -18,9 +18,9 @@ Status CastRays(const MapView& view, SurfaceCache& cache, const DistanceQuestion
                            .unknown_is_free = question.options.unknown_is_free,
                            .scope = question.options.scope};
   const Transform T_query_map = question.T_map_query.inverse();
-  for (std::size_t first = 0; first < rays.size(); first += kBatch) {
+  for (std::size_t first = 0; first < rays.size(); first += kRaysABatch) {
     const RayQuery query(cache.Of(view.shared_snapshot(), options.scope.with_absent), options);
-    for (const Ray& ray : rays.subspan(first, std::min(kBatch, rays.size() - first))) {
+    for (const Ray& ray : rays.subspan(first, std::min(kRaysABatch, rays.size() - first))) {
       if (stop.stop_requested()) return Cancelled("the client went away");
       RayHit hit = query.Cast({question.T_map_query * ray.origin_m, question.T_map_query.linear() * ray.direction});
       hit.point_m = T_query_map * hit.point_m;

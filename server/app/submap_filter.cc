@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-bool Touches(const BoundingSphere& sphere, const SubmapFilter::Box& box) {
+bool TouchesRegion(const BoundingSphere& sphere, const SubmapFilter::Box& box) {
   if (sphere.IsEmpty()) return false;
   const Eigen::Vector3d nearest = sphere.center_m.cwiseMax(box.min_m).cwiseMin(box.max_m);
   return sphere.Contains(nearest);
@@ -23,7 +23,7 @@ bool SubmapFilter::PassesLabels(Panoptic its_panoptic, ClassId its_class) const 
 }
 
 bool SubmapFilter::TouchesAll(const BoundingSphere& sphere) const {
-  return (!region || Touches(sphere, *region)) && (!near || sphere.Intersects(*near));
+  return (!region || TouchesRegion(sphere, *region)) && (!near || sphere.Intersects(*near));
 }
 
 bool SubmapFilter::Passes(const Submap& submap) const {

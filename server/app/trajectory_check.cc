@@ -8,7 +8,7 @@ namespace dhpmap {
 namespace {
 
 // Between two batches the cache may let go of surfaces.
-constexpr std::size_t kBatch = 64;
+constexpr std::size_t kMotionsABatch = 64;
 
 void MoveToMap(const Transform& T_map_query, RobotMotion& motion) {
   for (auto& sphere : motion.spheres) {
@@ -30,11 +30,11 @@ Status CheckTrajectories(const MapView& view, SurfaceCache& cache, const CheckQu
   for (const CarriedSubmap& carried : question.attached) {
     options.attached.push_back({carried.submap, carried.may_touch});
   }
-  for (std::size_t first = 0; first < num_motions; first += kBatch) {
+  for (std::size_t first = 0; first < num_motions; first += kMotionsABatch) {
     DHPMAP_ASSIGN_OR_RETURN(
         const TrajectoryQuery query,
         TrajectoryQuery::Make(cache.Of(view.shared_snapshot(), options.bodies.scope.with_absent), options, stop));
-    for (std::size_t i = first; i < std::min(first + kBatch, num_motions); ++i) {
+    for (std::size_t i = first; i < std::min(first + kMotionsABatch, num_motions); ++i) {
       RobotMotion motion = motion_of(i);
       MoveToMap(question.T_map_query, motion);
       DHPMAP_ASSIGN_OR_RETURN(TrajectoryAnswer answer, query.Check(motion, stop));

@@ -31,7 +31,7 @@ std::string ToBytes(const ByteBuffer& buffer) {
   return bytes;
 }
 
-RpcStatus ToRpcStatus(const grpc::Status& status) {
+RpcStatus RpcStatusOf(const grpc::Status& status) {
   return {static_cast<int>(status.error_code()), status.error_message(), status.error_details()};
 }
 
@@ -115,7 +115,7 @@ class GenericStreamCall final : public StreamCall, public grpc::ClientBidiReacto
   }
   void OnWriteDone(bool ok) override { listener_->OnSent(ok); }
   void OnDone(const grpc::Status& status) override {
-    listener_->OnDone(ToRpcStatus(status));
+    listener_->OnDone(RpcStatusOf(status));
     listener_.reset();
     const auto last = std::move(self_);
   }
@@ -149,7 +149,7 @@ std::shared_ptr<UnaryCall> RpcCaller::StartUnary(const CallOptions& options, std
   call->request = ToBuffer(std::move(request));
   impl_->stub.UnaryCall(&call->context, options.rpc_path, {}, &call->request, &call->response,
                         [call, done = std::move(done)](const grpc::Status& status) {
-                          done(ToRpcStatus(status), status.ok() ? ToBytes(call->response) : std::string());
+                          done(RpcStatusOf(status), status.ok() ? ToBytes(call->response) : std::string());
                         });
   return call;
 }

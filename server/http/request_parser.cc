@@ -28,14 +28,14 @@ bool IsShortLastChunk(std::string_view framing) {
   return framing.starts_with("0\r\n") && framing.size() < std::string_view("0\r\n\r\n").size();
 }
 
-ReadOutcome OutcomeOf(const error_code& error) {
+ReadOutcome OutcomeOfParsing(const error_code& error) {
   if (!error) return ReadOutcome::kOk;
   return error == beast::http::error::header_limit ? ReadOutcome::kTooLarge : ReadOutcome::kMalformed;
 }
 
 HeadResult MakeHead(const Parser& parser, const error_code& error) {
   HeadResult result;
-  result.outcome = OutcomeOf(error);
+  result.outcome = OutcomeOfParsing(error);
   if (error) {
     result.problem = error.message();
     return result;
@@ -142,7 +142,7 @@ RequestParser::BodyStep RequestParser::AddBody(std::string_view bytes, std::span
       if (bytes.size() - step.num_used > kMaxHead_bytes) step.outcome = ReadOutcome::kTooLarge;
       break;
     }
-    if (error != beast::http::error::need_buffer) step.outcome = OutcomeOf(error);  // else `out` is full
+    if (error != beast::http::error::need_buffer) step.outcome = OutcomeOfParsing(error);  // else `out` is full
     step.is_end = step.outcome == ReadOutcome::kOk && parser.is_done();
   }
   return step;

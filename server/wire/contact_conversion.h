@@ -11,7 +11,6 @@ namespace dhpmap {
 
 // What answers about bodies and motions have in common.
 
-inline constexpr std::int64_t kNobodysId = -1;  ///< 0 is the unknown submap
 inline constexpr int kDefaultContacts = 100, kMostContacts = 1000;
 inline constexpr double kMostBody_m = 10, kMostReach_m = 1e6;
 

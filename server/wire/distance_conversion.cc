@@ -7,8 +7,6 @@
 namespace dhpmap {
 namespace {
 
-constexpr std::int64_t kNobody = -1;  // 0 is the unknown submap
-
 bool HasClass(const SurfaceDistance& answer) {
   return answer.submap != nullptr && answer.submap->panoptic != Panoptic::kUnknown;
 }
@@ -17,7 +15,7 @@ v1::DistanceResult ResultToProto(const SurfaceDistance& answer, const MapInfo& m
   v1::DistanceResult result;
   result.set_status(StatusToProto(answer.status));
   result.set_distance_m(static_cast<float>(answer.distance_m));
-  result.set_instance_id(kNobody);
+  result.set_instance_id(kNobodysId);
   if (answer.submap == nullptr) return result;
   *result.mutable_gradient() = ToProto(answer.gradient);
   *result.mutable_nearest_m() = ToProto(answer.nearest_m);
@@ -45,7 +43,7 @@ void Append(const SurfaceDistance& answer, v1::PackedDistanceResults& packed) {
     packed.add_gradient(static_cast<float>(answer.gradient[axis]));
     packed.add_nearest_xyz_m(static_cast<float>(answer.nearest_m[axis]));
   }
-  packed.add_instance_id(answer.submap == nullptr ? kNobody : std::int64_t{answer.submap->id.value});
+  packed.add_instance_id(answer.submap == nullptr ? kNobodysId : std::int64_t{answer.submap->id.value});
   packed.add_class_id(HasClass(answer) ? answer.submap->class_id.value : 0);
   packed.add_status(StatusToProto(answer.status));
 }

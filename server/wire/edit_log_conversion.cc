@@ -21,7 +21,7 @@ bool IsUuid(std::string_view text) {
   });
 }
 
-v1::LoggedEdit::Kind ToProto(EditKind kind) {
+v1::LoggedEdit::Kind KindOf(EditKind kind) {
   switch (kind) {
     case EditKind::kEdit: return v1::LoggedEdit::EDIT;
     case EditKind::kUndo: return v1::LoggedEdit::UNDO;
@@ -30,7 +30,7 @@ v1::LoggedEdit::Kind ToProto(EditKind kind) {
   return v1::LoggedEdit::KIND_UNSPECIFIED;
 }
 
-v1::LoggedEdit::Action ToProto(EditAction action) {
+v1::LoggedEdit::Action ActionOf(EditAction action) {
   switch (action) {
     case EditAction::kMove: return v1::LoggedEdit::MOVE;
     case EditAction::kRelabel: return v1::LoggedEdit::RELABEL;
@@ -144,10 +144,10 @@ v1::LoggedEdit ToProto(const LoggedEdit& edit, const std::string& map) {
   *proto.mutable_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(edit.entry.time_ns);
   proto.set_author(edit.entry.source.author);
   proto.set_request_id(edit.entry.source.request_id);
-  proto.set_kind(ToProto(summary.kind));
+  proto.set_kind(KindOf(summary.kind));
   for (const EditStep& step : summary.steps) {
     v1::LoggedEdit::Step& out = *proto.add_steps();
-    out.set_action(ToProto(step.action));
+    out.set_action(ActionOf(step.action));
     if (step.submap != kUnknownSubmap) out.set_submap(SubmapResourceName(map, step.submap));
   }
   for (const std::int64_t target : summary.targets) proto.add_targets(EditResourceName(map, target));

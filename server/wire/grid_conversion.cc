@@ -7,11 +7,12 @@
 #include "server/wire/distance_conversion.h"
 #include "server/wire/query_options.h"
 #include "server/wire/types/pose_conversion.h"
+#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
 
-constexpr double kLeastResolution_m = 0.001, kMostResolution_m = 100, kReach_m = 1e6, kMostNodes = 16e6;
+constexpr double kMostNodes = 16e6;
 constexpr std::size_t kBytesPerNode = 4 + 12 + 10 + 1;  // an id of -1 is ten bytes
 static_assert(DistanceGrid::kMostInBatch * kBytesPerNode + 1024 <= 256 * 1024);
 
@@ -53,14 +54,13 @@ Result<bool> GridChunks::Next(v1::GetDistanceGridResponse& message, const std::s
   DHPMAP_ASSIGN_OR_RETURN(const auto answers, grid_.NextBatch(stop));
   message.mutable_distance_m()->Reserve(static_cast<int>(answers.size()));
   for (const SurfaceDistance& answer : answers) {
-    constexpr std::int64_t kNobody = -1;  // 0 is the unknown submap
     message.add_distance_m(static_cast<float>(answer.distance_m));
     message.add_status(StatusToProto(answer.status));
     for (int axis = 0; with_gradients_ && axis < 3; ++axis) {
       message.add_gradient(static_cast<float>(answer.gradient[axis]));
     }
     if (with_objects_)
-      message.add_instance_id(answer.submap == nullptr ? kNobody : std::int64_t{answer.submap->id.value});
+      message.add_instance_id(answer.submap == nullptr ? kNobodysId : std::int64_t{answer.submap->id.value});
   }
   return true;
 }

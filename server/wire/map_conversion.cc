@@ -72,7 +72,7 @@ void Write(Message& message, const FieldDescriptor* field, Weighting value) {
   message.GetReflection()->SetEnum(&message, field, name);
 }
 
-void Collect(const Status& status, const std::string& prefix, Status& bad) {
+void CollectBelow(const Status& status, const std::string& prefix, Status& bad) {
   for (const FieldViolation& violation : status.violations()) {
     bad.AddViolation(prefix + violation.field, violation.description);
   }
@@ -154,11 +154,11 @@ Result<MapInfo> InfoFromProto(const v1::CreateMapRequest& request, const MapConf
   if (info.display_name.size() > kMaxDisplayNameBytes) {
     bad.AddViolation("display_name", "is longer than " + std::to_string(kMaxDisplayNameBytes) + " bytes");
   }
-  if (!request.preset().empty()) Collect(ApplyPreset(request.preset(), info.config), "", bad);
-  Collect(MergeConfig(request.config(), info.config), "", bad);
-  Collect(info.config.Validate(), "config.", bad);
+  if (!request.preset().empty()) CollectBelow(ApplyPreset(request.preset(), info.config), "", bad);
+  CollectBelow(MergeConfig(request.config(), info.config), "", bad);
+  CollectBelow(info.config.Validate(), "config.", bad);
   auto label_set = LabelSetFromProto(request.label_classes());
-  Collect(label_set.status(), "", bad);
+  CollectBelow(label_set.status(), "", bad);
   if (!bad.violations().empty()) return bad;
   if (!label_set.ok()) return label_set.status();
   info.label_set = std::make_shared<const LabelSet>(std::move(*label_set));

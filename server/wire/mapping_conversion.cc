@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-v1::Refinement ToProto(const RefinementReport& report) {
+v1::Refinement RefinementToProto(const RefinementReport& report) {
   v1::Refinement proto;
   proto.set_num_shared_voxels(report.management.num_shared_voxels);
   proto.set_num_moved_voxels(report.management.num_moved_voxels);
@@ -103,7 +103,7 @@ v1::FinishMappingResponse ToProto(const FinishOutcome& outcome) {
   proto.set_revision(snapshot.revision());
   proto.set_num_frames(snapshot.info().num_frames);
   proto.set_num_submaps(static_cast<std::int64_t>(snapshot.submaps().size()));
-  *proto.mutable_refinement() = ToProto(outcome.refinement);
+  *proto.mutable_refinement() = RefinementToProto(outcome.refinement);
   return proto;
 }
 

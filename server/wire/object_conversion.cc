@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kDefaultMatches = 100, kMostMatches = 1000;
 constexpr int kDefaultRelations = 1000, kMostRelations = 10'000;
-constexpr double kMostGap_m = 10, kReach_m = 1e6;
+constexpr double kMostGap_m = 10;
 constexpr std::size_t kMostName = 200;
 constexpr TakenOptions kObjectOptions{.attached = true};
 

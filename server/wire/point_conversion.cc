@@ -15,7 +15,7 @@ Status BadPoints(const std::string& field, const std::string& what) {
   return InvalidArgument("the points cannot be looked up").WithReason("BAD_POINTS").WithViolation(field, what);
 }
 
-v1::PointResult ToProto(const PointInfo& point, const MapInfo& map) {
+v1::PointResult ResultToProto(const PointInfo& point, const MapInfo& map) {
   v1::PointResult result;
   result.set_free(point.is_free);
   if (!point.is_observed) return result;
@@ -107,7 +107,7 @@ PointAnswers::PointAnswers(const v1::QueryPointsRequest& request, const MapInfo&
 
 void PointAnswers::Append(const PointInfo& point) {
   if (is_packed_) dhpmap::Append(point, *response_.mutable_packed());
-  else *response_.add_results() = ToProto(point, map_);
+  else *response_.add_results() = ResultToProto(point, map_);
 }
 
 }  // namespace dhpmap

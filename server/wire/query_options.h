@@ -8,6 +8,9 @@
 
 namespace dhpmap {
 
+/// How far from the origin what is asked about may be, and how fine and how coarse what is sampled.
+inline constexpr double kReach_m = 1e6, kLeastResolution_m = 0.001, kMostResolution_m = 100;
+
 /// Options that have no meaning for some queries. One that is set and not taken is INVALID_ARGUMENT. All queries take
 /// what is excluded or absent, classes, the frame, max_distance_m, min_revision, and unknown space as REPORT or FREE.
 struct TakenOptions {

@@ -10,7 +10,6 @@
 namespace dhpmap {
 namespace {
 
-constexpr std::int64_t kNobody = -1;  // 0 is the unknown submap
 constexpr double kLeastDirection = 1e-6;
 
 Status BadRays(const std::string& field, const std::string& what) {
@@ -42,7 +41,7 @@ v1::RayResult ResultToProto(const RayHit& hit, const MapInfo& map) {
   result.set_status(StatusOf(hit));
   result.set_distance_m(static_cast<float>(hit.distance_m));
   result.set_free_m(static_cast<float>(hit.free_m));
-  result.set_instance_id(kNobody);
+  result.set_instance_id(kNobodysId);
   if (hit.submap == nullptr) return result;
   *result.mutable_point_m() = ToProto(hit.point_m);
   *result.mutable_normal() = ToProto(hit.normal);
@@ -62,7 +61,7 @@ void AppendPacked(const RayHit& hit, v1::PackedRayResults& packed) {
     packed.add_point_xyz_m(static_cast<float>(hit.point_m[axis]));
     packed.add_normal(static_cast<float>(hit.normal[axis]));
   }
-  packed.add_instance_id(hit.submap == nullptr ? kNobody : std::int64_t{hit.submap->id.value});
+  packed.add_instance_id(hit.submap == nullptr ? kNobodysId : std::int64_t{hit.submap->id.value});
   packed.add_class_id(HasClass(hit) ? hit.submap->class_id.value : 0);
   packed.add_status(StatusOf(hit));
 }

@@ -15,7 +15,6 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kLeastResolution_m = 0.001, kMostResolution_m = 100, kReach_m = 1e6;
 constexpr std::size_t kMostPath = 500;
 
 Status BadSlice(const std::string& field, const std::string& what) {

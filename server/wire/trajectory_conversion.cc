@@ -19,7 +19,7 @@ Status BadMotion(const std::string& field, const std::string& what) {
   return InvalidArgument("the trajectories cannot be checked").WithReason("BAD_POINTS").WithViolation(field, what);
 }
 
-std::string Item(const std::string& list, int number) { return list + "[" + std::to_string(number) + "]"; }
+std::string ItemOf(const std::string& list, int number) { return list + "[" + std::to_string(number) + "]"; }
 
 /// Where the packed numbers of sphere s at waypoint h of trajectory b begin, counted in spheres.
 std::size_t Position(const v1::CheckTrajectoryRequest& request, std::size_t b, std::size_t h, std::size_t s) {
@@ -75,17 +75,17 @@ Status CheckRigid(const v1::CheckTrajectoryRequest& request, std::size_t num_att
   for (int i = 0; i < request.robot_size(); ++i) {
     const Eigen::Vector3d center_m = VectorFromProto(request.robot(i).center_m());
     if (!IsUsableSphere(center_m, request.robot(i).radius_m()) || center_m.norm() > kMostRobot_m) {
-      return BadMotion(Item("robot", i), "is not finite, not within 100 m, or of a radius that is not from 0 to 10");
+      return BadMotion(ItemOf("robot", i), "is not finite, not within 100 m, or of a radius that is not from 0 to 10");
     }
   }
   for (int b = 0; b < request.trajectories_size(); ++b) {
-    const std::string list = Item("trajectories", b) + ".waypoints";
+    const std::string list = ItemOf("trajectories", b) + ".waypoints";
     const v1::Trajectory& trajectory = request.trajectories(b);
     if (trajectory.waypoints_size() < 1 || trajectory.waypoints_size() > kMostWaypoints) {
       return BadMotion(list, "are not from 1 to 10,000");
     }
     for (int h = 0; h < trajectory.waypoints_size(); ++h) {
-      const std::string item = Item(list, h);
+      const std::string item = ItemOf(list, h);
       DHPMAP_ASSIGN_OR_RETURN(const Transform pose, TransformFromProto(trajectory.waypoints(h), item));
       if (!IsUsableSphere(pose.translation(), 0)) return BadMotion(item, "is beyond 1,000 km");
     }

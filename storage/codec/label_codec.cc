@@ -20,14 +20,14 @@ namespace {
 //   kForm: number of classes, plus kOtherInstances if the instances are not just "own, as often as all classes";
 //          or kLong: the voxel is not in the planes.
 //   kClass0/1: first class, as difference to the nearest voxel before it; kCount0/1: its count, likewise.
-enum Plane { kForm, kClass0, kClass1, kCount0, kCount1, kNumPlanes };
+enum LabelPlane { kForm, kClass0, kClass1, kCount0, kCount1, kNumLabelPlanes };
 constexpr std::uint8_t kLong = 0x7F;
 constexpr std::uint8_t kOtherInstances = 0x80;
 constexpr std::uint32_t kMaxInPlane = 0xFFFF;
 
 /// Planes and varints of a block, or of the blocks of a tile one after the other, as they grow.
 struct Buffer {
-  std::array<Bytes, kNumPlanes> planes;
+  std::array<Bytes, kNumLabelPlanes> planes;
   Bytes rest;
 
   void Clear() {
@@ -189,7 +189,7 @@ std::size_t NumNotInline(ByteView forms) {
 }
 
 /// Reads an empty block from its part of the planes, and takes its varints from `rest`.
-Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumPlanes>& planes, ByteReader& rest,
+Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumLabelPlanes>& planes, ByteReader& rest,
                  LabelBlock& block) {
   VoxelWalk::Grid& class_grid = VoxelWalk::GridOfThread();
   VoxelWalk::Grid& count_grid = VoxelWalk::GridOfThread(VoxelWalk::Scratch::kSecond);
@@ -197,7 +197,7 @@ Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumPlanes>& 
   LabelHistograms voxel;
   std::size_t n = 0;
   for (const auto& site : walk.sites()) {
-    const auto read = [&](VoxelWalk::Grid& grid, Plane low) {
+    const auto read = [&](VoxelWalk::Grid& grid, LabelPlane low) {
       const std::int32_t difference = UnZigZag(planes[low][n] | (planes[low + 1][n] << 8));
       grid[site.cell] = static_cast<std::uint16_t>(grid[site.near] + difference);
       return static_cast<std::uint32_t>(grid[site.cell]);
@@ -240,7 +240,7 @@ Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block) {
   reader.GetInto(mask);
   if (!reader.ok() || !payload.plain.empty()) return DataLoss("has a malformed header");
   const VoxelWalk walk(mask);
-  std::array<ByteView, kNumPlanes> planes;
+  std::array<ByteView, kNumLabelPlanes> planes;
   for (ByteView& plane : planes) plane = reader.GetBytes(walk.sites().size());
   if (!reader.ok()) return DataLoss("is not as long as its voxels need");
   block = LabelBlock{};
@@ -302,7 +302,7 @@ Status DecodeLabelTile(ByteView blob, TileIndex index, LayerBlocks<LabelBlock>& 
   const bool is_well_formed = reader.ok() && cells != 0 && (concluded_cells & ~cells) == 0 && payload.plain.empty();
   if (!is_well_formed) return DataLoss("has a malformed header");
   const std::size_t num_voxels = NumMasked(masks);
-  std::array<ByteView, kNumPlanes> planes;
+  std::array<ByteView, kNumLabelPlanes> planes;
   for (ByteView& plane : planes) plane = reader.GetBytes(num_voxels);
   if (!reader.ok()) return DataLoss("is not as long as its voxels need");
   auto next_concluded = concluded.begin();

@@ -15,11 +15,11 @@ namespace {
 
 // Payload, packable part: step (float; 0 = exact distances), planes (bit p: plane p is in the packable part), mask,
 // planes. Plain part: the other planes, then, if exact, the distances as floats. Planes hold one byte a masked voxel.
-enum Plane { kDistance0, kDistance1, kWeight0, kWeight1, kWeight2, kGreen, kRed, kBlue, kNumPlanes };
+enum TsdfPlane { kDistance0, kDistance1, kWeight0, kWeight1, kWeight2, kGreen, kRed, kBlue, kNumTsdfPlanes };
 
 /// Where each plane of a block begins.
 template <typename Byte>
-using PlanesAt = std::array<Byte*, kNumPlanes>;
+using PlanesAt = std::array<Byte*, kNumTsdfPlanes>;
 using Planes = PlanesAt<std::uint8_t>;
 using ReadPlanes = PlanesAt<const std::uint8_t>;
 
@@ -203,7 +203,7 @@ class PlaneBuffer {
   /// Room for `count` voxels more in each plane.
   Planes Extend(std::size_t count) {
     Planes at;
-    for (std::size_t p = 0; p < kNumPlanes; ++p) {
+    for (std::size_t p = 0; p < kNumTsdfPlanes; ++p) {
       const std::size_t size = bytes_[p].size();
       bytes_[p].resize(size + count);
       at[p] = bytes_[p].data() + size;
@@ -212,7 +212,7 @@ class PlaneBuffer {
   }
   /// Takes back what was said of distances that are kept exactly.
   void DropDistances(std::size_t count) {
-    for (const Plane p : {kDistance0, kDistance1}) bytes_[p].resize(bytes_[p].size() - count);
+    for (const TsdfPlane p : {kDistance0, kDistance1}) bytes_[p].resize(bytes_[p].size() - count);
   }
   void Clear() {
     for (Bytes& plane : bytes_) plane.clear();
@@ -220,7 +220,7 @@ class PlaneBuffer {
   const Bytes& operator[](int plane) const { return bytes_[static_cast<std::size_t>(plane)]; }
 
  private:
-  std::array<Bytes, kNumPlanes> bytes_;
+  std::array<Bytes, kNumTsdfPlanes> bytes_;
 };
 
 /// Appends the planes of a block; without distances if `step_m` is 0.
@@ -236,7 +236,7 @@ void WritePlanes(const TsdfBlock& block, const VoxelWalk& walk, float step_m, Pl
 /// Which planes go into the packable part.
 std::uint8_t PackablePlanes(const PlaneBuffer& planes) {
   std::uint8_t packable = 0;
-  for (int p = 0; p < kNumPlanes; ++p) {
+  for (int p = 0; p < kNumTsdfPlanes; ++p) {
     if (IsPackable(planes[p])) packable |= static_cast<std::uint8_t>(1u << p);
   }
   return packable;
@@ -274,7 +274,7 @@ Bytes EncodeTsdfBlock(const TsdfBlock& block, BlockIndex index, double truncatio
   packed.PutF32(step_m);
   packed.PutU8(packable);
   packed.PutBytes(mask);
-  for (int p = 0; p < kNumPlanes; ++p) ((packable >> p) & 1u ? packed : plain).PutBytes(planes[p]);
+  for (int p = 0; p < kNumTsdfPlanes; ++p) ((packable >> p) & 1u ? packed : plain).PutBytes(planes[p]);
   if (step_m == 0) PutExactDistances(block, walk, plain);
   return Seal(BlobKind::kTsdfV1, index, payload);
 }
@@ -292,7 +292,7 @@ Status DecodeTsdfBlock(ByteView blob, BlockIndex index, TsdfBlock& block) {
   const std::size_t count = walk.sites().size();
 
   ReadPlanes planes{};
-  for (int p = step_m > 0 ? kDistance0 : kWeight0; p < kNumPlanes; ++p) {
+  for (int p = step_m > 0 ? kDistance0 : kWeight0; p < kNumTsdfPlanes; ++p) {
     planes[static_cast<std::size_t>(p)] = ((packable >> p) & 1u ? packed : plain).GetBytes(count).data();
   }
   const std::size_t exact_bytes = step_m > 0 ? 0 : count * sizeof(float);
@@ -332,7 +332,7 @@ Bytes EncodeTsdfTile(const LayerBlocks<TsdfBlock>& blocks, TileIndex index, doub
   packed.PutF32(step_m);
   packed.PutU8(packable);
   packed.PutBytes(masks);
-  for (int p = 0; p < kNumPlanes; ++p) ((packable >> p) & 1u ? packed : plain).PutBytes(planes[p]);
+  for (int p = 0; p < kNumTsdfPlanes; ++p) ((packable >> p) & 1u ? packed : plain).PutBytes(planes[p]);
   plain.PutBytes(exact_distances);
   return Seal(BlobKind::kTsdfTile, SealIndexOf(index), payload);
 }
@@ -357,7 +357,7 @@ Status DecodeTsdfTile(ByteView blob, TileIndex index, LayerBlocks<TsdfBlock>& bl
     if ((exact >> cell) & 1u) num_exact += count;
   }
   ReadPlanes planes{};
-  for (int p = 0; p < kNumPlanes; ++p) {
+  for (int p = 0; p < kNumTsdfPlanes; ++p) {
     const std::size_t count = p < kWeight0 ? num_voxels - num_exact : num_voxels;
     planes[static_cast<std::size_t>(p)] = ((packable >> p) & 1u ? packed : plain).GetBytes(count).data();
   }
@@ -372,7 +372,7 @@ Status DecodeTsdfTile(ByteView blob, TileIndex index, LayerBlocks<TsdfBlock>& bl
     auto block = std::shared_ptr<TsdfBlock>(new TsdfBlock());  // not make_shared: StateMarks would keep its memory
     DHPMAP_RETURN_IF_ERROR(ReadPlanesInto(walk, is_exact ? 0 : step_m, planes, plain, *block));
     blocks.push_back({cell, std::move(block)});
-    for (std::size_t p = is_exact ? kWeight0 : kDistance0; p < kNumPlanes; ++p) planes[p] += walk.sites().size();
+    for (std::size_t p = is_exact ? kWeight0 : kDistance0; p < kNumTsdfPlanes; ++p) planes[p] += walk.sites().size();
   }
   return Status::Ok();
 }

@@ -7,14 +7,14 @@ namespace dhpmap {
 namespace {
 
 /// Cells start one step from the border; cell 0 is border.
-constexpr int CellOf(int linear) {
+constexpr int GridCellOf(int linear) {
   const VoxelIndex v = VoxelIn({}, linear);
   return (v.x + 1) + (v.y + 1) * VoxelWalk::kGridSide + (v.z + 1) * VoxelWalk::kGridSide * VoxelWalk::kGridSide;
 }
 
 constexpr auto kCells = [] {
   std::array<std::uint16_t, kBlockVoxels> cells{};
-  for (int i = 0; i < kBlockVoxels; ++i) cells[i] = static_cast<std::uint16_t>(CellOf(i));
+  for (int i = 0; i < kBlockVoxels; ++i) cells[i] = static_cast<std::uint16_t>(GridCellOf(i));
   return cells;
 }();
 

@@ -9,8 +9,8 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read a map's label set";
-constexpr char kWriteTask[] = "write a map's label set";
+constexpr char kReadClassesTask[] = "read a map's label set";
+constexpr char kWriteClassesTask[] = "write a map's label set";
 
 }  // namespace
 
@@ -21,7 +21,7 @@ const Table<ClassRow>& Classes() {
 
 Result<std::vector<ClassRow>> ReadClassRows(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                          database.Prepare(Classes().Select("WHERE map_key = ? ORDER BY class_id"), kReadTask));
+                          database.Prepare(Classes().Select("WHERE map_key = ? ORDER BY class_id"), kReadClassesTask));
   select.Bind(map_key);
   std::vector<ClassRow> rows;
   for (;;) {
@@ -32,9 +32,10 @@ Result<std::vector<ClassRow>> ReadClassRows(Database& database, std::int64_t map
 }
 
 Result<std::vector<ClassRow>> WriteClassRows(Database& database, std::int64_t map_key, const LabelSet& classes) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement clear, database.Prepare("DELETE FROM label_classes WHERE map_key = ?", kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement clear,
+                          database.Prepare("DELETE FROM label_classes WHERE map_key = ?", kWriteClassesTask));
   DHPMAP_RETURN_IF_ERROR(clear.Bind(map_key).Run());
-  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Classes().Insert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Classes().Insert(), kWriteClassesTask));
   std::vector<ClassRow> rows;
   for (const LabelClass& label : classes.classes()) {
     const ClassRow& row = rows.emplace_back(ClassRow{map_key, label});

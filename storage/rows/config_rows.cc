@@ -10,8 +10,8 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read a map's config";
-constexpr char kWriteTask[] = "write a map's config";
+constexpr char kReadConfigTask[] = "read a map's config";
+constexpr char kWriteConfigTask[] = "write a map's config";
 
 }  // namespace
 
@@ -28,7 +28,7 @@ const Table<ConfigRow>& ConfigTable() {
 
 Result<std::vector<ConfigRow>> ReadConfigRows(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                          database.Prepare(ConfigTable().Select("WHERE map_key = ? ORDER BY key"), kReadTask));
+                          database.Prepare(ConfigTable().Select("WHERE map_key = ? ORDER BY key"), kReadConfigTask));
   select.Bind(map_key);
   std::vector<ConfigRow> rows;
   for (;;) {
@@ -39,12 +39,13 @@ Result<std::vector<ConfigRow>> ReadConfigRows(Database& database, std::int64_t m
 }
 
 Result<std::vector<ConfigRow>> WriteConfigRows(Database& database, std::int64_t map_key, const MapConfig& config) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement clear, database.Prepare("DELETE FROM map_config WHERE map_key = ?", kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement clear,
+                          database.Prepare("DELETE FROM map_config WHERE map_key = ?", kWriteConfigTask));
   DHPMAP_RETURN_IF_ERROR(clear.Bind(map_key).Run());
   std::vector<ConfigRow> rows;
   for (auto& [key, value] : ConfigToText(config)) rows.push_back({map_key, key, value});
   std::sort(rows.begin(), rows.end(), [](const ConfigRow& a, const ConfigRow& b) { return a.key < b.key; });
-  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(ConfigTable().Insert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(ConfigTable().Insert(), kWriteConfigTask));
   for (const ConfigRow& row : rows) {
     ConfigTable().BindAll(row, insert);
     DHPMAP_RETURN_IF_ERROR(insert.Run());

@@ -9,8 +9,8 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read the regions that a map keeps clear";
-constexpr char kWriteTask[] = "write the regions that a map keeps clear";
+constexpr char kReadKeptClearTask[] = "read the regions that a map keeps clear";
+constexpr char kWriteKeptClearTask[] = "write the regions that a map keeps clear";
 
 bool Has(const KeptClear& kept_clear, const KeptClearRegion& region) {
   const KeptClearRegion* found = kept_clear.Find(region.name);
@@ -27,7 +27,7 @@ const Table<KeptClearRow>& KeptClearTable() {
 Result<std::vector<KeptClearRow>> ReadKeptClearRows(Database& database, std::int64_t map_key) {
   const Table<KeptClearRow>& table = KeptClearTable();
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                          database.Prepare(table.Select("WHERE map_key = ? ORDER BY name"), kReadTask));
+                          database.Prepare(table.Select("WHERE map_key = ? ORDER BY name"), kReadKeptClearTask));
   select.Bind(map_key);
   std::vector<KeptClearRow> rows;
   for (;;) {
@@ -39,13 +39,13 @@ Result<std::vector<KeptClearRow>> ReadKeptClearRows(Database& database, std::int
 
 Result<std::vector<KeptClearRow>> WriteKeptClearRows(Database& database, std::int64_t map_key, const KeptClear& before,
                                                      const KeptClear& after) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase,
-                          database.Prepare("DELETE FROM kept_clear WHERE map_key = ? AND name = ?", kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement erase, database.Prepare("DELETE FROM kept_clear WHERE map_key = ? AND name = ?", kWriteKeptClearTask));
   for (const KeptClearRegion& region : before.list()) {
     if (after.Find(region.name) == nullptr) DHPMAP_RETURN_IF_ERROR(erase.Bind(map_key).Bind(region.name).Run());
   }
   const Table<KeptClearRow>& table = KeptClearTable();
-  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(table.Upsert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(table.Upsert(), kWriteKeptClearTask));
   std::vector<KeptClearRow> rows;
   for (const KeptClearRegion& region : after.list()) {
     const KeptClearRow& row = rows.emplace_back(KeptClearRow{map_key, region});

@@ -18,14 +18,14 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read the map";
-constexpr char kWriteTask[] = "write the map";
+constexpr char kReadMapTask[] = "read the map";
+constexpr char kWriteMapTask[] = "write the map";
 
 Status NoSuchMap(const std::string& name) {
   return NotFound("there is no map '" + name + "'").WithReason("MAP_NOT_FOUND");
 }
 
-Status Damaged(const std::string& name, const std::string& what) {
+Status DamagedRows(const std::string& name, const std::string& what) {
   return DataLoss("map '" + name + "': " + what).WithReason("DAMAGED_MAP");
 }
 
@@ -124,7 +124,7 @@ Status Rewrite(Database& database, MapRow& row) {
     row.tiles.sum = stored.sum;  // their number stays what it was sealed with
   }
   SealRow(row);
-  DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteMapTask));
   Maps().BindChanges(row, update);
   return update.Bind(row.key).Run();
 }
@@ -161,7 +161,7 @@ Status GoBeyondMarks(Database& database, MapRow& row) {
     DHPMAP_ASSIGN_OR_RETURN(
         Statement insert,
         database.Prepare("INSERT INTO lost_revisions (map_key, first_revision, last_revision) VALUES (?, ?, ?)",
-                         kWriteTask));
+                         kWriteMapTask));
     DHPMAP_RETURN_IF_ERROR(insert.Bind(row.key).Bind(row.info.revision + 1).Bind(row.marks.revision).Run());
   }
   RaiseMarks(row);
@@ -201,18 +201,18 @@ const Table<MapRow>& Maps() {
 }
 
 Result<MapRow> ReadMapHead(Database& database, const std::string& name) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Maps().Select("WHERE name = ?"), kReadTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Maps().Select("WHERE name = ?"), kReadMapTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Bind(name).Step());
   if (!has_row) return NoSuchMap(name);
   MapRow row;
-  if (!Maps().Read(select, row)) return Damaged(name, "its row has a wrong checksum");
+  if (!Maps().Read(select, row)) return DamagedRows(name, "its row has a wrong checksum");
   return row;
 }
 
 Result<MapRow> ReadMap(Database& database, const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(MapRow row, ReadMapHead(database, name));
   const Status read = ReadInfo(database, row);
-  if (read.code() == StatusCode::kDataLoss) return Damaged(name, read.message());
+  if (read.code() == StatusCode::kDataLoss) return DamagedRows(name, read.message());
   DHPMAP_RETURN_IF_ERROR(read);
   return row;
 }
@@ -229,7 +229,7 @@ Result<std::vector<std::string>> ReadMapNames(Database& database) {
 
 Result<MapRow> InsertMap(Database& database, const MapSnapshot& snapshot) {
   MapRow row = RowOf(snapshot);
-  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Maps().Insert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Maps().Insert(), kWriteMapTask));
   Maps().BindAll(row, insert);  // its key is needed for all else, and that for the row: sealed when it is updated
   const Status inserted = insert.Run();
   if (inserted.code() == StatusCode::kAlreadyExists) {
@@ -268,7 +268,7 @@ Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, 
   }
   DHPMAP_RETURN_IF_ERROR(UpdateObjects(database, head, before, row));
   SealRow(row);
-  DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteMapTask));
   Maps().BindChanges(row, update);
   return update.Bind(head.key).Run();
 }
@@ -298,7 +298,7 @@ Result<LostRevisions> ReadLostRevisions(Database& database, std::int64_t map_key
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
                           database.Prepare("SELECT first_revision, last_revision FROM lost_revisions WHERE map_key = ? "
                                            "ORDER BY first_revision",
-                                           kReadTask));
+                                           kReadMapTask));
   select.Bind(map_key);
   LostRevisions lost;
   for (;;) {
@@ -312,7 +312,7 @@ Result<LostRevisions> ReadLostRevisions(Database& database, std::int64_t map_key
 
 Status MarkAsBackup(Database& database) {
   return database.Execute("INSERT INTO backups (time_ns) SELECT CAST(strftime('%s', 'now') AS INTEGER) * 1000000000",
-                          kWriteTask);
+                          kWriteMapTask);
 }
 
 Status BeginHistoriesOfBackup(Database& database) {
@@ -323,7 +323,7 @@ Status BeginHistoriesOfBackup(Database& database) {
     row.info.history_id = DrawHistoryId();
     return Rewrite(database, row);
   }));
-  return database.Execute("DELETE FROM backups", kWriteTask);
+  return database.Execute("DELETE FROM backups", kWriteMapTask);
 }
 
 Status DeleteMapRows(Database& database, const std::string& name) {

@@ -10,13 +10,13 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read what is known of a map's objects";
-constexpr char kWriteTask[] = "write what is known of a map's objects";
+constexpr char kReadObjectsTask[] = "read what is known of a map's objects";
+constexpr char kWriteObjectsTask[] = "write what is known of a map's objects";
 
 template <typename Row>
-Result<std::vector<Row>> ReadRows(Database& database, const Table<Row>& table, std::string_view tail,
-                                  std::int64_t map_key) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(table.Select(tail), kReadTask));
+Result<std::vector<Row>> ReadObjectRows(Database& database, const Table<Row>& table, std::string_view tail,
+                                        std::int64_t map_key) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(table.Select(tail), kReadObjectsTask));
   select.Bind(map_key);
   std::vector<Row> rows;
   for (;;) {
@@ -28,9 +28,9 @@ Result<std::vector<Row>> ReadRows(Database& database, const Table<Row>& table, s
 
 /// Writes the rows of `entries` that `is_stored` says no to.
 template <typename Row, typename Entries, typename IsStored>
-Result<std::vector<Row>> WriteRows(Database& database, const Table<Row>& table, std::int64_t map_key,
-                                   const Entries& entries, IsStored&& is_stored) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(table.Upsert(), kWriteTask));
+Result<std::vector<Row>> WriteObjectRows(Database& database, const Table<Row>& table, std::int64_t map_key,
+                                         const Entries& entries, IsStored&& is_stored) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(table.Upsert(), kWriteObjectsTask));
   std::vector<Row> rows;
   rows.reserve(entries.size());
   for (const auto& entry : entries) {
@@ -62,35 +62,36 @@ const Table<PairRow>& PairTable() {
 }
 
 Result<std::vector<MergedRow>> ReadMergedRows(Database& database, std::int64_t map_key) {
-  return ReadRows(database, MergedTable(), "WHERE map_key = ? ORDER BY merged_id", map_key);
+  return ReadObjectRows(database, MergedTable(), "WHERE map_key = ? ORDER BY merged_id", map_key);
 }
 
 Result<std::vector<PairRow>> ReadPairRows(Database& database, std::int64_t map_key) {
-  return ReadRows(database, PairTable(), "WHERE map_key = ? ORDER BY first_id, second_id", map_key);
+  return ReadObjectRows(database, PairTable(), "WHERE map_key = ? ORDER BY first_id, second_id", map_key);
 }
 
 Result<std::vector<MergedRow>> WriteMergedRows(Database& database, std::int64_t map_key, const MergedIds& before,
                                                const MergedIds& after) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase,
-                          database.Prepare("DELETE FROM merged_ids WHERE map_key = ? AND merged_id = ?", kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement erase,
+      database.Prepare("DELETE FROM merged_ids WHERE map_key = ? AND merged_id = ?", kWriteObjectsTask));
   for (const MergedId& old : before.list()) {
     if (!after.Into(old.merged)) DHPMAP_RETURN_IF_ERROR(erase.Bind(map_key).Bind(old.merged.value).Run());
   }
-  return WriteRows(database, MergedTable(), map_key, after.list(),
-                   [&before](const MergedId& entry) { return before.Into(entry.merged) == entry.into; });
+  return WriteObjectRows(database, MergedTable(), map_key, after.list(),
+                         [&before](const MergedId& entry) { return before.Into(entry.merged) == entry.into; });
 }
 
 Result<std::vector<PairRow>> WritePairRows(Database& database, std::int64_t map_key, const ObjectPairs& before,
                                            const ObjectPairs& after) {
   DHPMAP_ASSIGN_OR_RETURN(
-      Statement erase,
-      database.Prepare("DELETE FROM object_pairs WHERE map_key = ? AND first_id = ? AND second_id = ?", kWriteTask));
+      Statement erase, database.Prepare("DELETE FROM object_pairs WHERE map_key = ? AND first_id = ? AND second_id = ?",
+                                        kWriteObjectsTask));
   for (const ObjectPair& old : before.pairs()) {
     if (after.Of(old.first, old.second) != ObjectPair{.first = old.first, .second = old.second}) continue;
     DHPMAP_RETURN_IF_ERROR(erase.Bind(map_key).Bind(old.first.value).Bind(old.second.value).Run());
   }
-  return WriteRows(database, PairTable(), map_key, after.pairs(),
-                   [&before](const ObjectPair& pair) { return before.Of(pair.first, pair.second) == pair; });
+  return WriteObjectRows(database, PairTable(), map_key, after.pairs(),
+                         [&before](const ObjectPair& pair) { return before.Of(pair.first, pair.second) == pair; });
 }
 
 std::uint32_t MergedChecksum(const std::vector<MergedRow>& rows, int version) {

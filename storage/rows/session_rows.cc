@@ -10,12 +10,13 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read a map's sessions";
-constexpr char kWriteTask[] = "write a map's sessions";
+constexpr char kReadSessionsTask[] = "read a map's sessions";
+constexpr char kWriteSessionsTask[] = "write a map's sessions";
 
 Status EraseGone(Database& database, std::int64_t map_key, const SessionMarks& before, const SessionMarks& after) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase,
-                          database.Prepare("DELETE FROM feed_sessions WHERE map_key = ? AND session = ?", kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(
+      Statement erase,
+      database.Prepare("DELETE FROM feed_sessions WHERE map_key = ? AND session = ?", kWriteSessionsTask));
   for (const SessionMark& mark : before.marks()) {
     if (!after.LastOf(mark.session)) DHPMAP_RETURN_IF_ERROR(erase.Bind(map_key).Bind(mark.session).Run());
   }
@@ -31,7 +32,7 @@ const Table<SessionRow>& Sessions() {
 
 Result<std::vector<SessionRow>> ReadSessionRows(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                          database.Prepare(Sessions().Select("WHERE map_key = ? ORDER BY session"), kReadTask));
+                          database.Prepare(Sessions().Select("WHERE map_key = ? ORDER BY session"), kReadSessionsTask));
   select.Bind(map_key);
   std::vector<SessionRow> rows;
   for (;;) {
@@ -44,7 +45,7 @@ Result<std::vector<SessionRow>> ReadSessionRows(Database& database, std::int64_t
 Result<std::vector<SessionRow>> WriteSessionRows(Database& database, std::int64_t map_key, const SessionMarks& before,
                                                  const SessionMarks& after) {
   DHPMAP_RETURN_IF_ERROR(EraseGone(database, map_key, before, after));
-  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Sessions().Upsert(), kWriteTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Sessions().Upsert(), kWriteSessionsTask));
   std::vector<SessionRow> rows;
   for (const SessionMark& mark : after.marks()) {
     const SessionRow& row = rows.emplace_back(SessionRow{map_key, mark});

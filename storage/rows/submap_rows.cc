@@ -10,8 +10,8 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read the submaps";
-constexpr char kWriteTask[] = "write a submap";
+constexpr char kReadSubmapsTask[] = "read the submaps";
+constexpr char kWriteSubmapTask[] = "write a submap";
 
 }  // namespace
 
@@ -22,7 +22,7 @@ const Table<SubmapRow>& Submaps() {
 
 Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_key, std::vector<SubmapRow>* damaged) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                          database.Prepare(Submaps().Select("WHERE map_key = ? ORDER BY submap_id"), kReadTask));
+                          database.Prepare(Submaps().Select("WHERE map_key = ? ORDER BY submap_id"), kReadSubmapsTask));
   select.Bind(map_key);
   std::vector<SubmapRow> rows;
   for (;;) {
@@ -50,17 +50,18 @@ SubmapRowWriter::SubmapRowWriter(Statement find, Statement upsert, Statement era
 
 Result<SubmapRowWriter> SubmapRowWriter::Prepare(Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(Statement find,
-                          database.Prepare(Submaps().Select("WHERE map_key = ? AND submap_id = ?"), kWriteTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Submaps().Upsert() + " RETURNING submap_key", kWriteTask));
+                          database.Prepare(Submaps().Select("WHERE map_key = ? AND submap_id = ?"), kWriteSubmapTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement upsert,
+                          database.Prepare(Submaps().Upsert() + " RETURNING submap_key", kWriteSubmapTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase,
                           database.Prepare("DELETE FROM submaps WHERE submap_key = ?", "delete a submap"));
   DHPMAP_ASSIGN_OR_RETURN(
       Statement write_box,
       database.Prepare("INSERT OR REPLACE INTO submap_boxes (submap_key, min_x_m, max_x_m, "
                        "min_y_m, max_y_m, min_z_m, max_z_m, map_key) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-                       kWriteTask));
+                       kWriteSubmapTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase_box,
-                          database.Prepare("DELETE FROM submap_boxes WHERE submap_key = ?", kWriteTask));
+                          database.Prepare("DELETE FROM submap_boxes WHERE submap_key = ?", kWriteSubmapTask));
   return SubmapRowWriter(std::move(find), std::move(upsert), std::move(erase), std::move(write_box),
                          std::move(erase_box));
 }

@@ -13,8 +13,8 @@ using sqlite::Columns;
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kReadTask[] = "read the tiles";
-constexpr char kWriteTask[] = "write a tile";
+constexpr char kReadTilesTask[] = "read the tiles";
+constexpr char kWriteTileTask[] = "write a tile";
 constexpr char kCollectTask[] = "collect what is no longer needed";
 
 /// The finalizer of SplitMix64: each bit of the outcome depends on all of `word`.
@@ -38,7 +38,7 @@ void Advance(std::int64_t& sum, std::uint64_t by) {
   sum = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) + by);
 }
 
-TileIndex IndexFrom(Columns& columns) {
+TileIndex TileIndexFrom(Columns& columns) {
   TileIndex index;
   for (std::int32_t* coordinate : {&index.x, &index.y, &index.z})
     *coordinate = static_cast<std::int32_t>(columns.Int());
@@ -96,7 +96,7 @@ Result<TileRows> TileRows::Prepare(Database& database) {
       {&rows.erase_, "DELETE FROM tiles WHERE owner_key = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
   };
   for (const Text& text : texts) {
-    DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(text.sql, kWriteTask));
+    DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(text.sql, kWriteTileTask));
     text.statement->emplace(std::move(statement));
   }
   DHPMAP_ASSIGN_OR_RETURN(rows.may_have_dead_, HasDeadBlobs(database));
@@ -125,7 +125,7 @@ Result<TileTotals> TileRows::Count(std::int64_t owner_key) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, count_->Step());
     if (!has_row) return totals;
     Columns columns(*count_);
-    const TileIndex index = IndexFrom(columns);
+    const TileIndex index = TileIndexFrom(columns);
     const std::int64_t layer = columns.Int();
     StoredBlob blob;
     blob.key = columns.Int();
@@ -188,7 +188,7 @@ Result<TileRowReader> TileRowReader::Prepare(Database& database) {
                        "ifnull(num_blocks, 0), cells, extent, blob "
                        "FROM tiles LEFT JOIN tile_blobs USING (blob_key) LEFT JOIN shared_blobs USING (blob_key) "
                        "WHERE owner_key = ? ORDER BY owner_key, x, y, z, layer",
-                       kReadTask));
+                       kReadTilesTask));
   return TileRowReader(std::move(select));
 }
 
@@ -199,7 +199,7 @@ Result<Statement> SelectWithoutBlobs(Database& database, const std::string& of_w
       "SELECT x, y, z, layer, tiles.blob_key, 0, num_more IS NOT NULL, 0, cells, extent, x'' FROM tiles LEFT "
       "JOIN shared_blobs USING (blob_key) WHERE " +
           of_which + " ORDER BY owner_key, x, y, z, layer",
-      kReadTask);
+      kReadTilesTask);
 }
 
 }  // namespace
@@ -218,7 +218,7 @@ Result<TileRowReader> TileRowReader::PrepareForATile(Database& database) {
 TileRowReader::Row TileRowReader::Current() const {
   Columns columns(select_);
   Row row;
-  row.index = IndexFrom(columns);
+  row.index = TileIndexFrom(columns);
   row.layer = columns.Int();
   row.blob_key = columns.Int();
   row.is_missing = columns.Int() != 0;

@@ -17,17 +17,17 @@ using sqlite::Columns;
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr char kTask[] = "bring the blocks up to date";
+constexpr char kBundleTask[] = "bring the blocks up to date";
 
 /// A table of blocks, and what it becomes.
-struct BlockTable {
+struct OldBlockTable {
   const char* name;
   std::int64_t layer;
   BlobKind bundle;
 };
-constexpr BlockTable kTables[] = {{"tsdf_blocks", 1, BlobKind::kTsdfBlocks},
-                                  {"label_blocks", 2, BlobKind::kLabelsBlocks},
-                                  {"gone_blocks", 4, BlobKind::kGoneBlocks}};
+constexpr OldBlockTable kBlockTables[] = {{"tsdf_blocks", 1, BlobKind::kTsdfBlocks},
+                                          {"label_blocks", 2, BlobKind::kLabelsBlocks},
+                                          {"gone_blocks", 4, BlobKind::kGoneBlocks}};
 
 struct BlockRow {
   std::int64_t key = 0;
@@ -35,7 +35,7 @@ struct BlockRow {
 };
 using RowsByTile = std::map<TileIndex, std::vector<BlockRow>>;
 
-BlockIndex IndexFrom(Columns& columns) {
+BlockIndex BlockIndexFrom(Columns& columns) {
   BlockIndex index;
   for (std::int32_t* coordinate : {&index.x, &index.y, &index.z})
     *coordinate = static_cast<std::int32_t>(columns.Int());
@@ -47,10 +47,11 @@ class TileInserter {
  public:
   static Result<TileInserter> Prepare(Database& database) {
     DHPMAP_ASSIGN_OR_RETURN(Statement blob,
-                            database.Prepare("INSERT INTO tile_blobs (num_blocks, blob) VALUES (?, ?)", kTask));
+                            database.Prepare("INSERT INTO tile_blobs (num_blocks, blob) VALUES (?, ?)", kBundleTask));
     DHPMAP_ASSIGN_OR_RETURN(
         Statement tile,
-        database.Prepare("INSERT INTO tiles (owner_key, x, y, z, layer, blob_key) VALUES (?, ?, ?, ?, ?, ?)", kTask));
+        database.Prepare("INSERT INTO tiles (owner_key, x, y, z, layer, blob_key) VALUES (?, ?, ?, ?, ?, ?)",
+                         kBundleTask));
     return TileInserter(database, std::move(blob), std::move(tile));
   }
 
@@ -72,17 +73,17 @@ class TileInserter {
   Statement blob_, tile_;
 };
 
-Result<RowsByTile> ListBlocks(Database& database, const BlockTable& table, std::int64_t submap_key) {
-  DHPMAP_ASSIGN_OR_RETURN(
-      Statement select,
-      database.Prepare(std::string("SELECT x, y, z, block_key FROM ") + table.name + " WHERE submap_key = ?", kTask));
+Result<RowsByTile> ListBlocks(Database& database, const OldBlockTable& table, std::int64_t submap_key) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(std::string("SELECT x, y, z, block_key FROM ") +
+                                                                 table.name + " WHERE submap_key = ?",
+                                                             kBundleTask));
   select.Bind(submap_key);
   RowsByTile rows;
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
     if (!has_row) break;
     Columns columns(select);
-    const BlockIndex index = IndexFrom(columns);
+    const BlockIndex index = BlockIndexFrom(columns);
     rows[TileOf(index)].push_back({.key = columns.Int(), .cell = CellOf(index)});
   }
   for (auto& [index, blocks] : rows) {
@@ -106,13 +107,13 @@ Result<std::vector<BundledBlob>> TakeBlobs(const std::vector<BlockRow>& blocks, 
 }
 
 /// Bundles the layer of a submap, up to `num_left` tiles of it, which it counts down.
-Status BundleLayer(Database& database, const BlockTable& table, std::int64_t submap_key, TileInserter& tiles,
+Status BundleLayer(Database& database, const OldBlockTable& table, std::int64_t submap_key, TileInserter& tiles,
                    std::int64_t& num_left) {
   if (num_left == 0) return Status::Ok();
   DHPMAP_ASSIGN_OR_RETURN(const RowsByTile rows, ListBlocks(database, table, submap_key));
   const std::string of_block = std::string(table.name) + " WHERE block_key = ?";
-  DHPMAP_ASSIGN_OR_RETURN(Statement read, database.Prepare("SELECT blob FROM " + of_block, kTask));
-  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare("DELETE FROM " + of_block, kTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement read, database.Prepare("SELECT blob FROM " + of_block, kBundleTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare("DELETE FROM " + of_block, kBundleTask));
   for (const auto& [index, blocks] : rows) {
     if (num_left == 0) break;
     --num_left;
@@ -128,7 +129,7 @@ Status SumBytes(Database& database, std::int64_t submap_key) {
       Statement update,
       database.Prepare("UPDATE submaps SET blob_bytes = (SELECT ifnull(sum(length(blob)), 0) FROM tiles JOIN "
                        "tile_blobs USING (blob_key) WHERE owner_key = submap_key) WHERE submap_key = ?",
-                       kTask));
+                       kBundleTask));
   return update.Bind(submap_key).Run();
 }
 
@@ -137,20 +138,20 @@ Status MoveMapTiles(Database& database, TileInserter& tiles, std::int64_t& num_l
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
       database.Prepare("SELECT x, y, z, tile_key, map_key, layer, blob FROM map_tiles ORDER BY tile_key LIMIT ?",
-                       kTask));
+                       kBundleTask));
   std::int64_t last_key = 0;
   select.Bind(num_left);
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
     if (!has_row) break;
     Columns columns(select);
-    const BlockIndex index = IndexFrom(columns);
+    const BlockIndex index = BlockIndexFrom(columns);
     last_key = columns.Int();
     const std::int64_t map_key = columns.Int(), layer = columns.Int();
     DHPMAP_RETURN_IF_ERROR(tiles.Insert(-map_key, {index.x, index.y, index.z}, layer, columns.Blob(), 0));
     --num_left;
   }
-  return database.Execute("DELETE FROM map_tiles WHERE tile_key <= " + std::to_string(last_key), kTask);
+  return database.Execute("DELETE FROM map_tiles WHERE tile_key <= " + std::to_string(last_key), kBundleTask);
 }
 
 Result<std::vector<std::int64_t>> SubmapsLeft(Database& database) {
@@ -160,7 +161,7 @@ Result<std::vector<std::int64_t>> SubmapsLeft(Database& database) {
                        "EXISTS (SELECT 1 FROM tsdf_blocks b WHERE b.submap_key = s.submap_key) OR "
                        "EXISTS (SELECT 1 FROM label_blocks b WHERE b.submap_key = s.submap_key) OR "
                        "EXISTS (SELECT 1 FROM gone_blocks b WHERE b.submap_key = s.submap_key) ORDER BY submap_key",
-                       kTask));
+                       kBundleTask));
   std::vector<std::int64_t> keys;
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
@@ -172,7 +173,8 @@ Result<std::vector<std::int64_t>> SubmapsLeft(Database& database) {
 Result<bool> HasOldTables(Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(
       const std::int64_t num_tables,
-      database.QueryInt("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'tsdf_blocks'", kTask));
+      database.QueryInt("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'tsdf_blocks'",
+                        kBundleTask));
   return num_tables > 0;
 }
 
@@ -182,7 +184,7 @@ Result<std::int64_t> BundleSome(Database& database, std::int64_t max_tiles) {
   std::int64_t num_left = max_tiles, num_done = 0;
   for (const std::int64_t submap_key : submaps) {
     if (num_left == 0) break;
-    for (const BlockTable& table : kTables) {
+    for (const OldBlockTable& table : kBlockTables) {
       DHPMAP_RETURN_IF_ERROR(BundleLayer(database, table, submap_key, tiles, num_left));
     }
     DHPMAP_RETURN_IF_ERROR(SumBytes(database, submap_key));
@@ -194,7 +196,7 @@ Result<std::int64_t> BundleSome(Database& database, std::int64_t max_tiles) {
 
 Status DropOldTables(Database& database) {
   return database.Execute(
-      "DROP TABLE tsdf_blocks; DROP TABLE label_blocks; DROP TABLE gone_blocks; DROP TABLE map_tiles", kTask);
+      "DROP TABLE tsdf_blocks; DROP TABLE label_blocks; DROP TABLE gone_blocks; DROP TABLE map_tiles", kBundleTask);
 }
 
 /// One transaction. What is left is counted in submaps, and one more while anything is.

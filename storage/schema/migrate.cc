@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr char kTask[] = "read the database's version";
+constexpr char kReadVersionTask[] = "read the database's version";
 
 Status NotOurs() {
   return FailedPrecondition("the database file belongs to another application").WithReason("FOREIGN_DATABASE");
@@ -25,7 +25,7 @@ struct SchemaObject {
 /// Brings a database from schema `number` to the next.
 Status Do(const SchemaStep& step, std::int64_t number, sqlite::Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Transaction transaction, sqlite::Transaction::BeginWrite(database));
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kReadVersionTask));
   if (version != number) return Aborted("another process brings the database up to date");
   DHPMAP_RETURN_IF_ERROR(database.Execute(step.sql, "bring the database up to date"));
   if (step.run != nullptr) DHPMAP_RETURN_IF_ERROR(step.run(database));
@@ -64,7 +64,7 @@ Result<std::vector<SchemaObject>> ReferenceObjects(SchemaSteps steps) {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Database reference, sqlite::Database::OpenInMemory());
   DHPMAP_RETURN_IF_ERROR(MigrateSchema(reference, steps));
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement select,
-                          reference.Prepare("SELECT type, name, ifnull(sql, '') FROM sqlite_schema", kTask));
+                          reference.Prepare("SELECT type, name, ifnull(sql, '') FROM sqlite_schema", kReadVersionTask));
   std::vector<SchemaObject> objects;
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
@@ -79,7 +79,7 @@ Status CheckObjects(sqlite::Database& database, const Result<std::vector<SchemaO
   DHPMAP_ASSIGN_OR_RETURN(
       sqlite::Statement find,
       database.Prepare("SELECT count(*) FROM sqlite_schema WHERE type = ? AND name = ? AND ifnull(sql, '') = ?",
-                       kTask));
+                       kReadVersionTask));
   for (const SchemaObject& object : *reference) {
     DHPMAP_ASSIGN_OR_RETURN(const bool counted, find.Bind(object.type).Bind(object.name).Bind(object.sql).Step());
     if (!counted || find.Int(0) != 1) {
@@ -93,10 +93,11 @@ Status CheckObjects(sqlite::Database& database, const Result<std::vector<SchemaO
 }  // namespace
 
 Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps) {
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t application_id, database.QueryInt("PRAGMA application_id", kTask));
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t application_id,
+                          database.QueryInt("PRAGMA application_id", kReadVersionTask));
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kReadVersionTask));
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_objects,
-                          database.QueryInt("SELECT count(*) FROM sqlite_schema", kTask));
+                          database.QueryInt("SELECT count(*) FROM sqlite_schema", kReadVersionTask));
   if (application_id == 0 && version == 0 && num_objects == 0) return SchemaState::kEmpty;
   if (application_id != kApplicationId) return NotOurs();
   if (version > VersionOf(steps)) {
@@ -117,18 +118,18 @@ Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps)
 }
 
 Status CheckNothingElse(sqlite::Database& database) {
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kReadVersionTask));
   if (version < 1 || version > SchemaVersion()) return Internal("the schema was not looked at");
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<SchemaObject> ours,
                           ReferenceObjects(ReleasedSteps().first(static_cast<std::size_t>(version))));
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_objects,
-                          database.QueryInt("SELECT count(*) FROM sqlite_schema", kTask));
+                          database.QueryInt("SELECT count(*) FROM sqlite_schema", kReadVersionTask));
   if (num_objects == static_cast<std::int64_t>(ours.size())) return Status::Ok();
   return DataLoss("the database has more than our schema").WithReason("BAD_SCHEMA");
 }
 
 Status MigrateSchema(sqlite::Database& database, SchemaSteps steps, const SchemaProgress& progress) {
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kTask));
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kReadVersionTask));
   for (std::int64_t number = 0; number < VersionOf(steps); ++number) {
     const SchemaStep& step = steps[static_cast<std::size_t>(number)];
     if (number >= version) DHPMAP_RETURN_IF_ERROR(Do(step, number, database));

@@ -6,12 +6,12 @@
 namespace dhpmap::sqlite {
 namespace {
 
-constexpr char kTask[] = "give free space back";
+constexpr char kGiveBackTask[] = "give free space back";
 constexpr std::int64_t kIncremental = 2;
 
 /// SQLite answers with whether it was kept from its task, the frames in the log and those of them that are copied.
 Result<LogState> Checkpoint(Database& database, const char* pragma) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(pragma, kTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(pragma, kGiveBackTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, statement.Step());
   if (!has_row) return Internal("copying the log gave no answer");
   return statement.Int(0) == 0 && statement.Int(1) == statement.Int(2) ? LogState::kEmptied : LogState::kInUse;
@@ -19,17 +19,21 @@ Result<LogState> Checkpoint(Database& database, const char* pragma) {
 
 }  // namespace
 
-Status AllowGivingBack(Database& database) { return database.Execute("PRAGMA auto_vacuum = INCREMENTAL", kTask); }
+Status AllowGivingBack(Database& database) {
+  return database.Execute("PRAGMA auto_vacuum = INCREMENTAL", kGiveBackTask);
+}
 
 Result<bool> AllowsGivingBack(Database& database) {
-  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t mode, database.QueryInt("PRAGMA auto_vacuum", kTask));
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t mode, database.QueryInt("PRAGMA auto_vacuum", kGiveBackTask));
   return mode == kIncremental;
 }
 
-Result<std::int64_t> NumFreePages(Database& database) { return database.QueryInt("PRAGMA freelist_count", kTask); }
+Result<std::int64_t> NumFreePages(Database& database) {
+  return database.QueryInt("PRAGMA freelist_count", kGiveBackTask);
+}
 
 Status GiveBackPages(Database& database, std::int64_t num_pages) {
-  return database.Execute("PRAGMA incremental_vacuum(" + std::to_string(num_pages) + ")", kTask);
+  return database.Execute("PRAGMA incremental_vacuum(" + std::to_string(num_pages) + ")", kGiveBackTask);
 }
 
 Result<LogState> CopyLog(Database& database) { return Checkpoint(database, "PRAGMA wal_checkpoint(PASSIVE)"); }

@@ -36,9 +36,9 @@ Result<Changes> ReadChanges(const std::string& directory) {
 }
 
 /// Measured points, one a cell.
-class Points {
+class PointSet {
  public:
-  explicit Points(double cell_m) : cell_m_(cell_m) {}
+  explicit PointSet(double cell_m) : cell_m_(cell_m) {}
   void Add(const Eigen::Vector3d& p) { points_.try_emplace(VoxelAt(p, cell_m_), p); }
   /// Within two cells along each axis.
   [[nodiscard]] bool HasNear(const Eigen::Vector3d& p) const {
@@ -64,7 +64,7 @@ class Points {
 
 /// What the frames measured of what is gone, of what was moved, at its new place, and of all else in the second walk.
 struct Measured {
-  Points gone, moved, still;
+  PointSet gone, moved, still;
   explicit Measured(double cell_m) : gone(cell_m), moved(cell_m), still(cell_m) {}
 
   void Add(const PanopticFrame& frame, bool is_after, const Changes& changes) {

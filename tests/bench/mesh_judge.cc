@@ -17,7 +17,7 @@ namespace {
 
 using Cubes = std::unordered_map<BlockIndex, std::vector<std::uint32_t>, BlockIndexHash>;  // triangles
 
-BlockIndex CubeOf(const Eigen::Vector3f& p_m, double side_m) {
+BlockIndex CubeAt(const Eigen::Vector3f& p_m, double side_m) {
   const VoxelIndex v = VoxelAt(p_m.cast<double>(), side_m);
   return {v.x, v.y, v.z};
 }
@@ -28,7 +28,7 @@ Cubes SortByBox(const Mesh& mesh, double side_m) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const Eigen::Vector3f &p = mesh.vertices_m[a], &q = mesh.vertices_m[b], &r = mesh.vertices_m[c];
-    const BlockIndex low = CubeOf(p.cwiseMin(q).cwiseMin(r), side_m), high = CubeOf(p.cwiseMax(q).cwiseMax(r), side_m);
+    const BlockIndex low = CubeAt(p.cwiseMin(q).cwiseMin(r), side_m), high = CubeAt(p.cwiseMax(q).cwiseMax(r), side_m);
     for (int z = low.z; z <= high.z; ++z) {
       for (int y = low.y; y <= high.y; ++y) {
         for (int x = low.x; x <= high.x; ++x) cubes[{x, y, z}].push_back(t);
@@ -70,7 +70,7 @@ PointsToMesh MeasurePoints(const std::vector<Eigen::Vector3f>& points_m, const M
   const Cubes cubes = SortByBox(mesh, reach_m);
   PointsToMesh result;
   for (const Eigen::Vector3f& p_m : points_m) {
-    const BlockIndex centre = CubeOf(p_m, reach_m);
+    const BlockIndex centre = CubeAt(p_m, reach_m);
     float nearest_m = std::numeric_limits<float>::infinity();
     for (int n = 0; n < 27; ++n) {
       const auto it = cubes.find({centre.x + n % 3 - 1, centre.y + n / 3 % 3 - 1, centre.z + n / 9 - 1});
@@ -95,7 +95,7 @@ Roughness MeasureRoughness(const Mesh& mesh, double cube_m, double flat_m) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const Eigen::Vector3f centre_m = (mesh.vertices_m[a] + mesh.vertices_m[b] + mesh.vertices_m[c]) / 3;
-    cubes[CubeOf(centre_m, cube_m)].push_back(t);
+    cubes[CubeAt(centre_m, cube_m)].push_back(t);
   }
   Roughness roughness;
   for (const auto& [cube, triangles] : cubes) AddPatch(mesh, triangles, flat_m, roughness);

@@ -34,7 +34,7 @@ constexpr int kWalkedRooms = 100, kStepsARoom = 32, kPointsAStep = 200;
 constexpr double kSight_m = 2;  ///< of points around the one who walks
 constexpr std::size_t kTilesAView = 64;
 
-double SecondsSince(PagingClock::time_point begin) {
+double PagingSecondsSince(PagingClock::time_point begin) {
   return std::chrono::duration<double>(PagingClock::now() - begin).count();
 }
 
@@ -171,13 +171,13 @@ Result<std::string> MeasureBudget(const std::string& path, std::int64_t budget_m
   }
   options.idle_close_s = 0;
   DHPMAP_ASSIGN_OR_RETURN(const auto registry, MapRegistry::Open(*store, std::move(options)));
-  nlohmann::json told = {{"budget_mib", budget_mib}, {"open_s", SecondsSince(begin)}};
+  nlohmann::json told = {{"budget_mib", budget_mib}, {"open_s", PagingSecondsSince(begin)}};
   LargeMapReader reader(*registry, num_rooms);
   for (const PagingPhase& phase : kPhases) {
     ReadSum sum;
     const auto phase_begin = PagingClock::now();
     DHPMAP_RETURN_IF_ERROR((reader.*phase.ask)(sum));
-    told["seconds"][phase.name] = SecondsSince(phase_begin);
+    told["seconds"][phase.name] = PagingSecondsSince(phase_begin);
     told["checksums"][phase.name] = sum.value();
   }
   const PageCounts pages = CountPages();
@@ -195,7 +195,7 @@ Result<std::string> MakeAndTell(const std::string& path, double disk_mib) {
                         {"tsdf_blocks", made.num_tsdf_blocks},
                         {"label_blocks", made.num_label_blocks},
                         {"blob_bytes", made.blob_bytes},
-                        {"seconds", SecondsSince(begin)}}
+                        {"seconds", PagingSecondsSince(begin)}}
       .dump();
 }
 

@@ -134,7 +134,7 @@ std::vector<Kind> Points(const MapSnapshot& map, const Soup& soup, std::size_t c
   return kinds;
 }
 
-double Quantile(std::vector<double>& values, double share) {
+double SortedQuantile(std::vector<double>& values, double share) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
@@ -151,10 +151,11 @@ void PrintErrors(const Kind& kind, const DistanceQuery& query, const Soup& soup,
     const Eigen::Vector3d direction = (kind.points[i] - nearest) / truth_m * (answer.distance_m < 0 ? -1 : 1);
     angles_deg.push_back(std::acos(std::clamp(direction.dot(answer.gradient), -1.0, 1.0)) * 180 / M_PI);
   }
-  const double median = Quantile(errors_vox, 0.5), p99 = Quantile(errors_vox, 0.99), most = Quantile(errors_vox, 1);
+  const double median = SortedQuantile(errors_vox, 0.5), p99 = SortedQuantile(errors_vox, 0.99),
+               most = SortedQuantile(errors_vox, 1);
   std::printf(
       "  %-7s error of distance, voxels: median %.5f p99 %.5f max %.5f; of gradient, degrees: median %.3f p99 %.3f\n",
-      kind.name, median, p99, most, Quantile(angles_deg, 0.5), Quantile(angles_deg, 0.99));
+      kind.name, median, p99, most, SortedQuantile(angles_deg, 0.5), SortedQuantile(angles_deg, 0.99));
 }
 
 /// Near fields against the exact search, at all points.
@@ -172,12 +173,13 @@ void PrintFieldErrors(const Kind& kind, const DistanceQuery& quick, const Distan
     num_sides += (a[i].distance_m < 0) != (b[i].distance_m < 0);
     angles_deg.push_back(std::acos(std::clamp(a[i].gradient.dot(b[i].gradient), -1.0, 1.0)) * 180 / M_PI);
   }
-  const double median = Quantile(errors_vox, 0.5), p99 = Quantile(errors_vox, 0.99), most = Quantile(errors_vox, 1);
+  const double median = SortedQuantile(errors_vox, 0.5), p99 = SortedQuantile(errors_vox, 0.99),
+               most = SortedQuantile(errors_vox, 1);
   std::printf(
       "  %-7s fields: error of distance, voxels: median %.5f p99 %.5f max %.5f; of gradient, degrees: median %.3f p99 "
       "%.3f; of %zu beyond half a voxel %zu (other side %zu), other status %zu\n",
-      kind.name, median, p99, most, Quantile(angles_deg, 0.5), Quantile(angles_deg, 0.99), a.size(), num_half,
-      num_sides, num_states);
+      kind.name, median, p99, most, SortedQuantile(angles_deg, 0.5), SortedQuantile(angles_deg, 0.99), a.size(),
+      num_half, num_sides, num_states);
 }
 
 void Measure(const char* what, const std::vector<Kind>& kinds,

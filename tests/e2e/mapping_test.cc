@@ -18,11 +18,11 @@
 namespace dhpmap::testing {
 namespace {
 
-constexpr int kNumFrames = 12;
+constexpr int kNumMapped = 12;
 
 class Mapping : public ::testing::Test {
  protected:
-  void SetUp() override { WriteRenderedDataset(dataset(), kNumFrames); }
+  void SetUp() override { WriteRenderedDataset(dataset(), kNumMapped); }
   [[nodiscard]] std::filesystem::path root() const { return temp_.path(); }
   [[nodiscard]] std::filesystem::path dataset() const { return root() / "dataset"; }
 
@@ -76,7 +76,7 @@ std::string Curl(const std::filesystem::path& directory, const std::string& url,
 TEST_F(Mapping, AnswersTheSameOverGrpcJsonAndProtobuf) {
   const ServerProcess server(root(), root() / "maps.db");
   ASSERT_TRUE(server.is_serving());
-  Map(server, "room", 0, kNumFrames, {"--labels", "groundtruth"});
+  Map(server, "room", 0, kNumMapped, {"--labels", "groundtruth"});
   const v1::QueryPointsRequest request = PointsOfInterest("room");
   const v1::QueryPointsResponse grpc_answer = Query(server, request);
   ASSERT_EQ(grpc_answer.results_size(), 5);
@@ -102,7 +102,7 @@ TEST_F(Mapping, AnswersTheSameOverGrpcJsonAndProtobuf) {
 TEST_F(Mapping, PredictedIdsWithoutMeaningGiveTheSameObjects) {
   const ServerProcess server(root(), root() / "maps.db");
   ASSERT_TRUE(server.is_serving());
-  Map(server, "room", 0, kNumFrames);
+  Map(server, "room", 0, kNumMapped);
   const v1::QueryPointsResponse answer = Query(server, PointsOfInterest("room"));
   EXPECT_EQ(answer.results(0).class_name(), "ball");
   EXPECT_EQ(answer.results(1).class_name(), "box");
@@ -117,15 +117,15 @@ TEST_F(Mapping, AfterARestartGoesOnAsIfInOneGo) {
     {
       ServerProcess server(root(), db);
       ASSERT_TRUE(server.is_serving());
-      Map(server, "whole", 0, kNumFrames, {"--labels", labels});
+      Map(server, "whole", 0, kNumMapped, {"--labels", labels});
       Map(server, "parts", 0, 5, {"--labels", labels, "--no-finish"});
       EXPECT_EQ(server.Terminate(), 0) << server.process().Stderr();
     }
     ServerProcess server(root(), db);
     ASSERT_TRUE(server.is_serving()) << server.process().Stderr();
     EXPECT_EQ(GetMap(server, "parts").num_frames(), 5);
-    Map(server, "parts", 5, kNumFrames - 5, {"--labels", labels});
-    EXPECT_EQ(GetMap(server, "parts").num_frames(), kNumFrames);
+    Map(server, "parts", 5, kNumMapped - 5, {"--labels", labels});
+    EXPECT_EQ(GetMap(server, "parts").num_frames(), kNumMapped);
     ExpectSameMaps(server, "whole", "parts");
   }
 }

@@ -15,7 +15,7 @@
 namespace dhpmap::testing {
 namespace {
 
-bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool ContainsText(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string FirstViolationOf(const grpc::Status& status) {
   google::rpc::Status details;
@@ -34,8 +34,8 @@ class ClassNames : public RestTest {
     SCOPED_TRACE(field);
     const http::HttpAnswer answer = Ask("POST", "/v1/maps", JsonOf(request));
     EXPECT_EQ(answer.status, 400) << answer.body.substr(0, 500);
-    EXPECT_TRUE(Contains(answer.body, "BAD_MAP")) << answer.body.substr(0, 500);
-    EXPECT_TRUE(Contains(answer.body, "\"" + field + "\"")) << answer.body.substr(0, 500);
+    EXPECT_TRUE(ContainsText(answer.body, "BAD_MAP")) << answer.body.substr(0, 500);
+    EXPECT_TRUE(ContainsText(answer.body, "\"" + field + "\"")) << answer.body.substr(0, 500);
     const grpc::Status status = CreateOverGrpc(request);
     EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT) << status.error_message();
     EXPECT_EQ(ReasonOf(status), "BAD_MAP");
@@ -119,7 +119,7 @@ TEST_F(EditsOverRest, AreTriedRepeatedAndConditionalInTheQueryOfAnEdit) {
 
   const http::HttpAnswer tried = Ask("PATCH", name + "?validate_only=true&author=anna", R"({"display_name":"mug"})");
   EXPECT_EQ(tried.status, 200) << tried.body;
-  EXPECT_TRUE(Contains(tried.body, "mug")) << tried.body;
+  EXPECT_TRUE(ContainsText(tried.body, "mug")) << tried.body;
   EXPECT_NE(Get<v1::GetSubmapResponse>(things.submaps(0).name()).submap().display_name(), "mug");
   const std::string patch = name + "?author=anna&request_id=" + id + "&expected_revision=" + known;
   const http::HttpAnswer made = Ask("PATCH", patch, R"({"display_name":"mug"})");
@@ -127,13 +127,13 @@ TEST_F(EditsOverRest, AreTriedRepeatedAndConditionalInTheQueryOfAnEdit) {
   EXPECT_EQ(Ask("PATCH", patch, R"({"display_name":"mug"})").body, made.body);
   const http::HttpAnswer late = Ask("DELETE", name + "?expected_revision=" + known);
   EXPECT_EQ(late.status, 409) << late.body;
-  EXPECT_TRUE(Contains(late.body, "EDITED_SINCE")) << late.body;
+  EXPECT_TRUE(ContainsText(late.body, "EDITED_SINCE")) << late.body;
   EXPECT_EQ(Ask("DELETE", name + "?validate_only=true").status, 200);
   EXPECT_EQ(Ask("GET", name).status, 200) << "it was only tried";
 
   const http::HttpAnswer renamed = Ask("PATCH", "/v1/maps/room?validate_only=true", R"({"display_name":"home"})");
   EXPECT_EQ(renamed.status, 200) << renamed.body;
-  EXPECT_TRUE(Contains(renamed.body, "home")) << renamed.body;
+  EXPECT_TRUE(ContainsText(renamed.body, "home")) << renamed.body;
   EXPECT_NE(Get<v1::GetMapResponse>("maps/room").map().display_name(), "home");
   const std::string undo = "/v1/maps/room:undoEdits";
   EXPECT_EQ(Ask("POST", undo, R"({"author":"anna"})", {{"If-Match", "\"r1\""}}).status, 409) << "not the map's";
@@ -171,7 +171,7 @@ class IfMatch : public RestTest {
   }
   static void ExpectMismatch(const http::HttpAnswer& answer) {
     EXPECT_EQ(answer.status, 409) << answer.body;
-    EXPECT_TRUE(Contains(answer.body, "ETAG_MISMATCH")) << answer.body;
+    EXPECT_TRUE(ContainsText(answer.body, "ETAG_MISMATCH")) << answer.body;
   }
 
   std::string first_, second_;
@@ -184,14 +184,14 @@ TEST_F(IfMatch, DecidesWhetherAnObjectIsChanged) {
   const v1::Submap mug = Now(first_);
   EXPECT_EQ(mug.display_name(), "mug");
   EXPECT_NE(mug.etag(), before);
-  EXPECT_TRUE(Contains(renamed.body, mug.etag())) << "the answer has the new one: " << renamed.body;
+  EXPECT_TRUE(ContainsText(renamed.body, mug.etag())) << "the answer has the new one: " << renamed.body;
 
   ExpectMismatch(Rename(first_, "stale", Quoted(before)));
   ExpectMismatch(Rename(first_, "of another", Quoted("0123456789abcdef-r1")));
   for (const std::string& bad : MalformedOf(mug.etag())) {
     const http::HttpAnswer refused = Rename(first_, "malformed", bad);
     EXPECT_EQ(refused.status, 400) << bad << ": " << refused.body;
-    EXPECT_TRUE(Contains(refused.body, "BAD_HEADER")) << refused.body;
+    EXPECT_TRUE(ContainsText(refused.body, "BAD_HEADER")) << refused.body;
   }
   EXPECT_EQ(Now(first_).SerializeAsString(), mug.SerializeAsString()) << "what is refused changes nothing";
 
@@ -234,7 +234,7 @@ class FrozenRestFeeder {
   [[nodiscard]] bool is_feeding() const { return is_feeding_; }
   /// Reads on until it is told this; false if the answer ends before.
   bool Hears(const std::string& part) {
-    while (!Contains(heard_, part)) {
+    while (!ContainsText(heard_, part)) {
       const std::string more = client_.ReadSome();
       if (more.empty()) return false;
       heard_ += more;
@@ -273,7 +273,7 @@ TEST_F(RestFeeders, OneThatIsFrozenLosesItsMapToWhoTakesOver) {
   EXPECT_EQ(ReasonOf(polite), "MAP_IS_FED");
   const http::HttpAnswer kept = DeleteRoom();
   EXPECT_EQ(kept.status, 400) << kept.body;
-  EXPECT_TRUE(Contains(kept.body, "MAP_IS_FED")) << kept.body;
+  EXPECT_TRUE(ContainsText(kept.body, "MAP_IS_FED")) << kept.body;
 
   Feeder other(*mapping_, "room", {.take_over = true});
   const auto fused = other.Feed(1);
@@ -311,7 +311,7 @@ TEST_F(RestFeeders, OneBeyondTheLimitIsRefusedAtOnceAndTheOthersGoOn) {
   ASSERT_TRUE(a.Feed(0) && b.Feed(1));
   const http::HttpAnswer refused = PostFrame("room", "c", 2);
   EXPECT_EQ(refused.status, 429) << refused.body;
-  EXPECT_TRUE(Contains(refused.body, "TOO_MANY_FEEDS")) << refused.body;
+  EXPECT_TRUE(ContainsText(refused.body, "TOO_MANY_FEEDS")) << refused.body;
   for (Feeder* feeder : {&a, &b}) {
     const auto fused = feeder->Feed(3);
     ASSERT_TRUE(fused);

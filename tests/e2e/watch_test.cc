@@ -19,7 +19,7 @@
 namespace dhpmap::testing {
 namespace {
 
-constexpr double kMiB = 1 << 20;
+constexpr double kBytesPerMiB = 1 << 20;
 
 /// A server with a mapped room.
 class Watching : public ::testing::Test {
@@ -177,9 +177,9 @@ TEST_F(Watching, FiveHundredIdleWatchersTakeNeitherThreadsNorMuchMemory) {
   EXPECT_EQ(Gauge("dhpmap_watchers"), 2 * kNumOfEach);
   const double memory = Gauge("dhpmap_anonymous_memory_bytes") - memory_before;
   const double threads = Gauge("process_threads") - threads_before;
-  RecordProperty("mib", std::to_string(memory / kMiB));
-  std::printf("%d watchers: %.1f MiB, %.0f threads more\n", 2 * kNumOfEach, memory / kMiB, threads);
-  EXPECT_LT(memory, 100 * kMiB);
+  RecordProperty("mib", std::to_string(memory / kBytesPerMiB));
+  std::printf("%d watchers: %.1f MiB, %.0f threads more\n", 2 * kNumOfEach, memory / kBytesPerMiB, threads);
+  EXPECT_LT(memory, 100 * kBytesPerMiB);
   EXPECT_LT(threads, 16) << "gRPC makes some as it likes";
   Rename("woken");
   for (const auto& watcher : over_grpc) {

@@ -11,7 +11,7 @@
 namespace dhpmap::testing {
 namespace {
 
-constexpr int kNumFrames = 24;
+constexpr int kWalkFrames = 24;
 
 v1::QueryPointsResponse Query(TestServer& server, const std::string& map_id) {
   v1::QueryPointsResponse response;
@@ -21,7 +21,7 @@ v1::QueryPointsResponse Query(TestServer& server, const std::string& map_id) {
   return response;
 }
 
-v1::ListSubmapsResponse List(TestServer& server, const std::string& map_id) {
+v1::ListSubmapsResponse SubmapsOf(TestServer& server, const std::string& map_id) {
   v1::ListSubmapsRequest request;
   request.set_parent("maps/" + map_id);
   v1::ListSubmapsResponse response;
@@ -30,7 +30,7 @@ v1::ListSubmapsResponse List(TestServer& server, const std::string& map_id) {
   return response;
 }
 
-void Create(TestServer& server, const std::string& map_id) {
+void CreateMapNamed(TestServer& server, const std::string& map_id) {
   v1::CreateMapResponse response;
   grpc::ClientContext context;
   const grpc::Status status = server.maps->CreateMap(&context, CreateRequest(map_id), &response);
@@ -63,18 +63,18 @@ v1::PointResult QueryOne(TestServer& server, const std::string& map_id, double x
 TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
-  Create(server, "room");
-  const FeedResult fed = Feed(server, "room", 0, kNumFrames);
+  CreateMapNamed(server, "room");
+  const FeedResult fed = Feed(server, "room", 0, kWalkFrames);
   ASSERT_TRUE(fed.status.ok()) << fed.status.error_message();
-  ASSERT_EQ(fed.acks.size(), static_cast<std::size_t>(kNumFrames));
-  for (int i = 0; i < kNumFrames; ++i) {
+  ASSERT_EQ(fed.acks.size(), static_cast<std::size_t>(kWalkFrames));
+  for (int i = 0; i < kWalkFrames; ++i) {
     const auto& ack = fed.acks[static_cast<std::size_t>(i)];
     EXPECT_EQ(ack.sequence(), i);
     EXPECT_EQ(ack.error_code(), 0) << ack.error_message();
     EXPECT_GT(ack.num_points(), 1000);
   }
-  EXPECT_EQ(store->GetMap("room")->info.num_frames, kNumFrames);
-  const auto submaps = List(server, "room");
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, kWalkFrames);
+  const auto submaps = SubmapsOf(server, "room");
   ASSERT_EQ(submaps.submaps_size(), 4) << submaps.DebugString();  // unknown, ball, box, floor
   std::multiset<std::string> names;
   for (const auto& submap : submaps.submaps()) names.insert(submap.class_name());
@@ -84,8 +84,8 @@ TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
 TEST(Mapping, PointsOnObjectsAreAnsweredWithTheirClass) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
-  Create(server, "room");
-  ASSERT_TRUE(Feed(server, "room", 0, kNumFrames).status.ok());
+  CreateMapNamed(server, "room");
+  ASSERT_TRUE(Feed(server, "room", 0, kWalkFrames).status.ok());
   const v1::PointResult ball = QueryOne(server, "room", 0, 0, 0.81);
   EXPECT_TRUE(ball.observed());
   EXPECT_EQ(ball.class_name(), "thing1");
@@ -105,18 +105,18 @@ TEST(Mapping, ARestartOnTheSameFileGivesTheSameAnswers) {
     const auto store = OpenSqliteStore(path);
     ASSERT_TRUE(store.ok()) << store.status().ToString();
     TestServer server(**store);
-    Create(server, "room");
-    ASSERT_TRUE(Feed(server, "room", 0, kNumFrames).status.ok());
+    CreateMapNamed(server, "room");
+    ASSERT_TRUE(Feed(server, "room", 0, kWalkFrames).status.ok());
     Finish(server, "room");
     before = Query(server, "room");
-    submaps_before = List(server, "room");
+    submaps_before = SubmapsOf(server, "room");
     ASSERT_TRUE(server.Stop().ok());
   }
   const auto store = OpenSqliteStore(path);
   ASSERT_TRUE(store.ok()) << store.status().ToString();
   TestServer server(**store);
   const auto after = Query(server, "room");
-  const auto submaps_after = List(server, "room");
+  const auto submaps_after = SubmapsOf(server, "room");
   EXPECT_EQ(submaps_after.SerializeAsString(), submaps_before.SerializeAsString());
   EXPECT_EQ(after.revision(), before.revision());
   const auto& a = after.packed();
@@ -142,18 +142,18 @@ TEST(Mapping, GoesOnAfterARestartAsIfThereHadBeenNone) {
   const std::string path = (dir.path() / "maps.db").string();
   const auto whole_store = MakeMemoryStore();
   TestServer whole(*whole_store);
-  Create(whole, "room");
-  ASSERT_TRUE(Feed(whole, "room", 0, kNumFrames).status.ok());
+  CreateMapNamed(whole, "room");
+  ASSERT_TRUE(Feed(whole, "room", 0, kWalkFrames).status.ok());
   {
     const auto store = OpenSqliteStore(path);
     TestServer server(**store);
-    Create(server, "room");
-    ASSERT_TRUE(Feed(server, "room", 0, kNumFrames / 2).status.ok());
+    CreateMapNamed(server, "room");
+    ASSERT_TRUE(Feed(server, "room", 0, kWalkFrames / 2).status.ok());
   }
   const auto store = OpenSqliteStore(path);
   TestServer server(**store);
-  ASSERT_TRUE(Feed(server, "room", kNumFrames / 2, kNumFrames).status.ok());
-  const auto a = List(server, "room"), b = List(whole, "room");
+  ASSERT_TRUE(Feed(server, "room", kWalkFrames / 2, kWalkFrames).status.ok());
+  const auto a = SubmapsOf(server, "room"), b = SubmapsOf(whole, "room");
   ASSERT_EQ(a.submaps_size(), b.submaps_size());
   for (int i = 0; i < a.submaps_size(); ++i) {
     EXPECT_EQ(a.submaps(i).class_id(), b.submaps(i).class_id());
@@ -165,7 +165,7 @@ TEST(Mapping, GoesOnAfterARestartAsIfThereHadBeenNone) {
 TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
-  Create(server, "room");
+  CreateMapNamed(server, "room");
   grpc::ClientContext context;
   const auto stream = server.mapping->IntegrateFrames(&context);
   std::vector<v1::Frame> frames;
@@ -201,7 +201,7 @@ TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
 TEST(Mapping, OneFrameInFlightAndTheInProcessChannelAreEnough) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {}, {.num_threads = 1, .max_frames_in_flight = 1});
-  Create(server, "room");
+  CreateMapNamed(server, "room");
   const auto mapping = v1::MappingService::NewStub(server.grpc().InProcessChannel());
   const FeedResult fed = Feed(*mapping, "room", 0, 8);
   EXPECT_TRUE(fed.status.ok()) << fed.status.error_message();
@@ -212,7 +212,7 @@ TEST(Mapping, OneFrameInFlightAndTheInProcessChannelAreEnough) {
 TEST(Mapping, AClientThatReadsNoAcknowledgementsLosesNothing) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {}, {.max_frames_in_flight = 2});
-  Create(server, "room");
+  CreateMapNamed(server, "room");
   grpc::ClientContext context;
   const auto stream = server.mapping->IntegrateFrames(&context);
   for (int i = 0; i < 20; ++i) {
@@ -232,8 +232,8 @@ TEST(Mapping, AClientThatReadsNoAcknowledgementsLosesNothing) {
 TEST(Mapping, OneStreamFeedsOneMap) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
-  Create(server, "room");
-  Create(server, "hall");
+  CreateMapNamed(server, "room");
+  CreateMapNamed(server, "hall");
   grpc::ClientContext context;
   const auto stream = server.mapping->IntegrateFrames(&context);
   v1::IntegrateFramesRequest request;
@@ -253,7 +253,7 @@ TEST(Mapping, OneStreamFeedsOneMap) {
 TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
-  Create(server, "room");
+  CreateMapNamed(server, "room");
   grpc::ClientContext context;
   const auto first = server.mapping->IntegrateFrames(&context);
   v1::IntegrateFramesRequest request;
@@ -281,7 +281,7 @@ TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
 TEST(Mapping, AClientThatGoesAwayLeavesTheMapFreeForOthers) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
-  Create(server, "room");
+  CreateMapNamed(server, "room");
   {
     grpc::ClientContext context;
     const auto stream = server.mapping->IntegrateFrames(&context);
@@ -307,7 +307,7 @@ TEST(Mapping, AClientThatGoesAwayLeavesTheMapFreeForOthers) {
 TEST(Mapping, ShutdownEndsAnOpenStreamAfterStoringWhatItAcknowledged) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
-  Create(server, "room");
+  CreateMapNamed(server, "room");
   grpc::ClientContext context;
   const auto stream = server.mapping->IntegrateFrames(&context);
   v1::IntegrateFramesRequest request;

@@ -9,7 +9,7 @@
 namespace dhpmap::testing {
 namespace {
 
-constexpr int kNumFrames = 12;
+constexpr int kNumNoisyFrames = 12;
 
 /// Every third frame takes half of the box for floor.
 v1::Frame NoisyFrame(int i) {
@@ -24,7 +24,7 @@ v1::Frame NoisyFrame(int i) {
   return frame;
 }
 
-void Create(TestServer& server, const v1::CreateMapRequest& request) {
+void CreateMapFrom(TestServer& server, const v1::CreateMapRequest& request) {
   v1::CreateMapResponse response;
   grpc::ClientContext context;
   const grpc::Status status = server.maps->CreateMap(&context, request, &response);
@@ -60,8 +60,8 @@ TEST(Refinement, FinishMappingSaysWhatItDid) {
   const auto store = MakeMemoryStore();
   std::atomic<int> num_observed = 0;
   TestServer server(*store, {.on_refinement = [&](const RefinementReport&) { ++num_observed; }});
-  Create(server, CreateRequest("room"));
-  FeedNoisyFrames(server, 0, kNumFrames);
+  CreateMapFrom(server, CreateRequest("room"));
+  FeedNoisyFrames(server, 0, kNumNoisyFrames);
   const v1::Refinement refinement = FinishMapping(server).refinement();
   EXPECT_GT(refinement.num_shared_voxels(), 0);
   EXPECT_GT(refinement.num_moved_voxels(), 0);
@@ -82,8 +82,8 @@ TEST(Refinement, DroppedVoxelLabelsAreReportedAndSurviveARestart) {
     TestServer server(**store);
     v1::CreateMapRequest request = CreateRequest("room");
     request.mutable_config()->mutable_refinement()->set_drop_voxel_labels(true);
-    Create(server, request);
-    FeedNoisyFrames(server, 0, kNumFrames);
+    CreateMapFrom(server, request);
+    FeedNoisyFrames(server, 0, kNumNoisyFrames);
     EXPECT_GT(FinishMapping(server).refinement().num_dropped_bytes(), 0);
     grpc::ClientContext context;
     ASSERT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &before).ok());
@@ -108,7 +108,7 @@ TEST(Refinement, OnTheSideQueriesGoOnAndEachSeesOneRevision) {
   TestServer server(*store, {.publish_frames = 1});
   v1::CreateMapRequest request = CreateRequest("room");
   request.mutable_config()->mutable_refinement()->set_every_frames(1);
-  Create(server, request);
+  CreateMapFrom(server, request);
   std::atomic<bool> is_done = false;
   std::atomic<int> num_answers = 0;
   std::thread planner([&] {
@@ -122,12 +122,12 @@ TEST(Refinement, OnTheSideQueriesGoOnAndEachSeesOneRevision) {
       ++num_answers;
     }
   });
-  FeedNoisyFrames(server, 0, kNumFrames);
+  FeedNoisyFrames(server, 0, kNumNoisyFrames);
   const auto finished = FinishMapping(server);
   is_done = true;
   planner.join();
   EXPECT_GT(num_answers, 0);
-  EXPECT_EQ(finished.num_frames(), kNumFrames);
+  EXPECT_EQ(finished.num_frames(), kNumNoisyFrames);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void CreateMap(TestServer& server, const v1::CreateMapRequest& request) {
   ASSERT_TRUE(status.ok()) << status.error_message();
 }
 
-std::map<std::string, v1::FeedSession> List(TestServer& server, const std::string& map_id) {
+std::map<std::string, v1::FeedSession> SessionsOf(TestServer& server, const std::string& map_id) {
   v1::ListSessionsRequest request;
   request.set_map("maps/" + map_id);
   v1::ListSessionsResponse response;
@@ -100,7 +100,7 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
     auto sent = std::async(std::launch::async, [&] {
       for (int i = 1; i <= kFlood; ++i) ASSERT_TRUE(flood.Send(i, i % 8));
     });
-    ASSERT_TRUE(Eventually([&] { return List(server, "room")["flood"].num_bytes() > 0; }));
+    ASSERT_TRUE(Eventually([&] { return SessionsOf(server, "room")["flood"].num_bytes() > 0; }));
     std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it has sent what it may
     ASSERT_TRUE(other.Send(1, 1));
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -120,7 +120,7 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {.commit_frames = 1, .feed_idle_s = 1000});
   CreateMap(server, CreateRequest("room"));
-  EXPECT_TRUE(List(server, "room").empty());
+  EXPECT_TRUE(SessionsOf(server, "room").empty());
   Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
   std::int64_t num_points = 0;
   for (int i = 0; i < 3; ++i) num_points += a.Feed(i)->num_points();
@@ -129,7 +129,7 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   v1::IntegrateFramesRequest message;
   *message.mutable_frame() = TestFrame(0);
 
-  auto sessions = List(server, "room");
+  auto sessions = SessionsOf(server, "room");
   ASSERT_EQ(sessions.size(), 2u);
   EXPECT_TRUE(sessions["a"].feeding());
   EXPECT_GT(sessions["a"].lease_s(), 900);
@@ -146,7 +146,7 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
 
   a.HalfClose();
   ASSERT_TRUE(a.Finish().ok());
-  sessions = List(server, "room");
+  sessions = SessionsOf(server, "room");
   EXPECT_FALSE(sessions["a"].feeding());
   EXPECT_EQ(sessions["a"].committed_sequence(), 2);
   EXPECT_EQ(sessions["a"].num_frames(), 3);

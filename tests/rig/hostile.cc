@@ -25,7 +25,7 @@
 namespace dhpmap::rig {
 namespace {
 
-constexpr char kMap[] = "hostile";
+constexpr char kHostileMap[] = "hostile";
 constexpr std::chrono::seconds kStay{5};  ///< how long each load stays once it stands
 constexpr int kNicenessOfLoads = 10;
 
@@ -134,7 +134,7 @@ Verdict RunWatched(const Load& load, ServerUnderTest& server, const std::shared_
   std::printf("%s\n", load.name);
   watch.Reset();
   over_maps.Reset();
-  QuickProbes probes(quick, server.http_port(), kMap);
+  QuickProbes probes(quick, server.http_port(), kHostileMap);
   bool held = RunNicely(load);
   std::this_thread::sleep_for(kStay);
   const ProcessUse peak = watch.peak();
@@ -162,8 +162,8 @@ void PrintTable(const std::vector<Verdict>& verdicts) {
 
 bool RunHostile(const HostileOptions& options) {
   ServerUnderTest server;
-  if (!server.MapDataset(options.dataset, kMap)) return false;
-  const Target target = server.TargetOf(kMap);
+  if (!server.MapDataset(options.dataset, kHostileMap)) return false;
+  const Target target = server.TargetOf(kHostileMap);
   const auto quick = server.process().Connect();
   if (!quick->WaitForConnected(std::chrono::system_clock::now() + kStay)) return false;
   PeakWatch watch(server.pid());

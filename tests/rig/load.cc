@@ -15,7 +15,7 @@
 namespace dhpmap::rig {
 namespace {
 
-constexpr char kMap[] = "load";
+constexpr char kLoadMap[] = "load";
 constexpr int kNicenessOfClients = 10;
 constexpr double kMostAckGap_ms = 250;
 
@@ -34,8 +34,8 @@ bool RunLoad(const LoadOptions& options) {
   const auto frames = ReadFrames(options.dataset);
   if (!frames.ok()) return std::printf("FAILED: %s\n", frames.status().ToString().c_str()), false;
   ServerUnderTest server;
-  if (!server.MapDataset(options.dataset, kMap)) return false;
-  const Target target = server.TargetOf(kMap);
+  if (!server.MapDataset(options.dataset, kLoadMap)) return false;
+  const Target target = server.TargetOf(kLoadMap);
   const auto mapping = v1::MappingService::NewStub(server.process().Connect());
   OverMapsWatch over_maps(server);
   Latencies ack_gaps;
@@ -43,12 +43,12 @@ bool RunLoad(const LoadOptions& options) {
   std::optional<QuickProbes> probes;
   {
     std::jthread feeder(
-        [&](const std::stop_token& stop) { fed = FeedUntil(*mapping, kMap, *frames, 0, stop, ack_gaps); });
+        [&](const std::stop_token& stop) { fed = FeedUntil(*mapping, kLoadMap, *frames, 0, stop, ack_gaps); });
     const auto bulk = StartSelf(server.folder(),
-                                {"bulk-clients", target.grpc_address, std::to_string(target.http_port), kMap,
+                                {"bulk-clients", target.grpc_address, std::to_string(target.http_port), kLoadMap,
                                  std::to_string(options.num_bulk_clients)},
                                 kNicenessOfClients);
-    probes.emplace(server.process().Connect(), target.http_port, kMap);
+    probes.emplace(server.process().Connect(), target.http_port, kLoadMap);
     std::this_thread::sleep_for(std::chrono::duration<double>(options.seconds));
     bulk->Signal(SIGTERM);
     (void)bulk->Wait(60);

@@ -18,7 +18,7 @@ SizeClass SizeFromProto(v1::SizeClass size) {
   }
 }
 
-v1::SizeClass ToProto(SizeClass size) {
+v1::SizeClass SizeToProto(SizeClass size) {
   switch (size) {
     case SizeClass::kSmall: return v1::SMALL;
     case SizeClass::kMedium: return v1::MEDIUM;
@@ -96,7 +96,7 @@ v1::LabelClass ToProto(const LabelClass& label_class) {
   proto.set_id(label_class.id.value);
   proto.set_name(label_class.name);
   proto.set_kind(ToProto(label_class.panoptic));
-  proto.set_size(ToProto(label_class.size));
+  proto.set_size(SizeToProto(label_class.size));
   *proto.mutable_color() = ToProto(label_class.color);
   return proto;
 }

@@ -11,6 +11,9 @@
 
 namespace dhpmap {
 
+/// instance_id where there is no submap; 0 is the unknown one.
+inline constexpr std::int64_t kNobodysId = -1;
+
 struct SubmapName {
   std::string map;
   SubmapId submap;

@@ -9,10 +9,12 @@ namespace dhpmap::evaluator {
 namespace {
 
 using testing::Elements;
+using testing::kBallA;
+using testing::kBallB;
+using testing::kBoxA;
+using testing::kFloor;
 using testing::kMissing;
 using testing::RunOf;
-
-constexpr ElementLabel kBallA{0, 10}, kBallB{0, 11}, kBoxA{1, 20}, kFloor{2, 0};
 
 PrecisionAt PrecisionOf(const std::vector<RunOf>& runs, double iou, const std::map<std::uint32_t, float>& scores = {},
                         std::int64_t min_elements = 0) {

@@ -20,6 +20,7 @@ inline std::vector<Element> Elements(const std::vector<RunOf>& runs) {
 }
 
 inline constexpr ElementLabel kMissing{};
+inline constexpr ElementLabel kBallA{0, 10}, kBallB{0, 11}, kBoxA{1, 20}, kFloor{2, 0};
 
 /// Things 0 and 1, stuff 2.
 inline ClassMap ThreeClasses() {

@@ -11,10 +11,12 @@ namespace dhpmap::evaluator {
 namespace {
 
 using testing::Elements;
+using testing::kBallA;
+using testing::kBallB;
+using testing::kBoxA;
+using testing::kFloor;
 using testing::kMissing;
 using testing::RunOf;
-
-constexpr ElementLabel kBallA{0, 10}, kBallB{0, 11}, kBoxA{1, 20}, kFloor{2, 0};
 
 PanopticScore ScoreOf(const std::vector<RunOf>& runs, std::int64_t min_elements = 0) {
   return ScorePanoptics(CountSegments(Elements(runs)), testing::ThreeClasses(), min_elements);

@@ -9,9 +9,10 @@ namespace dhpmap::evaluator {
 namespace {
 
 using testing::Elements;
+using testing::kFloor;
 using testing::kMissing;
 
-constexpr ElementLabel kBall{0, 1}, kBox{1, 1}, kFloor{2, 0};
+constexpr ElementLabel kBall{0, 1}, kBox{1, 1};
 
 TEST(SemanticScore, AgreesWithACountByHand) {
   const SemanticScore score = ScoreSemantics(

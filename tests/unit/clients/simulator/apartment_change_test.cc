@@ -10,14 +10,13 @@
 
 #include "clients/simulator/flat_recording.h"
 #include "tests/support/scenes.h"
+#include "tests/unit/clients/simulator/recorded_apartment.h"
 
 namespace dhpmap::simulator {
 namespace {
 
-const ApartmentScene& Apartment() {
-  static const ApartmentScene scene;
-  return scene;
-}
+using testing::Apartment;
+using testing::BytesOfFile;
 
 std::vector<Change> Choose(int count, std::uint64_t seed) {
   const auto changes = ChooseChanges(Apartment(), count, seed);
@@ -69,11 +68,6 @@ TEST(ApartmentChange, TheSameSeedChoosesTheSameAndTooManyAreRefused) {
   EXPECT_TRUE(Choose(0, 1).empty());
 }
 
-std::string Bytes(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 TEST(ApartmentChange, ARecordingOfTwoWalksBeginsAsThatOfOneAndSaysWhatHasChanged) {
   testing::TempDir once, twice;
   RecordingOptions options{.directory = once.path(), .num_frames = 3, .width_px = 64, .height_px = 48};
@@ -83,11 +77,11 @@ TEST(ApartmentChange, ARecordingOfTwoWalksBeginsAsThatOfOneAndSaysWhatHasChanged
   options.num_changed = 2;
   ASSERT_TRUE(RecordApartment(Apartment(), options, threads).ok());
   for (const char* file : {"run1/000002_depth.tiff", "run1/000002_segmentation.png", "run1/000000_pose.txt"}) {
-    EXPECT_EQ(Bytes(once.path() / file), Bytes(twice.path() / file));
+    EXPECT_EQ(BytesOfFile(once.path() / file), BytesOfFile(twice.path() / file));
   }
-  EXPECT_EQ(Bytes(twice.path() / "run1/000002_pose.txt"), Bytes(twice.path() / "run1/000005_pose.txt"));
+  EXPECT_EQ(BytesOfFile(twice.path() / "run1/000002_pose.txt"), BytesOfFile(twice.path() / "run1/000005_pose.txt"));
   EXPECT_FALSE(std::filesystem::exists(once.path() / "changes.json"));
-  const auto json = nlohmann::json::parse(Bytes(twice.path() / "changes.json"));
+  const auto json = nlohmann::json::parse(BytesOfFile(twice.path() / "changes.json"));
   EXPECT_EQ(json["first_frame_after"], 3);
   const std::vector<Change> changes = Choose(2, options.seed);
   ASSERT_EQ(json["changes"].size(), changes.size());

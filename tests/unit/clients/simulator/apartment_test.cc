@@ -8,14 +8,12 @@
 #include "clients/simulator/camera_path.h"
 #include "clients/simulator/instance_views.h"
 #include "clients/simulator/renderer.h"
+#include "tests/unit/clients/simulator/recorded_apartment.h"
 
 namespace dhpmap::simulator {
 namespace {
 
-const ApartmentScene& Apartment() {
-  static const ApartmentScene scene;
-  return scene;
-}
+using testing::Apartment;
 
 TEST(Apartment, HasManyThingsOfManyClassesInFiveRooms) {
   std::set<ObjectClass> classes;

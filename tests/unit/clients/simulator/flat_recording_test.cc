@@ -14,16 +14,14 @@
 #include "clients/simulator/camera_path.h"
 #include "clients/simulator/renderer.h"
 #include "tests/support/scenes.h"
+#include "tests/unit/clients/simulator/recorded_apartment.h"
 
 namespace dhpmap::simulator {
 namespace {
 
 namespace fs = std::filesystem;
-
-const ApartmentScene& Apartment() {
-  static const ApartmentScene scene;
-  return scene;
-}
+using testing::Apartment;
+using testing::BytesOfFile;
 
 RecordingOptions SmallRecording(const fs::path& directory) {
   return {.directory = directory, .num_frames = 5, .width_px = 96, .height_px = 72};
@@ -34,15 +32,10 @@ Result<std::vector<InstanceView>> Record(const RecordingOptions& options, int nu
   return RecordApartment(Apartment(), options, threads);
 }
 
-std::string Bytes(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::map<std::string, std::string> AllFiles(const fs::path& root) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(root)) {
-    if (entry.is_regular_file()) files[fs::relative(entry.path(), root).string()] = Bytes(entry.path());
+    if (entry.is_regular_file()) files[fs::relative(entry.path(), root).string()] = BytesOfFile(entry.path());
   }
   return files;
 }
@@ -142,7 +135,7 @@ TEST(FlatRecording, AFrameIsTheSameWithoutThoseBeforeIt) {
   ASSERT_TRUE(Record(options).ok());
   EXPECT_FALSE(fs::exists(late.path() / "run2/000002_color.png"));
   for (const char* file : {"000003_depth.tiff", "000004_predicted.png", "000004_labels.json"}) {
-    EXPECT_EQ(Bytes(all.path() / "run1" / file), Bytes(late.path() / "run2" / file)) << file;
+    EXPECT_EQ(BytesOfFile(all.path() / "run1" / file), BytesOfFile(late.path() / "run2" / file)) << file;
   }
 }
 
@@ -151,7 +144,7 @@ TEST(FlatRecording, TruthTellsPointsOnThingsInView) {
   RecordingOptions options = SmallRecording(folder.path());
   options.num_frames = 10;
   ASSERT_TRUE(Record(options).ok());
-  const auto truth = nlohmann::json::parse(Bytes(folder.path() / "truth.json"));
+  const auto truth = nlohmann::json::parse(BytesOfFile(folder.path() / "truth.json"));
   ASSERT_GT(truth.size(), 30u);
   for (const auto& entry : truth) {
     const auto id = entry["id"].get<std::size_t>();

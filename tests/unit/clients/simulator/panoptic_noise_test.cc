@@ -8,16 +8,14 @@
 #include <set>
 
 #include "clients/simulator/camera_path.h"
+#include "tests/unit/clients/simulator/recorded_apartment.h"
 
 namespace dhpmap::simulator {
 namespace {
 
-constexpr int kFrames = 60;
+using testing::Apartment;
 
-const ApartmentScene& Apartment() {
-  static const ApartmentScene scene;
-  return scene;
-}
+constexpr int kFrames = 60;
 
 /// Round the apartment at a quarter of the usual width.
 const std::vector<RenderedFrame>& Walk() {

@@ -9,14 +9,12 @@
 #include "clients/simulator/camera_path.h"
 #include "clients/simulator/depth_noise.h"
 #include "clients/simulator/instance_views.h"
+#include "tests/unit/clients/simulator/recorded_apartment.h"
 
 namespace dhpmap::simulator {
 namespace {
 
-const ApartmentScene& Apartment() {
-  static const ApartmentScene scene;
-  return scene;
-}
+using testing::Apartment;
 
 RenderedFrame GeometryAt(double share, int width_px = 64, int height_px = 48) {
   return Renderer(Apartment(), Renderer::Output::kGeometry)

@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kVoxel_m = 0.02, kTruncation_m = 0.06;
+constexpr double kBandVoxel_m = 0.02, kBandTruncation_m = 0.06;
 
 /// Every pixel at a depth of its own, far from its neighbours': nothing shares a block that need not.
 PanopticFrame Noise(double nearest_m, double farthest_m) {
@@ -33,20 +33,20 @@ struct Counted {
 /// Blocks that fusing the frame really makes, and what is said before.
 Counted Count(const PanopticFrame& frame) {
   MapInfo info;
-  info.config.voxel_size_m = kVoxel_m;
-  info.config.truncation_m = kTruncation_m;
+  info.config.voxel_size_m = kBandVoxel_m;
+  info.config.truncation_m = kBandTruncation_m;
   ThreadPool pool(1);
   Bundler bundler(info.config.integration, pool);
-  const auto& segments = bundler.BundleFrame(frame, frame.T_map_sensor, kVoxel_m);
-  const RayOrigin origin(frame.T_map_sensor.translation(), kVoxel_m);
+  const auto& segments = bundler.BundleFrame(frame, frame.T_map_sensor, kBandVoxel_m);
+  const RayOrigin origin(frame.T_map_sensor.translation(), kBandVoxel_m);
   Map map(info);
   Submap& submap = *map.FindMutable(kUnknownSubmap);
   for (const SegmentBundles& segment : segments) {
     IntegrateSegment(segment, origin, {}, info.config.integration, submap);
   }
   constexpr std::size_t kNoLimit = 1'000'000'000;
-  return {submap.blocks().size(), CountBandBlocks(segments, origin, kVoxel_m, kTruncation_m, 1),
-          CountBandBlocks(segments, origin, kVoxel_m, kTruncation_m, kNoLimit)};
+  return {submap.blocks().size(), CountBandBlocks(segments, origin, kBandVoxel_m, kBandTruncation_m, 1),
+          CountBandBlocks(segments, origin, kBandVoxel_m, kBandTruncation_m, kNoLimit)};
 }
 
 /// The full count, which stops only where `enough` is passed.
@@ -54,9 +54,9 @@ std::size_t CountUpTo(const PanopticFrame& frame, std::size_t enough) {
   IntegrationConfig config;
   ThreadPool pool(1);
   Bundler bundler(config, pool);
-  const auto& segments = bundler.BundleFrame(frame, frame.T_map_sensor, kVoxel_m);
-  return CountBandBlocks(segments, RayOrigin(frame.T_map_sensor.translation(), kVoxel_m), kVoxel_m, kTruncation_m,
-                         enough);
+  const auto& segments = bundler.BundleFrame(frame, frame.T_map_sensor, kBandVoxel_m);
+  return CountBandBlocks(segments, RayOrigin(frame.T_map_sensor.translation(), kBandVoxel_m), kBandVoxel_m,
+                         kBandTruncation_m, enough);
 }
 
 TEST(CountBandBlocks, IsNeverLessThanWhatIsTouched) {

@@ -13,7 +13,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kVoxel_m = 0.125;
+constexpr double kBundleVoxel_m = 0.125;
 
 /// Segments 4 and 9 are in the table, 9 first; 5 is not, and 0 is nothing.
 std::vector<SegmentInfo> Table() {
@@ -31,7 +31,7 @@ Transform SomePose() {
 /// The point as the grid sees it lies so near a voxel's border that rounding decides.
 bool IsNearABorder(const Eigen::Vector3d& p_grid) {
   for (int axis = 0; axis < 3; ++axis) {
-    const double v = p_grid[axis] / kVoxel_m;
+    const double v = p_grid[axis] / kBundleVoxel_m;
     if (std::abs(v - std::round(v)) < 1e-3) return true;
   }
   return false;
@@ -77,13 +77,13 @@ PanopticFrame NoisyLidarFrame(int num_points, const Transform& T_grid_sensor) {
   return frame;
 }
 
-struct Sum {
+struct BundleSum {
   std::uint32_t num_points = 0;
   double weight = 0;
   Eigen::Vector3d weighted_sum_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d weighted_color = Eigen::Vector3d::Zero();
 };
-using Sums = std::map<std::pair<int, VoxelIndex>, Sum>;  // by row and voxel
+using Sums = std::map<std::pair<int, VoxelIndex>, BundleSum>;  // by row and voxel
 
 /// Point by point, in double precision.
 Sums SlowSums(const PanopticFrame& frame, const Transform& T_grid_sensor, const IntegrationConfig& config) {
@@ -95,7 +95,7 @@ Sums SlowSums(const PanopticFrame& frame, const Transform& T_grid_sensor, const 
                            : frame.camera && config.weighting == Weighting::kInverseDepthSquared ? p_sensor.z()
                                                                                                  : range_m;
     const double weight = 1.0 / (divisor * divisor);
-    Sum& sum = sums[{RowOf(segment), VoxelAt(T_grid_sensor * p_sensor, kVoxel_m)}];
+    BundleSum& sum = sums[{RowOf(segment), VoxelAt(T_grid_sensor * p_sensor, kBundleVoxel_m)}];
     ++sum.num_points;
     sum.weight += weight;
     sum.weighted_sum_m += weight * (T_grid_sensor.linear() * p_sensor);
@@ -130,8 +130,8 @@ Sums SumsOf(const std::vector<SegmentBundles>& segments) {
         const VoxelIndex voxel = VoxelIn(cell.block, bundle.linear);
         EXPECT_TRUE(segment.EndsIn(voxel));
         num_points += bundle.num_points;
-        const Sum sum{bundle.num_points, static_cast<double>(bundle.weight), bundle.weighted_sum_m.cast<double>(),
-                      bundle.weighted_color.cast<double>()};
+        const BundleSum sum{bundle.num_points, static_cast<double>(bundle.weight), bundle.weighted_sum_m.cast<double>(),
+                            bundle.weighted_color.cast<double>()};
         EXPECT_TRUE(sums.emplace(std::pair(segment.row, voxel), sum).second);
       }
     }
@@ -162,14 +162,14 @@ TEST_P(Bundling, SumsPixelsBySegmentAndVoxelAsTheSlowWayDoes) {
   const PanopticFrame frame = NoisyCameraFrame(83, 61, SomePose());
   const Sums slow = SlowSums(frame, SomePose(), config_);
   ASSERT_GT(slow.size(), 1000u);
-  ExpectSame(slow, SumsOf(bundler_.BundleFrame(frame, SomePose(), kVoxel_m)));
+  ExpectSame(slow, SumsOf(bundler_.BundleFrame(frame, SomePose(), kBundleVoxel_m)));
 }
 
 TEST_P(Bundling, SumsPointsBySegmentAndVoxelAsTheSlowWayDoes) {
   const PanopticFrame frame = NoisyLidarFrame(9000, SomePose());  // more than two bands
   const Sums slow = SlowSums(frame, SomePose(), config_);
   ASSERT_GT(slow.size(), 1000u);
-  ExpectSame(slow, SumsOf(bundler_.BundleFrame(frame, SomePose(), kVoxel_m)));
+  ExpectSame(slow, SumsOf(bundler_.BundleFrame(frame, SomePose(), kBundleVoxel_m)));
 }
 
 INSTANTIATE_TEST_SUITE_P(ByWeighting, Bundling,
@@ -191,10 +191,10 @@ bool HasSameBits(const Bundle& a, const Bundle& b) {
 
 TEST_F(BundlerTest, GivesTheSameBitsForAnyNumberOfThreads) {
   for (const PanopticFrame& frame : {NoisyCameraFrame(83, 61, SomePose()), NoisyLidarFrame(9000, SomePose())}) {
-    const std::vector<SegmentBundles>& one = bundler_.BundleFrame(frame, SomePose(), kVoxel_m);
+    const std::vector<SegmentBundles>& one = bundler_.BundleFrame(frame, SomePose(), kBundleVoxel_m);
     ThreadPool many(5);
     Bundler other(config_, many);
-    const std::vector<SegmentBundles>& five = other.BundleFrame(frame, SomePose(), kVoxel_m);
+    const std::vector<SegmentBundles>& five = other.BundleFrame(frame, SomePose(), kBundleVoxel_m);
     ASSERT_EQ(one.size(), five.size());
     for (std::size_t s = 0; s < one.size(); ++s) {
       ASSERT_EQ(one[s].bundles.size(), five[s].bundles.size());
@@ -212,7 +212,7 @@ TEST_F(BundlerTest, PutsPointsOfNoKnownObjectFirstAndThenFollowsTheTable) {
   frame.lidar.emplace();
   frame.lidar->points_m = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
   frame.lidar->segments = {4, 9, 5, 0};
-  const auto& segments = bundler_.BundleFrame(frame, Transform::Identity(), kVoxel_m);
+  const auto& segments = bundler_.BundleFrame(frame, Transform::Identity(), kBundleVoxel_m);
   ASSERT_EQ(segments.size(), 3u);
   EXPECT_EQ(segments[0].row, -1);
   EXPECT_EQ(segments[0].num_points, 2) << "0, and 5, which has no row";
@@ -227,7 +227,7 @@ TEST_F(BundlerTest, TakesAFrameWithoutLabelsAndColoursAsUnknownAndGrey) {
   camera.camera = {.camera = {.width_px = 2, .height_px = 1, .fx_px = 1000, .fy_px = 1000, .cx_px = -1, .cy_px = -1},
                    .depth_m = {1.01f, 1.01f}};
   for (const PanopticFrame& frame : {lidar, camera}) {
-    const auto& segments = bundler_.BundleFrame(frame, Transform::Identity(), kVoxel_m);
+    const auto& segments = bundler_.BundleFrame(frame, Transform::Identity(), kBundleVoxel_m);
     ASSERT_EQ(segments.size(), 1u);
     EXPECT_EQ(segments[0].row, -1);
     ASSERT_EQ(segments[0].bundles.size(), 1u);
@@ -241,9 +241,9 @@ TEST_F(BundlerTest, LeavesOutWhatIsNoReturnOrOutOfRange) {
   PanopticFrame frame;
   frame.camera = {.camera = {.width_px = 8, .height_px = 1, .fx_px = 1e4, .fy_px = 1e4, .cx_px = 3.5, .cy_px = 0},
                   .depth_m = {0, -1, kNan, kInf, -kInf, 0.49f, 10.01f, 1e-38f}};
-  EXPECT_TRUE(bundler_.BundleFrame(frame, SomePose(), kVoxel_m).empty());
+  EXPECT_TRUE(bundler_.BundleFrame(frame, SomePose(), kBundleVoxel_m).empty());
   frame.camera->depth_m = {0, -1, 0.51f, kInf, -kInf, 0.49f, 9.99f, 1e38f};
-  const auto& segments = bundler_.BundleFrame(frame, SomePose(), kVoxel_m);
+  const auto& segments = bundler_.BundleFrame(frame, SomePose(), kBundleVoxel_m);
   ASSERT_EQ(segments.size(), 1u);
   EXPECT_EQ(segments[0].num_points, 2);
 }
@@ -273,29 +273,29 @@ TEST_F(BundlerTest, CountsTheBuffersThatItKeeps) {
     Bundler bundler(IntegrationConfig(), pool);
     const PanopticFrame frame = NoisyCameraFrame(40, 30, SomePose());
     std::size_t least = 0;
-    for (const SegmentBundles& segment : bundler.BundleFrame(frame, SomePose(), kVoxel_m)) {
+    for (const SegmentBundles& segment : bundler.BundleFrame(frame, SomePose(), kBundleVoxel_m)) {
       least += segment.cells.size() * sizeof(BundleCell) + segment.bundles.size() * sizeof(Bundle);
     }
     EXPECT_GT(least, 0u);
     EXPECT_GE(counted(), least);
     const std::size_t after_one = counted();
-    (void)bundler.BundleFrame(frame, SomePose(), kVoxel_m);
+    (void)bundler.BundleFrame(frame, SomePose(), kBundleVoxel_m);
     EXPECT_EQ(counted(), after_one) << "they are used again";
     bundler.GiveBuffersBack();
     EXPECT_EQ(counted(), 0u);
-    (void)bundler.BundleFrame(frame, SomePose(), kVoxel_m);
+    (void)bundler.BundleFrame(frame, SomePose(), kBundleVoxel_m);
     EXPECT_GE(counted(), least);
   }
   EXPECT_EQ(counted(), 0u);
 }
 
 TEST_F(BundlerTest, KeepsNothingOfTheFrameBefore) {
-  (void)bundler_.BundleFrame(NoisyLidarFrame(9000, SomePose()), SomePose(), kVoxel_m);
+  (void)bundler_.BundleFrame(NoisyLidarFrame(9000, SomePose()), SomePose(), kBundleVoxel_m);
   const PanopticFrame small = NoisyCameraFrame(20, 17, SomePose());
-  ExpectSame(SlowSums(small, SomePose(), config_), SumsOf(bundler_.BundleFrame(small, SomePose(), kVoxel_m)));
+  ExpectSame(SlowSums(small, SomePose(), config_), SumsOf(bundler_.BundleFrame(small, SomePose(), kBundleVoxel_m)));
   PanopticFrame nothing;
   nothing.lidar.emplace();
-  EXPECT_TRUE(bundler_.BundleFrame(nothing, SomePose(), kVoxel_m).empty());
+  EXPECT_TRUE(bundler_.BundleFrame(nothing, SomePose(), kBundleVoxel_m).empty());
 }
 
 TEST_F(BundlerTest, IsAsExactFarFromTheOriginAsNearIt) {
@@ -303,13 +303,13 @@ TEST_F(BundlerTest, IsAsExactFarFromTheOriginAsNearIt) {
   Transform near = Transform::Identity();
   near.translation() = Eigen::Vector3d(0.5, 0.25, 1.75);  // exact in both places
   Transform far = near;
-  far.translation().x() += kShift_vox * kVoxel_m;
+  far.translation().x() += kShift_vox * kBundleVoxel_m;
   for (const PanopticFrame& frame : {NoisyCameraFrame(40, 30, near), NoisyLidarFrame(500, near)}) {
     Sums expected;
-    for (const auto& [key, sum] : SumsOf(bundler_.BundleFrame(frame, near, kVoxel_m))) {
+    for (const auto& [key, sum] : SumsOf(bundler_.BundleFrame(frame, near, kBundleVoxel_m))) {
       expected[{key.first, {key.second.x + kShift_vox, key.second.y, key.second.z}}] = sum;
     }
-    const Sums there = SumsOf(bundler_.BundleFrame(frame, far, kVoxel_m));
+    const Sums there = SumsOf(bundler_.BundleFrame(frame, far, kBundleVoxel_m));
     ASSERT_EQ(there.size(), expected.size());
     for (const auto& [key, sum] : expected) {
       const auto found = there.find(key);

@@ -45,15 +45,15 @@ RunBands RunsOf(const DepthCameraData& data, int num_threads) {
   return bands;
 }
 
-struct Sum {
+struct RunSum {
   std::uint32_t num_points = 0;
   Eigen::Vector3d sum_m = Eigen::Vector3d::Zero(), color = Eigen::Vector3d::Zero();
 };
 
 /// Pixel by pixel, by band of 16 rows, in single precision where it decides on voxels.
-std::vector<std::map<Place, Sum>> SlowSums(const DepthCameraData& data) {
+std::vector<std::map<Place, RunSum>> SlowRunSums(const DepthCameraData& data) {
   const PinholeCamera& camera = data.camera;
-  std::vector<std::map<Place, Sum>> bands(static_cast<std::size_t>((camera.height_px + 15) / 16));
+  std::vector<std::map<Place, RunSum>> bands(static_cast<std::size_t>((camera.height_px + 15) / 16));
   const SensorOnGrid grid(Transform::Identity(), 0.1);
   for (int v = 0; v < camera.height_px; ++v) {
     for (int u = 0; u < camera.width_px; ++u) {
@@ -62,7 +62,7 @@ std::vector<std::map<Place, Sum>> SlowSums(const DepthCameraData& data) {
       const auto x = static_cast<float>((u - camera.cx_px) / camera.fx_px);
       const auto y = static_cast<float>((v - camera.cy_px) / camera.fy_px);
       const Eigen::Vector3f p_m(data.depth_m[i] * x, data.depth_m[i] * y, data.depth_m[i]);
-      Sum& sum = bands[static_cast<std::size_t>(v / 16)][{data.segments[i], grid.VoxelOf(p_m)}];
+      RunSum& sum = bands[static_cast<std::size_t>(v / 16)][{data.segments[i], grid.VoxelOf(p_m)}];
       ++sum.num_points;
       sum.sum_m += p_m.cast<double>();
       sum.color += Eigen::Vector3d(data.color[i].r, data.color[i].g, data.color[i].b);
@@ -73,15 +73,15 @@ std::vector<std::map<Place, Sum>> SlowSums(const DepthCameraData& data) {
 
 TEST(PointRuns, HoldEveryPointOfABandAndNearlyEachPlaceOnce) {
   const DepthCameraData data = NoisyWall(301, 50);
-  const auto expected = SlowSums(data);
+  const auto expected = SlowRunSums(data);
   const RunBands bands = RunsOf(data, 1);
   ASSERT_EQ(bands.size(), expected.size());
   std::size_t num_runs = 0, num_places = 0;
   for (std::size_t b = 0; b < bands.size(); ++b) {
-    std::map<Place, Sum> of_place;
+    std::map<Place, RunSum> of_place;
     for (const PointRun& run : bands[b]) {
       EXPECT_EQ(run.weight(), static_cast<float>(run.num_points()));
-      Sum& sum = of_place[PlaceOf(run)];
+      RunSum& sum = of_place[PlaceOf(run)];
       sum.num_points += run.num_points();
       sum.sum_m += run.weighted_sum_m().cast<double>();
       sum.color += run.color_sum().cast<double>();

@@ -10,7 +10,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kVoxel_m = 0.1;
+constexpr double kPartVoxel_m = 0.1;
 
 /// Clusters of points, three voxels long each, that begin at these places; one segment, one point a voxel.
 std::vector<SegmentBundles> Bundles(const std::vector<Eigen::Vector3f>& places_m, Bundler& bundler) {
@@ -23,7 +23,7 @@ std::vector<SegmentBundles> Bundles(const std::vector<Eigen::Vector3f>& places_m
     }
   }
   frame.segments = {{.id = SegmentId(7), .class_id = ClassId(1)}};
-  return bundler.BundleFrame(frame, Transform::Identity(), kVoxel_m);
+  return bundler.BundleFrame(frame, Transform::Identity(), kPartVoxel_m);
 }
 
 class SegmentParts : public ::testing::Test {

@@ -21,17 +21,17 @@ std::shared_ptr<const TsdfBlock> Marked(float value) {
   return block;
 }
 
-using Naive = std::map<BlockIndex, float>;
+using NaiveTable = std::map<BlockIndex, float>;
 
-Naive ContentOf(const BlockTable& table) {
-  Naive content;
+NaiveTable ContentOf(const BlockTable& table) {
+  NaiveTable content;
   for (const BlockEntry& entry : table.entries()) {
     EXPECT_TRUE(content.emplace(entry.index, entry.tsdf->distance_m[0]).second) << "visited twice";
   }
   return content;
 }
 
-void ExpectSame(const BlockTable& table, const Naive& naive) {
+void ExpectSameTable(const BlockTable& table, const NaiveTable& naive) {
   EXPECT_EQ(table.size(), naive.size());
   EXPECT_EQ(ContentOf(table), naive);
   for (const auto& [index, value] : naive) {
@@ -48,9 +48,9 @@ TEST(BlockTable, AgreesWithAMapUnderRandomInsertionsAndErasuresAndSoDoItsCopies)
     const std::int32_t spread = seed % 2 == 0 ? 6 : 1000;  // crowded: many blocks a tile; wide: many tiles
     std::uniform_int_distribution<std::int32_t> coordinate(-spread, spread);
     BlockTable table;
-    Naive naive;
+    NaiveTable naive;
     std::uint64_t generation = 1;
-    std::vector<std::pair<BlockTable, Naive>> copies;
+    std::vector<std::pair<BlockTable, NaiveTable>> copies;
     for (int step = 0; step < 3000; ++step) {
       BlockIndex index{coordinate(random), coordinate(random), coordinate(random)};
       if (random() % 2 == 0 && !naive.empty()) {  // one that is there
@@ -70,11 +70,11 @@ TEST(BlockTable, AgreesWithAMapUnderRandomInsertionsAndErasuresAndSoDoItsCopies)
         ++generation;
       }
     }
-    ExpectSame(table, naive);
+    ExpectSameTable(table, naive);
     while (!table.empty()) EXPECT_TRUE(table.Erase(table.entries().front().index, generation));
     EXPECT_EQ(table.Find({0, 0, 0}), nullptr);
     EXPECT_TRUE(table.tiles().empty());
-    for (const auto& [copy, content] : copies) ExpectSame(copy, content);
+    for (const auto& [copy, content] : copies) ExpectSameTable(copy, content);
   }
 }
 

@@ -12,7 +12,7 @@ LabelSet Labels() {
                             {.id = ClassId(3), .name = "wall", .panoptic = Panoptic::kStuff}});
 }
 
-SubmapInfo Thing(ClassId class_id, const std::string& name) {
+SubmapInfo ThingOf(ClassId class_id, const std::string& name) {
   SubmapInfo info;
   info.id = SubmapId(7);
   info.panoptic = Panoptic::kThing;
@@ -22,26 +22,26 @@ SubmapInfo Thing(ClassId class_id, const std::string& name) {
 }
 
 TEST(DisplayName, FollowsTheClassUntilSomebodySetsIt) {
-  EXPECT_EQ(DisplayNameOf(Thing(ClassId(2), ""), Labels()), "handle 7");
-  EXPECT_EQ(DisplayNameOf(Thing(ClassId(1), ""), Labels()), "sofa 7");
-  EXPECT_EQ(DisplayNameOf(Thing(ClassId(1), "grandmother's"), Labels()), "grandmother's");
+  EXPECT_EQ(DisplayNameOf(ThingOf(ClassId(2), ""), Labels()), "handle 7");
+  EXPECT_EQ(DisplayNameOf(ThingOf(ClassId(1), ""), Labels()), "sofa 7");
+  EXPECT_EQ(DisplayNameOf(ThingOf(ClassId(1), "grandmother's"), Labels()), "grandmother's");
 }
 
 TEST(DisplayName, FollowsTheClassWhereAnOlderMapWroteItsOwn) {
-  EXPECT_EQ(DisplayNameOf(Thing(ClassId(1), "handle 7"), Labels()), "sofa 7");
-  EXPECT_EQ(DisplayNameOf(Thing(ClassId(1), "handle 8"), Labels()), "handle 8") << "another's number: it was given";
-  EXPECT_EQ(DisplayNameOf(Thing(ClassId(1), "wall"), Labels()), "wall") << "things have numbers: it was given";
+  EXPECT_EQ(DisplayNameOf(ThingOf(ClassId(1), "handle 7"), Labels()), "sofa 7");
+  EXPECT_EQ(DisplayNameOf(ThingOf(ClassId(1), "handle 8"), Labels()), "handle 8") << "another's number: it was given";
+  EXPECT_EQ(DisplayNameOf(ThingOf(ClassId(1), "wall"), Labels()), "wall") << "things have numbers: it was given";
 }
 
 TEST(DisplayName, OfBackgroundIsTheClass) {
-  SubmapInfo wall = Thing(ClassId(3), "");
+  SubmapInfo wall = ThingOf(ClassId(3), "");
   wall.panoptic = Panoptic::kStuff;
   EXPECT_EQ(DisplayNameOf(wall, Labels()), "wall");
   EXPECT_EQ(DisplayNameOf({}, Labels()), "unknown");
 }
 
 TEST(DisplayName, OfAClassThatTheLabelSetLacksIsTheId) {
-  EXPECT_EQ(DisplayNameOf(Thing(ClassId(9), ""), Labels()), "submap 7");
+  EXPECT_EQ(DisplayNameOf(ThingOf(ClassId(9), ""), Labels()), "submap 7");
 }
 
 }  // namespace

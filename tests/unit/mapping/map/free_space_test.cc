@@ -21,7 +21,7 @@ namespace {
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
 /// All free voxels, a bit each.
-class Naive {
+class NaiveSpace {
  public:
   void Insert(TileIndex tile, int cell, int linear) { tiles_[tile].set(BitOf(cell, linear)); }
   bool Erase(TileIndex tile) { return tiles_.erase(tile) > 0; }
@@ -34,7 +34,7 @@ class Naive {
     for (const auto& [index, voxels] : tiles_) count += voxels.count();
     return count;
   }
-  bool operator==(const Naive&) const = default;
+  bool operator==(const NaiveSpace&) const = default;
 
  private:
   static std::size_t BitOf(int cell, int linear) { return static_cast<std::size_t>(cell * kBlockVoxels + linear); }
@@ -42,8 +42,8 @@ class Naive {
   std::map<TileIndex, std::bitset<std::size_t{kTileBlocks} * kBlockVoxels>> tiles_;  // none without a voxel
 };
 
-Naive ContentOf(const FreeSpace& space) {
-  Naive content;
+NaiveSpace ContentOf(const FreeSpace& space) {
+  NaiveSpace content;
   for (const FreeTileEntry& entry : space.tiles()) {
     for (int cell = 0; cell < kTileBlocks; ++cell) {
       for (int linear = 0; linear < kBlockVoxels; ++linear) {
@@ -67,7 +67,7 @@ FreeBlocks RandomBlocks(std::mt19937& random) {
   return seen;
 }
 
-void AddTo(Naive& naive, TileIndex index, const FreeBlocks& seen) {
+void AddTo(NaiveSpace& naive, TileIndex index, const FreeBlocks& seen) {
   for (int cell = 0; cell < kTileBlocks; ++cell) {
     for (int linear = 0; linear < kBlockVoxels; ++linear) {
       const auto c = static_cast<std::size_t>(cell), word = static_cast<std::size_t>(linear / 64);
@@ -83,8 +83,8 @@ TEST(FreeSpace, AgreesWithASetOfVoxelsAndSoDoItsCopies) {
     std::mt19937 random(seed);
     std::uint64_t generation = 1;
     FreeSpace space(generation);
-    Naive naive;
-    std::vector<std::pair<FreeSpace, Naive>> copies;
+    NaiveSpace naive;
+    std::vector<std::pair<FreeSpace, NaiveSpace>> copies;
     for (int step = 0; step < 120; ++step) {
       const TileIndex index{static_cast<std::int32_t>(random() % 3) - 1, static_cast<std::int32_t>(random() % 2) - 1,
                             0};
@@ -187,10 +187,10 @@ TEST(FreeSpace, RenewsAStampAtMostOnceASecondAndNeverTurnsItBack) {
   seen.full = 2;
   EXPECT_TRUE(space.Add({0, 0, 0}, seen, 3 * kSecond_ns)) << "it sees something new all the same";
   EXPECT_EQ(space.Find({0, 0, 0})->last_seen_ns(), 11 * kSecond_ns);
-  constexpr std::int64_t kFirst = std::numeric_limits<std::int64_t>::min(), kLast = -(kFirst + 1);
-  EXPECT_TRUE(space.Add({1, 0, 0}, seen, kFirst));
-  EXPECT_TRUE(space.Add({1, 0, 0}, seen, kLast)) << "a difference that does not fit";
-  EXPECT_FALSE(space.Add({1, 0, 0}, seen, kFirst));
+  constexpr std::int64_t kEarliest = std::numeric_limits<std::int64_t>::min(), kLatest = -(kEarliest + 1);
+  EXPECT_TRUE(space.Add({1, 0, 0}, seen, kEarliest));
+  EXPECT_TRUE(space.Add({1, 0, 0}, seen, kLatest)) << "a difference that does not fit";
+  EXPECT_FALSE(space.Add({1, 0, 0}, seen, kEarliest));
 }
 
 TEST(FreeSpace, TakesABitForAWholeBlockAndCopiesOnlyTheTilesItWrites) {
@@ -241,9 +241,9 @@ void ExpectGoesWithStates(const Layer& layer) {
     MapInfo info;
     info.name = "m";
     Map map(info);
-    std::vector<std::pair<std::shared_ptr<const MapSnapshot>, Naive>> history;
+    std::vector<std::pair<std::shared_ptr<const MapSnapshot>, NaiveSpace>> history;
     for (int step = 0; step < 100; ++step) {
-      const Naive now = ContentOf(layer.of_state(*map.Freeze()));
+      const NaiveSpace now = ContentOf(layer.of_state(*map.Freeze()));
       switch (random() % 5) {
         case 0: history.emplace_back(map.Publish(step), now); break;
         case 1: history.emplace_back(map.Freeze(), now); break;

@@ -19,7 +19,7 @@ MapInfo Info() {
   return info;
 }
 
-SubmapInfo Thing(const std::string& name = "") {
+SubmapInfo NamedThing(const std::string& name = "") {
   SubmapInfo info;
   info.panoptic = Panoptic::kThing;
   info.display_name = name;
@@ -63,11 +63,11 @@ DeepCopy StateOf(Map& map) { return DeepCopy(*map.Freeze()); }
 
 TEST(MapFork, GoesItsOwnWayAndIsTheStateToGoBackTo) {
   Map map(Info());
-  map.Create(Thing("published")).MutableTsdf({0, 0, 0}).distance_m.fill(1);
-  map.Create(Thing("removed later")).MutableLabels({0, 0, 0}).AddObservation(1, ClassId(2));
+  map.Create(NamedThing("published")).MutableTsdf({0, 0, 0}).distance_m.fill(1);
+  map.Create(NamedThing("removed later")).MutableLabels({0, 0, 0}).AddObservation(1, ClassId(2));
   map.Publish(0);
   map.FindMutable(SubmapId(1))->MutableTsdf({1, 0, 0}).distance_m.fill(2);
-  map.Create(Thing("unpublished")).MutableTsdf({0, 0, 0}).distance_m.fill(3);
+  map.Create(NamedThing("unpublished")).MutableTsdf({0, 0, 0}).distance_m.fill(3);
   const DeepCopy state = StateOf(map);
 
   Map before = map.Fork();
@@ -77,7 +77,7 @@ TEST(MapFork, GoesItsOwnWayAndIsTheStateToGoBackTo) {
   map.FindMutable(SubmapId(3))->MutableTsdf({0, 0, 0}).distance_m.fill(8);
   map.FindMutable(SubmapId(3))->MutableTsdf({5, 5, 5}).distance_m.fill(9);
   map.Remove(SubmapId(2));
-  map.Create(Thing("new"));
+  map.Create(NamedThing("new"));
   EXPECT_EQ(StateOf(before), state) << "the writer must have copied what it wrote";
 
   map = std::move(before);
@@ -93,7 +93,7 @@ TEST(MapFork, GoesItsOwnWayAndIsTheStateToGoBackTo) {
 
 TEST(MapFork, OfAPublishedStatePublishesNothingNew) {
   Map map(Info());
-  map.Create(Thing());
+  map.Create(NamedThing());
   const auto published = map.Publish(0);
   Map fork = map.Fork();
   EXPECT_EQ(fork.Publish(1), published);
@@ -110,11 +110,11 @@ TEST(Map, StartsWithTheUnknownSubmapAlone) {
 
 TEST(Map, NeverUsesAnIdAgainAndKeepsTheUnknownSubmap) {
   Map map(Info());
-  EXPECT_EQ(map.Create(Thing()).id(), SubmapId(1));
-  EXPECT_EQ(map.Create(Thing()).id(), SubmapId(2));
+  EXPECT_EQ(map.Create(NamedThing()).id(), SubmapId(1));
+  EXPECT_EQ(map.Create(NamedThing()).id(), SubmapId(2));
   EXPECT_TRUE(map.Remove(SubmapId(2)));
   EXPECT_FALSE(map.Remove(SubmapId(2)));
-  EXPECT_EQ(map.Create(Thing()).id(), SubmapId(3));
+  EXPECT_EQ(map.Create(NamedThing()).id(), SubmapId(3));
   EXPECT_EQ(map.Find(SubmapId(2)), nullptr);
   EXPECT_EQ(map.FindMutable(SubmapId(2)), nullptr);
   EXPECT_EQ(map.Clone(SubmapId(2)), nullptr);
@@ -135,7 +135,7 @@ TEST(Map, PublishesANewRevisionOnlyAfterAChange) {
   EXPECT_EQ(first->info().display_name, "");
   EXPECT_NE(map.FindMutable(kUnknownSubmap), nullptr);
   EXPECT_EQ(map.Publish(40)->revision(), 3);
-  map.Create(Thing());
+  map.Create(NamedThing());
   EXPECT_EQ(map.Publish(50)->revision(), 4);
   map.Remove(SubmapId(1));
   EXPECT_EQ(map.Publish(60)->revision(), 5);
@@ -143,8 +143,8 @@ TEST(Map, PublishesANewRevisionOnlyAfterAChange) {
 
 TEST(Map, SubmapsCarryTheRevisionThatLastChangedThem) {
   Map map(Info());
-  map.Create(Thing());
-  map.Create(Thing());
+  map.Create(NamedThing());
+  map.Create(NamedThing());
   map.Publish(1);
   map.FindMutable(SubmapId(2))->mutable_info().display_name = "x";
   const auto second = map.Publish(2);
@@ -161,7 +161,7 @@ TEST(Map, ASnapshotNeverChangesWhateverIsDoneAfterIt) {
       const SubmapId id = map.submaps()[random() % map.submaps().size()]->id();
       const BlockIndex block{static_cast<std::int32_t>(random() % 3) - 1, 0, 0};
       switch (random() % 10) {
-        case 0: map.Create(Thing(std::to_string(step))); break;
+        case 0: map.Create(NamedThing(std::to_string(step))); break;
         case 1: map.Clone(id); break;
         case 2: map.Remove(id); break;
         case 3: map.FindMutable(id)->mutable_info().display_name = std::to_string(step); break;
@@ -184,10 +184,10 @@ TEST(Map, ASnapshotNeverChangesWhateverIsDoneAfterIt) {
 
 TEST(Map, PublishingCopiesOnlyWhatIsWrittenAfterIt) {
   Map map(Info());
-  Submap& submap = map.Create(Thing());
+  Submap& submap = map.Create(NamedThing());
   submap.MutableTsdf({0, 0, 0});
   submap.MutableTsdf({1, 0, 0});
-  map.Create(Thing());
+  map.Create(NamedThing());
   const auto before = map.Publish(1);
   map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0}).weight[0] = 1;
   const auto after = map.Publish(2);
@@ -201,7 +201,7 @@ TEST(Map, PublishingCopiesOnlyWhatIsWrittenAfterIt) {
 
 TEST(Map, WritesInPlaceBetweenTwoPublishes) {
   Map map(Info());
-  map.Create(Thing()).MutableTsdf({0, 0, 0});
+  map.Create(NamedThing()).MutableTsdf({0, 0, 0});
   map.Publish(1);
   const TsdfBlock* block = &map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0});
   EXPECT_EQ(&map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0}), block);
@@ -231,7 +231,7 @@ TEST(Map, CloningLeavesTheOriginalAndItsRevisionAsTheyAre) {
 
 TEST(Map, CloneSharesBlocksThenDiverges) {
   Map map(Info());
-  map.Create(Thing("chair")).MutableTsdf({0, 0, 0}).distance_m[0] = 1;
+  map.Create(NamedThing("chair")).MutableTsdf({0, 0, 0}).distance_m[0] = 1;
   map.FindMutable(SubmapId(1))->mutable_info().track_id = 77;
   const Submap* clone = map.Clone(SubmapId(1));
   ASSERT_NE(clone, nullptr);
@@ -251,7 +251,7 @@ TEST(Map, CloneSharesBlocksThenDiverges) {
 
 TEST(Map, GoesOnFromASnapshotWithoutTouchingIt) {
   Map map(Info());
-  map.Create(Thing()).MutableTsdf({0, 0, 0}).distance_m[0] = 1;
+  map.Create(NamedThing()).MutableTsdf({0, 0, 0}).distance_m[0] = 1;
   const auto snapshot = map.Publish(1);
   Map again(snapshot);
   EXPECT_EQ(again.Publish(5), snapshot) << "nothing has changed yet";
@@ -259,7 +259,7 @@ TEST(Map, GoesOnFromASnapshotWithoutTouchingIt) {
   map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0}).distance_m[0] = 3;
   EXPECT_EQ(snapshot->Find(SubmapId(1))->blocks().Find({0, 0, 0})->tsdf->distance_m[0], 1);
   EXPECT_EQ(again.Publish(6)->revision(), 2);
-  EXPECT_EQ(again.Create(Thing()).id(), SubmapId(2));
+  EXPECT_EQ(again.Create(NamedThing()).id(), SubmapId(2));
 }
 
 /// Brings a deep copy of `before` up to `after` with nothing but the changes.
@@ -302,7 +302,7 @@ TEST(DiffSnapshots, AppliedToTheStateBeforeGivesTheStateAfter) {
       const SubmapId id = map.submaps()[random() % map.submaps().size()]->id();
       const BlockIndex block{static_cast<std::int32_t>(random() % 4) - 2, 0, 0};
       switch (random() % 9) {
-        case 0: map.Create(Thing()); break;
+        case 0: map.Create(NamedThing()); break;
         case 1: map.Clone(id); break;
         case 2: map.Remove(id); break;
         case 3: map.FindMutable(id)->EraseBlock(block); break;
@@ -325,13 +325,13 @@ TEST(DiffSnapshots, AppliedToTheStateBeforeGivesTheStateAfter) {
 
 TEST(DiffSnapshots, NamesOnlyWhatChanged) {
   Map map(Info());
-  Submap& first = map.Create(Thing());
+  Submap& first = map.Create(NamedThing());
   for (int x = 0; x < 3; ++x) {
     first.MutableTsdf({x, 0, 0});
     first.MutableLabels({x, 0, 0});
   }
-  map.Create(Thing()).MutableTsdf({0, 0, 0});
-  map.Create(Thing());
+  map.Create(NamedThing()).MutableTsdf({0, 0, 0});
+  map.Create(NamedThing());
   const auto before = map.Publish(1);
   EXPECT_TRUE(DiffSnapshots(before.get(), *before).empty());
 
@@ -356,7 +356,7 @@ TEST(DiffSnapshots, NamesOnlyWhatChanged) {
 
 TEST(DiffSnapshots, AgainstNothingIsEverything) {
   Map map(Info());
-  map.Create(Thing()).MutableTsdf({0, 0, 0});
+  map.Create(NamedThing()).MutableTsdf({0, 0, 0});
   const auto snapshot = map.Publish(1);
   const auto changes = DiffSnapshots(nullptr, *snapshot);
   ASSERT_EQ(changes.size(), 2u);

@@ -14,15 +14,17 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kVoxel_m = 0.1;
+constexpr double kSphereVoxel_m = 0.1;
 
 Submap Empty() {
   SubmapInfo info;
-  info.voxel_size_m = kVoxel_m;
+  info.voxel_size_m = kSphereVoxel_m;
   return {info, 1};
 }
 
-void Observe(Submap& submap, VoxelIndex voxel) { submap.MutableTsdf(BlockOf(voxel)).weight[LinearIndex(voxel)] = 1; }
+void ObserveVoxel(Submap& submap, VoxelIndex voxel) {
+  submap.MutableTsdf(BlockOf(voxel)).weight[LinearIndex(voxel)] = 1;
+}
 
 /// From every voxel, by the definition.
 BoundingSphere Reference(const Submap& submap) {
@@ -30,10 +32,10 @@ BoundingSphere Reference(const Submap& submap) {
   for (const BlockEntry& entry : submap.blocks().entries()) {
     for (int linear = 0; linear < kBlockVoxels; ++linear) {
       if (entry.tsdf == nullptr || !entry.tsdf->IsObserved(linear)) continue;
-      const Eigen::Vector3d center = VoxelCentre(VoxelIn(entry.index, linear), kVoxel_m);
+      const Eigen::Vector3d center = VoxelCentre(VoxelIn(entry.index, linear), kSphereVoxel_m);
       for (int corner = 0; corner < 8; ++corner) {
-        corners.push_back(center +
-                          kVoxel_m / 2 * Eigen::Vector3d((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1));
+        corners.push_back(center + kSphereVoxel_m / 2 *
+                                       Eigen::Vector3d((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1));
       }
     }
   }
@@ -52,10 +54,10 @@ BoundingSphere Reference(const Submap& submap) {
 
 TEST(SphereOfObserved, OfOneVoxelIsAroundItsCorners) {
   Submap submap = Empty();
-  Observe(submap, {3, -4, 5});
+  ObserveVoxel(submap, {3, -4, 5});
   const BoundingSphere sphere = SphereOfObserved(submap);
-  EXPECT_TRUE(sphere.center_m.isApprox(VoxelCentre({3, -4, 5}, kVoxel_m), 1e-12));
-  EXPECT_NEAR(sphere.radius_m, std::sqrt(3.0) * kVoxel_m / 2, 1e-12);
+  EXPECT_TRUE(sphere.center_m.isApprox(VoxelCentre({3, -4, 5}, kSphereVoxel_m), 1e-12));
+  EXPECT_NEAR(sphere.radius_m, std::sqrt(3.0) * kSphereVoxel_m / 2, 1e-12);
   submap.UpdateBoundingSphere();
   EXPECT_GT(submap.bounding_sphere().radius_m, 7 * sphere.radius_m) << "a whole block's";
 }
@@ -75,7 +77,7 @@ TEST(SphereOfObserved, EqualsTheDefinitionOnRandomSubmaps) {
     const int reach = 1 << std::uniform_int_distribution(0, 8)(random);
     std::uniform_int_distribution<int> place(-reach, reach);
     for (int i = std::uniform_int_distribution(1, 60)(random); i > 0; --i) {
-      Observe(submap, {place(random), place(random), place(random)});
+      ObserveVoxel(submap, {place(random), place(random), place(random)});
     }
     for (int i = 0; i < 5; ++i)
       submap.MutableTsdf({place(random), place(random), place(random)});  // with nothing in it
@@ -111,7 +113,7 @@ TEST(SphereOfObserved, IsThatOfWhatIsThereNowWhicheverCopyWasAskedBeforeAndWritt
         copies.push_back(Submap(submap));
         copies.back().set_generation(++generation);
         break;
-      default: Observe(submap, voxel);
+      default: ObserveVoxel(submap, voxel);
     }
     for (const Submap& any : copies) ASSERT_TRUE(IsOfWhatIsThere(any)) << step;
   }
@@ -122,7 +124,7 @@ TEST(SphereOfObserved, IsThatOfWhatIsThereNowWhicheverCopyWasAskedBeforeAndWritt
 
 TEST(SphereOfObserved, FollowsThePose) {
   Submap submap = Empty();
-  Observe(submap, {0, 0, 0});
+  ObserveVoxel(submap, {0, 0, 0});
   submap.mutable_info().T_map_submap.translation() = Eigen::Vector3d(1, 2, 3);
   EXPECT_TRUE(SphereOfObservedInMap(submap).center_m.isApprox(Eigen::Vector3d(1.05, 2.05, 3.05), 1e-12));
 }

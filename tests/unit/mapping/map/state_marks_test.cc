@@ -23,15 +23,11 @@ namespace {
 
 constexpr SubmapId kThing{1};
 
-MapInfo Info() {
-  MapInfo info;
-  info.name = "m";
-  return info;
-}
-
 /// `num_blocks` in a row, with all layers.
 Map RowOfBlocks(int num_blocks) {
-  Map map(Info());
+  MapInfo info;
+  info.name = "m";
+  Map map(std::move(info));
   Submap& submap = map.Create({.panoptic = Panoptic::kThing, .voxel_size_m = 0.04});
   for (int x = 0; x < num_blocks; ++x) {
     submap.MutableTsdf({x, 0, 0}).weight[0] = 1;

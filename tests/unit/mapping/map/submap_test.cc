@@ -17,7 +17,7 @@ Submap EmptySubmap() {
   return {info, 1};
 }
 
-void Observe(Submap& submap, BlockIndex index) { submap.MutableTsdf(index).weight[0] = 1; }
+void ObserveBlock(Submap& submap, BlockIndex index) { submap.MutableTsdf(index).weight[0] = 1; }
 
 /// Distance from the sphere's centre to the farthest corner of any block.
 double FarthestCorner(const Submap& submap) {
@@ -37,7 +37,7 @@ TEST(BoundingSphere, OfASubmapReachesExactlyToTheFarthestBlockCorner) {
   for (int round = 0; round < 50; ++round) {
     Submap submap = EmptySubmap();
     std::uniform_int_distribution<int> coordinate(-round - 1, round);
-    for (int i = 0; i <= round; ++i) Observe(submap, {coordinate(random), coordinate(random), coordinate(random)});
+    for (int i = 0; i <= round; ++i) ObserveBlock(submap, {coordinate(random), coordinate(random), coordinate(random)});
     submap.UpdateBoundingSphere();
     EXPECT_NEAR(submap.bounding_sphere().radius_m, FarthestCorner(submap), 1e-9);
   }
@@ -45,7 +45,7 @@ TEST(BoundingSphere, OfASubmapReachesExactlyToTheFarthestBlockCorner) {
 
 TEST(BoundingSphere, OfOneBlockIsTheSphereAroundIt) {
   Submap submap = EmptySubmap();
-  Observe(submap, {-1, 2, 0});
+  ObserveBlock(submap, {-1, 2, 0});
   submap.UpdateBoundingSphere();
   const double side_m = kBlockSide * 0.04;
   EXPECT_TRUE(submap.bounding_sphere().center_m.isApprox(Eigen::Vector3d(-0.5, 2.5, 0.5) * side_m, 1e-12));
@@ -54,8 +54,8 @@ TEST(BoundingSphere, OfOneBlockIsTheSphereAroundIt) {
 
 TEST(BoundingSphere, ShrinksWhenBlocksGoAndEmptiesWithTheLast) {
   Submap submap = EmptySubmap();
-  Observe(submap, {0, 0, 0});
-  Observe(submap, {100, 0, 0});
+  ObserveBlock(submap, {0, 0, 0});
+  ObserveBlock(submap, {100, 0, 0});
   submap.UpdateBoundingSphere();
   EXPECT_GT(submap.bounding_sphere().radius_m, 15.0);
   EXPECT_TRUE(submap.EraseBlock({100, 0, 0}));
@@ -69,7 +69,7 @@ TEST(BoundingSphere, ShrinksWhenBlocksGoAndEmptiesWithTheLast) {
 
 TEST(BoundingSphere, MovesWithThePoseOfItsSubmap) {
   Submap submap = EmptySubmap();
-  Observe(submap, {5, 0, 0});
+  ObserveBlock(submap, {5, 0, 0});
   submap.UpdateBoundingSphere();
   Transform T = Transform::Identity();
   T.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -91,7 +91,7 @@ TEST(BoundingSphere, IntersectsWhatItTouchesAndNothingIfEmpty) {
 
 TEST(Submap, PrunesBlocksWithoutObservedVoxelsAndWithoutLabels) {
   Submap submap = EmptySubmap();
-  Observe(submap, {0, 0, 0});
+  ObserveBlock(submap, {0, 0, 0});
   submap.MutableTsdf({1, 0, 0});
   submap.MutableLabels({1, 0, 0});
   submap.MutableLabels({2, 0, 0});
@@ -105,7 +105,7 @@ TEST(Submap, PrunesBlocksWithoutObservedVoxelsAndWithoutLabels) {
 
 TEST(Submap, DropsLabelsAndKeepsGeometry) {
   Submap submap = EmptySubmap();
-  Observe(submap, {0, 0, 0});
+  ObserveBlock(submap, {0, 0, 0});
   submap.MutableLabels({0, 0, 0}).AddObservation(0, ClassId(1));
   submap.DropLabels();
   EXPECT_EQ(submap.blocks().Find({0, 0, 0})->labels, nullptr);

@@ -14,6 +14,8 @@ namespace dhpmap {
 namespace {
 
 using testing::Area_m2;
+using testing::kBallCenter_m;
+using testing::kBallRadius_m;
 using testing::kVoxel_m;
 using testing::SolidSubmap;
 using testing::Sphere;
@@ -75,10 +77,7 @@ void ExpectSame(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.triangles, b.triangles);
 }
 
-const Eigen::Vector3d kCenter_m(0.013, -0.021, 0.007);
-constexpr double kRadius_m = 0.55;
-
-Submap SphereSubmap() { return SolidSubmap(Sphere(kCenter_m, kRadius_m), {-2, -2, -2}, {1, 1, 1}); }
+Submap SphereSubmap() { return SolidSubmap(Sphere(kBallCenter_m, kBallRadius_m), {-2, -2, -2}, {1, 1, 1}); }
 
 /// Three sectors around the vertical; borders run obliquely through blocks and cells.
 std::uint32_t SectorOf(const Eigen::Vector3d& p) {
@@ -109,7 +108,7 @@ TEST(ExtractMapMesh, SphereOfThreeOwnersIsWatertight) {
   const Mesh mesh = Extract(map);
   testing::ExpectPlanesMatch(mesh);
   EXPECT_EQ(testing::EulerCharacteristic(mesh), 2);
-  EXPECT_NEAR(Area_m2(mesh), 4 * std::numbers::pi * kRadius_m * kRadius_m, 0.01 * Area_m2(mesh));
+  EXPECT_NEAR(Area_m2(mesh), 4 * std::numbers::pi * kBallRadius_m * kBallRadius_m, 0.01 * Area_m2(mesh));
   EXPECT_EQ(std::set<std::uint32_t>(mesh.instances.begin(), mesh.instances.end()), (std::set<std::uint32_t>{1, 2, 3}));
   EXPECT_LT(SumOfTriangles(map), mesh.triangles.size());
 }

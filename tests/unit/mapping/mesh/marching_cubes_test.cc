@@ -16,18 +16,18 @@ using testing::EulerCharacteristic;
 using testing::ExpectPlanesMatch;
 using testing::ExpectWatertight;
 using testing::FaceNormal;
+using testing::kBallCenter_m;
+using testing::kBallRadius_m;
 using testing::kVoxel_m;
 using testing::SolidSubmap;
 using testing::Sphere;
 
-const Eigen::Vector3d kCenter_m(0.013, -0.021, 0.007);  // off the grid
-constexpr double kRadius_m = 0.55;                      // 11 voxels: over block borders on all sides
-constexpr double kVertexTolerance_m = 0.1 * kVoxel_m;   // linear interpolation of a curved field
+constexpr double kVertexTolerance_m = 0.1 * kVoxel_m;  // linear interpolation of a curved field
 
 Mesh Extract(const Submap& submap) { return ExtractMesh(submap, LabelSet(), MeshColoring::kSensor); }
 
 Mesh SphereMesh(unsigned seed = 0) {
-  return Extract(SolidSubmap(Sphere(kCenter_m, kRadius_m), {-2, -2, -2}, {1, 1, 1}, seed));
+  return Extract(SolidSubmap(Sphere(kBallCenter_m, kBallRadius_m), {-2, -2, -2}, {1, 1, 1}, seed));
 }
 
 TEST(ExtractMesh, VerticesLieOnTheSphere) {
@@ -35,7 +35,7 @@ TEST(ExtractMesh, VerticesLieOnTheSphere) {
   ASSERT_GT(mesh.vertices_m.size(), 1000u);
   ExpectPlanesMatch(mesh);
   for (const Eigen::Vector3f& v : mesh.vertices_m) {
-    EXPECT_NEAR((v.cast<double>() - kCenter_m).norm(), kRadius_m, kVertexTolerance_m);
+    EXPECT_NEAR((v.cast<double>() - kBallCenter_m).norm(), kBallRadius_m, kVertexTolerance_m);
   }
 }
 
@@ -47,12 +47,12 @@ TEST(ExtractMesh, TrianglesAndNormalsFaceOutwards) {
   const Mesh mesh = SphereMesh();
   for (const auto& t : mesh.triangles) {
     const Eigen::Vector3f middle = (mesh.vertices_m[t[0]] + mesh.vertices_m[t[1]] + mesh.vertices_m[t[2]]) / 3;
-    EXPECT_GE(FaceNormal(mesh, t).dot(middle - kCenter_m.cast<float>()), 0.0f);
+    EXPECT_GE(FaceNormal(mesh, t).dot(middle - kBallCenter_m.cast<float>()), 0.0f);
   }
   constexpr double kCosine = 0.998;  // 3.6 degrees: differences over one voxel, a field clipped at 3 voxels
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     EXPECT_NEAR(mesh.normals[i].norm(), 1.0f, 1e-5f);
-    const Eigen::Vector3d outwards = (mesh.vertices_m[i].cast<double>() - kCenter_m).normalized();
+    const Eigen::Vector3d outwards = (mesh.vertices_m[i].cast<double>() - kBallCenter_m).normalized();
     EXPECT_GT(mesh.normals[i].cast<double>().dot(outwards), kCosine);
   }
 }
@@ -117,7 +117,7 @@ TEST(ExtractMesh, EmptySubmapAndBlocksWithoutGeometryGiveNothing) {
 }
 
 TEST(ExtractMesh, MovesWithItsSubmap) {
-  Submap submap = SolidSubmap(Sphere(kCenter_m, 0.3), {-1, -1, -1}, {0, 0, 0});
+  Submap submap = SolidSubmap(Sphere(kBallCenter_m, 0.3), {-1, -1, -1}, {0, 0, 0});
   const Mesh before = Extract(submap);
   Transform T = Transform::Identity();
   T.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();

@@ -13,6 +13,9 @@ namespace dhpmap::testing {
 using DistanceFunction = std::function<double(const Eigen::Vector3d&)>;
 
 constexpr double kVoxel_m = 0.05;
+/// A ball off the grid, of 11 voxels: over block borders on all sides.
+inline const Eigen::Vector3d kBallCenter_m(0.013, -0.021, 0.007);
+inline constexpr double kBallRadius_m = 0.55;
 
 inline SubmapInfo SolidInfo() {
   SubmapInfo info;

@@ -15,7 +15,7 @@ namespace {
 
 using testing::MapsAreEqual;
 
-MapInfo Info(double voxel_size_m = 0.04) {
+MapInfo WallInfo(double voxel_size_m = 0.04) {
   MapInfo info;
   info.name = "m";
   info.label_set = testing::MakeLabelSet(1, 1);
@@ -57,7 +57,7 @@ void ExpectRefused(MapBuilder& builder, const PanopticFrame& frame) {
 }
 
 TEST(GridRange, AFrameAMillionKilometresAwayIsRefused) {
-  MapBuilder builder(Info(), 1);
+  MapBuilder builder(WallInfo(), 1);
   ASSERT_TRUE(builder.Integrate(WallFrom({0, 0, 0})).ok());
   for (const double x_m : {1e9, -1e9, 1e308, std::numeric_limits<double>::max()}) {
     ExpectRefused(builder, WallFrom({x_m, 0, 0}));
@@ -65,18 +65,18 @@ TEST(GridRange, AFrameAMillionKilometresAwayIsRefused) {
 }
 
 TEST(GridRange, AUtmNorthingIsRefusedAtVoxelsOf2Mm) {
-  MapBuilder builder(Info(0.002), 1);
+  MapBuilder builder(WallInfo(0.002), 1);
   ExpectRefused(builder, WallFrom({0, 5.4e6, 0}));
 }
 
 TEST(GridRange, AUtmNorthingIsMappedWhereItIsAtVoxelsOf4Cm) {
-  MapBuilder builder(Info(), 1);
+  MapBuilder builder(WallInfo(), 1);
   ASSERT_TRUE(builder.Integrate(WallFrom({6.9e5, 5.4e6, 0})).ok());
   EXPECT_NEAR(Extent_m(builder.map()), 5.4e6, 5);
 }
 
 TEST(GridRange, ALidarBeyondTheGridIsRefused) {
-  MapBuilder builder(Info(), 1);
+  MapBuilder builder(WallInfo(), 1);
   PanopticFrame frame;
   frame.T_map_sensor.translation() = Eigen::Vector3d(0, 0, 1e9);
   frame.lidar.emplace().points_m = {{1, 2, 3}};
@@ -85,7 +85,7 @@ TEST(GridRange, ALidarBeyondTheGridIsRefused) {
 
 TEST(GridRange, DepthsNearerThanAMillimetreAreNoMeasurement) {
   for (const Weighting weighting : {Weighting::kInverseDepthSquared, Weighting::kInverseRangeSquared}) {
-    MapInfo info = Info();
+    MapInfo info = WallInfo();
     info.config.integration.min_range_m = 0;
     info.config.integration.weighting = weighting;
     MapBuilder builder(info, 1);
@@ -107,7 +107,7 @@ TEST(GridRange, DepthsNearerThanAMillimetreAreNoMeasurement) {
 
 TEST(GridRange, ASensorAtTheVeryEdgeMapsWhatItSees) {
   const double edge_m = GridReach_m(0.04);
-  MapBuilder builder(Info(), 1);
+  MapBuilder builder(WallInfo(), 1);
   ASSERT_TRUE(builder.Integrate(WallFrom({-edge_m, edge_m, edge_m})).ok());
   EXPECT_NEAR(Extent_m(builder.map()), edge_m, 5);
 }

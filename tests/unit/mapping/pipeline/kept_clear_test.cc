@@ -24,7 +24,7 @@ using testing::With;
 const Region kAroundChair = Eigen::AlignedBox3d(Eigen::Vector3d(1.3, -0.2, -0.1), Eigen::Vector3d(2.1, 0.6, 1.0));
 const Region kInCorner = BoundingSphere{{3, 2, 1}, 0.7};
 
-testing::Scene Room() { return With(EmptyRoom(), Chair()); }
+testing::Scene RoomWithChair() { return With(EmptyRoom(), Chair()); }
 
 void Keep(const Region& region, const std::string& name, Session& session) {
   ASSERT_TRUE(session.map().mutable_info().kept_clear.Add({name, region}).ok());
@@ -66,7 +66,7 @@ PanopticFrame AsScan(PanopticFrame frame) {
   return frame;
 }
 
-bool IsIn(const std::vector<Region>& regions, BlockIndex block, int linear, const SubmapInfo& info) {
+bool IsInAny(const std::vector<Region>& regions, BlockIndex block, int linear, const SubmapInfo& info) {
   const Eigen::Vector3d p_m = VoxelCentre(VoxelIn(block, linear), info.voxel_size_m);
   return std::any_of(regions.begin(), regions.end(), [&](const Region& region) { return Contains(region, p_m); });
 }
@@ -82,7 +82,7 @@ Seen CountSeen(const MapSnapshot& map, const std::vector<Region>& regions) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
       for (int i = 0; entry.tsdf != nullptr && i < kBlockVoxels; ++i) {
         if (!entry.tsdf->IsObserved(i)) continue;
-        ++(IsIn(regions, entry.index, i, submap->info()) ? seen.inside : seen.outside);
+        ++(IsInAny(regions, entry.index, i, submap->info()) ? seen.inside : seen.outside);
       }
     }
   }
@@ -95,7 +95,7 @@ int CountDoubted(const MapSnapshot& map, const std::vector<Region>& regions) {
   for (const auto& submap : map.submaps()) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
       for (int i = 0; entry.gone != nullptr && i < kBlockVoxels; ++i) {
-        num_doubted += entry.gone->Count(i) > 0 && IsIn(regions, entry.index, i, submap->info());
+        num_doubted += entry.gone->Count(i) > 0 && IsInAny(regions, entry.index, i, submap->info());
       }
     }
   }
@@ -112,7 +112,7 @@ enum class Where { kInside, kOutside };
     for (const BlockEntry& entry : submap->blocks().entries()) {
       for (int i = 0; entry.tsdf != nullptr && i < kBlockVoxels; ++i) {
         if (!entry.tsdf->IsObserved(i)) continue;
-        if (IsIn(regions, entry.index, i, submap->info()) != (where == Where::kInside)) continue;
+        if (IsInAny(regions, entry.index, i, submap->info()) != (where == Where::kInside)) continue;
         const BlockEntry* found = other != nullptr ? other->blocks().Find(entry.index) : nullptr;
         const auto at = static_cast<std::size_t>(i);
         const bool is_same =
@@ -132,8 +132,8 @@ TEST(KeptClearRegions, HoldNothingAndTheWorldOutsideIsAsIfTheirPointsWereNeverSe
   Keep(kAroundChair, "chair", kept);
   Keep(kInCorner, "corner", kept);
   for (int i = 0; i < 12; ++i) {
-    kept.Take(WalkFrame(Room(), i));
-    sent.Take(CutOut(WalkFrame(Room(), i), regions));
+    kept.Take(WalkFrame(RoomWithChair(), i));
+    sent.Take(CutOut(WalkFrame(RoomWithChair(), i), regions));
   }
   for (const bool is_finished : {false, true}) {
     if (is_finished) {
@@ -154,31 +154,31 @@ TEST(KeptClearRegions, HoldNothingAndTheWorldOutsideIsAsIfTheirPointsWereNeverSe
 TEST(KeptClearRegions, FillAgainOnceTheyAreLifted) {
   Session session;
   Keep(kAroundChair, "chair", session);
-  session.Walk(Room(), 6);
+  session.Walk(RoomWithChair(), 6);
   EXPECT_EQ(CountSeen(*session.Now(), {kAroundChair}).inside, 0);
   ASSERT_TRUE(session.map().mutable_info().kept_clear.Lift("chair"));
-  session.Walk(Room(), 6);
+  session.Walk(RoomWithChair(), 6);
   EXPECT_GT(CountSeen(*session.Now(), {kAroundChair}).inside, 1000);
   EXPECT_NE(FindThing(*session.Now(), kChair), nullptr);
 }
 
 TEST(KeptClearRegions, LeaveWhatIsThereAndKeepOutWhatWouldComeBackIntoAClearedPlace) {
   Session session;
-  session.Walk(Room(), 8);
+  session.Walk(RoomWithChair(), 8);
   const SubmapId first = FindThing(*session.Now(), kChair)->id();
   session.map().Remove(first);  // deleted alone, it comes back as a new object
-  session.Walk(Room(), 6);
+  session.Walk(RoomWithChair(), 6);
   const Submap* again = FindThing(*session.Now(), kChair);
   ASSERT_NE(again, nullptr);
   EXPECT_NE(again->id(), first);
 
   Keep(kAroundChair, "chair", session);
   const int before = CountSeen(*session.Now(), {kAroundChair}).inside;
-  session.Walk(Room(), 6);
+  session.Walk(RoomWithChair(), 6);
   EXPECT_EQ(CountSeen(*session.Now(), {kAroundChair}).inside, before) << "what lies there stays";
   ClearRegion(
       kAroundChair, [](const SubmapInfo&) { return true; }, session.map());
-  session.Walk(Room(), 12);
+  session.Walk(RoomWithChair(), 12);
   session.builder().Finish();
   EXPECT_EQ(CountSeen(*session.Now(), {kAroundChair}).inside, 0);
 }
@@ -188,7 +188,7 @@ TEST(KeptClearRegions, AreNotCarvedByRaysThatPassThroughThem) {
     MapInfo info = Info();
     info.config.integration.carving = true;
     Session session(info);
-    session.Walk(Room(), 8);
+    session.Walk(RoomWithChair(), 8);
     const auto before = session.Now();
     ASSERT_GT(CountSeen(*before, {kAroundChair}).inside, 1000);
     if (is_kept) Keep(kAroundChair, "chair", session);
@@ -201,7 +201,7 @@ TEST(KeptClearRegions, AreNotCarvedByRaysThatPassThroughThem) {
 TEST(KeptClearRegions, HaveNothingInThemThatIsGoneForBeingLookedThrough) {
   for (const bool is_kept : {false, true}) {
     Session session;
-    session.Walk(Room(), 12);
+    session.Walk(RoomWithChair(), 12);
     const SubmapId chair = FindThing(*session.Now(), kChair)->id();
     const int before = CountDoubted(*session.Now(), {kAroundChair});
     if (is_kept) Keep(kAroundChair, "chair", session);
@@ -218,14 +218,14 @@ TEST(KeptClearRegions, HaveNothingInThemThatIsGoneForBeingLookedThrough) {
 
 TEST(KeptClearRegions, HaveNothingPutInThemThatAScannerCouldNotConfirm) {
   Session session;
-  for (int i = 0; i < 2; ++i) session.Take(AsScan(WalkFrame(Room(), i)));
+  for (int i = 0; i < 2; ++i) session.Take(AsScan(WalkFrame(RoomWithChair(), i)));
   const auto before = session.Now();
   const Submap* chair = FindThing(*before, kChair);
   ASSERT_NE(chair, nullptr);
   ASSERT_FALSE(chair->info().is_confirmed);
   ASSERT_TRUE(Contains(kAroundChair, chair->BoundingSphereInMap().center_m));
   Keep(kAroundChair, "chair", session);
-  for (int i = 2; i < 12; ++i) session.Take(AsScan(WalkFrame(Room(), i)));
+  for (int i = 2; i < 12; ++i) session.Take(AsScan(WalkFrame(RoomWithChair(), i)));
   const auto after = session.Now();
   EXPECT_NE(after->Find(chair->id()), nullptr) << "it stays an object";
   EXPECT_EQ(CountSeen(*after, {kAroundChair}).inside, CountSeen(*before, {kAroundChair}).inside);
@@ -235,7 +235,7 @@ TEST(KeptClearRegions, HaveNothingPutInThemThatAScannerCouldNotConfirm) {
 TEST(KeptClearRegions, MayHoldAllThatAFrameShows) {
   Session session;
   Keep(BoundingSphere{{0, 0, 0}, 100}, "all", session);
-  session.Walk(Room(), 3);
+  session.Walk(RoomWithChair(), 3);
   EXPECT_EQ(CountSeen(*session.Now(), {}).outside, 0);
   EXPECT_EQ(session.Now()->info().num_frames, 3);
   EXPECT_EQ(session.Now()->submaps().size(), 1u);
@@ -243,7 +243,7 @@ TEST(KeptClearRegions, MayHoldAllThatAFrameShows) {
 
 TEST(KeptClearRegions, HoldForObjectsThatHaveAGridOfTheirOwn) {
   Session session;
-  session.Walk(Room(), 8);
+  session.Walk(RoomWithChair(), 8);
   const SubmapId id = FindThing(*session.Now(), kChair)->id();
   Submap& chair = *session.map().FindMutable(id);  // by less than a voxel, turned a little
   chair.mutable_info().T_map_submap =

@@ -20,11 +20,11 @@ using testing::Scene;
 using testing::SmallCamera;
 using testing::Solid;
 
-constexpr ClassId kBall{1}, kCrate{2}, kFloor{3};
+constexpr ClassId kRoomBall{1}, kRoomCrate{2}, kRoomFloor{3};
 constexpr std::uint32_t kBallSegment = 11, kCrateSegment = 12, kFloorSegment = 13;
 constexpr std::int64_t kFramePeriod_ns = 100'000'000;
 
-Scene Room() {
+Scene RoomScene() {
   return {{{.shape = Solid::Shape::kSphere,
             .center_m = {2, -0.6, 0.4},
             .size_m = {0.4, 0, 0},
@@ -42,7 +42,7 @@ Scene Room() {
             .color = {90, 90, 90}}}};
 }
 
-MapInfo Info() {
+MapInfo RoomInfo() {
   MapInfo info;
   info.name = "room";
   info.label_set = testing::MakeLabelSet(2, 1);
@@ -51,8 +51,8 @@ MapInfo Info() {
   return info;
 }
 
-/// Frame `i` of a walk around the room; segment ids are permuted from frame to frame, as a network's would be.
-PanopticFrame Frame(const Scene& scene, int i) {
+/// RoomFrame `i` of a walk around the room; segment ids are permuted from frame to frame, as a network's would be.
+PanopticFrame RoomFrame(const Scene& scene, int i) {
   const Eigen::Vector3d eye(-0.2 + 0.03 * i, -0.8 + 0.11 * i, 1.2);
   PanopticFrame frame = Render(scene, SmallCamera(), LookAt(eye, {2.1, 0.02, 0.3}));
   frame.stamp_ns = i * kFramePeriod_ns;
@@ -60,16 +60,16 @@ PanopticFrame Frame(const Scene& scene, int i) {
   for (std::uint32_t& id : frame.camera->segments) {
     if (id != 0) id += shift;
   }
-  frame.segments = {{.id = SegmentId(kBallSegment + shift), .class_id = kBall},
-                    {.id = SegmentId(kCrateSegment + shift), .class_id = kCrate},
-                    {.id = SegmentId(kFloorSegment + shift), .class_id = kFloor}};
+  frame.segments = {{.id = SegmentId(kBallSegment + shift), .class_id = kRoomBall},
+                    {.id = SegmentId(kCrateSegment + shift), .class_id = kRoomCrate},
+                    {.id = SegmentId(kFloorSegment + shift), .class_id = kRoomFloor}};
   return frame;
 }
 
 std::shared_ptr<const MapSnapshot> MapRoom(int num_frames, int num_threads, int publish_every = 0) {
-  MapBuilder builder(Info(), num_threads);
+  MapBuilder builder(RoomInfo(), num_threads);
   for (int i = 0; i < num_frames; ++i) {
-    EXPECT_TRUE(builder.Integrate(Frame(Room(), i)).ok());
+    EXPECT_TRUE(builder.Integrate(RoomFrame(RoomScene(), i)).ok());
     if (publish_every > 0 && i % publish_every == 0) builder.map().Publish(0);
   }
   return builder.map().Publish(0);
@@ -83,9 +83,9 @@ TEST(MapBuilder, OneSubmapAnObjectThoughSegmentIdsChange) {
   const PointInfo crate = lookup.At({1.9, 0.5, 0.45});
   const PointInfo floor = lookup.At({1.5, 0.0, 0.0});
   ASSERT_TRUE(ball.is_observed && crate.is_observed && floor.is_observed);
-  EXPECT_EQ(ball.class_id, kBall);
-  EXPECT_EQ(crate.class_id, kCrate);
-  EXPECT_EQ(floor.class_id, kFloor);
+  EXPECT_EQ(ball.class_id, kRoomBall);
+  EXPECT_EQ(crate.class_id, kRoomCrate);
+  EXPECT_EQ(floor.class_id, kRoomFloor);
   EXPECT_EQ(floor.panoptic, Panoptic::kStuff);
   EXPECT_NE(ball.submap, crate.submap);
   EXPECT_FALSE(lookup.At({1.0, 0.0, 1.0}).is_observed);
@@ -101,10 +101,10 @@ TEST(MapBuilder, KeepsWhatWasLookedThroughUnlessTheConfigSaysNo) {
   const auto map = MapRoom(3, 2);
   EXPECT_TRUE(map->free_space()->IsFree(VoxelAt({1.0, 0.0, 1.0}, map->info().config.voxel_size_m)));
   EXPECT_FALSE(map->free_space()->IsFree(VoxelAt({1.0, 0.0, -0.2}, map->info().config.voxel_size_m)));
-  MapInfo info = Info();
+  MapInfo info = RoomInfo();
   info.config.space.free = info.config.space.gone = false;
   MapBuilder builder(info, 1);
-  const auto report = builder.Integrate(Frame(Room(), 0));
+  const auto report = builder.Integrate(RoomFrame(RoomScene(), 0));
   ASSERT_TRUE(report.ok());
   EXPECT_EQ(report->free_s, 0);
   EXPECT_TRUE(builder.map().free_space().empty());
@@ -114,35 +114,35 @@ TEST(MapBuilder, PublishingInBetweenChangesNothing) { EXPECT_TRUE(MapsAreEqual(*
 
 TEST(MapBuilder, GoingOnFromASnapshotEqualsMappingInOneGo) {
   MapBuilder second(MapRoom(4, 2), 2);
-  for (int i = 4; i < 8; ++i) ASSERT_TRUE(second.Integrate(Frame(Room(), i)).ok());
+  for (int i = 4; i < 8; ++i) ASSERT_TRUE(second.Integrate(RoomFrame(RoomScene(), i)).ok());
   EXPECT_TRUE(MapsAreEqual(*MapRoom(8, 2), *second.map().Publish(0)));
 }
 
 TEST(MapBuilder, SnapshotsDoNotChangeWhileMappingGoesOn) {
-  MapBuilder builder(Info(), 2);
-  for (int i = 0; i < 3; ++i) ASSERT_TRUE(builder.Integrate(Frame(Room(), i)).ok());
+  MapBuilder builder(RoomInfo(), 2);
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(builder.Integrate(RoomFrame(RoomScene(), i)).ok());
   const auto snapshot = builder.map().Publish(0);
   const auto untouched = MapRoom(3, 1);
-  for (int i = 3; i < 6; ++i) ASSERT_TRUE(builder.Integrate(Frame(Room(), i)).ok());
+  for (int i = 3; i < 6; ++i) ASSERT_TRUE(builder.Integrate(RoomFrame(RoomScene(), i)).ok());
   EXPECT_TRUE(MapsAreEqual(*snapshot, *untouched));
 }
 
 TEST(MapBuilder, RefusedFrameChangesNothing) {
-  MapBuilder builder(Info(), 1);
-  ASSERT_TRUE(builder.Integrate(Frame(Room(), 0)).ok());
+  MapBuilder builder(RoomInfo(), 1);
+  ASSERT_TRUE(builder.Integrate(RoomFrame(RoomScene(), 0)).ok());
   const auto before = builder.map().Publish(0);
-  PanopticFrame bad = Frame(Room(), 1);
+  PanopticFrame bad = RoomFrame(RoomScene(), 1);
   bad.T_map_sensor.translation().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(builder.Integrate(bad).status().code(), StatusCode::kInvalidArgument);
-  bad = Frame(Room(), 1);
+  bad = RoomFrame(RoomScene(), 1);
   bad.segments[0].class_id = ClassId(99);
   EXPECT_EQ(builder.Integrate(bad).status().code(), StatusCode::kInvalidArgument);
   EXPECT_EQ(builder.map().Publish(0), before);
 }
 
 TEST(MapBuilder, FrameWithoutLabelsGoesToTheUnknownSubmap) {
-  MapBuilder builder(Info(), 1);
-  PanopticFrame frame = Frame(Room(), 0);
+  MapBuilder builder(RoomInfo(), 1);
+  PanopticFrame frame = RoomFrame(RoomScene(), 0);
   frame.segments.clear();
   frame.camera->segments.clear();
   const auto report = builder.Integrate(frame);
@@ -157,12 +157,12 @@ TEST(MapBuilder, FrameWithoutLabelsGoesToTheUnknownSubmap) {
 }
 
 TEST(MapBuilder, PersistentIdsNeedNoOverlap) {
-  MapBuilder builder(Info(), 1);
+  MapBuilder builder(RoomInfo(), 1);
   for (int i = 0; i < 2; ++i) {
     // The ball jumps: no overlap between its two places.
-    Scene scene = Room();
+    Scene scene = RoomScene();
     scene.solids[0].center_m.y() -= 1.0 * i;
-    PanopticFrame frame = Frame(scene, 0);
+    PanopticFrame frame = RoomFrame(scene, 0);
     frame.has_persistent_ids = true;
     ASSERT_TRUE(builder.Integrate(frame).ok());
   }
@@ -170,15 +170,15 @@ TEST(MapBuilder, PersistentIdsNeedNoOverlap) {
 }
 
 TEST(MapBuilder, MovedObjectTakesNewObservationsAtItsNewPlace) {
-  MapBuilder builder(Info(), 1);
-  for (int i = 0; i < 4; ++i) ASSERT_TRUE(builder.Integrate(Frame(Room(), i)).ok());
+  MapBuilder builder(RoomInfo(), 1);
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(builder.Integrate(RoomFrame(RoomScene(), i)).ok());
   const SubmapId ball = PointLookup(builder.map().Publish(0)).At({1.62, -0.6, 0.5}).submap;
   // A user moves the ball's submap by a distance that is no multiple of the voxel, and the ball follows.
   const Eigen::Vector3d shift_m(0.013, -0.537, 0.0);
   builder.map().FindMutable(ball)->mutable_info().T_map_submap.translation() = shift_m;
-  Scene scene = Room();
+  Scene scene = RoomScene();
   scene.solids[0].center_m += shift_m;
-  for (int i = 4; i < 8; ++i) ASSERT_TRUE(builder.Integrate(Frame(scene, i)).ok());
+  for (int i = 4; i < 8; ++i) ASSERT_TRUE(builder.Integrate(RoomFrame(scene, i)).ok());
   const auto map = builder.map().Publish(0);
   EXPECT_EQ(map->submaps().size(), 4u);
   const PointInfo moved = PointLookup(map).At(Eigen::Vector3d(1.62, -0.6, 0.5) + shift_m);

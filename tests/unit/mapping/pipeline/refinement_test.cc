@@ -20,10 +20,10 @@ using testing::Scene;
 using testing::SmallCamera;
 using testing::Solid;
 
-constexpr ClassId kCrate{1}, kFloor{3};
-constexpr std::uint32_t kCrateSegment = 12, kFloorSegment = 13;
+constexpr ClassId kCrateClass{1}, kFloorClass{3};
+constexpr std::uint32_t kCrateId = 12, kFloorId = 13;
 
-MapInfo Info(int every_frames) {
+MapInfo CrateInfo(int every_frames) {
   MapInfo info;
   info.name = "room";
   info.label_set = testing::MakeLabelSet(2, 1);
@@ -34,42 +34,42 @@ MapInfo Info(int every_frames) {
 }
 
 /// A crate on the floor; in every third frame the segmentation takes a strip of it for floor.
-PanopticFrame Frame(int i, const Eigen::Vector3d& target_m = {2.1, 0, 0.3}) {
+PanopticFrame CrateFrame(int i, const Eigen::Vector3d& target_m = {2.1, 0, 0.3}) {
   const Scene scene{{{.shape = Solid::Shape::kBox,
                       .center_m = {2.2, 0, 0.3},
                       .size_m = {0.3, 0.3, 0.3},
-                      .segment = kCrateSegment,
+                      .segment = kCrateId,
                       .color = {0, 200, 0}},
                      {.shape = Solid::Shape::kHalfSpace,
                       .center_m = {0, 0, 0},
                       .size_m = {0, 0, 1},
-                      .segment = kFloorSegment,
+                      .segment = kFloorId,
                       .color = {90, 90, 90}}}};
   PanopticFrame frame = Render(scene, SmallCamera(), LookAt({0, -0.5 + 0.08 * i, 1.2}, target_m));
   frame.stamp_ns = i;
-  frame.segments = {{.id = SegmentId(kCrateSegment), .class_id = kCrate},
-                    {.id = SegmentId(kFloorSegment), .class_id = kFloor}};
+  frame.segments = {{.id = SegmentId(kCrateId), .class_id = kCrateClass},
+                    {.id = SegmentId(kFloorId), .class_id = kFloorClass}};
   std::vector<std::uint32_t>& segments = frame.camera->segments;
   for (std::size_t p = 0; i % 3 == 0 && p < segments.size(); ++p) {
-    if (segments[p] == kCrateSegment && p % 7 < 2) segments[p] = kFloorSegment;
+    if (segments[p] == kCrateId && p % 7 < 2) segments[p] = kFloorId;
   }
   return frame;
 }
 
 void MapFrames(int begin, int end, MapBuilder& builder) {
-  for (int i = begin; i < end; ++i) ASSERT_TRUE(builder.Integrate(Frame(i)).ok());
+  for (int i = begin; i < end; ++i) ASSERT_TRUE(builder.Integrate(CrateFrame(i)).ok());
 }
 
 /// Refined at the end alone.
 MapInfo InfoOfWeighed(bool weigh_scores) {
-  MapInfo info = Info(0);
+  MapInfo info = CrateInfo(0);
   info.config.tracking.weigh_scores = weigh_scores;
   return info;
 }
 
 /// The robot looks away: the crate settles, and nobody writes to the floor below it.
 void LookAway(int num_frames, MapBuilder& builder) {
-  for (int i = 0; i < num_frames; ++i) ASSERT_TRUE(builder.Integrate(Frame(i, {-2.1, 0, 0.3})).ok());
+  for (int i = 0; i < num_frames; ++i) ASSERT_TRUE(builder.Integrate(CrateFrame(i, {-2.1, 0, 0.3})).ok());
 }
 
 int NumPositionsHeldTwice(const MapSnapshot& map) {
@@ -86,7 +86,7 @@ int NumPositionsHeldTwice(const MapSnapshot& map) {
 }
 
 TEST(Refinement, FinishLeavesEachPositionToOneSubmap) {
-  MapBuilder builder(Info(0), 2);
+  MapBuilder builder(CrateInfo(0), 2);
   MapFrames(0, 8, builder);
   EXPECT_GT(NumPositionsHeldTwice(*builder.map().Freeze()), 0);
   const RefinementReport report = builder.Finish();
@@ -96,7 +96,7 @@ TEST(Refinement, FinishLeavesEachPositionToOneSubmap) {
 }
 
 TEST(Refinement, OnTheSideIsTheSameForAnyNumberOfThreads) {
-  MapBuilder one(Info(2), 1), three(Info(2), 3);
+  MapBuilder one(CrateInfo(2), 1), three(CrateInfo(2), 3);
   for (MapBuilder* builder : {&one, &three}) {
     MapFrames(0, 4, *builder);
     LookAway(8, *builder);
@@ -110,7 +110,7 @@ TEST(Refinement, OnTheSideIsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Refinement, OnTheSideTakesOverWhatNobodyWrote) {
-  MapBuilder builder(Info(4), 2);
+  MapBuilder builder(CrateInfo(4), 2);
   MapFrames(0, 4, builder);
   const int before = NumPositionsHeldTwice(*builder.map().Freeze());
   ASSERT_GT(before, 0);
@@ -120,7 +120,7 @@ TEST(Refinement, OnTheSideTakesOverWhatNobodyWrote) {
 }
 
 TEST(Refinement, OfTheStatesThatItBeganWithOnlyMarksAreLeftOnceItIsTakenOver) {
-  MapBuilder builder(Info(4), 2);
+  MapBuilder builder(CrateInfo(4), 2);
   std::vector<std::weak_ptr<const TsdfBlock>> began_with;
   for (int i = 0; i < 12; ++i) {  // begins after frames 4, 8, 12; is taken over after 8, 12
     MapFrames(i, i + 1, builder);
@@ -142,11 +142,11 @@ TEST(Refinement, OfTheStatesThatItBeganWithOnlyMarksAreLeftOnceItIsTakenOver) {
 }
 
 TEST(Refinement, TheFrameThatTakesOverSaysWhatWasDone) {
-  MapBuilder builder(Info(4), 2);
+  MapBuilder builder(CrateInfo(4), 2);
   RefinementReport sum;
   int num_reports = 0;
   for (int i = 0; i < 16; ++i) {
-    const auto report = builder.Integrate(i < 4 ? Frame(i) : Frame(i, {-2.1, 0, 0.3}));
+    const auto report = builder.Integrate(i < 4 ? CrateFrame(i) : CrateFrame(i, {-2.1, 0, 0.3}));
     ASSERT_TRUE(report.ok());
     if (!report->refinement) continue;
     sum += *report->refinement;
@@ -160,14 +160,14 @@ TEST(Refinement, TheFrameThatTakesOverSaysWhatWasDone) {
 }
 
 TEST(Refinement, AServerThatNeverWaitsEndsWithAnExclusiveMapToo) {
-  MapBuilder builder(Info(1), 2, RefinementTiming::kNeverWait);
+  MapBuilder builder(CrateInfo(1), 2, RefinementTiming::kNeverWait);
   MapFrames(0, 9, builder);
   builder.Finish();
   EXPECT_EQ(NumPositionsHeldTwice(*builder.map().Freeze()), 0);
 }
 
 TEST(Refinement, AFinishThatIsCancelledLeavesTheMapAsItWas) {
-  MapBuilder builder(Info(0), 2), untouched(Info(0), 2);
+  MapBuilder builder(CrateInfo(0), 2), untouched(CrateInfo(0), 2);
   for (MapBuilder* each : {&builder, &untouched}) MapFrames(0, 8, *each);
   std::atomic<int> num_questions = 0;                     // several threads ask
   for (int patience = 0;; patience = 2 * patience + 1) {  // cancelled at the first question, later ones, not at all
@@ -188,7 +188,7 @@ TEST(Refinement, AFinishThatIsCancelledLeavesTheMapAsItWas) {
 }
 
 TEST(Refinement, WhatWasRefinedIsNotKeptOnceItIsWrittenAnew) {
-  MapBuilder builder(Info(0), 1);
+  MapBuilder builder(CrateInfo(0), 1);
   MapFrames(0, 3, builder);
   builder.Finish();
   std::vector<std::weak_ptr<const TsdfBlock>> before;
@@ -212,7 +212,7 @@ TEST(Refinement, WhatWasRefinedIsNotKeptOnceItIsWrittenAnew) {
 
 TEST(Refinement, WaitsForASlotThatOtherMapsHold) {
   const auto slots = std::make_shared<RefinementSlots>(1);
-  MapBuilder empty(Info(4), 1);
+  MapBuilder empty(CrateInfo(4), 1);
   MapBuilder builder(empty.map().Freeze(), std::make_shared<ThreadPool>(1), RefinementTiming::kReproducible, slots);
   auto held = RefinementSlots::TryTake(slots);
   MapFrames(0, 4, builder);
@@ -227,10 +227,10 @@ TEST(Refinement, WaitsForASlotThatOtherMapsHold) {
 }
 
 TEST(Refinement, SnapshotsDoNotChangeWhileRefinementIsUnderWay) {
-  MapBuilder builder(Info(2), 2);
+  MapBuilder builder(CrateInfo(2), 2);
   MapFrames(0, 4, builder);
   const auto snapshot = builder.map().Publish(0);
-  MapBuilder same(Info(2), 1);
+  MapBuilder same(CrateInfo(2), 1);
   MapFrames(0, 4, same);
   const auto untouched = same.map().Publish(0);
   MapFrames(4, 8, builder);
@@ -239,7 +239,7 @@ TEST(Refinement, SnapshotsDoNotChangeWhileRefinementIsUnderWay) {
 }
 
 TEST(Refinement, DroppedLabelsComeBackWhenMappingGoesOn) {
-  MapInfo info = Info(0);
+  MapInfo info = CrateInfo(0);
   info.config.refinement.drop_voxel_labels = true;
   MapBuilder builder(info, 2);
   MapFrames(0, 4, builder);
@@ -260,7 +260,7 @@ TEST(Refinement, DroppedLabelsComeBackWhenMappingGoesOn) {
 }
 
 TEST(Refinement, SwitchedOffLeavesOverlaps) {
-  MapInfo info = Info(2);
+  MapInfo info = CrateInfo(2);
   info.config.refinement.management = info.config.refinement.crf = false;
   MapBuilder builder(info, 2);
   MapFrames(0, 6, builder);
@@ -270,7 +270,7 @@ TEST(Refinement, SwitchedOffLeavesOverlaps) {
 
 /// Three times as many frames call the crate a chair, and are hardly sure.
 PanopticFrame FrameOfDoubt(int i) {
-  PanopticFrame frame = Frame(i - i % 3 + 1);  // without strips
+  PanopticFrame frame = CrateFrame(i - i % 3 + 1);  // without strips
   frame.stamp_ns = i;
   const bool is_wrong = i % 4 != 0;
   if (is_wrong) frame.segments[0].class_id = ClassId(2);
@@ -285,7 +285,7 @@ TEST(WeighedScores, DecideWhatAThingIs) {
     builder.Finish();
     ASSERT_EQ(builder.map().submaps().size(), 3u) << "the unknown one, crate and floor";
     const SubmapInfo& crate = builder.map().submaps()[1]->info();
-    EXPECT_EQ(crate.class_id, weigh ? kCrate : ClassId(2));
+    EXPECT_EQ(crate.class_id, weigh ? kCrateClass : ClassId(2));
     EXPECT_GT(crate.ClassConfidence(), 0.5f);
   }
 }
@@ -300,7 +300,7 @@ LabelHistograms Times(LabelHistograms histograms, std::uint32_t factor) {
 TEST(WeighedScores, OfOneMakeTheMapThatIsNotWeighedInUnitsOf256) {
   MapBuilder weighed(InfoOfWeighed(true), 1), plain(InfoOfWeighed(false), 1);
   for (int i = 0; i < 15; ++i) {
-    PanopticFrame frame = Frame(i);
+    PanopticFrame frame = CrateFrame(i);
     for (SegmentInfo& segment : frame.segments) segment.score = 1;
     ASSERT_TRUE(weighed.Integrate(frame).ok());
     ASSERT_TRUE(plain.Integrate(frame).ok());
@@ -331,7 +331,7 @@ TEST(WeighedScores, OfOneMakeTheMapThatIsNotWeighedInUnitsOf256) {
 
 /// Floor and mat, which are both background; the mat is where the crate stands in other tests.
 PanopticFrame FrameOfMat(int i) {
-  PanopticFrame frame = Frame(i - i % 3 + 1);
+  PanopticFrame frame = CrateFrame(i - i % 3 + 1);
   frame.stamp_ns = i;
   frame.segments[0].class_id = ClassId(4);
   return frame;
@@ -353,7 +353,7 @@ TEST(WeighedScores, WhatIsRatherAnotherBackgroundBecomesPartOfIt) {
   MapBuilder builder(std::move(info), 1);
   for (int i = 1; i < 12; ++i) {
     PanopticFrame frame = FrameOfMat(i);
-    if (i > 1) frame.segments[0].class_scores = {{ClassId(4), 0.3f}, {kFloor, 0.7f}};  // once seen, then doubted
+    if (i > 1) frame.segments[0].class_scores = {{ClassId(4), 0.3f}, {kFloorClass, 0.7f}};  // once seen, then doubted
     ASSERT_TRUE(builder.Integrate(frame).ok());
   }
   const SubmapId mat = builder.map().submaps()[1]->id(), floor = builder.map().submaps()[2]->id();
@@ -372,9 +372,9 @@ TEST(WeighedScores, GiveTheSameBitsForAnyNumberOfThreads) {
     info.label_set = testing::MakeLabelSet(2, 2);
     auto builder = std::make_unique<MapBuilder>(std::move(info), num_threads);
     for (int i = 0; i < 9; ++i) {
-      PanopticFrame frame = i % 2 == 0 ? Frame(i) : FrameOfMat(i);
-      frame.segments[0].class_scores = {{kCrate, 0.5f}, {ClassId(2), 0.2f}, {ClassId(4), 0.25f}};
-      frame.segments[1].class_scores = {{kFloor, 0.7f}, {ClassId(4), 0.05f * static_cast<float>(i % 4)}};
+      PanopticFrame frame = i % 2 == 0 ? CrateFrame(i) : FrameOfMat(i);
+      frame.segments[0].class_scores = {{kCrateClass, 0.5f}, {ClassId(2), 0.2f}, {ClassId(4), 0.25f}};
+      frame.segments[1].class_scores = {{kFloorClass, 0.7f}, {ClassId(4), 0.05f * static_cast<float>(i % 4)}};
       EXPECT_TRUE(builder->Integrate(frame).ok());
     }
     builder->Finish();

@@ -13,10 +13,12 @@
 #include "mapping/map/tile_directory.h"
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
-#include "tests/support/scenes.h"
+#include "tests/unit/mapping/pipeline/ball_scene.h"
 
 namespace dhpmap {
 namespace {
+
+using testing::BallInfo;
 
 template <typename Layer>
 std::shared_ptr<const Layer> CopyOf(const std::shared_ptr<const Layer>& layer) {
@@ -94,37 +96,12 @@ std::shared_ptr<const MapSnapshot> OnDisk(const MapSnapshot& whole) {
                                              VacatedSpace{whole.vacated()});
 }
 
-MapInfo Info() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(1, 1);
-  info.config.tracking.min_points_stuff = 20;
-  info.config.tracking.min_points_medium = 10;
-  info.config.refinement.every_frames = 0;
-  return info;
-}
-
 /// A ball on a floor, seen from one side or from the other.
-PanopticFrame Frame(double eye_y_m) {
-  const testing::Scene scene{{{.shape = testing::Solid::Shape::kSphere,
-                               .center_m = {2, 0, 0.4},
-                               .size_m = {0.4, 0, 0},
-                               .segment = 1,
-                               .color = {200, 0, 0}},
-                              {.shape = testing::Solid::Shape::kHalfSpace,
-                               .center_m = {0, 0, 0},
-                               .size_m = {0, 0, 1},
-                               .segment = 2,
-                               .color = {90, 90, 90}}}};
-  const PinholeCamera camera{40, 30, 20, 20, 20, 15};
-  PanopticFrame frame = testing::Render(scene, camera, testing::LookAt({0, eye_y_m, 1.2}, {2, 0, 0.3}));
-  frame.segments = {{.id = SegmentId(1), .class_id = ClassId(1)}, {.id = SegmentId(2), .class_id = ClassId(2)}};
-  return frame;
-}
+PanopticFrame FrameFrom(double eye_y_m) { return testing::BallFrameFrom({0, eye_y_m, 1.2}, 0); }
 
 std::shared_ptr<const MapSnapshot> MappedOnce() {
-  MapBuilder builder(Info(), 1);
-  EXPECT_TRUE(builder.Integrate(Frame(0)).ok());
+  MapBuilder builder(BallInfo(), 1);
+  EXPECT_TRUE(builder.Integrate(FrameFrom(0)).ok());
   return builder.map().Publish(1);
 }
 
@@ -136,8 +113,8 @@ TEST(TilesAhead, AMapOnTheDiskIsMappedFurtherAsOneInMemory) {
   const auto whole = MappedOnce();
   MapBuilder in_memory(whole, 2), on_disk(OnDisk(*whole), 2);
   for (const double eye_y_m : {0.5, -0.5}) {
-    ASSERT_TRUE(in_memory.Integrate(Frame(eye_y_m)).ok());
-    ASSERT_TRUE(on_disk.Integrate(Frame(eye_y_m)).ok());
+    ASSERT_TRUE(in_memory.Integrate(FrameFrom(eye_y_m)).ok());
+    ASSERT_TRUE(on_disk.Integrate(FrameFrom(eye_y_m)).ok());
     EXPECT_TRUE(testing::MapsAreEqual(*in_memory.map().Publish(2), *on_disk.map().Publish(2)));
   }
 }
@@ -145,7 +122,7 @@ TEST(TilesAhead, AMapOnTheDiskIsMappedFurtherAsOneInMemory) {
 TEST(TilesAhead, AFrameReadsSeveralTilesAtATime) {
   MapBuilder builder(OnDisk(*MappedOnce()), 2);
   KeptTiles::WaitToMeet(true);
-  const auto report = builder.Integrate(Frame(0));
+  const auto report = builder.Integrate(FrameFrom(0));
   EXPECT_TRUE(KeptTiles::HaveMet());
   KeptTiles::WaitToMeet(false);
   EXPECT_TRUE(report.ok());
@@ -153,7 +130,7 @@ TEST(TilesAhead, AFrameReadsSeveralTilesAtATime) {
 
 TEST(TilesAhead, AreThoseInWhichItEndsAndMayWriteOfWhatLiesAsMapped) {
   // Two objects with the same tiles, of which one was moved; in each a tile at the origin, one beside it and one afar.
-  MapInfo info = Info();
+  MapInfo info = BallInfo();
   Map made(info);
   const TileIndex here{0, 0, 0}, beside{-1, 0, 0}, afar{9, 0, 0};
   for (int i = 0; i < 2; ++i) {
@@ -203,7 +180,7 @@ TEST(TilesAhead, AnObjectElsewhereThatCannotBeReadIsNoMatterOfAFrame) {
   MapBuilder builder(std::make_shared<const MapSnapshot>(info, submaps, whole->free_space(), VacatedSpace{}), 1);
   EXPECT_TRUE(HasTilesOnDisk(builder.map()));
   for (const double eye_y_m : {0.5, -0.5}) {
-    const auto report = builder.Integrate(Frame(eye_y_m));
+    const auto report = builder.Integrate(FrameFrom(eye_y_m));
     EXPECT_TRUE(report.ok()) << report.status().ToString();
   }
 }

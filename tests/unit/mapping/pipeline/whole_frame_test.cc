@@ -18,7 +18,7 @@
 #include "mapping/fusion/bundler.h"
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
-#include "tests/support/scenes.h"
+#include "tests/unit/mapping/pipeline/ball_scene.h"
 
 namespace {
 
@@ -77,48 +77,20 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { Fre
 namespace dhpmap {
 namespace {
 
+using testing::BallFrame;
+using testing::BallInfo;
 using testing::MapsAreEqual;
-
-constexpr std::uint32_t kBallSegment = 1, kFloorSegment = 2;
-
-PanopticFrame Frame(int i) {
-  const testing::Scene scene{{{.shape = testing::Solid::Shape::kSphere,
-                               .center_m = {2, 0.05 * i, 0.4},
-                               .size_m = {0.4, 0, 0},
-                               .segment = kBallSegment,
-                               .color = {200, 0, 0}},
-                              {.shape = testing::Solid::Shape::kHalfSpace,
-                               .center_m = {0, 0, 0},
-                               .size_m = {0, 0, 1},
-                               .segment = kFloorSegment,
-                               .color = {90, 90, 90}}}};
-  PinholeCamera camera{40, 30, 20, 20, 20, 15};
-  PanopticFrame frame = testing::Render(scene, camera, testing::LookAt({0.03 * i, 0, 1.2}, {2, 0, 0.3}));
-  frame.segments = {{.id = SegmentId(kBallSegment), .class_id = ClassId(1)},
-                    {.id = SegmentId(kFloorSegment), .class_id = ClassId(2)}};
-  return frame;
-}
-
-MapInfo Info() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(1, 1);
-  info.config.tracking.min_points_stuff = 20;
-  info.config.tracking.min_points_medium = 10;
-  info.config.refinement.every_frames = 0;
-  return info;
-}
 
 /// Fuses three frames, of which the second is tried over and over with the n-th allocation failing, `step` apart, until
 /// it succeeds. Returns how often it failed.
 int FailEveryStep(int num_threads, std::int64_t first, std::int64_t step, bool publishes) {
-  MapBuilder builder(Info(), num_threads), untroubled(Info(), num_threads);
+  MapBuilder builder(BallInfo(), num_threads), untroubled(BallInfo(), num_threads);
   for (MapBuilder* b : {&builder, &untroubled}) {
-    EXPECT_TRUE(b->Integrate(Frame(0)).ok());
+    EXPECT_TRUE(b->Integrate(BallFrame(0)).ok());
     if (publishes) b->map().Publish(0);
   }
   int num_failed = 0;
-  const PanopticFrame second = Frame(1);
+  const PanopticFrame second = BallFrame(1);
   const std::shared_ptr<const MapSnapshot> state = builder.map().Freeze();
   for (std::int64_t n = first;; n += step) {
     allocations_left = n;
@@ -132,7 +104,7 @@ int FailEveryStep(int num_threads, std::int64_t first, std::int64_t step, bool p
     if (!is_as_before) break;
   }
   EXPECT_TRUE(untroubled.Integrate(second).ok());
-  for (MapBuilder* b : {&builder, &untroubled}) EXPECT_TRUE(b->Integrate(Frame(2)).ok());
+  for (MapBuilder* b : {&builder, &untroubled}) EXPECT_TRUE(b->Integrate(BallFrame(2)).ok());
   EXPECT_TRUE(MapsAreEqual(*builder.map().Publish(1), *untroubled.map().Publish(1)));
   EXPECT_EQ(builder.map().info().num_frames, 3);
   EXPECT_EQ(builder.map().info().next_submap_id, untroubled.map().info().next_submap_id);
@@ -150,20 +122,20 @@ TEST(WholeFrame, LeavesTheMapAsItWasWhenAWorkerOfThePoolFails) {
 }
 
 TEST(WholeFrame, ToldToStopLeavesTheMapAsItWas) {
-  MapBuilder builder(Info(), 2);
-  ASSERT_TRUE(builder.Integrate(Frame(0)).ok());
+  MapBuilder builder(BallInfo(), 2);
+  ASSERT_TRUE(builder.Integrate(BallFrame(0)).ok());
   const auto state = builder.map().Freeze();
   std::stop_source stopped;
   stopped.request_stop();
-  const auto report = builder.Integrate(Frame(1), stopped.get_token());
+  const auto report = builder.Integrate(BallFrame(1), stopped.get_token());
   EXPECT_EQ(report.status().code(), StatusCode::kCancelled) << report.status().ToString();
   EXPECT_TRUE(MapsAreEqual(*builder.map().Freeze(), *state));
-  EXPECT_TRUE(builder.Integrate(Frame(1)).ok());
+  EXPECT_TRUE(builder.Integrate(BallFrame(1)).ok());
 }
 
 TEST(WholeFrame, AHugeFrameStopsSoonAfterItIsToldTo) {
   using Clock = std::chrono::steady_clock;
-  MapInfo info = Info();
+  MapInfo info = BallInfo();
   info.config.voxel_size_m = 0.002;
   info.config.truncation_m = 0.016;
   info.config.integration.max_range_m = 1.2;
@@ -200,8 +172,8 @@ TEST(WholeFrame, AHugeFrameStopsSoonAfterItIsToldTo) {
 }
 
 TEST(WholeFrame, AFinishThatFailsLeavesTheMapAsItWas) {
-  MapBuilder builder(Info(), 2);
-  for (int i = 0; i < 4; ++i) ASSERT_TRUE(builder.Integrate(Frame(i)).ok());
+  MapBuilder builder(BallInfo(), 2);
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(builder.Integrate(BallFrame(i)).ok());
   const auto state = builder.map().Freeze();
   int num_failed = 0;
   for (std::int64_t n = 0;; n += 307) {
@@ -232,11 +204,11 @@ PanopticFrame Noise(const PinholeCamera& camera, float nearest_m, float farthest
 }
 
 TEST(WholeFrame, IsRefusedBeforehandIfItTouchesTooManyBlocks) {
-  MapInfo info = Info();
+  MapInfo info = BallInfo();
   info.config.voxel_size_m = 0.004;
   info.config.truncation_m = 0.032;
   MapBuilder builder(info, 1);
-  ASSERT_TRUE(builder.Integrate(Frame(0)).ok());
+  ASSERT_TRUE(builder.Integrate(BallFrame(0)).ok());
   const auto before = builder.map().Publish(0);
   const auto report = builder.Integrate(Noise({320, 240, 160, 160, 160, 120}, 0.5f, 5.0f));
   ASSERT_FALSE(report.ok());
@@ -244,7 +216,7 @@ TEST(WholeFrame, IsRefusedBeforehandIfItTouchesTooManyBlocks) {
   EXPECT_NE(report.status().message().find(std::to_string(kMaxBlocksAFrame)), std::string::npos);
   EXPECT_EQ(report.status().reason(), Reason("FRAME_TOO_LARGE"));
   EXPECT_EQ(builder.map().Publish(1), before);
-  EXPECT_TRUE(builder.Integrate(Frame(1)).ok());
+  EXPECT_TRUE(builder.Integrate(BallFrame(1)).ok());
 }
 
 constexpr std::int64_t kMiB = std::int64_t{1} << 20;
@@ -279,12 +251,12 @@ std::int64_t HighWater_bytes() {
 /// On a map of 2 mm voxels: refused within the bounds of memory, all of it given back, and the map and what is fused
 /// next as if it had never come.
 void ExpectIsRefusedWithoutATrace(const PanopticFrame& huge, int num_threads) {
-  MapInfo info = Info();
+  MapInfo info = BallInfo();
   info.config.voxel_size_m = 0.002;
   info.config.truncation_m = 0.016;
   info.config.space.free = info.config.space.gone = false;  // a long way in such steps
   MapBuilder builder(info, num_threads), untroubled(info, num_threads);
-  for (MapBuilder* b : {&builder, &untroubled}) ASSERT_TRUE(b->Integrate(Frame(0)).ok());
+  for (MapBuilder* b : {&builder, &untroubled}) ASSERT_TRUE(b->Integrate(BallFrame(0)).ok());
   const auto before = builder.map().Publish(0);
   {
     const HeapGrowth growth;
@@ -297,7 +269,7 @@ void ExpectIsRefusedWithoutATrace(const PanopticFrame& huge, int num_threads) {
   }
   EXPECT_EQ(builder.map().Publish(1), before);
   untroubled.map().Publish(0);
-  for (MapBuilder* b : {&builder, &untroubled}) ASSERT_TRUE(b->Integrate(Frame(1)).ok());
+  for (MapBuilder* b : {&builder, &untroubled}) ASSERT_TRUE(b->Integrate(BallFrame(1)).ok());
   EXPECT_TRUE(MapsAreEqual(*builder.map().Publish(2), *untroubled.map().Publish(2)));
 }
 
@@ -332,7 +304,7 @@ TEST(WholeFrame, WhoseRaysTouchTooManyBlocksLeavesNoTraceEither) {
 }
 
 TEST(WholeFrame, ThatFailsWhileItIsBundledGivesTheBuffersBack) {
-  const MapInfo info = Info();
+  const MapInfo info = BallInfo();
   ThreadPool pool(2);
   Bundler bundler(info.config.integration, pool);
   const PanopticFrame noise = Noise({640, 480, 320, 320, 320, 240}, 1.0f, 1.5f);

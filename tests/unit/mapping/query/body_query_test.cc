@@ -9,20 +9,16 @@
 #include <set>
 
 #include "mapping/query/unseen_voxels.h"
+#include "tests/unit/mapping/query/scene_surfaces.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 namespace dhpmap {
 namespace {
 
 using testing::AllTriangles;
+using testing::kIgnoringUnknown;
 using testing::kSceneVoxel_m;
-
-std::shared_ptr<const MapSurfaces> SurfacesOf(Map& map) {
-  SurfaceCache cache(std::size_t{1} << 30);
-  return cache.Of(map.Publish(0));
-}
-
-constexpr BodyOptions kIgnoringUnknown{.unknown = UnknownSpace::kFree};
+using testing::SurfacesOf;
 
 Body Sphere(const Eigen::Vector3d& center_m, double radius_m) { return Capsule{center_m, center_m, radius_m}; }
 

@@ -15,6 +15,7 @@
 #include "mapping/query/distance_query.h"
 #include "mapping/query/field_normals.h"
 #include "mapping/query/near_field_maker.h"
+#include "tests/unit/mapping/query/scene_surfaces.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 namespace dhpmap {
@@ -22,10 +23,10 @@ namespace {
 
 using testing::AllTriangles;
 using testing::DisarrayedRoom;
+using testing::kPlenty;
 using testing::kSceneVoxel_m;
 
-constexpr std::size_t kPlenty = std::size_t{1} << 30;
-constexpr int kTimes = 70;  // more often than a cell must be asked for to be made
+constexpr int kTimesAField = 70;  // more often than a cell must be asked for to be made
 constexpr double kRounding_m = 2e-5;
 constexpr double kMost_m = NearField::kTolerance_vox * kSceneVoxel_m;
 
@@ -37,7 +38,7 @@ DistanceOptions Approximate(DistanceOptions options = {}) {
 /// Answers of near fields, where there are any after so many questions.
 std::vector<SurfaceDistance> AskOften(const DistanceQuery& query, const std::vector<Eigen::Vector3d>& points) {
   std::vector<SurfaceDistance> answers(points.size());
-  for (int n = 0; n < kTimes; ++n) query.At(points, answers);
+  for (int n = 0; n < kTimesAField; ++n) query.At(points, answers);
   return answers;
 }
 
@@ -266,7 +267,7 @@ TEST(DistanceFields, TakeNoMoreMemoryThanTheyMay) {
   const auto state = map.Publish(0);
   const auto points = testing::RandomPoints(192, 1.0, 4);
   std::size_t most = 0, least_after = 0;
-  for (int n = 0; n < kTimes; ++n) {
+  for (int n = 0; n < kTimesAField; ++n) {
     const DistanceQuery query(cache.Of(state), Approximate());
     std::vector<SurfaceDistance> answers(64);
     for (std::size_t i = 0; i + 64 <= points.size(); i += 64) query.At(std::span(points).subspan(i, 64), answers);

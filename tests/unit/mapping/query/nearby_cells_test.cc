@@ -6,13 +6,15 @@
 #include <cstring>
 
 #include "mapping/query/distance_query.h"
+#include "tests/unit/mapping/query/scene_surfaces.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 namespace dhpmap {
 namespace {
 
-constexpr std::size_t kPlenty = std::size_t{1} << 30;
-constexpr int kTimes = 6;  // more often than a cell must be asked for to be made
+using testing::kPlenty;
+
+constexpr int kTimesACell = 6;  // more often than a cell must be asked for to be made
 
 /// The same bits, though NaN.
 void ExpectSame(const SurfaceDistance& a, const SurfaceDistance& b) {
@@ -29,7 +31,7 @@ void ExpectCellsChangeNothing(Map& map, const DistanceOptions& options, double h
   SurfaceCache cache(kPlenty), reference(kPlenty);
   const DistanceQuery query(cache.Of(state), options), once(reference.Of(state), options);
   std::vector<SurfaceDistance> batch(points.size());
-  for (int n = 0; n < kTimes; ++n) query.At(points, batch);
+  for (int n = 0; n < kTimesACell; ++n) query.At(points, batch);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfaceDistance before = once.At(points[i]);  // most cells are never made
     ExpectSame(before, batch[i]);
@@ -67,7 +69,7 @@ TEST(NearbyCells, MadeForSomeServeOthersWithAnotherScope) {
   DistanceOptions narrow;
   narrow.scope.excluded_submaps = {SubmapId(1), SubmapId(4)};
   std::vector<SurfaceDistance> answers(points.size());
-  for (int n = 0; n < kTimes; ++n) DistanceQuery(cache.Of(state), narrow).At(points, answers);
+  for (int n = 0; n < kTimesACell; ++n) DistanceQuery(cache.Of(state), narrow).At(points, answers);
   const DistanceQuery wide(cache.Of(state), {}), truth(reference.Of(state), {});
   for (const Eigen::Vector3d& p : points) ExpectSame(wide.At(p), truth.At(p));
 }
@@ -77,7 +79,7 @@ TEST(NearbyCells, GiveTheirBytesBackWithTheState) {
   SurfaceCache cache(kPlenty);
   {
     const DistanceQuery query(cache.Of(map.Publish(0)), {});
-    for (int n = 0; n < kTimes; ++n) (void)query.At({0.1, 0.2, 0.3});
+    for (int n = 0; n < kTimesACell; ++n) (void)query.At({0.1, 0.2, 0.3});
     EXPECT_GT(cache.cell_bytes(), 0u);
   }
   (void)map.FindMutable(SubmapId(1));
@@ -98,7 +100,8 @@ TEST(NearbyCells, AreNotMadeWhereTheMapIsBeyondMeasure) {
   }
   SurfaceCache cache(kPlenty);
   const DistanceQuery query(cache.Of(map.Publish(0)), {});
-  for (int n = 0; n < kTimes; ++n) EXPECT_NEAR(query.At({0.7, 0, 0}).distance_m, 0.4, 0.1 * testing::kSceneVoxel_m);
+  for (int n = 0; n < kTimesACell; ++n)
+    EXPECT_NEAR(query.At({0.7, 0, 0}).distance_m, 0.4, 0.1 * testing::kSceneVoxel_m);
   EXPECT_EQ(cache.cell_bytes(), 0u);
 }
 
@@ -109,7 +112,7 @@ TEST(NearestSearch, TellsWhetherAnythingIsCloserThanARadius) {
   options.scope.excluded_submaps = {SubmapId(3)};
   const DistanceQuery query(cache.Of(map.Publish(0)), options);
   int num_any = 0;
-  for (int n = 0; n < kTimes; ++n) {
+  for (int n = 0; n < kTimesACell; ++n) {
     for (const Eigen::Vector3d& p : testing::RandomPoints(300, 1.9, 8)) {
       const double distance_m = std::abs(query.At(p).distance_m);
       for (const double radius_m : {0.0, 0.05, 0.3, 1.0, 5.0, 0.99 * distance_m, 1.01 * distance_m}) {

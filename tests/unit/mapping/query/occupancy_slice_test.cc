@@ -34,18 +34,18 @@ void LookThrough(Map& map, const Eigen::AlignedBox3d& box, const std::function<b
   for (const auto& [index, seen] : tiles) map.mutable_free_space().Add(index, seen, 0);
 }
 
-struct Told {
+struct ToldOfPlace {
   VoxelState state = VoxelState::kUnknown;
   std::vector<SubmapId> submaps;  ///< that have a surface there
 };
 
 /// What is known of the voxel that holds a point, by its definition: every submap is asked.
-Told Look(const MapSnapshot& map, const Eigen::Vector3d& p_map, const QueryScope& scope) {
+ToldOfPlace Look(const MapSnapshot& map, const Eigen::Vector3d& p_map, const QueryScope& scope) {
   const Eigen::Vector3d centre = VoxelCentre(VoxelAt(p_map, kSceneVoxel_m), kSceneVoxel_m);
   const bool is_seen_through = map.free_space()->IsFree(VoxelAt(p_map, kSceneVoxel_m));
   const bool is_left = scope.vacated_is_free && map.vacated()->IsFree(VoxelAt(p_map, kSceneVoxel_m));
   bool is_in_front = false;
-  Told told;
+  ToldOfPlace told;
   for (const auto& submap : map.submaps()) {
     if (!scope.Holds(submap->info())) continue;
     const VoxelIndex voxel = VoxelAt(submap->info().T_map_submap.inverse() * centre, kSceneVoxel_m);
@@ -90,7 +90,7 @@ Map RoomSeenThrough() {
 }
 
 /// Every cell against every submap in each of its points. Returns how many of each value there are.
-std::map<std::int8_t, int> ExpectEqualsBruteForce(Map& map, SliceOptions options) {
+std::map<std::int8_t, int> ExpectSliceEqualsBruteForce(Map& map, SliceOptions options) {
   options.with_objects = true;
   const Whole whole = SliceOf(map, options);
   const auto parts = [](double length_m) { return static_cast<int>(std::ceil(length_m / kSceneVoxel_m - 1e-6)); };
@@ -105,7 +105,7 @@ std::map<std::int8_t, int> ExpectEqualsBruteForce(Map& map, SliceOptions options
         const Eigen::Vector3d p(options.min_m.x() + (x + i / side) * options.resolution_m,
                                 options.min_m.y() + (y + j / side) * options.resolution_m,
                                 options.min_z_m + k / up * (options.max_z_m - options.min_z_m));
-        const Told told = Look(*map.published(), options.T_map_query * p, options.scope);
+        const ToldOfPlace told = Look(*map.published(), options.T_map_query * p, options.scope);
         num_free += told.state == VoxelState::kFree;
         for (const SubmapId id : told.submaps) ++owners[id];
       }
@@ -136,7 +136,7 @@ SliceOptions WholeRoom(double min_z_m, double max_z_m) {
 
 TEST(OccupancySlice, EqualsBruteForce) {
   Map map = RoomSeenThrough();
-  const auto counts = ExpectEqualsBruteForce(map, WholeRoom(-0.3, 0.2));
+  const auto counts = ExpectSliceEqualsBruteForce(map, WholeRoom(-0.3, 0.2));
   EXPECT_GT(counts.at(kFreeCell), 1000);
   EXPECT_GT(counts.at(kOccupiedCell), 200);
   EXPECT_GT(counts.at(kUnknownCell), 200);
@@ -154,7 +154,7 @@ TEST(OccupancySlice, EqualsBruteForceInAFrameAndWhereObjectsAreMovedClonedAndLef
   options.height = 25;
   options.free_share = 0.6;
   options.scope.excluded_submaps = {SubmapId(3)};
-  const auto counts = ExpectEqualsBruteForce(map, options);
+  const auto counts = ExpectSliceEqualsBruteForce(map, options);
   EXPECT_GT(counts.at(kFreeCell), 50);
   EXPECT_GT(counts.at(kOccupiedCell), 50);
   EXPECT_GT(counts.at(kUnknownCell), 50);
@@ -166,9 +166,9 @@ TEST(OccupancySlice, EqualsBruteForceWhereSomethingWasLeft) {
   left.full = 0x0FF0F00F3CC3A55Aull;
   for (int n = 0; n < 8; ++n) map.mutable_vacated().Add({(n & 1) - 1, (n >> 1 & 1) - 1, (n >> 2) - 1}, left, 0);
   SliceOptions options = WholeRoom(-0.3, 0.2);
-  const auto counts = ExpectEqualsBruteForce(map, options);
+  const auto counts = ExpectSliceEqualsBruteForce(map, options);
   options.scope.vacated_is_free = true;
-  const auto counts_if_free = ExpectEqualsBruteForce(map, options);
+  const auto counts_if_free = ExpectSliceEqualsBruteForce(map, options);
   EXPECT_GT(counts_if_free.at(kFreeCell), counts.at(kFreeCell));
   EXPECT_EQ(counts_if_free.at(kOccupiedCell), counts.at(kOccupiedCell)) << "what is seen counts before it";
 }

@@ -13,7 +13,7 @@ namespace {
 
 using testing::kSceneVoxel_m;
 
-RayQuery QueryOf(Map& map, RayOptions options = {}) {
+RayQuery RayQueryOf(Map& map, RayOptions options = {}) {
   SurfaceCache cache(std::size_t{1} << 30);
   return {cache.Of(map.Publish(0)), std::move(options)};
 }
@@ -43,8 +43,8 @@ std::optional<double> Meeting(const Ray& ray, const std::array<Eigen::Vector3d, 
   return along >= 0 ? std::optional(along) : std::nullopt;
 }
 
-void ExpectEqualsBruteForce(Map& map, const RayOptions& options) {
-  const RayQuery query = QueryOf(map, options);
+void ExpectRaysEqualBruteForce(Map& map, const RayOptions& options) {
+  const RayQuery query = RayQueryOf(map, options);
   std::vector<std::array<Eigen::Vector3d, 3>> all;
   for (const auto& submap : map.published()->submaps()) {
     if (!options.scope.Holds(submap->info())) continue;
@@ -77,7 +77,7 @@ void ExpectEqualsBruteForce(Map& map, const RayOptions& options) {
 
 TEST(RayQuery, EqualsBruteForceOverAllTriangles) {
   Map map = testing::FurnishedRoom();
-  ExpectEqualsBruteForce(map, {.max_distance_m = 1.5});
+  ExpectRaysEqualBruteForce(map, {.max_distance_m = 1.5});
 }
 
 TEST(MeetsSubmap, SaysWhetherARayToThatSubmapAloneHitsIt) {
@@ -107,13 +107,13 @@ TEST(RayQuery, EqualsBruteForceWhereObjectsAreMovedClonedAndLeftOut) {
   }
   RayOptions options{.max_distance_m = 1.5};
   options.scope.excluded_submaps = {SubmapId(3)};
-  ExpectEqualsBruteForce(map, options);
+  ExpectRaysEqualBruteForce(map, options);
 }
 
 TEST(RayQuery, MeetsTheSceneAndNamesTheObject) {
   Map map(testing::SceneInfo());
   testing::ObserveBand(testing::AddThing(map), testing::Ball({0, 0, 0}, 0.5), testing::CubeAt({0, 0, 0}, 0.7));
-  const RayQuery query = QueryOf(map);
+  const RayQuery query = RayQueryOf(map);
   for (const Eigen::Vector3d& p : testing::RandomPoints(200, 2, 41)) {
     if (p.norm() < 0.8) continue;
     const Ray ray{p, -p.normalized()};
@@ -131,7 +131,7 @@ TEST(RayQuery, NoRaySlipsThroughAClosedSurface) {
   Map map(testing::SceneInfo());
   testing::ObserveBand(testing::AddThing(map), testing::Room({0, 0, 0}, {0.52, 0.47, 0.55}),
                        testing::CubeAt({0, 0, 0}, 0.8));
-  const RayQuery query = QueryOf(map, {.unknown_is_free = true});
+  const RayQuery query = RayQueryOf(map, {.unknown_is_free = true});
   for (const Eigen::Vector3d& target : testing::RandomPoints(4000, 1, 43)) {
     EXPECT_NE(query.Cast({{0.01, 0.02, 0.03}, target.normalized()}).submap, nullptr);
   }
@@ -142,7 +142,7 @@ TEST(RayQuery, TellsWhereTheUnseenBegins) {
   const auto wall = [](const Eigen::Vector3d& p) { return 1.0 - p.x(); };  // faces -x
   testing::ObserveBand(testing::AddThing(map), wall, testing::CubeAt({1, 0, 0}, 0.4));
   const Ray ray{{0.02, 0.02, 0.02}, {1, 0, 0}};
-  const RayHit from_unseen = QueryOf(map).Cast(ray);
+  const RayHit from_unseen = RayQueryOf(map).Cast(ray);
   EXPECT_TRUE(from_unseen.is_unknown);
   EXPECT_EQ(from_unseen.free_m, 0);
   EXPECT_NEAR(from_unseen.distance_m, 0.98, 1e-3) << "the wall is met all the same";
@@ -150,17 +150,17 @@ TEST(RayQuery, TellsWhereTheUnseenBegins) {
   FreeBlocks seen;
   seen.full = 1u << CellOf({0, 0, 0});
   map.mutable_free_space().Add(TileOf({0, 0, 0}), seen, 1);
-  EXPECT_NEAR(QueryOf(map).Cast(ray).free_m, 0.4 - 0.02, 1e-9);
-  const RayHit along_wall = QueryOf(map).Cast({{0.88, 0.02, 0.02}, {1, 0, 0}});
+  EXPECT_NEAR(RayQueryOf(map).Cast(ray).free_m, 0.4 - 0.02, 1e-9);
+  const RayHit along_wall = RayQueryOf(map).Cast({{0.88, 0.02, 0.02}, {1, 0, 0}});
   EXPECT_FALSE(along_wall.is_unknown) << "the band before a surface is seen";
   EXPECT_EQ(along_wall.free_m, along_wall.distance_m);
-  EXPECT_FALSE(QueryOf(map, {.unknown_is_free = true}).Cast(ray).is_unknown);
+  EXPECT_FALSE(RayQueryOf(map, {.unknown_is_free = true}).Cast(ray).is_unknown);
 }
 
 TEST(RayQuery, FromBeyondAllNumbersMeetsNothing) {
   Map map = testing::FurnishedRoom();
   for (const double far : {1e12, 1e300}) {
-    const RayHit hit = QueryOf(map).Cast({{far, 0, 0}, {-1, 0, 0}});
+    const RayHit hit = RayQueryOf(map).Cast({{far, 0, 0}, {-1, 0, 0}});
     EXPECT_EQ(hit.submap, nullptr);
     EXPECT_EQ(hit.free_m, 0);
   }

@@ -12,12 +12,13 @@
 
 #include "mapping/base/this_thread.h"
 #include "mapping/query/distance_query.h"
+#include "tests/unit/mapping/query/scene_surfaces.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 namespace dhpmap {
 namespace {
 
-constexpr std::size_t kPlenty = std::size_t{1} << 30;
+using testing::kPlenty;
 
 /// Asks all over the room, so that all surfaces are made.
 double AskEverywhere(SurfaceCache& cache, const std::shared_ptr<const MapSnapshot>& state) {

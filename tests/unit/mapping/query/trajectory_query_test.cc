@@ -6,19 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/unit/mapping/query/scene_surfaces.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 namespace dhpmap {
 namespace {
 
+using testing::kIgnoringUnknown;
 using testing::kSceneVoxel_m;
-
-std::shared_ptr<const MapSurfaces> SurfacesOf(Map& map) {
-  SurfaceCache cache(std::size_t{1} << 30);
-  return cache.Of(map.Publish(0));
-}
-
-constexpr BodyOptions kIgnoringUnknown{.unknown = UnknownSpace::kFree};
+using testing::SurfacesOf;
 
 using Knots = std::vector<SphereKnot>;
 
@@ -79,7 +75,7 @@ TEST(SweepQuery, FindsTheFirstTouchThatDenseSamplingFinds) {
 }
 
 /// A sheet at x = 0.3, seen from one side only.
-Map Sheet() {
+Map SheetMap() {
   Map map(testing::SceneInfo());
   testing::ObserveBand(testing::AddThing(map), [](const Eigen::Vector3d& p) { return 0.3 - p.x(); },
                        {Eigen::Vector3d(0, -1, -1), Eigen::Vector3d(0.6, 1, 1)});
@@ -87,7 +83,7 @@ Map Sheet() {
 }
 
 TEST(SweepQuery, NeverTunnelsThroughAThinSheetHoweverFast) {
-  Map map = Sheet();
+  Map map = SheetMap();
   const SweepQuery query(SurfacesOf(map), kIgnoringUnknown);
   std::mt19937 random(8);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -152,7 +148,7 @@ TEST(RigidPath, FollowsATurnOnTheSafeSide) {
   }
 }
 
-TrajectoryQuery QueryOf(Map& map, TrajectoryOptions options) {
+TrajectoryQuery TrajectoryQueryOf(Map& map, TrajectoryOptions options) {
   auto query = TrajectoryQuery::Make(SurfacesOf(map), std::move(options));
   EXPECT_TRUE(query.ok());
   return std::move(*query);
@@ -170,7 +166,7 @@ TEST(TrajectoryQuery, AnArmThatTurnsMeetsThePillarBetweenItsWaypoints) {
   const double angle_rad = 0.9;
   const Eigen::Vector3d pillar(1.2 * std::cos(angle_rad), 1.2 * std::sin(angle_rad), 0);
   testing::ObserveBand(testing::AddThing(map), testing::Ball(pillar, 0.1), testing::CubeAt(pillar, 0.3));
-  const TrajectoryQuery query = QueryOf(map, {.bodies = kIgnoringUnknown});
+  const TrajectoryQuery query = TrajectoryQueryOf(map, {.bodies = kIgnoringUnknown});
   RobotMotion motion;
   motion.robot = {{{0, 0, 0}, 0.2}, {{1.2, 0, 0}, 0.05}};
   motion.waypoints = {At(0, 0, 0), At(0, 0, 0, M_PI / 2), At(0, 0, 0, 3)};
@@ -195,17 +191,17 @@ TEST(TrajectoryQuery, TheFirstIsTheEarliestOfAllPartsAndAllAreOneAPair) {
   const auto line = [](double y) { return Knots{{0, {0, y, 0}, 0.1}, {1, {1.5, y, 0}, 0.1}, {2, {3, y, 0}, 0.1}}; };
   RobotMotion motion;
   motion.spheres = {line(0.3), line(2), line(0)};
-  const auto first = QueryOf(map, {.bodies = kIgnoringUnknown}).Check(motion);
+  const auto first = TrajectoryQueryOf(map, {.bodies = kIgnoringUnknown}).Check(motion);
   ASSERT_EQ(first->contacts.size(), 1u);
   EXPECT_EQ(first->contacts[0].sphere, 2u);
   EXPECT_NEAR(first->contacts[0].at, 0.6 / 1.5, 0.01);
   EXPECT_EQ(first->contacts[0].contact.submap->id, SubmapId(1));
-  const auto all = QueryOf(map, {.bodies = kIgnoringUnknown, .max_contacts = 10}).Check(motion);
+  const auto all = TrajectoryQueryOf(map, {.bodies = kIgnoringUnknown, .max_contacts = 10}).Check(motion);
   ASSERT_EQ(all->contacts.size(), 4u);
   EXPECT_EQ(all->contacts[0].at, first->contacts[0].at);
   EXPECT_EQ(all->contacts[3].contact.submap->id, SubmapId(2));
   for (std::size_t i = 1; i < 4; ++i) EXPECT_LE(all->contacts[i - 1].at, all->contacts[i].at);
-  EXPECT_EQ(QueryOf(map, {.bodies = kIgnoringUnknown, .max_contacts = 3}).Check(motion)->contacts.size(), 3u);
+  EXPECT_EQ(TrajectoryQueryOf(map, {.bodies = kIgnoringUnknown, .max_contacts = 3}).Check(motion)->contacts.size(), 3u);
 }
 
 /// A cup (1) on a table (2), and a wall (3) at x = 1.
@@ -224,11 +220,11 @@ Map CupOnTable() {
 }
 
 TEST(TrajectoryQuery, AllAreThoseWhoseSurfacesItMeetsNotThoseItIsThenBehind) {
-  Map map = Sheet();
+  Map map = SheetMap();
   Submap& back = testing::AddThing(map);
   testing::ObserveBand(back, [](const Eigen::Vector3d& p) { return p.x() - 0.7; },
                        {Eigen::Vector3d(0.4, -1, -1), Eigen::Vector3d(1, 1, 1)});
-  const TrajectoryQuery query = QueryOf(map, {.bodies = kIgnoringUnknown, .max_contacts = 10});
+  const TrajectoryQuery query = TrajectoryQueryOf(map, {.bodies = kIgnoringUnknown, .max_contacts = 10});
   const auto met_up_to = [&](double x) {
     std::vector<SubmapId> ids;
     RobotMotion motion;
@@ -251,7 +247,7 @@ TEST(TrajectoryQuery, WhatIsCarriedLeavesTheWorldAndMeetsWhatIsInItsWay) {
   motion.robot = {{{0, 0, 0.1}, 0.05}};
   motion.waypoints = poses;
   motion.attached = {poses};
-  const auto answer = QueryOf(map, options).Check(motion);
+  const auto answer = TrajectoryQueryOf(map, options).Check(motion);
   ASSERT_TRUE(answer.ok());
   ASSERT_EQ(answer->contacts.size(), 1u);
   const TrajectoryContact& wall = answer->contacts[0];
@@ -261,16 +257,17 @@ TEST(TrajectoryQuery, WhatIsCarriedLeavesTheWorldAndMeetsWhatIsInItsWay) {
   EXPECT_LE(wall.at, 1 + 0.9 / 1.5 + 1e-3);
   motion.waypoints.pop_back();
   motion.attached[0].pop_back();
-  EXPECT_TRUE(QueryOf(map, options).Check(motion)->is_valid);
+  EXPECT_TRUE(TrajectoryQueryOf(map, options).Check(motion)->is_valid);
   options.attached[0].may_touch.clear();
-  const auto table = QueryOf(map, options).Check(motion);
+  const auto table = TrajectoryQueryOf(map, options).Check(motion);
   ASSERT_EQ(table->contacts.size(), 1u);
   EXPECT_EQ(table->contacts[0].at, 0);
   EXPECT_EQ(table->contacts[0].contact.submap->id, SubmapId(2));
   options.attached.clear();
   options.bodies.scope.attached.clear();
   motion.attached.clear();
-  EXPECT_EQ(QueryOf(map, options).Check(motion)->contacts.at(0).contact.submap->id, SubmapId(1)) << "it stands there";
+  EXPECT_EQ(TrajectoryQueryOf(map, options).Check(motion)->contacts.at(0).contact.submap->id, SubmapId(1))
+      << "it stands there";
 }
 
 TEST(CarriedBodyOf, HoldsTheSurfaceAndSticksOutByHalfAVoxelsDiagonalAtMost) {
@@ -335,8 +332,8 @@ TEST(TrajectoryQuery, EndsSoonAfterTheCallerIsGoneAndRefusesWhatIsTooLarge) {
   motion.spheres = {Knots{{0, {0, 0, 1}, 0.1}}};
   std::stop_source caller;
   caller.request_stop();
-  EXPECT_EQ(QueryOf(map, {}).Check(motion, caller.get_token()).status().code(), StatusCode::kCancelled);
-  EXPECT_TRUE(QueryOf(map, {}).Check(RobotMotion{})->is_valid) << "nothing meets nothing";
+  EXPECT_EQ(TrajectoryQueryOf(map, {}).Check(motion, caller.get_token()).status().code(), StatusCode::kCancelled);
+  EXPECT_TRUE(TrajectoryQueryOf(map, {}).Check(RobotMotion{})->is_valid) << "nothing meets nothing";
 }
 
 }  // namespace

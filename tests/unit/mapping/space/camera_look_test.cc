@@ -50,15 +50,16 @@ bool IsBesideAnEdge(const Eigen::Vector3d& p_map, const PanopticFrame& frame, co
   return false;
 }
 
-struct Score {
+struct CameraScore {
   std::int64_t num_free = 0, num_found = 0;    ///< truly free by some frame; of these, said to be
   std::int64_t num_unseen = 0, num_wrong = 0;  ///< hidden from or out of view of every frame; of these, said to be free
   std::int64_t num_behind = 0;                 ///< of those said wrongly, not even beside an edge of what hides them
 };
 
-Score Compare(const Map& map, const std::vector<PanopticFrame>& frames, const Scene& scene, double beyond_m = 0.4) {
+CameraScore CompareFrames(const Map& map, const std::vector<PanopticFrame>& frames, const Scene& scene,
+                          double beyond_m = 0.4) {
   const MapConfig& config = map.info().config;
-  Score score;
+  CameraScore score;
   const Eigen::Vector3d room(2.5 + beyond_m, 2.0 + beyond_m, 1.3 + beyond_m), middle(0, 0, 1.3);
   ForEachVoxel(middle - room, middle + room, config.voxel_size_m, [&](VoxelIndex voxel) {
     const Eigen::Vector3d p = VoxelCentre(voxel, config.voxel_size_m);
@@ -119,7 +120,7 @@ TEST(CameraLook, FindsWhatIsBeforeTheSurfacesAndNothingBehindThem) {
   const Scene scene = FurnishedRoom();
   const std::vector<PanopticFrame> frames = Walk(scene, 3);
   const Map map = MapOfLooks({}, frames);
-  const Score score = Compare(map, frames, scene);
+  const CameraScore score = CompareFrames(map, frames, scene);
   EXPECT_GT(score.num_free, 50'000);
   EXPECT_GT(score.num_unseen, 50'000);
   EXPECT_GE(static_cast<double>(score.num_found), 0.98 * static_cast<double>(score.num_free));
@@ -133,7 +134,7 @@ TEST(CameraLook, NoiseDropOutsAndMixedPixelsAtEdgesMakeNothingBehindASurfaceFree
   unsigned seed = 1;
   for (PanopticFrame& frame : frames) Spoil(frame, seed++);
   const Map map = MapOfLooks({}, frames);
-  const Score score = Compare(map, frames, scene);
+  const CameraScore score = CompareFrames(map, frames, scene);
   EXPECT_GE(static_cast<double>(score.num_found), 0.97 * static_cast<double>(score.num_free));
   EXPECT_LE(static_cast<double>(score.num_wrong), 0.001 * static_cast<double>(score.num_unseen));
   EXPECT_EQ(score.num_behind, 0);

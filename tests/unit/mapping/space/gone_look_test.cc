@@ -79,13 +79,14 @@ bool AllSeeBeyond(const Ball& ball, float times, float far, LimitOf&& limit_of) 
   return all;
 }
 
-struct Score {
+struct BallScore {
   int num_past = 0, num_wrong = 0, num_missed = 0;
 };
 
 template <typename LimitOf, typename FarOf>
-Score Compare(const std::vector<Ball>& balls, const std::vector<bool>& past, LimitOf&& limit_of, FarOf&& far_of) {
-  Score score;
+BallScore CompareBalls(const std::vector<Ball>& balls, const std::vector<bool>& past, LimitOf&& limit_of,
+                       FarOf&& far_of) {
+  BallScore score;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const float far = far_of(balls[i]);
     score.num_past += past[i];
@@ -116,7 +117,7 @@ TEST(GoneLook, ACameraSeesPastABallIfAllPixelsThatItCoversSeeFarther) {
     };
     const auto far_of = [&](const Ball& ball) { return (R.cast<float>() * ball.center).z() + ball.radius; };
     const std::vector<Ball> balls = RandomBalls(4000);
-    const Score score = Compare(balls, LookPast(view, balls), limit_of, far_of);
+    const BallScore score = CompareBalls(balls, LookPast(view, balls), limit_of, far_of);
     EXPECT_GT(score.num_past, 20);
     EXPECT_EQ(score.num_wrong, 0);
     EXPECT_LE(score.num_missed, score.num_past / 10);
@@ -148,7 +149,7 @@ TEST(GoneLook, ALidarSeesPastABallIfAllBinsThatItCoversGoFarther) {
     balls.push_back({p, 0.5f + 0.005f * static_cast<float>(i)});
   }
   const std::vector<bool> past = LookPast(view, balls);
-  const Score score = Compare(balls, past, limit_of, far_of);
+  const BallScore score = CompareBalls(balls, past, limit_of, far_of);
   EXPECT_GT(score.num_past, 100);
   EXPECT_EQ(score.num_wrong, 0);
   EXPECT_LE(score.num_missed, score.num_past / 10);

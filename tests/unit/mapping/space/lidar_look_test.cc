@@ -82,14 +82,14 @@ double LeastAround(const std::vector<double>& ranges, const Scanner& scanner, do
   return least;
 }
 
-struct Score {
+struct ScanScore {
   std::int64_t num_free = 0, num_found = 0, num_unseen = 0, num_wrong = 0;
 };
 
-Score Compare(const Map& map, const Scene& scene, const Transform& pose, const Scanner& scanner) {
+ScanScore CompareScan(const Map& map, const Scene& scene, const Transform& pose, const Scanner& scanner) {
   const MapConfig& config = map.info().config;
   const std::vector<double> ranges = Ranges(scene, pose, scanner);
-  Score score;
+  ScanScore score;
   ForEachVoxel({-9, -11, -0.5}, {10, 8, 3}, config.voxel_size_m, [&](VoxelIndex voxel) {
     const Eigen::Vector3d p = VoxelCentre(voxel, config.voxel_size_m);
     const Eigen::Vector3d ray = p - pose.translation();
@@ -119,7 +119,7 @@ TEST(LidarLook, FindsWhatAllBeamsAroundGoBeyondAndNothingBehindSurfaces) {
     const PanopticFrame frame =
         Scan(Yard(), Pose(), scanner.num_beams, scanner.low_deg, scanner.high_deg, scanner.num_columns);
     const Map map = MapOfLooks(Config(), {frame});
-    const Score score = Compare(map, Yard(), Pose(), scanner);
+    const ScanScore score = CompareScan(map, Yard(), Pose(), scanner);
     EXPECT_GT(score.num_free, 10'000);
     EXPECT_GE(static_cast<double>(score.num_found), 0.98 * static_cast<double>(score.num_free));
     EXPECT_LE(static_cast<double>(score.num_wrong), 0.001 * static_cast<double>(score.num_unseen));

@@ -7,21 +7,12 @@
 #include <vector>
 
 #include "server/app/trajectory_check.h"
-#include "tests/unit/mapping/mesh/solid_submap.h"
+#include "tests/unit/server/app/plane_map.h"
 
 namespace dhpmap {
 namespace {
 
-/// A plane at z = 0.2 in one block of submap 1, facing up.
-std::shared_ptr<const MapSnapshot> Plane() {
-  Submap submap = testing::SolidSubmap([](const Eigen::Vector3d& p) { return p.z() - 0.2; }, {0, 0, 0}, {0, 0, 0});
-  submap.mutable_info().id = SubmapId(1);
-  submap.UpdateBoundingSphere();
-  MapInfo info;
-  info.config.voxel_size_m = testing::kVoxel_m;
-  return std::make_shared<const MapSnapshot>(
-      info, std::vector<std::shared_ptr<const Submap>>{std::make_shared<const Submap>(std::move(submap))});
-}
+using testing::PlaneMap;
 
 /// In a frame that is shifted and turned, and heedless of what nobody has seen.
 CheckQuestion Turned() {
@@ -33,7 +24,7 @@ CheckQuestion Turned() {
 }
 
 TEST(CheckBodies, SpeaksInTheAskersFrame) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   CheckQuestion question = Turned();
   const Transform T_query_map = question.T_map_query.inverse();
@@ -59,7 +50,7 @@ TEST(CheckBodies, SpeaksInTheAskersFrame) {
 }
 
 TEST(CheckTrajectories, SpeakInTheAskersFrame) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const CheckQuestion question = Turned();
   const Transform T_query_map = question.T_map_query.inverse();
@@ -91,7 +82,7 @@ TEST(CheckTrajectories, SpeakInTheAskersFrame) {
 }
 
 TEST(CheckBodies, EndsSoonAfterTheCallerIsGone) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const std::vector<Body> bodies(5000, Capsule{{0.1, 0.1, 0.3}, {0.1, 0.1, 0.3}, 0.15});
   std::stop_source caller;

@@ -6,24 +6,15 @@
 #include <memory>
 #include <vector>
 
-#include "tests/unit/mapping/mesh/solid_submap.h"
+#include "tests/unit/server/app/plane_map.h"
 
 namespace dhpmap {
 namespace {
 
-/// A plane at z = 0.2 in one block of submap 1, facing up.
-std::shared_ptr<const MapSnapshot> Plane() {
-  Submap submap = testing::SolidSubmap([](const Eigen::Vector3d& p) { return p.z() - 0.2; }, {0, 0, 0}, {0, 0, 0});
-  submap.mutable_info().id = SubmapId(1);
-  submap.UpdateBoundingSphere();
-  MapInfo info;
-  info.config.voxel_size_m = testing::kVoxel_m;
-  return std::make_shared<const MapSnapshot>(
-      info, std::vector<std::shared_ptr<const Submap>>{std::make_shared<const Submap>(std::move(submap))});
-}
+using testing::PlaneMap;
 
 TEST(LookUpDistances, AnswersInTheOrderOfThePoints) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const std::vector<Eigen::Vector3d> points_m = {{9, 9, 9}, {0.1, 0.1, 0.7}, {0.1, 0.1, 0.1}};
   std::vector<SurfaceDistance> answers;
@@ -37,7 +28,7 @@ TEST(LookUpDistances, AnswersInTheOrderOfThePoints) {
 }
 
 TEST(LookUpDistances, SpeaksInTheAskersFrame) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   DistanceQuestion question;
   question.T_map_query.translate(Eigen::Vector3d(1, 2, 3));
@@ -52,7 +43,7 @@ TEST(LookUpDistances, SpeaksInTheAskersFrame) {
 }
 
 TEST(LookUpDistances, EndsSoonAfterTheCallerIsGone) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const std::vector<Eigen::Vector3d> points_m(20000, {0.1, 0.1, 0.1});
   std::stop_source caller;
@@ -66,7 +57,7 @@ TEST(LookUpDistances, EndsSoonAfterTheCallerIsGone) {
 }
 
 TEST(LookUpDistances, OfNoPointsIsNothing) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   EXPECT_TRUE(LookUpDistances(view, cache, {}, {}, {}, InPlace, [](const SurfaceDistance&) { FAIL(); }).ok());
 }

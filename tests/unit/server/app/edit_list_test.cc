@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-std::string_view ReasonOf(const Status& status) { return status.reason().name(); }
+std::string_view NameOfReason(const Status& status) { return status.reason().name(); }
 
 /// A map with things that are rows of blocks along x, each at a y of its own.
 class EditListTest : public ::testing::Test {
@@ -96,7 +96,7 @@ TEST_F(EditListTest, WhatWasMergedInTheListIsNamedByTheError) {
   list.edits.push_back(On(things_[0], MergeEdit{{things_[1]}}));
   list.edits.push_back(On(things_[1], Rename("part")));
   const auto results = ApplyEdits(list, map_);
-  EXPECT_EQ(ReasonOf(results.status()), "MERGED_INTO");
+  EXPECT_EQ(NameOfReason(results.status()), "MERGED_INTO");
   ASSERT_EQ(results.status().metadata().size(), 1u);
   EXPECT_EQ(results.status().metadata()[0].second, "maps/m/submaps/" + std::to_string(things_[0].value));
 }
@@ -110,7 +110,7 @@ TEST_F(EditListTest, EtagsAreThoseOfBeforeTheList) {
   }
   EXPECT_TRUE(ApplyEdits(list, map_).ok());
   map_.Publish(2);
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
 }
 
 TEST_F(EditListTest, ExpectedRevisionSeesEditsAndNotFrames) {
@@ -121,7 +121,7 @@ TEST_F(EditListTest, ExpectedRevisionSeesEditsAndNotFrames) {
   list.edits.push_back(On(things_[0], Rename("first")));
   ASSERT_TRUE(ApplyEdits(list, map_).ok());
   map_.Publish(3);
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "EDITED_SINCE");
   list.edits[0].target = things_[1];
   EXPECT_TRUE(ApplyEdits(list, map_).ok()) << "another object was edited, not this one";
   list.edits.push_back(On(things_[1], Rename("twice in one list")));
@@ -129,7 +129,7 @@ TEST_F(EditListTest, ExpectedRevisionSeesEditsAndNotFrames) {
   list.expected_revision = map_.info().revision;
   EXPECT_TRUE(ApplyEdits(list, map_).ok());
   list.expected_revision = map_.info().revision + 10;
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "EDITED_SINCE");
 }
 
 TEST_F(EditListTest, EtagsSeeEditsAndNotFrames) {
@@ -140,9 +140,9 @@ TEST_F(EditListTest, EtagsSeeEditsAndNotFrames) {
   map_.Publish(2);
   ASSERT_TRUE(ApplyEdits(list, map_).ok());
   map_.Publish(3);
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
   list.edits[0].etag = EtagOf(*map_.Find(things_[1]), map_.info());
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH") << "of another object";
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "ETAG_MISMATCH") << "of another object";
 }
 
 TEST_F(EditListTest, WhatTheListClearsFirstIsStillComparedAsItWasBefore) {
@@ -154,11 +154,11 @@ TEST_F(EditListTest, WhatTheListClearsFirstIsStillComparedAsItWasBefore) {
   EditList list{.edits = {}, .expected_revision = known};
   list.edits.push_back({.target = {}, .etag = {}, .action = ClearEdit{corner, {}}});
   list.edits.push_back(On(things_[0], Rename("mine")));
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "EDITED_SINCE");
   map_ = Map(map_.published());
   list.expected_revision = 0;
   list.edits[1].etag = etag;
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
   map_ = Map(map_.published());
   list.edits[1].etag = EtagOf(*map_.Find(things_[0]), map_.info());
   EXPECT_TRUE(ApplyEdits(list, map_).ok());
@@ -173,10 +173,10 @@ TEST_F(EditListTest, WhatWasLostIsNeitherExpectedNorNamedByAnEtag) {
   map_.Publish(2);
   const Status refused = ApplyEdits(list, map_).status();
   EXPECT_EQ(refused.code(), StatusCode::kOutOfRange);
-  EXPECT_EQ(ReasonOf(refused), "HISTORY_LOST");
+  EXPECT_EQ(NameOfReason(refused), "HISTORY_LOST");
   list.expected_revision = 0;
   list.edits[0].etag = etag;
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
   list.expected_revision = map_.info().revision;
   list.edits[0].etag = EtagOf(*map_.Find(things_[0]), map_.info());
   EXPECT_TRUE(ApplyEdits(list, map_).ok());
@@ -209,16 +209,16 @@ TEST_F(EditListTest, MergesCountAsEditsOfWhatIsLeft) {
   map_.Publish(2);
   EditList list{.edits = {}, .expected_revision = known};
   list.edits.push_back(On(things_[0], Rename("x")));
-  EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "EDITED_SINCE");
+  EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "EDITED_SINCE");
 }
 
 TEST_F(EditListTest, WhatMakesNoSenseIsRefused) {
   const auto reason_of = [this](Edit edit) {
     EditList list;
     list.edits.push_back(std::move(edit));
-    return ReasonOf(ApplyEdits(list, map_).status());
+    return NameOfReason(ApplyEdits(list, map_).status());
   };
-  EXPECT_EQ(ReasonOf(ApplyEdits({}, map_).status()), "BAD_EDIT");
+  EXPECT_EQ(NameOfReason(ApplyEdits({}, map_).status()), "BAD_EDIT");
   EXPECT_EQ(reason_of(On(EarlierResult{0}, DeleteEdit{})), "BAD_EDIT");
   EXPECT_EQ(reason_of({.target = {}, .etag = {}, .action = DeleteEdit{}}), "BAD_EDIT");
   EXPECT_EQ(reason_of(On(things_[0], MergeEdit{})), "BAD_EDIT");
@@ -238,7 +238,7 @@ TEST_F(EditListTest, ABackgroundIsNeitherSplitNorAbsent) {
   for (const decltype(Edit::action)& action : {decltype(Edit::action)(SplitAfterBlocks(1)), {PresenceEdit{}}}) {
     EditList list;
     list.edits.push_back(On(floor, action));
-    EXPECT_EQ(ReasonOf(ApplyEdits(list, map_).status()), "NOT_A_THING");
+    EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "NOT_A_THING");
   }
 }
 
@@ -275,7 +275,8 @@ TEST_F(EditListTest, WhatIsLockedIsEditedAsEverAndWhatIsMadeOfItFollows) {
 
 TEST_F(EditListTest, RegionsAreKeptClearUpToSoManyAndLifted) {
   const auto reason_of = [this](decltype(Edit::action) action) {
-    return ReasonOf(ApplyEdits({.edits = {{.target = {}, .etag = {}, .action = std::move(action)}}}, map_).status());
+    return NameOfReason(
+        ApplyEdits({.edits = {{.target = {}, .etag = {}, .action = std::move(action)}}}, map_).status());
   };
   const BoundingSphere sphere{Eigen::Vector3d::Zero(), 1.0};
   const auto keep = [&](const std::string& name) { return reason_of(KeepClearEdit{{name, sphere}}); };
@@ -333,7 +334,7 @@ TEST_F(EditListTest, RandomSplitsAndMergesLoseNoObservation) {
       list.edits.push_back(On(of, SplitEdit{SplitByPlane{Eigen::Vector3d(at_m, 0, 0), Eigen::Vector3d::UnitX()}}));
       const auto results = ApplyEdits(list, map_);
       if (results.ok()) split.emplace_back(results->at(0).created.at(0), of);
-      else EXPECT_EQ(ReasonOf(results.status()), "NOTHING_TO_SPLIT");
+      else EXPECT_EQ(NameOfReason(results.status()), "NOTHING_TO_SPLIT");
     } else {
       const auto [part, of] = split.back();
       split.pop_back();

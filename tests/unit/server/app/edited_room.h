@@ -123,9 +123,9 @@ class EditedRoom {
 
   /// Until it is seen: while surfaces are asked for, that may be after the answer.
   Status Integrate(const RoomView& view, bool has_persistent_ids) {
-    constexpr std::int64_t kPeriod_ns = 200'000'000;
+    constexpr std::int64_t kFramePeriod_ns = 200'000'000;
     const auto before = Now();
-    PanopticFrame frame = frames_.Take(view, has_persistent_ids, ++num_frames_ * kPeriod_ns);
+    PanopticFrame frame = frames_.Take(view, has_persistent_ids, ++num_frames_ * kFramePeriod_ns);
     const auto outcome =
         Wait<FrameOutcome>([&](auto done) { session_->Integrate(Result<PanopticFrame>(std::move(frame)), done); });
     if (!outcome.report.ok()) return outcome.report.status();

@@ -13,7 +13,7 @@ MapInfo Info(std::uint64_t history_id, std::string display_name = "") {
   return info;
 }
 
-SubmapInfo Row(std::uint32_t id, std::int64_t revision, std::int64_t edited_revision) {
+SubmapInfo RowWith(std::uint32_t id, std::int64_t revision, std::int64_t edited_revision) {
   SubmapInfo row;
   row.id = SubmapId(id);
   row.revision = revision;
@@ -22,37 +22,38 @@ SubmapInfo Row(std::uint32_t id, std::int64_t revision, std::int64_t edited_revi
 }
 
 TEST(Etag, OfASubmapNamesHistoryAndSubmapAndItsLastChangeAndEdit) {
-  EXPECT_EQ(EtagOf(Submap(Row(7, 12, 5), 1), Info(0x9f)), "000000000000009f-s7-r12-e5");
-  EXPECT_NE(EtagOf(Row(7, 12, 5), Info(1)), EtagOf(Row(7, 12, 5), Info(2)));
-  EXPECT_NE(EtagOf(Row(7, 12, 5), Info(1)), EtagOf(Row(8, 12, 5), Info(1)));
+  EXPECT_EQ(EtagOf(Submap(RowWith(7, 12, 5), 1), Info(0x9f)), "000000000000009f-s7-r12-e5");
+  EXPECT_NE(EtagOf(RowWith(7, 12, 5), Info(1)), EtagOf(RowWith(7, 12, 5), Info(2)));
+  EXPECT_NE(EtagOf(RowWith(7, 12, 5), Info(1)), EtagOf(RowWith(8, 12, 5), Info(1)));
 }
 
 TEST(Etag, OfBeforeFramesStillHoldsForAnEdit) {
-  const std::string before = EtagOf(Row(7, 12, 5), Info(1));
-  EXPECT_NE(EtagOf(Row(7, 20, 5), Info(1)), before) << "whoever keeps what was read must see that it changed";
-  EXPECT_TRUE(CheckEtag(before, Row(7, 20, 5), Info(1)).ok());
-  EXPECT_TRUE(CheckEtag("", Row(7, 20, 5), Info(1)).ok());
+  const std::string before = EtagOf(RowWith(7, 12, 5), Info(1));
+  EXPECT_NE(EtagOf(RowWith(7, 20, 5), Info(1)), before) << "whoever keeps what was read must see that it changed";
+  EXPECT_TRUE(CheckEtag(before, RowWith(7, 20, 5), Info(1)).ok());
+  EXPECT_TRUE(CheckEtag("", RowWith(7, 20, 5), Info(1)).ok());
 }
 
 TEST(Etag, OfBeforeAnEditOrOfAnotherSubmapOrHistoryOrOfNoneAbortsAnEdit) {
-  const std::string known = EtagOf(Row(7, 12, 5), Info(1));
+  const std::string known = EtagOf(RowWith(7, 12, 5), Info(1));
   const auto reason_of = [](const std::string& etag, const SubmapInfo& now, const MapInfo& map) {
     return CheckEtag(etag, now, map).reason();
   };
-  EXPECT_EQ(reason_of(known, Row(7, 13, 13), Info(1)), Reason("ETAG_MISMATCH"));
-  EXPECT_EQ(reason_of(known, Row(8, 12, 5), Info(1)), Reason("ETAG_MISMATCH"));
-  EXPECT_EQ(reason_of(known, Row(7, 12, 5), Info(2)), Reason("ETAG_MISMATCH"));
+  EXPECT_EQ(reason_of(known, RowWith(7, 13, 13), Info(1)), Reason("ETAG_MISMATCH"));
+  EXPECT_EQ(reason_of(known, RowWith(8, 12, 5), Info(1)), Reason("ETAG_MISMATCH"));
+  EXPECT_EQ(reason_of(known, RowWith(7, 12, 5), Info(2)), Reason("ETAG_MISMATCH"));
   for (const char* tail : {"-s7-r12", "-s7-r-e5", "-s7-r12x-e5", "-s7-r-1-e5", "-s77-r12-e5", "-s7-r12-e15", "-r12"}) {
-    EXPECT_EQ(reason_of(HistoryText(1) + tail, Row(7, 12, 5), Info(1)), Reason("ETAG_MISMATCH")) << tail;
+    EXPECT_EQ(reason_of(HistoryText(1) + tail, RowWith(7, 12, 5), Info(1)), Reason("ETAG_MISMATCH")) << tail;
   }
 }
 
 TEST(Etag, OfAStateThatWasLostAbortsAnEditForEver) {
-  const std::string lost = EtagOf(Row(7, 12, 5), Info(1));
-  EXPECT_EQ(CheckEtag(lost, Row(7, 10, 5), Info(1)).reason(), Reason("ETAG_MISMATCH")) << "as it is stored";
+  const std::string lost = EtagOf(RowWith(7, 12, 5), Info(1));
+  EXPECT_EQ(CheckEtag(lost, RowWith(7, 10, 5), Info(1)).reason(), Reason("ETAG_MISMATCH")) << "as it is stored";
   const LostRevisions ranges = {{11, 1000}};
-  EXPECT_EQ(CheckEtag(lost, Row(7, 1001, 5), Info(1), ranges).reason(), Reason("ETAG_MISMATCH")) << "and seen again";
-  EXPECT_TRUE(CheckEtag(EtagOf(Row(7, 10, 5), Info(1)), Row(7, 1001, 5), Info(1), ranges).ok());
+  EXPECT_EQ(CheckEtag(lost, RowWith(7, 1001, 5), Info(1), ranges).reason(), Reason("ETAG_MISMATCH"))
+      << "and seen again";
+  EXPECT_TRUE(CheckEtag(EtagOf(RowWith(7, 10, 5), Info(1)), RowWith(7, 1001, 5), Info(1), ranges).ok());
 }
 
 TEST(Etag, ARevisionThatWasLostIsOutOfRange) {

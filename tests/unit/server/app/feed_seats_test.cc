@@ -123,11 +123,11 @@ TEST_F(FeedSeatsTest, WhatIsCountedOfASessionOutlastsItsStreamsAndHasABound) {
 }
 
 TEST(FeedTally, TheRateIsThatOfTheLastSeconds) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
+  constexpr std::int64_t kSecond_ns = 1'000'000'000;
   FeedTally tally;
   EXPECT_EQ(tally.Counts(0).frames_per_s, 0);
-  std::int64_t now = 100 * kSecond;
-  for (int i = 0; i < 100; ++i, now += kSecond / 5) {
+  std::int64_t now = 100 * kSecond_ns;
+  for (int i = 0; i < 100; ++i, now += kSecond_ns / 5) {
     tally.OnMessage(10, now);
     tally.OnFused(i, 7, now);
   }
@@ -136,9 +136,9 @@ TEST(FeedTally, TheRateIsThatOfTheLastSeconds) {
   EXPECT_EQ(tally.Counts(now).num_points, 700);
   EXPECT_EQ(tally.Counts(now).num_bytes, 1000);
   EXPECT_EQ(tally.Counts(now).accepted_sequence, 99);
-  EXPECT_NEAR(tally.Counts(now + 5 * kSecond).frames_per_s, 2.5, 0.2);
-  EXPECT_EQ(tally.Counts(now + 11 * kSecond).frames_per_s, 0);
-  for (int i = 0; i < 5000; ++i, now += kSecond / 500) tally.OnFused(i, 1, now);  // more than are remembered
+  EXPECT_NEAR(tally.Counts(now + 5 * kSecond_ns).frames_per_s, 2.5, 0.2);
+  EXPECT_EQ(tally.Counts(now + 11 * kSecond_ns).frames_per_s, 0);
+  for (int i = 0; i < 5000; ++i, now += kSecond_ns / 500) tally.OnFused(i, 1, now);  // more than are remembered
   EXPECT_NEAR(tally.Counts(now).frames_per_s, 500, 20);
 }
 

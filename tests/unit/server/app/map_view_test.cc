@@ -15,7 +15,7 @@
 namespace dhpmap {
 namespace {
 
-MapInfo RoomInfo() {
+MapInfo ViewedInfo() {
   MapInfo info;
   info.name = "room";
   return info;
@@ -23,7 +23,7 @@ MapInfo RoomInfo() {
 
 /// Some submaps of a few voxels each, one of them empty.
 std::shared_ptr<const MapSnapshot> Made() {
-  Map map(RoomInfo());
+  Map map(ViewedInfo());
   for (int i = 0; i < 5; ++i) {
     SubmapInfo info;
     info.voxel_size_m = 0.1;
@@ -54,7 +54,7 @@ TEST(MapView, KeepsTheSpheresThatItWasAskedForWhoeverAsks) {
 }
 
 TEST(MapView, GoesOnWithTheIndexOfTheViewBefore) {
-  Map map(RoomInfo());
+  Map map(ViewedInfo());
   for (int i = 0; i < 12; ++i) {
     SubmapInfo info;
     info.voxel_size_m = 0.1;
@@ -87,7 +87,7 @@ class ShownViewTest : public ::testing::Test {
     return std::make_shared<const MapView>(map_.Publish(0));
   }
 
-  Map map_{RoomInfo()};
+  Map map_{ViewedInfo()};
   const std::shared_ptr<const MapView> first_ = Next();
   std::vector<std::function<void()>> ready_;  // of each that was handed in
   std::shared_ptr<ShownView> shown_ =

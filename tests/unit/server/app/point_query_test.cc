@@ -6,24 +6,15 @@
 #include <memory>
 #include <vector>
 
-#include "tests/unit/mapping/mesh/solid_submap.h"
+#include "tests/unit/server/app/plane_map.h"
 
 namespace dhpmap {
 namespace {
 
-/// A plane in one block of submap 1.
-std::shared_ptr<const MapSnapshot> Plane() {
-  Submap submap = testing::SolidSubmap([](const Eigen::Vector3d& p) { return p.z() - 0.2; }, {0, 0, 0}, {0, 0, 0});
-  submap.mutable_info().id = SubmapId(1);
-  submap.UpdateBoundingSphere();
-  MapInfo info;
-  info.config.voxel_size_m = testing::kVoxel_m;
-  return std::make_shared<const MapSnapshot>(
-      info, std::vector<std::shared_ptr<const Submap>>{std::make_shared<const Submap>(std::move(submap))});
-}
+using testing::PlaneMap;
 
 TEST(LookUpPoints, AnswersInTheOrderOfThePoints) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   const std::vector<Eigen::Vector3d> points_m = {{9, 9, 9}, {0.1, 0.1, 0.2}, {0.1, 0.1, 0.1}};
   std::vector<PointInfo> answers;
   ASSERT_TRUE(
@@ -39,7 +30,7 @@ TEST(LookUpPoints, AnswersInTheOrderOfThePoints) {
 }
 
 TEST(LookUpPoints, EndsSoonAfterTheCallerIsGone) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   const std::vector<Eigen::Vector3d> points_m(20000, {0.1, 0.1, 0.1});
   std::stop_source caller;
   int num_answered = 0;
@@ -51,7 +42,7 @@ TEST(LookUpPoints, EndsSoonAfterTheCallerIsGone) {
 }
 
 TEST(LookUpPoints, OfNoPointsIsNothing) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   EXPECT_TRUE(LookUpPoints(view, {}, {}, InPlace, [](const PointInfo&) { FAIL(); }).ok());
 }
 

@@ -6,24 +6,15 @@
 #include <memory>
 #include <vector>
 
-#include "tests/unit/mapping/mesh/solid_submap.h"
+#include "tests/unit/server/app/plane_map.h"
 
 namespace dhpmap {
 namespace {
 
-/// A plane at z = 0.2 in one block of submap 1, facing up.
-std::shared_ptr<const MapSnapshot> Plane() {
-  Submap submap = testing::SolidSubmap([](const Eigen::Vector3d& p) { return p.z() - 0.2; }, {0, 0, 0}, {0, 0, 0});
-  submap.mutable_info().id = SubmapId(1);
-  submap.UpdateBoundingSphere();
-  MapInfo info;
-  info.config.voxel_size_m = testing::kVoxel_m;
-  return std::make_shared<const MapSnapshot>(
-      info, std::vector<std::shared_ptr<const Submap>>{std::make_shared<const Submap>(std::move(submap))});
-}
+using testing::PlaneMap;
 
 TEST(CastRays, AnswersInTheOrderOfTheRaysAndInTheAskersFrame) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   DistanceQuestion question;
   question.T_map_query.translate(Eigen::Vector3d(1, 2, 3));
@@ -43,7 +34,7 @@ TEST(CastRays, AnswersInTheOrderOfTheRaysAndInTheAskersFrame) {
 }
 
 TEST(CastRays, EndsSoonAfterTheCallerIsGone) {
-  const MapView view(Plane());
+  const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const std::vector<Ray> rays(5000, Ray{{0.1, 0.1, 0.7}, {0, 0, -1}});
   std::stop_source caller;

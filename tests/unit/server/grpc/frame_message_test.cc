@@ -30,8 +30,8 @@ v1::IntegrateFramesRequest FrameRequestOf(int num_segments) {
   return request;
 }
 
-Result<MessageOutline> OutlineOf(const grpc::ByteBuffer& bytes) {
-  return dhpmap::OutlineOf(LayoutOf<v1::IntegrateFramesRequest>(), bytes);
+Result<MessageOutline> FrameOutlineOf(const grpc::ByteBuffer& bytes) {
+  return OutlineOf(LayoutOf<v1::IntegrateFramesRequest>(), bytes);
 }
 
 TEST(FrameMessage, ParsedIsWhatWasSentHoweverItIsCut) {
@@ -49,12 +49,12 @@ TEST(FrameMessage, ParsedIsWhatWasSentHoweverItIsCut) {
 TEST(FrameMessage, ItsHeadIsAllButTheFrame) {
   v1::IntegrateFramesRequest request = FrameRequestOf(3);
   const auto head = ParseFrameHead(FrameBytesOf(request.SerializeAsString()));
-  const auto outline = OutlineOf(FrameBytesOf(request.SerializeAsString()));
+  const auto outline = FrameOutlineOf(FrameBytesOf(request.SerializeAsString()));
   ASSERT_TRUE(head.ok() && outline.ok());
   request.clear_frame();
   EXPECT_TRUE(head->has_frame);
   EXPECT_EQ(head->message.SerializeAsString(), request.SerializeAsString());
-  const auto without = OutlineOf(FrameBytesOf(request.SerializeAsString()));
+  const auto without = FrameOutlineOf(FrameBytesOf(request.SerializeAsString()));
   ASSERT_TRUE(without.ok());
   EXPECT_FALSE(ParseFrameHead(FrameBytesOf(request.SerializeAsString()))->has_frame);
   EXPECT_EQ(without->num_fields, 2u) << "the map and the session; a number takes nothing";
@@ -63,7 +63,7 @@ TEST(FrameMessage, ItsHeadIsAllButTheFrame) {
 TEST(FrameMessage, HasNoMoreSegmentsThanFieldsAreCounted) {
   for (const int num_segments : {0, 1, 10'000}) {
     const v1::IntegrateFramesRequest request = FrameRequestOf(num_segments);
-    const auto outline = OutlineOf(FrameBytesOf(request.SerializeAsString(), 4096));
+    const auto outline = FrameOutlineOf(FrameBytesOf(request.SerializeAsString(), 4096));
     ASSERT_TRUE(outline.ok());
     EXPECT_GE(outline->num_fields, static_cast<std::size_t>(num_segments));
     EXPECT_LE(outline->num_fields, static_cast<std::size_t>(num_segments) + 10);
@@ -77,7 +77,7 @@ TEST(FrameMessage, TwoFramesAreOneAsProtobufHasIt) {
   second.mutable_frame()->add_segments()->set_id(2);
   const grpc::ByteBuffer bytes = FrameBytesOf(first.SerializeAsString() + second.SerializeAsString());
   const auto message = ParseFrameMessage(bytes);
-  const auto outline = OutlineOf(bytes);
+  const auto outline = FrameOutlineOf(bytes);
   ASSERT_TRUE(message.ok() && outline.ok());
   EXPECT_EQ(message->frame().segments_size(), 2);
   EXPECT_GE(outline->num_fields, 4u);
@@ -88,7 +88,7 @@ TEST(FrameMessage, OfNoBytesIsAnEmptyOne) {
   const auto message = ParseFrameMessage(none);
   ASSERT_TRUE(message.ok());
   EXPECT_EQ(message->ByteSizeLong(), 0u);
-  ASSERT_TRUE(OutlineOf(none).ok());
+  ASSERT_TRUE(FrameOutlineOf(none).ok());
   EXPECT_FALSE(ParseFrameHead(none)->has_frame);
 }
 
@@ -120,7 +120,7 @@ TEST(FrameMessage, TakesNoMoreMemoryThanItsOutlineSaysHoweverDeepThatIs) {
                       image = TextField(3, TextField(4, TextField(2, inside)));
     for (const std::string& text : {lidar, camera, row, image, TextField(3, inside), TextField(3, rows)}) {
       const grpc::ByteBuffer bytes = FrameBytesOf(text, 4096);
-      const auto outline = OutlineOf(bytes);
+      const auto outline = FrameOutlineOf(bytes);
       const auto message = ParseFrameMessage(bytes);
       ASSERT_TRUE(outline.ok() && message.ok()) << ::testing::PrintToString(text.substr(0, 20));
       EXPECT_GE(outline->message_bytes, message->SpaceUsedLong()) << ::testing::PrintToString(text.substr(0, 20));
@@ -133,10 +133,10 @@ TEST(FrameMessage, WhatIsNestedDeeperThanTheParserGoesIsMalformed) {
     const std::string text =
         std::string(static_cast<std::size_t>(depth), '\x7b') + std::string(static_cast<std::size_t>(depth), '\x7c');
     const grpc::ByteBuffer bytes = FrameBytesOf(text, 4096);
-    EXPECT_EQ(OutlineOf(bytes).ok(), ParseFrameMessage(bytes).ok()) << depth;
-    EXPECT_EQ(OutlineOf(bytes).ok(), depth <= 100) << depth;
+    EXPECT_EQ(FrameOutlineOf(bytes).ok(), ParseFrameMessage(bytes).ok()) << depth;
+    EXPECT_EQ(FrameOutlineOf(bytes).ok(), depth <= 100) << depth;
   }
-  EXPECT_FALSE(OutlineOf(FrameBytesOf("\x7b\x7b\x7c\x74")).ok()) << "ends another group than it began";
+  EXPECT_FALSE(FrameOutlineOf(FrameBytesOf("\x7b\x7b\x7c\x74")).ok()) << "ends another group than it began";
 }
 
 TEST(FrameMessage, OfWhichTooMuchIsBesideItsFrameIsRefusedUnread) {
@@ -159,7 +159,7 @@ TEST(FrameMessage, WhatIsCutOffIsMalformed) {
   for (std::size_t length = 0; length < sent.size(); ++length) {
     const grpc::ByteBuffer bytes = FrameBytesOf(sent.substr(0, length));
     const bool is_message = ParseFrameMessage(bytes).ok();
-    const auto outline = OutlineOf(bytes);
+    const auto outline = FrameOutlineOf(bytes);
     EXPECT_TRUE(outline.ok() || !is_message) << length;
     EXPECT_EQ(ParseFrameHead(bytes).ok(), outline.ok()) << length;
     if (!outline.ok()) {
@@ -178,7 +178,7 @@ TEST(FrameMessage, WhatIsNoneIsMalformed) {
     EXPECT_EQ(message.status().reason(), Reason("MALFORMED_PROTOBUF"));
   }
   for (const std::string& text : {no_tag, group_without_end, end_alone, cut_frame, huge}) {
-    EXPECT_FALSE(OutlineOf(FrameBytesOf(text)).ok()) << ::testing::PrintToString(text);
+    EXPECT_FALSE(FrameOutlineOf(FrameBytesOf(text)).ok()) << ::testing::PrintToString(text);
     EXPECT_FALSE(ParseFrameHead(FrameBytesOf(text)).ok()) << ::testing::PrintToString(text);
   }
 }

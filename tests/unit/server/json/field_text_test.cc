@@ -74,14 +74,14 @@ TEST(FieldText, WhatIsTooSmallIsZeroAndWhatIsTooLargeIsRefused) {
   EXPECT_FALSE(Set("real", "1e60", &message).ok());
 }
 
-struct Good {
+struct GoodField {
   const char* name;
   const char* text;
   const char* expected;  ///< text format
 };
 
 TEST(FieldText, SetsWhatCanBeWrittenAsOneText) {
-  const Good cases[] = {
+  const GoodField cases[] = {
       {"i32", "-7", "i32: -7"},
       {"u64", "18446744073709551615", "u64: 18446744073709551615"},
       {"real_double", "1e-3", "real_double: 0.001"},
@@ -99,7 +99,7 @@ TEST(FieldText, SetsWhatCanBeWrittenAsOneText) {
       {"span", "1.5s", "span {seconds: 1 nanos: 500000000}"},
       {"mask", "aB,c.dE", R"(mask {paths: ["a_b", "c.d_e"]})"},
   };
-  for (const Good& c : cases) {
+  for (const GoodField& c : cases) {
     Everything got, expected;
     const Status status = Set(c.name, c.text, &got);
     EXPECT_TRUE(status.ok()) << c.name << ": " << status.message();

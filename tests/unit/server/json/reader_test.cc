@@ -31,13 +31,13 @@ TEST(JsonReader, ReadsWhatProtobufsOwnWriterWrites) {
   }
 }
 
-struct Good {
+struct GoodMessage {
   const char* text;
   const char* expected;  ///< text format
 };
 
 TEST(JsonReader, TakesEveryAllowedSpelling) {
-  const Good cases[] = {
+  const GoodMessage cases[] = {
       {R"({})", ""},
       {" \n\t{ } \r\n", ""},
       {R"({"i32":"12","i64":13,"u64":"14"})", "i32: 12 i64: 13 u64: 14"},
@@ -55,7 +55,7 @@ TEST(JsonReader, TakesEveryAllowedSpelling) {
       {R"({"boxed":5,"time":"1970-01-01T00:00:05Z","span":"1.5s"})",
        "boxed {value: 5} time {seconds: 5} span {seconds: 1 nanos: 500000000}"},
   };
-  for (const Good& c : cases) {
+  for (const GoodMessage& c : cases) {
     Everything got, expected;
     const Status status = Read(c.text, &got);
     EXPECT_TRUE(status.ok()) << c.text << ": " << status.message();

@@ -6,16 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/unit/server/wire/map_of_chairs.h"
+
 namespace dhpmap {
 namespace {
 
-MapInfo MapOfChairs() {
-  MapInfo map;
-  map.name = "home";
-  map.revision = 5;
-  map.label_set = std::make_shared<const LabelSet>(*LabelSet::Create({{.id = ClassId(2), .name = "chair"}}));
-  return map;
-}
+using testing::MapOfChairs;
 
 SurfaceDistance Clamped() {
   SurfaceDistance answer{.distance_m = 3};

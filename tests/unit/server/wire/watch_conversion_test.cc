@@ -38,7 +38,7 @@ ChangeFilter FilterOf(const v1::WatchFilter& filter) {
   return made.ok() ? *made : ChangeFilter();
 }
 
-v1::WatchFilter Region(double low_m, double high_m) {
+v1::WatchFilter FilterByRegion(double low_m, double high_m) {
   v1::WatchFilter filter;
   v1::Box& box = *filter.mutable_region();
   box.mutable_min_m()->set_x(low_m);
@@ -59,17 +59,17 @@ TEST(WatchConversion, AFilterPassesWhatMeetsAllItsConditionsBeforeOrAfter) {
   event.before->class_id = ClassId(1);
   EXPECT_TRUE(FilterOf(filter).Passes(event)) << "it leaves the class";
 
-  EXPECT_TRUE(FilterOf(Region(4, 6)).Passes(Event(1, 1, 5)));
-  EXPECT_FALSE(FilterOf(Region(4, 6)).Passes(Event(1, 1, 8)));
+  EXPECT_TRUE(FilterOf(FilterByRegion(4, 6)).Passes(Event(1, 1, 5)));
+  EXPECT_FALSE(FilterOf(FilterByRegion(4, 6)).Passes(Event(1, 1, 8)));
   event = Event(1, 1, 8);
   event.before->sphere.center_m.x() = 5;
-  EXPECT_TRUE(FilterOf(Region(4, 6)).Passes(event)) << "it leaves the region";
+  EXPECT_TRUE(FilterOf(FilterByRegion(4, 6)).Passes(event)) << "it leaves the region";
   event = Event(1, 1, 5);
   event.kind = ChangeKind::kRemoved;
   event.before->sphere.center_m.x() = 8;
-  EXPECT_FALSE(FilterOf(Region(4, 6)).Passes(event)) << "it was elsewhere, and is nowhere";
+  EXPECT_FALSE(FilterOf(FilterByRegion(4, 6)).Passes(event)) << "it was elsewhere, and is nowhere";
   event.before.reset();
-  EXPECT_TRUE(FilterOf(Region(4, 6)).Passes(event)) << "it may have been there between the two states";
+  EXPECT_TRUE(FilterOf(FilterByRegion(4, 6)).Passes(event)) << "it may have been there between the two states";
   EXPECT_FALSE(FilterOf(filter).Passes(event)) << "another was asked for";
 }
 
@@ -89,7 +89,7 @@ TEST(WatchConversion, AFilterOfPartsIsOneOfChangesOnly) {
 }
 
 TEST(WatchConversion, EveryBadFieldOfAFilterIsNamed) {
-  v1::WatchFilter filter = Region(3, 1);
+  v1::WatchFilter filter = FilterByRegion(3, 1);
   filter.add_instance_ids(-1);
   filter.add_class_names("unicorn");
   filter.add_kinds(static_cast<v1::SubmapEvent::Kind>(99));

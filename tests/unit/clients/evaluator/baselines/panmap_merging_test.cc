@@ -9,7 +9,7 @@
 namespace dhpmap::evaluator {
 namespace {
 
-constexpr double kVoxel_m = 0.04, kTruncation_m = 0.08;
+constexpr double kBallVoxel_m = 0.04, kBallTruncation_m = 0.08;
 constexpr float kWeight = 100.0f;
 
 /// A ball of 40 cm radius, all of whose voxels are its own; inactive.
@@ -18,17 +18,17 @@ std::unique_ptr<PanmapSubmap> Ball(std::uint32_t id, const Eigen::Vector3d& cent
   info.id = SubmapId(id);
   info.class_id = class_id;
   info.panoptic = Panoptic::kThing;
-  info.voxel_size_m = kVoxel_m;
-  info.truncation_m = kTruncation_m;
+  info.voxel_size_m = kBallVoxel_m;
+  info.truncation_m = kBallTruncation_m;
   info.activity = Activity::kInactive;
   auto ball = std::make_unique<PanmapSubmap>(std::move(info), 0);
-  const VoxelIndex low = VoxelAt(center_m - Eigen::Vector3d::Constant(0.6), kVoxel_m);
+  const VoxelIndex low = VoxelAt(center_m - Eigen::Vector3d::Constant(0.6), kBallVoxel_m);
   for (int z = 0; z < 30; ++z) {
     for (int y = 0; y < 30; ++y) {
       for (int x = 0; x < 30; ++x) {
         const VoxelIndex v{low.x + x, low.y + y, low.z + z};
-        const double sdf_m = (VoxelCentre(v, kVoxel_m) - center_m).norm() - 0.4;
-        if (std::abs(sdf_m) > kTruncation_m) continue;
+        const double sdf_m = (VoxelCentre(v, kBallVoxel_m) - center_m).norm() - 0.4;
+        if (std::abs(sdf_m) > kBallTruncation_m) continue;
         const auto i = static_cast<std::size_t>(LinearIndex(v));
         TsdfBlock& block = ball->geometry.MutableTsdf(BlockOf(v));
         block.distance_m[i] = static_cast<float>(sdf_m);

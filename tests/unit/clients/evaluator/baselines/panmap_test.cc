@@ -43,7 +43,7 @@ PanopticFrame EmptyFrame() {
   return frame;
 }
 
-SystemSetup SetupFor(int num_threads = 1) {
+SystemSetup PanmapSetup(int num_threads = 1) {
   SystemSetup setup{IndoorConfig(), testing::MakeLabelSet(2, 1), num_threads};
   setup.config.tracking.min_points_medium = 100;
   return setup;
@@ -72,7 +72,7 @@ int CountSharedPositions(const Panmap& panmap) {
 }
 
 TEST(PanmapTest, SubmapsOverlapByDesign) {
-  Panmap panmap(SetupFor());
+  Panmap panmap(PanmapSetup());
   ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0, 1})).ok());
   ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0.1, 1.1})).ok());
   ASSERT_EQ(panmap.submaps().size(), 3u);
@@ -82,7 +82,7 @@ TEST(PanmapTest, SubmapsOverlapByDesign) {
 }
 
 TEST(PanmapTest, EachSurfaceIsLabelledWithTheSubmapItBelongsTo) {
-  Panmap panmap(SetupFor());
+  Panmap panmap(PanmapSetup());
   for (const double y : {-0.2, 0.0, 0.2}) ASSERT_TRUE(panmap.Integrate(FrameFrom({0, y, 1})).ok());
   panmap.Finish();
   const LabelledSurface surface = panmap.Surface();
@@ -105,7 +105,7 @@ TEST(PanmapTest, EachSurfaceIsLabelledWithTheSubmapItBelongsTo) {
 }
 
 TEST(PanmapTest, TracksStuffAndThingsByOverlap) {
-  Panmap panmap(SetupFor());
+  Panmap panmap(PanmapSetup());
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0.05 * i, 1})).ok());
   ASSERT_EQ(panmap.submaps().size(), 3u);
   for (const auto& submap : panmap.submaps()) EXPECT_EQ(submap->geometry.info().num_frames_observed, 4);
@@ -116,7 +116,7 @@ TEST(PanmapTest, OneSegmentOfTwoThingsApartMakesTwoSubmapsAsItDoesForOurs) {
                      {.shape = Solid::Shape::kSphere, .center_m = {2, 0.8, 1}, .size_m = {0.4, 0, 0}, .segment = 1}}};
   PanopticFrame frame = Render(scene, SmallCamera(), LookAt({0, 0, 1}, {2, 0, 1}));
   frame.segments = {{.id = SegmentId(1), .class_id = kBall}};
-  SystemSetup setup = SetupFor();
+  SystemSetup setup = PanmapSetup();
   setup.config.tracking.split_gap_vox = 3;
   Panmap panmap(setup);
   const auto whole = MakePanmapOfWholeSegments(setup);
@@ -132,7 +132,7 @@ TEST(PanmapTest, OneSegmentOfTwoThingsApartMakesTwoSubmapsAsItDoesForOurs) {
 }
 
 TEST(PanmapTest, ASegmentOfAnotherClassMakesANewSubmap) {
-  Panmap panmap(SetupFor());
+  Panmap panmap(PanmapSetup());
   ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0, 1})).ok());
   ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0, 1})).ok());
   ASSERT_EQ(OfClass(panmap, kBox).size(), 1u);
@@ -143,7 +143,7 @@ TEST(PanmapTest, ASegmentOfAnotherClassMakesANewSubmap) {
 }
 
 TEST(PanmapTest, ANewSubmapThatIsNotSeenAgainIsDeleted) {
-  Panmap panmap(SetupFor());
+  Panmap panmap(PanmapSetup());
   ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0, 1})).ok());
   ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0, 1}, kBall)).ok());
   EXPECT_TRUE(OfClass(panmap, kBox).empty());
@@ -151,7 +151,7 @@ TEST(PanmapTest, ANewSubmapThatIsNotSeenAgainIsDeleted) {
 }
 
 TEST(PanmapTest, InactiveSubmapsAreNotMatchedButMergedLater) {
-  Panmap panmap(SetupFor());
+  Panmap panmap(PanmapSetup());
   const int patience = PanmapSettings().deactivate_after_missed;
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(panmap.Integrate(FrameFrom({0, 0, 1})).ok());
   for (int i = 0; i < patience; ++i) {
@@ -168,7 +168,7 @@ TEST(PanmapTest, InactiveSubmapsAreNotMatchedButMergedLater) {
 }
 
 TEST(PanmapTest, SegmentsThatAreTooSmallOrUnknownMakeNoSubmap) {
-  SystemSetup setup = SetupFor();
+  SystemSetup setup = PanmapSetup();
   setup.config.tracking.min_points_medium = 100000;
   Panmap panmap(setup);
   PanopticFrame frame = FrameFrom({0, 0, 1});
@@ -182,7 +182,7 @@ TEST(PanmapTest, SegmentsThatAreTooSmallOrUnknownMakeNoSubmap) {
 TEST(PanmapTest, AnyNumberOfThreadsGivesTheSameBits) {
   LabelledSurface surfaces[2];
   for (int i = 0; i < 2; ++i) {
-    Panmap panmap(SetupFor(i + 1));
+    Panmap panmap(PanmapSetup(i + 1));
     for (const double y : {-0.2, 0.0, 0.2}) ASSERT_TRUE(panmap.Integrate(FrameFrom({0, y, 1})).ok());
     panmap.Finish();
     surfaces[i] = panmap.Surface();

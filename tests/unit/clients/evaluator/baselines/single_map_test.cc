@@ -18,8 +18,8 @@ using testing::Scene;
 using testing::SmallCamera;
 using testing::Solid;
 
-constexpr ClassId kBall{1}, kWall{2}, kCurtain{3};
-constexpr double kVoxel_m = 0.04;
+constexpr ClassId kBallClass{1}, kWallClass{2}, kCurtain{3};
+constexpr double kSingleVoxel_m = 0.04;
 
 /// A ball before a wall; segments 1 and 2.
 Scene BallBeforeWall() {
@@ -27,18 +27,18 @@ Scene BallBeforeWall() {
            {.shape = Solid::Shape::kHalfSpace, .center_m = {2.5, 0, 0}, .size_m = {-1, 0, 0}, .segment = 2}}};
 }
 
-PanopticFrame FrameFrom(const Eigen::Vector3d& eye_m, std::optional<ClassId> wall_class) {
+PanopticFrame WallFrameFrom(const Eigen::Vector3d& eye_m, std::optional<ClassId> wall_class) {
   PanopticFrame frame = Render(BallBeforeWall(), SmallCamera(), LookAt(eye_m, {1.5, 0, 1}));
-  frame.segments = {{.id = SegmentId(1), .class_id = kBall}, {.id = SegmentId(2), .class_id = wall_class}};
+  frame.segments = {{.id = SegmentId(1), .class_id = kBallClass}, {.id = SegmentId(2), .class_id = wall_class}};
   return frame;
 }
 
-SystemSetup SetupFor(int num_threads) { return {IndoorConfig(), testing::MakeLabelSet(1, 2), num_threads}; }
+SystemSetup SingleMapSetup(int num_threads) { return {IndoorConfig(), testing::MakeLabelSet(1, 2), num_threads}; }
 
 using Maker = std::unique_ptr<MappingSystem> (*)(const SystemSetup&);
 
-LabelledSurface Map(Maker make, const std::vector<PanopticFrame>& frames, int num_threads = 1) {
-  const auto system = make(SetupFor(num_threads));
+LabelledSurface MapWith(Maker make, const std::vector<PanopticFrame>& frames, int num_threads = 1) {
+  const auto system = make(SingleMapSetup(num_threads));
   for (const PanopticFrame& frame : frames) EXPECT_TRUE(system->Integrate(frame).ok());
   system->Finish();
   EXPECT_EQ(system->times().num_frames, static_cast<std::int64_t>(frames.size()));
@@ -57,53 +57,55 @@ std::int64_t CountWall(const LabelledSurface& surface, ClassId class_id) {
 class SingleMapTest : public ::testing::TestWithParam<Maker> {};
 
 TEST_P(SingleMapTest, HasClassesButNoInstances) {
-  EXPECT_FALSE(GetParam()(SetupFor(1))->has_instances());
-  const LabelledSurface surface = Map(GetParam(), {FrameFrom({0, 0, 1}, kWall)});
+  EXPECT_FALSE(GetParam()(SingleMapSetup(1))->has_instances());
+  const LabelledSurface surface = MapWith(GetParam(), {WallFrameFrom({0, 0, 1}, kWallClass)});
   ASSERT_GT(surface.mesh.vertices_m.size(), 1000u);
   EXPECT_TRUE(
       std::all_of(surface.mesh.instances.begin(), surface.mesh.instances.end(), [](auto id) { return id == 0; }));
-  EXPECT_GT(std::count(surface.mesh.classes.begin(), surface.mesh.classes.end(), kBall.value), 100);
-  EXPECT_GT(CountWall(surface, kWall), 1000);
+  EXPECT_GT(std::count(surface.mesh.classes.begin(), surface.mesh.classes.end(), kBallClass.value), 100);
+  EXPECT_GT(CountWall(surface, kWallClass), 1000);
 }
 
 TEST_P(SingleMapTest, SurfaceLiesWithinAVoxelOfTheScene) {
   const LabelledSurface surface =
-      Map(GetParam(), {FrameFrom({0, 0, 1}, kWall), FrameFrom({0, 0.4, 1.2}, kWall), FrameFrom({0, -0.4, 0.8}, kWall)});
+      MapWith(GetParam(), {WallFrameFrom({0, 0, 1}, kWallClass), WallFrameFrom({0, 0.4, 1.2}, kWallClass),
+                           WallFrameFrom({0, -0.4, 0.8}, kWallClass)});
   const Scene scene = BallBeforeWall();
   std::size_t num_near = 0;
   for (const Eigen::Vector3f& p : surface.mesh.vertices_m) {
-    num_near += std::abs(scene.Distance(p.cast<double>())) < kVoxel_m;
+    num_near += std::abs(scene.Distance(p.cast<double>())) < kSingleVoxel_m;
   }
   // The rest is the rim of the ball, where rays graze it.
   EXPECT_GT(static_cast<double>(num_near), 0.98 * static_cast<double>(surface.mesh.vertices_m.size()));
 }
 
 TEST_P(SingleMapTest, TheClassOfMostFramesWinsAndUnknownHasNoSay) {
-  const PanopticFrame wall = FrameFrom({0, 0, 1}, kWall), curtain = FrameFrom({0, 0, 1}, kCurtain);
-  const PanopticFrame unknown = FrameFrom({0, 0, 1}, std::nullopt);
-  const LabelledSurface surface = Map(GetParam(), {wall, curtain, unknown, unknown, unknown, curtain});
+  const PanopticFrame wall = WallFrameFrom({0, 0, 1}, kWallClass), curtain = WallFrameFrom({0, 0, 1}, kCurtain);
+  const PanopticFrame unknown = WallFrameFrom({0, 0, 1}, std::nullopt);
+  const LabelledSurface surface = MapWith(GetParam(), {wall, curtain, unknown, unknown, unknown, curtain});
   EXPECT_GT(CountWall(surface, kCurtain), 1000);
-  EXPECT_EQ(CountWall(surface, kWall), 0);
+  EXPECT_EQ(CountWall(surface, kWallClass), 0);
 }
 
 TEST_P(SingleMapTest, SurfaceThatWasNeverLabelledHasClassZero) {
-  const LabelledSurface surface = Map(GetParam(), {FrameFrom({0, 0, 1}, std::nullopt)});
+  const LabelledSurface surface = MapWith(GetParam(), {WallFrameFrom({0, 0, 1}, std::nullopt)});
   EXPECT_GT(CountWall(surface, ClassId(0)), 1000);
-  EXPECT_EQ(CountWall(surface, kWall), 0);
+  EXPECT_EQ(CountWall(surface, kWallClass), 0);
 }
 
 TEST_P(SingleMapTest, AnyNumberOfThreadsGivesTheSameBits) {
-  const std::vector<PanopticFrame> frames = {FrameFrom({0, 0, 1}, kWall), FrameFrom({0, 0.3, 1}, kCurtain)};
-  const LabelledSurface one = Map(GetParam(), frames, 1), two = Map(GetParam(), frames, 2);
+  const std::vector<PanopticFrame> frames = {WallFrameFrom({0, 0, 1}, kWallClass),
+                                             WallFrameFrom({0, 0.3, 1}, kCurtain)};
+  const LabelledSurface one = MapWith(GetParam(), frames, 1), two = MapWith(GetParam(), frames, 2);
   EXPECT_EQ(one.mesh.vertices_m, two.mesh.vertices_m);
   EXPECT_EQ(one.mesh.classes, two.mesh.classes);
   EXPECT_EQ(one.mesh.triangles, two.mesh.triangles);
 }
 
 TEST_P(SingleMapTest, RefusesAFrameThatIsNotValid) {
-  PanopticFrame frame = FrameFrom({0, 0, 1}, kWall);
+  PanopticFrame frame = WallFrameFrom({0, 0, 1}, kWallClass);
   frame.segments[0].class_id = ClassId(999);
-  const auto system = GetParam()(SetupFor(1));
+  const auto system = GetParam()(SingleMapSetup(1));
   EXPECT_EQ(system->Integrate(frame).code(), StatusCode::kInvalidArgument);
   EXPECT_TRUE(system->Surface().mesh.vertices_m.empty());
 }
@@ -115,19 +117,19 @@ std::int64_t CountBall(const LabelledSurface& surface) {
 }
 
 TEST(Kimera, ClearsWhatIsNoLongerThereIfItCarves) {
-  const PanopticFrame with = FrameFrom({0, 0, 1}, kWall);
+  const PanopticFrame with = WallFrameFrom({0, 0, 1}, kWallClass);
   PanopticFrame without = with;
   const Scene wall{{BallBeforeWall().solids[1]}};
   without.camera = Render(wall, SmallCamera(), with.T_map_sensor).camera;
   std::vector<PanopticFrame> frames{with};
   frames.insert(frames.end(), 20, without);
-  const std::int64_t num_before = CountBall(Map(&MakeKimera, {with}));
+  const std::int64_t num_before = CountBall(MapWith(&MakeKimera, {with}));
   ASSERT_GT(num_before, 100);
-  EXPECT_GT(CountBall(Map(&MakeKimera, frames)), num_before * 9 / 10);
+  EXPECT_GT(CountBall(MapWith(&MakeKimera, frames)), num_before * 9 / 10);
   const Maker carving = +[](const SystemSetup& setup) { return MakeKimeraWithCarving(setup); };
-  const LabelledSurface carved = Map(carving, frames);
+  const LabelledSurface carved = MapWith(carving, frames);
   EXPECT_LT(CountBall(carved), num_before / 2);
-  EXPECT_GT(CountWall(carved, kWall), 1000) << "what is there stays";
+  EXPECT_GT(CountWall(carved, kWallClass), 1000) << "what is there stays";
 }
 
 INSTANTIATE_TEST_SUITE_P(Baselines, SingleMapTest, ::testing::Values(&MakeKimera, &MakeVotes),
