@@ -66,7 +66,8 @@ Status BadFile(const std::filesystem::path& path, const std::string& message) {
 
 Result<std::string> ReadText(const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
+  const std::filesystem::file_type type = std::filesystem::status(path, error).type();
+  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::fifo) {
     return NotFound("there is no file " + path.string()).WithReason("MISSING_FILE");
   }
   std::ifstream in(path, std::ios::binary);

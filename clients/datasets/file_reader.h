@@ -18,6 +18,7 @@ namespace dhpmap {
 Result<std::vector<std::byte>> ReadBytes(const std::filesystem::path& path);
 /// An image, not decoded; an empty file is INVALID_ARGUMENT with reason BAD_IMAGE.
 Result<std::vector<std::byte>> ReadImageFile(const std::filesystem::path& path);
+/// All of a file, or of what comes through a pipe; else NOT_FOUND with reason MISSING_FILE.
 Result<std::string> ReadText(const std::filesystem::path& path);
 
 /// One line cut at commas or, with ' ', at runs of blanks. Cells are trimmed.

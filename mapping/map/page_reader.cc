@@ -15,6 +15,7 @@ struct Shared {
   CondVar has_changed;
   PageReaderLimit limit DHPMAP_GUARDED_BY(mutex);
   std::int64_t bytes DHPMAP_GUARDED_BY(mutex) = 0;
+  int num_waiting DHPMAP_GUARDED_BY(mutex) = 0;
 };
 Shared& OfProcess() {
   static Shared shared;
@@ -36,6 +37,12 @@ std::int64_t PageReaderBytes() {
   Shared& shared = OfProcess();
   const MutexLock lock(shared.mutex);
   return shared.bytes;
+}
+
+int NumPageReadersWaiting() {
+  Shared& shared = OfProcess();
+  const MutexLock lock(shared.mutex);
+  return shared.num_waiting;
 }
 
 PageHold::~PageHold() {
@@ -66,7 +73,10 @@ void PageReader::Admit() {
   const auto others_hold_some = [&]() DHPMAP_REQUIRES(shared.mutex) { return shared.bytes > hold->bytes_; };
   const auto wait = std::chrono::duration_cast<CondVar::Clock::duration>(
       std::chrono::duration<double>(others_hold_some() ? shared.limit.wait_s : 0));
-  if (shared.has_changed.WaitFor(shared.mutex, wait, has_room)) return;
+  ++shared.num_waiting;
+  const bool is_admitted = shared.has_changed.WaitFor(shared.mutex, wait, has_room);
+  --shared.num_waiting;
+  if (is_admitted) return;
   throw StatusError(ResourceExhausted(others_hold_some()
                                           ? "other requests hold as many voxels in memory as they may: try again later"
                                           : "this needs more voxels in memory than requests may hold: ask for less at "

@@ -15,6 +15,8 @@ struct PageReaderLimit {
 void SetPageReaderLimit(const PageReaderLimit& limit);
 /// What requests hold now.
 std::int64_t PageReaderBytes();
+/// How many threads wait now for other requests to end.
+int NumPageReadersWaiting();
 
 /// What a request holds, until the end of its life.
 class PageHold {

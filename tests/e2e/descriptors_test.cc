@@ -72,7 +72,7 @@ class SilentConnections {
 
 bool IsAnswering(const ServerProcess& server) {
   grpc::ClientContext context;
-  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(20));
+  context.set_deadline(std::chrono::system_clock::now() + kPatience);
   v1::ListMapsResponse response;
   return v1::MapService::NewStub(server.Connect())->ListMaps(&context, {}, &response).ok();
 }
@@ -83,10 +83,10 @@ std::ptrdiff_t NumDescriptors(pid_t pid) {
   return std::distance(begin(first), end(first));
 }
 
-/// GetMap of "room", by a client that has 20 s.
+/// GetMap of "room".
 grpc::Status AskForRoom(const std::shared_ptr<grpc::Channel>& channel) {
   grpc::ClientContext context;
-  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(20));
+  context.set_deadline(std::chrono::system_clock::now() + kPatience);
   v1::GetMapRequest request;
   request.set_name("maps/room");
   v1::GetMapResponse response;

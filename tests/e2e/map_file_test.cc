@@ -2,16 +2,19 @@
 // One map goes out of a real server as a file and into others, through every door, and with the server killed
 // meanwhile.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <csignal>
+#include <cstdint>
 #include <fstream>
+#include <memory>
 #include <sstream>
-#include <thread>
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "tests/e2e/rendered_dataset.h"
 #include "tests/e2e/same_maps.h"
 #include "tests/e2e/server_process.h"
+#include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::testing {
@@ -118,54 +121,105 @@ TEST_F(MapFiles, ThatAreNoGoodAreTypedErrorsOfEveryDoor) {
 }
 
 /// What lies beside a database that is not part of it.
-int NumStrangers(const fs::path& folder) {
-  int num_strangers = 0;
+struct Strangers {
+  int count = 0;
+  std::uintmax_t bytes = 0;
+};
+Strangers StrangersIn(const fs::path& folder) {
+  Strangers found;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    num_strangers += entry.path().filename().string().find("-backup-") != std::string::npos ? 1 : 0;
+    if (entry.path().filename().string().find("-backup-") == std::string::npos) continue;
+    ++found.count;
+    found.bytes += entry.file_size();
   }
-  return num_strangers;
+  return found;
 }
 
-TEST_F(MapFiles, AServerThatIsKilledWhileOneComesInHasItAsAWholeOrNotAtAll) {
-  const TempDir folder;
-  const fs::path db = folder.path() / "killed.db";
-  const std::string bytes = ReadAll(File("room.dhpmap"));
-  int num_in = 0;
-  constexpr int kKills = 8;
-  for (int n = 0; n < kKills; ++n) {
-    SCOPED_TRACE(n);
-    const std::string map = "copy-" + std::to_string(n);
-    bool is_told = false;
-    {
-      ServerProcess server(folder.path(), db);
-      ASSERT_TRUE(server.is_serving()) << server.process().Stderr();
-      EXPECT_EQ(NumStrangers(folder.path()), 0) << "of the life before";
-      grpc::ClientContext context;
-      v1::ImportMapResponse response;
-      const auto stream = v1::MapService::NewStub(server.Connect())->ImportMap(&context, &response);
-      v1::ImportMapRequest part;
-      part.set_map_id(map);
-      part.set_data(n == 0 ? bytes.substr(0, bytes.size() / 2) : bytes);
-      ASSERT_TRUE(stream->Write(part));
-      if (n > 0) stream->WritesDone();
-      std::thread killer([&] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(n == 0 ? 50 : 7 * n * n));
-        server.process().Signal(SIGKILL);
-      });
-      is_told = stream->Finish().ok();
-      killer.join();
-      (void)server.process().Wait(10);
-    }
-    ServerProcess server(folder.path(), db);
-    ASSERT_TRUE(server.is_serving()) << server.process().Stderr();
-    EXPECT_EQ(NumStrangers(folder.path()), 0);
-    const Outcome verified = server.Dhpmap({"verify", map});
-    EXPECT_TRUE(verified.exit_code == 0 || (verified.exit_code == 3 && !is_told)) << verified.out << verified.err;
-    num_in += verified.exit_code == 0 ? 1 : 0;
-    EXPECT_EQ(server.Terminate(), 0);
+/// A server with a database of its own, into which a map comes.
+class Incoming {
+ public:
+  Incoming() : server_(folder_.path(), db()), maps_(v1::MapService::NewStub(server_.Connect())) {
+    EXPECT_TRUE(server_.is_serving()) << server_.process().Stderr();
+    stream_ = maps_->ImportMap(&context_, &response_);
   }
-  EXPECT_LT(num_in, kKills);
-  RecordProperty("came_in", num_in);
+  /// Sends so much of the file, and waits until the server has put it on the disk.
+  bool Send(const std::string& bytes) {
+    v1::ImportMapRequest part;
+    part.set_map_id("copy");
+    part.set_data(bytes);
+    return stream_->Write(part) && Eventually([&] { return StrangersIn(folder_.path()).bytes == bytes.size(); });
+  }
+  /// What is sent is all.
+  bool End() {
+    stream_->WritesDone();
+    return stream_->Finish().ok();
+  }
+  /// The kernel kills it in the middle of the write that would make a file longer than this.
+  void KillBeyond(std::uintmax_t file_bytes) {
+    const rlimit no_core{0, 0}, longest{file_bytes, file_bytes};
+    EXPECT_EQ(::prlimit(server_.process().pid(), RLIMIT_CORE, &no_core, nullptr), 0);
+    EXPECT_EQ(::prlimit(server_.process().pid(), RLIMIT_FSIZE, &longest, nullptr), 0);
+  }
+  /// Of the write-ahead log, to which all goes that comes into the database.
+  [[nodiscard]] std::uintmax_t log_bytes() const { return fs::file_size(db().string() + "-wal"); }
+  [[nodiscard]] const fs::path& folder() const { return folder_.path(); }
+  [[nodiscard]] fs::path db() const { return folder_.path() / "maps.db"; }
+  Process& process() { return server_.process(); }
+
+ private:
+  const TempDir folder_;
+  ServerProcess server_;
+  const std::unique_ptr<v1::MapService::Stub> maps_;
+  grpc::ClientContext context_;
+  v1::ImportMapResponse response_;
+  std::unique_ptr<grpc::ClientWriter<v1::ImportMapRequest>> stream_;
+};
+
+/// That a server finds where another was killed: the map as a whole, or nothing of it.
+void ExpectWholeOrNothing(const Incoming& killed) {
+  ServerProcess server(killed.folder(), killed.db());
+  ASSERT_TRUE(server.is_serving()) << server.process().Stderr();
+  EXPECT_EQ(StrangersIn(killed.folder()).count, 0);
+  const Outcome verified = server.Dhpmap({"verify", "copy"});
+  EXPECT_TRUE(verified.exit_code == 0 || verified.exit_code == 3) << verified.out << verified.err;
+  EXPECT_EQ(server.Terminate(), 0);
+}
+
+TEST_F(MapFiles, AServerThatIsKilledWhileTheFileComesHasNothingOfIt) {
+  const std::string bytes = ReadAll(File("room.dhpmap"));
+  Incoming killed;
+  ASSERT_TRUE(killed.Send(bytes.substr(0, bytes.size() / 2)));
+  killed.process().Signal(SIGKILL);
+  ASSERT_EQ(killed.process().Wait(), 128 + SIGKILL);
+  EXPECT_FALSE(killed.End());
+  EXPECT_EQ(StrangersIn(killed.folder()).count, 1) << "else the next server has nothing to clear away";
+  ServerProcess server(killed.folder(), killed.db());
+  ASSERT_TRUE(server.is_serving()) << server.process().Stderr();
+  EXPECT_EQ(StrangersIn(killed.folder()).count, 0);
+  EXPECT_EQ(server.Dhpmap({"verify", "copy"}).exit_code, 3);
+}
+
+TEST_F(MapFiles, AServerThatIsKilledWhileOneIsTakenInHasItAsAWholeOrNotAtAll) {
+  const std::string bytes = ReadAll(File("room.dhpmap"));
+  std::uintmax_t written_bytes = 0;
+  {
+    Incoming undisturbed;
+    ASSERT_TRUE(undisturbed.Send(bytes));
+    const std::uintmax_t before_bytes = undisturbed.log_bytes();
+    ASSERT_TRUE(undisturbed.End());
+    written_bytes = undisturbed.log_bytes() - before_bytes;
+  }
+  ASSERT_GT(written_bytes, bytes.size() / 2);
+  constexpr unsigned kKills = 8;
+  for (unsigned n = 0; n < kKills; ++n) {
+    SCOPED_TRACE(n);
+    Incoming killed;
+    ASSERT_TRUE(killed.Send(bytes));
+    killed.KillBeyond(killed.log_bytes() + written_bytes * n / kKills);
+    EXPECT_FALSE(killed.End());
+    ASSERT_EQ(killed.process().Wait(), 128 + SIGXFSZ) << killed.process().Stderr();
+    ExpectWholeOrNothing(killed);
+  }
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 // What a server takes of the machine, and gives back.
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <string>
-#include <thread>
 
 #include "tests/e2e/rendered_dataset.h"
 #include "tests/e2e/server_process.h"
+#include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::testing {
@@ -32,8 +32,13 @@ TEST(Memory, ComesBackWhenMapsAreDeleted) {
   ASSERT_TRUE(server.is_serving());
   // Of a server that has mapped once: threads and connections are there, which one that has just started lacks.
   ASSERT_EQ(server.Dhpmap({"map", (root / "dataset").string(), "--map", "first"}).exit_code, 0);
+  const double live_with_first = Gauge(root, server, "dhpmap_heap_live_bytes");
   ASSERT_EQ(server.Dhpmap({"maps", "delete", "first"}).exit_code, 0);
-  std::this_thread::sleep_for(std::chrono::seconds(2));  // the allocator has given back what it will
+  ASSERT_TRUE(Eventually([&] {  // the allocator gives pages back a moment after they were last used
+    const double live = Gauge(root, server, "dhpmap_heap_live_bytes");
+    const double kept = Gauge(root, server, "dhpmap_heap_resident_bytes") - live;
+    return live < live_with_first / 2 && kept < 8 * kMiB;
+  }));
   const double before = Gauge(root, server, "dhpmap_anonymous_memory_bytes");
   constexpr double kStays = 20 * kMiB;
   double most = 0;
@@ -48,13 +53,11 @@ TEST(Memory, ComesBackWhenMapsAreDeleted) {
   EXPECT_LT(live, Gauge(root, server, "dhpmap_heap_resident_bytes"));
   for (int i = 0; i < 4; ++i) ASSERT_EQ(server.Dhpmap({"maps", "delete", "m" + std::to_string(i)}).exit_code, 0);
   EXPECT_GT(most, before + 1.2 * kStays) << "too small maps to tell anything";
-  // The allocator gives pages back a moment after they were last used.
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   double after = 0;
-  do {
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  Eventually([&] {
     after = Gauge(root, server, "dhpmap_anonymous_memory_bytes");
-  } while (after > before + kStays && std::chrono::steady_clock::now() < end);
+    return after <= before + kStays;
+  });
   EXPECT_LE(after, before + kStays) << "at most " << most / kMiB << " MiB while mapped, " << before / kMiB << " before";
 }
 

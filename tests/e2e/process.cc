@@ -50,7 +50,7 @@ Process::Process(const std::filesystem::path& log_dir, std::vector<std::string> 
 Process::~Process() {
   if (exit_code_) return;
   Signal(SIGKILL);
-  Wait(10);
+  Wait();
 }
 
 void Process::Signal(int signal) const {

@@ -8,7 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/eventually.h"
+
 namespace dhpmap::testing {
+
+/// How long what may take a while is waited for: only what hangs needs it.
+inline constexpr double kPatience_s = std::chrono::duration<double>(kPatience).count();
 
 /// A program of ours or of the system, with its output in files. Killed at the end of life.
 class Process {
@@ -22,7 +27,7 @@ class Process {
   void Signal(int signal) const;
   [[nodiscard]] pid_t pid() const { return pid_; }
   /// Exit code, or 128 + signal; empty if it still runs after `timeout_s`.
-  std::optional<int> Wait(double timeout_s);
+  std::optional<int> Wait(double timeout_s = kPatience_s);
   [[nodiscard]] std::string Stdout() const;
   [[nodiscard]] std::string Stderr() const;
 
@@ -37,7 +42,8 @@ struct Outcome {
   int exit_code = -1;  ///< -1: it did not end in time
   std::string out, err;
 };
-Outcome RunProgram(const std::filesystem::path& log_dir, std::vector<std::string> arguments, double timeout_s = 120);
+Outcome RunProgram(const std::filesystem::path& log_dir, std::vector<std::string> arguments,
+                   double timeout_s = kPatience_s);
 
 /// bin/`name` of this build.
 std::string Program(const std::string& name);

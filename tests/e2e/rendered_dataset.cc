@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/e2e/rendered_dataset.h"
 
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <fstream>
 #include <iomanip>
 #include <opencv2/imgcodecs.hpp>
+#include <sstream>
 #include <string>
+#include <utility>
 
 #include "tests/support/scenes.h"
 
@@ -21,6 +28,11 @@ Scene Room() {
 
 /// A number that means nothing across frames.
 int FramewiseId(int segment, int index) { return 1 + (segment * 5 + index * 3) % 7; }
+
+std::string IdOf(int index) {
+  const std::string number = std::to_string(index);
+  return std::string(6 - number.size(), '0') + number;
+}
 
 void WriteFrame(const std::filesystem::path& run, const std::string& id, const PanopticFrame& frame, int index) {
   const DepthCameraData& data = *frame.camera;
@@ -66,10 +78,31 @@ void WriteRenderedDataset(const std::filesystem::path& root, int num_frames) {
   const Scene scene = Room();
   for (int i = 0; i < num_frames; ++i) {
     const Transform T_map_camera = LookAt({-0.3, -0.8 + 1.6 * i / num_frames, 1.1}, {1.6, 0, 0.4});
-    const std::string number = std::to_string(i), id = std::string(6 - number.size(), '0') + number;
+    const std::string id = IdOf(i);
     timestamps << id << "," << 1'000'000'000 + 100'000'000LL * i << "\n";
     WriteFrame(run, id, Render(scene, camera, T_map_camera), i);
   }
+}
+
+HeldFrame::HeldFrame(const std::filesystem::path& root, int index)
+    : file_(root / "run1" / (IdOf(index) + "_pose.txt")) {
+  std::ostringstream text;
+  text << std::ifstream(file_).rdbuf();
+  content_ = text.str();
+  std::filesystem::remove(file_);
+  EXPECT_EQ(::mkfifo(file_.c_str(), 0600), 0) << file_;
+  pipe_ = ::open(file_.c_str(), O_RDWR | O_CLOEXEC);
+  EXPECT_GE(pipe_, 0) << file_;
+}
+
+/// What has begun to read gets it through the pipe, what comes later from the file.
+void HeldFrame::Release() {
+  if (pipe_ < 0) return;
+  const std::filesystem::path whole = file_.string() + ".whole";
+  std::ofstream(whole) << content_;
+  std::filesystem::rename(whole, file_);  // there is a file or the pipe at any moment
+  EXPECT_EQ(::write(pipe_, content_.data(), content_.size()), static_cast<ssize_t>(content_.size()));
+  ::close(std::exchange(pipe_, -1));
 }
 
 }  // namespace dhpmap::testing

@@ -65,8 +65,8 @@ TEST_F(Replay, WhatTwoFedTogetherIsMadeAgainFromTheRecord) {
                                       "--no-finish"};
     };
     Process a(root(), feed("0", "a")), b(root(), feed("1", "b"));
-    EXPECT_EQ(a.Wait(60), 0) << a.Stderr();
-    EXPECT_EQ(b.Wait(60), 0) << b.Stderr();
+    EXPECT_EQ(a.Wait(), 0) << a.Stderr();
+    EXPECT_EQ(b.Wait(), 0) << b.Stderr();
     EXPECT_EQ(GetMap(server, "room").num_frames(), kNumFrames);
     ASSERT_EQ(server.Dhpmap({"finish", "room"}).exit_code, 0);
 

@@ -11,6 +11,10 @@
 
 namespace dhpmap::testing {
 
+/// "127.0.0.1:12345", for a server that is to come back there after it has ended. Not one of the ports that the kernel
+/// gives to whoever asks for any: another process might have it by then.
+std::string AddressToComeBackTo();
+
 /// dhpmap-server on free ports of this machine.
 class ServerProcess {
  public:
@@ -25,7 +29,7 @@ class ServerProcess {
   /// A connection that no other channel shares, such as one to a server before on the same port.
   [[nodiscard]] std::shared_ptr<grpc::Channel> Connect() const;
   Process& process() { return process_; }
-  /// SIGTERM; the exit code, or empty if it takes longer than the 10 s that it may.
+  /// SIGTERM; the exit code, or empty if it hangs.
   std::optional<int> Terminate();
   /// The client against this server.
   [[nodiscard]] Outcome Dhpmap(std::vector<std::string> arguments) const;

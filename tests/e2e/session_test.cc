@@ -3,7 +3,6 @@
 #include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include "tests/e2e/same_maps.h"
 #include "tests/e2e/server_process.h"
 #include "tests/integration/feeder.h"
+#include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::testing {
@@ -79,7 +79,7 @@ TEST_F(Session, AServerThatIsKilledHasAllItSaidWasStoredAndTheClientGoesOnThere)
       if (ack->has_committed_sequence()) told = ack->committed_sequence();
     }
     server.process().Signal(SIGKILL);
-    EXPECT_EQ(server.process().Wait(10), 128 + SIGKILL);
+    EXPECT_EQ(server.process().Wait(), 128 + SIGKILL);
     EXPECT_EQ(feeder.Finish().error_code(), grpc::UNAVAILABLE);
   }
   const ServerProcess server(root(), db());
@@ -106,33 +106,33 @@ TEST_F(Session, TheCommandGoesOnByItselfWhenTheServerComesBackAndSkipsWhatIsStor
   constexpr int kNumFrames = 120;
   WriteRenderedDataset(dataset(), kNumFrames);
   const Environment few("DHPMAP_STORE_COMMIT_FRAMES", "5");
-  std::string address;
+  const std::string address = AddressToComeBackTo();
   std::optional<Process> client;
   const auto start = [&] {
-    client.emplace(root(), std::vector<std::string>{Program("dhpmap"), "--server", address, "map", dataset().string(),
-                                                    "--map", "room", "--session", "run-1", "--reconnect-s", "60"});
+    client.emplace(
+        root(), std::vector<std::string>{Program("dhpmap"), "--server", address, "map", dataset().string(), "--map",
+                                         "room", "--session", "run-1", "--reconnect-s", std::to_string(kPatience_s)});
   };
   {
-    ServerProcess server(root(), db());
-    ASSERT_TRUE(server.is_serving());
-    address = server.grpc_address();
+    ServerProcess server(root(), db(), address);
+    ASSERT_TRUE(server.is_serving()) << server.process().Stderr();
     EXPECT_EQ(server.Dhpmap({"map", dataset().string(), "--map", "room", "--frames", "4", "--no-finish"}).exit_code, 0);
+    const HeldFrame held(dataset(), kNumFrames - 20);  // so that it has frames to send when the server is killed
     start();
-    while (GetMap(server, "room").num_frames() <= 20 && !client->Wait(0.01)) {
-    }
+    ASSERT_TRUE(Eventually([&] { return GetMap(server, "room").num_frames() > 20; })) << client->Stderr();
     server.process().Signal(SIGKILL);
-    server.process().Wait(10);
+    server.process().Wait();
   }
   ServerProcess server(root(), db(), address);
   ASSERT_TRUE(server.is_serving()) << server.process().Stderr();
-  EXPECT_EQ(client->Wait(60), 0) << client->Stderr();
+  EXPECT_EQ(client->Wait(), 0) << client->Stderr();
   EXPECT_NE(client->Stderr().find("the connection is lost"), std::string::npos) << client->Stderr();
   EXPECT_NE(client->Stdout().find(std::to_string(kNumFrames) + " frames stored\n"), std::string::npos)
       << client->Stdout();
   EXPECT_EQ(GetMap(server, "room").num_frames(), 4 + kNumFrames) << "each frame of the session once";
 
   start();
-  EXPECT_EQ(client->Wait(60), 0) << client->Stderr();
+  EXPECT_EQ(client->Wait(), 0) << client->Stderr();
   EXPECT_NE(client->Stdout().find("0 frames fused\n120 frames stored, 120 of them before"), std::string::npos)
       << client->Stdout();
   EXPECT_EQ(GetMap(server, "room").num_frames(), 4 + kNumFrames);
@@ -141,26 +141,7 @@ TEST_F(Session, TheCommandGoesOnByItselfWhenTheServerComesBackAndSkipsWhatIsStor
 /// A client that has been frozen in the middle of its frames.
 class FrozenClient : public Session, public ::testing::WithParamInterface<const char*> {
  protected:
-  static constexpr int kNumFrames = 150;
-
-  /// A client that maps the data set, frozen while it has frames to send for sure: of those it has sent, no more than a
-  /// dozen are not fused yet. One that was too quick for us is let go, and another is started; null if all were.
-  std::unique_ptr<Process> StopInTheMiddle(const ServerProcess& server) {
-    for (int attempt = 0; attempt < 5; ++attempt) {
-      const std::int64_t before = GetMap(server, "room").num_frames();
-      const auto num_done = [&] { return GetMap(server, "room").num_frames() - before; };
-      auto client = std::make_unique<Process>(
-          root(), std::vector<std::string>{Program("dhpmap"), "--server", server.grpc_address(), "map",
-                                           dataset().string(), "--map", "room", "--no-finish"});
-      while (num_done() < 10 && !client->Wait(0.01)) {
-      }
-      client->Signal(SIGSTOP);
-      if (num_done() < kNumFrames - 50) return client;
-      client->Signal(SIGCONT);
-      client->Wait(60);
-    }
-    return nullptr;
-  }
+  static constexpr int kNumFrames = 60;
 };
 
 TEST_P(FrozenClient, DoesNotHoldItsMap) {
@@ -171,27 +152,31 @@ TEST_P(FrozenClient, DoesNotHoldItsMap) {
   const ServerProcess server(root(), db());
   ASSERT_TRUE(server.is_serving());
   ASSERT_EQ(server.Dhpmap({"map", dataset().string(), "--map", "room", "--frames", "1"}).exit_code, 0);
-  const auto client = StopInTheMiddle(server);
-  ASSERT_NE(client, nullptr) << "no client was stopped in the middle of its frames";
+  HeldFrame held(dataset(), kNumFrames / 2);
+  Process client(root(), {Program("dhpmap"), "--server", server.grpc_address(), "map", dataset().string(), "--map",
+                          "room", "--no-finish"});
+  ASSERT_TRUE(Eventually([&] { return GetMap(server, "room").num_frames() > 10; })) << client.Stderr();
+  client.Signal(SIGSTOP);
   std::vector<std::string> other{"map", dataset().string(), "--map", "room", "--frames", "1"};
   if (cure == "take-over") other.emplace_back("--take-over");
   if (cure == "deletion") other = {"maps", "delete", "room"};
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   Outcome outcome;
-  do {
+  Eventually([&] {
     outcome = server.Dhpmap(other);
-  } while (outcome.exit_code != 0 && cure != "take-over" && std::chrono::steady_clock::now() < end);
+    return outcome.exit_code == 0 || cure == "take-over";
+  });
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 
-  client->Signal(SIGCONT);
-  const std::optional<int> exit_code = client->Wait(60);
+  client.Signal(SIGCONT);
+  held.Release();
+  const std::optional<int> exit_code = client.Wait();
   ASSERT_TRUE(exit_code.has_value()) << "it must not hang";
   EXPECT_NE(*exit_code, 0) << "most of its frames were not taken";
   if (cure == "take-over") {
-    EXPECT_NE(client->Stderr().find("FEED_TAKEN_OVER"), std::string::npos) << client->Stderr();
+    EXPECT_NE(client.Stderr().find("FEED_TAKEN_OVER"), std::string::npos) << client.Stderr();
   }
   if (cure == "idle") {
-    EXPECT_NE(client->Stderr().find("FEED_IDLE"), std::string::npos) << client->Stderr();
+    EXPECT_NE(client.Stderr().find("FEED_IDLE"), std::string::npos) << client.Stderr();
   }
 }
 

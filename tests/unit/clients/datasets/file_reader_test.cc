@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/datasets/file_reader.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <thread>
 
 #include "clients/datasets/label_table.h"
 #include "tests/support/scenes.h"
@@ -44,6 +49,19 @@ TEST(ReadText, OfAFolderIsAnError) {
   EXPECT_EQ(ReadText(temp.path()).status().reason(), Reason("MISSING_FILE"));
   WriteText(temp.path() / "empty", "");
   EXPECT_EQ(*ReadText(temp.path() / "empty"), "");
+}
+
+TEST(ReadText, OfAPipeIsWhatComesThroughIt) {
+  const TempDir temp;
+  const std::filesystem::path pipe = temp.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&pipe] { WriteText(pipe, "a line\n"); });
+  const auto text = ReadText(pipe);
+  const int last_reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // else the writer may hang
+  writer.join();
+  ::close(last_reader);
+  ASSERT_TRUE(text.ok()) << text.status().ToString();
+  EXPECT_EQ(*text, "a line\n");
 }
 
 TEST(ClassNames, DropWhatTellsInstancesApart) {

@@ -146,6 +146,7 @@ TEST(Integrator, TouchesNothingOutsideTheTruncationBand) {
   // A traversed voxel's centre is at most half a diagonal from the ray, and its bundle's mean at most a diagonal from
   // the surface.
   const double most_m = config.truncation_m + 1.5 * std::sqrt(3.0) * config.voxel_size_m;
+  EXPECT_GT(NumObserved(submap), 1000u);
   for (const BlockEntry& entry : submap.blocks().entries()) {
     for (int i = 0; i < kBlockVoxels; ++i) {
       if (!entry.tsdf->IsObserved(i)) continue;
@@ -198,13 +199,15 @@ TEST(Integrator, ColourOfASurfaceIsThatOfItsPixels) {
   MapConfig config;
   Submap submap = EmptySubmap(config);
   Fuse(FrameOf(SphereInFrontOfWall(), {0, 0, 1}, {2, 0, 1}), config, submap);
+  int num_checked = 0;
   for (const BlockEntry& entry : submap.blocks().entries()) {
     for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-      if (entry.tsdf->IsObserved(static_cast<int>(i)) && std::abs(entry.tsdf->distance_m[i]) < 0.04f) {
-        EXPECT_EQ(entry.tsdf->color[i], (Color{200, 100, 50}));
-      }
+      if (!entry.tsdf->IsObserved(static_cast<int>(i)) || std::abs(entry.tsdf->distance_m[i]) >= 0.04f) continue;
+      EXPECT_EQ(entry.tsdf->color[i], (Color{200, 100, 50}));
+      ++num_checked;
     }
   }
+  EXPECT_GT(num_checked, 1000);
 }
 
 TEST(Integrator, CarvingClearsAnObjectThatIsGoneAndLeavesTheWall) {

@@ -236,6 +236,8 @@ TEST(TangentPlanes, ReachNoFartherThanOtherPointsInThem) {
     }
   }
   const std::vector<SegmentBundles> segments = BundlesOf(ScanOf(points_m));
+  ASSERT_EQ(segments.size(), 1u);
+  EXPECT_GT(segments[0].bundles.size(), 100u) << "a voxel is 4 cm wide";
   for (const Bundle& bundle : segments[0].bundles) {
     const float x_m = bundle.weighted_sum_m.x() / bundle.weight;
     EXPECT_LT(x_m - bundle.plane.before_m, 4.5f);

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <memory>
 #include <thread>
 
@@ -46,7 +45,7 @@ TEST_F(PageReaderTest, ARequestMayHoldSoMuchAndIsToldBeyond) {
 }
 
 TEST_F(PageReaderTest, WhereOthersHoldItTheirEndIsWaitedFor) {
-  SetPageReaderLimit({.bytes = 100, .wait_s = 60});
+  SetPageReaderLimit({.bytes = 100, .wait_s = 600});
   auto held = std::make_unique<PageHold>();
   {
     const PageReader stream(*held);
@@ -58,7 +57,7 @@ TEST_F(PageReaderTest, WhereOthersHoldItTheirEndIsWaitedFor) {
     const PageReader request;
     is_admitted = Read(50).ok();
   });
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_TRUE(testing::Eventually([] { return NumPageReadersWaiting() == 1; }));
   EXPECT_FALSE(is_admitted);
   held = nullptr;
   other.join();

@@ -230,6 +230,7 @@ TEST_F(VacatedSpaceTest, OneWhoReadsAStateKnowsWhatWasLeftWhileOthersAsk) {
 TEST_F(VacatedSpaceTest, ItIsAsOldAsTheNewestLook) {
   LookThrough([](const Eigen::Vector3d& p) { return p.x() > 1; });
   Leave(Observe(box, Panoptic::kThing, Everywhere));
+  ASSERT_FALSE(map.vacated().empty());
   for (const FreeTileEntry& entry : map.vacated().tiles()) EXPECT_EQ(entry.tile->last_seen_ns(), 7);
 }
 

@@ -2,14 +2,14 @@
 // One pool for many maps: the number of threads does not go with the number of maps.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <chrono>
-#include <fstream>
-#include <string>
+#include <cstddef>
+#include <memory>
 #include <thread>
+#include <vector>
 
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/thread_ids.h"
 #include "tests/unit/mapping/pipeline/ball_scene.h"
 
 namespace dhpmap {
@@ -18,28 +18,16 @@ namespace {
 using testing::BallFrame;
 using testing::BallInfo;
 
-int NumThreads() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("Threads:")) return std::stoi(line.substr(8));
-  }
-  return -1;
-}
-
 TEST(SharedPool, ThreadsDoNotGoWithTheNumberOfMaps) {
   constexpr int kThreads = 3, kMaps = 40;
   std::thread([] {}).join();  // with the first of all, a sanitizer starts a thread of its own
-  int before = NumThreads();
-  for (int look = 0; look < 50; ++look) {  // what was joined may still be counted for a moment
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    before = std::min(before, NumThreads());
-  }
+  const auto before = testing::ThreadIds();
   const auto pool = std::make_shared<ThreadPool>(kThreads);
   std::vector<std::unique_ptr<MapBuilder>> builders;
   builders.reserve(kMaps);
   for (int m = 0; m < kMaps; ++m) builders.push_back(std::make_unique<MapBuilder>(BallInfo(0), pool));
   for (const auto& builder : builders) ASSERT_TRUE(builder->Integrate(BallFrame(0)).ok());
-  EXPECT_EQ(NumThreads() - before, kThreads - 1);
+  EXPECT_EQ(testing::NumThreadsSince(before), std::size_t{kThreads} - 1);
 }
 
 TEST(SharedPool, MapsBuiltAtOnceAreThoseBuiltAlone) {

@@ -32,7 +32,7 @@ inline std::chrono::nanoseconds ComputedSoFar() {
 /// Runs `work(stop)`, which says whether it was cancelled, to its end, which takes it T of computing; then again with a
 /// stop that another thread requests once T / 5, or a fifth of its duration, has gone by. In one of many tries at least
 /// it computes less than T / 2, and says that it was cancelled: work that does not look never does, while on a busy
-/// machine the other thread may well wake up milliseconds late, several times in turn.
+/// machine the other thread may well wake up milliseconds late, several times in turn. For suites named ...Clock.
 template <typename Work>
 void ExpectEndsSoonAfterAStop(const Work& work) {
   using Clock = std::chrono::steady_clock;

@@ -23,7 +23,7 @@ const std::shared_ptr<const MapSnapshot>& LargeThing() {
   return map;
 }
 
-TEST(SearchSubmaps, StopsWhileTheSurfaceOfALargeObjectIsMade) {
+TEST(SearchSubmapsClock, StopsWhileTheSurfaceOfALargeObjectIsMade) {
   testing::ExpectEndsSoonAfterAStop([](const std::stop_token& stop) {
     SurfaceCache cache(kNoLimit);
     const auto surfaces = cache.Of(LargeThing());
@@ -33,7 +33,7 @@ TEST(SearchSubmaps, StopsWhileTheSurfaceOfALargeObjectIsMade) {
   });
 }
 
-TEST(SearchSubmaps, StopsWhileALargeObjectIsLookedForInABox) {
+TEST(SearchSubmapsClock, StopsWhileALargeObjectIsLookedForInABox) {
   SubmapQuestion question;
   question.box_m.emplace(Eigen::Vector3d(0, 0, 0.25), Eigen::Vector3d(50, 50, 0.35));  // above all of the sheet
   testing::ExpectEndsSoonAfterAStop([&](const std::stop_token& stop) {
@@ -43,7 +43,7 @@ TEST(SearchSubmaps, StopsWhileALargeObjectIsLookedForInABox) {
   });
 }
 
-TEST(FindRelations, StopsWhileTheSurfaceOfALargeObjectIsMade) {
+TEST(FindRelationsClock, StopsWhileTheSurfaceOfALargeObjectIsMade) {
   testing::ExpectEndsSoonAfterAStop([](const std::stop_token& stop) {
     SurfaceCache cache(kNoLimit);
     EXPECT_TRUE(FindRelations(*cache.Of(LargeThing()), {}, stop).empty()) << "it is alone";
@@ -60,7 +60,7 @@ Map BallInABall() {
   return map;
 }
 
-TEST(FindRelations, StopsBetweenThePointsOfTwoObjectsAndTellsNothingByHalves) {
+TEST(FindRelationsClock, StopsBetweenThePointsOfTwoObjectsAndTellsNothingByHalves) {
   Map map = BallInABall();
   SurfaceCache cache(kNoLimit);
   const auto surfaces = cache.Of(map.Publish(0));
@@ -85,7 +85,7 @@ bool WasCancelled(const Result<TrajectoryAnswer>& answer) {
   return true;
 }
 
-TEST(TrajectoryQuery, StopsBetweenTheSpheresOfOneMotion) {
+TEST(TrajectoryQueryClock, StopsBetweenTheSpheresOfOneMotion) {
   SurfaceCache cache(kNoLimit);
   const auto query =
       TrajectoryQuery::Make(cache.Of(LargeThing()), {.bodies = {.unknown = UnknownSpace::kFree}, .attached = {}});
@@ -102,7 +102,7 @@ TEST(TrajectoryQuery, StopsBetweenTheSpheresOfOneMotion) {
       [&](const std::stop_token& stop) { return WasCancelled(query->Check(motion, stop)); });
 }
 
-TEST(TrajectoryQuery, StopsBetweenTheWaypointsOfOneSphere) {
+TEST(TrajectoryQueryClock, StopsBetweenTheWaypointsOfOneSphere) {
   SurfaceCache cache(kNoLimit);
   const auto query =
       TrajectoryQuery::Make(cache.Of(LargeThing()), {.bodies = {.unknown = UnknownSpace::kFree}, .attached = {}});
@@ -127,7 +127,7 @@ std::shared_ptr<const Submap> LevelSheet(std::uint32_t id, double height_m, Bloc
   return std::make_shared<const Submap>(std::move(sheet));
 }
 
-TEST(TrajectoryQuery, StopsBetweenTheVoxelsOfWhatIsCarried) {
+TEST(TrajectoryQueryClock, StopsBetweenTheVoxelsOfWhatIsCarried) {
   // Near enough for each of its blocks to be looked at by voxels, which touch nothing.
   const auto map = std::make_shared<const MapSnapshot>(
       LargeThing()->info(), std::vector<std::shared_ptr<const Submap>>{LevelSheet(1, 0.2, {0, 0, 0}, {19, 19, 0}),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <random>
 #include <set>
@@ -375,11 +376,13 @@ TEST(CutTiles, TheLargestComesFirst) {
   Map map = RandomMap(3);
   ThreadPool pool(1);
   const auto blocks = CollectBlocks(AllIds(map), map);
-  std::size_t size_before = blocks.size();
+  std::vector<std::size_t> sizes;
   for (const CrfTile& tile : CutTiles(blocks, KnownInstances(AllIds(map), map), 1, 1, pool)) {
-    EXPECT_LE(tile.inner.size() + tile.rim.size(), size_before);
-    size_before = tile.inner.size() + tile.rim.size();
+    sizes.push_back(tile.inner.size() + tile.rim.size());
   }
+  ASSERT_FALSE(sizes.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(sizes, std::ranges::greater()));
+  EXPECT_GT(sizes.front(), sizes.back()) << "else any order would do; in that of their places a small one is first";
 }
 
 }  // namespace

@@ -63,7 +63,9 @@ TEST_F(KeptStatesTest, OneViewServesAllWhoReadARevision) {
   KeptStates kept(64, budget_);
   const auto state = Next(1);
   kept.Keep(state);
-  EXPECT_EQ(kept.Find(state->revision()), kept.Find(state->revision()));
+  const KeptStates::View view = kept.Find(state->revision());
+  ASSERT_NE(view, nullptr);
+  EXPECT_EQ(kept.Find(state->revision()), view);
 }
 
 TEST_F(KeptStatesTest, KeepsNoMoreThanSoMany) {
@@ -179,8 +181,11 @@ TEST_F(KeptStatesTest, SaysWhyARevisionCannotBeRead) {
 
 TEST_F(KeptStatesTest, AStateOfAnotherHistoryIsNoneOfThisOne) {
   KeptStates kept(64, budget_);
-  kept.Keep(Next(1));
-  (void)Next(1);
+  const auto state = Next(1);
+  kept.Keep(state);
+  const auto own = ViewAt(1, ViewOf(Next(1)), kept, {}, "revision");
+  ASSERT_TRUE(own.ok()) << own.status().ToString();
+  EXPECT_EQ((*own)->shared_snapshot(), state);
   Map anew(MapInfo{.name = "m", .history_id = 8});
   (void)anew.Publish(0);
   anew.mutable_info().display_name = "anew";

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <fstream>
 #include <future>
 #include <string>
 
 #include "mapping/query/distance_query.h"
 #include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
+#include "tests/support/thread_ids.h"
 #include "tests/unit/server/app/map_session_fixture.h"
 
 namespace dhpmap {
@@ -122,14 +122,6 @@ TEST_F(MapRegistryTest, MapsThatAreNotThereAreNotFound) {
   EXPECT_EQ(store_.num_loads, 0);
 }
 
-int NumThreads() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("Threads:")) return std::stoi(line.substr(8));
-  }
-  return -1;
-}
-
 /// An edit that makes a thing: takes a writer, and a commit.
 void EditOnce(MapSession& session) {
   std::promise<Status> done;
@@ -141,24 +133,20 @@ void EditOnce(MapSession& session) {
 TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileNobodyWrites) {
   SessionOptions options{.num_threads = 5, .now_ns = [] { return std::int64_t{1}; }};
   const auto registry = std::move(MapRegistry::Open(store_, std::move(options))).value();
-  constexpr int kMaps = 12, kThreadsAMap = 2;  // its writer, and what commits
-  std::thread([] {}).join();                   // with the first of all, a sanitizer starts a thread of its own
-  int before = NumThreads();
-  for (int i = 0; i < 20; ++i) {  // one that was joined is counted for a moment longer
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    before = std::min(before, NumThreads());
-  }
-  for (int m = 0; m < kMaps; ++m) {
+  constexpr std::size_t kMaps = 12, kThreadsAMap = 2;  // its writer, and what commits
+  std::thread([] {}).join();                           // with the first of all, a sanitizer starts a thread of its own
+  const auto before = testing::ThreadIds();
+  for (std::size_t m = 0; m < kMaps; ++m) {
     const std::string name = "m" + std::to_string(m);
     ASSERT_TRUE(registry->Create(InfoOf(name)).ok());
     ASSERT_TRUE(registry->ViewOf(name).ok());
   }
-  EXPECT_EQ(registry->OpenSessions().size(), static_cast<std::size_t>(kMaps));
-  EXPECT_EQ(NumThreads(), before);
+  EXPECT_EQ(registry->OpenSessions().size(), kMaps);
+  EXPECT_EQ(testing::NumThreadsSince(before), 0u);
   for (int round = 0; round < 2; ++round) {  // whoever has retired comes back
     for (const auto& session : registry->OpenSessions()) EditOnce(*session);
-    EXPECT_LE(NumThreads() - before, kMaps * kThreadsAMap);
-    EXPECT_TRUE(testing::Eventually([&] { return NumThreads() <= before; })) << "nobody writes any more";
+    EXPECT_LE(testing::NumThreadsSince(before), kMaps * kThreadsAMap);
+    EXPECT_TRUE(testing::Eventually([&] { return testing::NumThreadsSince(before) == 0; })) << "nobody writes any more";
   }
 }
 

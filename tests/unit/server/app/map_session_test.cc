@@ -235,7 +235,7 @@ TEST_F(MapSessionTest, FinishingThatWaitsForItsTurnEndsAtOnceWhenNobodyWaitsForI
 }
 
 TEST_F(MapSessionTest, TheEndKeepsNobodyWaitingWhileAFinishingIsCancelled) {
-  Open({});
+  Open({.max_pending_edits = 1});
   auto busy = std::make_unique<testing::BusyWriter>(*session);
   std::stop_source gone;
   std::promise<void> is_told, may_go;
@@ -248,17 +248,18 @@ TEST_F(MapSessionTest, TheEndKeepsNobodyWaitingWhileAFinishingIsCancelled) {
   std::jthread cancelling([&] { gone.request_stop(); });
   is_told.get_future().wait();
   std::jthread ending([&] { (void)session->Stop(); });
-  EXPECT_TRUE(testing::Eventually([&] {  // that it has begun
-    const auto is_refused = std::make_shared<std::atomic<bool>>(false);
-    session->Flush([is_refused](const Status&) { *is_refused = true; });
-    return is_refused->load();
+  EXPECT_TRUE(testing::Eventually([&] {  // that it has begun: until then there are too many edits
+    Status refusal;
+    session->Edit([](Map&) -> Result<SubmapId> { return SubmapId(0); },
+                  [&refusal](const Result<EditOutcome>& outcome) { refusal = outcome.status(); });
+    return refusal.reason() != Reason("TOO_MANY_EDITS");
   }));
   busy = nullptr;
-  std::this_thread::sleep_for(
-      std::chrono::milliseconds(50));  // the writer lets go of the job, whose callback still runs
-  auto asked = std::async(std::launch::async, [&] { return session->Finishing().has_value(); });
-  EXPECT_EQ(asked.wait_for(std::chrono::seconds(5)), std::future_status::ready) << "the writer holds its lock";
+  // The writer lets go of the job, whose callback still runs: nothing is left to do then.
+  auto asked = std::async(std::launch::async, [&] { return testing::Eventually([&] { return session->IsAtRest(); }); });
+  EXPECT_EQ(asked.wait_for(testing::kPatience), std::future_status::ready) << "the writer holds its lock";
   may_go.set_value();
+  EXPECT_TRUE(asked.get());
 }
 
 TEST_F(MapSessionTest, TheEndDoesNotWaitForARefinement) {

@@ -77,7 +77,7 @@ TEST(StoppedPointLookUp, AnswersNothingOfTheBatchThatWasUnderWay) {
   EXPECT_LE(num_run, 8u) << "pieces of one batch, of the 80 of all";
 }
 
-TEST(StoppedPointLookUp, EndsSoon) {
+TEST(StoppedPointLookUpClock, EndsSoon) {
   const auto points_m = PointsOverTheSheet(1000, 500, 0.05);
   testing::ExpectEndsSoonAfterAStop([&](const std::stop_token& stop) {
     return HasGivenUp(LookUpPoints(*SheetView(), points_m, stop, InPlace, [](const PointInfo&) {}));
@@ -134,7 +134,7 @@ TEST(StoppedCastRays, EndsWithTheRayThatWasUnderWay) {
   EXPECT_EQ(num_answered, 100);
 }
 
-TEST(StoppedCheckBodies, EndsSoon) {
+TEST(StoppedCheckBodiesClock, EndsSoon) {
   SurfaceCache cache(kRoomForAll);
   const auto points_m = PointsOverTheSheet(60, 30, 0.1);
   std::vector<Body> bodies;
@@ -173,7 +173,7 @@ TEST(StoppedCheckTrajectories, AnswersOnlyThoseItHasCheckedAndAsksForNoMore) {
   EXPECT_EQ(num_asked, 4u);
 }
 
-TEST(StoppedFindSubmaps, EndsSoonBetweenTheObjects) {
+TEST(StoppedFindSubmapsClock, EndsSoonBetweenTheObjects) {
   testing::ExpectEndsSoonAfterAStop([](const std::stop_token& stop) {
     SurfaceCache cache(kRoomForAll);
     const auto matches = FindSubmaps(*SheetView(), cache, {}, stop);
@@ -184,21 +184,21 @@ TEST(StoppedFindSubmaps, EndsSoonBetweenTheObjects) {
   });
 }
 
-TEST(StoppedFindSubmaps, EndsSoonBetweenTheNearest) {
+TEST(StoppedFindSubmapsClock, EndsSoonBetweenTheNearest) {
   testing::ExpectEndsSoonAfterAStop([](const std::stop_token& stop) {
     SurfaceCache cache(kRoomForAll);
     return HasGivenUp(FindSubmaps(*SheetView(), cache, {.near_m = Eigen::Vector3d(3, 3, 0.3)}, stop).status());
   });
 }
 
-TEST(StoppedListRelations, EndsSoonBetweenTheObjects) {
+TEST(StoppedListRelationsClock, EndsSoonBetweenTheObjects) {
   testing::ExpectEndsSoonAfterAStop([](const std::stop_token& stop) {
     SurfaceCache cache(kRoomForAll);
     return HasGivenUp(ListRelations(*SheetView(), cache, {}, stop).status());
   });
 }
 
-TEST(StoppedExportSlice, EndsSoonBetweenTheRows) {
+TEST(StoppedExportSliceClock, EndsSoonBetweenTheRows) {
   SurfaceCache cache(kRoomForAll);
   SliceRequest request;
   request.options.min_z_m = -0.4;
@@ -210,7 +210,7 @@ TEST(StoppedExportSlice, EndsSoonBetweenTheRows) {
   });
 }
 
-TEST(StoppedExportSlice, EndsSoonWithinACell) {
+TEST(StoppedExportSliceClock, EndsSoonWithinACell) {
   SurfaceCache cache(kRoomForAll);
   SliceRequest request;
   request.options.min_z_m = -0.4;
@@ -223,7 +223,7 @@ TEST(StoppedExportSlice, EndsSoonWithinACell) {
   });
 }
 
-TEST(StoppedExportMesh, EndsSoonWhileItCounts) {
+TEST(StoppedExportMeshClock, EndsSoonWhileItCounts) {
   testing::ExpectEndsSoonAfterAStop([](const std::stop_token& stop) {
     return HasGivenUp(ExportMesh(SheetView()->shared_snapshot(), {}, stop).status());
   });

@@ -48,7 +48,7 @@ std::shared_ptr<const MapSnapshot> NoisyMap() {
   return map.Publish(1);
 }
 
-class LargeStore : public ::testing::Test {
+class LargeStoreClock : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<testing::TempDir>();
@@ -84,7 +84,7 @@ class LargeStore : public ::testing::Test {
   std::ptrdiff_t num_files_ = 0;
 };
 
-TEST_F(LargeStore, ALookThroughAMapEndsSoonAfterTheCallerIsGone) {
+TEST_F(LargeStoreClock, ALookThroughAMapEndsSoonAfterTheCallerIsGone) {
   testing::ExpectEndsSoonAfterAStop([](const std::stop_token& stop) {
     const auto report = registry_->Verify(kMapName, /*repair=*/false, stop);
     if (report.ok()) {
@@ -94,13 +94,13 @@ TEST_F(LargeStore, ALookThroughAMapEndsSoonAfterTheCallerIsGone) {
   });
 }
 
-TEST_F(LargeStore, ABackupEndsSoonAfterTheCallerIsGone) {
+TEST_F(LargeStoreClock, ABackupEndsSoonAfterTheCallerIsGone) {
   testing::ExpectEndsSoonAfterAStop(
       [](const std::stop_token& stop) { return WasLeft(registry_->Backup(stop).status()); });
 }
 
 /// Else the last part of it would be all of it, and nothing ends that.
-TEST_F(LargeStore, ABackupIsWrittenWhileItIsMade) {
+TEST_F(LargeStoreClock, ABackupIsWrittenWhileItIsMade) {
   constexpr int kTries = 20;  // the thread that looks may come too late
   const auto is_any_written = [] {
     std::error_code gone;
@@ -122,12 +122,12 @@ TEST_F(LargeStore, ABackupIsWrittenWhileItIsMade) {
   ADD_FAILURE() << "nothing of it was there before it was done";
 }
 
-TEST_F(LargeStore, AnExportEndsSoonAfterTheCallerIsGone) {
+TEST_F(LargeStoreClock, AnExportEndsSoonAfterTheCallerIsGone) {
   testing::ExpectEndsSoonAfterAStop(
       [](const std::stop_token& stop) { return WasLeft(registry_->Export(kMapName, stop).status()); });
 }
 
-TEST_F(LargeStore, TakingAMapInEndsSoonAfterTheCallerIsGone) {
+TEST_F(LargeStoreClock, TakingAMapInEndsSoonAfterTheCallerIsGone) {
   constexpr std::size_t kMore = std::size_t{64} << 20;  // than the file has
   const auto file = registry_->Export(kMapName, {});
   ASSERT_TRUE(file.ok());

@@ -41,9 +41,10 @@ class CannedServer {
   /// `method` is its simple name: "GetMap".
   void Set(const std::string& method, CannedAnswer answer);
 
-  /// The last call that has ended, or has begun to hang, once there were `number` of them; waits at most a few seconds.
+  /// The last call that has ended, or has begun to hang, once there were `number` of them; waits no longer than tests
+  /// have patience for.
   HeardCall WaitForCall(std::size_t number = 1);
-  /// True once a hanging call was cancelled; waits at most a few seconds.
+  /// True once a hanging call was cancelled; waits no longer than tests have patience for.
   bool WaitForCancel();
   std::size_t num_calls();
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "dhpmap/v1/map_service.pb.h"
+#include "tests/support/eventually.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"
 
 namespace dhpmap::gateway {
@@ -173,11 +174,9 @@ TEST(GatewayBudget, BeyondTheBytesInFlightTheAnswerIs429AtOnce) {
     EXPECT_EQ(small.Ask("GET", "/healthz").status, 200);
   }
   http::HttpClient later((*gateway)->port());
-  int status = 0;
-  for (int i = 0; i < 100 && status != 200; ++i) {
-    status = later.Ask("POST", "/v1/maps", "{" + std::string(300'000, ' ') + "}").status;
-  }
-  EXPECT_EQ(status, 200) << "the client that left has given its bytes back";
+  EXPECT_TRUE(testing::Eventually([&] {
+    return later.Ask("POST", "/v1/maps", "{" + std::string(300'000, ' ') + "}").status == 200;
+  })) << "the client that left has given its bytes back";
 }
 
 TEST(GatewayBudget, AStreamedBodyCountsAsItComes) {
@@ -202,9 +201,7 @@ TEST_F(GatewayTest, ShutdownWaitsForShortCallsAndEndsLongOnes) {
   server.WaitForCall();
   http::HttpClient idle(gateway->port());
   EXPECT_EQ(idle.Ask("GET", "/healthz").status, 200);
-  const auto start = std::chrono::steady_clock::now();
   gateway->Shutdown(0.1);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4));
   EXPECT_TRUE(server.WaitForCancel());
   EXPECT_TRUE(idle.IsClosedByServer());
   EXPECT_EQ(http::HttpClient(gateway->port()).Ask("GET", "/healthz").status, 0) << "nothing is accepted any more";

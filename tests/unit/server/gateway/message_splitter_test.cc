@@ -91,8 +91,8 @@ TEST(MessageSplitter, FindsCutOffAndOversizedDelimitedMessages) {
   EXPECT_TRUE(endless.is_broken() || endless.is_too_large());
 }
 
-TEST(MessageSplitter, LooksAtALineWithoutEndOnlyOnce) {
-  // 32 MiB in pieces of 1 KiB: looked at anew with each piece, they would be 512 GiB.
+TEST(MessageSplitterClock, LooksAtALineWithoutEndOnlyOnce) {
+  // 32 MiB in pieces of 1 KiB: looked at anew with each piece, they would be 512 GiB, which take a minute.
   const std::string piece(1024, 'x');
   MessageSplitter splitter(BodyFormat::kJson, true, 64u << 20);
   const auto start = std::chrono::steady_clock::now();
@@ -102,7 +102,7 @@ TEST(MessageSplitter, LooksAtALineWithoutEndOnlyOnce) {
   }
   splitter.AddEnd();
   EXPECT_EQ(splitter.Next()->size(), 32u << 20);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST(MessageSplitter, TakesABodyThatIsNoStreamAsOneMessage) {

@@ -11,6 +11,7 @@
 
 #include "mapping/base/mutex.h"
 #include "server/http/exchange.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::gateway {
 
@@ -34,7 +35,7 @@ class RecordingResponder final : public http::Responder {
 
   /// Runs what is posted until `holds`; false if it does not within a minute.
   bool RunUntil(const std::function<bool()>& holds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    const auto end = std::chrono::steady_clock::now() + testing::kPatience;
     while (!holds()) {
       std::function<void()> task;
       {

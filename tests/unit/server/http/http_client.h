@@ -18,7 +18,8 @@ struct HttpAnswer {
   [[nodiscard]] std::string Header(std::string_view name) const;
 };
 
-/// A blocking HTTP/1.1 client on one connection to 127.0.0.1, that can also send what no proper client would.
+/// A blocking HTTP/1.1 client on one connection to 127.0.0.1, that can also send what no proper client would. Reading
+/// and sending end after a time that only what hangs needs.
 class HttpClient {
  public:
   explicit HttpClient(int port);
