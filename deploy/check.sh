@@ -7,6 +7,8 @@
 #                                    includes what it uses; takes some 10 minutes and is not part of the others
 #   deploy/check.sh tidy [REVISION]  clang-tidy on the sources changed since REVISION and not committed yet; without it
 #                                    on those that the newest commits touched, as many as two minutes allow
+#   deploy/check.sh tidy-of K/N      clang-tidy on every Nth source, beginning with the Kth: an hour with N = 4
+# What clang-tidy finds of style and speed is printed; what it finds of safety fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 deploy/setup.sh --quiet --checks
@@ -63,10 +65,13 @@ check_thread_safety() {
     xargs -r -P "$jobs" -I{} bash -c 'analyse {}'
 }
 
+compiled_sources() {
+  sed -nE "s|^ *\"file\": \"$PWD/([^\"]*)\",?$|\\1|p" build/check/compile_commands.json | grep -v '^build/' | sort -u
+}
+
 check_sources() {
   prepare && check_analysis_itself || return 1
-  sed -nE "s|^ *\"file\": \"$PWD/([^\"]*)\",?$|\\1|p" build/check/compile_commands.json | grep -v '^build/' | sort -u |
-    xargs -r -P "$jobs" -I{} bash -c 'analyse {}'
+  compiled_sources | xargs -r -P "$jobs" -I{} bash -c 'analyse {}'
 }
 
 # The sources that changed: since a revision, or in the newest commits, newest first. A header stands for its source.
@@ -86,8 +91,18 @@ check_tidy() {
   local files
   files=$(changed_sources "${1:-}")
   [ -n "${1:-}" ] || files=$(head -n "$max_tidy_files" <<<"$files")
-  [ -n "$files" ] || return 0
-  xargs -P "$jobs" -n 1 clang-tidy-14 -p build/check --quiet --warnings-as-errors='*' --extra-arg=-Wno-conversion <<<"$files" 2>/dev/null
+  [ -z "$files" ] || tidy <<<"$files"
+}
+
+check_tidy_of() {
+  prepare || return 1
+  compiled_sources | awk -v k="${1%/*}" -v n="${1#*/}" 'NR % n == k % n' | tidy
+}
+
+# tidy: the sources that standard input names.
+tidy() {
+  xargs -P "$jobs" -n 1 clang-tidy-14 -p build/check --quiet --warnings-as-errors='bugprone-*,clang-analyzer-*,concurrency-*' \
+    --extra-arg=-Wno-conversion 2>/dev/null
 }
 
 passed=0
@@ -107,9 +122,9 @@ run() {
 case "${1:-}" in
   "") for name in format thread-safety tidy; do run "$name"; done ;;
   format | thread-safety | sources) run "$1" ;;
-  tidy) run "$@" ;;
+  tidy | tidy-of) run "$@" ;;
   *)
-    echo "usage: deploy/check.sh [format | thread-safety | sources | tidy [REVISION]]" >&2
+    echo "usage: deploy/check.sh [format | thread-safety | sources | tidy [REVISION] | tidy-of K/N]" >&2
     exit 2
     ;;
 esac

@@ -27,10 +27,10 @@ Status OfDisk(const std::string& task) {
 
 /// The database beside it needs room, too.
 Status CheckRoomForPages(int file, std::size_t num_bytes) {
-  constexpr std::uint64_t kLeftFree_bytes = 256u << 20;
+  constexpr std::uint64_t kLeftFreeForPages_bytes = 256u << 20;
   struct statvfs disk {};
   if (fstatvfs(file, &disk) != 0) return Status::Ok();  // then writing tells
-  if (std::uint64_t{disk.f_bavail} * disk.f_frsize >= num_bytes + kLeftFree_bytes) return Status::Ok();
+  if (std::uint64_t{disk.f_bavail} * disk.f_frsize >= num_bytes + kLeftFreeForPages_bytes) return Status::Ok();
   return ResourceExhausted("what has no room in memory would leave too little of the disk");
 }
 

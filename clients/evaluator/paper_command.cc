@@ -73,12 +73,12 @@ Status Run(const PaperOptions& options) {
   std::cout << text;
   if (!options.markdown.empty()) DHPMAP_RETURN_IF_ERROR(WriteText(options.markdown, text));
   if (options.json.empty()) return Status::Ok();
-  nlohmann::json json{{"processor", ProcessorName()}};
-  json["experiments"] = nlohmann::json::array();
-  json["retrieval"] = nlohmann::json::array();
-  for (const Experiment& experiment : experiments) json["experiments"].push_back(ToJson(experiment));
-  for (const RetrievalTimes& times : retrievals) json["retrieval"].push_back(TimesToJson(times));
-  return WriteText(options.json, json.dump(1) + "\n");
+  nlohmann::json results{{"processor", ProcessorName()}};
+  results["experiments"] = nlohmann::json::array();
+  results["retrieval"] = nlohmann::json::array();
+  for (const Experiment& experiment : experiments) results["experiments"].push_back(ToJson(experiment));
+  for (const RetrievalTimes& times : retrievals) results["retrieval"].push_back(TimesToJson(times));
+  return WriteText(options.json, results.dump(1) + "\n");
 }
 
 }  // namespace
