@@ -175,7 +175,7 @@ TEST_P(FrozenClient, DoesNotHoldItsMap) {
   ASSERT_NE(client, nullptr) << "no client was stopped in the middle of its frames";
   std::vector<std::string> other{"map", dataset().string(), "--map", "room", "--frames", "1"};
   if (cure == "take-over") other.emplace_back("--take-over");
-  if (cure == "deletion") other = {"maps", "delete", "room"};
+  if (cure == "deletion") other = {"maps", "delete", "room", "--yes"};
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   Outcome outcome;
   do {
