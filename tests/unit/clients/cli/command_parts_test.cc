@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include "clients/cli/output_file.h"
 #include "clients/cli/point_input.h"
 #include "clients/cli/pose_change.h"
+#include "clients/cli/progress_bar.h"
 #include "clients/cli/text_table.h"
 #include "tests/support/scenes.h"
 
@@ -55,6 +57,20 @@ TEST(TextTable, AlignsNumbersRightAndTextLeft) {
   std::ostringstream out;
   table.Print(out);
   EXPECT_EQ(out.str(), " ID  NAME\n  7  ä\n123  bc\n");
+}
+
+TEST(ProgressBar, TellsAPipeAPlainLineATenth) {
+  ::testing::internal::CaptureStderr();  // a file
+  {
+    ProgressBar progress(200);
+    for (std::size_t done = 0; done <= 200; ++done) progress.Show(done, "fast");
+    progress.Print("skipped frame 3");
+  }
+  const std::string told = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 11) << told;
+  EXPECT_TRUE(told.starts_with("20/200 frames, fast\n40/200 frames, fast\n")) << told;
+  EXPECT_TRUE(told.ends_with("200/200 frames, fast\nskipped frame 3\n")) << told;
+  EXPECT_EQ(told.find_first_of("\r\x1b"), std::string::npos) << "nothing that only a terminal understands";
 }
 
 TEST(Bytes, TakeTheUnitThatFits) {
