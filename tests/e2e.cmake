@@ -7,4 +7,4 @@ dhpmap_library(NAME dhpmap_e2e SOURCES e2e/rendered_dataset.cc e2e/same_maps.cc
   PRIVATE OpenCVParts::core OpenCVParts::imgcodecs GTest::gtest)
 dhpmap_tests(ROOM e2e STUBS LIBS dhpmap_e2e dhpmap_http_client dhpmap_rig_kills dhpmap_test_server
   ALONE map_file_test.cc replay_test.cc session_test.cc watch_test.cc)
-add_dependencies(e2e_test dhpmap-server dhpmap)
+add_dependencies(e2e_test dhpmap-server dhpmap dhpmap-simulate dhpmap-evaluate dhpmap-bench)
