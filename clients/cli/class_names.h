@@ -11,7 +11,8 @@ namespace dhpmap {
 /// "thing", "stuff" or "unknown".
 std::string KindName(v1::PanopticKind kind);
 
-/// The class of a map that a user means by its name (in any case) or its id. NOT_FOUND lists the classes there are.
+/// The class of a map that a user means by its name (as the server takes it, see FindClassByName) or its id. NOT_FOUND
+/// says which name is near, and lists the classes there are.
 Result<v1::LabelClass> FindClass(const v1::Map& map, const std::string& name_or_id);
 
 }  // namespace dhpmap

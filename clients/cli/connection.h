@@ -55,6 +55,8 @@ void AddWatchCommand(CLI::App& app, Session& session);
 void AddSessionsCommands(CLI::App& app, Session& session);
 void AddReplayCommand(CLI::App& app, Session& session);
 void AddRestoreCommand(CLI::App& app, Session& session);
+/// The script is made of `app` as it is when it is asked for.
+void AddCompletionCommand(CLI::App& app, Session& session);
 // Likewise, subcommands of `maps`.
 void AddMapFileCommands(CLI::App& maps, Session& session);
 // Likewise, subcommands of `query`.

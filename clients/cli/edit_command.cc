@@ -12,6 +12,7 @@
 #include "clients/cli/connection.h"
 #include "clients/cli/edit_flags.h"
 #include "clients/cli/new_map.h"
+#include "clients/cli/pose_change.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/edit_service.grpc.pb.h"
@@ -23,7 +24,7 @@ namespace {
 struct EditOptions : EditFlags {
   std::string map, text;
   std::int64_t id = 0;
-  std::vector<double> to_m, by_m, rotation;
+  PoseChange pose;
   std::vector<std::int64_t> others;
   std::vector<double> box_m, sphere_m, plane;
   std::vector<std::string> classes;
@@ -31,7 +32,6 @@ struct EditOptions : EditFlags {
   int min_voxels = 0;
   std::int64_t read_revision = 0;  ///< of `kept-clear`
   [[nodiscard]] std::string name() const { return SubmapName(map, id); }
-  [[nodiscard]] bool has_pose() const { return !to_m.empty() || !by_m.empty() || !rotation.empty(); }
 };
 
 std::unique_ptr<v1::SubmapService::Stub> Submaps(const Session& session) {
@@ -46,21 +46,6 @@ grpc::Status GetSubmap(v1::SubmapService::Stub& stub, const std::string& name, v
   grpc::Status status = stub.GetSubmap(&context, request, &response);
   submap = response.submap();
   return status;
-}
-
-/// `pose` with the options' changes made to it.
-void ChangePose(const EditOptions& options, v1::Pose& pose) {
-  v1::Vector3& t = *pose.mutable_translation_m();
-  const std::vector<double>& to = options.to_m;
-  const std::vector<double>& by = options.by_m;
-  if (!to.empty()) t.set_x(to[0]), t.set_y(to[1]), t.set_z(to[2]);
-  if (!by.empty()) t.set_x(t.x() + by[0]), t.set_y(t.y() + by[1]), t.set_z(t.z() + by[2]);
-  if (options.rotation.empty()) return;
-  v1::Quaternion& q = *pose.mutable_rotation();
-  q.set_x(options.rotation[0]);
-  q.set_y(options.rotation[1]);
-  q.set_z(options.rotation[2]);
-  q.set_w(options.rotation[3]);
 }
 
 template <typename Response>
@@ -86,12 +71,16 @@ ExitCode Update(const Session& session, const EditOptions& options, v1::SubmapSe
 }
 
 ExitCode RunMove(const Session& session, const EditOptions& options) {
-  if (!options.has_pose()) return ReportLocalError("say where: --to, --by or --rotation", ExitCode::kUsage);
+  if (!options.pose.is_given()) {
+    return ReportLocalError("say where: --to, --by, --yaw or --rotation", ExitCode::kUsage);
+  }
   const auto stub = Submaps(session);
   v1::Submap submap;  // its etag guards the change against others made meanwhile
   const grpc::Status status = GetSubmap(*stub, options.name(), submap);
   if (!status.ok()) return ReportError(session, status);
-  ChangePose(options, *submap.mutable_map_from_submap());
+  if (const Status changed = ChangePose(options.pose, submap); !changed.ok()) {
+    return ReportLocalError(changed.message(), ExitCode::kBadRequest);
+  }
   return Update(session, options, *stub, submap, "map_from_submap", "moved " + options.name());
 }
 
@@ -102,11 +91,13 @@ ExitCode RunClone(const Session& session, const EditOptions& options) {
   request.set_name(options.name());
   request.set_display_name(options.text);
   request.set_etag(options.etag);
-  if (options.has_pose()) {
+  if (options.pose.is_given()) {
     v1::Submap submap;
     const grpc::Status status = GetSubmap(*stub, options.name(), submap);
     if (!status.ok()) return ReportError(session, status);
-    ChangePose(options, *submap.mutable_map_from_submap());
+    if (const Status changed = ChangePose(options.pose, submap); !changed.ok()) {
+      return ReportLocalError(changed.message(), ExitCode::kBadRequest);
+    }
     *request.mutable_map_from_submap() = submap.map_from_submap();
   }
   grpc::ClientContext context;
@@ -322,13 +313,6 @@ CLI::App* AddEdit(CLI::App& edit, const char* name, const char* what, const std:
   return command;
 }
 
-void AddPoseOptions(CLI::App& command, EditOptions& options) {
-  CLI::Option* to =
-      command.add_option("--to", options.to_m, "New translation X Y Z of the object's pose (metres)")->expected(3);
-  command.add_option("--by", options.by_m, "Shift by X Y Z (metres)")->expected(3)->excludes(to);
-  command.add_option("--rotation", options.rotation, "New rotation as quaternion X Y Z W")->expected(4);
-}
-
 void AddRegionOptions(CLI::App& command, EditOptions& options) {
   command.add_option("--box", options.box_m, "The box X Y Z to X Y Z (metres)")->expected(6);
   command.add_option("--sphere", options.sphere_m, "The sphere X Y Z RADIUS (metres)")->expected(4);
@@ -384,9 +368,9 @@ void AddEditCommands(CLI::App& app, Session& session) {
   auto options = std::make_shared<EditOptions>();
   edit->fallthrough();
   AddEditFlags(*edit, *options, "the object, or of the map where none is named");
-  AddPoseOptions(*AddEdit(*edit, "move", "Change its pose", options, session, RunMove), *options);
+  AddPoseFlags(*AddEdit(*edit, "move", "Move or turn it", options, session, RunMove), options->pose);
   CLI::App* clone = AddEdit(*edit, "clone", "Copy it under a new instance id", options, session, RunClone);
-  AddPoseOptions(*clone, *options);
+  AddPoseFlags(*clone, options->pose);
   clone->add_option("--name", options->text, "Display name of the copy");
   AddEdit(*edit, "delete", "Delete it", options, session, RunDelete);
   AddEdit(*edit, "relabel", "Give it another class of its kind", options, session, RunRelabel)

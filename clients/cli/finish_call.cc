@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "clients/cli/text_table.h"
+#include "clients/command_line/terminal_line.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "dhpmap/v1/watch_service.grpc.pb.h"
 
@@ -100,14 +101,18 @@ grpc::Status FinishAndTell(const std::shared_ptr<grpc::Channel>& channel, const 
   g_is_finish_interrupted = false;
   const auto handler_before = std::signal(SIGINT, OnFinishInterrupt);
   std::atomic<v1::FinishProgress::Stage> told = v1::FinishProgress::STAGE_UNSPECIFIED;
+  TerminalLine line;  // of the listener's thread, until the call is over
   const FinishListener listener{.on_progress =
                                     [&](const v1::FinishProgress& progress) {
-                                      if (told.exchange(progress.stage()) == progress.stage()) return;
-                                      std::cerr << map << " " << TextOf(progress.stage()) << ", after "
-                                                << Fixed(progress.elapsed_s(), 1) << " s\n";
+                                      const bool is_new = told.exchange(progress.stage()) != progress.stage();
+                                      const std::string text = map + " " + TextOf(progress.stage()) + ", after " +
+                                                               Fixed(progress.elapsed_s(), 1) + " s";
+                                      line.Draw(text);
+                                      if (is_new && !line.is_terminal()) std::cerr << text << "\n";
                                     },
                                 .is_interrupted = [] { return g_is_finish_interrupted.load(); }};
   const grpc::Status status = CallFinish(channel, map, listener, response);
+  line.Clear();
   std::signal(SIGINT, handler_before);
   if (status.error_code() != grpc::StatusCode::CANCELLED) return status;
   if (!g_is_finish_interrupted) return {grpc::StatusCode::UNAVAILABLE, status.error_message()};

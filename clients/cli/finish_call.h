@@ -26,8 +26,8 @@ struct FinishListener {
 grpc::Status CallFinish(const std::shared_ptr<grpc::Channel>& channel, const std::string& map,
                         const FinishListener& listener, v1::FinishMappingResponse& response);
 
-/// The same, told on stderr, a line for each stage, and cancelled by the first Ctrl-C, which it tells, too; the second
-/// one ends the program. CANCELLED for nothing else.
+/// The same, told on stderr, in one line of a terminal or else a line for each stage, and cancelled by the first
+/// Ctrl-C, which it tells, too; the second one ends the program. CANCELLED for nothing else.
 grpc::Status FinishAndTell(const std::shared_ptr<grpc::Channel>& channel, const std::string& map,
                            v1::FinishMappingResponse& response);
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "clients/cli/connection.h"
+#include "clients/command_line/typos.h"
+#include "clients/command_line/version.h"
 
 namespace {
 
@@ -31,6 +33,8 @@ int main(int argc, char** argv) {
   using dhpmap::ExitCode;
   dhpmap::Session session;
   CLI::App app("Client of the DHP Map Server", "dhpmap");
+  app.set_version_flag("--version", dhpmap::VersionOf("dhpmap"));
+  app.failure_message(dhpmap::ExplainParseError);
   app.fallthrough();  // --server and --json may stand anywhere
   app.require_subcommand(1);
   app.footer(dhpmap::ExitCodeHelp());
@@ -52,6 +56,7 @@ int main(int argc, char** argv) {
   dhpmap::AddWatchCommand(app, session);
   dhpmap::AddSessionsCommands(app, session);
   dhpmap::AddReplayCommand(app, session);
+  dhpmap::AddCompletionCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));
   } catch (const CLI::ParseError& error) {

@@ -8,6 +8,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "mapping/base/near_name.h"
+
 namespace dhpmap {
 namespace {
 
@@ -25,8 +27,9 @@ void CollectKeys(const Descriptor& message, const std::string& prefix, std::vect
 }
 
 Status UnknownKey(const std::string& key) {
-  std::string message = "there is no setting '" + key + "'; settings are";
-  for (const std::string& known : SettingKeys()) message += " " + known;
+  const std::vector<std::string> keys = SettingKeys();
+  std::string message = "there is no setting '" + key + "'" + DidYouMean(key, keys) + "\n  settings are";
+  for (const std::string& known : keys) message += " " + known;
   return InvalidArgument(message);
 }
 

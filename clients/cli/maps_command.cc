@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap maps list|show|create|delete, dhpmap stats, dhpmap finish.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "clients/cli/class_names.h"
+#include "clients/cli/confirmation.h"
 #include "clients/cli/connection.h"
 #include "clients/cli/edit_flags.h"
 #include "clients/cli/finish_call.h"
@@ -113,7 +116,25 @@ ExitCode RunRenameMap(const Session& session, const MapRename& rename) {
   return ExitCode::kOk;
 }
 
-ExitCode RunDelete(const Session& session, const std::string& name) {
+struct MapDeletion {
+  std::string name;
+  bool yes = false;
+};
+
+/// Asks first: there is no way back, short of a backup.
+ExitCode RunDeleteMap(const Session& session, const MapDeletion& deletion) {
+  const std::string& name = deletion.name;
+  if (!deletion.yes) {
+    v1::Map map;
+    const grpc::Status found = GetMap(Connect(session), name, map);
+    const bool is_damaged = found.error_code() == grpc::StatusCode::DATA_LOSS;
+    if (!found.ok() && !is_damaged) return ReportError(session, found);
+    const std::string what =
+        is_damaged ? ", which is damaged" : " with its " + std::to_string(map.num_submaps()) + " submaps";
+    const std::string question = "Delete " + MapName(name) + what + "? This cannot be undone.";
+    const Status said = Confirm(question, isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0, std::cin, std::cerr);
+    if (!said.ok()) return ReportLocalError(said.message(), ExitCode::kUsage);
+  }
   grpc::ClientContext context;
   v1::DeleteMapRequest request;
   request.set_name(MapName(name));
@@ -198,6 +219,14 @@ void AddRenameMap(CLI::App& maps, Session& session) {
   command->callback([rename, &session] { session.exit_code = RunRenameMap(session, *rename); });
 }
 
+void AddDeleteMap(CLI::App& maps, Session& session) {
+  auto deletion = std::make_shared<MapDeletion>();
+  CLI::App* command = maps.add_subcommand("delete", "Delete a map with all its submaps; asks first");
+  command->add_option("map", deletion->name, "Name of the map")->required();
+  command->add_flag("--yes,-y", deletion->yes, "Do not ask; without a terminal nothing is deleted otherwise");
+  command->callback([deletion, &session] { session.exit_code = RunDeleteMap(session, *deletion); });
+}
+
 }  // namespace
 
 void AddMapsCommands(CLI::App& app, Session& session) {
@@ -210,7 +239,7 @@ void AddMapsCommands(CLI::App& app, Session& session) {
   });
   AddNamed(*maps, "show", "One map with its configuration and classes", session, RunShow);
   AddRenameMap(*maps, session);
-  AddNamed(*maps, "delete", "Delete a map with all its submaps", session, RunDelete);
+  AddDeleteMap(*maps, session);
   auto options = std::make_shared<CreateOptions>();
   CLI::App* create = maps->add_subcommand("create", "Create an empty map");
   create->add_option("map", options->map.name, "Name of the new map")->required();

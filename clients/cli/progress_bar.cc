@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/cli/progress_bar.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <utility>
@@ -19,11 +17,7 @@ constexpr auto kMinInterval = std::chrono::milliseconds(100);
 }  // namespace
 
 ProgressBar::ProgressBar(std::size_t total, std::string unit)
-    : total_(std::max<std::size_t>(total, 1)), unit_(std::move(unit)), is_terminal_(isatty(2) != 0) {}
-
-ProgressBar::~ProgressBar() {
-  if (is_drawn_) std::fputs("\r\x1b[K", stderr);
-}
+    : total_(std::max<std::size_t>(total, 1)), unit_(std::move(unit)) {}
 
 double ProgressBar::elapsed_s() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -32,7 +26,7 @@ double ProgressBar::elapsed_s() const {
 void ProgressBar::Show(std::size_t done, const std::string& note) {
   const auto now = std::chrono::steady_clock::now();
   const MutexLock lock(mutex_);
-  if (is_terminal_) {
+  if (line_.is_terminal()) {
     if (is_drawn_ && now - drawn_ < kMinInterval && done < total_) return;
     drawn_ = now;
     Draw(done, note);
@@ -46,7 +40,8 @@ void ProgressBar::Show(std::size_t done, const std::string& note) {
 
 void ProgressBar::Print(const std::string& line) {
   const MutexLock lock(mutex_);
-  std::fprintf(stderr, "%s%s\n", is_drawn_ ? "\r\x1b[K" : "", line.c_str());
+  line_.Clear();
+  std::fprintf(stderr, "%s\n", line.c_str());
   is_drawn_ = false;
 }
 
@@ -58,8 +53,7 @@ std::string ProgressBar::Counted(std::size_t done) const {
 void ProgressBar::Draw(std::size_t done, const std::string& note) {
   const std::size_t filled = std::min(kWidth, kWidth * done / total_);
   const std::string bar = std::string(filled, '=') + std::string(kWidth - filled, ' ');
-  std::fprintf(stderr, "\r\x1b[K[%s] %s  %s", bar.c_str(), Counted(done).c_str(), note.c_str());
-  std::fflush(stderr);
+  line_.Draw("[" + bar + "] " + Counted(done) + "  " + note);
   is_drawn_ = true;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "clients/command_line/terminal_line.h"
 #include "mapping/base/mutex.h"
 
 namespace dhpmap {
@@ -15,7 +16,7 @@ class ProgressBar {
   /// `unit`: what is counted; bytes are shown as such.
   explicit ProgressBar(std::size_t total, std::string unit = "frames");
   /// Takes the bar away.
-  ~ProgressBar();
+  ~ProgressBar() = default;
   void Show(std::size_t done, const std::string& note);
   /// A line of its own, above the bar.
   void Print(const std::string& line);
@@ -28,9 +29,9 @@ class ProgressBar {
 
   const std::size_t total_;
   const std::string unit_;
-  const bool is_terminal_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Mutex mutex_;
+  TerminalLine line_ DHPMAP_GUARDED_BY(mutex_);
   bool is_drawn_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::size_t tenths_shown_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::chrono::steady_clock::time_point drawn_ DHPMAP_GUARDED_BY(mutex_);

@@ -18,8 +18,12 @@ Result<std::shared_ptr<const LabelSet>> MakeLabelSet(const std::vector<LabelClas
   return std::make_shared<const LabelSet>(std::move(label_set));
 }
 
-Status MapRecording(MappingSystem& system, Recording& recording) {
-  DHPMAP_RETURN_IF_ERROR(recording.ForEach([&](const PanopticFrame& frame) { return system.Integrate(frame); }));
+Status MapRecording(MappingSystem& system, Recording& recording, const ExperimentOptions& options) {
+  std::size_t num_done = 0;
+  DHPMAP_RETURN_IF_ERROR(recording.ForEach([&](const PanopticFrame& frame) {
+    if (options.on_frame) options.on_frame(system.name(), num_done++, recording.num_frames());
+    return system.Integrate(frame);
+  }));
   system.Finish();
   return Status::Ok();
 }
@@ -72,7 +76,7 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
   SystemSetup truth_setup{experiment.config, nullptr, options.num_threads};
   DHPMAP_ASSIGN_OR_RETURN(truth_setup.label_set, MakeLabelSet(truth_recording.label_classes()));
   auto truth_system = MakeTruthMap(truth_setup);
-  DHPMAP_RETURN_IF_ERROR(MapRecording(*truth_system, truth_recording));
+  DHPMAP_RETURN_IF_ERROR(MapRecording(*truth_system, truth_recording, options));
   const Truth truth(truth_system->Surface().mesh, experiment.classes, experiment.protocol);
   truth_system.reset();
   experiment.num_truth_samples = static_cast<std::int64_t>(truth.samples().size());
@@ -88,7 +92,7 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
   DHPMAP_ASSIGN_OR_RETURN(setup.label_set, MakeLabelSet(recording.label_classes()));
   for (const std::string& name : options.systems) {
     DHPMAP_ASSIGN_OR_RETURN(const std::unique_ptr<MappingSystem> system, MakeSystem(name, setup));
-    DHPMAP_RETURN_IF_ERROR(MapRecording(*system, recording));
+    DHPMAP_RETURN_IF_ERROR(MapRecording(*system, recording, options));
     std::vector<ElementLabel> labels;
     const LabelledSurface surface = system->Surface();
     Scores scores = Evaluate(truth, surface, system->has_instances(), pool, &labels);

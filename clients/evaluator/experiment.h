@@ -22,6 +22,8 @@ struct ExperimentOptions {
   std::vector<std::string> systems;
   std::vector<std::pair<std::string, std::string>> settings;  ///< keys of MapConfig, on top of the preset
   int num_threads = 0;                                        ///< 0 = one a core
+  /// Hears, before each frame, whose map is made and how many of its frames are in it; may be empty.
+  std::function<void(const std::string& system, std::size_t num_done, std::size_t num_frames)> on_frame;
 };
 
 struct Experiment {

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "clients/command_line/typos.h"
+#include "clients/command_line/version.h"
 #include "clients/evaluator/paper_command.h"
 #include "clients/evaluator/run_command.h"
 
@@ -10,6 +12,8 @@ int main(int argc, char** argv) {
   constexpr int kFailed = 1, kUsage = 2;
   dhpmap::Status status;
   CLI::App app("Compares maps with the ground truth of a data set.", "dhpmap-evaluate");
+  app.set_version_flag("--version", dhpmap::VersionOf("dhpmap-evaluate"));
+  app.failure_message(dhpmap::ExplainParseError);
   app.require_subcommand(1);
   dhpmap::evaluator::AddRunCommand(app, status);
   dhpmap::evaluator::AddPaperCommand(app, status);

@@ -5,7 +5,9 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "clients/command_line/terminal_line.h"
 #include "clients/evaluator/experiment_json.h"
 #include "clients/evaluator/output.h"
 #include "clients/evaluator/paper_tables.h"
@@ -40,10 +42,18 @@ Result<Experiment> RunOn(const std::string& directory, const PaperOptions& optio
   wanted.num_threads = options.num_threads;
   wanted.systems = PaperSystems();
   DHPMAP_ASSIGN_OR_RETURN(wanted.settings, ParseSettings(options.settings));
+  TerminalLine progress;
+  wanted.on_frame = [&](const std::string& system, std::size_t num_done, std::size_t num_frames) {
+    progress.Draw(directory + ": " + system + ", frame " + std::to_string(num_done + 1) + " of " +
+                  std::to_string(num_frames));
+  };
+  std::optional<TruthPictures> views;
   return RunExperiment(wanted, [&](const Truth& truth, const Scores& scores, const auto& labels) {
+    progress.Clear();
     std::cerr << directory << ": " << scores.system << std::endl;
     if (options.pictures.empty()) return Status::Ok();
-    return DrawPictures(truth, scores, labels, options.pictures + "/" + DatasetName(directory));
+    if (!views) views.emplace(truth);
+    return WritePictures(*views, scores, labels, options.pictures + "/" + DatasetName(directory));
   });
 }
 

@@ -1,18 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "clients/evaluator/evaluation.h"
+#include "clients/evaluator/surface_view.h"
 
 namespace dhpmap::evaluator {
 
-/// Writes `<folder>/<system>_labels.png`, coloured by instance (stuff by class), and `<system>_errors.png`: grey =
-/// right, red = wrong class, orange = right class but another segment than the matched one, blue = missing; and
-/// `truth_labels.png`. Each shows the samples of the truth from above, ceilings taken off, and below that from a corner
-/// at half height. Makes the folder. UNAVAILABLE if a file cannot be written.
-Status DrawPictures(const Truth& truth, const Scores& scores, const std::vector<ElementLabel>& labels,
-                    const std::string& folder);
+/// The same surface from a corner, at half height, and from above.
+struct PicturePair {
+  Picture corner, above;
+};
+
+/// Colours of pictures of errors; a legend needs them.
+namespace error_colors {
+inline constexpr Color kRight{222, 225, 229}, kWrongClass{214, 39, 40}, kWrongInstance{255, 150, 30},
+    kMissing{31, 80, 200}, kNotJudged{243, 240, 232};
+}  // namespace error_colors
+
+/// Pictures of a truth that is a surface, in which one looks into rooms (see Sides). Keeps the truth, which must
+/// outlive it.
+class TruthPictures {
+ public:
+  explicit TruthPictures(const Truth& truth);
+
+  /// As the camera saw it.
+  [[nodiscard]] PicturePair Seen() const;
+  /// Things by instance in strong colours, backgrounds by class in pale ones.
+  [[nodiscard]] PicturePair TruthLabels() const;
+  /// What a system says of the truth's samples; a segment that matches one of the truth has its colour.
+  [[nodiscard]] PicturePair Labels(const Scores& scores, const std::vector<ElementLabel>& labels) const;
+  /// In error_colors: right; wrong class; right class but another segment than the matched one; missing; not judged.
+  [[nodiscard]] PicturePair Errors(const Scores& scores, const std::vector<ElementLabel>& labels) const;
+
+ private:
+  [[nodiscard]] PicturePair Paint(const std::function<Color(std::uint32_t sample)>& color_of) const;
+
+  const Truth& truth_;
+  SurfaceView corner_, above_;
+  std::vector<std::uint32_t> sample_of_triangle_;  ///< one on it, or the nearest; Neighbour::kNone: there is none
+};
+
+/// Writes `<folder>/<system>_labels.png` and `<system>_errors.png`, and `truth_labels.png`: each from above, and below
+/// that from the corner. Makes the folder. UNAVAILABLE if a file cannot be written.
+Status WritePictures(const TruthPictures& pictures, const Scores& scores, const std::vector<ElementLabel>& labels,
+                     const std::string& folder);
 
 }  // namespace dhpmap::evaluator

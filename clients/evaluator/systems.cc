@@ -5,12 +5,14 @@
 
 #include "clients/evaluator/baselines/baselines.h"
 #include "clients/evaluator/dhp_system.h"
+#include "mapping/base/near_name.h"
 
 namespace dhpmap::evaluator {
 namespace {
 
 struct Entry {
   const char* name;
+  const char* what;
   std::unique_ptr<MappingSystem> (*make)(SystemSetup setup);
 };
 
@@ -27,18 +29,26 @@ std::unique_ptr<MappingSystem> MakeUnrefinedOneField(SystemSetup setup) {
 }
 
 constexpr Entry kEntries[] = {
-    {"panmap", [](SystemSetup setup) { return MakePanmap(setup); }},
-    {"panmap_whole_segments", [](SystemSetup setup) { return MakePanmapOfWholeSegments(std::move(setup)); }},
-    {"kimera", [](SystemSetup setup) { return MakeKimera(setup); }},
-    {"kimera_carving", [](SystemSetup setup) { return MakeKimeraWithCarving(std::move(setup)); }},
-    {"votes", [](SystemSetup setup) { return MakeVotes(setup); }},
-    {"votes_objects", [](SystemSetup setup) { return MakeVotesWithObjects(setup); }},
-    {"dhp_no_refine", [](SystemSetup setup) { return MakeVariant<false, false>("dhp_no_refine", std::move(setup)); }},
-    {"dhp_no_refine_one_field", [](SystemSetup setup) { return MakeUnrefinedOneField(std::move(setup)); }},
-    {"dhp_management_only",
+    {"panmap", "Panmap's recipe, with segments cut where they lie apart",
+     [](SystemSetup setup) { return MakePanmap(setup); }},
+    {"panmap_whole_segments", "Panmap's recipe, with segments as they come",
+     [](SystemSetup setup) { return MakePanmapOfWholeSegments(std::move(setup)); }},
+    {"kimera", "Kimera's recipe: classes alone, without carving", [](SystemSetup setup) { return MakeKimera(setup); }},
+    {"kimera_carving", "Kimera's recipe, with carving",
+     [](SystemSetup setup) { return MakeKimeraWithCarving(std::move(setup)); }},
+    {"votes", "our fusion with a vote in each voxel: classes alone",
+     [](SystemSetup setup) { return MakeVotes(setup); }},
+    {"votes_objects", "a vote in each voxel, and connected parts of a class as objects",
+     [](SystemSetup setup) { return MakeVotesWithObjects(setup); }},
+    {"dhp_no_refine", "not refined: places have several surfaces",
+     [](SystemSetup setup) { return MakeVariant<false, false>("dhp_no_refine", std::move(setup)); }},
+    {"dhp_no_refine_one_field", "not refined: one surface of all, each place the object's that was seen there most",
+     [](SystemSetup setup) { return MakeUnrefinedOneField(std::move(setup)); }},
+    {"dhp_management_only", "refined by label management alone",
      [](SystemSetup setup) { return MakeVariant<true, false>("dhp_management_only", std::move(setup)); }},
-    {"dhp_crf_only", [](SystemSetup setup) { return MakeVariant<false, true>("dhp_crf_only", std::move(setup)); }},
-    {"dhp", [](SystemSetup setup) { return MakeDhp("dhp", setup); }},
+    {"dhp_crf_only", "refined by the CRF alone",
+     [](SystemSetup setup) { return MakeVariant<false, true>("dhp_crf_only", std::move(setup)); }},
+    {"dhp", "the map that the server makes", [](SystemSetup setup) { return MakeDhp("dhp", setup); }},
 };
 
 const Entry* Find(const std::string& name) {
@@ -55,11 +65,17 @@ std::vector<std::string> SystemNames() {
   return names;
 }
 
+std::string SystemDescription(const std::string& name) {
+  const Entry* entry = Find(name);
+  return entry == nullptr ? "" : entry->what;
+}
+
 Status CheckSystemName(const std::string& name) {
   if (Find(name) != nullptr) return Status::Ok();
+  const std::vector<std::string> names = SystemNames();
   std::string known;
-  for (const Entry& entry : kEntries) known += std::string(known.empty() ? "" : ", ") + entry.name;
-  return InvalidArgument("there is no system '" + name + "'; there are " + known);
+  for (const std::string& there : names) known += (known.empty() ? "" : ", ") + there;
+  return InvalidArgument("there is no system '" + name + "'" + DidYouMean(name, names) + "\n  there are " + known);
 }
 
 Result<std::unique_ptr<MappingSystem>> MakeSystem(const std::string& name, SystemSetup setup) {

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <string>
 
+#include "clients/command_line/typos.h"
+#include "clients/command_line/version.h"
 #include "clients/simulator/apartment.h"
 #include "clients/simulator/flat_recording.h"
 #include "clients/simulator/image_files.h"
@@ -45,6 +47,8 @@ int Record(const RecordingOptions& options, int num_threads, bool is_quiet) {
 int Run(int argc, char** argv) {
   CLI::App app("Records a walk through a furnished apartment: colour, depth, poses, panoptic labels and the truth.",
                "dhpmap-simulate");
+  app.set_version_flag("--version", VersionOf("dhpmap-simulate"));
+  app.failure_message(ExplainParseError);
   RecordingOptions options;
   std::string directory, plan;
   bool no_noise = false, no_predictions = false, is_quiet = false;

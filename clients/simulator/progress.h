@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "clients/command_line/terminal_line.h"
 #include "mapping/base/mutex.h"
 
 namespace dhpmap::simulator {
@@ -18,9 +19,9 @@ class Progress {
 
   const int total_;
   const bool is_quiet_;
-  const bool is_terminal_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Mutex mutex_;
+  TerminalLine line_ DHPMAP_GUARDED_BY(mutex_);
   int done_ DHPMAP_GUARDED_BY(mutex_) = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mapping/base/guarded.h"
+#include "mapping/base/near_name.h"
 #include "mapping/map/history_id.h"
 #include "mapping/map/page_reader.h"
 #include "mapping/map/tile_page.h"
@@ -15,6 +16,18 @@ namespace {
 
 Status NoSuchMap(const std::string& name) {
   return NotFound("there is no map '" + name.substr(0, 80) + "'").WithReason("MAP_NOT_FOUND");
+}
+
+/// The same, with what was near among those that are there.
+template <typename Entries>
+Status NoSuchMapAmong(const Entries& entries, const std::string& name) {
+  constexpr std::size_t kMostNames = 1000;
+  std::vector<std::string> names;
+  for (const auto& [there, entry] : entries) {
+    if (entry->exists && names.size() < kMostNames) names.push_back(there);
+  }
+  const Status plain = NoSuchMap(name);
+  return NotFound(plain.message() + DidYouMean(name, names)).WithReason(plain.reason());
 }
 
 Status NameIsTaken(const std::string& name) {
@@ -134,7 +147,7 @@ Result<MapSummary> MapRegistry::ShowStored(HeldName& held) {
 Result<MapSummary> MapRegistry::Get(const std::string& name) const {
   const MutexLock lock(mutex_);
   const auto found = entries_.find(name);
-  if (found == entries_.end() || !found->second->exists) return NoSuchMap(name);
+  if (found == entries_.end() || !found->second->exists) return NoSuchMapAmong(entries_, name);
   MapSummary summary = Summarise(*found->second);
   if (!summary.damage.ok()) return summary.damage;
   return summary;
@@ -156,7 +169,10 @@ std::shared_ptr<const LostRevisions> MapRegistry::LostRevisionsOf(const std::str
 
 Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::string& etag) {
   const auto entry = FindEntry(name);
-  if (entry == nullptr) return NoSuchMap(name);
+  if (entry == nullptr) {
+    const MutexLock lock(mutex_);
+    return NoSuchMapAmong(entries_, name);
+  }
   const MutexLock busy(entry->busy);
   std::shared_ptr<MapSession> session;
   {
@@ -183,7 +199,10 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::str
 
 Result<std::shared_ptr<MapSession>> MapRegistry::OpenSession(const std::string& name) {
   const auto entry = FindEntry(name);
-  if (entry == nullptr) return NoSuchMap(name);
+  if (entry == nullptr) {
+    const MutexLock lock(mutex_);
+    return NoSuchMapAmong(entries_, name);
+  }
   {
     const MutexLock lock(mutex_);
     entry->last_used = Clock::now();
@@ -288,7 +307,10 @@ std::function<Result<EditMade>(Map&)> MapRegistry::PatchOf(MapPatch patch, EditC
 Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, const std::stop_token& stop) {
   constexpr bool kRepair = true;
   const auto entry = FindEntry(name);
-  if (entry == nullptr) return NoSuchMap(name);
+  if (entry == nullptr) {
+    const MutexLock lock(mutex_);
+    return NoSuchMapAmong(entries_, name);
+  }
   if (!repair) return store_.VerifyMap(name, !kRepair, stop);
   // That a map is open says nothing of voxels that nobody has read yet.
   if (options_.page_bytes > 0 && IsOpen(*entry)) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "mapping/base/near_name.h"
 #include "server/config/config_loader.h"
 
 namespace dhpmap {
@@ -28,6 +29,18 @@ void AddFlags(CLI::App& app, Flags& flags) {
   app.add_flag("--log-json", flags.log_json, "log one JSON object a line");
   app.add_option("--set", flags.set, "set any other key: --set store.commit_s=1")->type_name("KEY=VALUE");
   app.add_flag("--print-config", flags.print_config, "print the effective configuration as YAML and exit");
+}
+
+/// Of the first flag that is none: which one is spelled like it.
+std::string NearFlag(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const std::string& word : app.remaining()) {
+    if (word.starts_with("--")) return DidYouMean(word.substr(0, word.find('=')), names);
+  }
+  return {};
 }
 
 KeyValues KeysFromFlags(const Flags& flags) {
@@ -76,7 +89,8 @@ Result<Invocation> ParseCommandLine(const std::vector<std::string>& arguments,
   } catch (const CLI::CallForVersion& version) {
     return Invocation{.is_done = true, .text = std::string(version.what()) + "\n"};
   } catch (const CLI::Error& error) {
-    return InvalidArgument(std::string(error.what()) + "; --help lists the flags");
+    const std::string near = NearFlag(app);
+    return InvalidArgument(error.what() + (near.empty() ? "; --help lists the flags" : near));
   }
   DHPMAP_ASSIGN_OR_RETURN(ServerConfig config, Merge(flags, environment));
   if (flags.print_config) return Invocation{.config = config, .is_done = true, .text = ToYaml(config)};

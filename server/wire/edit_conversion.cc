@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mapping/labels/class_names.h"
 #include "server/wire/types/label_conversion.h"
 #include "server/wire/types/pose_conversion.h"
 #include "server/wire/types/resource_names.h"
@@ -190,10 +191,8 @@ class Reader {
   }
 
   std::optional<ClassId> ClassOf(const std::string& name, const std::string& field) {
-    for (const LabelClass& label_class : label_set_.classes()) {
-      if (label_class.name == name) return label_class.id;
-    }
-    Bad(field, "'" + name + "' is no class of the map's label set");
+    if (const LabelClass* found = FindClassByName(label_set_, name)) return found->id;
+    Bad(field, NoSuchClassText(label_set_, name, bad_));
     return std::nullopt;
   }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "mapping/labels/class_names.h"
 #include "server/app/submap_edits.h"
 #include "server/wire/types/pose_conversion.h"
 #include "server/wire/types/resource_names.h"
@@ -39,10 +40,8 @@ Result<SubmapId> SubmapFromProto(const std::string& name, const std::string& fie
 }
 
 Result<ClassId> ClassFromProto(const std::string& name, const std::string& field, const LabelSet& label_set) {
-  const auto& classes = label_set.classes();
-  const auto found = std::find_if(classes.begin(), classes.end(), [&](const auto& c) { return c.name == name; });
-  if (found != classes.end()) return found->id;
-  return BadOption("BAD_FILTER", field, "the label set has no class '" + name.substr(0, 80) + "'");
+  if (const LabelClass* found = FindClassByName(label_set, name)) return found->id;
+  return BadOption("BAD_FILTER", field, NoSuchClassText(label_set, name));
 }
 
 Result<std::vector<ClassId>> ClassesFromProto(const google::protobuf::RepeatedPtrField<std::string>& names,

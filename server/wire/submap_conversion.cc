@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "mapping/labels/class_names.h"
 #include "mapping/map/display_name.h"
 #include "server/app/etag.h"
 #include "server/wire/types/label_conversion.h"
@@ -32,10 +33,8 @@ std::optional<std::vector<ClassId>> ClassesFromProto(const v1::ListSubmapsReques
     else bad.AddViolation("class_ids", std::to_string(id) + " is not within 0 and 65534");
   }
   for (const std::string& name : request.class_names()) {
-    const auto& classes = label_set.classes();
-    const auto found = std::find_if(classes.begin(), classes.end(), [&](const auto& c) { return c.name == name; });
-    if (found != classes.end()) by_name.insert(found->id);
-    else bad.AddViolation("class_names", "the label set has no class '" + name + "'");
+    if (const LabelClass* found = FindClassByName(label_set, name)) by_name.insert(found->id);
+    else bad.AddViolation("class_names", NoSuchClassText(label_set, name, bad));
   }
   if (request.class_names().empty()) return std::vector<ClassId>(by_id.begin(), by_id.end());
   if (request.class_ids().empty()) return std::vector<ClassId>(by_name.begin(), by_name.end());

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <string>
 
+#include "clients/command_line/typos.h"
+#include "clients/command_line/version.h"
 #include "tests/bench/bench.h"
 
 namespace {
@@ -28,7 +30,9 @@ CLI::Option* AddPagingOptions(CLI::App& command, dhpmap::bench::PagingBenchOptio
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Measures the parts of the map server on recorded frames"};
+  CLI::App app{"Measures the parts of the map server on recorded frames", "dhpmap-bench"};
+  app.set_version_flag("--version", dhpmap::VersionOf("dhpmap-bench"));
+  app.failure_message(dhpmap::ExplainParseError);
   app.require_subcommand(1);
 
   dhpmap::bench::FusionBenchOptions fusion;

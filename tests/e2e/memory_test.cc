@@ -33,7 +33,7 @@ TEST(Memory, ComesBackWhenMapsAreDeleted) {
   // Of a server that has mapped once: threads and connections are there, which one that has just started lacks.
   ASSERT_EQ(server.Dhpmap({"map", (root / "dataset").string(), "--map", "first"}).exit_code, 0);
   const double live_with_first = Gauge(root, server, "dhpmap_heap_live_bytes");
-  ASSERT_EQ(server.Dhpmap({"maps", "delete", "first"}).exit_code, 0);
+  ASSERT_EQ(server.Dhpmap({"maps", "delete", "first", "--yes"}).exit_code, 0);
   ASSERT_TRUE(Eventually([&] {  // the allocator gives pages back a moment after they were last used
     const double live = Gauge(root, server, "dhpmap_heap_live_bytes");
     const double kept = Gauge(root, server, "dhpmap_heap_resident_bytes") - live;
@@ -51,7 +51,7 @@ TEST(Memory, ComesBackWhenMapsAreDeleted) {
   const double live = Gauge(root, server, "dhpmap_heap_live_bytes");
   EXPECT_GT(live, most / 4) << "what maps take is handed out";
   EXPECT_LT(live, Gauge(root, server, "dhpmap_heap_resident_bytes"));
-  for (int i = 0; i < 4; ++i) ASSERT_EQ(server.Dhpmap({"maps", "delete", "m" + std::to_string(i)}).exit_code, 0);
+  for (int i = 0; i < 4; ++i) ASSERT_EQ(server.Dhpmap({"maps", "delete", "m" + std::to_string(i), "--yes"}).exit_code, 0);
   EXPECT_GT(most, before + 1.2 * kStays) << "too small maps to tell anything";
   double after = 0;
   Eventually([&] {

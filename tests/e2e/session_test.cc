@@ -159,7 +159,7 @@ TEST_P(FrozenClient, DoesNotHoldItsMap) {
   client.Signal(SIGSTOP);
   std::vector<std::string> other{"map", dataset().string(), "--map", "room", "--frames", "1"};
   if (cure == "take-over") other.emplace_back("--take-over");
-  if (cure == "deletion") other = {"maps", "delete", "room"};
+  if (cure == "deletion") other = {"maps", "delete", "room", "--yes"};
   Outcome outcome;
   Eventually([&] {
     outcome = server.Dhpmap(other);

@@ -235,7 +235,7 @@ TEST_F(Watching, TheCommandTellsAndGoesOnByItselfWhenTheServerComesBack) {
   Rename("after");
   EXPECT_TRUE(Eventually([&] { return command.Stdout().find("'after'") != std::string::npos; })) << command.Stderr();
   EXPECT_NE(command.Stderr().find("the connection is lost"), std::string::npos) << command.Stderr();
-  EXPECT_EQ(server_->Dhpmap({"maps", "delete", "room"}).exit_code, 0);
+  EXPECT_EQ(server_->Dhpmap({"maps", "delete", "room", "--yes"}).exit_code, 0);
   EXPECT_EQ(command.Wait(), 3) << "the map is deleted";
 }
 

@@ -124,7 +124,7 @@ edit_on() {
 map_on() {
   while [ ! -e "$work/stop" ]; do
     dhpmap map "$work/data" --map load --frames 12 >/dev/null 2>>"$work/mapper.log" || break
-    dhpmap maps delete load >/dev/null 2>>"$work/mapper.log" || break
+    dhpmap maps delete load --yes >/dev/null 2>>"$work/mapper.log" || break
   done
   [ -e "$work/stop" ] || touch "$work/failed"
 }

@@ -58,12 +58,13 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/gateway", {"mapping/base", "server/wire/types", "server/http", "server/json", "proto"}},
       {"server", {"mapping", "storage/store.h", "server", "proto"}},  // main.cc: wiring
       {"clients/datasets", {"mapping"}},
-      {"clients/simulator", {"mapping"}},
-      {"clients/evaluator", {"mapping", "clients/datasets"}},
+      {"clients/command_line", {"mapping/base"}},
+      {"clients/simulator", {"mapping", "clients/command_line"}},
+      {"clients/evaluator", {"mapping", "clients/command_line", "clients/datasets"}},
       {"clients/evaluator/baselines", {"mapping", "clients/evaluator/mapping_system.h"}},
       {"clients/cli",
-       {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor", "server/wire/types", "clients/datasets",
-        "proto"}},
+       {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor", "server/wire/types", "clients/command_line",
+        "clients/datasets", "proto"}},
   };
   return arrows;
 }

@@ -129,6 +129,7 @@ TEST(CommandLine, FlagsWinOverEnvironmentOverFileOverDefaults) {
 TEST(CommandLine, MistakesAreErrors) {
   EXPECT_EQ(ParseCommandLine({}, {}).status().code(), StatusCode::kInvalidArgument);  // no database
   EXPECT_EQ(ParseCommandLine({"--db", "x", "--nope"}, {}).status().code(), StatusCode::kInvalidArgument);
+  EXPECT_NE(ParseCommandLine({"--bd=x"}, {}).status().message().find("did you mean '--db'?"), std::string::npos);
   EXPECT_EQ(ParseCommandLine({"--db", "x", "--config", "/no/such/file"}, {}).status().code(), StatusCode::kNotFound);
   EXPECT_TRUE(ParseCommandLine({"--db", "x"}, {"DHPMAP_SERVER=127.0.0.1:1"}).ok()) << "the client's variable";
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x"}, {"DHPMAP_NOPE=1"}).status()), std::set<std::string>{"DHPMAP_NOPE"});

@@ -23,6 +23,14 @@ std::shared_ptr<const MapSnapshot> Home() {
   return map.Publish(0);
 }
 
+TEST(QueryOptionsFromProto, SaysWhichClassWasNear) {
+  v1::QueryOptions options;
+  options.add_excluded_class_names("tabel");
+  const Status status = QueryOptionsFromProto(options, *Home()).status();
+  ASSERT_EQ(status.violations().size(), 1u);
+  EXPECT_EQ(status.violations()[0].description, "there is no class 'tabel'; did you mean 'table'?");
+}
+
 TEST(QueryOptionsFromProto, HasDefaults) {
   const auto question = QueryOptionsFromProto({}, *Home());
   ASSERT_TRUE(question.ok());
@@ -38,11 +46,11 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   options.set_max_distance_m(7);
   options.add_excluded_submaps("maps/home/submaps/1");
   options.add_excluded_submaps("maps/home/submaps/0");
-  options.add_excluded_class_names("table");
-  options.add_class_names("chair");
+  options.add_excluded_class_names(" Table");
+  options.add_class_names("CHAIR");
   options.mutable_frame()->mutable_translation_m()->set_z(4);
   options.mutable_padding()->set_default_m(0.5);
-  options.mutable_padding()->add_classes()->set_class_name("chair");
+  options.mutable_padding()->add_classes()->set_class_name("Chair");
   options.mutable_padding()->mutable_classes(0)->set_padding_m(0.25);
   options.mutable_padding()->add_submaps()->set_submap("maps/home/submaps/0");
   options.add_attached()->set_submap("maps/home/submaps/1");

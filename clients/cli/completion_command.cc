@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap completion bash; completion maps is what its script asks for names of maps.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <iostream>
+
+#include "clients/cli/connection.h"
+#include "clients/command_line/bash_completion.h"
+#include "dhpmap/v1/map_service.grpc.pb.h"
+
+namespace dhpmap {
+namespace {
+
+/// Who presses a key does not wait longer for a server that may not be there.
+constexpr std::chrono::milliseconds kPatience{500};
+
+/// Of what the server calls maps nothing else goes to a shell.
+bool IsPlain(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '-' || c == '_' || c == '.';
+  });
+}
+
+/// Names of maps, a line each; of more than a page the first ones. Says nothing where there is no server.
+ExitCode RunCompletionMaps(const Session& session) {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + kPatience);
+  v1::ListMapsResponse response;
+  const grpc::Status status =
+      v1::MapService::NewStub(Connect(session))->ListMaps(&context, v1::ListMapsRequest(), &response);
+  if (!status.ok()) return ExitCodeOf(status.error_code());
+  for (const v1::Map& map : response.maps()) {
+    const std::string name = map.name().substr(std::min(map.name().size(), std::string("maps/").size()));
+    if (IsPlain(name)) std::cout << name << "\n";
+  }
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddCompletionCommand(CLI::App& app, Session& session) {
+  CLI::App* completion = app.add_subcommand("completion",
+                                            "What completes command lines; add to ~/.bashrc:\n"
+                                            "  source <(dhpmap completion bash)");
+  completion->require_subcommand(1);
+  completion->add_subcommand("bash", "Print the script for bash: commands, options, names of maps")->callback([&app] {
+    std::cout << BashCompletion(app, {.name = "map", .command = "completion maps"});
+  });
+  completion->add_subcommand("maps", "Names of the maps")->group("")->callback([&session] {
+    session.exit_code = RunCompletionMaps(session);
+  });
+}
+
+}  // namespace dhpmap
