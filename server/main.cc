@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wiring: store -> registry -> gRPC door -> REST door, until SIGTERM or SIGINT.
+// Wiring: store -> registry -> gRPC door -> REST door, until SIGTERM, SIGINT, SIGHUP or SIGUSR1.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -22,22 +22,33 @@
 namespace dhpmap {
 namespace {
 
-/// Blocks the signals that end the server in this thread and all it starts, for WaitForSignal to take.
+bool IsIgnored(int signal) {
+  struct sigaction action = {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// Blocks the signals that end the server in this thread and all it starts, for WaitForSignal to take. Under nohup
+/// SIGHUP stays ignored.
 sigset_t BlockEndSignals() {
   sigset_t signals;
   sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) sigaddset(&signals, signal);
+  if (!IsIgnored(SIGHUP)) sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   return signals;
 }
 
-/// From here on a second signal ends the process at once.
+/// From here on a second SIGTERM or SIGINT ends the process at once. A second SIGHUP does not: a terminal that is
+/// closed sends more than one.
 int WaitForSignal(const sigset_t& signals) {
   int signal = 0;
   sigwait(&signals, &signal);
-  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  sigset_t impatient;
+  sigemptyset(&impatient);
+  sigaddset(&impatient, SIGTERM);
+  sigaddset(&impatient, SIGINT);
+  pthread_sigmask(SIG_UNBLOCK, &impatient, nullptr);
   return signal;
 }
 

@@ -40,13 +40,15 @@ Result<ChangeLogRow> LogBefore(Database& database, std::int64_t map_key, const M
       .map_key = map_key, .history_id = info.history_id, .complete_after = before, .last_revision = before, .seal = {}};
 }
 
-Status InsertChange(Database& database, const MapChange& change, Bytes blob, const ChangeLogRow& log) {
+Status InsertChange(Database& database, const MapChange& change, Bytes blob, std::int64_t now_ns,
+                    const ChangeLogRow& log) {
   ChangeRow row{.map_key = log.map_key,
                 .last_revision = change.last_revision,
                 .first_revision = change.first_revision,
                 .previous_revision = log.last_revision,
                 .time_ns = change.time_ns,
                 .blob = {std::move(blob)},
+                .seen_ns = now_ns,
                 .seal = {}};
   row.seal = Changes().SealOf(row);
   // A damaged row may have this number already.
@@ -58,7 +60,7 @@ Status InsertChange(Database& database, const MapChange& change, Bytes blob, con
 /// Deletes the oldest changes while they are beyond the limits, or the log does not count on them.
 Status TrimChanges(Database& database, std::int64_t now_ns, const ChangeHistoryLimits& limits, ChangeLogRow& log) {
   DHPMAP_ASSIGN_OR_RETURN(Statement oldest,
-                          database.Prepare("SELECT change_key, last_revision, time_ns, length(blob) FROM changes "
+                          database.Prepare("SELECT change_key, last_revision, seen_ns, length(blob) FROM changes "
                                            "WHERE map_key = ? ORDER BY last_revision LIMIT 1",
                                            kTrimChangesTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase,
@@ -66,10 +68,10 @@ Status TrimChanges(Database& database, std::int64_t now_ns, const ChangeHistoryL
   for (std::int64_t n = 0; n < kMostChangesTrimmed; ++n) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, oldest.Bind(log.map_key).Step());
     if (!has_row) return Status::Ok();
-    const std::int64_t key = oldest.Int(0), revision = oldest.Int(1), time_ns = oldest.Int(2), bytes = oldest.Int(3);
+    const std::int64_t key = oldest.Int(0), revision = oldest.Int(1), seen_ns = oldest.Int(2), bytes = oldest.Int(3);
     oldest.Reset();
     const bool is_left_out = revision <= log.complete_after;
-    if (!is_left_out && !IsBeyond(limits, {log.num_changes, log.num_bytes}, time_ns, now_ns)) return Status::Ok();
+    if (!is_left_out && !IsBeyond(limits, {log.num_changes, log.num_bytes}, seen_ns, now_ns)) return Status::Ok();
     DHPMAP_RETURN_IF_ERROR(erase.Bind(key).Run());
     if (!is_left_out) log.complete_after = revision;
     --log.num_changes;
@@ -133,19 +135,19 @@ Status ChangesNotKept(std::int64_t complete_after) {
 }
 
 Status RecordChange(Database& database, std::int64_t map_key, const MapInfo& info, const MapChange& change,
-                    const ChangeHistoryLimits& limits) {
+                    std::int64_t now_ns, const ChangeHistoryLimits& limits) {
   DHPMAP_ASSIGN_OR_RETURN(ChangeLogRow log, LogBefore(database, map_key, info, change));
   Bytes blob = EncodeChange(change);
   const auto num_bytes = static_cast<std::int64_t>(blob.size());
   if (num_bytes > limits.max_bytes) {
     log.complete_after = change.last_revision;  // it has no room, so what was before is of no use either
   } else {
-    DHPMAP_RETURN_IF_ERROR(InsertChange(database, change, std::move(blob), log));
+    DHPMAP_RETURN_IF_ERROR(InsertChange(database, change, std::move(blob), now_ns, log));
     ++log.num_changes;
     log.num_bytes += num_bytes;
   }
   log.last_revision = change.last_revision;
-  DHPMAP_RETURN_IF_ERROR(TrimChanges(database, change.time_ns, limits, log));
+  DHPMAP_RETURN_IF_ERROR(TrimChanges(database, now_ns, limits, log));
   log.seal = ChangeLogs().SealOf(log);
   DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(ChangeLogs().Upsert(), kWriteChangesTask));
   ChangeLogs().BindAll(log, upsert);

@@ -22,6 +22,8 @@ struct ChangeTotals {
   std::int64_t num_bytes = 0;
 };
 
+// Ages are by SeenClock.
+
 /// Whether the oldest change, of the time `oldest_ns`, is beyond the limits at the time `now_ns`.
 bool IsBeyond(const ChangeHistoryLimits& limits, const ChangeTotals& totals, std::int64_t oldest_ns,
               std::int64_t now_ns);
@@ -29,11 +31,11 @@ bool IsBeyond(const ChangeHistoryLimits& limits, const ChangeTotals& totals, std
 /// What is answered for changes that are not kept any more, or never were.
 Status ChangesNotKept(std::int64_t complete_after);
 
-/// Writes what a commit changed, within its transaction, and deletes some of what is beyond the limits: of a long past
-/// more than one commit's part, so that none takes long. A log that is damaged, or of another history, begins anew.
-/// `info`: of the state after.
+/// Writes what a commit changed, within its transaction, and deletes some of what is beyond the limits then: of a long
+/// past more than one commit's part, so that none takes long. A log that is damaged, or of another history, begins
+/// anew. `info`: of the state after.
 Status RecordChange(sqlite::Database& database, std::int64_t map_key, const MapInfo& info, const MapChange& change,
-                    const ChangeHistoryLimits& limits);
+                    std::int64_t now_ns, const ChangeHistoryLimits& limits);
 
 /// Of a map that became another state than its commits made it: whoever follows it has to list it again.
 Status ForgetChanges(sqlite::Database& database, std::int64_t map_key);

@@ -251,9 +251,9 @@ Result<std::optional<EditTileRecorder>> RecorderOfLeft(Database& database, const
   return std::optional(std::move(recorder));
 }
 
-Status AddToHistory(Database& database, const EditTileRecorder& left, const EditLogLimits& limits) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement select,
-                          database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadHistoryTask));
+Status AddToHistory(Database& database, const EditTileRecorder& left, std::int64_t now_ns,
+                    const EditLogLimits& limits) {
+  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadHistoryTask));
   DHPMAP_RETURN_IF_ERROR(select.Bind(left.edit_key()).Step().status());
   EditHistoryRow row;
   const bool is_intact = EditHistories().Read(select, row) && EditHistories().IsIntact(row, row.seal);
@@ -271,7 +271,7 @@ Status AddToHistory(Database& database, const EditTileRecorder& left, const Edit
                           database.Prepare("UPDATE edit_totals SET history_bytes = history_bytes + ? WHERE map_key = ?",
                                            kWriteHistoryTask));
   DHPMAP_RETURN_IF_ERROR(totals.Bind(left.num_bytes()).Bind(row.map_key).Run());
-  return TrimHistories(database, row.map_key, row.time_ns, limits);
+  return TrimHistories(database, row.map_key, now_ns, limits);
 }
 
 Status TrimHistories(Database& database, std::int64_t map_key, std::int64_t now_ns, const EditLogLimits& limits) {
@@ -282,9 +282,9 @@ Status TrimHistories(Database& database, std::int64_t map_key, std::int64_t now_
                                            kTrimHistoryTask));
   DHPMAP_RETURN_IF_ERROR(oversized.Bind(map_key).Bind(limits.max_history_bytes).Run());
   DHPMAP_ASSIGN_OR_RETURN(Statement oldest,
-                          database.Prepare("SELECT h.edit_key, h.time_ns, num_histories, history_bytes FROM "
-                                           "edit_histories h JOIN edit_totals USING (map_key) WHERE map_key = ? ORDER "
-                                           "BY h.revision LIMIT 1",
+                          database.Prepare("SELECT h.edit_key, e.seen_ns, num_histories, history_bytes FROM "
+                                           "edit_histories h JOIN edits e USING (edit_key) JOIN edit_totals t ON "
+                                           "t.map_key = h.map_key WHERE h.map_key = ? ORDER BY h.revision LIMIT 1",
                                            kTrimHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase,
                           database.Prepare("DELETE FROM edit_histories WHERE edit_key = ?", kTrimHistoryTask));

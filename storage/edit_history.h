@@ -55,10 +55,11 @@ Status RecordHistory(sqlite::Database& database, std::int64_t map_key, std::int6
 /// For what the map's last edit has left, if that is still to be written, and it is kept what undoes the edit.
 Result<std::optional<EditTileRecorder>> RecorderOfLeft(sqlite::Database& database, const MapRow& map);
 /// Adds to what is kept of that edit what was noted, and deletes what is beyond the limits then.
-Status AddToHistory(sqlite::Database& database, const EditTileRecorder& left, const EditLogLimits& limits);
-/// Deletes some of what is beyond the limits at the time `now_ns`, the oldest first, and first of all the newest, if it
-/// alone is larger than they allow. Of tiles few more than kMostTilesTrimmed, so that no edit waits long for what
-/// others left, but one edit's at least, as it adds one.
+Status AddToHistory(sqlite::Database& database, const EditTileRecorder& left, std::int64_t now_ns,
+                    const EditLogLimits& limits);
+/// Deletes some of what is beyond the limits at the time `now_ns` of SeenClock, the oldest first, and first of all the
+/// newest, if it alone is larger than they allow. Of tiles few more than kMostTilesTrimmed, so that no edit waits long
+/// for what others left, but one edit's at least, as it adds one.
 Status TrimHistories(sqlite::Database& database, std::int64_t map_key, std::int64_t now_ns,
                      const EditLogLimits& limits);
 

@@ -44,7 +44,7 @@ Status TrimEdits(Database& database, std::int64_t map_key, std::int64_t newest, 
                  const EditLogLimits& limits) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement oldest,
-      database.Prepare("SELECT edit_key, time_ns, num_edits, edit_bytes FROM edits JOIN edit_totals USING (map_key) "
+      database.Prepare("SELECT edit_key, seen_ns, num_edits, edit_bytes FROM edits JOIN edit_totals USING (map_key) "
                        "WHERE map_key = ? AND edit_key <> ? ORDER BY revision LIMIT 1",
                        kTrimEditsTask));
   DHPMAP_ASSIGN_OR_RETURN(Statement erase, database.Prepare("DELETE FROM edits WHERE edit_key = ?", kTrimEditsTask));
@@ -97,7 +97,7 @@ std::int64_t LogBytesOf(const EditRecord& edit, std::size_t summary_bytes) {
                                    edit.answer.size());
 }
 
-Result<std::int64_t> RecordEdit(Database& database, std::int64_t map_key, const EditRecord& edit,
+Result<std::int64_t> RecordEdit(Database& database, std::int64_t map_key, const EditRecord& edit, std::int64_t now_ns,
                                 const EditLogLimits& limits) {
   const EditEntry& entry = edit.entry;
   EditRow row{.map_key = map_key,
@@ -107,6 +107,7 @@ Result<std::int64_t> RecordEdit(Database& database, std::int64_t map_key, const 
               .source = entry.source,
               .summary = {EncodeEditSummary(entry)},
               .answer = BlobOf(edit.answer),
+              .seen_ns = now_ns,
               .seal = {}};
   row.seal = Edits().SealOf(row);
   DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Edits().Insert(), kWriteEditsTask));
@@ -114,7 +115,7 @@ Result<std::int64_t> RecordEdit(Database& database, std::int64_t map_key, const 
   DHPMAP_RETURN_IF_ERROR(insert.Run());
   const std::int64_t key = database.LastInsertRowId();
   DHPMAP_RETURN_IF_ERROR(InsertTargets(database, map_key, entry));
-  DHPMAP_RETURN_IF_ERROR(TrimEdits(database, map_key, key, entry.time_ns, limits));
+  DHPMAP_RETURN_IF_ERROR(TrimEdits(database, map_key, key, now_ns, limits));
   return key;
 }
 

@@ -10,6 +10,7 @@
 #include "storage/commit_rules.h"
 #include "storage/edit_history.h"
 #include "storage/edit_log.h"
+#include "storage/seen_clock.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -46,16 +47,17 @@ class ChangeLog {
  public:
   explicit ChangeLog(std::int64_t complete_after = 0) : complete_after_(complete_after) {}
 
-  void Add(ChangePtr change, const ChangeHistoryLimits& limits) {
-    const std::int64_t now_ns = change->time_ns;
+  void Add(ChangePtr change, std::int64_t now_ns, const ChangeHistoryLimits& limits) {
     totals_.num_bytes += static_cast<std::int64_t>(BytesOf(*change));
     ++totals_.num_changes;
     changes_.push_back(std::move(change));
-    while (!changes_.empty() && IsBeyond(limits, totals_, changes_.front()->time_ns, now_ns)) {
+    seen_ns_.push_back(now_ns);
+    while (!changes_.empty() && IsBeyond(limits, totals_, seen_ns_.front(), now_ns)) {
       complete_after_ = changes_.front()->last_revision;
       totals_.num_bytes -= static_cast<std::int64_t>(BytesOf(*changes_.front()));
       --totals_.num_changes;
       changes_.pop_front();
+      seen_ns_.pop_front();
     }
   }
 
@@ -77,6 +79,7 @@ class ChangeLog {
 
  private:
   std::deque<ChangePtr> changes_;
+  std::deque<std::int64_t> seen_ns_;  ///< when each of them was made
   std::int64_t complete_after_;
   ChangeTotals totals_;
 };
@@ -84,20 +87,22 @@ class ChangeLog {
 /// A map's edits, as RecordEdit and ReadEdits keep them.
 class EditLog {
  public:
-  void Add(const EditRecord& edit, const SnapshotPtr& after, const EditLogLimits& limits) {
+  void Add(const EditRecord& edit, const SnapshotPtr& after, std::int64_t now_ns, const EditLogLimits& limits) {
     num_bytes_ += BytesOf(edit);
     edits_.push_back(edit);
     edits_.back().before = nullptr;
-    Keep(edit, after, limits);
+    seen_ns_.push_back(now_ns);
+    Keep(edit, after, now_ns, limits);
     for (const std::int64_t target : edit.entry.summary.targets) {
       is_undone_[target] = edit.entry.summary.kind == EditKind::kUndo;
     }
-    while (edits_.size() > 1 && IsBeyond(limits, static_cast<std::int64_t>(edits_.size()), num_bytes_,
-                                         edits_.front().entry.time_ns, edit.entry.time_ns)) {
+    while (edits_.size() > 1 &&
+           IsBeyond(limits, static_cast<std::int64_t>(edits_.size()), num_bytes_, seen_ns_.front(), now_ns)) {
       num_bytes_ -= BytesOf(edits_.front());
       is_undone_.erase(edits_.front().entry.revision);
       histories_.erase(edits_.front().entry.revision);
       edits_.pop_front();
+      seen_ns_.pop_front();
     }
   }
 
@@ -149,20 +154,21 @@ class EditLog {
   /// Both states, which share what is the same. Bytes have no bound here.
   struct History {
     SnapshotPtr before, after;
-    std::int64_t time_ns = 0;
+    std::int64_t seen_ns = 0;
   };
 
-  void Keep(const EditRecord& edit, const SnapshotPtr& after, const EditLogLimits& limits) {
+  void Keep(const EditRecord& edit, const SnapshotPtr& after, std::int64_t now_ns, const EditLogLimits& limits) {
     const EditEntry& entry = edit.entry;
-    if (entry.summary.kind == EditKind::kEdit) histories_[entry.revision] = {edit.before, after, entry.time_ns};
+    if (entry.summary.kind == EditKind::kEdit) histories_[entry.revision] = {edit.before, after, now_ns};
     while (!histories_.empty() &&
            (static_cast<std::int64_t>(histories_.size()) > limits.max_histories ||
-            static_cast<double>(entry.time_ns - histories_.begin()->second.time_ns) > limits.max_history_age_s * 1e9)) {
+            static_cast<double>(now_ns - histories_.begin()->second.seen_ns) > limits.max_history_age_s * 1e9)) {
       histories_.erase(histories_.begin());
     }
   }
 
   std::deque<EditRecord> edits_;
+  std::deque<std::int64_t> seen_ns_;  ///< when each of them was made
   std::map<std::int64_t, History> histories_;
   std::map<std::int64_t, bool> is_undone_;
   std::int64_t num_bytes_ = 0;
@@ -171,7 +177,8 @@ class EditLog {
 /// Snapshots are immutable and share their blocks with the writer: keeping one is storing it.
 class MemoryStore final : public MapStore {
  public:
-  MemoryStore(const ChangeHistoryLimits& limits, const EditLogLimits& edits) : limits_(limits), edit_limits_(edits) {}
+  MemoryStore(const ChangeHistoryLimits& limits, const EditLogLimits& edits, PassingTime time)
+      : limits_(limits), edit_limits_(edits), time_(OrSteadyClock(std::move(time))) {}
 
   Result<std::vector<StoredMap>> ListMaps() override {
     const MutexLock lock(mutex_);
@@ -193,7 +200,7 @@ class MemoryStore final : public MapStore {
         maps_.emplace(name, Stored{std::make_shared<const MapSnapshot>(snapshot), ChangeLog(), EditLog()});
     if (!is_new) return AlreadyExists("there is already a map '" + name + "'").WithReason("MAP_EXISTS");
     NameTiles(StateMarks(), snapshot, snapshot);
-    map->second.changes.Add(ChangeBetween(StateMarks(), snapshot), limits_);
+    map->second.changes.Add(ChangeBetween(StateMarks(), snapshot), time_(), limits_);
     return Status::Ok();
   }
 
@@ -280,11 +287,11 @@ class MemoryStore final : public MapStore {
     DHPMAP_RETURN_IF_ERROR(ValidateBase(before.info(), head.revision, head.create_time_ns));
     if (before.revision() != after.revision()) {
       const std::vector<RegionEvent> cleared = edit != nullptr ? edit->cleared : std::vector<RegionEvent>();
-      stored->second.changes.Add(ChangeBetween(before, after, cleared), limits_);
+      stored->second.changes.Add(ChangeBetween(before, after, cleared), time_(), limits_);
     }
     NameTiles(before, after, *stored->second.state);
     stored->second.state = std::make_shared<const MapSnapshot>(after);
-    if (edit != nullptr) stored->second.edits.Add(*edit, stored->second.state, edit_limits_);
+    if (edit != nullptr) stored->second.edits.Add(*edit, stored->second.state, time_(), edit_limits_);
     return Status::Ok();
   }
 
@@ -314,6 +321,7 @@ class MemoryStore final : public MapStore {
 
   const ChangeHistoryLimits limits_;
   const EditLogLimits edit_limits_;
+  const PassingTime time_;
   Mutex mutex_;
   std::int64_t last_key_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::map<std::string, Stored> maps_ DHPMAP_GUARDED_BY(mutex_);
@@ -321,8 +329,9 @@ class MemoryStore final : public MapStore {
 
 }  // namespace
 
-std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes, const EditLogLimits& edits) {
-  return std::make_unique<MemoryStore>(changes, edits);
+std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes, const EditLogLimits& edits,
+                                          std::function<std::int64_t()> passing_time_ns) {
+  return std::make_unique<MemoryStore>(changes, edits, std::move(passing_time_ns));
 }
 
 }  // namespace dhpmap

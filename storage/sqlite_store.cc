@@ -22,6 +22,7 @@
 #include "storage/map_layers.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
+#include "storage/seen_clock.h"
 #include "storage/snapshot_reader.h"
 #include "storage/snapshot_writer.h"
 #include "storage/space_reclaimer.h"
@@ -99,12 +100,14 @@ class SqliteStore final : public MapStore {
       : path_(path),
         change_limits_(options.changes),
         edit_limits_(options.edits),
+        time_(options.passing_time_ns),
         writer_(std::move(writer)),
         readers_(path, reader_mode, options.busy_timeout_ms),
         paging_(options.pages_tiles ? std::make_shared<TileBlobs>(std::move(path), reader_mode, options.busy_timeout_ms)
                                     : nullptr) {}
   ~SqliteStore() override {
     if (paging_ != nullptr) paging_->Close();  // while this process has the database
+    StoreTimeSinceLastCommit();
   }
   SqliteStore(const SqliteStore&) = delete;
   SqliteStore& operator=(const SqliteStore&) = delete;
@@ -244,7 +247,10 @@ class SqliteStore final : public MapStore {
 
   /// For a store that has just been opened: see Reserve and Backup.
   Status GoOn() {
-    return Write(Durability::kFull, [](Writer& writer) -> Status {
+    return Write(Durability::kFull, [this](Writer& writer) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(SeenClock clock, SeenClock::GoOn(writer.database, time_));
+      stored_seen_ns_ = clock.Now_ns();
+      clock_ = std::move(clock);
       DHPMAP_RETURN_IF_ERROR(LeaveReservedNumbers(writer.database));
       return BeginHistoriesOfBackup(writer.database);
     });
@@ -299,10 +305,11 @@ class SqliteStore final : public MapStore {
         DHPMAP_ASSIGN_OR_RETURN(auto left, RecorderOfLeft(writer.database, head));
         const Writing writing{.layers = left ? &*left : nullptr};
         DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after, writing));
-        return left ? AddToHistory(writer.database, *left, edit_limits_) : Status::Ok();
+        return left ? AddToHistory(writer.database, *left, clock_->Now_ns(), edit_limits_) : Status::Ok();
       }
       if (before.lacks_left()) return FailedPrecondition("the edit before left something").WithReason("STALE_STATE");
-      DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key, RecordEdit(writer.database, head.key, *edit, edit_limits_));
+      DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key,
+                              RecordEdit(writer.database, head.key, *edit, clock_->Now_ns(), edit_limits_));
       // What undoes an undo is kept with the edit that it undid.
       const bool is_kept = edit->entry.summary.kind == EditKind::kEdit && edit_limits_.max_histories > 0;
       DHPMAP_ASSIGN_OR_RETURN(EditTileRecorder recorder, EditTileRecorder::Prepare(writer.database, key));
@@ -310,7 +317,7 @@ class SqliteStore final : public MapStore {
       const Writing writing{.layers = noted, .objects = noted, .cleared = edit->cleared, .lacks_left = true};
       DHPMAP_ASSIGN_OR_RETURN(written, WriteState(writer, head, before.info(), before, after, writing));
       if (is_kept) DHPMAP_RETURN_IF_ERROR(RecordHistory(writer.database, head.key, key, *edit, after, recorder));
-      return TrimHistories(writer.database, head.key, edit->entry.time_ns, edit_limits_);
+      return TrimHistories(writer.database, head.key, clock_->Now_ns(), edit_limits_);
     });
     if (done.ok()) written.TellTiles(number_);
     return done;
@@ -336,11 +343,24 @@ class SqliteStore final : public MapStore {
     DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written,
                             WriteChanges(writer.database, head.key, changes, number_, writer.pool, writing.objects));
     if (before.revision() != after.revision()) {
+      const std::int64_t now_ns = clock_->Now_ns();
       DHPMAP_RETURN_IF_ERROR(RecordChange(writer.database, head.key, after.info(),
-                                          DescribeChange(before, after, changes, writing.cleared), change_limits_));
+                                          DescribeChange(before, after, changes, writing.cleared), now_ns,
+                                          change_limits_));
+      DHPMAP_RETURN_IF_ERROR(StoreSeenTime(writer.database, now_ns));
+      stored_seen_ns_ = now_ns;
     }
     DHPMAP_RETURN_IF_ERROR(CollectBacklog(writer.database, written.num_new_blobs(), kept_));
     return written;
+  }
+
+  /// At the end, or of a server that only answers no time would pass.
+  void StoreTimeSinceLastCommit() {
+    constexpr std::int64_t kWorthACommit_ns = 60'000'000'000;
+    if (!clock_ || clock_->Now_ns() - stored_seen_ns_ < kWorthACommit_ns) return;
+    // Where it cannot be stored, what is kept stays a little longer.
+    (void)Write(Durability::kNormal,
+                [this](Writer& writer) { return StoreSeenTime(writer.database, clock_->Now_ns()); });
   }
 
   /// In WAL mode, synchronous = FULL syncs the log at each commit, and with it all commits before.
@@ -356,6 +376,9 @@ class SqliteStore final : public MapStore {
   const std::uint16_t number_ = NextStoreNumber();
   const ChangeHistoryLimits change_limits_;
   const EditLogLimits edit_limits_;
+  const PassingTime time_;
+  std::optional<SeenClock> clock_;                                    // none: read-only
+  std::atomic<std::int64_t> stored_seen_ns_ = 0;  // at least: of a commit that failed, too
   FairMutex writer_mutex_;  // fair, or commits that follow upon each other would leave the reclaimer no turn
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;

@@ -83,6 +83,7 @@ struct VerifyReport {
 };
 
 /// How much is kept of what commits changed, of each map. What is beyond goes with later commits, the oldest first.
+/// Ages count the time in which a store was open for writing, whatever the system's clock is set to.
 struct ChangeHistoryLimits {
   std::int64_t max_changes = 10'000;
   std::int64_t max_bytes = 32 << 20;  ///< as they are stored
@@ -100,7 +101,7 @@ struct ChangeList {
 };
 
 /// How much is kept of the log of each map's edits, and with it of what repeated requests are answered. What is beyond
-/// goes with later edits, the oldest first.
+/// goes with later edits, the oldest first. Ages as in ChangeHistoryLimits.
 struct EditLogLimits {
   std::int64_t max_edits = 100'000;
   std::int64_t max_bytes = 64 << 20;  ///< as they are stored
@@ -278,6 +279,8 @@ struct SqliteStoreOptions {
   /// once the store is closed, or what SQLite says. States of the same map that were loaded apart know nothing of each
   /// other: what commits from one have replaced, and nobody has read of the other, is ABORTED, reason SNAPSHOT_EXPIRED.
   bool pages_tiles = false;
+  /// By which what is kept gets old, in ns; may be empty: std::chrono::steady_clock.
+  std::function<std::int64_t()> passing_time_ns = {};
 };
 
 /// Opens or creates a database file. DATA_LOSS if it is damaged or no database; FAILED_PRECONDITION, by reason:
@@ -294,6 +297,7 @@ Result<std::shared_ptr<TileSpill>> OpenTileSpill(const std::string& folder);
 std::int64_t SqliteMemoryBytes();
 
 /// Keeps everything in memory, for tests and benchmarks: the same contract, without loss of precision.
-std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes = {}, const EditLogLimits& edits = {});
+std::unique_ptr<MapStore> MakeMemoryStore(const ChangeHistoryLimits& changes = {}, const EditLogLimits& edits = {},
+                                          std::function<std::int64_t()> passing_time_ns = {});
 
 }  // namespace dhpmap

@@ -32,6 +32,7 @@ struct ChangeRow {
   std::int64_t previous_revision = 0;  ///< last_revision of the change before, or where the log began
   std::int64_t time_ns = 0;
   ChangeBlob blob;
+  std::int64_t seen_ns = 0;  ///< of SeenClock, when it was made
   RowSeal seal;
 };
 
@@ -49,6 +50,7 @@ std::vector<Column<Row>> ChangeColumns() {
       MakeColumn<Row>("previous_revision", kAlways, 1, DHPMAP_MEMBER(previous_revision)),
       MakeColumn<Row>("time_ns", kAlways, 1, DHPMAP_MEMBER(time_ns)),
       MakeColumn<Row>("blob", kAlways, 1, DHPMAP_MEMBER(blob)),
+      MakeColumn<Row>("seen_ns", kAlways, 2, DHPMAP_MEMBER(seen_ns)),
   };
 }
 const Table<ChangeRow>& Changes();

@@ -22,7 +22,8 @@ struct EditRow {
   EditKind kind = EditKind::kEdit;
   EditSource source;
   ChangeBlob summary;
-  ChangeBlob answer;  ///< what its request was answered; empty without an id of the request
+  ChangeBlob answer;         ///< what its request was answered; empty without an id of the request
+  std::int64_t seen_ns = 0;  ///< of SeenClock, when it was made
   RowSeal seal;
 };
 
@@ -43,6 +44,7 @@ std::vector<Column<Row>> EditColumns() {
       MakeColumn<Row>("request_fingerprint", kAlways, 1, DHPMAP_MEMBER(source.request_fingerprint)),
       MakeColumn<Row>("summary", kAlways, 1, DHPMAP_MEMBER(summary)),
       MakeColumn<Row>("answer", kAlways, 1, DHPMAP_MEMBER(answer)),
+      MakeColumn<Row>("seen_ns", kAlways, 2, DHPMAP_MEMBER(seen_ns)),
   };
 }
 const Table<EditRow>& Edits();

@@ -20,6 +20,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[10]},                         // 0011_tile_cells.sql
       {.sql = SchemaSql()[11]},                         // 0012_leaving.sql
       {.sql = SchemaSql()[12]},                         // 0013_tile_extents.sql
+      {.sql = SchemaSql()[13]},                         // 0014_seen_time.sql
   };
   return steps;
 }

@@ -2,6 +2,7 @@
 // Edits that are sent again, and the log of all of them.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <future>
 #include <random>
 #include <set>
@@ -38,7 +39,9 @@ class EditLogTest : public ::testing::Test {
     auto opened = OpenSqliteStore((folder.path() / "maps.db").string());
     ASSERT_TRUE(opened.ok()) << opened.status().ToString();
     store = std::move(opened).value();
-    server = std::make_unique<TestServer>(*store);
+    SessionOptions session;
+    session.now_ns = [this] { return now_ns.load(); };
+    server = std::make_unique<TestServer>(*store, session);
     edits = v1::EditService::NewStub(server->channel());
   }
   void Stop() {
@@ -94,6 +97,7 @@ class EditLogTest : public ::testing::Test {
   std::unique_ptr<TestServer> server;
   std::unique_ptr<v1::EditService::Stub> edits;
   grpc::Status status;
+  std::atomic<std::int64_t> now_ns = 1'800'000'000'000'000'000;  ///< the system's clock
 };
 
 TEST_F(EditLogTest, ARetryIsAnsweredTheSameAndMadeOnce) {
@@ -111,6 +115,26 @@ TEST_F(EditLogTest, ARetryIsAnsweredTheSameAndMadeOnce) {
   EXPECT_EQ(Clone(request).SerializeAsString(), first.SerializeAsString()) << "across a restart";
   EXPECT_GE(Revision(), revision);
   EXPECT_EQ(Log().size(), 1u);
+}
+
+TEST_F(EditLogTest, ARetryIsMadeOnceWhateverTheClockWasSetToSince) {
+  constexpr std::int64_t kDay_ns = 86'400'000'000'000;
+  const v1::ApplyEditsRequest request = Rename("lamp", Uuid(1));
+  const v1::ApplyEditsResponse first = Apply(request);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  for (const std::int64_t step_ns : {400 * kDay_ns, -800 * kDay_ns}) {
+    now_ns += step_ns;
+    (void)Apply(Rename("another" + std::to_string(step_ns), Uuid(step_ns > 0 ? 2 : 3)));
+    ASSERT_TRUE(status.ok()) << status.error_message();
+    EXPECT_EQ(Apply(request).SerializeAsString(), first.SerializeAsString());
+    Stop();
+    now_ns += step_ns;
+    Start();
+    EXPECT_EQ(Apply(request).SerializeAsString(), first.SerializeAsString()) << "across a restart";
+  }
+  const std::vector<v1::LoggedEdit> log = Log();
+  EXPECT_EQ(log.size(), 3u);
+  for (const v1::LoggedEdit& edit : log) EXPECT_TRUE(edit.kept()) << edit.revision();
 }
 
 TEST_F(EditLogTest, ARetryIsNotAskedForItsEtag) {

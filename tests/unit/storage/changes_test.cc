@@ -64,11 +64,12 @@ class ChangesTest : public ::testing::TestWithParam<StoreKind> {
 
   void Open(const ChangeHistoryLimits& limits = {}) {
     if (GetParam() == StoreKind::kMemory) {
-      if (!store_) store_ = MakeMemoryStore(limits);
+      if (!store_) store_ = MakeMemoryStore(limits, {}, [this] { return passed_ns_; });
       return;
     }
     store_ = nullptr;
-    auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(), {.changes = limits});
+    auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(),
+                                  {.changes = limits, .passing_time_ns = [this] { return passed_ns_; }});
     ASSERT_TRUE(opened.ok()) << opened.status().ToString();
     store_ = std::move(opened).value();
   }
@@ -108,6 +109,7 @@ class ChangesTest : public ::testing::TestWithParam<StoreKind> {
 
   TempDir folder_;
   MapGenerator generator_{31};
+  std::int64_t passed_ns_ = 0;
   std::unique_ptr<MapStore> store_;
 };
 
@@ -364,12 +366,14 @@ std::int64_t NumKept(MapStore& store, const std::string& name, std::int64_t now)
 
 TEST_P(ChangesTest, OldOnesGoByNumberAgeAndBytes) {
   const auto kept_of_40 = [this](const ChangeHistoryLimits& limits) {
+    passed_ns_ = 0;
     BeginAnew(limits);
     const auto map = Create("house");
     for (int step = 2; step <= 40; ++step) {
       const auto before = map->published();
       map->FindMutable(SubmapId(1 + static_cast<std::uint32_t>(step % 3)))->mutable_info().num_frames_observed = step;
-      EXPECT_TRUE(store_->Commit(*before, *map->Publish(step * 1'000'000'000LL), Durability::kNormal).ok());
+      passed_ns_ = step * 1'000'000'000LL;
+      EXPECT_TRUE(store_->Commit(*before, *map->Publish(step), Durability::kNormal).ok());
     }
     return NumKept(*store_, "house", 40);
   };

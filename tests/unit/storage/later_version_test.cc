@@ -5,8 +5,10 @@
 #include "storage/rows/change_rows.h"
 #include "storage/rows/class_rows.h"
 #include "storage/rows/config_rows.h"
+#include "storage/rows/edit_rows.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/object_rows.h"
+#include "storage/rows/seen_rows.h"
 #include "storage/rows/session_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/schema/migrate.h"
@@ -275,6 +277,9 @@ TEST_F(LaterVersionTest, EveryColumnOfATableIsInItsListWithItsType) {
   ExpectListsAllColumnsOf(database, Submaps());
   ExpectListsAllColumnsOf(database, Changes());
   ExpectListsAllColumnsOf(database, ChangeLogs());
+  ExpectListsAllColumnsOf(database, Edits());
+  ExpectListsAllColumnsOf(database, EditHistories());
+  ExpectListsAllColumnsOf(database, SeenTable());
 }
 
 }  // namespace
