@@ -246,6 +246,7 @@ class MapSession {
   /// The frame in hand and those that wait are refused with UNAVAILABLE, and leave the map as it was; so does a
   /// refinement. All else goes on.
   void GiveUpMapping() { end_.request_stop(); }
+  [[nodiscard]] bool HasGivenUpMapping() const { return end_.stop_requested(); }
 
   /// Ends the job in hand (a frame or a refinement is given up), refuses those that wait and all later ones with
   /// UNAVAILABLE, commits with a full sync, and joins the threads. Returns the outcome of that commit.

@@ -171,8 +171,6 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   /// A message, its bytes on the way out, and where in the map it has got to.
   static constexpr std::size_t kKept_bytes = 1u << 20;
   using Clock = std::chrono::steady_clock;
-  /// Who takes a message before that is told why there is no other; who does not is cut off.
-  static constexpr std::chrono::seconds kToTakeLast{1};
 
   ChunkStream(const ServiceContext& context, grpc::CallbackServerContext* call_context, std::string_view method)
       : context_(context),
@@ -196,7 +194,8 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     const auto now = Clock::now();
     const MutexLock lock(mutex_);
     if (!asked_at_) asked_at_ = now;
-    return writing_since_ && now >= std::max(*writing_since_, *asked_at_) + kToTakeLast;
+    const std::chrono::duration<double> to_take_last(context_.options.to_take_last_s);
+    return writing_since_ && now - std::max(*writing_since_, *asked_at_) >= to_take_last;
   }
   void SetTask(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);

@@ -29,6 +29,9 @@ struct GrpcOptions {
   int max_connections = 1000;  ///< one more is closed at once
   double keepalive_s = 10;     ///< a peer is asked after so long a silence, and given up after twice that
   double import_idle_s = 30;   ///< a client that brings a map is given up so far behind 16 KiB/s
+  /// There is no more room for the state that a client reads: if it takes a message within this time it is told why
+  /// there is no other, else it is cut off.
+  double to_take_last_s = 1;
   std::int64_t max_query_points = 1'000'000;  ///< in one QueryPoints
   int max_frames_in_flight = 4;               ///< of a stream: read, but not yet acknowledged to the client
   MapConfig default_config;                   ///< of a new map that names no preset; valid

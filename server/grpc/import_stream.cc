@@ -2,6 +2,7 @@
 #include "server/grpc/import_stream.h"
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -42,14 +43,8 @@ void ImportStream::Read() {
   const MutexLock lock(mutex_);
   if (is_over_) return;
   is_reading_ = true;
-  reads_since_ = Clock::now();
+  lag_.Wait(Clock::now());
   StartRead(&arrived_);
-}
-
-void ImportStream::Hear(std::size_t num_bytes) {
-  const std::chrono::duration<double> paid_for(static_cast<double>(num_bytes) / kLeast_bytes_per_s);
-  behind_ += Clock::now() - reads_since_;
-  behind_ -= std::min(behind_, std::chrono::duration_cast<Clock::duration>(paid_for));
 }
 
 void ImportStream::Watch(Clock::duration after) {
@@ -68,7 +63,7 @@ void ImportStream::OnAlarm() {
     const MutexLock lock(mutex_);
     if (is_over_) return;
     if (!is_reading_) return Watch(idle);
-    const Clock::duration behind = behind_ + (Clock::now() - reads_since_);
+    const Clock::duration behind = lag_.WhileWaiting(Clock::now());
     if (behind < idle) return Watch(std::max<Clock::duration>(idle - behind, std::chrono::milliseconds(1)));
     is_over_ = true;  // what it reads now comes too late
   }
@@ -80,7 +75,7 @@ void ImportStream::OnReadDone(bool ok) {
     const MutexLock lock(mutex_);
     is_reading_ = false;
     if (is_over_) return;
-    Hear(ok ? arrived_.Length() : 0);
+    lag_.Hear(ok ? arrived_.Length() : 0, Clock::now());
   }
   if (stop_.stop_requested()) return End(GoneAway());
   if (!ok) {  // all of it has come; or the client is gone, which OnCancel tells

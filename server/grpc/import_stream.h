@@ -4,7 +4,6 @@
 #include <grpcpp/alarm.h>
 #include <grpcpp/support/server_callback.h>
 
-#include <chrono>
 #include <memory>
 #include <stop_token>
 
@@ -13,6 +12,7 @@
 #include "mapping/base/mutex.h"
 #include "server/app/map_import.h"
 #include "server/grpc/call_runner.h"
+#include "server/grpc/client_lag.h"
 
 namespace dhpmap {
 
@@ -30,11 +30,9 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
   void OnDone() override;
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = ClientLag::Clock;
   /// A part of the file, and what is read and written of it at a time.
   static constexpr std::size_t kKept_bytes = 1u << 20;
-  /// Time that is waited for a client counts, but for what this gives it: who sends a byte now and then is silent.
-  static constexpr double kLeast_bytes_per_s = 16 << 10;
 
   ImportStream(const ServiceContext& context, v1::ImportMapResponse* response)
       : context_(context),
@@ -43,8 +41,6 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
         share_(context.options.inflight.get()) {}
 
   void Read() DHPMAP_EXCLUDES(mutex_);
-  /// Of the client, whose part has come.
-  void Hear(std::size_t num_bytes) DHPMAP_REQUIRES(mutex_);
   /// Looks again whether the client is silent when it may be so.
   void Watch(Clock::duration after) DHPMAP_REQUIRES(mutex_);
   void OnAlarm() DHPMAP_EXCLUDES(mutex_);
@@ -77,8 +73,7 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
   Mutex mutex_;
   bool is_reading_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_over_ DHPMAP_GUARDED_BY(mutex_) = false;
-  Clock::time_point reads_since_ DHPMAP_GUARDED_BY(mutex_);  ///< while it is read
-  Clock::duration behind_ DHPMAP_GUARDED_BY(mutex_){};       ///< the least rate, without the present read
+  ClientLag lag_ DHPMAP_GUARDED_BY(mutex_);
   std::unique_ptr<grpc::Alarm> alarm_ DHPMAP_GUARDED_BY(mutex_);
 };
 

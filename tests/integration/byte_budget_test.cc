@@ -2,9 +2,7 @@
 // What is in memory for clients has one bound, whichever way it came.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <memory>
-#include <thread>
 
 #include "server/wire/frame_conversion.h"
 #include "tests/integration/feeder.h"
@@ -18,6 +16,9 @@ constexpr std::size_t kLimit_bytes = 32u << 20, kSmall_bytes = 16u << 10;
 
 class InflightBytes : public ::testing::Test {
  protected:
+  explicit InflightBytes(double to_take_last_s = GrpcOptions().to_take_last_s)
+      : server_(*store_, KeepsNoPast(), {.inflight = budget_, .to_take_last_s = to_take_last_s}) {}
+
   void SetUp() override {
     grpc::ClientContext create;
     v1::CreateMapResponse created;
@@ -61,7 +62,7 @@ class InflightBytes : public ::testing::Test {
 
   const std::shared_ptr<ByteBudget> budget_ = std::make_shared<ByteBudget>(kLimit_bytes, kSmall_bytes);
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
-  TestServer server_{*store_, KeepsNoPast(), {.inflight = budget_}};
+  TestServer server_;
 };
 
 TEST_F(InflightBytes, WhatIsLargeIsRefusedWhileThereIsNoRoomAndWhatIsSmallAnswered) {
@@ -102,6 +103,8 @@ TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
 /// A mesh of a map that goes on while it is read, and with it the need of room for the state that it shows.
 class InflightStates : public InflightBytes {
  protected:
+  explicit InflightStates(double to_take_last_s = 1e6) : InflightBytes(to_take_last_s) {}
+
   void SetUp() override {
     InflightBytes::SetUp();
     grpc::ClientContext create;
@@ -127,8 +130,11 @@ class InflightStates : public InflightBytes {
     ASSERT_TRUE(Feed(server_, "fine", 0, 3).status.ok());  // many blocks anew
     EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() > stream_bytes; }))
         << "what only the old state has is counted";
-    ASSERT_TRUE(others_.Resize(kLimit_bytes - budget_->used_bytes()));
+    ASSERT_TRUE(Eventually([&] { return others_.Grow(kLimit_bytes - budget_->used_bytes()); }))
+        << "a look may take some of it first";
   }
+  /// As a look does where there is no room: it counts what is left without the state.
+  [[nodiscard]] bool IsAskedToLetGo() const { return budget_->used_bytes() < kLimit_bytes; }
 
   ByteShare others_{budget_.get()};
   grpc::ClientContext context_;
@@ -138,12 +144,8 @@ class InflightStates : public InflightBytes {
 
 TEST_F(InflightStates, OfAMeshThatIsReadAreLetGoOfWithTheReasonOnceTheMapHasGoneOn) {
   TakeAllRoom();
-  // Frame by frame, until a look has asked it to let go: then there is a second to read on.
-  const auto is_asked = [this] { return budget_->used_bytes() < kLimit_bytes; };
-  for (int frame = 3; frame < 12 && !is_asked(); ++frame) {
-    ASSERT_TRUE(Feed(server_, "fine", frame, frame + 1).status.ok());
-    for (int i = 0; i < 50 && !is_asked(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  ASSERT_TRUE(Feed(server_, "fine", 3, 12).status.ok());
+  ASSERT_TRUE(Eventually([&] { return IsAskedToLetGo(); }));
   while (mesh_->Read(&part_)) {
   }
   const grpc::Status ended = mesh_->Finish();
@@ -153,7 +155,12 @@ TEST_F(InflightStates, OfAMeshThatIsReadAreLetGoOfWithTheReasonOnceTheMapHasGone
   ExpectNothingKept();
 }
 
-TEST_F(InflightStates, OfAMeshThatNobodyTakesAreLetGoOfOnceTheMapHasGoneOn) {
+class InflightStatesNobodyTakes : public InflightStates {
+ protected:
+  InflightStatesNobodyTakes() : InflightStates(/*to_take_last_s=*/0) {}
+};
+
+TEST_F(InflightStatesNobodyTakes, AreLetGoOfOnceTheMapHasGoneOn) {
   TakeAllRoom();
   ASSERT_TRUE(Feed(server_, "fine", 0, 6).status.ok());
   EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == others_.bytes(); }))

@@ -9,6 +9,7 @@
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
+#include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -56,8 +57,9 @@ class DistancesTest : public ::testing::Test {
     return "";
   }
 
+  const std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
   std::unique_ptr<MapStore> store = MakeMemoryStore();
-  TestServer server{*store};
+  TestServer server{*store, {}, {.inflight = inflight}};
   v1::QueryDistancesRequest request;
   grpc::Status status;
 };
@@ -198,8 +200,9 @@ TEST_F(DistancesTest, WaitForARevisionUntilTheDeadline) {
   for (const bool is_bulk : {true, false}) {
     if (!is_bulk) request.mutable_xyz_m()->Truncate(3);
     request.mutable_options()->set_min_revision(Last() + 1);
+    ASSERT_TRUE(Eventually([&] { return inflight->used_bytes() == 0; }));
     std::thread writer([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      EXPECT_TRUE(Eventually([&] { return inflight->used_bytes() > 0; })) << "the question has come, and waits";
       v1::UpdateSubmapRequest rename;
       rename.mutable_submap()->set_name("maps/room/submaps/1");
       rename.mutable_submap()->set_display_name(is_bulk ? "a" : "b");

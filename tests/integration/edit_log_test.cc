@@ -317,7 +317,7 @@ TEST_F(EditLogTest, AThousandRetriedEditsOverALinkThatIsCutAreEachMadeOnce) {
         channel = grpc::CreateCustomChannel(proxy->address(), grpc::InsecureChannelCredentials(), own);
       }
       grpc::ClientContext context;
-      context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(20));
+      context.set_deadline(std::chrono::system_clock::now() + kPatience);
       v1::ApplyEditsResponse response;
       const grpc::Status done = v1::EditService::NewStub(channel)->ApplyEdits(&context, request, &response);
       is_done = done.ok();

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <memory>
 #include <semaphore>
 #include <stop_token>
@@ -19,7 +18,6 @@ namespace {
 
 constexpr int kNumParts = 50;
 constexpr std::int64_t kPart_bytes = 1000;
-constexpr std::chrono::seconds kTooLong{60};
 
 /// Each part waits until it may go.
 class GatedFile final : public StoreBackup {
@@ -27,7 +25,7 @@ class GatedFile final : public StoreBackup {
   explicit GatedFile(std::counting_semaphore<>& gate) : gate_(gate) {}
   [[nodiscard]] std::int64_t size_bytes() const override { return kNumParts * kPart_bytes; }
   Result<std::string> Read(std::size_t) override {
-    if (!gate_.try_acquire_for(kTooLong)) return Unavailable("nobody opens the gate");
+    if (!gate_.try_acquire_for(kPatience)) return Unavailable("nobody opens the gate");
     return num_read_++ < kNumParts ? std::string(kPart_bytes, 'x') : std::string();
   }
 
@@ -66,7 +64,7 @@ class GatedStore final : public MapStore {
     if (!is_never_made_) return std::unique_ptr<StoreBackup>(std::make_unique<GatedFile>(gate_));
     std::binary_semaphore gone(0);
     const std::stop_callback on_stop(stop, [&gone] { gone.release(); });
-    if (!gone.try_acquire_for(kTooLong)) return Unavailable("nobody goes away");
+    if (!gone.try_acquire_for(kPatience)) return Unavailable("nobody goes away");
     return Cancelled("its caller has gone");
   }
 

@@ -113,14 +113,14 @@ TEST(Refinement, OnTheSideQueriesGoOnAndEachSeesOneRevision) {
   std::atomic<int> num_answers = 0;
   std::thread planner([&] {
     std::int64_t revision = 0;
-    while (!is_done) {
+    do {
       grpc::ClientContext context;
       v1::QueryPointsResponse answer;
       EXPECT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &answer).ok());
       EXPECT_GE(answer.revision(), revision);
       revision = answer.revision();
       ++num_answers;
-    }
+    } while (!is_done);
   });
   FeedNoisyFrames(server, 0, kNumNoisyFrames);
   const auto finished = FinishMapping(server);

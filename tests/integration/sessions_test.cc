@@ -2,14 +2,13 @@
 // Several robots feed one map, somebody looks who they are and ends one, and what came is kept and fed again.
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <iterator>
 #include <map>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "clients/cli/replay_streams.h"
@@ -93,6 +92,11 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
   CreateMap(server, CreateRequest("room"));
   Feeder flood(server, "room", {.session = "flood"}), other(server, "room", {.session = "other"});
   ASSERT_TRUE(flood.Feed(0) && other.Feed(0));
+  const std::int64_t message_bytes = List(server, "room")["other"].num_bytes();
+  // Messages that wait for the writer, or have come to it.
+  const auto num_come = [&](const std::string& session) {
+    return (List(server, "room")[session].num_bytes() + message_bytes / 2) / message_bytes;
+  };
   const std::int64_t revision = StateOf(server, "room")->revision();
   std::future<void> reader;
   {
@@ -100,10 +104,10 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
     auto sent = std::async(std::launch::async, [&] {
       for (int i = 1; i <= kFlood; ++i) ASSERT_TRUE(flood.Send(i, i % 8));
     });
-    ASSERT_TRUE(Eventually([&] { return SessionsOf(server, "room")["flood"].num_bytes() > 0; }));
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it has sent what it may
+    ASSERT_TRUE(Eventually([&] { return num_come("flood") == 1 + kInFlight; })) << "all that it may have on the way";
     ASSERT_TRUE(other.Send(1, 1));
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ASSERT_TRUE(Eventually([&] { return num_come("other") == 2; }));
+    EXPECT_EQ(num_come("flood"), 1 + kInFlight);
     reader = std::async(std::launch::async, [&, sent = std::move(sent)]() mutable {
       for (int i = 0; i < kFlood; ++i) ASSERT_TRUE(flood.Read());
       sent.get();
@@ -118,7 +122,9 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
 
 TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.commit_frames = 1, .feed_idle_s = 1000});
+  constexpr std::int64_t kTick_ns = 1'000'000, kBegin_ns = std::int64_t{1} << 60;
+  std::atomic<std::int64_t> now_ns = kBegin_ns;  // else frames of more than 10 s ago would count for no rate
+  TestServer server(*store, {.commit_frames = 1, .feed_idle_s = 1e6, .now_ns = [&] { return now_ns += kTick_ns; }});
   CreateMap(server, CreateRequest("room"));
   EXPECT_TRUE(SessionsOf(server, "room").empty());
   Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
@@ -132,14 +138,14 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   auto sessions = SessionsOf(server, "room");
   ASSERT_EQ(sessions.size(), 2u);
   EXPECT_TRUE(sessions["a"].feeding());
-  EXPECT_GT(sessions["a"].lease_s(), 900);
+  EXPECT_GT(sessions["a"].lease_s(), 9e5);
   EXPECT_EQ(sessions["a"].accepted_sequence(), 2);
   EXPECT_EQ(sessions["a"].num_frames(), 3);
   EXPECT_EQ(sessions["a"].num_duplicates(), 1);
   EXPECT_EQ(sessions["a"].num_points(), num_points);
   EXPECT_GT(sessions["a"].num_bytes(), static_cast<std::int64_t>(4 * message.ByteSizeLong()) - 100);
   EXPECT_GT(sessions["a"].frames_per_s(), 0);
-  EXPECT_GT(sessions["a"].last_seen_ns(), 0);
+  EXPECT_GT(sessions["a"].last_seen_ns(), kBegin_ns);
   EXPECT_TRUE(sessions["b"].feeding());
   EXPECT_FALSE(sessions["b"].has_accepted_sequence());
   EXPECT_EQ(sessions["b"].num_frames(), 0);

@@ -3,116 +3,82 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
+#include <functional>
+#include <future>
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "mapping/pipeline/map_builder.h"
+#include "server/app/frame_recorder.h"
 #include "server/wire/frame_conversion.h"
-#include "tests/integration/test_server.h"
+#include "tests/integration/feeder.h"
 #include "tests/support/eventually.h"
-#include "tests/support/wire_frame.h"
+#include "tests/support/map_equality.h"
 
 namespace dhpmap::testing {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Is there when the writer takes a frame, and when it has refused it.
+class FrameWitness final : public FrameRecorder {
+ public:
+  using Taken = std::function<void(std::int64_t sequence)>;
+  using Refused = std::function<void(const Status& why)>;
+  FrameWitness(Taken taken, Refused refused) : taken_(std::move(taken)), refused_(std::move(refused)) {}
 
-constexpr int kFrames = 4;  // as many as a stream may have under way
+  void OnFrame(const std::string&, std::int64_t sequence, ArrivedMessage, std::int64_t) override { taken_(sequence); }
+  void OnRefused(const Status& why) override { refused_(why); }
+  void OnRefined() override {}
+  void OnEdited(std::int64_t, const ArrivedEdit&) override {}
+  void OnFinished() override {}
 
-double SecondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
-
-/// A wall, in voxels so small that fusing it takes long.
-v1::Frame HugeFrame(int i) {
-  PanopticFrame frame;
-  frame.stamp_ns = i;
-  frame.T_map_sensor = LookAt({0, 0.01 * i, 1}, {1, 0.01 * i, 1});
-  frame.camera.emplace().camera = {640, 480, 640, 640, 320, 240};
-  constexpr std::size_t kPixels = std::size_t{640} * 480;
-  frame.camera->depth_m.assign(kPixels, 1.0f);
-  frame.camera->color.assign(kPixels, {90, 90, 90});
-  frame.camera->segments.assign(kPixels, 0);
-  return ToWire(frame);
-}
-
-class Shutdown : public ::testing::Test {
- protected:
-  void SetUp() override {
-    for (const std::string map : {"first", "room"}) {
-      grpc::ClientContext create;
-      v1::CreateMapRequest request = CreateRequest(map);
-      request.mutable_config()->set_voxel_size_m(0.002);
-      request.mutable_config()->set_truncation_m(0.016);
-      v1::CreateMapResponse created;
-      ASSERT_TRUE(server_.maps->CreateMap(&create, request, &created).ok());
-    }
-  }
-
-  /// Sends all frames at once, reads what comes back, and counts what was fused.
-  int FeedAll(const std::string& map) {
-    grpc::ClientContext context;
-    const auto stream = server_.mapping->IntegrateFrames(&context);
-    for (int i = 0; i < kFrames; ++i) {
-      v1::IntegrateFramesRequest request;
-      request.set_map("maps/" + map);
-      request.set_sequence(i);
-      *request.mutable_frame() = HugeFrame(i);
-      if (!stream->Write(request)) break;
-    }
-    stream->WritesDone();
-    has_sent_ = true;
-    int num_fused = 0;
-    v1::IntegrateFramesResponse answer;
-    while (stream->Read(&answer)) {
-      num_fused += answer.outcome() == v1::FUSED;
-      if (!answer.error_message().empty()) last_error_ = answer.error_message();
-    }
-    const grpc::Status status = stream->Finish();
-    if (!status.ok() && last_error_.empty()) last_error_ = status.error_message();
-    return num_fused;
-  }
-
-  std::atomic<bool> has_sent_ = false;
-  std::string last_error_;
-  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
-  TestServer server_{*store_};
+ private:
+  const Taken taken_;
+  const Refused refused_;
 };
 
-TEST_F(Shutdown, GivesUpWhatIsBeingFusedOnceTheGraceIsOver) {
-  const auto begin = Clock::now();
-  ASSERT_EQ(FeedAll("first"), kFrames) << last_error_;
-  const double whole_s = SecondsSince(begin);
+TEST(Shutdown, GivesUpTheFrameInHandOnceTheGraceIsOver) {
+  constexpr int kFrames = 4, kInHand = 1;
+  std::promise<void> in_hand;
+  std::atomic<const MapSession*> room = nullptr;
+  std::atomic<int> num_refused = 0;
+  const auto hold = [&](std::int64_t sequence) {
+    if (sequence != kInHand) return;
+    in_hand.set_value();
+    EXPECT_TRUE(Eventually([&] { return room.load()->HasGivenUpMapping(); }));
+  };
+  const auto count = [&](const Status& why) {
+    EXPECT_EQ(why.code(), StatusCode::kUnavailable);
+    ++num_refused;
+  };
+  const auto store = MakeMemoryStore();
+  TestServer server(*store,
+                    {.make_recorder = [&](const MapInfo&) { return std::make_unique<FrameWitness>(hold, count); }});
+  grpc::ClientContext create;
+  v1::CreateMapResponse created;
+  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+  const std::shared_ptr<MapSession> session = *server.registry().OpenSession("room");
+  room = session.get();
+  const MapInfo info = session->View()->snapshot().info();
 
-  has_sent_ = false;
-  std::jthread client([this] { FeedAll("room"); });
-  ASSERT_TRUE(Eventually([&] { return has_sent_.load(); }));
-  std::this_thread::sleep_for(std::chrono::duration<double>(whole_s / kFrames / 2));  // in the middle of one
-  const auto told = Clock::now();
-  const double grace_s = whole_s / kFrames / 4;
-  server_.grpc().Shutdown(grace_s);
-  EXPECT_LT(SecondsSince(told), grace_s + whole_s / 3) << kFrames << " frames take " << whole_s << " s";
-  client.join();
-  ASSERT_TRUE(server_.registry().Shutdown().ok());
+  Feeder feeder(server, "room");
+  for (int i = 0; i < kFrames; ++i) ASSERT_TRUE(feeder.Send(i, i));
+  in_hand.get_future().wait();
+  server.grpc().Shutdown(/*grace_s=*/0.01);
+  EXPECT_FALSE(feeder.Finish().ok());
+  ASSERT_TRUE(server.registry().Shutdown().ok());
+  EXPECT_EQ(num_refused, 1) << "of those that were taken";
 
   // What it stored are frames as a whole.
-  const auto stored = store_->LoadMap("room");
+  const auto stored = store->LoadMap("room");
   ASSERT_TRUE(stored.ok());
-  const std::int64_t num_frames = (*stored)->info().num_frames;
-  EXPECT_LT(num_frames, kFrames);
-  MapInfo info = (*stored)->info();
-  info.num_frames = 0;
-  info.next_submap_id = SubmapId(1);
+  EXPECT_EQ((*stored)->info().num_frames, kInHand);
   MapBuilder alone(info, 1);
-  for (int i = 0; i < num_frames; ++i) {
-    const auto frame = FrameFromProto(HugeFrame(i));
-    ASSERT_TRUE(frame.ok());
-    ASSERT_TRUE(alone.Integrate(*frame).ok());
-  }
-  ASSERT_EQ(alone.map().submaps().size(), (*stored)->submaps().size());
-  for (std::size_t s = 0; s < alone.map().submaps().size(); ++s) {
-    EXPECT_EQ(alone.map().submaps()[s]->blocks().size(), (*stored)->submaps()[s]->blocks().size());
-  }
+  const auto frame = FrameFromProto(TestFrame(0));
+  ASSERT_TRUE(frame.ok());
+  ASSERT_TRUE(alone.Integrate(*frame).ok());
+  EXPECT_TRUE(MapsAreEqual(*alone.map().Freeze(), **stored));
 }
 
 TEST(ShutdownAtOnce, LeavesNothingRunningThatLooksForMaps) {

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace dhpmap::testing {
 namespace {
@@ -78,11 +79,18 @@ void TcpProxy::Run() {
   std::array<pollfd, 2> ends{
       {{.fd = client, .events = POLLIN, .revents = 0}, {.fd = server, .events = POLLIN, .revents = 0}}};
   std::size_t num_bytes = std::numeric_limits<std::size_t>::max();
+  bool is_asked = false;  // by the server, last
   for (bool is_open = true; is_open && !is_over_ && !is_frozen_;) {
     if (poll(ends.data(), ends.size(), kTick_ms) <= 0) continue;
     if (is_frozen_) break;
-    if (ends[0].revents != 0) is_open = ForwardSome(client, server, num_bytes);
-    if (is_open && ends[1].revents != 0) is_open = ForwardSome(server, client, num_bytes);
+    if (ends[0].revents != 0) {
+      is_open = ForwardSome(client, server, num_bytes);
+      if (std::exchange(is_asked, false)) ++num_answers_;
+    }
+    if (is_open && ends[1].revents != 0) {
+      is_asked = true;
+      is_open = ForwardSome(server, client, num_bytes);
+    }
   }
   while (is_frozen_ && !is_over_) std::this_thread::sleep_for(std::chrono::milliseconds(kTick_ms));
   close(client);

@@ -20,6 +20,8 @@ class TcpProxy {
 
   [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
   void Freeze() { is_frozen_ = true; }
+  /// How often the client has sent something after the server had.
+  [[nodiscard]] int num_answers() const { return num_answers_; }
 
  private:
   void Run();
@@ -28,6 +30,7 @@ class TcpProxy {
   int port_ = 0;
   int listener_ = -1;
   std::atomic<bool> is_frozen_ = false, is_over_ = false;
+  std::atomic<int> num_answers_ = 0;
   std::thread thread_;
 };
 

@@ -32,9 +32,9 @@ SessionOptions WithOneThread(SessionOptions options) {
 
 }  // namespace
 
-TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc)
+TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer)
     : registry_(ValueOrDie(MapRegistry::Open(store, WithOneThread(std::move(session))))),
-      grpc_(ValueOrDie(GrpcServer::Start(OnFreePort(std::move(grpc)), *registry_, {}))) {
+      grpc_(ValueOrDie(GrpcServer::Start(OnFreePort(std::move(grpc)), *registry_, std::move(observer)))) {
   grpc_->SetServing(true);
   ::grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);
@@ -49,10 +49,10 @@ TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc
   watches = v1::WatchService::NewStub(channel_);
 }
 
-TestServer::~TestServer() { (void)Stop(); }
+TestServer::~TestServer() { (void)Stop(0); }
 
-Status TestServer::Stop() {
-  grpc_->Shutdown(/*grace_s=*/2);
+Status TestServer::Stop(double grace_s) {
+  grpc_->Shutdown(grace_s);
   return registry_->Shutdown();
 }
 

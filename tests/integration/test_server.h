@@ -3,6 +3,7 @@
 
 #include <grpcpp/grpcpp.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@
 #include "dhpmap/v1/watch_service.grpc.pb.h"
 #include "server/grpc/grpc_server.h"
 #include "storage/store.h"
+#include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::testing {
@@ -22,11 +24,13 @@ namespace dhpmap::testing {
 /// A whole server but its process: registry and gRPC door over a store that the test holds, reached over TCP.
 class TestServer {
  public:
-  explicit TestServer(MapStore& store, SessionOptions session = {}, GrpcOptions grpc = {});
+  explicit TestServer(MapStore& store, SessionOptions session = {}, GrpcOptions grpc = {}, GrpcObserver observer = {});
+  /// Waits for no call.
   ~TestServer();
 
-  /// As after SIGTERM; OK if everything is in the store.
-  Status Stop();
+  /// As after SIGTERM; OK if everything is in the store. Calls go on for as long as only what hangs needs.
+  Status Stop() { return Stop(std::chrono::duration<double>(kPatience).count()); }
+  Status Stop(double grace_s);
 
   [[nodiscard]] GrpcServer& grpc() { return *grpc_; }
   [[nodiscard]] MapRegistry& registry() { return *registry_; }
