@@ -20,8 +20,11 @@ constexpr double kGain = 0.25;           ///< of agreement over the frame as it 
 constexpr double kLead = 0.1;            ///< over the next best explanation
 constexpr double kWrongAgreement = 0.5;  ///< with the map: the frame alone is wrong
 constexpr std::size_t kFewPoints = 40;   ///< of which nothing is told
-constexpr double kKnownAsWrong = 0.5;    ///< of the frame, where no mistake explains it
-constexpr double kSeenThrough = 0.25;  ///< likewise: what came before the camera hides surfaces, and shows none behind
+// Where no mistake explains it. What comes before a camera hides surfaces, and shows none behind; floors and ceilings
+// agree wherever the camera is.
+constexpr double kUnexplainedAgreement = 0.7;
+constexpr double kUnexplainedKnown = 0.5;
+constexpr double kUnexplainedSeenThrough = 0.2;
 
 /// Nobody moves so far from frame to frame, in metres and in ranges of the sensor.
 constexpr double kJump_m = 20, kJump_ranges = 4;
@@ -116,10 +119,10 @@ std::optional<FrameWarning> FindOwn(const FrameEvidence& evidence) {
 std::optional<FrameWarning> FindUnexplained(const FrameEvidence& evidence) {
   const MapFit& fit = evidence.fit;
   const bool is_wrong =
-      IsDoubtful(fit) && fit.AgreeingFraction() < kWrongAgreement && fit.KnownFraction() >= kKnownAsWrong;
+      IsDoubtful(fit) && fit.AgreeingFraction() < kUnexplainedAgreement && fit.KnownFraction() >= kUnexplainedKnown;
   if (!is_wrong) return std::nullopt;
   const double seen_through = SeenThroughFraction(evidence.points_m, evidence.claim.T_map_sensor, evidence.map);
-  if (seen_through < kSeenThrough) return std::nullopt;
+  if (seen_through < kUnexplainedSeenThrough) return std::nullopt;
   return FrameWarning{FrameFault::kDisagrees, std::string(FaultText(FrameFault::kDisagrees)) + "; " +
                                                   Percent(fit.AgreeingFraction()) + " of what it shows agrees, and " +
                                                   Percent(seen_through) + " lies behind surfaces"};

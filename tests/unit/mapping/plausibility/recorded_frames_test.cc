@@ -87,6 +87,24 @@ TEST(RecordedFrames, EachMistakeIsFoundWithinTenFramesOfAHouse) {
   }
 }
 
+TEST(RecordedFrames, InvertedPosesOfScansContradictTheMap) {
+  for (const char* const folder : {"kitti/sequences/00", "kitti/sequences/07"}) {
+    auto recording = Recording::Open(folder, LabelSource::kPredicted);
+    if (!recording) GTEST_SKIP() << "there is no " << folder << " in ../shared/data";
+    for (const std::size_t first_wrong : {std::size_t{0}, std::size_t{5}}) {
+      MapBuilder builder = recording->NewMap();
+      std::string told;
+      for (std::size_t i = 0; i < recording->num_frames(); ++i) {
+        PanopticFrame frame = recording->Frame(i);
+        if (i >= first_wrong) frame.T_map_sensor = frame.T_map_sensor.inverse();
+        told += Told(FuseAndCheck(builder, frame));
+      }
+      const FrameFault fault = first_wrong == 0 ? FrameFault::kDisagrees : FrameFault::kPoseInverted;
+      EXPECT_NE(told.find(FaultName(fault)), std::string::npos) << folder << " from " << first_wrong << ": " << told;
+    }
+  }
+}
+
 TEST(RecordedFrames, EachMistakeOfASecondClientIsFoundOnAGoodMapOfAHouse) {
   auto recording = Recording::Open("house", LabelSource::kPredicted);
   if (!recording) GTEST_SKIP() << "there is no house in ../shared/data";
