@@ -47,6 +47,21 @@ bool AckSummary::AddAck(const v1::IntegrateFramesResponse& ack) {
   return false;
 }
 
+std::vector<std::string> AckSummary::AddWarnings(const v1::IntegrateFramesResponse& ack) {
+  std::vector<std::string> fresh;
+  if (ack.outcome() != v1::FUSED || ack.warnings().empty()) return fresh;
+  const MutexLock lock(mutex_);
+  ++num_doubtful_;
+  for (const v1::FrameWarning& warning : ack.warnings()) {
+    Kind& kind = doubtful_[v1::FrameWarning::Fault_Name(warning.fault())];
+    if (kind.count++ > 0) continue;
+    kind.reason = v1::FrameWarning::Fault_Name(warning.fault());
+    kind.first_message = warning.message();
+    fresh.push_back(warning.message());
+  }
+  return fresh;
+}
+
 void AckSummary::AddProgress(const v1::IntegrateFramesResponse& answer) {
   const MutexLock lock(mutex_);
   revision_ = std::max(revision_, answer.revision());
@@ -89,6 +104,13 @@ std::size_t AckSummary::num_created() const {
   return num_created_;
 }
 
+void AckSummary::PrintKinds(std::ostream& out, const Kinds& kinds, const char* what) {
+  for (const auto& [key, kind] : kinds) {
+    out << kind.count << " " << what << ", " << kind.reason << ": " << kind.first_message
+        << (kind.count > 1 ? ", ..." : "") << "\n";
+  }
+}
+
 void AckSummary::Print(std::ostream& out, double elapsed_s) const {
   const MutexLock lock(mutex_);
   out << num_fused_ << " frames fused";
@@ -108,14 +130,9 @@ void AckSummary::Print(std::ostream& out, double elapsed_s) const {
         << Fixed(100.0 * static_cast<double>(num_unknown_points_) / static_cast<double>(num_points_), 1)
         << " % of them of unknown objects\n";
   }
-  for (const auto& [key, kind] : skipped_) {
-    out << kind.count << " skipped, " << kind.reason << ": " << kind.first_message << (kind.count > 1 ? ", ..." : "")
-        << "\n";
-  }
-  for (const auto& [key, kind] : refused_) {
-    out << kind.count << " refused, " << kind.reason << ": " << kind.first_message << (kind.count > 1 ? ", ..." : "")
-        << "\n";
-  }
+  PrintKinds(out, skipped_, "skipped");
+  PrintKinds(out, refused_, "refused");
+  PrintKinds(out, doubtful_, "fused with a warning");
 }
 
 std::string AckSummary::Json(const v1::Map& map, double elapsed_s) const {
@@ -134,12 +151,14 @@ std::string AckSummary::Json(const v1::Map& map, double elapsed_s) const {
                                {"numStored", NumStored()},
                                {"numSkipped", num_skipped_},
                                {"numRefused", num_refused_},
+                               {"numDoubtful", num_doubtful_},
                                {"numPoints", num_points_},
                                {"numUnknownPoints", num_unknown_points_},
                                {"elapsedS", elapsed_s},
                                {"fuseS", fuse_s_},
                                {"skipped", kinds(skipped_)},
-                               {"refused", kinds(refused_)}};
+                               {"refused", kinds(refused_)},
+                               {"doubtful", kinds(doubtful_)}};
   return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "mapping/base/mutex.h"
@@ -22,6 +23,8 @@ class AckSummary {
   /// True the first time for its kind of refusal. A frame that is sent and fused again, because it was lost before it
   /// was stored, counts once.
   bool AddAck(const v1::IntegrateFramesResponse& ack);
+  /// Of the warnings that a fused frame came with, those of a fault that none had before: the user should be told.
+  std::vector<std::string> AddWarnings(const v1::IntegrateFramesResponse& ack);
   /// An answer for no frame: says how much is stored.
   void AddProgress(const v1::IntegrateFramesResponse& answer);
   /// So many frames need not be sent: they are in the store from an earlier run.
@@ -47,13 +50,16 @@ class AckSummary {
   /// By reason and message, numbers in it left out: the same trouble with other frames is of the same kind.
   using Kinds = std::map<std::string, Kind>;
   static bool Count(Kinds& kinds, const std::string& reason, const std::string& message);
+  static void PrintKinds(std::ostream& out, const Kinds& kinds, const char* what);
   [[nodiscard]] std::size_t NumStored() const DHPMAP_REQUIRES(mutex_);
 
   mutable Mutex mutex_;
   Kinds skipped_ DHPMAP_GUARDED_BY(mutex_);
   Kinds refused_ DHPMAP_GUARDED_BY(mutex_);
+  Kinds doubtful_ DHPMAP_GUARDED_BY(mutex_);  ///< fused with a warning, by its fault
   std::size_t num_skipped_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::size_t num_refused_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::size_t num_doubtful_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::size_t num_fused_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::set<std::int64_t> taken_ DHPMAP_GUARDED_BY(mutex_);           ///< sequences of frames fused, now or before
   std::optional<std::int64_t> committed_ DHPMAP_GUARDED_BY(mutex_);  ///< those up to here are stored

@@ -52,14 +52,21 @@ std::vector<std::size_t> Unstored(const std::vector<std::size_t>& indices,
   return left;
 }
 
+/// What the first message of a stream says.
+void SetOpening(const FrameSession& session, v1::IntegrateFramesRequest& first) {
+  first.set_map(session.map);
+  first.set_session(session.name);
+  first.set_take_over(session.take_over);
+  first.set_refuse_implausible(session.refuse_implausible);
+}
+
 /// One connection of a session.
 grpc::Status StreamOnce(v1::MappingService::Stub& stub, const FrameSession& session,
                         const std::vector<std::size_t>& indices, const SessionHooks& hooks, bool& is_first) {
   grpc::ClientContext context;
   const std::unique_ptr<Stream> stream = stub.IntegrateFrames(&context);
   v1::IntegrateFramesRequest greeting;
-  greeting.set_map(session.map);
-  greeting.set_session(session.name);
+  SetOpening(session, greeting);
   greeting.set_take_over(session.take_over && is_first);  // what took over from us since may keep it
   v1::IntegrateFramesResponse answer;
   if (!stream->Write(greeting) || !stream->Read(&answer)) return stream->Finish();
@@ -79,13 +86,12 @@ grpc::Status StreamOnce(v1::MappingService::Stub& stub, const FrameSession& sess
 
 }  // namespace
 
-grpc::Status StreamFrames(v1::MappingService::Stub& stub, const std::string& map, FrameQueue& queue,
-                          const OnAnswer& on_ack, bool take_over) {
+grpc::Status StreamFrames(v1::MappingService::Stub& stub, const FrameSession& session, FrameQueue& queue,
+                          const OnAnswer& on_ack) {
   grpc::ClientContext context;
   const std::unique_ptr<Stream> stream = stub.IntegrateFrames(&context);
   v1::IntegrateFramesRequest first;
-  first.set_map(map);
-  first.set_take_over(take_over);
+  SetOpening(session, first);
   return Exchange(*stream, std::move(first), queue, on_ack);
 }
 

@@ -14,19 +14,19 @@ namespace dhpmap {
 
 using OnAnswer = std::function<void(const v1::IntegrateFramesResponse&)>;
 
-/// Sends the queue's frames to the map (maps/{map}) and calls `on_ack` for each acknowledgement, in order, on the
-/// calling thread; an acknowledgement's sequence is the frame's index. At most a few frames are on their way at once.
-/// The stream's status once everything sent is committed, or why it broke. `take_over`: in place of the stream that
-/// feeds the map now.
-grpc::Status StreamFrames(v1::MappingService::Stub& stub, const std::string& map, FrameQueue& queue,
-                          const OnAnswer& on_ack, bool take_over = false);
-
-/// A session of frames, which outlasts connections.
+/// Where frames go, and how.
 struct FrameSession {
-  std::string map;   ///< maps/{map}
-  std::string name;  ///< of the session, by which the server remembers how far it has got
-  bool take_over = false;
+  std::string map;                  ///< maps/{map}
+  std::string name;                 ///< of the session, by which the server remembers how far it has got; empty: none
+  bool take_over = false;           ///< in place of the streams that feed the map now
+  bool refuse_implausible = false;  ///< instead of fusing them with a warning
 };
+
+/// Sends the queue's frames and calls `on_ack` for each acknowledgement, in order, on the calling thread; an
+/// acknowledgement's sequence is the frame's index. At most a few frames are on their way at once. The stream's status
+/// once everything sent is committed, or why it broke. The session has no name.
+grpc::Status StreamFrames(v1::MappingService::Stub& stub, const FrameSession& session, FrameQueue& queue,
+                          const OnAnswer& on_ack);
 
 /// What StreamSession asks of its caller.
 struct SessionHooks {
@@ -40,8 +40,8 @@ struct SessionHooks {
   std::function<bool(const grpc::Status& why)> reconnect;
 };
 
-/// The same in a session: sends those of the frames `indices` that the server has not stored, and after a lost
-/// connection goes on with those that it has not stored by then.
+/// The same in a session that has a name, which outlasts connections: sends those of the frames `indices` that the
+/// server has not stored, and after a lost connection goes on with those that it has not stored by then.
 grpc::Status StreamSession(v1::MappingService::Stub& stub, const FrameSession& session,
                            const std::vector<std::size_t>& indices, const SessionHooks& hooks);
 

@@ -27,7 +27,7 @@ struct MapOptions {
   std::string directory, format = "auto", labels = "auto", ids = "auto";
   FrameSelection selection;
   NewMap map;
-  bool no_finish = false, keep_moving_points = false, take_over = false;
+  bool no_finish = false, keep_moving_points = false, take_over = false, refuse_implausible = false;
   std::string session;
   double reconnect_s = 30;
 };
@@ -70,16 +70,19 @@ class Run {
 
   /// Streams and reports; the caller still has to look at the counts.
   grpc::Status Stream(const std::vector<std::size_t>& indices) {
-    const std::string map = MapName(options_.map.name);
+    const FrameSession session{.map = MapName(options_.map.name),
+                               .name = options_.session,
+                               .take_over = options_.take_over,
+                               .refuse_implausible = options_.refuse_implausible};
     grpc::Status status;
     if (options_.session.empty()) {
       const auto queue = Read(indices);
-      status = StreamFrames(
-          *stub_, map, *queue, [&](const v1::IntegrateFramesResponse& ack) { Hear(ack, *queue); }, options_.take_over);
+      status =
+          StreamFrames(*stub_, session, *queue, [&](const v1::IntegrateFramesResponse& ack) { Hear(ack, *queue); });
     } else {
       FrameQueue* queue = nullptr;
       status = StreamSession(
-          *stub_, {.map = map, .name = options_.session, .take_over = options_.take_over}, indices,
+          *stub_, session, indices,
           {.read =
                [&](const std::vector<std::size_t>& left) {
                  auto next = Read(left);
@@ -106,6 +109,9 @@ class Run {
 
   void Hear(const v1::IntegrateFramesResponse& ack, FrameQueue& queue) {
     if (summary_.AddAck(ack)) Warn(static_cast<std::size_t>(ack.sequence()), "refused", ack.error_message());
+    for (const std::string& warning : summary_.AddWarnings(ack)) {
+      Warn(static_cast<std::size_t>(ack.sequence()), "doubtful", warning);
+    }
     progress_.Show(summary_.num_done(), Fixed(static_cast<double>(summary_.num_done()) / progress_.elapsed_s(), 1) +
                                             " frames/s, " + std::to_string(summary_.num_created()) + " new submaps");
     if (g_is_interrupted) queue.Stop();
@@ -218,6 +224,8 @@ void AddMapCommand(CLI::App& app, Session& session) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_flag("--take-over", options->take_over, "End the streams that feed the map now, if there are any");
+  command->add_flag("--refuse-implausible", options->refuse_implausible,
+                    "Have frames refused that do not fit what is known, instead of a warning");
   command->callback([options, &session] { session.exit_code = RunMap(session, *options); });
 }
 

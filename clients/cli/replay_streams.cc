@@ -43,6 +43,7 @@ grpc::Status ReplayStreams::Send(const std::string& session, std::int64_t sequen
   request.set_map(is_new ? map_ : "");
   request.set_session(is_new ? session : "");
   request.set_take_over(false);
+  request.set_refuse_implausible(false);  // what was refused then is not sent
   request.set_sequence(sequence);
   ++stream.num_unanswered;
   if (!stream.calls->Write(request)) return Hear(stream);  // it has ended, and says why

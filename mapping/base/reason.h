@@ -51,6 +51,8 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"BAD_CAMERA", StatusCode::kInvalidArgument, "a camera's parameters are not usable"},
     {"BAD_TRANSFORM", StatusCode::kInvalidArgument, "a pose is not finite or not rigid"},
     {"FRAME_TOO_LARGE", StatusCode::kResourceExhausted, "a frame would touch more of the map than one frame may"},
+    {"IMPLAUSIBLE_FRAME", StatusCode::kInvalidArgument,
+     "a frame does not fit what is known, and its stream asked to have it refused; the metadata name the `fault`"},
     {"OUT_OF_MEMORY", StatusCode::kResourceExhausted, "there is not enough memory; nothing was changed"},
     {"MAP_CHANGED", StatusCode::kInvalidArgument, "a later message of a stream names another map than the first"},
     {"BAD_SESSION", StatusCode::kInvalidArgument, "the name of a session is malformed, or changes within a stream"},

@@ -23,6 +23,7 @@
 #include "mapping/pipeline/frame_fusion.h"
 #include "mapping/pipeline/stage_clock.h"
 #include "mapping/pipeline/tiles_ahead.h"
+#include "mapping/plausibility/frame_judge.h"
 #include "mapping/sensor/frame_reach.h"
 #include "mapping/sensor/hidden_things.h"
 #include "mapping/space/free_space_finder.h"
@@ -62,12 +63,14 @@ struct MapBuilder::Impl {
         may_read_ahead(HasTilesOnDisk(map)) {}
 
   [[nodiscard]] Status CheckFrame(const PanopticFrame& frame) const;
-  Result<FrameReport> IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop);
+  Result<FrameReport> IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop,
+                                       ImplausibleFrames implausible);
   void GoBackTo(Map&& before);
 
   // The stages of a frame; each notes its time and outcome in the report.
   const std::vector<SegmentBundles>& Bundle(const PanopticFrame& frame, FrameReport& report);
   [[nodiscard]] Status CheckSize(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments) const;
+  [[nodiscard]] Status Judge(const PanopticFrame& frame, ImplausibleFrames implausible, FrameReport& report);
   std::vector<Assignment> Associate(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                                     FrameReport& report);
   void Fuse(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
@@ -88,6 +91,8 @@ struct MapBuilder::Impl {
   RefinementTiming timing;
   std::shared_ptr<RefinementSlots> slots;  // may be null
   Bundler bundler;
+  FrameJudge judge;
+  FrameCheck check;  // of the last frame
   Tracker tracker;
   FreeSpaceFinder space;
   const bool may_read_ahead;  // some of the map was on the disk at first; later some of any map may be
@@ -130,6 +135,17 @@ Status MapBuilder::Impl::CheckSize(const PanopticFrame& frame, const std::vector
                                .append(std::to_string(kMaxBlocksAFrame))
                                .append(" blocks of the map: use larger voxels, a shorter range, or smaller frames"))
       .WithReason("FRAME_TOO_LARGE");
+}
+
+/// Whether the frame fits what is known before it is a part of that.
+Status MapBuilder::Impl::Judge(const PanopticFrame& frame, ImplausibleFrames implausible, FrameReport& report) {
+  const StageClock clock(report.check_s);
+  check = judge.Judge(frame, map);
+  if (check.IsPlausible() || implausible == ImplausibleFrames::kFuse) return Status::Ok();
+  const FrameWarning& warning = check.warnings.front();
+  return InvalidArgument("the frame is implausible: " + warning.message)
+      .WithReason("IMPLAUSIBLE_FRAME")
+      .WithMetadata("fault", std::string(FaultName(warning.fault)));
 }
 
 std::vector<Assignment> MapBuilder::Impl::Associate(const PanopticFrame& frame,
@@ -264,7 +280,8 @@ const Map& MapBuilder::map() const { return impl_->map; }
 const RefinementReport& MapBuilder::refinement_total() const { return impl_->refinement_total; }
 
 /// Paper Fig. 2, from left to right.
-Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop) {
+Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop,
+                                                       ImplausibleFrames implausible) {
   FrameReport report;
   const auto& segments = Bundle(frame, report);  // sensor data to point segments
   if (Status size = CheckSize(frame, segments); !size.ok()) {
@@ -273,15 +290,19 @@ Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& fram
   }
   ThrowIfStopped(stop);
   if (may_read_ahead || CountPages().table_bytes > 0) ReadTilesAhead(segments, map, *pool);
+  DHPMAP_RETURN_IF_ERROR(Judge(frame, implausible, report));    // is it what it says it is
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
   Fuse(frame, segments, assignments, stop, report);             // (B) ray tracing into it, II-C
   const auto contradicted = LookThrough(frame, stop, report);   // what the rays passed is free
   Settle(frame, assignments, contradicted, report);             // what (C) and (D) may work on, II-D
   Refine(report);                                               // (C) and (D), II-D and II-E
+  judge.NoteFused(frame);
   return report;
 }
 
-Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std::stop_token& stop) {
+Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std::stop_token& stop,
+                                          ImplausibleFrames implausible) {
+  impl_->check = {};
   std::optional<Map> before;
   try {
     DHPMAP_RETURN_IF_ERROR(impl_->CheckFrame(frame));
@@ -289,7 +310,7 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
     const MapInfo& info = impl_->map.info();
     const std::optional<PanopticFrame> labelled = WithoutHiddenThings(frame, *info.label_set);
     const std::optional<PanopticFrame> rest = WithoutKeptClear(labelled ? *labelled : frame, info.kept_clear);
-    return impl_->IntegrateChecked(rest ? *rest : labelled ? *labelled : frame, stop);
+    return impl_->IntegrateChecked(rest ? *rest : labelled ? *labelled : frame, stop, implausible);
   } catch (const Stopped&) {
     if (before) impl_->GoBackTo(*std::move(before));
     return Cancelled("the frame was given up: the map is as it was");
@@ -307,6 +328,9 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
     return Internal("the frame could not be fused");
   }
 }
+
+FrameCheck MapBuilder::TakeCheck() { return std::exchange(impl_->check, {}); }
+void MapBuilder::ForgetStamp(const std::string& session) { impl_->judge.ForgetStamp(session); }
 
 std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<bool()>& is_cancelled) {
   refinement.Cancel();

@@ -2,6 +2,7 @@
 #include "server/app/feed.h"
 
 #include <new>
+#include <utility>
 
 #include "mapping/base/guarded.h"
 
@@ -41,6 +42,11 @@ void Feed::OnFrameDone(Clock::time_point now) {
   const MutexLock lock(mutex_);
   --num_under_way_;
   last_active_ = now;
+}
+
+bool Feed::BeginsNow() {
+  const MutexLock lock(mutex_);
+  return !std::exchange(has_begun_, true);
 }
 
 Feed::Clock::time_point Feed::last_active() const {

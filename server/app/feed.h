@@ -14,6 +14,7 @@
 #include "mapping/base/mutex.h"
 #include "mapping/base/state_machine.h"
 #include "mapping/base/status.h"
+#include "mapping/pipeline/map_builder.h"
 #include "server/app/feed_tally.h"
 
 namespace dhpmap {
@@ -36,6 +37,7 @@ constexpr bool IsLegal(FeedState from, FeedState to) {
 struct FeedRequest {
   std::string session;     ///< the client's name for this session of frames; empty: none
   bool take_over = false;  ///< in place of all who feed the map now
+  ImplausibleFrames implausible = ImplausibleFrames::kFuse;
   /// Called once if the feed has to end before it leaves: ABORTED, and why. On another thread, without locks.
   std::function<void(const Status&)> on_evicted = {};
 };
@@ -54,6 +56,7 @@ class Feed {
 
   /// Empty: none.
   [[nodiscard]] const std::string& session() const { return request_.session; }
+  [[nodiscard]] ImplausibleFrames implausible() const { return request_.implausible; }
   /// That of its session, or of streams without one.
   [[nodiscard]] FeedTally& tally() const { return *tally_; }
 
@@ -63,6 +66,8 @@ class Feed {
   /// A frame of it is under way to the map, or has got there: as long as one is, it is not idle.
   void OnFrameBegun() DHPMAP_EXCLUDES(mutex_);
   void OnFrameDone(Clock::time_point now) DHPMAP_EXCLUDES(mutex_);
+  /// True for the first call.
+  [[nodiscard]] bool BeginsNow() DHPMAP_EXCLUDES(mutex_);
   /// When a frame of it was done last, or it began.
   [[nodiscard]] Clock::time_point last_active() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] bool IsIdle(Clock::time_point now, Clock::duration limit) const DHPMAP_EXCLUDES(mutex_);
@@ -90,6 +95,7 @@ class Feed {
   StateMachine<FeedState> state_ DHPMAP_GUARDED_BY(mutex_){FeedState::kFeeding};
   Clock::time_point last_active_ DHPMAP_GUARDED_BY(mutex_);
   int num_under_way_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  bool has_begun_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::deque<FusedFrame> unstored_ DHPMAP_GUARDED_BY(mutex_);  ///< by ascending number
   std::optional<std::int64_t> stored_ DHPMAP_GUARDED_BY(mutex_);
 };

@@ -95,6 +95,7 @@ struct MapSession::Arrival {
   std::shared_ptr<Feed> feed;
   ArrivedFrame frame;
   std::int64_t arrived_ns = 0;
+  FrameCheck check = {};
 };
 
 void MapSession::Integrate(Result<PanopticFrame> frame, std::function<void(FrameOutcome)> done) {
@@ -358,6 +359,7 @@ Status MapSession::WhyBehind() const {
 FrameOutcome MapSession::IntegrateNow(Arrival& arrival) {
   FrameOutcome outcome{.report = FrameReport{}};
   outcome.report = Guarded<Result<FrameReport>>([&] { return TakeInTurn(arrival, outcome.is_duplicate); });
+  outcome.check = std::move(arrival.check);
   outcome.is_committed =
       num_unpublished_ == 0 && commits_.committed_revision() == builder_.map().published()->revision();
   if (arrival.feed) outcome.committed_sequence = ProgressOf(arrival.feed).committed_sequence;
@@ -397,8 +399,11 @@ Result<FrameReport> MapSession::TakeFrame(Arrival& arrival) {
   }
   auto report = Guarded<Result<FrameReport>>([&]() -> Result<FrameReport> {
     if (!arrived.frame.ok()) return arrived.frame.status();
+    // Streams without a session are others each time, and so are their clocks.
+    if (arrival.feed && session.empty() && arrival.feed->BeginsNow()) builder_.ForgetStamp(session);
     return Fuse(arrival.feed.get(), arrived.sequence, *arrived.frame);
   });
+  if (arrived.frame.ok()) arrival.check = builder_.TakeCheck();
   if (recorder != nullptr && !report.ok()) TellSafely([&] { recorder->OnRefused(report.status()); });
   if (recorder != nullptr && report.ok() && report->refinement) TellSafely([&] { recorder->OnRefined(); });
   return report;
@@ -413,7 +418,7 @@ Result<FrameReport> MapSession::Fuse(Feed* feed, std::int64_t sequence, const Pa
     sessions = builder_.map().info().sessions;
     sessions.Set({feed->session(), sequence, now_ns});
   }
-  auto report = builder_.Integrate(frame, end_.get_token());
+  auto report = builder_.Integrate(frame, end_.get_token(), feed ? feed->implausible() : ImplausibleFrames::kFuse);
   if (report.status().code() == StatusCode::kCancelled) return ShuttingDown();
   if (!report.ok()) return report;
   // It is in the map: nothing may throw from here on.

@@ -85,6 +85,7 @@ struct FrameOutcome {
   std::int64_t revision = 0;   ///< last published
   bool is_committed = false;   ///< everything up to this frame is in the store
   Status commit_status;        ///< why the store is behind, if the last commit failed
+  FrameCheck check = {};       ///< how the frame fits, refused or not; empty if it was not looked at
   bool is_duplicate = false;   ///< of one that its session had taken before: changed nothing, and the report is empty
   std::optional<std::int64_t> committed_sequence = std::nullopt;  ///< see FeedProgress
 };

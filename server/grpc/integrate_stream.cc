@@ -255,6 +255,8 @@ Result<IntegrateStream::Place> IntegrateStream::TakePlace() {
   DHPMAP_ASSIGN_OR_RETURN(auto feed,
                           map->BeginFeed({.session = request_.session(),
                                           .take_over = request_.take_over(),
+                                          .implausible = request_.refuse_implausible() ? ImplausibleFrames::kRefuse
+                                                                                       : ImplausibleFrames::kFuse,
                                           .on_evicted = [self = self_](const Status& why) { self->Stop(why); }}));
   const MutexLock lock(mutex_);  // nobody else has set it meanwhile: one message is handled at a time
   map_name_ = request_.map();

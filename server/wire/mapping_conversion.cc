@@ -24,6 +24,28 @@ v1::Refinement RefinementToProto(const RefinementReport& report) {
   return proto;
 }
 
+v1::FrameFit ToProto(const FrameFit& fit) {
+  v1::FrameFit proto;
+  if (fit.agreeing_fraction) proto.set_agreeing_fraction(*fit.agreeing_fraction);
+  if (fit.median_residual_m) proto.set_median_residual_m(*fit.median_residual_m);
+  if (fit.valid_depth_fraction) proto.set_valid_depth_fraction(*fit.valid_depth_fraction);
+  return proto;
+}
+
+v1::FrameWarning ToProto(const FrameWarning& warning) {
+  v1::FrameWarning proto;
+  v1::FrameWarning::Fault fault = v1::FrameWarning::FAULT_UNSPECIFIED;
+  (void)v1::FrameWarning::Fault_Parse(std::string(FaultName(warning.fault)), &fault);
+  proto.set_fault(fault);
+  proto.set_message(ToValidUtf8(warning.message));
+  return proto;
+}
+
+void SetCheck(const FrameCheck& check, v1::IntegrateFramesResponse& ack) {
+  if (check.fit) *ack.mutable_fit() = ToProto(*check.fit);
+  for (const FrameWarning& warning : check.warnings) *ack.add_warnings() = ToProto(warning);
+}
+
 }  // namespace
 
 void SetProgress(const FeedProgress& progress, v1::IntegrateFramesResponse& answer) {
@@ -45,6 +67,7 @@ v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& out
                                                         .committed_sequence = outcome.committed_sequence,
                                                         .commit_status = outcome.commit_status});
   ack.set_committed(outcome.is_committed);
+  SetCheck(outcome.check, ack);
   if (!outcome.report.ok()) {
     ack.set_outcome(v1::REFUSED);
     const Status status = InWireTerms(outcome.report.status());

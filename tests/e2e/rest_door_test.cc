@@ -264,6 +264,32 @@ class RestFeeders : public RestTest {
   http::HttpAnswer DeleteRoom() const { return Ask("DELETE", "/v1/maps/room"); }
 };
 
+TEST_F(RestFeeders, AnImplausibleFrameIsToldOrRefusedAsItsSenderLikes) {
+  Start({});
+  Create("room");
+  v1::IntegrateFramesRequest request;
+  const auto post = [&](int sequence) {
+    request.set_session("robot");
+    request.set_sequence(sequence);
+    *request.mutable_frame() = TestFrame(sequence);
+    for (const int translation : {3, 7, 11}) {
+      const double value_m = request.frame().map_from_sensor_matrix(translation);
+      request.mutable_frame()->set_map_from_sensor_matrix(translation, 1000 * value_m);
+    }
+    return Ask("POST", "/v1/maps/room:integrateFrames", JsonOf(request), {{"Content-Type", "application/json"}});
+  };
+  EXPECT_EQ(post(0).status, 200);
+  const http::HttpAnswer told = post(1);
+  EXPECT_EQ(told.status, 200) << told.body;
+  EXPECT_TRUE(Contains(told.body, R"("fault":"TRANSLATION_IN_MILLIMETRES")")) << told.body;
+  request.set_refuse_implausible(true);
+  const http::HttpAnswer refused = post(2);
+  EXPECT_EQ(refused.status, 400) << refused.body;
+  EXPECT_TRUE(Contains(refused.body, "IMPLAUSIBLE_FRAME")) << refused.body;
+  EXPECT_TRUE(Contains(refused.body, R"("fault":"TRANSLATION_IN_MILLIMETRES")")) << refused.body;
+  EXPECT_EQ(Get<v1::GetMapResponse>("maps/room").map().num_frames(), 2);
+}
+
 TEST_F(RestFeeders, OneThatIsFrozenLosesItsMapToWhoTakesOver) {
   StartWithIdleLimit("86400");
   FrozenRestFeeder frozen(http_port(), "room");

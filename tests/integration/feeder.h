@@ -16,6 +16,7 @@ namespace dhpmap::testing {
 struct Opening {
   std::string session = {};
   bool take_over = false;
+  bool refuse_implausible = false;
 };
 
 /// One stream of frames of TestScene, message by message. Cancelled at the end of life, if it goes on.
@@ -28,6 +29,7 @@ class Feeder {
     first_.set_map("maps/" + map_id);
     first_.set_session(opening.session);
     first_.set_take_over(opening.take_over);
+    first_.set_refuse_implausible(opening.refuse_implausible);
   }
   Feeder(TestServer& server, const std::string& map_id, const Opening& opening = {})
       : Feeder(*server.mapping, map_id, opening) {}
@@ -42,9 +44,12 @@ class Feeder {
   }
   /// False if the stream has ended.
   bool Send(std::int64_t sequence, int frame, bool is_last = false) {
+    return Send(sequence, TestFrame(frame), is_last);
+  }
+  bool Send(std::int64_t sequence, v1::Frame frame, bool is_last = false) {
     v1::IntegrateFramesRequest request = std::exchange(first_, {});
     request.set_sequence(sequence);
-    *request.mutable_frame() = TestFrame(frame);
+    *request.mutable_frame() = std::move(frame);
     return stream_->Write(request, is_last ? grpc::WriteOptions().set_last_message() : grpc::WriteOptions());
   }
   /// Nothing if the stream has ended.

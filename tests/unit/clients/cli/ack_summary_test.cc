@@ -69,6 +69,35 @@ TEST(AckSummary, NumbersInAMessageMakeNoNewKindButWordsAndReasonsDo) {
   EXPECT_EQ(summary.num_done(), 5u);
 }
 
+TEST(AckSummary, TellsOfEachFaultOfFusedFramesOnceAndCountsTheRest) {
+  AckSummary summary;
+  const auto with = [](v1::FrameOutcome outcome, v1::FrameWarning::Fault fault, const std::string& message) {
+    v1::IntegrateFramesResponse ack;
+    ack.set_outcome(outcome);
+    ack.add_warnings()->set_fault(fault);
+    ack.mutable_warnings(0)->set_message(message);
+    return ack;
+  };
+  const auto inverted = with(v1::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted; 12 % agree");
+  EXPECT_EQ(summary.AddWarnings(inverted), (std::vector<std::string>{"inverted; 12 % agree"}));
+  EXPECT_TRUE(summary.AddWarnings(with(v1::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted; 3 % agree")).empty());
+  auto both = with(v1::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted");
+  both.add_warnings()->set_fault(v1::FrameWarning::STAMP_REPEATED);
+  both.mutable_warnings(1)->set_message("again");
+  EXPECT_EQ(summary.AddWarnings(both), (std::vector<std::string>{"again"}));
+  EXPECT_TRUE(summary.AddWarnings(with(v1::REFUSED, v1::FrameWarning::BODY_AXES, "body")).empty())
+      << "its refusal is told";
+  EXPECT_TRUE(summary.AddWarnings(Fused(1, 1, 1)).empty());
+  const std::string printed = Printed(summary);
+  EXPECT_NE(printed.find("3 fused with a warning, POSE_INVERTED: inverted; 12 % agree, ...\n"), std::string::npos)
+      << printed;
+  EXPECT_NE(printed.find("1 fused with a warning, STAMP_REPEATED: again\n"), std::string::npos) << printed;
+  const auto json = nlohmann::json::parse(summary.Json({}, 1.0));
+  EXPECT_EQ(json["numDoubtful"], 3);
+  EXPECT_EQ(json["doubtful"].size(), 2u);
+  EXPECT_EQ(json["doubtful"][0]["reason"], "POSE_INVERTED");
+}
+
 TEST(AckSummary, WithoutAReasonTheCodeIsTheKind) {
   AckSummary summary;
   summary.AddAck(Refused(8, "", "full"));

@@ -79,10 +79,11 @@ class StreamFramesTest : public ::testing::Test {
     std::vector<std::size_t> indices(num_frames);
     std::iota(indices.begin(), indices.end(), 0);
     FrameQueue queue(dataset_, indices, false, [this](std::size_t index, const Status&) { skipped_.push_back(index); });
-    const grpc::Status status = StreamFrames(*stub, "maps/m", queue, [&](const v1::IntegrateFramesResponse& ack) {
-      acks_.push_back(ack.sequence());
-      if (static_cast<int>(acks_.size()) == stop_after_) queue.Stop();
-    });
+    const grpc::Status status =
+        StreamFrames(*stub, {.map = "maps/m"}, queue, [&](const v1::IntegrateFramesResponse& ack) {
+          acks_.push_back(ack.sequence());
+          if (static_cast<int>(acks_.size()) == stop_after_) queue.Stop();
+        });
     server->Shutdown();
     return status;
   }
@@ -196,7 +197,8 @@ class StreamSessionTest : public ::testing::Test {
 };
 
 TEST_F(StreamSessionTest, GoesOnAfterEachLostConnectionWithWhatIsNotStored) {
-  const grpc::Status status = Stream({.map = "maps/m", .name = "robot", .take_over = true}, 30);
+  const grpc::Status status =
+      Stream({.map = "maps/m", .name = "robot", .take_over = true, .refuse_implausible = true}, 30);
   ASSERT_TRUE(status.ok()) << status.error_message();
   std::vector<std::int64_t> wanted;
   for (std::int64_t i = 0; i < 30; ++i) {
@@ -213,6 +215,7 @@ TEST_F(StreamSessionTest, GoesOnAfterEachLostConnectionWithWhatIsNotStored) {
     EXPECT_EQ(greeting.session(), "robot");
     EXPECT_FALSE(greeting.has_frame());
     EXPECT_EQ(greeting.take_over(), i == 0) << "who took over from us since may keep it";
+    EXPECT_TRUE(greeting.refuse_implausible()) << "of every connection";
   }
 }
 

@@ -73,6 +73,43 @@ TEST(AckOf, TellsWhyAFrameWasRefusedInTheWordsOfTheWire) {
   EXPECT_EQ(ack.commit_error_message(), "disk ? full");
 }
 
+TEST(AckOf, TellsHowAFrameFits) {
+  const auto fits =
+      AckOf(1, {.report = FrameReport{}, .check = {.fit = FrameFit{.agreeing_fraction = 0, .median_residual_m = 0.5}}});
+  ASSERT_TRUE(fits.fit().has_agreeing_fraction());
+  EXPECT_EQ(fits.fit().agreeing_fraction(), 0);
+  EXPECT_EQ(fits.fit().median_residual_m(), 0.5);
+  EXPECT_FALSE(fits.fit().has_valid_depth_fraction());
+  EXPECT_EQ(fits.warnings_size(), 0);
+  const auto unknown = AckOf(1, {.report = FrameReport{}, .check = {.fit = FrameFit{.valid_depth_fraction = 1}}});
+  EXPECT_FALSE(unknown.fit().has_agreeing_fraction());
+  EXPECT_EQ(unknown.fit().valid_depth_fraction(), 1);
+  EXPECT_FALSE(AckOf(1, {.report = FrameReport{}}).has_fit()) << "nobody looked at it";
+}
+
+TEST(AckOf, TellsWhatSpeaksAgainstAFrameThatIsRefused) {
+  const auto ack =
+      AckOf(1, {.report = InvalidArgument("no").WithReason("IMPLAUSIBLE_FRAME"),
+                .check = {.fit = FrameFit{.agreeing_fraction = 0.25},
+                          .warnings = {{FrameFault::kPoseInverted, "turn it"}, {FrameFault::kStampWentBack, "\xFF"}}}});
+  EXPECT_EQ(ack.outcome(), v1::REFUSED);
+  EXPECT_EQ(ack.error_reason(), "IMPLAUSIBLE_FRAME");
+  EXPECT_EQ(ack.fit().agreeing_fraction(), 0.25);
+  ASSERT_EQ(ack.warnings_size(), 2);
+  EXPECT_EQ(ack.warnings(0).fault(), v1::FrameWarning::POSE_INVERTED);
+  EXPECT_EQ(ack.warnings(0).message(), "turn it");
+  EXPECT_EQ(ack.warnings(1).fault(), v1::FrameWarning::STAMP_WENT_BACK);
+  EXPECT_EQ(ack.warnings(1).message(), "?");
+}
+
+TEST(AckOf, EveryFaultHasAValueOfTheWire) {
+  for (int i = 0; i <= static_cast<int>(FrameFault::kStampWentBack); ++i) {
+    const auto fault = static_cast<FrameFault>(i);
+    const auto ack = AckOf(1, {.report = FrameReport{}, .check = {.warnings = {{fault, ""}}}});
+    EXPECT_EQ(v1::FrameWarning::Fault_Name(ack.warnings(0).fault()), FaultName(fault));
+  }
+}
+
 TEST(InWireTerms, RenamesEveryFieldOfAFrame) {
   Status status = InvalidArgument("the frame is not usable").WithReason("BAD_FRAME");
   for (const char* field :
