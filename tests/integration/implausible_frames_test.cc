@@ -9,9 +9,9 @@ namespace {
 
 using Ack = v1::IntegrateFramesResponse;
 
-class ImplausibleFrames : public ::testing::Test {
+class FramesThatDoNotFit : public ::testing::Test {
  protected:
-  ImplausibleFrames() {
+  FramesThatDoNotFit() {
     v1::CreateMapResponse response;
     grpc::ClientContext context;
     EXPECT_TRUE(server_.maps->CreateMap(&context, CreateRequest("room"), &response).ok());
@@ -39,7 +39,7 @@ v1::Frame InMillimetres(v1::Frame frame) {
   return frame;
 }
 
-TEST_F(ImplausibleFrames, EachAnswerTellsHowTheFrameFits) {
+TEST_F(FramesThatDoNotFit, EachAnswerTellsHowTheFrameFits) {
   Feeder feeder(server_, "room");
   for (int i = 0; i < 6; ++i) {
     const Ack ack = Fed(feeder, i, TestFrame(i));
@@ -53,7 +53,7 @@ TEST_F(ImplausibleFrames, EachAnswerTellsHowTheFrameFits) {
   }
 }
 
-TEST_F(ImplausibleFrames, TheyAreFusedWithAWarning) {
+TEST_F(FramesThatDoNotFit, TheyAreFusedWithAWarning) {
   Feeder feeder(server_, "room");
   EXPECT_EQ(Fed(feeder, 0, InMillimetres(TestFrame(0))).warnings_size(), 0) << "nobody can tell";
   const Ack ack = Fed(feeder, 1, InMillimetres(TestFrame(1)));
@@ -63,7 +63,7 @@ TEST_F(ImplausibleFrames, TheyAreFusedWithAWarning) {
   EXPECT_NE(ack.warnings(0).message().find("must be in metres"), std::string::npos) << ack.warnings(0).message();
 }
 
-TEST_F(ImplausibleFrames, AFeedMayHaveThemRefused) {
+TEST_F(FramesThatDoNotFit, AFeedMayHaveThemRefused) {
   Feeder feeder(server_, "room", {.session = "robot", .refuse_implausible = true});
   EXPECT_EQ(Fed(feeder, 0, TestFrame(0)).outcome(), v1::FUSED);
   const Ack refused = Fed(feeder, 1, InMillimetres(TestFrame(1)));
@@ -81,7 +81,7 @@ TEST_F(ImplausibleFrames, AFeedMayHaveThemRefused) {
   EXPECT_EQ(NumFrames(), 2);
 }
 
-TEST_F(ImplausibleFrames, StampsGoOnOverStreamsOfASessionAndBeginAnewOtherwise) {
+TEST_F(FramesThatDoNotFit, StampsGoOnOverStreamsOfASessionAndBeginAnewOtherwise) {
   const auto faults_of = [this](const std::string& session, int frame) {
     static std::int64_t sequence = 0;
     Feeder feeder(server_, "room", {.session = session});
