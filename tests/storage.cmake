@@ -2,10 +2,9 @@
 if(EXISTS /dev/shm)
   set(storage_test_environment TMPDIR=/dev/shm)
 endif()
-dhpmap_library(NAME dhpmap_test_map_text SOURCES unit/storage/map_text.cc PUBLIC dhpmap_storage)
+dhpmap_library(NAME dhpmap_test_map_text SOURCES unit/storage/map_digests.cc unit/storage/map_text.cc PUBLIC dhpmap_storage)
 dhpmap_library(NAME dhpmap_test_unsynced_writes SOURCES unit/storage/unsynced_writes.cc)
-dhpmap_tests(ROOM unit/storage COST 15 LIBS dhpmap_test_map_text dhpmap_test_unsynced_writes dhpmap_test_scenes dhpmap_test_places ENVIRONMENT ${storage_test_environment}
-  ALONE edits_test.cc imported_map_test.cc kept_clear_test.cc later_version_test.cc)
+dhpmap_tests(ROOM unit/storage COST 15 LIBS dhpmap_test_map_text dhpmap_test_unsynced_writes dhpmap_test_scenes dhpmap_test_places ENVIRONMENT ${storage_test_environment})
 
 # Sizes and rates of codec and store on a fused scene or data set; not a test.
 dhpmap_program(NAME dhpmap_storage_bench SOURCES unit/storage/storage_bench.cc

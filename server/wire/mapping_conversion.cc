@@ -24,7 +24,7 @@ v1::Refinement RefinementToProto(const RefinementReport& report) {
   return proto;
 }
 
-v1::FrameFit ToProto(const FrameFit& fit) {
+v1::FrameFit FitToProto(const FrameFit& fit) {
   v1::FrameFit proto;
   if (fit.agreeing_fraction) proto.set_agreeing_fraction(*fit.agreeing_fraction);
   if (fit.median_residual_m) proto.set_median_residual_m(*fit.median_residual_m);
@@ -32,7 +32,7 @@ v1::FrameFit ToProto(const FrameFit& fit) {
   return proto;
 }
 
-v1::FrameWarning ToProto(const FrameWarning& warning) {
+v1::FrameWarning WarningToProto(const FrameWarning& warning) {
   v1::FrameWarning proto;
   v1::FrameWarning::Fault fault = v1::FrameWarning::FAULT_UNSPECIFIED;
   (void)v1::FrameWarning::Fault_Parse(std::string(FaultName(warning.fault)), &fault);
@@ -42,8 +42,8 @@ v1::FrameWarning ToProto(const FrameWarning& warning) {
 }
 
 void SetCheck(const FrameCheck& check, v1::IntegrateFramesResponse& ack) {
-  if (check.fit) *ack.mutable_fit() = ToProto(*check.fit);
-  for (const FrameWarning& warning : check.warnings) *ack.add_warnings() = ToProto(warning);
+  if (check.fit) *ack.mutable_fit() = FitToProto(*check.fit);
+  for (const FrameWarning& warning : check.warnings) *ack.add_warnings() = WarningToProto(warning);
 }
 
 }  // namespace

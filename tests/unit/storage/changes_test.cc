@@ -17,9 +17,8 @@ namespace {
 
 using testing::ExpectSameInfo;
 using testing::MapGenerator;
+using testing::StoreKind;
 using testing::TempDir;
-
-enum class StoreKind { kMemory, kSqlite };
 
 /// A submap as somebody holds it who follows the map.
 struct Held {

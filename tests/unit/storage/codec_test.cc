@@ -261,35 +261,35 @@ FreeTile SomeFreeTile(std::uint32_t seed) {
 Status DecodeFree(ByteView blob, BlockIndex index, FreeTile& tile) {
   return DecodeFreeTile(BlobKind::kFreeV1, blob, {index.x, index.y, index.z}, tile);
 }
-constexpr TileIndex kTile{kIndex.x, kIndex.y, kIndex.z};
+constexpr TileIndex kFreeTile{kIndex.x, kIndex.y, kIndex.z};
 
 TEST(FreeCodec, RoundTripIsExactAndWholeBlocksCostABit) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     FreeTile back;
-    ASSERT_TRUE(
-        DecodeFreeTile(BlobKind::kFreeV1, EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(seed), kTile), kTile, back)
-            .ok());
+    ASSERT_TRUE(DecodeFreeTile(BlobKind::kFreeV1, EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(seed), kFreeTile),
+                               kFreeTile, back)
+                    .ok());
     EXPECT_EQ(back, SomeFreeTile(seed));
   }
   FreeBlocks all;
   all.full = ~std::uint64_t{0};
   FreeTile tile;
   tile.Add(all);
-  EXPECT_LT(EncodeFreeTile(BlobKind::kFreeV1, tile, kTile).size(), 40u);
+  EXPECT_LT(EncodeFreeTile(BlobKind::kFreeV1, tile, kFreeTile).size(), 40u);
 }
 
 TEST(FreeCodec, ATileOfOneLayerIsNoneOfTheOther) {
   FreeTile tile;
-  const Bytes free = EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(3), kTile);
-  const Bytes vacated = EncodeFreeTile(BlobKind::kVacatedV1, SomeFreeTile(3), kTile);
-  EXPECT_TRUE(DecodeFreeTile(BlobKind::kVacatedV1, vacated, kTile, tile).ok());
+  const Bytes free = EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(3), kFreeTile);
+  const Bytes vacated = EncodeFreeTile(BlobKind::kVacatedV1, SomeFreeTile(3), kFreeTile);
+  EXPECT_TRUE(DecodeFreeTile(BlobKind::kVacatedV1, vacated, kFreeTile, tile).ok());
   EXPECT_EQ(tile, SomeFreeTile(3));
-  EXPECT_EQ(DecodeFreeTile(BlobKind::kVacatedV1, free, kTile, tile).code(), StatusCode::kDataLoss);
-  EXPECT_EQ(DecodeFreeTile(BlobKind::kFreeV1, vacated, kTile, tile).code(), StatusCode::kDataLoss);
+  EXPECT_EQ(DecodeFreeTile(BlobKind::kVacatedV1, free, kFreeTile, tile).code(), StatusCode::kDataLoss);
+  EXPECT_EQ(DecodeFreeTile(BlobKind::kFreeV1, vacated, kFreeTile, tile).code(), StatusCode::kDataLoss);
 }
 
 TEST(FreeCodec, EveryFlippedOrMissingByteIsDataLoss) {
-  ExpectDamageIsSeen<FreeTile>(EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(1), kTile), DecodeFree);
+  ExpectDamageIsSeen<FreeTile>(EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(1), kFreeTile), DecodeFree);
 }
 
 TEST(GoneCodec, RoundTripIsExact) {
@@ -388,7 +388,7 @@ TEST(TsdfCodec, ForgedPayloadsAreHarmless) {
 TEST(FreeCodec, ForgedPayloadsAreHarmless) {
   Payload payload;
   ASSERT_TRUE(
-      Unseal(BlobKind::kFreeV1, kIndex, EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(2), kTile), payload).ok());
+      Unseal(BlobKind::kFreeV1, kIndex, EncodeFreeTile(BlobKind::kFreeV1, SomeFreeTile(2), kFreeTile), payload).ok());
   ExpectForgeriesAreHarmless<FreeTile>(BlobKind::kFreeV1, payload, DecodeFree);
   const auto refused = [&](std::initializer_list<std::uint64_t> words) {
     Payload forged{.packable = {}, .plain = Bytes(8)};
@@ -417,7 +417,7 @@ TEST(LabelTileCodec, KeepsWhatIsConcluded) {
     for (int i = cell; i < kBlockVoxels && cell % 2 == 0; i += 7) block->SetConcluded(i, true);
     blocks.push_back({9 * cell, block});
   }
-  ASSERT_TRUE(DecodeLabelTile(EncodeLabelTile(blocks, kTile), kTile, read).ok());
+  ASSERT_TRUE(DecodeLabelTile(EncodeLabelTile(blocks, kFreeTile), kFreeTile, read).ok());
   ASSERT_EQ(read.size(), blocks.size());
   for (std::size_t n = 0; n < blocks.size(); ++n) {
     EXPECT_EQ(read[n].cell, blocks[n].cell);
@@ -429,13 +429,13 @@ TEST(LabelTileCodec, ForgedConclusionsAreDataLoss) {
   auto block = std::make_shared<LabelBlock>(SomeLabels(2));
   block->SetConcluded(9, true);
   Payload payload;
-  const Bytes blob = EncodeLabelTile({{4, block}}, kTile);
+  const Bytes blob = EncodeLabelTile({{4, block}}, kFreeTile);
   ASSERT_TRUE(Unseal(BlobKind::kLabelsTile, kIndex, blob, payload).ok());
   LayerBlocks<LabelBlock> read;
   const auto code_of = [&](std::size_t byte, std::uint8_t value) {
     Payload forged = payload;
     forged.packable[byte] = value;
-    return DecodeLabelTile(Seal(BlobKind::kLabelsTile, kIndex, forged), kTile, read).code();
+    return DecodeLabelTile(Seal(BlobKind::kLabelsTile, kIndex, forged), kFreeTile, read).code();
   };
   ASSERT_EQ(code_of(0, payload.packable[0]), StatusCode::kOk);
   EXPECT_EQ(code_of(8, 0x11), StatusCode::kDataLoss) << "of a block that is not there";

@@ -17,19 +17,20 @@ using testing::ExpectSameMap;
 using testing::MapGenerator;
 using testing::TempDir;
 
-enum class Kind { kMemory, kSqlite, kPaged };  ///< the last: SQLite's, where voxels stay until they are read
+enum class HeldWhere { kMemory, kSqlite, kPaged };  ///< the last: SQLite's, where voxels stay until they are read
 
-class MapStoreTest : public ::testing::TestWithParam<Kind> {
+class MapStoreTest : public ::testing::TestWithParam<HeldWhere> {
  protected:
   MapStoreTest() { Open(); }
 
   void Open() {
-    if (GetParam() == Kind::kMemory) {
+    if (GetParam() == HeldWhere::kMemory) {
       if (!store_) store_ = MakeMemoryStore();
       return;
     }
     store_ = nullptr;
-    auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = GetParam() == Kind::kPaged});
+    auto opened =
+        OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = GetParam() == HeldWhere::kPaged});
     ASSERT_TRUE(opened.ok()) << opened.status().ToString();
     store_ = std::move(opened).value();
   }
@@ -252,11 +253,12 @@ TEST_P(MapStoreTest, ServesReadersWhileItCommits) {
   ExpectSameMap(*map->published(), *Load("house"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Stores, MapStoreTest, ::testing::Values(Kind::kMemory, Kind::kSqlite, Kind::kPaged),
+INSTANTIATE_TEST_SUITE_P(Stores, MapStoreTest,
+                         ::testing::Values(HeldWhere::kMemory, HeldWhere::kSqlite, HeldWhere::kPaged),
                          [](const auto& kind) {
-                           return kind.param == Kind::kMemory   ? "Memory"
-                                  : kind.param == Kind::kSqlite ? "Sqlite"
-                                                                : "Paged";
+                           return kind.param == HeldWhere::kMemory   ? "Memory"
+                                  : kind.param == HeldWhere::kSqlite ? "Sqlite"
+                                                                     : "Paged";
                          });
 
 }  // namespace

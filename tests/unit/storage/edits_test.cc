@@ -15,9 +15,8 @@ namespace dhpmap {
 namespace {
 
 using testing::MapGenerator;
+using testing::StoreKind;
 using testing::TempDir;
-
-enum class StoreKind { kMemory, kSqlite };
 
 class EditsTest : public ::testing::TestWithParam<StoreKind> {
  protected:

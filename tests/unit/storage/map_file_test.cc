@@ -248,12 +248,12 @@ TEST_F(MapFileTest, WhatIsNotThereOrTakenIsRefused) {
 
 TEST_F(MapFileTest, AFileThatIsNoMapIsATypedErrorAndLeavesNothing) {
   const int num_files = NumFiles();
-  struct Case {
+  struct BadFile {
     const char* what;
     std::string bytes;
     Reason reason;  ///< none: one of several
   };
-  const Case cases[] = {
+  const BadFile cases[] = {
       {"nothing", "", "BAD_MAP"},
       {"text", "a picture of a house", "BAD_MAP"},
       {"the half", bytes_.substr(0, bytes_.size() / 2), {}},
@@ -287,7 +287,7 @@ TEST_F(MapFileTest, AFileThatIsNoMapIsATypedErrorAndLeavesNothing) {
                                  "FROM n"),
        "BAD_MAP"},
   };
-  for (const Case& one : cases) {
+  for (const BadFile& one : cases) {
     SCOPED_TRACE(one.what);
     const auto imported = Import(*store_, one.bytes, "copy");
     ASSERT_FALSE(imported.ok());

@@ -189,4 +189,10 @@ std::string TextOf(const MapSnapshot& map) {
   return text;
 }
 
+std::string TextOf(const std::vector<ConfigRow>& config) {
+  std::string text;
+  for (const ConfigRow& row : config) text += "config " + row.key + " = " + row.value + "\n";
+  return text;
+}
+
 }  // namespace dhpmap::testing

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mapping/map/map.h"
+#include "storage/rows/config_rows.h"
 
 namespace dhpmap::testing {
 
@@ -11,5 +13,7 @@ namespace dhpmap::testing {
 /// of voxels and a checksum over all their values, and the values of a few voxels in full. What later versions add to a
 /// map is not in it, so the text of a released database stays what it is.
 std::string TextOf(const MapSnapshot& map);
+/// Its config as it is stored: lines "config KEY = VALUE".
+std::string TextOf(const std::vector<ConfigRow>& config);
 
 }  // namespace dhpmap::testing

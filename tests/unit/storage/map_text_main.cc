@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap_map_text DATABASE: the contents of its maps as text, to go beside a released database.
+// dhpmap_map_text [--digests] DATABASE: the contents of its maps as text, or digests of it, to go beside a released
+// database.
 #include <cstdio>
+#include <string>
+#include <string_view>
 
 #include "storage/rows/config_rows.h"
 #include "storage/rows/map_rows.h"
 #include "storage/store.h"
+#include "tests/unit/storage/map_digests.h"
 #include "tests/unit/storage/map_text.h"
 
 namespace dhpmap {
 namespace {
 
-Status Print(const std::string& path) {
+Status Print(const std::string& path, bool only_digests) {
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(path, {.read_only = true}));
   DHPMAP_ASSIGN_OR_RETURN(auto database, sqlite::Database::Open(path, sqlite::OpenMode::kReadOnly, 1000));
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> names, ReadMapNames(database));
@@ -18,8 +22,8 @@ Status Print(const std::string& path) {
     DHPMAP_ASSIGN_OR_RETURN(const auto map, store->LoadMap(name));
     DHPMAP_ASSIGN_OR_RETURN(const MapRow row, ReadMapHead(database, name));
     DHPMAP_ASSIGN_OR_RETURN(const std::vector<ConfigRow> config, ReadConfigRows(database, row.key));
-    std::fputs(testing::TextOf(*map).c_str(), stdout);
-    for (const ConfigRow& entry : config) std::printf("config %s = %s\n", entry.key.c_str(), entry.value.c_str());
+    const std::string text = testing::TextOf(*map) + testing::TextOf(config);
+    std::fputs((only_digests ? testing::DigestsOf(text) : text).c_str(), stdout);
   }
   return Status::Ok();
 }
@@ -28,11 +32,12 @@ Status Print(const std::string& path) {
 }  // namespace dhpmap
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: dhpmap_map_text DATABASE\n");
+  const bool only_digests = argc == 3 && std::string_view(argv[1]) == "--digests";
+  if (argc != 2 && !only_digests) {
+    std::fprintf(stderr, "usage: dhpmap_map_text [--digests] DATABASE\n");
     return 2;
   }
-  const dhpmap::Status printed = dhpmap::Print(argv[1]);
+  const dhpmap::Status printed = dhpmap::Print(argv[argc - 1], only_digests);
   if (!printed.ok()) std::fprintf(stderr, "%s\n", printed.ToString().c_str());
   return printed.ok() ? 0 : 1;
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Databases of every released schema, opened by this version: nothing that was ever stored is lost.
+#include <fstream>
 #include <map>
 #include <sstream>
 
 #include "mapping/map/tile_page.h"
+#include "storage/rows/config_rows.h"
 #include "storage/schema/bundle_blocks.h"
 #include "storage/schema/migrate.h"
 #include "storage/tiles/object_layers.h"
 #include "tests/support/places.h"
+#include "tests/unit/storage/map_digests.h"
 #include "tests/unit/storage/map_text.h"
 #include "tests/unit/storage/sqlite_fixture.h"
 
@@ -18,51 +21,73 @@ namespace fs = std::filesystem;
 using testing::SqliteStoreTest;
 using testing::TextOf;
 
-fs::path Released(std::int64_t schema, const char* extension) {
-  return testing::SourceDir() / "tests/unit/storage/released" / ("schema-" + std::to_string(schema) + extension);
-}
+fs::path ReleasedFolder() { return testing::SourceDir() / "tests/unit/storage/released"; }
+fs::path Released(std::int64_t schema) { return ReleasedFolder() / ("schema-" + std::to_string(schema) + ".sqlite"); }
 
-/// What a schema-N.txt says of one map.
+/// What is known of one map.
 struct Expected {
-  std::string text;
-  MapConfig config;  ///< the stored keys in place of the defaults
+  std::string digests;      ///< map_digests.h, of its text and its config's
+  std::string config_text;  ///< as stored
+  MapConfig config;         ///< the stored keys in place of the defaults
 };
 
-std::map<std::string, Expected> ReadExpected(const fs::path& path) {
+/// By map, what digests.txt says of the database of this schema.
+std::map<std::string, Expected> ReadExpected(std::int64_t schema) {
+  constexpr std::size_t kDigest = 32 + 2;  // and blanks
   std::map<std::string, Expected> maps;
   Expected* map = nullptr;
-  std::ifstream file(path);
+  bool is_of_schema = false;
+  std::ifstream file(ReleasedFolder() / "digests.txt");
   for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("map '")) map = &maps[line.substr(5, line.find('\'', 5) - 5)];
+    if (line.starts_with("schema ")) is_of_schema = line == "schema " + std::to_string(schema);
+    if (!is_of_schema || line.size() < kDigest) continue;
+    const std::string said = line.substr(kDigest);
+    if (said.starts_with("map '")) map = &maps[said.substr(5, said.find('\'', 5) - 5)];
     if (map == nullptr) return {};
-    const std::size_t equals = line.find(" = ");
-    if (line.starts_with("config ") && equals != std::string::npos) {
-      EXPECT_TRUE(SetField(map->config, line.substr(7, equals - 7), line.substr(equals + 3)).ok()) << line;
-    } else {
-      map->text += line + "\n";
-    }
+    map->digests += line + "\n";
   }
   return maps;
 }
 
-/// EXPECT_EQ of long texts, told by the first line that differs.
-void ExpectSameText(const std::string& expected, const std::string& actual) {
+/// Of a database that may be of any schema.
+std::vector<ConfigRow> StoredConfig(const std::string& path, const std::string& map) {
+  auto database = sqlite::Database::Open(path, sqlite::OpenMode::kReadOnly, 1000);
+  if (!database.ok()) return {};
+  const auto key = database->QueryInt("SELECT map_key FROM maps WHERE name = '" + map + "'", "look");
+  if (!key.ok()) return {};
+  auto rows = ReadConfigRows(*database, *key);
+  return rows.ok() ? std::move(rows).value() : std::vector<ConfigRow>();
+}
+
+/// Judged by their digests; told by the first section that differs. All that the map holds goes to a file.
+void ExpectDigests(const std::string& expected, const std::string& text, const std::string& file_name) {
+  const std::string actual = testing::DigestsOf(text);
+  if (actual == expected) return;
+  const fs::path file = fs::path(::testing::TempDir()) / file_name;
+  std::ofstream(file) << text;
   std::istringstream expected_lines(expected), actual_lines(actual);
   std::string a, b;
-  for (int line = 1; std::getline(expected_lines, a); ++line) {
-    ASSERT_TRUE(std::getline(actual_lines, b)) << "ends before line " << line << ": " << a;
-    ASSERT_EQ(a, b) << "line " << line;
+  while (std::getline(expected_lines, a)) {
+    if (!std::getline(actual_lines, b)) b = "(nothing)";
+    if (a != b) break;
   }
-  EXPECT_FALSE(std::getline(actual_lines, b)) << "more than expected: " << b;
+  if (a == b) a = "(nothing)", std::getline(actual_lines, b);
+  FAIL() << "expected " << a << "\nfound    " << b << "\nAll that was found is in " << file
+         << "; released/README.md says how to get what was expected.";
 }
 
 class ReleasedDatabaseTest : public SqliteStoreTest, public ::testing::WithParamInterface<std::int64_t> {
  protected:
   void SetUp() override {
-    fs::copy_file(Released(GetParam(), ".sqlite"), Path());
+    fs::copy_file(Released(GetParam()), Path());
     fs::permissions(Path(), fs::perms::owner_write, fs::perm_options::add);
-    expected_ = ReadExpected(Released(GetParam(), ".txt"));
+    expected_ = ReadExpected(GetParam());
     ASSERT_FALSE(expected_.empty());
+    for (auto& [name, expected] : expected_) {
+      const std::vector<ConfigRow> config = StoredConfig(Path(), name);
+      expected.config_text = TextOf(config);
+      for (const ConfigRow& row : config) ASSERT_TRUE(SetField(expected.config, row.key, row.value).ok()) << row.key;
+    }
   }
 
   void ExpectAllOfIt() {
@@ -73,7 +98,8 @@ class ReleasedDatabaseTest : public SqliteStoreTest, public ::testing::WithParam
       SCOPED_TRACE("map " + name);
       const auto map = store_->LoadMap(name);
       ASSERT_TRUE(map.ok()) << map.status().ToString();
-      ExpectSameText(expected.text, TextOf(**map));
+      const std::string file = "schema-" + std::to_string(GetParam()) + "-" + name + ".txt";
+      ExpectDigests(expected.digests, TextOf(**map) + expected.config_text, file);
       EXPECT_EQ(ConfigToText((*map)->info().config), ConfigToText(expected.config));
       if (GetParam() < 4) {
         EXPECT_EQ((*map)->free_space()->NumFreeVoxels(), num_free_) << "none was stored before schema 4";
@@ -123,7 +149,7 @@ TEST_P(ReleasedDatabaseTest, HoldsWhatWasWrittenAndTakesMore) {
     seen.full = 1;
     map.mutable_free_space().Add({0, 0, 0}, seen, 7);
     ASSERT_TRUE(store_->Commit(**before, *map.Publish(77), Durability::kFull).ok());
-    expected.text = TextOf(*map.published());
+    expected.digests = testing::DigestsOf(TextOf(*map.published()) + expected.config_text);
   }
   num_free_ = kBlockVoxels;
   Open();
@@ -233,7 +259,7 @@ TEST_P(ReleasedDatabaseTest, DamageInItIsStillSeen) {
 std::vector<std::int64_t> ReleasedSchemas() {
   std::vector<std::int64_t> schemas;
   for (std::int64_t schema = 1; schema <= SchemaVersion(); ++schema) {
-    if (schema < SchemaVersion() || fs::exists(Released(schema, ".sqlite"))) schemas.push_back(schema);
+    if (schema < SchemaVersion() || fs::exists(Released(schema))) schemas.push_back(schema);
   }
   return schemas;
 }

@@ -19,7 +19,7 @@ using testing::MapGenerator;
 
 constexpr TileIndex kTile{-2, 0, 7};
 constexpr TileIndex kOther{-2, 1, 7};
-constexpr double kTruncation_m = 0.08;
+constexpr double kTileTruncation_m = 0.08;
 
 /// Some blocks of a tile, each filled by fill(MapGenerator&, Block&).
 template <typename Block, typename Fill>
@@ -33,18 +33,18 @@ LayerBlocks<Block> SomeBlocks(std::uint32_t seed, Fill&& fill) {
   }
   return blocks;
 }
-LayerBlocks<TsdfBlock> SomeTsdf(std::uint32_t seed) {
+LayerBlocks<TsdfBlock> SomeTsdfBlocks(std::uint32_t seed) {
   return SomeBlocks<TsdfBlock>(seed,
-                               [](auto& generator, TsdfBlock& block) { generator.FillTsdf(block, kTruncation_m); });
+                               [](auto& generator, TsdfBlock& block) { generator.FillTsdf(block, kTileTruncation_m); });
 }
-LayerBlocks<LabelBlock> SomeLabels(std::uint32_t seed) {
+LayerBlocks<LabelBlock> SomeLabelBlocks(std::uint32_t seed) {
   return SomeBlocks<LabelBlock>(seed, [](auto& generator, LabelBlock& block) { generator.FillLabels(block); });
 }
-LayerBlocks<GoneBlock> SomeGone(std::uint32_t seed) {
+LayerBlocks<GoneBlock> SomeGoneBlocks(std::uint32_t seed) {
   return SomeBlocks<GoneBlock>(seed, [](auto& generator, GoneBlock& block) { block = generator.SomeGone(); });
 }
 
-bool IsSame(const TsdfBlock& a, const TsdfBlock& b) {
+bool IsSameBlock(const TsdfBlock& a, const TsdfBlock& b) {
   return a.distance_m == b.distance_m && a.weight == b.weight && a.color == b.color;
 }
 
@@ -57,7 +57,7 @@ std::vector<int> Cells(const LayerBlocks<Block>& blocks) {
 
 TEST(TileCodec, TsdfOfATileIsToTheBitThatOfItsBlocksOneByOne) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    LayerBlocks<TsdfBlock> blocks = SomeTsdf(seed);
+    LayerBlocks<TsdfBlock> blocks = SomeTsdfBlocks(seed);
     if (seed % 3 == 0) {  // one whose distances are kept exactly, and one of nothing
       auto far = std::make_shared<TsdfBlock>(*blocks[0].block);
       far->weight[5] = 2;
@@ -66,21 +66,21 @@ TEST(TileCodec, TsdfOfATileIsToTheBitThatOfItsBlocksOneByOne) {
       blocks.back().block = std::make_shared<TsdfBlock>();
     }
     LayerBlocks<TsdfBlock> back;
-    const Bytes blob = EncodeTsdfTile(blocks, kTile, kTruncation_m);
+    const Bytes blob = EncodeTsdfTile(blocks, kTile, kTileTruncation_m);
     ASSERT_TRUE(DecodeTsdfTile(blob, kTile, back).ok());
     ASSERT_EQ(Cells(back), Cells(blocks));
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       TsdfBlock one;
       const BlockIndex index = BlockIn(kTile, blocks[i].cell);
-      ASSERT_TRUE(DecodeTsdfBlock(EncodeTsdfBlock(*blocks[i].block, index, kTruncation_m), index, one).ok());
-      EXPECT_TRUE(IsSame(*back[i].block, one)) << "seed " << seed << ", block " << i;
+      ASSERT_TRUE(DecodeTsdfBlock(EncodeTsdfBlock(*blocks[i].block, index, kTileTruncation_m), index, one).ok());
+      EXPECT_TRUE(IsSameBlock(*back[i].block, one)) << "seed " << seed << ", block " << i;
     }
-    EXPECT_EQ(EncodeTsdfTile(back, kTile, kTruncation_m), blob) << "encoding what was decoded gives the same bytes";
+    EXPECT_EQ(EncodeTsdfTile(back, kTile, kTileTruncation_m), blob) << "encoding what was decoded gives the same bytes";
   }
 }
 
 TEST(TileCodec, TsdfWithoutATruncationIsExact) {
-  const LayerBlocks<TsdfBlock> blocks = SomeTsdf(4);
+  const LayerBlocks<TsdfBlock> blocks = SomeTsdfBlocks(4);
   LayerBlocks<TsdfBlock> back;
   ASSERT_TRUE(DecodeTsdfTile(EncodeTsdfTile(blocks, kTile, 0), kTile, back).ok());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -93,13 +93,13 @@ TEST(TileCodec, TsdfWithoutATruncationIsExact) {
 
 TEST(TileCodec, LabelsAndWhatIsGoneComeBackAsTheyWere) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    const LayerBlocks<LabelBlock> labels = SomeLabels(seed);
+    const LayerBlocks<LabelBlock> labels = SomeLabelBlocks(seed);
     LayerBlocks<LabelBlock> labels_back;
     ASSERT_TRUE(DecodeLabelTile(EncodeLabelTile(labels, kTile), kTile, labels_back).ok());
     ASSERT_EQ(Cells(labels_back), Cells(labels));
     for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_TRUE(*labels_back[i].block == *labels[i].block);
 
-    const LayerBlocks<GoneBlock> gone = SomeGone(seed);
+    const LayerBlocks<GoneBlock> gone = SomeGoneBlocks(seed);
     LayerBlocks<GoneBlock> gone_back;
     ASSERT_TRUE(DecodeGoneTile(EncodeGoneTile(gone, kTile), kTile, gone_back).ok());
     ASSERT_EQ(Cells(gone_back), Cells(gone));
@@ -110,7 +110,7 @@ TEST(TileCodec, LabelsAndWhatIsGoneComeBackAsTheyWere) {
 TEST(TileCodec, ATileIsSmallerThanItsBlocksOneByOne) {
   std::size_t tile_bytes = 0, block_bytes = 0;
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    const LayerBlocks<LabelBlock> labels = SomeLabels(seed);
+    const LayerBlocks<LabelBlock> labels = SomeLabelBlocks(seed);
     tile_bytes += EncodeLabelTile(labels, kTile).size();
     for (const auto& [cell, block] : labels) block_bytes += EncodeLabelBlock(*block, BlockIn(kTile, cell)).size();
   }
@@ -122,7 +122,7 @@ TEST(TileCodec, AFullTileOfTheSimplestBlocksIsPacked) {
   auto block = std::make_shared<TsdfBlock>();
   block->weight.fill(1);
   for (int cell = 0; cell < kTileBlocks; ++cell) blocks.push_back({cell, block});
-  const Bytes blob = EncodeTsdfTile(blocks, kTile, kTruncation_m);
+  const Bytes blob = EncodeTsdfTile(blocks, kTile, kTileTruncation_m);
   EXPECT_LT(blob.size(), 2000u);
   LayerBlocks<TsdfBlock> back;
   EXPECT_TRUE(DecodeTsdfTile(blob, kTile, back).ok());
@@ -130,17 +130,17 @@ TEST(TileCodec, AFullTileOfTheSimplestBlocksIsPacked) {
 
 TEST(TileCodec, BundledBlocksAreReadAsTheyWereStored) {
   MapGenerator generator(3);
-  Submap submap({.truncation_m = kTruncation_m}, 1);
+  Submap submap({.truncation_m = kTileTruncation_m}, 1);
   for (const int cell : {1, 17, 63}) {
     const BlockIndex index = BlockIn(kTile, cell);
-    generator.FillTsdf(submap.MutableTsdf(index), kTruncation_m);
+    generator.FillTsdf(submap.MutableTsdf(index), kTileTruncation_m);
     generator.FillLabels(submap.MutableLabels(index));
     submap.PutGone(index, std::make_shared<const GoneBlock>(generator.SomeGone()));
   }
   std::vector<BundledBlob> tsdf, labels, gone;
   const BlockTile& tile = *submap.blocks().tiles()[0].tile;
   for (const BlockEntry& entry : tile.entries()) {
-    tsdf.push_back({CellOf(entry.index), EncodeTsdfBlock(*entry.tsdf, entry.index, kTruncation_m)});
+    tsdf.push_back({CellOf(entry.index), EncodeTsdfBlock(*entry.tsdf, entry.index, kTileTruncation_m)});
     labels.push_back({CellOf(entry.index), EncodeLabelBlock(*entry.labels, entry.index)});
     gone.push_back({CellOf(entry.index), EncodeGoneBlock(*entry.gone, entry.index)});
   }
@@ -151,7 +151,7 @@ TEST(TileCodec, BundledBlocksAreReadAsTheyWereStored) {
   ASSERT_EQ(back.entries().size(), 3u);
   for (const BlockEntry& entry : back.entries()) {
     const BlockEntry& was = *tile.Find(CellOf(entry.index));
-    testing::ExpectSameTsdf(*was.tsdf, *entry.tsdf, kTruncation_m / 4096, 1.0 / 65536);
+    testing::ExpectSameTsdf(*was.tsdf, *entry.tsdf, kTileTruncation_m / 4096, 1.0 / 65536);
     EXPECT_TRUE(*was.labels == *entry.labels);
     EXPECT_TRUE(*was.gone == *entry.gone);
   }
@@ -163,7 +163,7 @@ TEST(TileCodec, BundledBlocksAreReadAsTheyWereStored) {
 
 TEST(TileCodec, EveryFlippedOrMissingByteIsDataLoss) {
   MapGenerator generator(5);
-  Submap submap({.truncation_m = kTruncation_m}, 1);
+  Submap submap({.truncation_m = kTileTruncation_m}, 1);
   for (const int cell : {0, 40}) {
     const BlockIndex index = BlockIn(kTile, cell);
     TsdfBlock& tsdf = submap.MutableTsdf(index);
@@ -194,17 +194,17 @@ TEST(TileCodec, EveryFlippedOrMissingByteIsDataLoss) {
 
 /// Forged payloads with a right checksum: the codecs behind the envelope must stand on their own.
 TEST(TileCodec, ForgedPayloadsAreHarmless) {
-  struct Case {
+  struct BadTile {
     BlobKind kind;
     Bytes blob;
   };
-  const std::vector<Case> cases = {
-      {BlobKind::kTsdfTile, EncodeTsdfTile(SomeTsdf(2), kTile, kTruncation_m)},
-      {BlobKind::kLabelsTile, EncodeLabelTile(SomeLabels(2), kTile)},
-      {BlobKind::kGoneTile, EncodeGoneTile(SomeGone(2), kTile)},
+  const std::vector<BadTile> cases = {
+      {BlobKind::kTsdfTile, EncodeTsdfTile(SomeTsdfBlocks(2), kTile, kTileTruncation_m)},
+      {BlobKind::kLabelsTile, EncodeLabelTile(SomeLabelBlocks(2), kTile)},
+      {BlobKind::kGoneTile, EncodeGoneTile(SomeGoneBlocks(2), kTile)},
       {BlobKind::kTsdfBlocks, EncodeBundle(BlobKind::kTsdfBlocks, {{3, {1, 2, 3}}}, kTile)}};
   std::mt19937 random(7);
-  for (const Case& c : cases) {
+  for (const BadTile& c : cases) {
     Payload payload;
     ASSERT_TRUE(Unseal(c.kind, SealIndexOf(kTile), c.blob, payload).ok());
     int num_refused = 0;
