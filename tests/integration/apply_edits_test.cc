@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/status_reason.h"
 
@@ -20,10 +18,8 @@ namespace {
 class ApplyEditsTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    grpc::ClientContext create;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &response).ok());
-    ASSERT_TRUE(Feed(server, "room", 0, 12).status.ok());
+    ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(server, "room", 0, 12));
     for (const v1::Submap& submap : List()) {
       if (submap.class_id() == 1) ball = submap.name();
       if (submap.class_id() == 2) box = submap.name();
@@ -33,21 +29,14 @@ class ApplyEditsTest : public ::testing::Test {
   }
 
   std::vector<v1::Submap> List() {
-    grpc::ClientContext context;
-    v1::ListSubmapsRequest request;
-    request.set_parent("maps/room");
-    v1::ListSubmapsResponse response;
-    EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &response).ok());
+    const auto response = server.Call(&SubmapStub::ListSubmaps, "maps/room").value();
     return {response.submaps().begin(), response.submaps().end()};
   }
   std::int64_t Revision() { return (*store->LoadMap("room"))->revision(); }
 
   v1::ApplyEditsResponse Apply(v1::ApplyEditsRequest request) {
     if (request.map().empty()) request.set_map("maps/room");
-    grpc::ClientContext context;
-    v1::ApplyEditsResponse response;
-    status = edits->ApplyEdits(&context, request, &response);
-    return response;
+    return server.Call(&EditStub::ApplyEdits, request).KeepStatus(status);
   }
   static v1::Edit& Add(v1::ApplyEditsRequest& request, const std::string& submap) {
     v1::Edit& edit = *request.add_edits();
@@ -66,7 +55,6 @@ class ApplyEditsTest : public ::testing::Test {
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
   TestServer server{*store};
-  std::unique_ptr<v1::EditService::Stub> edits = v1::EditService::NewStub(server.channel());
   grpc::Status status;
   std::string ball, box, floor;
 };
@@ -75,18 +63,14 @@ TEST_F(ApplyEditsTest, AListIsOneRevisionThatIsStored) {
   const std::int64_t before = Revision();
   const std::size_t num_submaps = List().size();
   const v1::ApplyEditsResponse response = Apply(CloneAndSplit());
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   EXPECT_EQ(response.revision(), before + 1);
   EXPECT_EQ(Revision(), before + 1);
   ASSERT_EQ(response.results_size(), 3);
   ASSERT_EQ(response.results(1).created_size(), 1);
   EXPECT_GT(response.results(1).num_voxels(), 10);
   EXPECT_EQ(List().size(), num_submaps + 2);
-  grpc::ClientContext context;
-  v1::GetSubmapRequest get;
-  get.set_name(response.results(1).created(0));
-  v1::GetSubmapResponse half;
-  ASSERT_TRUE(server.submaps->GetSubmap(&context, get, &half).ok());
+  ASSERT_OK_AND_ASSIGN(const auto half, server.Call(&SubmapStub::GetSubmap, response.results(1).created(0)));
   EXPECT_EQ(half.submap().display_name(), "half");
   EXPECT_GT(half.submap().bounding_sphere().center_m().y(), 3) << "the copy was moved before it was split";
   EXPECT_GT(half.submap().bounding_sphere().center_m().x(), 0);
@@ -109,7 +93,7 @@ TEST_F(ApplyEditsTest, ValidatingOnlyTellsTheSameAndChangesNothing) {
   v1::ApplyEditsRequest request = CloneAndSplit();
   request.set_validate_only(true);
   const v1::ApplyEditsResponse tried = Apply(request);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   EXPECT_EQ(tried.revision(), before);
   EXPECT_EQ(Revision(), before);
   request.set_validate_only(false);
@@ -130,9 +114,7 @@ TEST_F(ApplyEditsTest, OfTwoWhoEditWhatTheyKnowOneIsToldThatTheOtherWasFirst) {
       request.set_map("maps/room");
       request.set_expected_revision(known);
       Add(request, ball).mutable_rename()->set_display_name("of " + std::to_string(i));
-      grpc::ClientContext context;
-      v1::ApplyEditsResponse response;
-      return edits->ApplyEdits(&context, request, &response);
+      return server.Call(&EditStub::ApplyEdits, request).status();
     }));
   }
   const grpc::Status first = answers[0].get(), second = answers[1].get();
@@ -142,12 +124,12 @@ TEST_F(ApplyEditsTest, OfTwoWhoEditWhatTheyKnowOneIsToldThatTheOtherWasFirst) {
 
 TEST_F(ApplyEditsTest, FramesDoNotCountAsEdits) {
   const std::int64_t known = Revision();
-  ASSERT_TRUE(Feed(server, "room", 12, 24).status.ok());
+  ASSERT_OK(Feed(server, "room", 12, 24));
   v1::ApplyEditsRequest request;
   request.set_expected_revision(known);
   Add(request, ball).mutable_rename()->set_display_name("still the ball");
   Apply(request);
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
 }
 
 TEST_F(ApplyEditsTest, WhatWasClearedIsUnknownAndComesBackWhenItIsSeen) {
@@ -155,10 +137,10 @@ TEST_F(ApplyEditsTest, WhatWasClearedIsUnknownAndComesBackWhenItIsSeen) {
   v1::Edit& edit = *request.add_edits();
   edit.mutable_clear()->mutable_sphere()->set_radius_m(50);
   const v1::ApplyEditsResponse cleared = Apply(request);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   EXPECT_GE(cleared.results(0).removed_size(), 3);
   EXPECT_EQ(List().size(), 1u) << "the unknown submap stays";
-  ASSERT_TRUE(Feed(server, "room", 0, 24).status.ok());
+  ASSERT_OK(Feed(server, "room", 0, 24));
   EXPECT_GE(List().size(), 4u);
 }
 
@@ -166,7 +148,7 @@ TEST_F(ApplyEditsTest, WhatIsLockedOnlyTellsWhenItWasSeen) {
   v1::ApplyEditsRequest request;
   Add(request, ball).mutable_lock();
   Apply(request);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   const auto of_ball = [this] {
     for (const v1::Submap& submap : List()) {
       if (submap.name() == ball) return submap;
@@ -176,7 +158,7 @@ TEST_F(ApplyEditsTest, WhatIsLockedOnlyTellsWhenItWasSeen) {
   v1::Submap before = of_ball();
   EXPECT_TRUE(before.locked());
   const std::size_t num_submaps = List().size();
-  ASSERT_TRUE(Feed(server, "room", 12, 24).status.ok());
+  ASSERT_OK(Feed(server, "room", 12, 24));
   v1::Submap after = of_ball();
   EXPECT_GT(after.last_observed_ns(), before.last_observed_ns());
   EXPECT_EQ(List().size(), num_submaps);
@@ -190,13 +172,9 @@ TEST_F(ApplyEditsTest, WhatIsLockedOnlyTellsWhenItWasSeen) {
   v1::ApplyEditsRequest unlock;
   Add(unlock, ball).mutable_unlock();
   Apply(unlock);
-  ASSERT_TRUE(Feed(server, "room", 24, 30).status.ok());
+  ASSERT_OK(Feed(server, "room", 24, 30));
   EXPECT_GT(of_ball().num_frames_observed(), before.num_frames_observed());
-  grpc::ClientContext context;
-  v1::ListEditsRequest log;
-  log.set_parent("maps/room");
-  v1::ListEditsResponse logged;
-  ASSERT_TRUE(edits->ListEdits(&context, log, &logged).ok());
+  ASSERT_OK_AND_ASSIGN(const auto logged, server.Call(&EditStub::ListEdits, "maps/room"));
   ASSERT_EQ(logged.edits_size(), 2);
   EXPECT_EQ(logged.edits(0).steps(0).action(), v1::LoggedEdit::UNLOCK);
   EXPECT_EQ(logged.edits(1).steps(0).action(), v1::LoggedEdit::LOCK);
@@ -208,17 +186,10 @@ TEST_F(ApplyEditsTest, WhatIsClearedAndKeptClearStaysEmptyUntilItIsLifted) {
   clear.mutable_sphere()->set_radius_m(50);
   clear.set_keep_clear("hall");
   Apply(request);
-  ASSERT_TRUE(status.ok()) << status.error_message();
-  ASSERT_TRUE(Feed(server, "room", 12, 24).status.ok());
+  ASSERT_OK(status);
+  ASSERT_OK(Feed(server, "room", 12, 24));
   EXPECT_EQ(List().size(), 1u) << "the unknown submap";
-  const auto kept = [this] {
-    grpc::ClientContext context;
-    v1::ListKeptClearRequest list;
-    list.set_parent("maps/room");
-    v1::ListKeptClearResponse response;
-    EXPECT_TRUE(edits->ListKeptClear(&context, list, &response).ok());
-    return response;
-  };
+  const auto kept = [this] { return server.Call(&EditStub::ListKeptClear, "maps/room").value(); };
   ASSERT_EQ(kept().regions_size(), 1);
   EXPECT_EQ(kept().regions(0).name(), "hall");
   EXPECT_EQ(kept().regions(0).sphere().radius_m(), 50);
@@ -234,11 +205,11 @@ TEST_F(ApplyEditsTest, WhatIsClearedAndKeptClearStaysEmptyUntilItIsLifted) {
   v1::ApplyEditsRequest lift;
   lift.add_edits()->mutable_lift()->set_name("hall");
   Apply(lift);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   Apply(lift);
   EXPECT_EQ(ReasonOf(status), "KEPT_CLEAR_NOT_FOUND");
   EXPECT_EQ(kept().regions_size(), 0);
-  ASSERT_TRUE(Feed(server, "room", 24, 40).status.ok());
+  ASSERT_OK(Feed(server, "room", 24, 40));
   EXPECT_GE(List().size(), 4u);
 }
 
@@ -256,14 +227,9 @@ TEST_F(ApplyEditsTest, FieldsThatAreNotUsableAreNamedAllTogether) {
   Apply(request);
   EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_EQ(ReasonOf(status), "BAD_EDIT");
-  google::rpc::Status proto;
-  ASSERT_TRUE(proto.ParseFromString(status.error_details()));
+  const auto bad = DetailOf<google::rpc::BadRequest>(status);
   std::string fields;
-  for (const auto& detail : proto.details()) {
-    google::rpc::BadRequest bad;
-    if (!detail.UnpackTo(&bad)) continue;
-    for (const auto& violation : bad.field_violations()) fields += violation.field() + " ";
-  }
+  for (const auto& violation : bad.field_violations()) fields += violation.field() + " ";
   for (const char* field : {"edits[0].edit ", "edits[1].submap ", "edits[2].submap ", "edits[3].split.plane.normal ",
                             "edits[4].merge.others ", "edits[5].relabel ", "edits[6].clear ",
                             "edits[6].clear.class_names ", "edits[7].submap ", "edits[8].move.map_from_submap"}) {
@@ -275,17 +241,17 @@ TEST_F(ApplyEditsTest, AListBringsBackWhatWasDeletedBeforeAndGoesOnWithIt) {
   v1::ApplyEditsRequest gone;
   Add(gone, ball).mutable_delete_();
   Apply(gone);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   v1::ApplyEditsRequest back;
   Add(back, ball).mutable_undelete();
   Add(back, ball).mutable_rename()->set_display_name("the ball again");
   back.set_validate_only(true);
   Apply(back);
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
   back.set_validate_only(false);
   const std::int64_t before = Revision();
   const v1::ApplyEditsResponse response = Apply(back);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   EXPECT_EQ(response.revision(), before + 1);
   ASSERT_EQ(response.results(0).created_size(), 1);
   EXPECT_EQ(response.results(0).created(0), ball);
@@ -301,11 +267,7 @@ TEST_F(ApplyEditsTest, AListBringsBackWhatWasDeletedBeforeAndGoesOnWithIt) {
   Add(at_once, ball).mutable_undelete();
   Apply(at_once);
   EXPECT_EQ(ReasonOf(status), "SUBMAP_NOT_FOUND") << "not as it was when it was deleted before";
-  v1::UndoEditsRequest undo;
-  undo.set_map("maps/room");
-  v1::UndoEditsResponse undone;
-  grpc::ClientContext context;
-  ASSERT_TRUE(edits->UndoEdits(&context, undo, &undone).ok());
+  ASSERT_OK_AND_ASSIGN(const auto undone, server.Call(&EditStub::UndoEdits, "maps/room"));
   ASSERT_EQ(undone.removed_size(), 1);
   EXPECT_EQ(undone.removed(0), ball);
 }
@@ -319,7 +281,7 @@ TEST_F(ApplyEditsTest, TooManyEditsAreRefused) {
   EXPECT_EQ(ReasonOf(status), "BAD_EDIT");
   request.mutable_edits()->RemoveLast();
   Apply(request);
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
 }
 
 }  // namespace

@@ -104,10 +104,7 @@ class AttachedMotions : public MappedScene {
     return request;
   }
   v1::CheckTrajectoryResponse Ask(const v1::CheckTrajectoryRequest& request) {
-    v1::CheckTrajectoryResponse response;
-    grpc::ClientContext context;
-    status_ = server_->queries->CheckTrajectory(&context, request, &response);
-    return response;
+    return server_->Call(&QueryStub::CheckTrajectory, request).KeepStatus(status_);
   }
 
   std::string ball_, box_;
@@ -120,11 +117,11 @@ double TimeOf(const v1::TrajectoryContact& contact) {
 
 TEST_F(AttachedMotions, ABatchIsItsTrajectoriesOneByOne) {
   const v1::CheckTrajectoryResponse batch = Ask(Batch(0, kNumMotions));
-  ASSERT_TRUE(status_.ok()) << status_.error_message() << ViolationOf(status_);
+  ASSERT_OK(status_) << ViolationOf(status_);
   ASSERT_EQ(batch.results_size(), kNumMotions);
   for (int b = 0; b < kNumMotions; ++b) {
     const v1::CheckTrajectoryResponse alone = Ask(Batch(b, b + 1));
-    ASSERT_TRUE(status_.ok()) << status_.error_message();
+    ASSERT_OK(status_);
     ASSERT_EQ(alone.results_size(), 1);
     EXPECT_EQ(batch.results(b).SerializeAsString(), alone.results(0).SerializeAsString()) << b;
   }
@@ -141,14 +138,14 @@ TEST_F(AttachedMotions, ABatchIsItsTrajectoriesOneByOne) {
 
 TEST_F(AttachedMotions, ABatchMeetsWhatEachOfItsPartsMeetsByItself) {
   const v1::CheckTrajectoryResponse batch = Ask(Batch(0, kNumMotions));
-  ASSERT_TRUE(status_.ok()) << status_.error_message();
+  ASSERT_OK(status_);
   ASSERT_EQ(batch.results_size(), kNumMotions);
   for (int b = 0; b < kNumMotions; ++b) {
     int num_contacts = 0;
     for (int part = 0; part <= kNumCarried; ++part) {
       SCOPED_TRACE("trajectory " + std::to_string(b) + ", part " + std::to_string(part));
       const v1::CheckTrajectoryResponse alone = Ask(OnePart(b, part));
-      ASSERT_TRUE(status_.ok()) << status_.error_message() << ViolationOf(status_);
+      ASSERT_OK(status_) << ViolationOf(status_);
       ASSERT_EQ(alone.results_size(), 1);
       std::vector<v1::TrajectoryContact> of_part;
       for (const v1::TrajectoryContact& contact : batch.results(b).contacts()) {
@@ -183,7 +180,7 @@ TEST_F(AttachedMotions, AllContactsBeginWithTheFirstAreInTheirOrderAndNoMoreThan
   const v1::CheckTrajectoryResponse first = Ask(request);
   request.set_packed(true);
   const v1::PackedTrajectoryResults packed = Ask(request).packed();
-  ASSERT_TRUE(status_.ok()) << status_.error_message();
+  ASSERT_OK(status_);
   ASSERT_EQ(all.results_size(), kNumMotions);
   ASSERT_EQ(two.results_size(), kNumMotions);
   ASSERT_EQ(first.results_size(), kNumMotions);

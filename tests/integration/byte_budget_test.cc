@@ -20,10 +20,8 @@ class InflightBytes : public ::testing::Test {
       : server_(*store_, KeepsNoPast(), {.inflight = budget_, .to_take_last_s = to_take_last_s}) {}
 
   void SetUp() override {
-    grpc::ClientContext create;
-    v1::CreateMapResponse created;
-    ASSERT_TRUE(server_.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
-    ASSERT_TRUE(Feed(server_, "room", 0, 3).status.ok());
+    ASSERT_OK(server_.Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(server_, "room", 0, 3));
     ExpectNothingKept();
   }
 
@@ -44,21 +42,10 @@ class InflightBytes : public ::testing::Test {
     request.set_map("maps/room");
     request.set_packed(is_packed);
     for (int i = 0; i < 3 * num_points; ++i) request.add_xyz_m(0.001f * static_cast<float>(i % 997));
-    grpc::ClientContext context;
-    v1::QueryPointsResponse response;
-    return server_.queries->QueryPoints(&context, request, &response);
+    return server_.Call(&QueryStub::QueryPoints, request).status();
   }
 
-  grpc::Status Mesh() {
-    grpc::ClientContext context;
-    v1::GetSubmapMeshRequest request;
-    request.set_name("maps/room");
-    const auto mesh = server_.submaps->GetSubmapMesh(&context, request);
-    v1::GetSubmapMeshResponse part;
-    while (mesh->Read(&part)) {
-    }
-    return mesh->Finish();
-  }
+  grpc::Status Mesh() { return server_.Call(&SubmapStub::GetSubmapMesh, "maps/room").status(); }
 
   const std::shared_ptr<ByteBudget> budget_ = std::make_shared<ByteBudget>(kLimit_bytes, kSmall_bytes);
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
@@ -68,14 +55,14 @@ class InflightBytes : public ::testing::Test {
 TEST_F(InflightBytes, WhatIsLargeIsRefusedWhileThereIsNoRoomAndWhatIsSmallAnswered) {
   ByteShare others(budget_.get());
   ASSERT_TRUE(others.Resize(kLimit_bytes));
-  EXPECT_TRUE(Ask(100).ok());
+  EXPECT_OK(Ask(100));
   for (const grpc::Status& refused : {Ask(100'000), Mesh()}) {
     EXPECT_EQ(refused.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << refused.error_message();
     EXPECT_EQ(ReasonOf(refused), "TOO_MANY_BYTES");
   }
   others.Release();
-  EXPECT_TRUE(Ask(100'000).ok());
-  EXPECT_TRUE(Mesh().ok());
+  EXPECT_OK(Ask(100'000));
+  EXPECT_OK(Mesh());
   ExpectNothingKept();
 }
 
@@ -83,7 +70,7 @@ TEST_F(InflightBytes, AnswersThatNeverFitSayWhatToDo) {
   const grpc::Status refused = Ask(100'000, /*is_packed=*/false);
   EXPECT_EQ(refused.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_EQ(ReasonOf(refused), "BAD_POINTS");
-  EXPECT_TRUE(Ask(100'000).ok()) << "packed they do";
+  EXPECT_OK(Ask(100'000)) << "packed they do";
 }
 
 TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
@@ -96,7 +83,7 @@ TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
   EXPECT_GT(budget_->used_bytes(), 0u);
   while (mesh->Read(&part)) {
   }
-  EXPECT_TRUE(mesh->Finish().ok());
+  EXPECT_OK(mesh->Finish());
   ExpectNothingKept();
 }
 
@@ -107,12 +94,10 @@ class InflightStates : public InflightBytes {
 
   void SetUp() override {
     InflightBytes::SetUp();
-    grpc::ClientContext create;
     v1::CreateMapRequest fine = CreateRequest("fine");
     fine.mutable_config()->set_voxel_size_m(0.025);
-    v1::CreateMapResponse created;
-    EXPECT_TRUE(server_.maps->CreateMap(&create, fine, &created).ok());
-    EXPECT_TRUE(Feed(server_, "fine", 0, 12).status.ok());
+    EXPECT_OK(server_.Call(&MapStub::CreateMap, fine));
+    EXPECT_OK(Feed(server_, "fine", 0, 12));
     v1::GetSubmapMeshRequest request;
     request.set_name("maps/fine");
     grpc::ChannelArguments arguments;
@@ -127,7 +112,7 @@ class InflightStates : public InflightBytes {
   void TakeAllRoom() {
     const std::size_t stream_bytes = budget_->used_bytes();
     ASSERT_GT(stream_bytes, 0u);
-    ASSERT_TRUE(Feed(server_, "fine", 0, 3).status.ok());  // many blocks anew
+    ASSERT_OK(Feed(server_, "fine", 0, 3));  // many blocks anew
     EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() > stream_bytes; }))
         << "what only the old state has is counted";
     ASSERT_TRUE(Eventually([&] { return others_.Grow(kLimit_bytes - budget_->used_bytes()); }))
@@ -144,7 +129,7 @@ class InflightStates : public InflightBytes {
 
 TEST_F(InflightStates, OfAMeshThatIsReadAreLetGoOfWithTheReasonOnceTheMapHasGoneOn) {
   TakeAllRoom();
-  ASSERT_TRUE(Feed(server_, "fine", 3, 12).status.ok());
+  ASSERT_OK(Feed(server_, "fine", 3, 12));
   ASSERT_TRUE(Eventually([&] { return IsAskedToLetGo(); }));
   while (mesh_->Read(&part_)) {
   }
@@ -162,7 +147,7 @@ class InflightStatesNobodyTakes : public InflightStates {
 
 TEST_F(InflightStatesNobodyTakes, AreLetGoOfOnceTheMapHasGoneOn) {
   TakeAllRoom();
-  ASSERT_TRUE(Feed(server_, "fine", 0, 6).status.ok());
+  ASSERT_OK(Feed(server_, "fine", 0, 6));
   EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == others_.bytes(); }))
       << budget_->used_bytes() << " of " << others_.bytes();
   while (mesh_->Read(&part_)) {
@@ -203,16 +188,14 @@ TEST_F(InflightBytes, AStreamOfQueriesThatWasRefusedReadsOnAndKeepsNothingForACl
   others.Release();
   ExpectNothingKept();
   stream->WritesDone();
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
 }
 
 TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {
   const std::unique_ptr<MapStore> store = MakeMemoryStore();
   const std::size_t too_few_bytes = DecodedBytes(TestFrame(0));  // the message is there as well
   TestServer server(*store, {}, {.inflight = std::make_shared<ByteBudget>(too_few_bytes)});
-  grpc::ClientContext create;
-  v1::CreateMapResponse created;
-  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
   Feeder feeder(server, "room");
   for (int i = 0; i < 3; ++i) {
     const auto answer = feeder.Feed(i);
@@ -222,14 +205,14 @@ TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {
     EXPECT_EQ(answer->error_reason(), "TOO_MANY_BYTES");
   }
   feeder.HalfClose();
-  EXPECT_TRUE(feeder.Finish().ok());
+  EXPECT_OK(feeder.Finish());
 }
 
 TEST_F(InflightBytes, FramesHaveRoomWhateverOthersHold) {
   ByteShare others(budget_.get());
   ASSERT_TRUE(others.Resize(kLimit_bytes));
   const FeedResult fed = Feed(server_, "room", 3, 20);
-  EXPECT_TRUE(fed.status.ok());
+  EXPECT_OK(fed);
   ASSERT_EQ(fed.acks.size(), 17u);
   for (const auto& ack : fed.acks) EXPECT_EQ(ack.outcome(), v1::FUSED) << ack.error_message();
 }

@@ -21,14 +21,7 @@ class CarriedOff : public ::testing::Test {
   void WalkWithChair() { Walk(server, "room", WalkedRoom(true), 0, kCarriedOffAt); }
   void WalkWithout() { Walk(server, "room", WalkedRoom(false), kCarriedOffAt, kWalkEnds); }
   v1::Submap Chair() { return ListedOfClass(server, "room", kChairClass); }
-  v1::GetSubmapResponse Get(const std::string& name) {
-    v1::GetSubmapRequest request;
-    request.set_name(name);
-    v1::GetSubmapResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server.submaps->GetSubmap(&context, request, &response).ok());
-    return response;
-  }
+  v1::GetSubmapResponse Get(const std::string& name) { return server.Call(&SubmapStub::GetSubmap, name).value(); }
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
   TestServer server{*store};
@@ -131,12 +124,8 @@ TEST_F(CarriedOff, NoMeshHasASurfaceWhereItWas) {
 using VoxelsByPlace = std::map<std::array<long, 3>, std::array<float, 2>>;
 
 VoxelsByPlace StreamedVoxels(TestServer& server, const std::string& name) {
-  v1::StreamSubmapVoxelsRequest request;
-  request.set_name(name);
-  grpc::ClientContext context;
-  const auto stream = server.submaps->StreamSubmapVoxels(&context, request);
   VoxelsByPlace voxels;
-  for (v1::StreamSubmapVoxelsResponse part; stream->Read(&part);) {
+  for (const auto& part : server.Call(&SubmapStub::StreamSubmapVoxels, name).value()) {
     for (int i = 0; i < part.distance_m_size(); ++i) {
       std::array<long, 3> place;
       for (int axis = 0; axis < 3; ++axis) {
@@ -145,7 +134,6 @@ VoxelsByPlace StreamedVoxels(TestServer& server, const std::string& name) {
       voxels[place] = {part.distance_m(i), part.weight(i)};
     }
   }
-  EXPECT_TRUE(stream->Finish().ok());
   return voxels;
 }
 

@@ -5,8 +5,6 @@
 #include <functional>
 #include <string>
 
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
 
 namespace dhpmap::testing {
@@ -16,15 +14,9 @@ namespace {
 class ChecksTest : public ::testing::Test {
  protected:
   ChecksTest() {
-    v1::CreateMapResponse created;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server.maps->CreateMap(&context, CreateRequest("room"), &created).ok());
-    EXPECT_TRUE(Feed(server, "room", 0, 40).status.ok());
-    v1::FinishMappingRequest finish;
-    finish.set_map("maps/room");
-    v1::FinishMappingResponse finished;
-    grpc::ClientContext finishing;
-    EXPECT_TRUE(server.mapping->FinishMapping(&finishing, finish, &finished).ok());
+    EXPECT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+    EXPECT_OK(Feed(server, "room", 0, 40));
+    EXPECT_OK(server.Call(&MappingStub::FinishMapping, "maps/room"));
     collisions.set_map("maps/room");
     trajectory.set_map("maps/room");
   }
@@ -33,28 +25,11 @@ class ChecksTest : public ::testing::Test {
   }
   v1::CheckCollisionsResponse Check() { return Check(server.channel()); }
   v1::CheckCollisionsResponse Check(const std::shared_ptr<grpc::Channel>& channel) {
-    v1::CheckCollisionsResponse response;
-    grpc::ClientContext context;
-    status = v1::QueryService::NewStub(channel)->CheckCollisions(&context, collisions, &response);
-    return response;
+    return Client(channel).Call(&QueryStub::CheckCollisions, collisions).KeepStatus(status);
   }
   v1::CheckTrajectoryResponse Go() { return Go(server.channel()); }
   v1::CheckTrajectoryResponse Go(const std::shared_ptr<grpc::Channel>& channel) {
-    v1::CheckTrajectoryResponse response;
-    grpc::ClientContext context;
-    status = v1::QueryService::NewStub(channel)->CheckTrajectory(&context, trajectory, &response);
-    return response;
-  }
-  std::string FirstBadField() const {
-    google::rpc::Status details;
-    google::rpc::BadRequest bad;
-    if (!details.ParseFromString(status.error_details())) return "";
-    for (const auto& detail : details.details()) {
-      if (detail.UnpackTo(&bad) && bad.field_violations_size() > 0) {
-        return bad.field_violations(0).field() + " " + bad.field_violations(0).description();
-      }
-    }
-    return "";
+    return Client(channel).Call(&QueryStub::CheckTrajectory, trajectory).KeepStatus(status);
   }
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
@@ -78,7 +53,7 @@ TEST_F(ChecksTest, BodiesTouchTheSceneThroughBothDoors) {
   capsule.mutable_b_m()->set_z(1.5);
   capsule.set_radius_m(above_m - 0.05);
   const v1::CheckCollisionsResponse response = Check();
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   ASSERT_EQ(response.results_size(), 4);
   const bool expected[] = {true, false, true, false};
   for (int i = 0; i < 4; ++i) {
@@ -133,7 +108,7 @@ TEST_F(ChecksTest, ARobotThatFallsOnTheBallIsStoppedThroughBothDoors) {
   }
   trajectory.add_trajectories()->add_waypoints()->mutable_translation_m()->set_z(2.3);
   const v1::CheckTrajectoryResponse response = Go();
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   ASSERT_EQ(response.results_size(), 2);
   EXPECT_FALSE(response.results(0).valid());
   EXPECT_TRUE(response.results(1).valid());
@@ -162,7 +137,7 @@ TEST_F(ChecksTest, ARobotThatFallsOnTheBallIsStoppedThroughBothDoors) {
   }
   trajectory = packed;
   const v1::PackedTrajectoryResults results = Go().packed();
-  ASSERT_TRUE(status.ok()) << status.error_message() << FirstBadField();
+  ASSERT_OK(status) << ViolationOf(status);
   ASSERT_EQ(results.valid_size(), 2);
   EXPECT_EQ(results.waypoint(0), 1);
   EXPECT_EQ(results.sphere(0), 1);
@@ -239,7 +214,7 @@ TEST_F(ChecksTest, BadBodiesAreNamed) {
     c.spoil(collisions);
     Check();
     EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT) << c.field;
-    EXPECT_EQ(FirstBadField().substr(0, c.field.size()), c.field) << FirstBadField();
+    EXPECT_EQ(ViolationOf(status).substr(0, c.field.size()), c.field) << ViolationOf(status);
   }
 }
 
@@ -303,7 +278,7 @@ TEST_F(ChecksTest, BadTrajectoriesAreNamed) {
     c.spoil(trajectory);
     Go();
     EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT) << c.field;
-    EXPECT_EQ(FirstBadField().substr(0, c.field.size()), c.field) << FirstBadField();
+    EXPECT_EQ(ViolationOf(status).substr(0, c.field.size()), c.field) << ViolationOf(status);
   }
   trajectory.mutable_options()->Clear();
   attach(trajectory);

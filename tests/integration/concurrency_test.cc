@@ -14,18 +14,14 @@ namespace {
 TEST(Concurrency, QueriesAndEditsDuringMappingSeeWholeStatesOfRisingRevision) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {.publish_frames = 2, .commit_frames = 3});
-  grpc::ClientContext create;
-  v1::CreateMapResponse created;
-  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
 
   std::atomic<bool> is_mapping = true;
   std::atomic<int> num_queries = 0, num_edits = 0;
   const auto query = [&] {
     std::int64_t revision = 0;
     while (is_mapping) {
-      v1::QueryPointsResponse response;
-      grpc::ClientContext context;
-      ASSERT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &response).ok());
+      ASSERT_OK_AND_ASSIGN(const auto response, server.Call(&QueryStub::QueryPoints, TestQuery("room")));
       ASSERT_GE(response.revision(), revision);
       revision = response.revision();
       ++num_queries;
@@ -36,15 +32,10 @@ TEST(Concurrency, QueriesAndEditsDuringMappingSeeWholeStatesOfRisingRevision) {
       v1::CloneSubmapRequest request;
       request.set_name("maps/room/submaps/1");
       request.mutable_map_from_submap()->mutable_translation_m()->set_z(10);
-      v1::CloneSubmapResponse cloned;
-      grpc::ClientContext clone;
-      if (!server.submaps->CloneSubmap(&clone, request, &cloned).ok()) continue;  // not mapped yet
-      v1::DeleteSubmapRequest deletion;
-      deletion.set_name(cloned.submap().name());
-      v1::DeleteSubmapResponse deleted;
-      grpc::ClientContext remove;
-      ASSERT_TRUE(server.submaps->DeleteSubmap(&remove, deletion, &deleted).ok());
-      ASSERT_GT(deleted.revision(), cloned.revision());
+      const auto cloned = server.Call(&SubmapStub::CloneSubmap, request);
+      if (!cloned.ok()) continue;  // not mapped yet
+      ASSERT_OK_AND_ASSIGN(const auto deleted, server.Call(&SubmapStub::DeleteSubmap, cloned->submap().name()));
+      ASSERT_GT(deleted.revision(), cloned->revision());
       ++num_edits;
     }
   };
@@ -55,7 +46,7 @@ TEST(Concurrency, QueriesAndEditsDuringMappingSeeWholeStatesOfRisingRevision) {
   int num_frames = 0;
   const auto feed = [&](int count) {
     const FeedResult fed = Feed(server, "room", num_frames, num_frames + count);
-    EXPECT_TRUE(fed.status.ok()) << fed.status.error_message();
+    EXPECT_OK(fed);
     EXPECT_EQ(fed.acks.size(), static_cast<std::size_t>(count));
     num_frames += count;
   };
@@ -64,7 +55,7 @@ TEST(Concurrency, QueriesAndEditsDuringMappingSeeWholeStatesOfRisingRevision) {
   is_mapping = false;
   for (std::thread& thread : threads) thread.join();
 
-  EXPECT_TRUE(server.Stop().ok());
+  EXPECT_OK(server.Stop());
   EXPECT_EQ((*store->LoadMap("room"))->submaps().size(), 4u);
 }
 
@@ -75,24 +66,16 @@ TEST(Concurrency, ManyMapsAreFedAtOnceAndDeletedWhileTheyAreQueried) {
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&server, t] {
       const std::string name = "room" + std::to_string(t);
-      grpc::ClientContext create;
-      v1::CreateMapResponse created;
-      ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest(name), &created).ok());
-      ASSERT_TRUE(Feed(server, name, 0, 3).status.ok());
+      ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest(name)));
+      ASSERT_OK(Feed(server, name, 0, 3));
       std::thread reader([&server, name] {
         grpc::StatusCode code = grpc::OK;
         while (code == grpc::OK) {
-          v1::QueryPointsResponse response;
-          grpc::ClientContext context;
-          code = server.queries->QueryPoints(&context, TestQuery(name), &response).error_code();
+          code = server.Call(&QueryStub::QueryPoints, TestQuery(name)).code();
         }
         EXPECT_EQ(code, grpc::NOT_FOUND);
       });
-      v1::DeleteMapRequest request;
-      request.set_name("maps/" + name);
-      v1::DeleteMapResponse deleted;
-      grpc::ClientContext remove;
-      EXPECT_TRUE(server.maps->DeleteMap(&remove, request, &deleted).ok());
+      EXPECT_OK(server.Call(&MapStub::DeleteMap, "maps/" + name));
       reader.join();
     });
   }

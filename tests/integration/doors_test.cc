@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
 
 namespace dhpmap::testing {
@@ -91,7 +90,7 @@ TEST(Doors, ReflectionListsAndDescribesEveryService) {
     std::string answer;
     const std::string request = std::string({tag, static_cast<char>(what.size())}) + what;
     const char* const method = "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo";
-    EXPECT_TRUE(CallRaw(server.channel(), method, request, &answer).ok());
+    EXPECT_OK(CallRaw(server.channel(), method, request, &answer));
     return answer;
   };
   constexpr char kListServices = '\x3a', kFileContainingSymbol = '\x22';  // ServerReflectionRequest's fields 7 and 4
@@ -110,7 +109,7 @@ TEST(Doors, HealthFollowsTheServer) {
   TestServer server(*store);
   const std::string service = "dhpmap.v1.MapService";
   const std::string request = std::string("\x0a") + static_cast<char>(service.size()) + service;
-  EXPECT_TRUE(CallRaw(server.channel(), "/grpc.health.v1.Health/Check", request).ok());
+  EXPECT_OK(CallRaw(server.channel(), "/grpc.health.v1.Health/Check", request));
   EXPECT_EQ(CallRaw(server.channel(), "/grpc.health.v1.Health/Check", "\x0a\x01x").error_code(), grpc::NOT_FOUND);
   EXPECT_TRUE(server.grpc().is_serving());
   server.grpc().SetServing(false);
@@ -125,14 +124,9 @@ TEST(Doors, CreateMapNamesEveryBadFieldAtOnce) {
   request.mutable_config()->set_voxel_size_m(-0.1);
   request.mutable_config()->mutable_tracking()->set_iou_threshold(7);
   request.mutable_label_classes(1)->set_kind(v1::PANOPTIC_KIND_UNSPECIFIED);
-  v1::CreateMapResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.maps->CreateMap(&context, request, &response);
+  const grpc::Status status = server.Call(&MapStub::CreateMap, request).status();
   EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
-  google::rpc::Status details;
-  ASSERT_TRUE(details.ParseFromString(status.error_details()));
-  google::rpc::BadRequest bad;
-  ASSERT_TRUE(details.details(details.details_size() - 1).UnpackTo(&bad));
+  const auto bad = DetailOf<google::rpc::BadRequest>(status);
   std::set<std::string> fields;
   for (const auto& violation : bad.field_violations()) fields.insert(violation.field());
   EXPECT_EQ(fields, (std::set<std::string>{"map_id", "preset", "config.voxel_size_m", "config.tracking.iou_threshold",
@@ -143,65 +137,44 @@ TEST(Doors, MapsAreMadeListedCountedAndDeleted) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   for (const char* name : {"b", "a"}) {
-    v1::CreateMapResponse response;
-    grpc::ClientContext context;
-    ASSERT_TRUE(server.maps->CreateMap(&context, CreateRequest(name), &response).ok());
+    ASSERT_OK_AND_ASSIGN(const auto response, server.Call(&MapStub::CreateMap, CreateRequest(name)));
     EXPECT_EQ(response.map().name(), std::string("maps/") + name);
     EXPECT_EQ(response.map().config().voxel_size_m(), 0.05);
     EXPECT_EQ(response.map().label_classes_size(), 3);
     EXPECT_EQ(response.revision(), 1);
-    grpc::ClientContext again;
-    EXPECT_EQ(server.maps->CreateMap(&again, CreateRequest(name), &response).error_code(), grpc::ALREADY_EXISTS);
+    EXPECT_EQ(server.Call(&MapStub::CreateMap, CreateRequest(name)).code(), grpc::ALREADY_EXISTS);
   }
-  ASSERT_TRUE(Feed(server, "a", 0, 3).status.ok());
-  v1::ListMapsResponse list;
-  grpc::ClientContext list_context;
-  ASSERT_TRUE(server.maps->ListMaps(&list_context, {}, &list).ok());
+  ASSERT_OK(Feed(server, "a", 0, 3));
+  ASSERT_OK_AND_ASSIGN(const auto list, server.Call(&MapStub::ListMaps));
   ASSERT_EQ(list.maps_size(), 2);
   EXPECT_EQ(list.maps(0).name(), "maps/a");
   EXPECT_EQ(list.maps(0).num_frames(), 3);
 
-  v1::GetMapStatsRequest request;
-  request.set_name("maps/a");
-  v1::GetMapStatsResponse stats;
-  grpc::ClientContext stats_context;
-  ASSERT_TRUE(server.maps->GetMapStats(&stats_context, request, &stats).ok());
+  ASSERT_OK_AND_ASSIGN(const auto stats, server.Call(&MapStub::GetMapStats, "maps/a"));
   EXPECT_EQ(stats.num_frames(), 3);
   EXPECT_GT(stats.num_observed_voxels(), 1000);
   EXPECT_EQ(stats.num_allocated_voxels(), stats.num_tsdf_blocks() * 512);
   EXPECT_GT(stats.memory_bytes_per_allocated_voxel(), 10);
 
-  v1::DeleteMapRequest deletion;
-  deletion.set_name("maps/a");
-  v1::DeleteMapResponse deleted;
-  grpc::ClientContext delete_context;
-  ASSERT_TRUE(server.maps->DeleteMap(&delete_context, deletion, &deleted).ok());
+  ASSERT_OK_AND_ASSIGN(const auto deleted, server.Call(&MapStub::DeleteMap, "maps/a"));
   EXPECT_GT(deleted.revision(), 1);
-  v1::GetMapRequest get;
-  get.set_name("maps/a");
-  v1::GetMapResponse got;
-  grpc::ClientContext get_context;
-  EXPECT_EQ(server.maps->GetMap(&get_context, get, &got).error_code(), grpc::NOT_FOUND);
+  EXPECT_EQ(server.Call(&MapStub::GetMap, "maps/a").code(), grpc::NOT_FOUND);
   EXPECT_EQ(store->ListMaps()->size(), 1u);
 }
 
 TEST(Doors, BadPointsAreRefused) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {}, {.max_query_points = 10});
-  v1::CreateMapResponse created;
-  grpc::ClientContext create;
-  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
   const auto query = [&server](const std::vector<float>& xyz) {
     v1::QueryPointsRequest request;
     request.set_map("maps/room");
     request.mutable_xyz_m()->Add(xyz.begin(), xyz.end());
-    v1::QueryPointsResponse response;
-    grpc::ClientContext context;
-    return server.queries->QueryPoints(&context, request, &response);
+    return server.Call(&QueryStub::QueryPoints, request).status();
   };
-  EXPECT_TRUE(query({1, 2, 3}).ok());
-  EXPECT_TRUE(query(std::vector<float>(30)).ok());
-  EXPECT_TRUE(query({}).ok());
+  EXPECT_OK(query({1, 2, 3}));
+  EXPECT_OK(query(std::vector<float>(30)));
+  EXPECT_OK(query({}));
   EXPECT_EQ(query({1, 2}).error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_EQ(query(std::vector<float>(33)).error_code(), grpc::INVALID_ARGUMENT);
   const grpc::Status status = query({0, 0, 0, 0, std::numeric_limits<float>::infinity(), 0});
@@ -215,12 +188,8 @@ TEST(Doors, AMessageAboveTheLimitIsRefusedAndTheServerStaysUp) {
   v1::QueryPointsRequest request;
   request.set_map("maps/room");
   request.mutable_xyz_m()->Resize(600'000, 0.0f);
-  v1::QueryPointsResponse response;
-  grpc::ClientContext context;
-  EXPECT_EQ(server.queries->QueryPoints(&context, request, &response).error_code(), grpc::RESOURCE_EXHAUSTED);
-  v1::ListMapsResponse list;
-  grpc::ClientContext again;
-  EXPECT_TRUE(server.maps->ListMaps(&again, {}, &list).ok());
+  EXPECT_EQ(server.Call(&QueryStub::QueryPoints, request).code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_OK(server.Call(&MapStub::ListMaps));
 }
 
 TEST(Doors, APortThatIsTakenIsAnError) {

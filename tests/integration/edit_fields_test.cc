@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/status_reason.h"
 
@@ -77,10 +76,8 @@ EditAnswer AnswerOf(const grpc::Status& status, Response response) {
 class EditFieldsTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    grpc::ClientContext create;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &response).ok());
-    ASSERT_TRUE(Feed(server, "room", 0, 12).status.ok());
+    ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(server, "room", 0, 12));
     mapped_revision = Revision();
     const v1::ListSubmapsResponse listed = List();
     for (const v1::Submap& submap : listed.submaps()) {
@@ -94,22 +91,8 @@ class EditFieldsTest : public ::testing::Test {
     ASSERT_EQ(RenameMap("of ben", {.author = "ben"}).outcome, "OK");
   }
 
-  v1::ListSubmapsResponse List() {
-    grpc::ClientContext context;
-    v1::ListSubmapsRequest request;
-    request.set_parent("maps/room");
-    v1::ListSubmapsResponse response;
-    EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &response).ok());
-    return response;
-  }
-  v1::Map GetMap() {
-    grpc::ClientContext context;
-    v1::GetMapRequest request;
-    request.set_name("maps/room");
-    v1::GetMapResponse response;
-    EXPECT_TRUE(server.maps->GetMap(&context, request, &response).ok());
-    return response.map();
-  }
+  v1::ListSubmapsResponse List() { return server.Call(&SubmapStub::ListSubmaps, "maps/room").value(); }
+  v1::Map GetMap() { return server.Call(&MapStub::GetMap, "maps/room").value().map(); }
   std::string EtagNow(const std::string& name) {
     const v1::ListSubmapsResponse listed = List();
     for (const v1::Submap& submap : listed.submaps()) {
@@ -119,11 +102,7 @@ class EditFieldsTest : public ::testing::Test {
   }
   std::int64_t Revision() { return (*store->LoadMap("room"))->revision(); }
   std::vector<v1::LoggedEdit> Log() {
-    grpc::ClientContext context;
-    v1::ListEditsRequest request;
-    request.set_parent("maps/room");
-    v1::ListEditsResponse response;
-    EXPECT_TRUE(edits->ListEdits(&context, request, &response).ok());
+    const auto response = server.Call(&EditStub::ListEdits, "maps/room").value();
     return {response.edits().begin(), response.edits().end()};
   }
   /// All that a client can read of the map.
@@ -139,7 +118,7 @@ class EditFieldsTest : public ::testing::Test {
     request.mutable_submap()->set_etag(beside.etag);
     request.mutable_submap()->set_display_name(title);
     request.mutable_update_mask()->add_paths("display_name");
-    return Ask<v1::UpdateSubmapResponse>(*server.submaps, &v1::SubmapService::Stub::UpdateSubmap, request);
+    return Ask(&SubmapStub::UpdateSubmap, request);
   }
   EditAnswer RenameMap(const std::string& title, const AskedBeside& beside) {
     auto request = With(beside, v1::UpdateMapRequest());
@@ -147,29 +126,27 @@ class EditFieldsTest : public ::testing::Test {
     request.mutable_map()->set_etag(beside.etag);
     request.mutable_map()->set_display_name(title);
     request.mutable_update_mask()->add_paths("display_name");
-    return Ask<v1::UpdateMapResponse>(*server.maps, &v1::MapService::Stub::UpdateMap, request);
+    return Ask(&MapStub::UpdateMap, request);
   }
   EditAnswer ApplyRename(const std::string& name, const std::string& title, const AskedBeside& beside) {
     auto request = With(beside, v1::ApplyEditsRequest());
     request.set_map("maps/room");
     request.add_edits()->set_submap(name);
     request.mutable_edits(0)->mutable_rename()->set_display_name(title);
-    return Ask<v1::ApplyEditsResponse>(*edits, &v1::EditService::Stub::ApplyEdits, request);
+    return Ask(&EditStub::ApplyEdits, request);
   }
-  template <typename Response, typename Stub, typename Call, typename Request>
-  static EditAnswer Ask(Stub& stub, Call call, const Request& request) {
-    grpc::ClientContext context;
-    Response response;
-    const grpc::Status status = (stub.*call)(&context, request, &response);
-    return AnswerOf(status, response);
+  template <typename Stub, typename Request, typename Response>
+  EditAnswer Ask(Client::Unary<Stub, Request, Response> method, const Request& request) {
+    const auto answer = server.Call(method, request);
+    return AnswerOf(answer.status(), *answer);
   }
   /// A request that is made of nothing but a name in `set`, and what is asked beside.
-  template <typename Request, typename Response, typename Stub, typename Call, typename Set>
-  std::function<EditAnswer(const AskedBeside&)> Named(Stub& stub, Call call, Set set) {
-    return [&stub, call, set](const AskedBeside& beside) {
+  template <typename Stub, typename Request, typename Response, typename Set>
+  std::function<EditAnswer(const AskedBeside&)> Named(Client::Unary<Stub, Request, Response> method, Set set) {
+    return [this, method, set](const AskedBeside& beside) {
       Request request = With(beside, Request());
       set(request);
-      return Ask<Response>(stub, call, request);
+      return Ask(method, request);
     };
   }
 
@@ -182,35 +159,26 @@ class EditFieldsTest : public ::testing::Test {
     };
     run("UpdateSubmap", EtagNow(ball), [this](const AskedBeside& beside) { return Rename(ball, "lamp", beside); });
     run("CloneSubmap", EtagNow(ball),
-        Named<v1::CloneSubmapRequest, v1::CloneSubmapResponse>(*server.submaps, &v1::SubmapService::Stub::CloneSubmap,
-                                                               [this](auto& request) { request.set_name(ball); }));
+        Named(&SubmapStub::CloneSubmap, [this](auto& request) { request.set_name(ball); }));
     const std::string before_its_end = EtagNow(box);
     run("DeleteSubmap", before_its_end,
-        Named<v1::DeleteSubmapRequest, v1::DeleteSubmapResponse>(
-            *server.submaps, &v1::SubmapService::Stub::DeleteSubmap, [this](auto& request) { request.set_name(box); }));
+        Named(&SubmapStub::DeleteSubmap, [this](auto& request) { request.set_name(box); }));
     run("UndeleteSubmap", before_its_end,
-        Named<v1::UndeleteSubmapRequest, v1::UndeleteSubmapResponse>(*server.submaps,
-                                                                     &v1::SubmapService::Stub::UndeleteSubmap,
-                                                                     [this](auto& request) { request.set_name(box); }));
+        Named(&SubmapStub::UndeleteSubmap, [this](auto& request) { request.set_name(box); }));
     run("ApplyEdits", GetMap().etag(),
         [this](const AskedBeside& beside) { return ApplyRename(floor, "carpet", beside); });
     const auto of_room = [](auto& request) { request.set_map("maps/room"); };
-    run("UndoEdits", GetMap().etag(),
-        Named<v1::UndoEditsRequest, v1::UndoEditsResponse>(*edits, &v1::EditService::Stub::UndoEdits, of_room));
-    run("RedoEdits", GetMap().etag(),
-        Named<v1::RedoEditsRequest, v1::RedoEditsResponse>(*edits, &v1::EditService::Stub::RedoEdits, of_room));
+    run("UndoEdits", GetMap().etag(), Named(&EditStub::UndoEdits, of_room));
+    run("RedoEdits", GetMap().etag(), Named(&EditStub::RedoEdits, of_room));
     run("UpdateMap", GetMap().etag(), [this](const AskedBeside& beside) { return RenameMap("home", beside); });
-    run("RestoreRevision", GetMap().etag(),
-        Named<v1::RestoreRevisionRequest, v1::RestoreRevisionResponse>(*edits, &v1::EditService::Stub::RestoreRevision,
-                                                                       [this](auto& request) {
-                                                                         request.set_map("maps/room");
-                                                                         request.set_revision(mapped_revision);
-                                                                       }));
+    run("RestoreRevision", GetMap().etag(), Named(&EditStub::RestoreRevision, [this](auto& request) {
+          request.set_map("maps/room");
+          request.set_revision(mapped_revision);
+        }));
   }
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
   TestServer server{*store};
-  std::unique_ptr<v1::EditService::Stub> edits = v1::EditService::NewStub(server.channel());
   std::string ball, box, floor;
   std::int64_t mapped_revision = 0;
 };
@@ -236,14 +204,12 @@ TEST_F(EditFieldsTest, WhatIsTriedHasNoEtagThatALaterStateMayHave) {
   request.mutable_submap()->set_display_name("lamp");
   request.mutable_update_mask()->add_paths("display_name");
   request.set_validate_only(true);
-  v1::UpdateSubmapResponse response;
-  grpc::ClientContext first, second;
-  ASSERT_TRUE(server.submaps->UpdateSubmap(&first, request, &response).ok());
+  ASSERT_OK_AND_ASSIGN(v1::UpdateSubmapResponse response, server.Call(&SubmapStub::UpdateSubmap, request));
   EXPECT_EQ(response.submap().display_name(), "lamp");
   EXPECT_EQ(response.submap().etag(), "");
   EXPECT_EQ(response.submap().revision(), 0);
   request.mutable_submap()->set_display_name("of ben");  // as it is
-  ASSERT_TRUE(server.submaps->UpdateSubmap(&second, request, &response).ok());
+  ASSERT_OK_AND_ASSIGN(response, server.Call(&SubmapStub::UpdateSubmap, request));
   EXPECT_EQ(response.submap().etag(), EtagNow(ball)) << "what would not change keeps its own";
 }
 
@@ -302,11 +268,11 @@ TEST_F(EditFieldsTest, ANegativeRevisionIsNone) {
 TEST_F(EditFieldsTest, FramesAndEditsOfOthersThanWhatIsNamedDoNotCount) {
   ASSERT_EQ(ApplyRename(floor, "carpet", {}).outcome, "OK");
   const std::int64_t known = Revision();
-  ASSERT_TRUE(Feed(server, "room", 12, 16).status.ok());
+  ASSERT_OK(Feed(server, "room", 12, 16));
   ASSERT_EQ(Rename(ball, "of ben again", {.author = "ben"}).outcome, "OK");
   v1::UndoEditsRequest undo = With({.expected_revision = known}, v1::UndoEditsRequest());
   undo.set_map("maps/room");
-  EXPECT_EQ(Ask<v1::UndoEditsResponse>(*edits, &v1::EditService::Stub::UndoEdits, undo).outcome, "OK");
+  EXPECT_EQ(Ask(&EditStub::UndoEdits, undo).outcome, "OK");
   EXPECT_EQ(Rename(box, "crate", {.expected_revision = known}).outcome, "OK");
   EXPECT_EQ(RenameMap("home", {.expected_revision = known}).outcome, "OK");
   EXPECT_EQ(RenameMap("away", {.expected_revision = known}).outcome, "EDITED_SINCE");
@@ -317,7 +283,7 @@ TEST_F(EditFieldsTest, AnUndoOfTheMapsNameIsAnEditOfTheMap) {
   const std::int64_t known = Revision();
   v1::UndoEditsRequest undo = With({}, v1::UndoEditsRequest());
   undo.set_map("maps/room");
-  ASSERT_EQ(Ask<v1::UndoEditsResponse>(*edits, &v1::EditService::Stub::UndoEdits, undo).outcome, "OK");
+  ASSERT_EQ(Ask(&EditStub::UndoEdits, undo).outcome, "OK");
   EXPECT_EQ(RenameMap("away", {.expected_revision = known}).outcome, "EDITED_SINCE");
   EXPECT_EQ(RenameMap("away", {.expected_revision = Revision()}).outcome, "OK");
 }

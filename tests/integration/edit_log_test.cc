@@ -9,9 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "dhpmap/v1/edit_service.grpc.pb.h"
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
 #include "tests/integration/tcp_proxy.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/status_reason.h"
@@ -30,23 +27,19 @@ class EditLogTest : public ::testing::Test {
  protected:
   void SetUp() override {
     Start();
-    grpc::ClientContext create;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server->maps->CreateMap(&create, CreateRequest("room"), &response).ok());
-    ASSERT_TRUE(Feed(*server, "room", 0, 6).status.ok());
+    ASSERT_OK(server->Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(*server, "room", 0, 6));
   }
   void Start() {
     auto opened = OpenSqliteStore((folder.path() / "maps.db").string());
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    ASSERT_OK(opened);
     store = std::move(opened).value();
     SessionOptions session;
     session.now_ns = [this] { return now_ns.load(); };
     server = std::make_unique<TestServer>(*store, session);
-    edits = v1::EditService::NewStub(server->channel());
   }
   void Stop() {
-    edits = nullptr;
-    ASSERT_TRUE(server->Stop().ok());
+    ASSERT_OK(server->Stop());
     server = nullptr;
     store = nullptr;
   }
@@ -63,16 +56,10 @@ class EditLogTest : public ::testing::Test {
     return request;
   }
   v1::ApplyEditsResponse Apply(const v1::ApplyEditsRequest& request) {
-    grpc::ClientContext context;
-    v1::ApplyEditsResponse response;
-    status = edits->ApplyEdits(&context, request, &response);
-    return response;
+    return server->Call(&EditStub::ApplyEdits, request).KeepStatus(status);
   }
   v1::CloneSubmapResponse Clone(const v1::CloneSubmapRequest& request) {
-    grpc::ClientContext context;
-    v1::CloneSubmapResponse response;
-    status = server->submaps->CloneSubmap(&context, request, &response);
-    return response;
+    return server->Call(&SubmapStub::CloneSubmap, request).KeepStatus(status);
   }
   std::vector<v1::LoggedEdit> Log(const std::string& author = "", int page_size = 0) {
     std::vector<v1::LoggedEdit> log;
@@ -81,11 +68,7 @@ class EditLogTest : public ::testing::Test {
     request.set_author(author);
     request.set_page_size(page_size);
     do {
-      grpc::ClientContext context;
-      v1::ListEditsResponse page;
-      status = edits->ListEdits(&context, request, &page);
-      EXPECT_TRUE(status.ok()) << status.error_message();
-      if (!status.ok()) break;
+      const v1::ListEditsResponse page = server->Call(&EditStub::ListEdits, request).value();
       log.insert(log.end(), page.edits().begin(), page.edits().end());
       request.set_page_token(page.next_page_token());
     } while (!request.page_token().empty());
@@ -95,7 +78,6 @@ class EditLogTest : public ::testing::Test {
   TempDir folder;
   std::unique_ptr<MapStore> store;
   std::unique_ptr<TestServer> server;
-  std::unique_ptr<v1::EditService::Stub> edits;
   grpc::Status status;
   std::atomic<std::int64_t> now_ns = 1'800'000'000'000'000'000;  ///< the system's clock
 };
@@ -105,10 +87,10 @@ TEST_F(EditLogTest, ARetryIsAnsweredTheSameAndMadeOnce) {
   request.set_name("maps/room/submaps/1");
   request.set_request_id(Uuid(1));
   const v1::CloneSubmapResponse first = Clone(request);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   const std::int64_t revision = Revision();
   EXPECT_EQ(Clone(request).SerializeAsString(), first.SerializeAsString());
-  ASSERT_TRUE(Feed(*server, "room", 6, 8).status.ok());
+  ASSERT_OK(Feed(*server, "room", 6, 8));
   EXPECT_EQ(Clone(request).SerializeAsString(), first.SerializeAsString()) << "whatever became of the map since";
   Stop();
   Start();
@@ -139,22 +121,18 @@ TEST_F(EditLogTest, ARetryIsMadeOnceWhateverTheClockWasSetToSince) {
 
 TEST_F(EditLogTest, ARetryIsNotAskedForItsEtag) {
   v1::ApplyEditsRequest request = Rename("lamp", Uuid(2));
-  grpc::ClientContext context;
-  v1::GetSubmapRequest get;
-  get.set_name("maps/room/submaps/1");
-  v1::GetSubmapResponse got;
-  ASSERT_TRUE(server->submaps->GetSubmap(&context, get, &got).ok());
+  ASSERT_OK_AND_ASSIGN(const auto got, server->Call(&SubmapStub::GetSubmap, "maps/room/submaps/1"));
   request.mutable_edits(0)->set_etag(got.submap().etag());
   const v1::ApplyEditsResponse first = Apply(request);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   const v1::ApplyEditsResponse second = Apply(request);
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
   EXPECT_EQ(second.SerializeAsString(), first.SerializeAsString());
 }
 
 TEST_F(EditLogTest, AnotherRequestUnderTheSameIdIsRefused) {
   Apply(Rename("lamp", Uuid(3)));
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   const std::int64_t revision = Revision();
   Apply(Rename("sofa", Uuid(3)));
   EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
@@ -179,11 +157,11 @@ TEST_F(EditLogTest, AFailureIsNotKept) {
   Apply(request);
   EXPECT_EQ(status.error_code(), grpc::StatusCode::NOT_FOUND);
   Apply(Rename("lamp", Uuid(4)));
-  EXPECT_TRUE(status.ok()) << "the id is free: " << status.error_message();
+  EXPECT_OK(status) << "the id is free";
   v1::ApplyEditsRequest tried = Rename("sofa", Uuid(5));
   tried.set_validate_only(true);
   Apply(tried);
-  ASSERT_TRUE(status.ok());
+  ASSERT_OK(status);
   EXPECT_EQ(Log().size(), 1u) << "what was only tried is no edit";
 }
 
@@ -194,10 +172,8 @@ TEST_F(EditLogTest, OfTwoAtOnceTheSecondWaits) {
       v1::CloneSubmapRequest request;
       request.set_name("maps/room/submaps/1");
       request.set_request_id(Uuid(6));
-      grpc::ClientContext context;
-      v1::CloneSubmapResponse response;
-      const grpc::Status done = server->submaps->CloneSubmap(&context, request, &response);
-      return done.ok() ? response.SerializeAsString() : done.error_message();
+      const auto answer = server->Call(&SubmapStub::CloneSubmap, request);
+      return answer.ok() ? answer->SerializeAsString() : answer.status().error_message();
     }));
   }
   std::set<std::string> different;
@@ -215,7 +191,7 @@ TEST_F(EditLogTest, TheLogSaysWhoDidWhatAndComesInPages) {
   gone.set_submap("#1");
   gone.mutable_delete_();
   Apply(list);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   for (int i = 0; i < 4; ++i) Apply(Rename(std::to_string(i), Uuid(10 + i)));
   const auto log = Log("", 2);
   ASSERT_EQ(log.size(), 5u);
@@ -243,10 +219,7 @@ TEST_F(EditLogTest, AnUndoIsAnEditOfItsOwnThatIsRepeatedSafely) {
   undo.set_request_id(Uuid(50));
   std::string answer;
   for (int round = 0; round < 2; ++round) {
-    grpc::ClientContext context;
-    v1::UndoEditsResponse response;
-    status = edits->UndoEdits(&context, undo, &response);
-    ASSERT_TRUE(status.ok()) << status.error_message();
+    ASSERT_OK_AND_ASSIGN(const auto response, server->Call(&EditStub::UndoEdits, undo));
     EXPECT_EQ(response.edits_size(), 1);
     EXPECT_EQ(response.changed_size(), 1);
     if (round == 1) {
@@ -264,31 +237,22 @@ TEST_F(EditLogTest, AnUndoIsAnEditOfItsOwnThatIsRepeatedSafely) {
   EXPECT_TRUE(log[1].undone() && log[1].kept());
   undo.clear_request_id();
   undo.set_edit(log[1].name());
-  grpc::ClientContext context;
-  v1::UndoEditsResponse response;
-  EXPECT_EQ(ReasonOf(edits->UndoEdits(&context, undo, &response)), "NOTHING_TO_UNDO");
+  EXPECT_EQ(server->Call(&EditStub::UndoEdits, undo).reason(), "NOTHING_TO_UNDO");
 }
 
 TEST_F(EditLogTest, WhatMappingAddsMeanwhileStays) {
   v1::DeleteSubmapRequest gone;
   gone.set_name("maps/room/submaps/1");
   gone.set_author("anna");
-  grpc::ClientContext first;
-  v1::DeleteSubmapResponse deleted;
-  ASSERT_TRUE(server->submaps->DeleteSubmap(&first, gone, &deleted).ok());
-  ASSERT_TRUE(Feed(*server, "room", 6, 12).status.ok());
+  ASSERT_OK(server->Call(&SubmapStub::DeleteSubmap, gone));
+  ASSERT_OK(Feed(*server, "room", 6, 12));
   const std::size_t num_submaps = (*store->LoadMap("room"))->submaps().size();
-  v1::UndeleteSubmapRequest back;
-  back.set_name(gone.name());
-  grpc::ClientContext second;
-  v1::UndeleteSubmapResponse response;
-  status = server->submaps->UndeleteSubmap(&second, back, &response);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK_AND_ASSIGN(const auto response, server->Call(&SubmapStub::UndeleteSubmap, gone.name()));
   EXPECT_EQ(response.submap().name(), gone.name());
   EXPECT_EQ((*store->LoadMap("room"))->submaps().size(), num_submaps + 1);
-  ASSERT_TRUE(Feed(*server, "room", 12, 15).status.ok()) << "mapping goes on";
+  ASSERT_OK(Feed(*server, "room", 12, 15)) << "mapping goes on";
   const auto report = store->VerifyMap("room", false, {});
-  ASSERT_TRUE(report.ok());
+  ASSERT_OK(report);
   EXPECT_EQ(report->num_faults, 0);
 }
 
@@ -316,15 +280,12 @@ TEST_F(EditLogTest, AThousandRetriedEditsOverALinkThatIsCutAreEachMadeOnce) {
         own.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
         channel = grpc::CreateCustomChannel(proxy->address(), grpc::InsecureChannelCredentials(), own);
       }
-      grpc::ClientContext context;
-      context.set_deadline(std::chrono::system_clock::now() + kPatience);
-      v1::ApplyEditsResponse response;
-      const grpc::Status done = v1::EditService::NewStub(channel)->ApplyEdits(&context, request, &response);
+      const auto done = Client(channel).Call(&EditStub::ApplyEdits, request);
       is_done = done.ok();
       if (is_done) {
-        ASSERT_EQ(response.revision(), before + i + 1);
+        ASSERT_EQ(done->revision(), before + i + 1);
       } else {
-        ASSERT_EQ(done.error_code(), grpc::StatusCode::UNAVAILABLE) << done.error_message();
+        ASSERT_EQ(done.code(), grpc::StatusCode::UNAVAILABLE) << done.status().error_message();
         ++num_lost;
         channel = nullptr;
       }

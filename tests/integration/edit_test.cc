@@ -6,7 +6,6 @@
 #include <future>
 #include <string>
 
-#include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "mapping/objects/merge_submaps.h"
 #include "tests/integration/test_server.h"
@@ -18,10 +17,8 @@ namespace {
 class EditTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    grpc::ClientContext create;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &response).ok());
-    ASSERT_TRUE(Feed(server, "room", 0, 12).status.ok());
+    ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(server, "room", 0, 12));
     const v1::ListSubmapsResponse all = List({});
     for (const auto& submap : all.submaps()) {
       if (submap.class_id() == 1) ball = submap;
@@ -33,49 +30,31 @@ class EditTest : public ::testing::Test {
 
   v1::ListSubmapsResponse List(v1::ListSubmapsRequest request) {
     request.set_parent("maps/room");
-    v1::ListSubmapsResponse response;
-    grpc::ClientContext context;
-    status = server.submaps->ListSubmaps(&context, request, &response);
-    return response;
+    return server.Call(&SubmapStub::ListSubmaps, request).KeepStatus(status);
   }
   v1::Submap Get(const std::string& name) {
-    v1::GetSubmapRequest request;
-    request.set_name(name);
-    v1::GetSubmapResponse response;
-    grpc::ClientContext context;
-    status = server.submaps->GetSubmap(&context, request, &response);
-    return response.submap();
+    return server.Call(&SubmapStub::GetSubmap, name).KeepStatus(status).submap();
   }
   v1::Submap Update(const v1::Submap& submap, const std::vector<std::string>& mask) {
     v1::UpdateSubmapRequest request;
     *request.mutable_submap() = submap;
     for (const auto& path : mask) request.mutable_update_mask()->add_paths(path);
-    v1::UpdateSubmapResponse response;
-    grpc::ClientContext context;
-    status = server.submaps->UpdateSubmap(&context, request, &response);
-    return response.submap();
+    return server.Call(&SubmapStub::UpdateSubmap, request).KeepStatus(status).submap();
   }
   v1::Submap Clone(const v1::CloneSubmapRequest& request) {
-    v1::CloneSubmapResponse response;
-    grpc::ClientContext context;
-    status = server.submaps->CloneSubmap(&context, request, &response);
-    return response.submap();
+    return server.Call(&SubmapStub::CloneSubmap, request).KeepStatus(status).submap();
   }
   void Delete(const std::string& name, const std::string& etag = "") {
     v1::DeleteSubmapRequest request;
     request.set_name(name);
     request.set_etag(etag);
-    v1::DeleteSubmapResponse response;
-    grpc::ClientContext context;
-    status = server.submaps->DeleteSubmap(&context, request, &response);
+    status = server.Call(&SubmapStub::DeleteSubmap, request).status();
   }
   std::int64_t InstanceAt(double x, double y, double z) {
     v1::QueryPointsRequest request;
     request.set_map("maps/room");
     for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
-    v1::QueryPointsResponse response;
-    grpc::ClientContext context;
-    status = server.queries->QueryPoints(&context, request, &response);
+    const auto response = server.Call(&QueryStub::QueryPoints, request).KeepStatus(status);
     return response.results_size() == 1 && response.results(0).observed() ? response.results(0).instance_id() : -1;
   }
 
@@ -89,7 +68,7 @@ TEST_F(EditTest, AMovedObjectIsAnsweredWhereItIsNow) {
   ASSERT_EQ(InstanceAt(0, 0, 0.79), ball.instance_id());
   ball.mutable_map_from_submap()->mutable_translation_m()->set_y(5);
   const v1::Submap moved = Update(ball, {"map_from_submap"});
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   EXPECT_NE(moved.etag(), ball.etag());
   EXPECT_NEAR(moved.bounding_sphere().center_m().y(), ball.bounding_sphere().center_m().y() + 5, 1e-9);
   EXPECT_NE(InstanceAt(0, 0, 0.79), ball.instance_id());
@@ -102,12 +81,12 @@ TEST_F(EditTest, PartOfAPoseLeavesTheRest) {
   turned.set_name(ball.name());
   turned.mutable_map_from_submap()->mutable_rotation()->set_z(1);  // half a turn
   turned = Update(turned, {"map_from_submap.rotation"});
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   v1::Submap moved;
   moved.set_name(ball.name());
   moved.mutable_map_from_submap()->mutable_translation_m()->set_x(2);
   moved = Update(moved, {"map_from_submap.translation_m.x"});
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   EXPECT_EQ(moved.map_from_submap().translation_m().x(), 2);
   EXPECT_NEAR(std::abs(moved.map_from_submap().rotation().z()), 1, 1e-9);
 }
@@ -118,8 +97,8 @@ TEST_F(EditTest, RelabelAndRenameStayThroughMoreMapping) {
   wanted.set_class_id(2);
   wanted.set_display_name("beach ball");
   Update(wanted, {});  // without a mask: what is set
-  ASSERT_TRUE(status.ok()) << status.error_message();
-  ASSERT_TRUE(Feed(server, "room", 12, 16).status.ok());
+  ASSERT_OK(status);
+  ASSERT_OK(Feed(server, "room", 12, 16));
   const v1::Submap now = Get(ball.name());
   EXPECT_EQ(now.class_name(), "thing2");
   EXPECT_EQ(now.display_name(), "beach ball");
@@ -130,13 +109,13 @@ TEST_F(EditTest, AnObjectIsLockedAndUnlockedByItsField) {
   wanted.set_name(ball.name());
   wanted.set_locked(true);
   EXPECT_TRUE(Update(wanted, {}).locked()) << "without a mask: what is set";
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   wanted.set_display_name("mine");
   EXPECT_TRUE(Update(wanted, {"display_name"}).locked());
   EXPECT_EQ(Get(ball.name()).display_name(), "mine") << "edits of what is locked are made as ever";
   wanted.set_locked(false);
   EXPECT_FALSE(Update(wanted, {"locked"}).locked());
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
 }
 
 TEST_F(EditTest, ACloneHasItsOwnIdAndPlaceAndSharesTheShape) {
@@ -145,7 +124,7 @@ TEST_F(EditTest, ACloneHasItsOwnIdAndPlaceAndSharesTheShape) {
   request.set_display_name("second box");
   request.mutable_map_from_submap()->mutable_translation_m()->set_y(-4);
   const v1::Submap clone = Clone(request);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   EXPECT_GT(clone.instance_id(), box.instance_id());
   EXPECT_EQ(clone.num_blocks(), box.num_blocks());
   EXPECT_EQ(clone.display_name(), "second box");
@@ -155,7 +134,7 @@ TEST_F(EditTest, ACloneHasItsOwnIdAndPlaceAndSharesTheShape) {
 
 TEST_F(EditTest, ADeletedObjectIsGoneAndItsIdIsNotUsedAgain) {
   Delete(box.name(), box.etag());
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   Get(box.name());
   EXPECT_EQ(status.error_code(), grpc::NOT_FOUND);
   Delete(box.name());
@@ -169,7 +148,7 @@ TEST_F(EditTest, AnOldEtagIsAborted) {
   ball.set_display_name("a");
   const std::string old = ball.etag();
   Update(ball, {"display_name"});
-  ASSERT_TRUE(status.ok());
+  ASSERT_OK(status);
   Update(ball, {"display_name"});
   EXPECT_EQ(status.error_code(), grpc::ABORTED);
   Delete(ball.name(), old);
@@ -216,20 +195,16 @@ TEST_F(EditTest, ErrorsCarryTheirReasonAndFields) {
   google::rpc::Status details;
   ASSERT_TRUE(details.ParseFromString(status.error_details()));
   EXPECT_EQ(details.code(), 3);
-  ASSERT_EQ(details.details_size(), 2);
-  google::rpc::ErrorInfo info;
-  ASSERT_TRUE(details.details(0).UnpackTo(&info));
-  EXPECT_EQ(info.reason(), "BAD_EDIT");
-  EXPECT_EQ(info.domain(), "dhpmap");
-  google::rpc::BadRequest bad;
-  ASSERT_TRUE(details.details(1).UnpackTo(&bad));
-  EXPECT_EQ(bad.field_violations(0).field(), "class_id");
+  EXPECT_EQ(details.details_size(), 2);
+  EXPECT_EQ(ErrorInfoOf(status).reason(), "BAD_EDIT");
+  EXPECT_EQ(ErrorInfoOf(status).domain(), "dhpmap");
+  EXPECT_EQ(BadFieldOf(status), "class_id");
 }
 
 TEST_F(EditTest, WhatIsAPartOfAnotherIsAnsweredWithItsNameOverARestart) {
   std::promise<bool> merged;
   const auto session = server.registry().OpenSession("room");
-  ASSERT_TRUE(session.ok());
+  ASSERT_OK(session);
   const SubmapId from(static_cast<std::uint32_t>(box.instance_id())),
       into(static_cast<std::uint32_t>(ball.instance_id()));
   (*session)->Edit(
@@ -241,25 +216,17 @@ TEST_F(EditTest, WhatIsAPartOfAnotherIsAnsweredWithItsNameOverARestart) {
       [&merged](const Result<EditOutcome>& outcome) { merged.set_value(outcome.ok()); });
   ASSERT_TRUE(merged.get_future().get());
 
-  const auto expect_merged = [&](v1::SubmapService::Stub& submaps) {
-    v1::GetSubmapRequest request;
-    request.set_name(box.name());
-    v1::GetSubmapResponse response;
-    grpc::ClientContext context;
-    const grpc::Status got = submaps.GetSubmap(&context, request, &response);
+  const auto expect_merged = [&](TestServer& of) {
+    const grpc::Status got = of.Call(&SubmapStub::GetSubmap, box.name()).status();
     EXPECT_EQ(got.error_code(), grpc::NOT_FOUND);
-    google::rpc::Status details;
-    google::rpc::ErrorInfo info;
-    ASSERT_TRUE(details.ParseFromString(got.error_details()) && details.details_size() == 1);
-    ASSERT_TRUE(details.details(0).UnpackTo(&info));
-    EXPECT_EQ(info.reason(), "MERGED_INTO");
-    EXPECT_EQ(info.metadata().at("into"), ball.name());
+    ASSERT_EQ(ReasonOf(got), "MERGED_INTO");
+    EXPECT_EQ(ErrorInfoOf(got).metadata().at("into"), ball.name());
   };
-  expect_merged(*server.submaps);
+  expect_merged(server);
   EXPECT_EQ(Get(ball.name()).instance_id(), ball.instance_id());
-  ASSERT_TRUE(server.Stop().ok());
+  ASSERT_OK(server.Stop());
   TestServer again(*store);
-  expect_merged(*again.submaps);
+  expect_merged(again);
 }
 
 TEST_F(EditTest, ListsAreFiltered) {
@@ -285,7 +252,7 @@ TEST_F(EditTest, ListsAreFiltered) {
   region.mutable_region()->mutable_min_m()->set_z(50);
   region.mutable_region()->mutable_max_m()->set_z(60);
   EXPECT_EQ(List(region).submaps_size(), 0);
-  EXPECT_TRUE(status.ok());
+  EXPECT_OK(status);
   region.mutable_region()->mutable_min_m()->set_x(1);
   List(region);
   EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
@@ -296,14 +263,9 @@ TEST_F(EditTest, ListsAreFiltered) {
 }
 
 TEST_F(EditTest, VoxelsAndMeshesComeInChunksThatFit) {
-  v1::StreamSubmapVoxelsRequest request;
-  request.set_name(floor.name());
-  grpc::ClientContext context;
-  const auto voxels = server.submaps->StreamSubmapVoxels(&context, request);
-  v1::StreamSubmapVoxelsResponse part;
-  int num_voxels = 0, num_parts = 0;
-  while (voxels->Read(&part)) {
-    ++num_parts;
+  ASSERT_OK_AND_ASSIGN(const auto voxels, server.Call(&SubmapStub::StreamSubmapVoxels, floor.name()));
+  int num_voxels = 0;
+  for (const auto& part : voxels) {
     num_voxels += part.distance_m_size();
     EXPECT_LE(part.ByteSizeLong(), 256u * 1024);
     EXPECT_EQ(part.xyz_m_size(), 3 * part.distance_m_size());
@@ -311,28 +273,21 @@ TEST_F(EditTest, VoxelsAndMeshesComeInChunksThatFit) {
     EXPECT_EQ(part.class_id_size(), part.distance_m_size());
     EXPECT_GT(part.revision(), 0);
   }
-  EXPECT_TRUE(voxels->Finish().ok());
   EXPECT_GT(num_voxels, 10000);
-  EXPECT_GT(num_parts, 1);
+  EXPECT_GT(voxels.size(), 1u);
 
   for (const std::string& name : {ball.name(), std::string("maps/room")}) {
     for (const auto format : {v1::PLY, v1::PCD}) {
-      v1::GetSubmapMeshRequest mesh_request;
-      mesh_request.set_name(name);
-      mesh_request.set_format(format);
-      grpc::ClientContext mesh_context;
-      const auto mesh = server.submaps->GetSubmapMesh(&mesh_context, mesh_request);
+      auto request = About<v1::GetSubmapMeshRequest>(name);
+      request.set_format(format);
+      ASSERT_OK_AND_ASSIGN(const auto mesh, server.Call(&SubmapStub::GetSubmapMesh, request));
       std::string file;
-      std::int64_t total_bytes = 0;
-      v1::GetSubmapMeshResponse chunk;
-      while (mesh->Read(&chunk)) {
-        if (file.empty()) total_bytes = chunk.total_bytes();
+      for (const auto& chunk : mesh) {
         EXPECT_EQ(chunk.content_type().empty(), !file.empty());
         EXPECT_LE(chunk.ByteSizeLong(), 256u * 1024);
         file += chunk.data();
       }
-      EXPECT_TRUE(mesh->Finish().ok());
-      EXPECT_EQ(static_cast<std::int64_t>(file.size()), total_bytes);
+      EXPECT_EQ(static_cast<std::int64_t>(file.size()), mesh.at(0).total_bytes());
       EXPECT_GT(file.size(), 10000u);
       EXPECT_EQ(file.substr(0, 3), format == v1::PLY ? "ply" : "# .");
     }

@@ -78,9 +78,7 @@ class ExportProgressTest : public ::testing::Test {
   using Stage = v1::ExportProgress;
   ExportProgressTest() {
     for (const char* name : {"room", "hall"}) {
-      grpc::ClientContext context;
-      v1::CreateMapResponse made;
-      EXPECT_TRUE(server.maps->CreateMap(&context, CreateRequest(name), &made).ok());
+      EXPECT_OK(server.Call(&MapStub::CreateMap, CreateRequest(name)));
     }
   }
   ~ExportProgressTest() override { store.Let(10 * kNumParts); }  // so that nobody waits
@@ -140,7 +138,7 @@ TEST_F(ExportProgressTest, AWatcherIsToldThatAFileGoesOutHowFarItIsAndItsEnd) {
   num_told = 0;
   store.Let(kNumParts);
   while (reader->Read(&part)) continue;
-  EXPECT_TRUE(reader->Finish().ok());
+  EXPECT_OK(reader->Finish());
   const v1::ExportProgress ended = Await(*watcher, Stage::SENT);
   EXPECT_EQ(ended.id(), begun.id());
   EXPECT_EQ(ended.done_bytes(), ended.total_bytes());
@@ -190,7 +188,7 @@ TEST_F(ExportProgressTest, WhoComesLaterIsToldOfWhatIsUnderWayAndOfNoEarlierEnd)
     const auto ended = Export(context);
     store.Let(kNumParts + 1);
     while (ended->Read(&part)) continue;
-    EXPECT_TRUE(ended->Finish().ok());
+    EXPECT_OK(ended->Finish());
   }
   grpc::ClientContext context;
   const auto reader = Export(context);

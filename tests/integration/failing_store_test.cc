@@ -11,19 +11,13 @@ namespace {
 
 class FailingStoreTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    grpc::ClientContext context;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server.maps->CreateMap(&context, CreateRequest("room"), &response).ok());
-  }
+  void SetUp() override { ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room"))); }
 
   grpc::Status Rename(const std::string& submap, const std::string& name) {
     v1::UpdateSubmapRequest request;
     request.mutable_submap()->set_name(submap);
     request.mutable_submap()->set_display_name(name);
-    v1::UpdateSubmapResponse response;
-    grpc::ClientContext context;
-    return server.submaps->UpdateSubmap(&context, request, &response);
+    return server.Call(&SubmapStub::UpdateSubmap, request).status();
   }
 
   FailingStore store;
@@ -32,7 +26,7 @@ class FailingStoreTest : public ::testing::Test {
 };
 
 TEST_F(FailingStoreTest, AFullDiskIsReportedAndLosesNothing) {
-  ASSERT_TRUE(Feed(server, "room", 0, 4).status.ok());
+  ASSERT_OK(Feed(server, "room", 0, 4));
   store.set_full(true);
   const FeedResult fed = Feed(server, "room", 4, 12);
   EXPECT_EQ(fed.status.error_code(), grpc::RESOURCE_EXHAUSTED) << fed.status.error_message();
@@ -49,7 +43,7 @@ TEST_F(FailingStoreTest, AFullDiskIsReportedAndLosesNothing) {
   EXPECT_NE(edit.error_message().find("nothing was changed"), std::string::npos) << edit.error_message();
 
   store.set_full(false);
-  EXPECT_TRUE(Rename("maps/room/submaps/2", "two").ok());
+  EXPECT_OK(Rename("maps/room/submaps/2", "two"));
   EXPECT_EQ(store.GetMap("room")->info.num_frames, 12);
   const auto stored = store.LoadMap("room");
   EXPECT_NE((*stored)->Find(SubmapId(1))->info().display_name, "one") << "it was refused";
@@ -70,7 +64,7 @@ TEST_F(FailingStoreTest, AcknowledgementsSayThatTheStoreIsBehind) {
   }));
   store.set_full(false);
   stream->WritesDone();
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
 }
 
 TEST_F(FailingStoreTest, IsTriedAgainWithoutBeingAsked) {
@@ -84,22 +78,15 @@ TEST_F(FailingStoreTest, IsTriedAgainWithoutBeingAsked) {
 
 TEST_F(FailingStoreTest, AMapThatCannotBeMadeOrDeletedStaysAsItWas) {
   store.set_full(true);
-  v1::CreateMapResponse response;
-  grpc::ClientContext create;
-  EXPECT_EQ(server.maps->CreateMap(&create, CreateRequest("hall"), &response).error_code(), grpc::RESOURCE_EXHAUSTED);
-  v1::DeleteMapRequest request;
-  request.set_name("maps/room");
-  v1::DeleteMapResponse deleted;
-  grpc::ClientContext deletion;
-  EXPECT_EQ(server.maps->DeleteMap(&deletion, request, &deleted).error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(server.Call(&MapStub::CreateMap, CreateRequest("hall")).code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(server.Call(&MapStub::DeleteMap, "maps/room").code(), grpc::RESOURCE_EXHAUSTED);
   store.set_full(false);
-  grpc::ClientContext again;
-  EXPECT_TRUE(server.maps->CreateMap(&again, CreateRequest("hall"), &response).ok());
-  EXPECT_TRUE(Feed(server, "room", 0, 1).status.ok());
+  EXPECT_OK(server.Call(&MapStub::CreateMap, CreateRequest("hall")));
+  EXPECT_OK(Feed(server, "room", 0, 1));
 }
 
 TEST_F(FailingStoreTest, ShutdownSaysThatTheLastStateIsLost) {
-  ASSERT_TRUE(Feed(server, "room", 0, 1).status.ok());
+  ASSERT_OK(Feed(server, "room", 0, 1));
   store.set_full(true);
   EXPECT_FALSE(Feed(server, "room", 1, 2).status.ok());
   EXPECT_EQ(server.Stop().code(), StatusCode::kResourceExhausted);

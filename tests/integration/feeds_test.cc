@@ -16,18 +16,11 @@ namespace dhpmap::testing {
 namespace {
 
 void Create(TestServer& server, const std::string& map_id) {
-  v1::CreateMapResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.maps->CreateMap(&context, CreateRequest(map_id), &response);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest(map_id)));
 }
 
 grpc::Status Delete(TestServer& server, const std::string& map_id) {
-  v1::DeleteMapRequest request;
-  request.set_name("maps/" + map_id);
-  v1::DeleteMapResponse response;
-  grpc::ClientContext context;
-  return server.maps->DeleteMap(&context, request, &response);
+  return server.Call(&MapStub::DeleteMap, "maps/" + map_id).status();
 }
 
 /// Nothing is stored but by a full sync at a stream's end.
@@ -60,7 +53,7 @@ TEST(Feeds, NoAcknowledgementSaysMoreThanTheStoreHolds) {
     check(*ack);
   }
   feeder.HalfClose();
-  EXPECT_TRUE(feeder.Finish().ok());
+  EXPECT_OK(feeder.Finish());
 }
 
 TEST(Feeds, TheLastFramesAcknowledgementComesWhenAllIsStored) {
@@ -74,15 +67,13 @@ TEST(Feeds, TheLastFramesAcknowledgementComesWhenAllIsStored) {
     for (int i = 1; i < 4; ++i) ASSERT_TRUE(feeder.Send(i, i, /*is_last=*/i == 3));
     // Other calls come and go meanwhile: the server has seen the end of the stream long before.
     for (int i = 0; i < 100; ++i) {
-      v1::ListMapsResponse list;
-      grpc::ClientContext context;
-      ASSERT_TRUE(server.maps->ListMaps(&context, {}, &list).ok());
+      ASSERT_OK(server.Call(&MapStub::ListMaps));
     }
   }
   int num_answers = 0;
   Feeder::Ack last;
   while (const auto ack = feeder.Read()) last = *ack, ++num_answers;
-  EXPECT_TRUE(feeder.Finish().ok());
+  EXPECT_OK(feeder.Finish());
   EXPECT_EQ(num_answers, 3) << "one for each frame";
   EXPECT_EQ(last.sequence(), 3);
   EXPECT_EQ(last.outcome(), v1::FUSED);
@@ -133,7 +124,7 @@ TEST(Feeds, AStreamWithoutSessionThatHalfClosesLateIsOwedNoMoreAnswersAndEndsWhe
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 0);
   stream->WritesDone();
   const grpc::Status status = stream->Finish();
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
 }
 
@@ -149,7 +140,7 @@ TEST(Feeds, ASessionEndsWithAnAnswerForNoFrame) {
     EXPECT_FALSE(ack->has_committed_sequence());
   }
   feeder.HalfClose();
-  ASSERT_TRUE(feeder.Finish().ok());
+  ASSERT_OK(feeder.Finish());
   ASSERT_TRUE(feeder.last());
   EXPECT_EQ(feeder.last()->outcome(), v1::FRAME_OUTCOME_UNSPECIFIED);
   EXPECT_EQ(feeder.last()->committed_sequence(), 5);
@@ -170,7 +161,7 @@ TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
     EXPECT_EQ(greeting->error_code(), 0);
     for (int i = 0; i < 4; ++i) ASSERT_TRUE(first.Feed(i));
     first.HalfClose();
-    ASSERT_TRUE(first.Finish().ok());
+    ASSERT_OK(first.Finish());
   }
   Feeder second(server, "room", {.session = "robot"});
   EXPECT_EQ(second.Greet()->committed_sequence(), 3);
@@ -184,15 +175,15 @@ TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
   }
   EXPECT_EQ(second.Feed(4)->outcome(), v1::FUSED);
   second.HalfClose();
-  ASSERT_TRUE(second.Finish().ok());
+  ASSERT_OK(second.Finish());
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 5);
 
   // Another session has numbers of its own; streams without one are never deduplicated.
   Feeder other(server, "room", {.session = "other"});
   EXPECT_EQ(other.Feed(0)->outcome(), v1::FUSED);
   other.HalfClose();
-  ASSERT_TRUE(other.Finish().ok());
-  for (int i = 0; i < 2; ++i) ASSERT_TRUE(Feed(server, "room", 0, 2).status.ok());
+  ASSERT_OK(other.Finish());
+  for (int i = 0; i < 2; ++i) ASSERT_OK(Feed(server, "room", 0, 2));
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 10);
 }
 
@@ -213,7 +204,7 @@ TEST(Feeds, WhatIsTakenButNotStoredIsADuplicateAndToldAsStoredOnlyLater) {
   EXPECT_FALSE(second.Feed(2)->has_committed_sequence());
   store.set_full(false);
   second.HalfClose();
-  ASSERT_TRUE(second.Finish().ok());
+  ASSERT_OK(second.Finish());
   EXPECT_EQ(second.last()->committed_sequence(), 2);
   EXPECT_EQ(store.GetMap("room")->info.num_frames, 3);
 }
@@ -271,7 +262,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
     const BusyWriter busy(*session);
     for (int i = 1; i < 4; ++i) ASSERT_TRUE(first.Send(i, i));
     const auto feed = session->BeginFeed({.session = "second", .take_over = true});
-    ASSERT_TRUE(feed.ok());
+    ASSERT_OK(feed);
     session->EndFeed(*feed);
   }
   Feeder second(server, "room", {.session = "second", .take_over = true});
@@ -287,7 +278,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
   EXPECT_EQ(ReasonOf(status), "FEED_TAKEN_OVER");
   EXPECT_EQ(second.Feed(11)->outcome(), v1::FUSED);
   second.HalfClose();
-  EXPECT_TRUE(second.Finish().ok());
+  EXPECT_OK(second.Finish());
   const MapInfo stored = store->GetMap("room")->info;
   EXPECT_EQ(stored.num_frames, 3);
   EXPECT_EQ(stored.sessions.LastOf("first"), 0);
@@ -306,7 +297,7 @@ TEST(Feeds, AnIdleFeederMakesPlaceForAnother) {
   EXPECT_EQ(status.error_code(), grpc::ABORTED);
   EXPECT_EQ(ReasonOf(status), "FEED_IDLE");
   second.HalfClose();
-  EXPECT_TRUE(second.Finish().ok());
+  EXPECT_OK(second.Finish());
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 2);
 }
 
@@ -317,7 +308,7 @@ TEST(Feeds, AMapWhoseFeederIsIdleCanBeDeleted) {
   Feeder feeder(server, "room");
   ASSERT_TRUE(feeder.Feed(0));
   const grpc::Status deleted = Delete(server, "room");
-  EXPECT_TRUE(deleted.ok()) << deleted.error_message();
+  EXPECT_OK(deleted);
   const grpc::Status status = feeder.Finish();
   EXPECT_EQ(status.error_code(), grpc::ABORTED);
   EXPECT_EQ(ReasonOf(status), "FEED_IDLE");
@@ -370,7 +361,7 @@ TEST(Feeds, OneMessageIsAnsweredOnceWhenItIsStoredOrByItsError) {
     return stream->Finish();
   };
   std::vector<v1::IntegrateFramesResponse> answers;
-  ASSERT_TRUE(send(TestFrame(0), answers).ok());
+  ASSERT_OK(send(TestFrame(0), answers));
   ASSERT_EQ(answers.size(), 1u);
   EXPECT_EQ(answers[0].outcome(), v1::FUSED);
   EXPECT_EQ(answers[0].sequence(), 5);
@@ -396,7 +387,7 @@ TEST(Feeds, SessionsLastOverRestartsOfTheServer) {
   const std::string path = (dir.path() / "maps.db").string();
   for (int run = 0; run < 3; ++run) {
     const auto store = OpenSqliteStore(path);
-    ASSERT_TRUE(store.ok()) << store.status().ToString();
+    ASSERT_OK(store);
     TestServer server(**store);
     if (run == 0) Create(server, "room");
     Feeder feeder(server, "room", {.session = "robot"});
@@ -410,7 +401,7 @@ TEST(Feeds, SessionsLastOverRestartsOfTheServer) {
     }
     for (int i = 0; i < 2; ++i) EXPECT_EQ(feeder.Feed(2 * run + i)->outcome(), v1::FUSED);
     feeder.HalfClose();
-    ASSERT_TRUE(feeder.Finish().ok());
+    ASSERT_OK(feeder.Finish());
     EXPECT_EQ((*store)->GetMap("room")->info.num_frames, 2 * run + 2);
   }
 }

@@ -49,11 +49,7 @@ grpc::Status SendBytes(TestServer& server, const std::vector<std::string>& messa
 
 class FrameBytes : public ::testing::Test {
  protected:
-  void SetUp() override {
-    grpc::ClientContext create;
-    v1::CreateMapResponse created;
-    ASSERT_TRUE(server_.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
-  }
+  void SetUp() override { ASSERT_OK(server_.Call(&MapStub::CreateMap, CreateRequest("room"))); }
   static std::string FrameAsBytes(int frame) {
     v1::IntegrateFramesRequest request;
     request.set_map("maps/room");
@@ -69,7 +65,7 @@ class FrameBytes : public ::testing::Test {
 
 TEST_F(FrameBytes, ThatAreAMessageAreFused) {
   const grpc::Status status = SendBytes(server_, {FrameAsBytes(0)});
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
   EXPECT_EQ(NumFrames(), 1);
 }
 
@@ -82,7 +78,7 @@ TEST_F(FrameBytes, ThatAreNoneEndTheStreamAndSayWhy) {
   }
   EXPECT_EQ(NumFrames(), 3) << "what came before is fused, and stored";
   EXPECT_TRUE(Eventually([&] { return server_.grpc().frame_bytes() == 0; })) << server_.grpc().frame_bytes();
-  EXPECT_TRUE(Feed(server_, "room", 3, 4).status.ok()) << "the map is free again";
+  EXPECT_OK(Feed(server_, "room", 3, 4)) << "the map is free again";
 }
 
 TEST_F(FrameBytes, AreNotDecodedForAStreamThatHasNoPlaceAtItsMap) {
@@ -107,8 +103,8 @@ TEST_F(FrameBytes, OfStreamsThatAreGivenUpAtOnceAreLetGo) {
   ASSERT_TRUE(fused) << "the next one has the map";
   EXPECT_EQ(fused->outcome(), v1::FUSED);
   feeder.HalfClose();
-  EXPECT_TRUE(feeder.Finish().ok());
-  EXPECT_TRUE(server_.Stop().ok()) << "nothing is left that would hold up the end";
+  EXPECT_OK(feeder.Finish());
+  EXPECT_OK(server_.Stop()) << "nothing is left that would hold up the end";
 }
 
 TEST_F(FrameBytes, ThatAreCompressedAreRefusedSinceNothingBoundsWhatTheyBecome) {
@@ -126,16 +122,14 @@ TEST_F(FrameBytes, ThatAreCompressedAreRefusedSinceNothingBoundsWhatTheyBecome) 
     }
     EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::UNIMPLEMENTED);
   }
-  EXPECT_TRUE(Feed(server_, "room", 0, 1).status.ok()) << "uncompressed all is well";
+  EXPECT_OK(Feed(server_, "room", 0, 1)) << "uncompressed all is well";
 }
 
 TEST_F(FrameBytes, OfAFirstFrameInASessionWithoutRoomAreRefusedAndNotTakenForAGreeting) {
   const std::unique_ptr<MapStore> store = MakeMemoryStore();
   const std::size_t too_few_bytes = DecodedBytes(TestFrame(5));  // the message is there as well
   TestServer server(*store, {}, {.inflight = std::make_shared<ByteBudget>(too_few_bytes)});
-  grpc::ClientContext create;
-  v1::CreateMapResponse created;
-  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
   Feeder feeder(server, "room", {.session = "robot"});
   const auto answer = feeder.Feed(5);
   ASSERT_TRUE(answer);
@@ -143,7 +137,7 @@ TEST_F(FrameBytes, OfAFirstFrameInASessionWithoutRoomAreRefusedAndNotTakenForAGr
   EXPECT_EQ(answer->outcome(), v1::REFUSED);
   EXPECT_EQ(answer->error_reason(), "TOO_MANY_BYTES");
   feeder.HalfClose();
-  EXPECT_TRUE(feeder.Finish().ok());
+  EXPECT_OK(feeder.Finish());
 }
 
 }  // namespace

@@ -40,11 +40,7 @@ class GridChunksTest : public MappedScene {
         request.add_xyz_m(static_cast<float>(kCorner_m[axis] + kResolution_m * static_cast<double>(ijk[axis])));
       }
     }
-    v1::QueryDistancesResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = server_->queries->QueryDistances(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
-    return response;
+    return server_->Call(&QueryStub::QueryDistances, request).value();
   }
   static void ExpectChunkIsTheDistances(const v1::GetDistanceGridResponse& chunk, const v1::QueryOptions& options) {
     const v1::QueryDistancesResponse answer = DistancesOf(chunk.first(), chunk.distance_m_size(), options);
@@ -64,12 +60,10 @@ class GridChunksTest : public MappedScene {
   }
   /// Reads the grid and compares each message as it comes; how many nodes have each status.
   static std::map<int, int> ExpectGridIsTheDistances(const v1::QueryOptions& options) {
-    grpc::ClientContext context;
-    const auto reader = server_->queries->GetDistanceGrid(&context, GridOf(options));
     std::map<int, int> statuses;
     std::int64_t next = 0;
     int num_chunks = 0;
-    for (v1::GetDistanceGridResponse chunk; reader->Read(&chunk); ++num_chunks) {
+    for (const auto& chunk : server_->Call(&QueryStub::GetDistanceGrid, GridOf(options)).value()) {
       EXPECT_EQ(chunk.first(), next) << "each node once, in their order";
       EXPECT_EQ(chunk.num_x(), num_chunks == 0 ? kNodes[0] : 0);
       EXPECT_EQ(chunk.num_y(), num_chunks == 0 ? kNodes[1] : 0);
@@ -79,8 +73,8 @@ class GridChunksTest : public MappedScene {
       ExpectChunkIsTheDistances(chunk, options);
       next += chunk.distance_m_size();
       for (const int status : chunk.status()) ++statuses[status];
+      ++num_chunks;
     }
-    EXPECT_TRUE(reader->Finish().ok());
     EXPECT_EQ(next, std::int64_t{kNodes[0]} * kNodes[1] * kNodes[2]);
     EXPECT_GT(num_chunks, 1);
     return statuses;
@@ -113,14 +107,13 @@ TEST_F(GridChunksTest, HoldNeitherGradientsNorObjectsThatNobodyAskedFor) {
   v1::GetDistanceGridRequest request = GridOf({});
   request.clear_with_gradients();
   request.clear_with_objects();
-  grpc::ClientContext context;
-  const auto reader = server_->queries->GetDistanceGrid(&context, request);
-  for (v1::GetDistanceGridResponse chunk; reader->Read(&chunk);) {
+  ASSERT_OK_AND_ASSIGN(const auto chunks, server_->Call(&QueryStub::GetDistanceGrid, request));
+  EXPECT_FALSE(chunks.empty());
+  for (const auto& chunk : chunks) {
     EXPECT_GT(chunk.distance_m_size(), 0);
     EXPECT_EQ(chunk.status_size(), chunk.distance_m_size());
     EXPECT_EQ(chunk.gradient_size() + chunk.instance_id_size(), 0);
   }
-  EXPECT_TRUE(reader->Finish().ok());
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <deque>
 #include <future>
 #include <latch>
@@ -33,21 +32,13 @@ v1::QueryPointsRequest ManyPoints(const std::string& map_id) {
 class Lanes : public ::testing::Test {
  protected:
   void SetUp() override {
-    grpc::ClientContext create;
-    v1::CreateMapResponse created;
-    ASSERT_TRUE(server_.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
-    ASSERT_TRUE(Feed(server_, "room", 0, 3).status.ok());
+    ASSERT_OK(server_.Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(server_, "room", 0, 3));
   }
 
   void TearDown() override { OpenGate(); }
 
-  grpc::Status GetMap() {
-    grpc::ClientContext context;
-    v1::GetMapRequest request;
-    request.set_name("maps/room");
-    v1::GetMapResponse response;
-    return server_.maps->GetMap(&context, request, &response);
-  }
+  grpc::Status GetMap() { return server_.Call(&MapStub::GetMap, "maps/room").status(); }
   /// A call for the bulk lane.
   grpc::Status AskForMany(grpc::ClientContext& context) {
     v1::QueryPointsResponse response;
@@ -95,10 +86,10 @@ class Lanes : public ::testing::Test {
 
 TEST_F(Lanes, AQuickCallIsAnsweredWhileBulkCallsWait) {
   FillBulkLane(8);
-  EXPECT_TRUE(GetMap().ok());
+  EXPECT_OK(GetMap());
   EXPECT_EQ(num_served_, 1) << "the others wait for the first";
   OpenGate();
-  for (auto& call : calls_) EXPECT_TRUE(call.get().ok());
+  for (auto& call : calls_) EXPECT_OK(call.get());
   EXPECT_EQ(num_served_, 8);
 }
 
@@ -109,9 +100,9 @@ TEST_F(Lanes, CallsWhoseClientIsGoneLeaveTheQueueUnserved) {
   for (std::size_t i = 1; i < calls_.size(); ++i) EXPECT_EQ(calls_[i].get().error_code(), grpc::CANCELLED);
   EXPECT_TRUE(Eventually([&] { return num_cancelled_ == kNumAbandoned; })) << "though the lane's thread is busy";
   OpenGate();
-  EXPECT_TRUE(calls_[0].get().ok());
+  EXPECT_OK(calls_[0].get());
   grpc::ClientContext context;
-  EXPECT_TRUE(AskForMany(context).ok());
+  EXPECT_OK(AskForMany(context));
   EXPECT_EQ(num_served_, 2);
 }
 
@@ -127,24 +118,17 @@ TEST_F(Lanes, AMeshThatNobodyTakesAnyMoreEnds) {
   while (mesh->Read(&part)) {
   }
   EXPECT_EQ(mesh->Finish().error_code(), grpc::StatusCode::CANCELLED);
-  EXPECT_TRUE(server_.Stop().ok()) << "nothing is left that would hold up the end";
+  EXPECT_OK(server_.Stop()) << "nothing is left that would hold up the end";
 }
 
 TEST(LanesOfClosedMaps, CallsThatWaitForTheDiskDoNotHoldUpThoseOnOpenMaps) {
   FailingStore store;
   TestServer server(store, {}, {.num_threads = 2, .num_bulk_threads = 1});
   const auto create = [&](const std::string& map_id) {
-    grpc::ClientContext context;
-    v1::CreateMapResponse created;
-    ASSERT_TRUE(server.maps->CreateMap(&context, CreateRequest(map_id), &created).ok());
+    ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest(map_id)));
   };
   const auto list = [&](const std::string& map_id) {
-    grpc::ClientContext context;
-    context.set_deadline(std::chrono::system_clock::now() + kPatience);
-    v1::ListSubmapsRequest request;
-    request.set_parent("maps/" + map_id);
-    v1::ListSubmapsResponse response;
-    return server.submaps->ListSubmaps(&context, request, &response).ok();
+    return server.Call(&SubmapStub::ListSubmaps, "maps/" + map_id).ok();
   };
   constexpr int kNumClosed = 6;  // more than there are quick threads, and than are loaded at a time
   create("open");
@@ -164,12 +148,7 @@ TEST(LanesOfClosedMaps, CallsThatWaitForTheDiskDoNotHoldUpThoseOnOpenMaps) {
   }
   EXPECT_TRUE(Eventually([&] { return num_loading >= 2; }));
   EXPECT_TRUE(list("open")) << "it waited for the disk";
-  grpc::ClientContext context;
-  context.set_deadline(std::chrono::system_clock::now() + kPatience);
-  v1::GetMapRequest request;
-  request.set_name("maps/closed0");
-  v1::GetMapResponse response;
-  EXPECT_TRUE(server.maps->GetMap(&context, request, &response).ok()) << "for which no map is loaded";
+  EXPECT_OK(server.Call(&MapStub::GetMap, "maps/closed0")) << "for which no map is loaded";
   disk.set_value();
   for (std::future<bool>& answer : waiting) EXPECT_TRUE(answer.get());
 }
@@ -179,9 +158,7 @@ TEST(LanesOfClosedMaps, FramesThatWaitForTheDiskDoNotHoldUpThoseOfOpenMaps) {
   TestServer server(store);
   constexpr int kNumClosed = 3;  // more than there are threads for frames
   const auto create = [&](const std::string& map_id) {
-    grpc::ClientContext context;
-    v1::CreateMapResponse created;
-    ASSERT_TRUE(server.maps->CreateMap(&context, CreateRequest(map_id), &created).ok());
+    ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest(map_id)));
   };
   create("open");
   for (int i = 0; i < kNumClosed; ++i) create("closed" + std::to_string(i));

@@ -70,10 +70,8 @@ struct RawAnswer {
 class LargeRequests : public ::testing::Test {
  protected:
   void SetUp() override {
-    grpc::ClientContext create;
-    v1::CreateMapResponse created;
-    ASSERT_TRUE(server_.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
-    ASSERT_TRUE(Feed(server_, "room", 0, 2).status.ok());
+    ASSERT_OK(server_.Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(server_, "room", 0, 2));
   }
 
   RawAnswer Send(const std::string& path, const std::vector<std::string>& messages) {
@@ -110,10 +108,7 @@ class LargeRequests : public ::testing::Test {
 
   void ExpectAllIsWell() {
     EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == 0; })) << budget_->used_bytes();
-    grpc::ClientContext context;
-    v1::QueryPointsResponse answer;
-    const grpc::Status asked = server_.queries->QueryPoints(&context, TestQuery("room"), &answer);
-    EXPECT_TRUE(asked.ok()) << asked.error_message();
+    EXPECT_OK(server_.Call(&QueryStub::QueryPoints, TestQuery("room")));
   }
 
   const std::shared_ptr<ByteBudget> budget_ = std::make_shared<ByteBudget>(192u << 20, 16u << 10);
@@ -151,12 +146,12 @@ TEST_F(LargeRequests, InAStreamOfQueriesAreAnsweredAndTheStreamGoesOn) {
   const std::string points = InField(3, Many(std::string("\x1a\x00", 2), kHuge_bytes)) + number.SerializeAsString();
   const RawAnswer answer =
       Send("/dhpmap.v1.QueryService/QueryStream", {bomb, query.SerializeAsString(), points, query.SerializeAsString()});
-  EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
+  EXPECT_OK(answer.status);
   ASSERT_EQ(answer.messages.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
     v1::QueryStreamResponse message;
     grpc::ByteBuffer bytes = answer.messages[i];
-    ASSERT_TRUE(grpc::SerializationTraits<v1::QueryStreamResponse>::Deserialize(&bytes, &message).ok());
+    ASSERT_OK(grpc::SerializationTraits<v1::QueryStreamResponse>::Deserialize(&bytes, &message));
     const bool is_refused = i % 2 == 0;
     EXPECT_EQ(message.number(), is_refused ? 7 : 8);
     EXPECT_EQ(message.error().code(), is_refused ? static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED) : 0);
@@ -181,7 +176,7 @@ TEST_F(LargeRequests, ToReflectionAreRefusedAndOthersAnswered) {
     EXPECT_EQ(malformed.status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
     EXPECT_EQ(ReasonOf(malformed.status), "MALFORMED_PROTOBUF");
     const RawAnswer small = Send(method, {list + Many(kUnknownText, 60u << 10), list});
-    EXPECT_TRUE(small.status.ok()) << small.status.error_message();
+    EXPECT_OK(small.status);
     EXPECT_EQ(small.messages.size(), 2u);
   }
   const std::string huge = Many(kUnknownText, kHuge_bytes);
@@ -220,7 +215,7 @@ TEST_F(LargeRequests, OfNewerClientsAreTaken) {
   request.set_name("maps/room");
   const RawAnswer answer =
       Send("/dhpmap.v1.MapService/GetMap", {request.SerializeAsString() + Many(kUnknownNumber, 64)});
-  EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
+  EXPECT_OK(answer.status);
   EXPECT_EQ(answer.messages.size(), 1u);
 }
 

@@ -15,16 +15,10 @@ namespace {
 class ListingTest : public ::testing::Test {
  protected:
   v1::Map Create(const std::string& map_id) {
-    grpc::ClientContext context;
-    v1::CreateMapResponse response;
-    status = server.maps->CreateMap(&context, CreateRequest(map_id), &response);
-    return response.map();
+    return server.Call(&MapStub::CreateMap, CreateRequest(map_id)).KeepStatus(status).map();
   }
   v1::ListMapsResponse ListMaps(const v1::ListMapsRequest& request) {
-    grpc::ClientContext context;
-    v1::ListMapsResponse response;
-    status = server.maps->ListMaps(&context, request, &response);
-    return response;
+    return server.Call(&MapStub::ListMaps, request).KeepStatus(status);
   }
   v1::Map Rename(const std::string& name, const std::string& title, const std::string& etag,
                  const std::vector<std::string>& mask) {
@@ -33,18 +27,13 @@ class ListingTest : public ::testing::Test {
     request.mutable_map()->set_display_name(title);
     request.mutable_map()->set_etag(etag);
     for (const std::string& path : mask) request.mutable_update_mask()->add_paths(path);
-    grpc::ClientContext context;
-    v1::UpdateMapResponse response;
-    status = server.maps->UpdateMap(&context, request, &response);
-    return response.map();
+    return server.Call(&MapStub::UpdateMap, request).KeepStatus(status).map();
   }
   grpc::StatusCode Delete(const std::string& name, const std::string& etag) {
     v1::DeleteMapRequest request;
     request.set_name(name);
     request.set_etag(etag);
-    grpc::ClientContext context;
-    v1::DeleteMapResponse response;
-    return server.maps->DeleteMap(&context, request, &response).error_code();
+    return server.Call(&MapStub::DeleteMap, request).code();
   }
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
@@ -60,7 +49,7 @@ TEST_F(ListingTest, MapsComeInPagesByNameAndWithoutClassesUnlessAskedFor) {
   int num_pages = 0;
   do {
     const v1::ListMapsResponse page = ListMaps(request);
-    ASSERT_TRUE(status.ok()) << status.error_message();
+    ASSERT_OK(status);
     for (const v1::Map& map : page.maps()) {
       names += map.name().substr(5);
       EXPECT_EQ(map.label_classes_size(), 0);
@@ -90,21 +79,16 @@ TEST_F(ListingTest, AMapMadeOrDeletedBetweenPagesMakesNothingComeTwice) {
 
 TEST_F(ListingTest, ATokenOfAMapThatWasMadeAnewIsRefused) {
   Create("room");
-  ASSERT_TRUE(Feed(server, "room", 0, 4).status.ok());
+  ASSERT_OK(Feed(server, "room", 0, 4));
   v1::ListSubmapsRequest request;
   request.set_parent("maps/room");
   request.set_page_size(1);
-  v1::ListSubmapsResponse response;
-  {
-    grpc::ClientContext context;
-    ASSERT_TRUE(server.submaps->ListSubmaps(&context, request, &response).ok());
-  }
+  ASSERT_OK_AND_ASSIGN(const auto response, server.Call(&SubmapStub::ListSubmaps, request));
   ASSERT_EQ(response.submaps_size(), 1);
   request.set_page_token(response.next_page_token());
   EXPECT_EQ(Delete("maps/room", ""), grpc::OK);
   Create("room");
-  grpc::ClientContext context;
-  EXPECT_EQ(server.submaps->ListSubmaps(&context, request, &response).error_code(), grpc::OUT_OF_RANGE);
+  EXPECT_EQ(server.Call(&SubmapStub::ListSubmaps, request).code(), grpc::OUT_OF_RANGE);
 }
 
 TEST(ListingAfterACrash, ATokenOfAStateThatWasNotStoredIsRefused) {
@@ -117,28 +101,24 @@ TEST(ListingAfterACrash, ATokenOfAStateThatWasNotStoredIsRefused) {
   request.set_page_size(1);
   // The token of the next page, as `from` answers it.
   const auto list = [&request](TestServer& from, std::string& token) {
-    grpc::ClientContext context;
-    v1::ListSubmapsResponse page;
-    const grpc::Status status = from.submaps->ListSubmaps(&context, request, &page);
-    token = page.next_page_token();
-    return status;
+    const auto page = from.Call(&SubmapStub::ListSubmaps, request);
+    token = page->next_page_token();
+    return page.status();
   };
-  grpc::ClientContext create;
-  v1::CreateMapResponse made;
-  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &made).ok());
-  ASSERT_TRUE(Feed(server, "room", 0, 2).status.ok());  // stored with the end of the stream
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+  ASSERT_OK(Feed(server, "room", 0, 2));  // stored with the end of the stream
   std::string stored, seen, next;
-  ASSERT_TRUE(list(server, stored).ok());
+  ASSERT_OK(list(server, stored));
   Feeder feeder(server, "room");
   ASSERT_TRUE(feeder.Feed(2));
-  ASSERT_TRUE(list(server, seen).ok());
+  ASSERT_OK(list(server, seen));
   ASSERT_NE(seen, stored);
   for (const char* part : {"", "-wal"}) std::filesystem::copy_file(path + part, crashed + part);  // it is killed here
 
   const auto reopened = std::move(OpenSqliteStore(crashed)).value();
   TestServer after(*reopened);
   request.set_page_token(stored);
-  EXPECT_TRUE(list(after, next).ok());
+  EXPECT_OK(list(after, next));
   request.set_page_token(seen);
   const grpc::Status refused = list(after, next);
   EXPECT_EQ(refused.error_code(), grpc::OUT_OF_RANGE);
@@ -149,7 +129,7 @@ TEST_F(ListingTest, AMapIsRenamedWhereItsEtagIsThePresentOne) {
   const v1::Map made = Create("room");
   EXPECT_EQ(made.history_id().size(), 16u);
   const v1::Map named = Rename("maps/room", "Kitchen", made.etag(), {"display_name"});
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(status);
   EXPECT_EQ(named.display_name(), "Kitchen");
   EXPECT_NE(named.etag(), made.etag());
   EXPECT_EQ(named.history_id(), made.history_id());
@@ -158,7 +138,7 @@ TEST_F(ListingTest, AMapIsRenamedWhereItsEtagIsThePresentOne) {
   Rename("maps/room", "x", "", {"config"});
   EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_EQ(Rename("maps/room", "", "", {"*"}).display_name(), "");
-  ASSERT_TRUE(Feed(server, "room", 0, 2).status.ok());
+  ASSERT_OK(Feed(server, "room", 0, 2));
   EXPECT_EQ(Rename("maps/room", "", "", {}).etag(), made.etag()) << "frames leave it alone";
 }
 

@@ -22,35 +22,26 @@ class MapFileCalls : public ::testing::Test {
   void SetUp() override {
     store_ = std::move(OpenSqliteStore((folder_.path() / "maps.db").string())).value();
     Start();
-    grpc::ClientContext create;
-    v1::CreateMapResponse made;
-    ASSERT_TRUE(server_->maps->CreateMap(&create, CreateRequest("room"), &made).ok());
-    ASSERT_TRUE(Feed(*server_, "room", 0, 6).status.ok());
-    ASSERT_TRUE(Export("room", bytes_).ok());
+    ASSERT_OK(server_->Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(*server_, "room", 0, 6));
+    ASSERT_OK(Export("room", bytes_));
     ASSERT_GT(bytes_.size(), 50'000u);
     num_files_ = NumFiles();
   }
-  /// `idle_s`: see GrpcOptions::import_idle_s; more than any test takes, unless told otherwise.
-  void Start(SessionOptions session = {}, double idle_s = 1e6) {
+  void Start(SessionOptions session = {}, GrpcOptions grpc = {}) {
     server_ = nullptr;
-    server_ = std::make_unique<TestServer>(*store_, std::move(session), GrpcOptions{.import_idle_s = idle_s});
+    server_ = std::make_unique<TestServer>(*store_, std::move(session), std::move(grpc));
   }
 
   grpc::Status Export(const std::string& map, std::string& bytes) {
-    grpc::ClientContext context;
-    v1::ExportMapRequest request;
-    request.set_name("maps/" + map);
-    const auto stream = server_->maps->ExportMap(&context, request);
+    const auto parts = server_->Call(&MapStub::ExportMap, "maps/" + map);
     bytes.clear();
-    v1::ExportMapResponse part;
-    std::int64_t total_bytes = 0;
-    while (stream->Read(&part)) {
-      if (bytes.empty()) total_bytes = part.total_bytes();
+    for (const auto& part : *parts) {
       EXPECT_LE(part.data().size(), 256u << 10);
       bytes += part.data();
     }
-    EXPECT_EQ(total_bytes, static_cast<std::int64_t>(bytes.size()));
-    return stream->Finish();
+    EXPECT_EQ(parts->empty() ? 0 : parts->front().total_bytes(), static_cast<std::int64_t>(bytes.size()));
+    return parts.status();
   }
 
   struct Sent {
@@ -97,8 +88,7 @@ class MapFileCalls : public ::testing::Test {
 /// What a map answers, with its name left out.
 std::map<std::string, std::string> AnswersOf(TestServer& server, const std::string& map_id) {
   std::map<std::string, std::string> answers;
-  const auto keep = [&](const std::string& what, const grpc::Status& status, const google::protobuf::Message& answer) {
-    EXPECT_TRUE(status.ok()) << what << ": " << status.error_message();
+  const auto keep = [&](const std::string& what, const google::protobuf::Message& answer) {
     std::string text = answer.DebugString();
     const std::string name = "maps/" + map_id + "/";
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at))
@@ -106,54 +96,28 @@ std::map<std::string, std::string> AnswersOf(TestServer& server, const std::stri
     answers[what] += text;
   };
   const std::string map = "maps/" + map_id;
-  {
-    grpc::ClientContext context;
-    v1::QueryPointsResponse response;
-    keep("points", server.queries->QueryPoints(&context, TestQuery(map_id), &response), response);
-  }
-  {
-    grpc::ClientContext context;
-    v1::QueryDistancesRequest request;
-    request.set_map(map);
-    request.set_packed(true);
-    *request.mutable_xyz_m() = TestQuery(map_id).xyz_m();
-    v1::QueryDistancesResponse response;
-    keep("distances", server.queries->QueryDistances(&context, request, &response), response);
-  }
-  v1::ListSubmapsResponse submaps;
-  {
-    grpc::ClientContext context;
-    v1::ListSubmapsRequest request;
-    request.set_parent(map);
-    const grpc::Status status = server.submaps->ListSubmaps(&context, request, &submaps);
-    v1::ListSubmapsResponse plain = submaps;
-    for (v1::Submap& submap : *plain.mutable_submaps()) submap.clear_etag();  // which names the history
-    keep("submaps", status, plain);
-  }
+  keep("points", server.Call(&QueryStub::QueryPoints, TestQuery(map_id)).value());
+  auto distances = About<v1::QueryDistancesRequest>(map);
+  distances.set_packed(true);
+  *distances.mutable_xyz_m() = TestQuery(map_id).xyz_m();
+  keep("distances", server.Call(&QueryStub::QueryDistances, distances).value());
+  auto submaps = server.Call(&SubmapStub::ListSubmaps, map).value();
+  for (v1::Submap& submap : *submaps.mutable_submaps()) submap.clear_etag();  // which names the history
+  keep("submaps", submaps);
   for (const v1::Submap& submap : submaps.submaps()) {
-    grpc::ClientContext context;
-    v1::StreamSubmapVoxelsRequest request;
-    request.set_name(submap.name());
-    const auto stream = server.submaps->StreamSubmapVoxels(&context, request);
-    for (v1::StreamSubmapVoxelsResponse part; stream->Read(&part);) keep("voxels", grpc::Status::OK, part);
-    EXPECT_TRUE(stream->Finish().ok());
+    for (const auto& part : server.Call(&SubmapStub::StreamSubmapVoxels, submap.name()).value()) keep("voxels", part);
   }
-  grpc::ClientContext context;
-  v1::GetSubmapMeshRequest request;
-  request.set_name(map);
-  const auto stream = server.submaps->GetSubmapMesh(&context, request);
-  for (v1::GetSubmapMeshResponse part; stream->Read(&part);) keep("mesh", grpc::Status::OK, part);
-  EXPECT_TRUE(stream->Finish().ok());
+  for (const auto& part : server.Call(&SubmapStub::GetSubmapMesh, map).value()) keep("mesh", part);
   return answers;
 }
 
 TEST_F(MapFileCalls, AMapThatWentOutAndCameInAnswersAllQueriesAsItDid) {
   const Sent sent = Import("copy", bytes_, static_cast<std::int64_t>(bytes_.size()));
-  ASSERT_TRUE(sent.status.ok()) << sent.status.error_message();
+  ASSERT_OK(sent.status);
   EXPECT_EQ(sent.response.map().name(), "maps/copy");
   EXPECT_EQ(NumFiles(), num_files_);
   std::string again;
-  ASSERT_TRUE(Export("room", again).ok());
+  ASSERT_OK(Export("room", again));
   EXPECT_TRUE(again == bytes_) << "a state is always the same file";
   Start();  // what the original holds in memory is finer than what it has stored
   const auto original = AnswersOf(*server_, "room"), copy = AnswersOf(*server_, "copy");
@@ -165,17 +129,13 @@ TEST_F(MapFileCalls, AMapThatWentOutAndCameInAnswersAllQueriesAsItDid) {
   const auto room = server_->registry().Get("room"), other = server_->registry().Get("copy");
   EXPECT_NE(room->info.history_id, other->info.history_id);
   EXPECT_EQ(room->info.revision, sent.response.revision());
-  ASSERT_TRUE(Feed(*server_, "copy", 6, 9).status.ok()) << "mapping goes on";
+  ASSERT_OK(Feed(*server_, "copy", 6, 9)) << "mapping goes on";
 }
 
 TEST_F(MapFileCalls, AMapComesInUnderTheNameThatItHad) {
-  grpc::ClientContext context;
-  v1::DeleteMapRequest request;
-  request.set_name("maps/room");
-  v1::DeleteMapResponse response;
-  ASSERT_TRUE(server_->maps->DeleteMap(&context, request, &response).ok());
+  ASSERT_OK(server_->Call(&MapStub::DeleteMap, "maps/room"));
   const Sent sent = Import("", bytes_);
-  ASSERT_TRUE(sent.status.ok()) << sent.status.error_message();
+  ASSERT_OK(sent.status);
   EXPECT_EQ(sent.response.map().name(), "maps/room");
   EXPECT_EQ(AnswersOf(*server_, "room").size(), 5u);
 }
@@ -203,9 +163,7 @@ TEST_F(MapFileCalls, ANameThatWasTakenMeanwhileIsSeenAtTheEnd) {
   part.set_data(bytes_);
   ASSERT_TRUE(stream->Write(part));
   ASSERT_TRUE(Eventually([&] { return NumFiles() > num_files_; }));
-  grpc::ClientContext create;
-  v1::CreateMapResponse made;
-  ASSERT_TRUE(server_->maps->CreateMap(&create, CreateRequest("copy"), &made).ok());
+  ASSERT_OK_AND_ASSIGN(const auto made, server_->Call(&MapStub::CreateMap, CreateRequest("copy")));
   stream->WritesDone();
   EXPECT_EQ(stream->Finish().error_code(), grpc::ALREADY_EXISTS);
   EXPECT_EQ(NumFiles(), num_files_);
@@ -245,7 +203,7 @@ TEST_F(MapFileCalls, WhatIsNoMapIsATypedErrorAndLeavesNothing) {
   }
   std::string none;
   EXPECT_EQ(Export("nowhere", none).error_code(), grpc::NOT_FOUND);
-  EXPECT_TRUE(Import("copy", bytes_).status.ok());
+  EXPECT_OK(Import("copy", bytes_));
 }
 
 TEST_F(MapFileCalls, WhatIsTooLargeIsRefusedAtOnceIfItSaysSoAndElseWhenItIs) {
@@ -287,12 +245,12 @@ TEST_F(MapFileCalls, ClientsThatGoAwayMakePlace) {
   EXPECT_TRUE(Eventually([&] { return NumFiles() == num_files_; }));
   EXPECT_EQ(one->stream->Finish().error_code(), grpc::CANCELLED);
   EXPECT_EQ(two->stream->Finish().error_code(), grpc::CANCELLED);
-  EXPECT_TRUE(Import("three", bytes_).status.ok());
+  EXPECT_OK(Import("three", bytes_));
   ExpectNothingLeft("one");
 }
 
 TEST_F(MapFileCalls, AClientThatIsSilentIsGivenUp) {
-  Start({}, /*idle_s=*/0.05);
+  Start({}, {.import_idle_s = 0.05});
   HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
   const grpc::Status status = half.stream->Finish();
   EXPECT_EQ(status.error_code(), grpc::DEADLINE_EXCEEDED) << status.error_message();
@@ -323,7 +281,7 @@ TEST(ClientLag, OneThatGoesOnIsNotSilentHoweverLongItTakes) {
 }
 
 TEST_F(MapFileCalls, WhoSendsAByteNowAndThenKeepsNoPlace) {
-  Start({}, /*idle_s=*/0.05);
+  Start({}, {.import_idle_s = 0.05});
   HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
   v1::ImportMapRequest byte;  // pays for 61 us
   byte.set_data("x");
@@ -335,7 +293,7 @@ TEST_F(MapFileCalls, WhoSendsAByteNowAndThenKeepsNoPlace) {
 TEST_F(MapFileCalls, AServerThatEndsDoesNotWaitForAMapThatComesIn) {
   HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
   ASSERT_TRUE(Eventually([&] { return NumFiles() == num_files_ + 1; }));
-  ASSERT_TRUE(server_->Stop(/*grace_s=*/0.01).ok());
+  ASSERT_OK(server_->Stop(/*grace_s=*/0.01));
   EXPECT_FALSE(half.stream->Finish().ok());
   EXPECT_EQ(NumFiles(), num_files_);
 }

@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
 
 namespace dhpmap::testing {
@@ -20,15 +18,9 @@ class MappedScene : public ::testing::Test {
   static void SetUpWith(GrpcOptions options, int num_frames = 30) {
     store_ = MakeMemoryStore();
     server_ = std::make_unique<TestServer>(*store_, SessionOptions{}, std::move(options));
-    v1::CreateMapResponse created;
-    grpc::ClientContext creating;
-    ASSERT_TRUE(server_->maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
-    ASSERT_TRUE(Feed(*server_, "room", 0, num_frames).status.ok());
-    v1::FinishMappingRequest finish;
-    finish.set_map("maps/room");
-    v1::FinishMappingResponse finished;
-    grpc::ClientContext finishing;
-    ASSERT_TRUE(server_->mapping->FinishMapping(&finishing, finish, &finished).ok());
+    ASSERT_OK(server_->Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(*server_, "room", 0, num_frames));
+    ASSERT_OK(server_->Call(&MappingStub::FinishMapping, "maps/room"));
   }
   static void TearDownTestSuite() {
     server_.reset();
@@ -40,24 +32,8 @@ class MappedScene : public ::testing::Test {
     v1::ListSubmapsRequest request;
     request.set_parent("maps/room");
     request.add_class_ids(class_id);
-    v1::ListSubmapsResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server_->submaps->ListSubmaps(&context, request, &response).ok());
+    const auto response = server_->Call(&SubmapStub::ListSubmaps, request).value();
     return response.submaps_size() == 1 ? response.submaps(0).name() : "";
-  }
-  /// "field what is wrong with it", of the first violation that a google.rpc.Status tells.
-  static std::string ViolationOf(const google::rpc::Status& status) {
-    google::rpc::BadRequest bad;
-    for (const auto& detail : status.details()) {
-      if (detail.UnpackTo(&bad) && bad.field_violations_size() > 0) {
-        return bad.field_violations(0).field() + " " + bad.field_violations(0).description();
-      }
-    }
-    return "";
-  }
-  static std::string ViolationOf(const grpc::Status& status) {
-    google::rpc::Status details;
-    return details.ParseFromString(status.error_details()) ? ViolationOf(details) : "";
   }
 
   inline static std::unique_ptr<MapStore> store_;

@@ -14,37 +14,19 @@ namespace {
 constexpr int kWalkFrames = 24;
 
 v1::QueryPointsResponse Query(TestServer& server, const std::string& map_id) {
-  v1::QueryPointsResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.queries->QueryPoints(&context, TestQuery(map_id), &response);
-  EXPECT_TRUE(status.ok()) << status.error_message();
-  return response;
+  return server.Call(&QueryStub::QueryPoints, TestQuery(map_id)).value();
 }
 
 v1::ListSubmapsResponse SubmapsOf(TestServer& server, const std::string& map_id) {
-  v1::ListSubmapsRequest request;
-  request.set_parent("maps/" + map_id);
-  v1::ListSubmapsResponse response;
-  grpc::ClientContext context;
-  EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &response).ok());
-  return response;
+  return server.Call(&SubmapStub::ListSubmaps, "maps/" + map_id).value();
 }
 
 void CreateMapNamed(TestServer& server, const std::string& map_id) {
-  v1::CreateMapResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.maps->CreateMap(&context, CreateRequest(map_id), &response);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest(map_id)));
 }
 
 v1::FinishMappingResponse Finish(TestServer& server, const std::string& map_id) {
-  v1::FinishMappingRequest request;
-  request.set_map("maps/" + map_id);
-  v1::FinishMappingResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.mapping->FinishMapping(&context, request, &response);
-  EXPECT_TRUE(status.ok()) << status.error_message();
-  return response;
+  return server.Call(&MappingStub::FinishMapping, "maps/" + map_id).value();
 }
 
 v1::PointResult QueryOne(TestServer& server, const std::string& map_id, double x, double y, double z) {
@@ -54,9 +36,7 @@ v1::PointResult QueryOne(TestServer& server, const std::string& map_id, double x
   p->set_x(x);
   p->set_y(y);
   p->set_z(z);
-  v1::QueryPointsResponse response;
-  grpc::ClientContext context;
-  EXPECT_TRUE(server.queries->QueryPoints(&context, request, &response).ok());
+  const auto response = server.Call(&QueryStub::QueryPoints, request).value();
   return response.results_size() == 1 ? response.results(0) : v1::PointResult{};
 }
 
@@ -65,7 +45,7 @@ TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
   TestServer server(*store);
   CreateMapNamed(server, "room");
   const FeedResult fed = Feed(server, "room", 0, kWalkFrames);
-  ASSERT_TRUE(fed.status.ok()) << fed.status.error_message();
+  ASSERT_OK(fed);
   ASSERT_EQ(fed.acks.size(), static_cast<std::size_t>(kWalkFrames));
   for (int i = 0; i < kWalkFrames; ++i) {
     const auto& ack = fed.acks[static_cast<std::size_t>(i)];
@@ -85,7 +65,7 @@ TEST(Mapping, PointsOnObjectsAreAnsweredWithTheirClass) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
-  ASSERT_TRUE(Feed(server, "room", 0, kWalkFrames).status.ok());
+  ASSERT_OK(Feed(server, "room", 0, kWalkFrames));
   const v1::PointResult ball = QueryOne(server, "room", 0, 0, 0.81);
   EXPECT_TRUE(ball.observed());
   EXPECT_EQ(ball.class_name(), "thing1");
@@ -103,17 +83,17 @@ TEST(Mapping, ARestartOnTheSameFileGivesTheSameAnswers) {
   v1::ListSubmapsResponse submaps_before;
   {
     const auto store = OpenSqliteStore(path);
-    ASSERT_TRUE(store.ok()) << store.status().ToString();
+    ASSERT_OK(store);
     TestServer server(**store);
     CreateMapNamed(server, "room");
-    ASSERT_TRUE(Feed(server, "room", 0, kWalkFrames).status.ok());
+    ASSERT_OK(Feed(server, "room", 0, kWalkFrames));
     Finish(server, "room");
     before = Query(server, "room");
     submaps_before = SubmapsOf(server, "room");
-    ASSERT_TRUE(server.Stop().ok());
+    ASSERT_OK(server.Stop());
   }
   const auto store = OpenSqliteStore(path);
-  ASSERT_TRUE(store.ok()) << store.status().ToString();
+  ASSERT_OK(store);
   TestServer server(**store);
   const auto after = Query(server, "room");
   const auto submaps_after = SubmapsOf(server, "room");
@@ -143,16 +123,16 @@ TEST(Mapping, GoesOnAfterARestartAsIfThereHadBeenNone) {
   const auto whole_store = MakeMemoryStore();
   TestServer whole(*whole_store);
   CreateMapNamed(whole, "room");
-  ASSERT_TRUE(Feed(whole, "room", 0, kWalkFrames).status.ok());
+  ASSERT_OK(Feed(whole, "room", 0, kWalkFrames));
   {
     const auto store = OpenSqliteStore(path);
     TestServer server(**store);
     CreateMapNamed(server, "room");
-    ASSERT_TRUE(Feed(server, "room", 0, kWalkFrames / 2).status.ok());
+    ASSERT_OK(Feed(server, "room", 0, kWalkFrames / 2));
   }
   const auto store = OpenSqliteStore(path);
   TestServer server(**store);
-  ASSERT_TRUE(Feed(server, "room", kWalkFrames / 2, kWalkFrames).status.ok());
+  ASSERT_OK(Feed(server, "room", kWalkFrames / 2, kWalkFrames));
   const auto a = SubmapsOf(server, "room"), b = SubmapsOf(whole, "room");
   ASSERT_EQ(a.submaps_size(), b.submaps_size());
   for (int i = 0; i < a.submaps_size(); ++i) {
@@ -194,7 +174,7 @@ TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
     EXPECT_EQ(ack.error_message().empty(), is_good);
   }
   stream->WritesDone();
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 2);
 }
 
@@ -204,7 +184,7 @@ TEST(Mapping, OneFrameInFlightAndTheInProcessChannelAreEnough) {
   CreateMapNamed(server, "room");
   const auto mapping = v1::MappingService::NewStub(server.grpc().InProcessChannel());
   const FeedResult fed = Feed(*mapping, "room", 0, 8);
-  EXPECT_TRUE(fed.status.ok()) << fed.status.error_message();
+  EXPECT_OK(fed);
   EXPECT_EQ(fed.acks.size(), 8u);
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 8);
 }
@@ -226,7 +206,7 @@ TEST(Mapping, AClientThatReadsNoAcknowledgementsLosesNothing) {
   v1::IntegrateFramesResponse ack;
   while (stream->Read(&ack)) ++num_acks;
   EXPECT_EQ(num_acks, 20);
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
 }
 
 TEST(Mapping, OneStreamFeedsOneMap) {
@@ -264,17 +244,12 @@ TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
   ASSERT_TRUE(first->Read(&ack));
   EXPECT_EQ(Feed(server, "room", 0, 1).status.error_code(), grpc::ABORTED);
 
-  v1::DeleteMapRequest deletion;
-  deletion.set_name("maps/room");
-  v1::DeleteMapResponse deleted;
-  grpc::ClientContext delete_context;
-  EXPECT_EQ(server.maps->DeleteMap(&delete_context, deletion, &deleted).error_code(), grpc::FAILED_PRECONDITION);
+  EXPECT_EQ(server.Call(&MapStub::DeleteMap, "maps/room").code(), grpc::FAILED_PRECONDITION);
 
   first->WritesDone();
-  EXPECT_TRUE(first->Finish().ok());
-  EXPECT_TRUE(Feed(server, "room", 1, 2).status.ok());
-  grpc::ClientContext again;
-  EXPECT_TRUE(server.maps->DeleteMap(&again, deletion, &deleted).ok());
+  EXPECT_OK(first->Finish());
+  EXPECT_OK(Feed(server, "room", 1, 2));
+  EXPECT_OK(server.Call(&MapStub::DeleteMap, "maps/room"));
   EXPECT_EQ(Feed(server, "room", 2, 3).status.error_code(), grpc::NOT_FOUND);
 }
 
@@ -316,7 +291,7 @@ TEST(Mapping, ShutdownEndsAnOpenStreamAfterStoringWhatItAcknowledged) {
   ASSERT_TRUE(stream->Write(request));
   v1::IntegrateFramesResponse ack;
   ASSERT_TRUE(stream->Read(&ack));
-  EXPECT_TRUE(server.Stop().ok());
+  EXPECT_OK(server.Stop());
   EXPECT_FALSE(stream->Read(&ack));
   EXPECT_EQ(stream->Finish().error_code(), grpc::UNAVAILABLE);
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 1);

@@ -20,40 +20,20 @@ const double kBlocksRadius_m = std::sqrt(3.0) * kBlock_m;  // of the sphere arou
 
 class ObjectDescriptions : public ::testing::Test {
  protected:
-  void Begin(const v1::CreateMapRequest& request) {
-    grpc::ClientContext context;
-    v1::CreateMapResponse response;
-    status = server.maps->CreateMap(&context, request, &response);
-    ASSERT_TRUE(status.ok()) << status.error_message();
-  }
+  void Begin(const v1::CreateMapRequest& request) { ASSERT_OK(server.Call(&MapStub::CreateMap, request)); }
   /// The things of the map that pass, by ascending id.
   std::vector<v1::Submap> Things(v1::ListSubmapsRequest request = {}) {
     request.set_parent("maps/room");
     request.set_kind(v1::THING);
-    grpc::ClientContext context;
-    v1::ListSubmapsResponse response;
-    status = server.submaps->ListSubmaps(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
+    const auto response = server.Call(&SubmapStub::ListSubmaps, request).value();
     return {response.submaps().begin(), response.submaps().end()};
   }
-  v1::Submap Get(const std::string& name) {
-    v1::GetSubmapRequest request;
-    request.set_name(name);
-    grpc::ClientContext context;
-    v1::GetSubmapResponse response;
-    status = server.submaps->GetSubmap(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
-    return response.submap();
-  }
+  v1::Submap Get(const std::string& name) { return server.Call(&SubmapStub::GetSubmap, name).value().submap(); }
   v1::Submap Update(const v1::Submap& submap, const std::string& path) {
     v1::UpdateSubmapRequest request;
     *request.mutable_submap() = submap;
     request.mutable_update_mask()->add_paths(path);
-    grpc::ClientContext context;
-    v1::UpdateSubmapResponse response;
-    status = server.submaps->UpdateSubmap(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
-    return response.submap();
+    return server.Call(&SubmapStub::UpdateSubmap, request).value().submap();
   }
   v1::Submap Rename(const std::string& name, const std::string& title) {
     v1::Submap submap;
@@ -70,7 +50,6 @@ class ObjectDescriptions : public ::testing::Test {
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
   TestServer server{*store};
-  grpc::Status status;
 };
 
 class SmallObject : public ObjectDescriptions {
@@ -112,7 +91,7 @@ class SmallObject : public ObjectDescriptions {
     v1::IntegrateFramesResponse rest;
     while (stream->Read(&rest)) {
     }
-    ASSERT_TRUE(stream->Finish().ok());
+    ASSERT_OK(stream->Finish());
   }
 };
 
@@ -148,7 +127,7 @@ TEST_F(SmallObject, IsFoundByThatSphereAndTakesItAlongWhenItIsMoved) {
 
 TEST_F(ObjectDescriptions, NamesFollowTheClassUntilSomebodySetsOne) {
   Begin(CreateRequest("room"));
-  ASSERT_TRUE(Feed(server, "room", 0, 8).status.ok());
+  ASSERT_OK(Feed(server, "room", 0, 8));
   const std::vector<v1::Submap> things = Things();
   ASSERT_GE(things.size(), 2u);
   for (const v1::Submap& thing : things) {

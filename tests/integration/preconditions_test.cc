@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/status_reason.h"
@@ -22,10 +21,8 @@ class PreconditionTest : public ::testing::Test {
  protected:
   void SetUp() override {
     Start("maps.db");
-    grpc::ClientContext create;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server_->maps->CreateMap(&create, CreateRequest("room"), &response).ok());
-    ASSERT_TRUE(Feed(*server_, "room", 0, 12).status.ok());
+    ASSERT_OK(server_->Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(*server_, "room", 0, 12));
     const v1::ListSubmapsResponse all = List(*server_);
     for (const v1::Submap& submap : all.submaps()) {
       if (submap.class_id() == 1) ball_ = submap;
@@ -34,41 +31,26 @@ class PreconditionTest : public ::testing::Test {
     ASSERT_TRUE(ball_.instance_id() > 0 && box_.instance_id() > 0);
   }
   void Start(const std::string& file, const SessionOptions& session = {}) {
-    edits_ = nullptr;
     server_ = nullptr;
     store_ = nullptr;
     auto opened = OpenSqliteStore(Path(file));
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    ASSERT_OK(opened);
     store_ = std::move(opened).value();
     server_ = std::make_unique<TestServer>(*store_, session);
-    edits_ = v1::EditService::NewStub(server_->channel());
   }
   [[nodiscard]] std::string Path(const std::string& file) const { return (folder_.path() / file).string(); }
 
   static v1::ListSubmapsResponse List(TestServer& server) {
-    v1::ListSubmapsRequest request;
-    request.set_parent("maps/room");
-    v1::ListSubmapsResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &response).ok());
-    return response;
+    return server.Call(&SubmapStub::ListSubmaps, "maps/room").value();
   }
-  v1::Submap Get(const std::string& name) {
-    v1::GetSubmapRequest request;
-    request.set_name(name);
-    v1::GetSubmapResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server_->submaps->GetSubmap(&context, request, &response).ok());
-    return response.submap();
-  }
+  v1::Submap Get(const std::string& name) { return server_->Call(&SubmapStub::GetSubmap, name).value().submap(); }
   v1::UpdateSubmapResponse Update(const v1::Submap& submap, const std::string& mask) {
     v1::UpdateSubmapRequest request;
     *request.mutable_submap() = submap;
     request.mutable_update_mask()->add_paths(mask);
-    v1::UpdateSubmapResponse response;
-    grpc::ClientContext context;
-    reason_ = OutcomeOf(server_->submaps->UpdateSubmap(&context, request, &response));
-    return response;
+    const auto answer = server_->Call(&SubmapStub::UpdateSubmap, request);
+    reason_ = OutcomeOf(answer.status());
+    return *answer;
   }
   /// Each of these: "OK", or the reason.
   std::string Rename(const v1::Submap& submap, const std::string& display_name, const std::string& etag) {
@@ -83,32 +65,24 @@ class PreconditionTest : public ::testing::Test {
     v1::CloneSubmapRequest request;
     request.set_name(submap.name());
     request.set_etag(etag);
-    v1::CloneSubmapResponse response;
-    grpc::ClientContext context;
-    return OutcomeOf(server_->submaps->CloneSubmap(&context, request, &response));
+    return OutcomeOf(server_->Call(&SubmapStub::CloneSubmap, request).status());
   }
   std::string Delete(const v1::Submap& submap, const std::string& etag) {
     v1::DeleteSubmapRequest request;
     request.set_name(submap.name());
     request.set_etag(etag);
-    v1::DeleteSubmapResponse response;
-    grpc::ClientContext context;
-    return OutcomeOf(server_->submaps->DeleteSubmap(&context, request, &response));
+    return OutcomeOf(server_->Call(&SubmapStub::DeleteSubmap, request).status());
   }
   std::string Apply(v1::ApplyEditsRequest request) {
     request.set_map("maps/room");
-    v1::ApplyEditsResponse response;
-    grpc::ClientContext context;
-    return OutcomeOf(edits_->ApplyEdits(&context, request, &response));
+    return OutcomeOf(server_->Call(&EditStub::ApplyEdits, request).status());
   }
   std::string Ask(std::int64_t min_revision) {
     v1::QueryDistancesRequest request;
     request.set_map("maps/room");
     request.add_points_m()->set_z(1.3);
     request.mutable_options()->set_min_revision(min_revision);
-    v1::QueryDistancesResponse response;
-    grpc::ClientContext context;
-    return OutcomeOf(server_->queries->QueryDistances(&context, request, &response));
+    return OutcomeOf(server_->Call(&QueryStub::QueryDistances, request).status());
   }
   static std::string OutcomeOf(const grpc::Status& status) {
     if (status.ok()) return "OK";
@@ -141,7 +115,6 @@ class PreconditionTest : public ::testing::Test {
   TempDir folder_;
   std::unique_ptr<MapStore> store_;
   std::unique_ptr<TestServer> server_;
-  std::unique_ptr<v1::EditService::Stub> edits_;
   std::string reason_;
   v1::Submap ball_, box_;
 };
@@ -149,7 +122,7 @@ class PreconditionTest : public ::testing::Test {
 TEST_F(PreconditionTest, AnEtagOfBeforeMoreFramesHoldsInEveryEdit) {
   auto see_more = [this, frame = 12]() mutable {
     const v1::Submap before = Get(ball_.name());
-    ASSERT_TRUE(Feed(*server_, "room", frame, frame + 4).status.ok());
+    ASSERT_OK(Feed(*server_, "room", frame, frame + 4));
     frame += 4;
     EXPECT_GT(Get(ball_.name()).revision(), before.revision());
     EXPECT_NE(Get(ball_.name()).etag(), before.etag()) << "as a whole it changes with whatever changes";
@@ -170,7 +143,7 @@ TEST_F(PreconditionTest, AnEtagOfBeforeMoreFramesHoldsInEveryEdit) {
 
 TEST_F(PreconditionTest, AnEtagOfBeforeAnothersEditIsRefusedInEveryEdit) {
   ASSERT_EQ(Rename(ball_, "of another client", ""), "OK");
-  ASSERT_TRUE(Feed(*server_, "room", 12, 14).status.ok());
+  ASSERT_OK(Feed(*server_, "room", 12, 14));
   EXPECT_EQ(Rename(ball_, "mine", ball_.etag()), "ETAG_MISMATCH");
   EXPECT_EQ(Clone(ball_, ball_.etag()), "ETAG_MISMATCH");
   EXPECT_EQ(Delete(ball_, ball_.etag()), "ETAG_MISMATCH");
@@ -192,11 +165,7 @@ TEST_F(PreconditionTest, AnEtagDoesNotOutliveItsObjectNorAMerge) {
   const std::string etag = Get(ball_.name()).etag();
   ASSERT_EQ(Delete(ball_, etag), "OK");
   EXPECT_EQ(Rename(ball_, "x", etag), "SUBMAP_NOT_FOUND");
-  v1::UndeleteSubmapRequest back;
-  back.set_name(ball_.name());
-  v1::UndeleteSubmapResponse response;
-  grpc::ClientContext context;
-  ASSERT_TRUE(server_->submaps->UndeleteSubmap(&context, back, &response).ok());
+  ASSERT_OK(server_->Call(&SubmapStub::UndeleteSubmap, ball_.name()));
   EXPECT_EQ(Rename(ball_, "x", etag), "ETAG_MISMATCH") << "it was away meanwhile";
 }
 
@@ -216,13 +185,13 @@ TEST_F(PreconditionTest, AnEtagIsOfNoOtherObject) {
 TEST_F(PreconditionTest, AnEtagHoldsOverARestartAndNotOverARestore) {
   {
     auto backup = store_->Backup({});
-    ASSERT_TRUE(backup.ok());
+    ASSERT_OK(backup);
     std::ofstream copy(Path("restored.db"), std::ios::binary);
     for (std::string part = *(*backup)->Read(1 << 20); !part.empty(); part = *(*backup)->Read(1 << 20)) copy << part;
   }
-  ASSERT_TRUE(server_->Stop().ok());
+  ASSERT_OK(server_->Stop());
   Start("maps.db");
-  ASSERT_TRUE(Feed(*server_, "room", 12, 14).status.ok());
+  ASSERT_OK(Feed(*server_, "room", 12, 14));
   EXPECT_EQ(Rename(ball_, "mine", ball_.etag()), "OK");
   Start("restored.db");
   EXPECT_EQ(Rename(ball_, "mine", ball_.etag()), "ETAG_MISMATCH");
@@ -253,20 +222,18 @@ TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotWaitedForNorTakenForALat
   ASSERT_GT(lost, stored);
   EXPECT_EQ(Ask(stored), "OK");
   EXPECT_EQ(Ask(lost), "HISTORY_LOST");
-  ASSERT_TRUE(Feed(*server_, "room", 12, 14).status.ok());
+  ASSERT_OK(Feed(*server_, "room", 12, 14));
   EXPECT_EQ(Ask(lost), "HISTORY_LOST") << "for ever";
   EXPECT_EQ(Ask(List(*server_).revision()), "OK");
 }
 
 TEST_F(PreconditionTest, ARevisionThatACrashHasLostCannotBeRead) {
   const std::int64_t lost = FeedAndCrash().revision();
-  ASSERT_TRUE(Feed(*server_, "room", 12, 14).status.ok());
+  ASSERT_OK(Feed(*server_, "room", 12, 14));
   v1::ListSubmapsRequest request;
   request.set_parent("maps/room");
   request.set_read_revision(lost);
-  v1::ListSubmapsResponse response;
-  grpc::ClientContext context;
-  EXPECT_EQ(OutcomeOf(server_->submaps->ListSubmaps(&context, request, &response)), "HISTORY_LOST");
+  EXPECT_EQ(OutcomeOf(server_->Call(&SubmapStub::ListSubmaps, request).status()), "HISTORY_LOST");
 }
 
 TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotExpectedByAnEdit) {
@@ -293,14 +260,14 @@ TEST_F(PreconditionTest, AStreamOfQueriesIsToldOfARevisionThatACrashHasLost) {
   ASSERT_TRUE(stream->Write(request) && stream->Read(&response));
   EXPECT_EQ(response.error().code(), grpc::OUT_OF_RANGE) << response.error().message();
   stream->WritesDone();
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
 }
 
 TEST_F(PreconditionTest, AnEtagThatACrashHasLostIsRefusedAndOneOfBeforeHolds) {
   const v1::Submap seen = In(FeedAndCrash(), ball_);
   ASSERT_NE(seen.etag(), ball_.etag());
   EXPECT_EQ(Rename(ball_, "x", seen.etag()), "ETAG_MISMATCH");
-  ASSERT_TRUE(Feed(*server_, "room", 12, 14).status.ok());
+  ASSERT_OK(Feed(*server_, "room", 12, 14));
   ASSERT_GT(Get(ball_.name()).revision(), seen.revision());
   EXPECT_EQ(Rename(ball_, "x", seen.etag()), "ETAG_MISMATCH") << "also once the object is of a later revision";
   EXPECT_EQ(Clone(ball_, seen.etag()), "ETAG_MISMATCH");

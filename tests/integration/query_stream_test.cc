@@ -18,10 +18,8 @@ class QueryStreamTest : public ::testing::Test {
   using Stream = grpc::ClientReaderWriter<v1::QueryStreamRequest, v1::QueryStreamResponse>;
 
   QueryStreamTest() {
-    v1::CreateMapResponse created;
-    grpc::ClientContext creating;
-    EXPECT_TRUE(server.maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
-    EXPECT_TRUE(Feed(server, "room", 0, 10).status.ok());
+    EXPECT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+    EXPECT_OK(Feed(server, "room", 0, 10));
   }
   std::unique_ptr<Stream> Open(const std::shared_ptr<grpc::Channel>& channel) {
     return v1::QueryService::NewStub(channel)->QueryStream(&context);
@@ -45,14 +43,7 @@ class QueryStreamTest : public ::testing::Test {
     EXPECT_EQ(response.number(), request.number());
     return response;
   }
-  std::int64_t RevisionNow() {
-    v1::GetMapRequest request;
-    request.set_name("maps/room");
-    v1::GetMapResponse response;
-    grpc::ClientContext getting;
-    EXPECT_TRUE(server.maps->GetMap(&getting, request, &response).ok());
-    return response.map().revision();
-  }
+  std::int64_t RevisionNow() { return server.Call(&MapStub::GetMap, "maps/room").value().map().revision(); }
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
   TestServer server{*store};
@@ -60,9 +51,7 @@ class QueryStreamTest : public ::testing::Test {
 };
 
 TEST_F(QueryStreamTest, AnswersAnyQueryUnderItsNumberAsTheCallWould) {
-  grpc::ClientContext calling;
-  v1::QueryDistancesResponse called;
-  ASSERT_TRUE(server.queries->QueryDistances(&calling, Distance(0, 1.3).query_distances(), &called).ok());
+  ASSERT_OK_AND_ASSIGN(const auto called, server.Call(&QueryStub::QueryDistances, Distance(0, 1.3).query_distances()));
   const auto stream = Open(server.grpc().InProcessChannel());
   EXPECT_EQ(Ask(*stream, Distance(7, 1.3)).query_distances().SerializeAsString(), called.SerializeAsString());
   v1::QueryStreamRequest request;
@@ -92,7 +81,7 @@ TEST_F(QueryStreamTest, AnswersAnyQueryUnderItsNumberAsTheCallWould) {
   EXPECT_TRUE(stream->WritesDone());
   v1::QueryStreamResponse none;
   EXPECT_FALSE(stream->Read(&none));
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
 }
 
 TEST_F(QueryStreamTest, ManySentAheadAreAnsweredInTheirOrder) {
@@ -109,7 +98,7 @@ TEST_F(QueryStreamTest, ManySentAheadAreAnsweredInTheirOrder) {
     EXPECT_EQ(response.query_distances().results_size(), 1);
   }
   writer.join();
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
 }
 
 TEST_F(QueryStreamTest, ABadQueryIsAnsweredWithItsErrorAndTheStreamGoesOn) {
@@ -137,7 +126,7 @@ TEST_F(QueryStreamTest, APinHoldsOneStateWhileTheMapGoesOn) {
   const auto stream = Open(server.channel());
   const std::int64_t pinned = Ask(*stream, Pin("maps/room")).pin().revision();
   EXPECT_EQ(pinned, RevisionNow());
-  ASSERT_TRUE(Feed(server, "room", 10, 20).status.ok());
+  ASSERT_OK(Feed(server, "room", 10, 20));
   ASSERT_GT(RevisionNow(), pinned);
   EXPECT_EQ(Ask(*stream, Distance(1, 1)).query_distances().revision(), pinned);
   v1::QueryStreamRequest points;

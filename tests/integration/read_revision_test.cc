@@ -8,9 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "dhpmap/v1/edit_service.grpc.pb.h"
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/status_reason.h"
 
@@ -23,53 +20,59 @@ class ReadRevision : public ::testing::Test {
   ReadRevision() { Begin(64); }
 
   void Begin(std::size_t max_kept_states) {
-    edits.reset();
     server.reset();
     store = MakeMemoryStore();
     SessionOptions options{.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000};
     options.max_kept_states = max_kept_states;
     server = std::make_unique<TestServer>(*store, std::move(options));
-    edits = v1::EditService::NewStub(server->channel());
-    v1::CreateMapResponse created;
-    grpc::ClientContext creating;
-    EXPECT_TRUE(server->maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
-    EXPECT_TRUE(Feed(*server, "room", 0, 6).status.ok());
+    EXPECT_OK(server->Call(&MapStub::CreateMap, CreateRequest("room")));
+    EXPECT_OK(Feed(*server, "room", 0, 6));
   }
 
-  /// `call(context, response)`: what it answers, or its reason.
-  template <typename Response, typename Call>
-  std::string Tell(Call&& call) {
-    grpc::ClientContext context;
-    Response response;
-    status = call(&context, &response);
-    return status.ok() ? response.SerializeAsString() : ReasonOf(status);
+  /// What a call answers, or its reason.
+  template <typename Stub, typename Request, typename Response>
+  std::string Tell(Client::Unary<Stub, Request, Response> method, const Request& request) {
+    const auto answer = server->Call(method, request);
+    status = answer.status();
+    return status.ok() ? answer->SerializeAsString() : answer.reason();
   }
-  std::string List(std::int64_t revision) {
-    v1::ListSubmapsRequest request;
-    request.set_parent("maps/room");
+  /// All messages of a stream, or its reason.
+  template <typename Stub, typename Request, typename Response>
+  std::string Tell(Client::Streaming<Stub, Request, Response> method, const Request& request) {
+    const auto answer = server->Call(method, request);
+    status = answer.status();
+    std::string told;
+    for (const Response& message : *answer) told += message.SerializeAsString();
+    return status.ok() ? told : answer.reason();
+  }
+  template <typename Request>
+  static Request AskAt(std::int64_t revision, const std::string& resource = "maps/room") {
+    auto request = About<Request>(resource);
     request.set_read_revision(revision);
-    return Tell<v1::ListSubmapsResponse>(
-        [&](auto* context, auto* response) { return server->submaps->ListSubmaps(context, request, response); });
+    return request;
   }
+  /// By a request that says nothing else.
+  template <typename Stub, typename Request, typename Response>
+  std::string TellAbout(Client::Unary<Stub, Request, Response> method, const std::string& resource,
+                        std::int64_t revision) {
+    return Tell(method, AskAt<Request>(revision, resource));
+  }
+  template <typename Stub, typename Request, typename Response>
+  std::string TellAbout(Client::Streaming<Stub, Request, Response> method, const std::string& resource,
+                        std::int64_t revision) {
+    return Tell(method, AskAt<Request>(revision, resource));
+  }
+  std::string List(std::int64_t revision) { return TellAbout(&SubmapStub::ListSubmaps, "maps/room", revision); }
   std::string Points(std::int64_t revision) {
     v1::QueryPointsRequest request = TestQuery("room");
     request.set_read_revision(revision);
-    return Tell<v1::QueryPointsResponse>(
-        [&](auto* context, auto* response) { return server->queries->QueryPoints(context, request, response); });
-  }
-  template <typename Request>
-  static Request AskAt(std::int64_t revision) {
-    Request request;
-    request.set_map("maps/room");
-    request.set_read_revision(revision);
-    return request;
+    return Tell(&QueryStub::QueryPoints, request);
   }
   std::string Distances(std::int64_t revision) {
     auto request = AskAt<v1::QueryDistancesRequest>(revision);
     for (int i = 0; i < 30; ++i) request.add_xyz_m(-0.9F + 0.13F * static_cast<float>(i));
     request.set_packed(true);
-    return Tell<v1::QueryDistancesResponse>(
-        [&](auto* context, auto* response) { return server->queries->QueryDistances(context, request, response); });
+    return Tell(&QueryStub::QueryDistances, request);
   }
   std::string Rays(std::int64_t revision) {
     auto request = AskAt<v1::CastRaysRequest>(revision);
@@ -79,14 +82,12 @@ class ReadRevision : public ::testing::Test {
       ray.mutable_origin_m()->set_z(2);
       ray.mutable_direction()->set_z(-1);
     }
-    return Tell<v1::CastRaysResponse>(
-        [&](auto* context, auto* response) { return server->queries->CastRays(context, request, response); });
+    return Tell(&QueryStub::CastRays, request);
   }
   std::string Bodies(std::int64_t revision) {
     auto request = AskAt<v1::CheckCollisionsRequest>(revision);
     for (const float value : {0.0F, 0.0F, 1.0F, 0.3F, 1.2F, 0.3F, 0.8F, 0.3F}) request.add_spheres(value);
-    return Tell<v1::CheckCollisionsResponse>(
-        [&](auto* context, auto* response) { return server->queries->CheckCollisions(context, request, response); });
+    return Tell(&QueryStub::CheckCollisions, request);
   }
   std::string Motions(std::int64_t revision) {
     auto request = AskAt<v1::CheckTrajectoryRequest>(revision);
@@ -98,79 +99,19 @@ class ReadRevision : public ::testing::Test {
       pose.mutable_translation_m()->set_z(0.5);
       pose.mutable_rotation()->set_w(1);
     }
-    return Tell<v1::CheckTrajectoryResponse>(
-        [&](auto* context, auto* response) { return server->queries->CheckTrajectory(context, request, response); });
+    return Tell(&QueryStub::CheckTrajectory, request);
   }
   std::string Slice(std::int64_t revision) {
     auto request = AskAt<v1::GetOccupancySliceRequest>(revision);
     request.set_max_z_m(1);
     request.set_with_objects(true);
-    return Tell<v1::GetOccupancySliceResponse>(
-        [&](auto* context, auto* response) { return server->queries->GetOccupancySlice(context, request, response); });
-  }
-  std::string Search(std::int64_t revision) {
-    const auto request = AskAt<v1::SearchSubmapsRequest>(revision);
-    return Tell<v1::SearchSubmapsResponse>(
-        [&](auto* context, auto* response) { return server->queries->SearchSubmaps(context, request, response); });
-  }
-  std::string Relations(std::int64_t revision) {
-    const auto request = AskAt<v1::ListRelationsRequest>(revision);
-    return Tell<v1::ListRelationsResponse>(
-        [&](auto* context, auto* response) { return server->queries->ListRelations(context, request, response); });
-  }
-  std::string KeptClear(std::int64_t revision) {
-    v1::ListKeptClearRequest request;
-    request.set_parent("maps/room");
-    request.set_read_revision(revision);
-    return Tell<v1::ListKeptClearResponse>(
-        [&](auto* context, auto* response) { return edits->ListKeptClear(context, request, response); });
-  }
-  std::string MapAt(std::int64_t revision) {
-    v1::GetMapRequest request;
-    request.set_name("maps/room");
-    request.set_read_revision(revision);
-    return Tell<v1::GetMapResponse>(
-        [&](auto* context, auto* response) { return server->maps->GetMap(context, request, response); });
-  }
-  std::string Object(std::int64_t revision) {
-    v1::GetSubmapRequest request;
-    request.set_name("maps/room/submaps/2");
-    request.set_read_revision(revision);
-    return Tell<v1::GetSubmapResponse>(
-        [&](auto* context, auto* response) { return server->submaps->GetSubmap(context, request, response); });
+    return Tell(&QueryStub::GetOccupancySlice, request);
   }
   std::string Stats(std::int64_t revision) {
-    v1::GetMapStatsRequest request;
-    request.set_name("maps/room");
-    request.set_read_revision(revision);
-    grpc::ClientContext context;
-    v1::GetMapStatsResponse response;
-    status = server->maps->GetMapStats(&context, request, &response);
+    v1::GetMapStatsResponse response =
+        server->Call(&MapStub::GetMapStats, AskAt<v1::GetMapStatsRequest>(revision)).KeepStatus(status);
     response.clear_disk_bytes();  // of the store as it is now
     return status.ok() ? response.SerializeAsString() : ReasonOf(status);
-  }
-  /// All messages of a stream, or its reason.
-  template <typename Response>
-  std::string All(std::unique_ptr<grpc::ClientReader<Response>> reader) {
-    std::string told;
-    Response response;
-    while (reader->Read(&response)) told += response.SerializeAsString();
-    status = reader->Finish();
-    return status.ok() ? told : ReasonOf(status);
-  }
-  std::string Voxels(std::int64_t revision) {
-    v1::StreamSubmapVoxelsRequest request;
-    request.set_name("maps/room/submaps/2");
-    request.set_read_revision(revision);
-    grpc::ClientContext context;
-    return All(server->submaps->StreamSubmapVoxels(&context, request));
-  }
-  std::string Mesh(std::int64_t revision) {
-    v1::GetSubmapMeshRequest request;
-    request.set_name("maps/room");
-    request.set_read_revision(revision);
-    grpc::ClientContext context;
-    return All(server->submaps->GetSubmapMesh(&context, request));
   }
   std::string Grid(std::int64_t revision) {
     auto request = AskAt<v1::GetDistanceGridRequest>(revision);
@@ -179,19 +120,22 @@ class ReadRevision : public ::testing::Test {
     request.mutable_box()->mutable_max_m()->set_y(0.5);
     request.mutable_box()->mutable_max_m()->set_z(1);
     request.set_resolution_m(0.25);
-    grpc::ClientContext context;
-    return All(server->queries->GetDistanceGrid(&context, request));
+    return Tell(&QueryStub::GetDistanceGrid, request);
   }
   using Reading = std::function<std::string(std::int64_t)>;
   /// Every way to read a map.
   std::map<std::string, Reading> Readings() {
+    const auto about = [this]<typename Method>(Method method, const std::string& resource) -> Reading {
+      return [=, this](std::int64_t revision) { return TellAbout(method, resource, revision); };
+    };
+    const std::string map = "maps/room", object = "maps/room/submaps/2";
     return {{"ListSubmaps", [this](std::int64_t r) { return List(r); }},
-            {"GetSubmap", [this](std::int64_t r) { return Object(r); }},
-            {"StreamSubmapVoxels", [this](std::int64_t r) { return Voxels(r); }},
-            {"GetSubmapMesh", [this](std::int64_t r) { return Mesh(r); }},
-            {"GetMap", [this](std::int64_t r) { return MapAt(r); }},
+            {"GetSubmap", about(&SubmapStub::GetSubmap, object)},
+            {"StreamSubmapVoxels", about(&SubmapStub::StreamSubmapVoxels, object)},
+            {"GetSubmapMesh", about(&SubmapStub::GetSubmapMesh, map)},
+            {"GetMap", about(&MapStub::GetMap, map)},
             {"GetMapStats", [this](std::int64_t r) { return Stats(r); }},
-            {"ListKeptClear", [this](std::int64_t r) { return KeptClear(r); }},
+            {"ListKeptClear", about(&EditStub::ListKeptClear, map)},
             {"QueryPoints", [this](std::int64_t r) { return Points(r); }},
             {"QueryDistances", [this](std::int64_t r) { return Distances(r); }},
             {"CastRays", [this](std::int64_t r) { return Rays(r); }},
@@ -199,8 +143,8 @@ class ReadRevision : public ::testing::Test {
             {"CheckTrajectory", [this](std::int64_t r) { return Motions(r); }},
             {"GetOccupancySlice", [this](std::int64_t r) { return Slice(r); }},
             {"GetDistanceGrid", [this](std::int64_t r) { return Grid(r); }},
-            {"SearchSubmaps", [this](std::int64_t r) { return Search(r); }},
-            {"ListRelations", [this](std::int64_t r) { return Relations(r); }}};
+            {"SearchSubmaps", about(&QueryStub::SearchSubmaps, map)},
+            {"ListRelations", about(&QueryStub::ListRelations, map)}};
   }
 
   std::int64_t Now() { return (*server->registry().ViewOf("room"))->snapshot().revision(); }
@@ -214,9 +158,7 @@ class ReadRevision : public ::testing::Test {
     v1::ApplyEditsRequest request;
     request.set_map("maps/room");
     *request.add_edits() = edit;
-    grpc::ClientContext context;
-    v1::ApplyEditsResponse response;
-    status = edits->ApplyEdits(&context, request, &response);
+    status = server->Call(&EditStub::ApplyEdits, request).status();
     return status.ok();
   }
   bool Rename(int id, const std::string& name) {
@@ -225,18 +167,12 @@ class ReadRevision : public ::testing::Test {
     return Apply(edit);
   }
   std::map<std::string, std::string> Metadata() const {
-    google::rpc::Status proto;
-    google::rpc::ErrorInfo info;
-    if (!proto.ParseFromString(status.error_details())) return {};
-    for (const auto& detail : proto.details()) {
-      if (detail.UnpackTo(&info)) return {info.metadata().begin(), info.metadata().end()};
-    }
-    return {};
+    const auto info = ErrorInfoOf(status);
+    return {info.metadata().begin(), info.metadata().end()};
   }
 
   std::unique_ptr<MapStore> store;
   std::unique_ptr<TestServer> server;
-  std::unique_ptr<v1::EditService::Stub> edits;
   grpc::Status status;
 };
 
@@ -285,7 +221,7 @@ TEST_F(ReadRevision, EveryAnswerIsThatWhichWasGivenAtTheTime) {
   std::map<std::int64_t, std::map<std::string, std::string>> told;
   for (int step = 0; step < 24; ++step) {
     if (step % 8 == 7) {
-      ASSERT_TRUE(Feed(*server, "room", 6 + step, 8 + step).status.ok());
+      ASSERT_OK(Feed(*server, "room", 6 + step, 8 + step));
     } else {
       (void)Apply(RandomEditOf(On(1 + static_cast<int>(random() % 4)), random));
     }
@@ -320,7 +256,7 @@ TEST_F(ReadRevision, WhatCannotBeReadIsToldWithItsNeighboursByEveryReading) {
     EXPECT_EQ(read(-1), "BAD_REVISION") << name;
   }
   EXPECT_NE(List(1), "REVISION_NOT_KEPT") << "the neighbour can be read";
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
 }
 
 TEST_F(ReadRevision, TheOldestGoAndNoneButThePresentIsKeptIfNoneAreWanted) {
@@ -330,7 +266,7 @@ TEST_F(ReadRevision, TheOldestGoAndNoneButThePresentIsKeptIfNoneAreWanted) {
   EXPECT_EQ(List(first), "REVISION_NOT_KEPT");
   EXPECT_EQ(Metadata(), (std::map<std::string, std::string>{{"revision_after", std::to_string(first + 1)}}));
   (void)List(first + 1);
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
   Begin(0);
   const std::int64_t before = Now();
   ASSERT_TRUE(Rename(1, "x"));
@@ -340,17 +276,11 @@ TEST_F(ReadRevision, TheOldestGoAndNoneButThePresentIsKeptIfNoneAreWanted) {
 
 TEST_F(ReadRevision, PagesOfAPastListKeepToIt) {
   const std::int64_t past = Now();
-  v1::ListSubmapsRequest request;
-  request.set_parent("maps/room");
-  request.set_read_revision(past);
-  v1::ListSubmapsResponse all, page;
-  grpc::ClientContext context;
-  ASSERT_TRUE(server->submaps->ListSubmaps(&context, request, &all).ok());
+  auto request = AskAt<v1::ListSubmapsRequest>(past);
+  ASSERT_OK_AND_ASSIGN(const auto all, server->Call(&SubmapStub::ListSubmaps, request));
   request.set_page_size(1);
   for (int i = 0; i < all.submaps_size(); ++i) {
-    grpc::ClientContext next;
-    status = server->submaps->ListSubmaps(&next, request, &page);
-    ASSERT_TRUE(status.ok()) << status.error_message();
+    ASSERT_OK_AND_ASSIGN(const auto page, server->Call(&SubmapStub::ListSubmaps, request));
     ASSERT_EQ(page.submaps_size(), 1);
     EXPECT_EQ(page.submaps(0).SerializeAsString(), all.submaps(i).SerializeAsString());
     EXPECT_EQ(page.revision(), past);
@@ -365,12 +295,9 @@ TEST_F(ReadRevision, WaitsForTheRevisionThatItReads) {
   auto request = AskAt<v1::QueryDistancesRequest>(now);
   request.add_points_m()->set_z(1.3);
   request.mutable_options()->set_min_revision(now);
-  const auto ask = [&] {
-    return Tell<v1::QueryDistancesResponse>(
-        [&](auto* context, auto* response) { return server->queries->QueryDistances(context, request, response); });
-  };
+  const auto ask = [&] { return Tell(&QueryStub::QueryDistances, request); };
   (void)ask();
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_OK(status);
   request.mutable_options()->set_min_revision(now + 1);
   EXPECT_EQ(ask(), "BAD_REVISION") << "it would wait for what it does not read";
 }
@@ -404,7 +331,7 @@ TEST_F(ReadRevision, AStreamPinsAPastStateAndReadsOthers) {
   ASSERT_TRUE(stream->Write(query) && stream->Read(&response));
   EXPECT_EQ(response.error().code(), grpc::INVALID_ARGUMENT) << "and the stream goes on";
   stream->WritesDone();
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
 }
 
 }  // namespace

@@ -32,9 +32,7 @@ class RecordedEdits : public ::testing::Test {
     auto server = std::make_unique<TestServer>(store, std::move(options));
     auto request = CreateRequest(map_id);
     request.mutable_config()->mutable_refinement()->set_every_frames(5);
-    v1::CreateMapResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server->maps->CreateMap(&context, request, &response).ok());
+    EXPECT_OK(server->Call(&MapStub::CreateMap, request));
     return server;
   }
   static std::shared_ptr<const MapSnapshot> Now(TestServer& server, const std::string& map_id) {
@@ -53,14 +51,13 @@ class RecordedEdits : public ::testing::Test {
   std::shared_ptr<const MapSnapshot> MapAndEdit() {
     const auto store = MakeMemoryStore();
     const auto server = MakeServer(*store, "room", true);
-    const auto edits = v1::EditService::NewStub(server->channel());
     v1::ApplyEditsRequest keep;
     keep.set_map("maps/room");
     keep.add_edits()->mutable_keep_clear()->set_name("corner");
     keep.mutable_edits(0)->mutable_keep_clear()->mutable_sphere()->mutable_center_m()->set_x(1.5);
     keep.mutable_edits(0)->mutable_keep_clear()->mutable_sphere()->set_radius_m(0.5);
-    Make(*edits, &v1::EditService::Stub::ApplyEdits, keep);  // before the record begins
-    EXPECT_TRUE(Feed(*server, "room", 0, 8).status.ok());
+    Make(*server, &EditStub::ApplyEdits, keep);  // before the record begins
+    EXPECT_OK(Feed(*server, "room", 0, 8));
 
     std::string thing;
     for (const auto& submap : Now(*server, "room")->submaps()) {
@@ -74,61 +71,56 @@ class RecordedEdits : public ::testing::Test {
     rename.set_author("anna");
     rename.set_expected_revision(Now(*server, "room")->revision());
     rename.set_request_id("00000000-0000-4000-8000-000000000001");
-    const std::int64_t renamed = Make(*server->submaps, &v1::SubmapService::Stub::UpdateSubmap, rename);
-    Make(*server->submaps, &v1::SubmapService::Stub::UpdateSubmap, rename);  // a retry, which is no second edit
+    const std::int64_t renamed = Make(*server, &SubmapStub::UpdateSubmap, rename);
+    Make(*server, &SubmapStub::UpdateSubmap, rename);  // a retry, which is no second edit
     rename.set_validate_only(true);
     rename.clear_expected_revision();
-    Make(*server->submaps, &v1::SubmapService::Stub::UpdateSubmap, rename);  // nor is this
+    Make(*server, &SubmapStub::UpdateSubmap, rename);  // nor is this
     v1::CloneSubmapRequest clone;
     clone.set_name(thing);
     clone.mutable_map_from_submap()->mutable_translation_m()->set_z(2);
-    Make(*server->submaps, &v1::SubmapService::Stub::CloneSubmap, clone);
-    EXPECT_TRUE(Feed(*server, "room", 8, 12).status.ok());
+    Make(*server, &SubmapStub::CloneSubmap, clone);
+    EXPECT_OK(Feed(*server, "room", 8, 12));
 
     v1::UndoEditsRequest undo;
     undo.set_map("maps/room");
     undo.set_edit("maps/room/edits/" + std::to_string(renamed));
-    Make(*edits, &v1::EditService::Stub::UndoEdits, undo);
+    Make(*server, &EditStub::UndoEdits, undo);
     v1::RedoEditsRequest redo;
     redo.set_map("maps/room");
     redo.set_edit(undo.edit());
-    Make(*edits, &v1::EditService::Stub::RedoEdits, redo);
+    Make(*server, &EditStub::RedoEdits, redo);
     v1::DeleteSubmapRequest gone;
     gone.set_name(thing);
-    Make(*server->submaps, &v1::SubmapService::Stub::DeleteSubmap, gone);
+    Make(*server, &SubmapStub::DeleteSubmap, gone);
     v1::UndeleteSubmapRequest back;
     back.set_name(thing);
-    Make(*server->submaps, &v1::SubmapService::Stub::UndeleteSubmap, back);
+    Make(*server, &SubmapStub::UndeleteSubmap, back);
     v1::ApplyEditsRequest lift;
     lift.set_map("maps/room");
     lift.add_edits()->mutable_lift()->set_name("corner");
-    Make(*edits, &v1::EditService::Stub::ApplyEdits, lift);
+    Make(*server, &EditStub::ApplyEdits, lift);
     v1::UpdateMapRequest title;
     title.mutable_map()->set_name("maps/room");
     title.mutable_map()->set_display_name("the room");
     title.mutable_update_mask()->add_paths("display_name");
-    const std::int64_t titled = Make(*server->maps, &v1::MapService::Stub::UpdateMap, title);
-    Make(*server->submaps, &v1::SubmapService::Stub::CloneSubmap, clone);
+    const std::int64_t titled = Make(*server, &MapStub::UpdateMap, title);
+    Make(*server, &SubmapStub::CloneSubmap, clone);
     v1::RestoreRevisionRequest restore;
     restore.set_map("maps/room");
     restore.set_revision(titled);  // which an edit has made
-    Make(*edits, &v1::EditService::Stub::RestoreRevision, restore);
+    Make(*server, &EditStub::RestoreRevision, restore);
     restore.set_revision(renamed - 1);  // which one met
     restore.set_submap(thing);
-    Make(*edits, &v1::EditService::Stub::RestoreRevision, restore);
-    EXPECT_TRUE(Feed(*server, "room", 12, 16).status.ok());
+    Make(*server, &EditStub::RestoreRevision, restore);
+    EXPECT_OK(Feed(*server, "room", 12, 16));
     auto state = Now(*server, "room");
-    EXPECT_TRUE(server->Stop().ok());
+    EXPECT_OK(server->Stop());
     return state;
   }
   template <typename Stub, typename Request, typename Response>
-  static std::int64_t Make(Stub& stub, grpc::Status (Stub::*call)(grpc::ClientContext*, const Request&, Response*),
-                           const Request& request) {
-    grpc::ClientContext context;
-    Response response;
-    const grpc::Status status = (stub.*call)(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
-    return response.revision();
+  static std::int64_t Make(TestServer& server, Client::Unary<Stub, Request, Response> method, const Request& request) {
+    return server.Call(method, request).value().revision();
   }
 
   /// Feeds the record into the map, which is there, and makes its edits.
@@ -138,21 +130,21 @@ class RecordedEdits : public ::testing::Test {
       EXPECT_EQ(answer.outcome(), v1::FUSED) << answer.error_message();
     });
     ReplayEdits edits(server.channel(), reader.start().map().name(), "maps/" + map_id);
-    EXPECT_TRUE(edits.KeepClear(reader.start()).ok());
+    EXPECT_OK(edits.KeepClear(reader.start()));
     for (auto record = reader.Next().value(); record; record = reader.Next().value()) {
       if (record->has_frame()) {
         v1::IntegrateFramesRequest frame;
         ASSERT_TRUE(frame.ParseFromString(record->frame().request()));
-        ASSERT_TRUE(streams.Send(record->frame().session(), record->frame().sequence(), frame).ok());
+        ASSERT_OK(streams.Send(record->frame().session(), record->frame().sequence(), frame));
       } else if (record->has_edited()) {
         ASSERT_TRUE(ReplayEdits::Knows(record->edited())) << record->edited().method();
-        ASSERT_TRUE(streams.Drain().ok());
+        ASSERT_OK(streams.Drain());
         const grpc::Status made = edits.Make(record->edited());
-        ASSERT_TRUE(made.ok()) << record->edited().method() << ": " << made.error_message();
+        ASSERT_OK(made) << record->edited().method();
         ++num_edits_;
       }
     }
-    EXPECT_TRUE(streams.Close().ok());
+    EXPECT_OK(streams.Close());
   }
 
   static constexpr int kNumEdits = 11;
@@ -183,7 +175,7 @@ TEST_F(RecordedEdits, AnEditThatIsNamedIsTheOneThatWasMadeThere) {
     request.mutable_map()->set_name("maps/again");
     request.mutable_map()->set_display_name(title);
     request.mutable_update_mask()->add_paths("display_name");
-    Make(*server->maps, &v1::MapService::Stub::UpdateMap, request);
+    Make(*server, &MapStub::UpdateMap, request);
   }
   ReplayInto(*server, "again");
   EXPECT_EQ(num_edits_, kNumEdits);

@@ -25,10 +25,7 @@ v1::Frame NoisyFrame(int i) {
 }
 
 void CreateMapFrom(TestServer& server, const v1::CreateMapRequest& request) {
-  v1::CreateMapResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.maps->CreateMap(&context, request, &response);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(server.Call(&MapStub::CreateMap, request));
 }
 
 void FeedNoisyFrames(TestServer& server, int begin, int end) {
@@ -44,16 +41,11 @@ void FeedNoisyFrames(TestServer& server, int begin, int end) {
     EXPECT_EQ(ack.error_code(), 0) << ack.error_message();
   }
   stream->WritesDone();
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_OK(stream->Finish());
 }
 
 v1::FinishMappingResponse FinishMapping(TestServer& server) {
-  v1::FinishMappingRequest request;
-  request.set_map("maps/room");
-  v1::FinishMappingResponse response;
-  grpc::ClientContext context;
-  EXPECT_TRUE(server.mapping->FinishMapping(&context, request, &response).ok());
-  return response;
+  return server.Call(&MappingStub::FinishMapping, "maps/room").value();
 }
 
 TEST(Refinement, FinishMappingSaysWhatItDid) {
@@ -78,23 +70,20 @@ TEST(Refinement, DroppedVoxelLabelsAreReportedAndSurviveARestart) {
   v1::QueryPointsResponse before;
   {
     const auto store = OpenSqliteStore(path);
-    ASSERT_TRUE(store.ok());
+    ASSERT_OK(store);
     TestServer server(**store);
     v1::CreateMapRequest request = CreateRequest("room");
     request.mutable_config()->mutable_refinement()->set_drop_voxel_labels(true);
     CreateMapFrom(server, request);
     FeedNoisyFrames(server, 0, kNumNoisyFrames);
     EXPECT_GT(FinishMapping(server).refinement().num_dropped_bytes(), 0);
-    grpc::ClientContext context;
-    ASSERT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &before).ok());
-    ASSERT_TRUE(server.Stop().ok());
+    ASSERT_OK_AND_ASSIGN(before, server.Call(&QueryStub::QueryPoints, TestQuery("room")));
+    ASSERT_OK(server.Stop());
   }
   const auto store = OpenSqliteStore(path);
-  ASSERT_TRUE(store.ok());
+  ASSERT_OK(store);
   TestServer server(**store);
-  grpc::ClientContext context;
-  v1::QueryPointsResponse answer;
-  ASSERT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &answer).ok());
+  ASSERT_OK_AND_ASSIGN(const auto answer, server.Call(&QueryStub::QueryPoints, TestQuery("room")));
   ASSERT_EQ(answer.packed().observed_size(), before.packed().observed_size());
   for (int i = 0; i < before.packed().observed_size(); ++i) {
     ASSERT_EQ(answer.packed().observed(i), before.packed().observed(i));
@@ -114,9 +103,7 @@ TEST(Refinement, OnTheSideQueriesGoOnAndEachSeesOneRevision) {
   std::thread planner([&] {
     std::int64_t revision = 0;
     do {
-      grpc::ClientContext context;
-      v1::QueryPointsResponse answer;
-      EXPECT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &answer).ok());
+      const auto answer = server.Call(&QueryStub::QueryPoints, TestQuery("room")).value();
       EXPECT_GE(answer.revision(), revision);
       revision = answer.revision();
       ++num_answers;

@@ -65,7 +65,7 @@ TEST_F(Reflection, DescribesEachServiceThatItLists) {
     EXPECT_EQ(file.package() + "." + file.service(0).name(), name);
   }
   stream_->WritesDone();
-  EXPECT_TRUE(stream_->Finish().ok());
+  EXPECT_OK(stream_->Finish());
 }
 
 TEST_F(Reflection, GoesOnAfterWhatIsNotThere) {

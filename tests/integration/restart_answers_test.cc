@@ -17,8 +17,6 @@
 namespace dhpmap::testing {
 namespace {
 
-using QueryStub = v1::QueryService::Stub;
-
 /// A server on a file, with a room from which the chair was carried off.
 class RestartAnswers : public ServerOnFile {
  protected:
@@ -26,31 +24,20 @@ class RestartAnswers : public ServerOnFile {
     CreateWalkedMap(*server, "room");
     Walk(*server, "room", WalkedRoom(true, true), 0, 12);
     Walk(*server, "room", WalkedRoom(false, true), 12, 26);
-    v1::FinishMappingRequest request;
-    request.set_map("maps/room");
-    v1::FinishMappingResponse response;
-    grpc::ClientContext context;
-    ASSERT_TRUE(server->mapping->FinishMapping(&context, request, &response).ok());
+    ASSERT_OK(server->Call(&MappingStub::FinishMapping, "maps/room"));
   }
   void MoveTheCrate(double x_m) {
     v1::UpdateSubmapRequest request;
     request.mutable_submap()->set_name(ListedOfClass(*server, "room", kCrateClass).name());
     request.mutable_submap()->mutable_map_from_submap()->mutable_translation_m()->set_x(x_m);
     request.mutable_update_mask()->add_paths("map_from_submap");
-    v1::UpdateSubmapResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = server->submaps->UpdateSubmap(&context, request, &response);
-    ASSERT_TRUE(status.ok()) << status.error_message();
+    ASSERT_OK(server->Call(&SubmapStub::UpdateSubmap, request));
   }
 
   template <typename Request, typename Response>
-  Response Ask(grpc::Status (QueryStub::*rpc)(grpc::ClientContext*, const Request&, Response*), Request request) {
+  Response Ask(Client::Unary<QueryStub, Request, Response> method, Request request) {
     request.set_map("maps/room");
-    Response response;
-    grpc::ClientContext context;
-    const grpc::Status status = (server->queries.get()->*rpc)(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << Request::descriptor()->name() << ": " << status.error_message();
-    return response;
+    return server->Call(method, request).value();
   }
   /// visit(x, y, z) at places all over the room, also behind its walls.
   template <typename Visit>
@@ -141,21 +128,13 @@ class RestartAnswers : public ServerOnFile {
     request.set_resolution_m(0.1);
     request.set_with_gradients(true);
     request.set_with_objects(true);
-    grpc::ClientContext context;
-    const auto reader = server->queries->GetDistanceGrid(&context, request);
     std::string bytes;
-    for (v1::GetDistanceGridResponse part; reader->Read(&part);) bytes += part.SerializeAsString();
-    EXPECT_TRUE(reader->Finish().ok());
+    for (const auto& part : server->Call(&QueryStub::GetDistanceGrid, request).value()) {
+      bytes += part.SerializeAsString();
+    }
     return bytes;
   }
-  v1::ListSubmapsResponse Submaps() {
-    v1::ListSubmapsRequest request;
-    request.set_parent("maps/room");
-    v1::ListSubmapsResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server->submaps->ListSubmaps(&context, request, &response).ok());
-    return response;
-  }
+  v1::ListSubmapsResponse Submaps() { return server->Call(&SubmapStub::ListSubmaps, "maps/room").value(); }
   std::map<std::string, std::string> AllBytes() {
     return {{"points", Points().SerializeAsString()},
             {"distances", Distances(v1::Vacated::UNKNOWN).SerializeAsString()},
@@ -215,29 +194,17 @@ TEST_F(RestartAnswers, ThatNeedMoreThanRequestsMayHoldAreRefusedAndAllElseGoesOn
   v1::QueryPointsRequest request;
   request.set_map("maps/room");
   request.set_packed(true);
-  v1::QueryPointsResponse response;
   ForEachPlace(0.3, [&](double x, double y, double z) {
     for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
   });
-  {
-    grpc::ClientContext context;
-    const grpc::Status status = server->queries->QueryPoints(&context, request, &response);
-    EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << status.error_message();
-    EXPECT_EQ(ReasonOf(status), "OVER_MEMORY_BUDGET");
-  }
-  {
-    v1::GetSubmapMeshRequest mesh;
-    mesh.set_name("maps/room");
-    grpc::ClientContext context;
-    const auto stream = server->submaps->GetSubmapMesh(&context, mesh);
-    for (v1::GetSubmapMeshResponse part; stream->Read(&part);) continue;
-    EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  }
+  const auto refused = server->Call(&QueryStub::QueryPoints, request);
+  EXPECT_EQ(refused.code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << refused.status().error_message();
+  EXPECT_EQ(refused.reason(), "OVER_MEMORY_BUDGET");
+  EXPECT_EQ(server->Call(&SubmapStub::GetSubmapMesh, "maps/room").code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_TRUE(Eventually([] { return PageReaderBytes() == 0; })) << "what was refused holds nothing";
   Walk(*server, "room", WalkedRoom(false, true), 26, 28);  // frames are not refused for what requests hold
   SetPageReaderLimit({});
-  grpc::ClientContext context;
-  EXPECT_TRUE(server->queries->QueryPoints(&context, request, &response).ok());
+  EXPECT_OK(server->Call(&QueryStub::QueryPoints, request));
 }
 
 /// How many of two lists, as long as each other, differ.

@@ -6,7 +6,6 @@
 #include <memory>
 #include <string>
 
-#include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/status_reason.h"
 
@@ -18,10 +17,8 @@ constexpr char kRestoreId[] = "00000000-0000-4000-8000-00000000d1e5";
 class RestoreRevisionTest : public ::testing::Test {
  protected:
   RestoreRevisionTest() {
-    v1::CreateMapResponse created;
-    grpc::ClientContext creating;
-    EXPECT_TRUE(server.maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
-    EXPECT_TRUE(Feed(server, "room", 0, 10).status.ok());
+    EXPECT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+    EXPECT_OK(Feed(server, "room", 0, 10));
   }
   static SessionOptions KeepsFew() {
     SessionOptions options;
@@ -32,11 +29,7 @@ class RestoreRevisionTest : public ::testing::Test {
   std::int64_t Now() { return (*server.registry().ViewOf("room"))->snapshot().revision(); }
   /// All objects, but for what numbers their states.
   std::string Objects() {
-    v1::ListSubmapsRequest request;
-    request.set_parent("maps/room");
-    v1::ListSubmapsResponse answer;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &answer).ok());
+    auto answer = server.Call(&SubmapStub::ListSubmaps, "maps/room").value();
     answer.clear_revision();
     for (v1::Submap& submap : *answer.mutable_submaps()) {
       submap.clear_revision();
@@ -45,9 +38,7 @@ class RestoreRevisionTest : public ::testing::Test {
     return answer.DebugString();
   }
   std::string Points() {
-    v1::QueryPointsResponse answer;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server.queries->QueryPoints(&context, TestQuery("room"), &answer).ok());
+    auto answer = server.Call(&QueryStub::QueryPoints, TestQuery("room")).value();
     answer.clear_revision();
     return answer.SerializeAsString();
   }
@@ -56,9 +47,9 @@ class RestoreRevisionTest : public ::testing::Test {
     request.set_map("maps/room");
     request.add_edits()->set_submap("maps/room/submaps/" + submap);
     fill(*request.mutable_edits(0));
-    grpc::ClientContext context;
-    applied.Clear();
-    return edits->ApplyEdits(&context, request, &applied).ok();
+    grpc::Status status;
+    applied = server.Call(&EditStub::ApplyEdits, request).KeepStatus(status);
+    return status.ok();
   }
   bool Rename(const std::string& name) {
     return Edit("1", [&](v1::Edit& edit) { edit.mutable_rename()->set_display_name(name); });
@@ -82,15 +73,13 @@ class RestoreRevisionTest : public ::testing::Test {
   }
   /// "OK", or the reason.
   std::string Restore(const v1::RestoreRevisionRequest& request) {
-    grpc::ClientContext context;
-    response.Clear();
-    const grpc::Status status = edits->RestoreRevision(&context, request, &response);
+    grpc::Status status;
+    response = server.Call(&EditStub::RestoreRevision, request).KeepStatus(status);
     return status.ok() ? "OK" : ReasonOf(status);
   }
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
   TestServer server{*store, KeepsFew()};
-  std::unique_ptr<v1::EditService::Stub> edits = v1::EditService::NewStub(server.channel());
   v1::RestoreRevisionResponse response;
   v1::ApplyEditsResponse applied;  // last
 };
@@ -121,9 +110,7 @@ TEST_F(RestoreRevisionTest, TheMapAnswersAsItDidAndTheLogSaysSo) {
   v1::ListEditsRequest list;
   list.set_parent("maps/room");
   list.set_author("anna");
-  v1::ListEditsResponse log;
-  grpc::ClientContext listing;
-  ASSERT_TRUE(edits->ListEdits(&listing, list, &log).ok());
+  ASSERT_OK_AND_ASSIGN(const auto log, server.Call(&EditStub::ListEdits, list));
   ASSERT_EQ(log.edits_size(), 1);
   ASSERT_EQ(log.edits(0).steps_size(), 1);
   EXPECT_EQ(log.edits(0).steps(0).action(), v1::LoggedEdit::RESTORE);
@@ -133,9 +120,7 @@ TEST_F(RestoreRevisionTest, TheMapAnswersAsItDidAndTheLogSaysSo) {
   v1::UndoEditsRequest undo;
   undo.set_map("maps/room");
   undo.set_author("anna");
-  v1::UndoEditsResponse undone;
-  grpc::ClientContext undoing;
-  ASSERT_TRUE(edits->UndoEdits(&undoing, undo, &undone).ok());
+  ASSERT_OK(server.Call(&EditStub::UndoEdits, undo));
   EXPECT_EQ(Objects(), edited);
 }
 
@@ -196,16 +181,15 @@ TEST_F(RestoreRevisionTest, MappingGoesOnFromThere) {
   EditAll();
   ASSERT_EQ(Restore(Request(past)), "OK");
   const FeedResult fed = Feed(server, "room", 10, 16);
-  ASSERT_TRUE(fed.status.ok()) << fed.status.error_message();
+  ASSERT_OK(fed);
   const auto state = (*server.registry().ViewOf("room"))->shared_snapshot();
   EXPECT_EQ(state->info().num_frames, 16) << "frames are counted on";
   // What is seen again is what came back: there is nothing that would not be there without the edits.
   const auto twin_store = MakeMemoryStore();
   TestServer twin(*twin_store);
-  v1::CreateMapResponse created;
-  grpc::ClientContext creating;
-  ASSERT_TRUE(twin.maps->CreateMap(&creating, CreateRequest("room"), &created).ok());
-  ASSERT_TRUE(Feed(twin, "room", 0, 10).status.ok() && Feed(twin, "room", 10, 16).status.ok());
+  ASSERT_OK(twin.Call(&MapStub::CreateMap, CreateRequest("room")));
+  ASSERT_OK(Feed(twin, "room", 0, 10));
+  ASSERT_OK(Feed(twin, "room", 10, 16));
   EXPECT_EQ(state->submaps().size(), (*twin.registry().ViewOf("room"))->snapshot().submaps().size());
 }
 

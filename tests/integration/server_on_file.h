@@ -21,13 +21,13 @@ class ServerOnFile : public ::testing::Test {
 
   void Start() {
     auto opened = OpenSqliteStore((dir.path() / "maps.db").string(), {.pages_tiles = page_bytes > 0});
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    ASSERT_OK(opened);
     store = std::move(*opened);
     auto spill = page_bytes > 0 ? OpenTileSpill(dir.path().string()).value() : nullptr;
     server = std::make_unique<TestServer>(*store, SessionOptions{.page_bytes = page_bytes, .spill = std::move(spill)});
   }
   void Restart() {
-    ASSERT_TRUE(server->Stop().ok());
+    ASSERT_OK(server->Stop());
     server.reset();
     store.reset();
     Start();

@@ -23,19 +23,11 @@ namespace dhpmap::testing {
 namespace {
 
 void CreateMap(TestServer& server, const v1::CreateMapRequest& request) {
-  v1::CreateMapResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.maps->CreateMap(&context, request, &response);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(server.Call(&MapStub::CreateMap, request));
 }
 
 std::map<std::string, v1::FeedSession> SessionsOf(TestServer& server, const std::string& map_id) {
-  v1::ListSessionsRequest request;
-  request.set_map("maps/" + map_id);
-  v1::ListSessionsResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.mapping->ListSessions(&context, request, &response);
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  const auto response = server.Call(&MappingStub::ListSessions, "maps/" + map_id).value();
   std::map<std::string, v1::FeedSession> sessions;
   for (const v1::FeedSession& of : response.sessions()) sessions[of.session()] = of;
   return sessions;
@@ -45,9 +37,7 @@ grpc::Status End(TestServer& server, const std::string& map_id, const std::strin
   v1::EndSessionRequest request;
   request.set_map("maps/" + map_id);
   request.set_session(session);
-  v1::EndSessionResponse response;
-  grpc::ClientContext context;
-  return server.mapping->EndSession(&context, request, &response);
+  return server.Call(&MappingStub::EndSession, request).status();
 }
 
 std::shared_ptr<const MapSnapshot> StateOf(TestServer& server, const std::string& map_id) {
@@ -65,11 +55,11 @@ TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
       EXPECT_EQ(b.Feed(100 + i)->outcome(), v1::FUSED);
     }
     a.HalfClose();
-    ASSERT_TRUE(a.Finish().ok());
+    ASSERT_OK(a.Finish());
     EXPECT_EQ(a.last()->committed_sequence(), 3);
     EXPECT_EQ(b.Feed(104)->outcome(), v1::FUSED) << "the end of one is not that of the other";
     b.HalfClose();
-    ASSERT_TRUE(b.Finish().ok());
+    ASSERT_OK(b.Finish());
     EXPECT_EQ(b.last()->committed_sequence(), 104);
   }
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 9);
@@ -151,7 +141,7 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   EXPECT_EQ(sessions["b"].num_frames(), 0);
 
   a.HalfClose();
-  ASSERT_TRUE(a.Finish().ok());
+  ASSERT_OK(a.Finish());
   sessions = SessionsOf(server, "room");
   EXPECT_FALSE(sessions["a"].feeding());
   EXPECT_EQ(sessions["a"].committed_sequence(), 2);
@@ -167,7 +157,7 @@ TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
   {
     const BusyWriter held(**server.registry().OpenSession("room"));
     for (int i = 1; i < 4; ++i) ASSERT_TRUE(a.Send(i, i));
-    ASSERT_TRUE(End(server, "room", "a").ok());
+    ASSERT_OK(End(server, "room", "a"));
   }
   while (const auto ack = a.Read()) {
     EXPECT_EQ(ack->outcome(), v1::REFUSED);
@@ -200,7 +190,7 @@ TEST(Sessions, TwoRobotsMakeTheMapThatOneMakes) {
     }
     for (Feeder* feeder : {&only, &a, &b}) {
       feeder->HalfClose();
-      ASSERT_TRUE(feeder->Finish().ok());
+      ASSERT_OK(feeder->Finish());
     }
   }
   const auto one = StateOf(server, "one"), two = StateOf(server, "two");
@@ -218,7 +208,7 @@ TEST(Sessions, FinishingShowsInAWatchAndCanBeCancelled) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   CreateMap(server, CreateRequest("room"));
-  ASSERT_TRUE(Feed(server, "room", 0, 3).status.ok());
+  ASSERT_OK(Feed(server, "room", 0, 3));
   v1::WatchMapRequest request;
   request.set_map("maps/room");
   request.set_progress_s(300);
@@ -282,7 +272,7 @@ class RecordedSessions : public ::testing::Test {
     CreateMap(server, request);
     use(server);
     auto state = StateOf(server, "room");
-    EXPECT_TRUE(server.Stop().ok());
+    EXPECT_OK(server.Stop());
     return state;
   }
   std::string File() const {
@@ -307,9 +297,9 @@ class RecordedSessions : public ::testing::Test {
       if (!record->has_frame()) continue;
       v1::IntegrateFramesRequest frame;
       EXPECT_TRUE(frame.ParseFromString(record->frame().request()));
-      EXPECT_TRUE(streams.Send(record->frame().session(), record->frame().sequence(), frame).ok());
+      EXPECT_OK(streams.Send(record->frame().session(), record->frame().sequence(), frame));
     }
-    EXPECT_TRUE(streams.Close().ok());
+    EXPECT_OK(streams.Close());
     return StateOf(server, "again");
   }
 
@@ -329,12 +319,12 @@ void FeedInTurns(TestServer& server) {
     }
     for (Feeder* feeder : {&a, &b}) {
       feeder->HalfClose();
-      ASSERT_TRUE(feeder->Finish().ok());
+      ASSERT_OK(feeder->Finish());
     }
     Feeder unnamed(server, "room");
     ASSERT_EQ(unnamed.Feed(round)->outcome(), v1::FUSED);
     unnamed.HalfClose();
-    ASSERT_TRUE(unnamed.Finish().ok());
+    ASSERT_OK(unnamed.Finish());
   }
 }
 
@@ -365,11 +355,7 @@ TEST_F(RecordedSessions, WhatWasRefusedIsMarkedAndATornEndIsNoError) {
     for (v1::IntegrateFramesResponse ack; stream->Read(&ack);) EXPECT_NE(ack.outcome(), v1::FUSED);
     (void)stream->Finish();
     ASSERT_TRUE(a.Feed(1));
-    v1::FinishMappingRequest finish;
-    finish.set_map("maps/room");
-    v1::FinishMappingResponse finished;
-    grpc::ClientContext finishing;
-    ASSERT_TRUE(server.mapping->FinishMapping(&finishing, finish, &finished).ok());
+    ASSERT_OK(server.Call(&MappingStub::FinishMapping, "maps/room"));
   });
   const auto events = [&] {
     std::string letters;
@@ -409,12 +395,12 @@ TEST_F(RecordedSessions, AFullFolderIsNotFilledWithEmptyFiles) {
   EXPECT_EQ(begun.status().code(), StatusCode::kResourceExhausted);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
   std::filesystem::remove(folder / "old.dhprec");
-  EXPECT_TRUE(records->Begin("room", 8).ok()) << "somebody has taken it away";
+  EXPECT_OK(records->Begin("room", 8)) << "somebody has taken it away";
 }
 
 TEST_F(RecordedSessions, WhenThereIsNoRoomRecordingStopsAndMappingGoesOn) {
   const auto all = Record(
-      1, [](TestServer& server) { ASSERT_TRUE(Feed(server, "room", 0, 12).status.ok()); }, 200'000);
+      1, [](TestServer& server) { ASSERT_OK(Feed(server, "room", 0, 12)); }, 200'000);
   EXPECT_EQ(all->info().num_frames, 12);
   ASSERT_EQ(stopped_.size(), 1u);
   EXPECT_NE(stopped_[0].find("full"), std::string::npos) << stopped_[0];

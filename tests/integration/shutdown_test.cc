@@ -7,7 +7,6 @@
 #include <future>
 #include <memory>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "mapping/pipeline/map_builder.h"
@@ -55,9 +54,7 @@ TEST(Shutdown, GivesUpTheFrameInHandOnceTheGraceIsOver) {
   const auto store = MakeMemoryStore();
   TestServer server(*store,
                     {.make_recorder = [&](const MapInfo&) { return std::make_unique<FrameWitness>(hold, count); }});
-  grpc::ClientContext create;
-  v1::CreateMapResponse created;
-  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
   const std::shared_ptr<MapSession> session = *server.registry().OpenSession("room");
   room = session.get();
   const MapInfo info = session->View()->snapshot().info();
@@ -67,17 +64,17 @@ TEST(Shutdown, GivesUpTheFrameInHandOnceTheGraceIsOver) {
   in_hand.get_future().wait();
   server.grpc().Shutdown(/*grace_s=*/0.01);
   EXPECT_FALSE(feeder.Finish().ok());
-  ASSERT_TRUE(server.registry().Shutdown().ok());
+  ASSERT_OK(server.registry().Shutdown());
   EXPECT_EQ(num_refused, 1) << "of those that were taken";
 
   // What it stored are frames as a whole.
   const auto stored = store->LoadMap("room");
-  ASSERT_TRUE(stored.ok());
+  ASSERT_OK(stored);
   EXPECT_EQ((*stored)->info().num_frames, kInHand);
   MapBuilder alone(info, 1);
   const auto frame = FrameFromProto(TestFrame(0));
-  ASSERT_TRUE(frame.ok());
-  ASSERT_TRUE(alone.Integrate(*frame).ok());
+  ASSERT_OK(frame);
+  ASSERT_OK(alone.Integrate(*frame));
   EXPECT_TRUE(MapsAreEqual(*alone.map().Freeze(), **stored));
 }
 
@@ -85,9 +82,7 @@ TEST(ShutdownAtOnce, LeavesNothingRunningThatLooksForMaps) {
   for (int i = 0; i < 40; ++i) {
     const std::unique_ptr<MapStore> store = MakeMemoryStore();
     TestServer server(*store);
-    grpc::ClientContext create;
-    v1::CreateMapResponse created;
-    ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &created).ok());
+    ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
     server.grpc().Shutdown(1e-4 * i);  // the grace ends about when all else has
   }
 }

@@ -17,9 +17,7 @@ class StreamCaps : public ::testing::Test {
  protected:
   void Begin(const SessionOptions& options) {
     server = std::make_unique<TestServer>(*store, options);
-    grpc::ClientContext context;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server->maps->CreateMap(&context, CreateRequest("room"), &response).ok());
+    ASSERT_OK(server->Call(&MapStub::CreateMap, CreateRequest("room")));
   }
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
@@ -43,7 +41,7 @@ TEST_F(StreamCaps, AFeederBeyondThemIsRefusedAtOnceAndTheOthersGoOn) {
     EXPECT_EQ(fused->outcome(), v1::FUSED);
   }
   a.HalfClose();
-  ASSERT_TRUE(a.Finish().ok());
+  ASSERT_OK(a.Finish());
   Feeder next(*server, "room", {.session = "c"});
   const auto fused = next.Feed(0);
   ASSERT_TRUE(fused) << "one that goes makes room";
@@ -78,12 +76,10 @@ TEST_F(StreamCaps, OfOneConnectionHoldUpNobodyElseAndTheNextCallWaitsInItsClient
 
   watchers.pop_back();
   EXPECT_EQ(list_maps(*server->maps, kPatience), grpc::OK);
-  grpc::ClientContext context;
   v1::UpdateMapRequest rename;
   rename.mutable_map()->set_name("maps/room");
   rename.mutable_map()->set_display_name("Kitchen");
-  v1::UpdateMapResponse renamed;
-  ASSERT_TRUE(server->maps->UpdateMap(&context, rename, &renamed).ok());
+  ASSERT_OK(server->Call(&MapStub::UpdateMap, rename));
   for (const auto& watcher : watchers) {
     do {
       ASSERT_TRUE(watcher->Read(message));

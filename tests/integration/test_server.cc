@@ -20,40 +20,54 @@ T ValueOrDie(Result<T> result) {
   return std::move(result).value();
 }
 
+/// Of what ends by itself after a time, unless the test says after which: so that none ends on a machine that is busy.
+constexpr double kLong_s = 1e6;
+
+void BePatient(double& time_s, double default_s) {
+  if (time_s == default_s) time_s = kLong_s;
+}
+
 GrpcOptions OnFreePort(GrpcOptions options) {
   options.address = "127.0.0.1:0";
+  BePatient(options.keepalive_s, GrpcOptions().keepalive_s);
+  BePatient(options.import_idle_s, GrpcOptions().import_idle_s);
   return options;
 }
 
 SessionOptions WithOneThread(SessionOptions options) {
   options.num_threads = 1;
+  BePatient(options.max_behind_s, SessionOptions().max_behind_s);
+  BePatient(options.feed_idle_s, SessionOptions().feed_idle_s);
   return options;
+}
+
+/// Else channels of servers before on the same port are shared.
+std::shared_ptr<grpc::Channel> OwnChannel(int port) {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  return grpc::CreateCustomChannel("127.0.0.1:" + std::to_string(port), grpc::InsecureChannelCredentials(), arguments);
 }
 
 }  // namespace
 
-TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer)
-    : registry_(ValueOrDie(MapRegistry::Open(store, WithOneThread(std::move(session))))),
-      grpc_(ValueOrDie(GrpcServer::Start(OnFreePort(std::move(grpc)), *registry_, std::move(observer)))) {
-  grpc_->SetServing(true);
-  ::grpc::ChannelArguments arguments;
-  arguments.SetMaxReceiveMessageSize(-1);
-  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL,
-                   1);  // else channels of servers before on the same port are shared
-  channel_ = ::grpc::CreateCustomChannel("127.0.0.1:" + std::to_string(grpc_->port()),
-                                         ::grpc::InsecureChannelCredentials(), arguments);
-  maps = v1::MapService::NewStub(channel_);
-  mapping = v1::MappingService::NewStub(channel_);
-  submaps = v1::SubmapService::NewStub(channel_);
-  queries = v1::QueryService::NewStub(channel_);
-  watches = v1::WatchService::NewStub(channel_);
+TestServer::Doors TestServer::Open(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer) {
+  auto registry = ValueOrDie(MapRegistry::Open(store, WithOneThread(std::move(session))));
+  auto door = ValueOrDie(GrpcServer::Start(OnFreePort(std::move(grpc)), *registry, std::move(observer)));
+  door->SetServing(true);
+  return {.registry = std::move(registry), .grpc = std::move(door)};
 }
+
+TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer)
+    : TestServer(Open(store, std::move(session), std::move(grpc), std::move(observer))) {}
+
+TestServer::TestServer(Doors doors) : Client(OwnChannel(doors.grpc->port())), doors_(std::move(doors)) {}
 
 TestServer::~TestServer() { (void)Stop(0); }
 
 Status TestServer::Stop(double grace_s) {
-  grpc_->Shutdown(grace_s);
-  return registry_->Shutdown();
+  doors_.grpc->Shutdown(grace_s);
+  return doors_.registry->Shutdown();
 }
 
 Scene TestScene() {

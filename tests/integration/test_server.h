@@ -9,20 +9,16 @@
 #include <string>
 #include <vector>
 
-#include "dhpmap/v1/map_service.grpc.pb.h"
-#include "dhpmap/v1/mapping_service.grpc.pb.h"
-#include "dhpmap/v1/query_service.grpc.pb.h"
-#include "dhpmap/v1/submap_service.grpc.pb.h"
-#include "dhpmap/v1/watch_service.grpc.pb.h"
 #include "server/grpc/grpc_server.h"
 #include "storage/store.h"
-#include "tests/support/eventually.h"
+#include "tests/support/client.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::testing {
 
-/// A whole server but its process: registry and gRPC door over a store that the test holds, reached over TCP.
-class TestServer {
+/// A whole server but its process: registry and gRPC door over a store that the test holds, reached over TCP. It fuses
+/// with one thread, and gives nobody up for being slow, unless the options say when.
+class TestServer : public Client {
  public:
   explicit TestServer(MapStore& store, SessionOptions session = {}, GrpcOptions grpc = {}, GrpcObserver observer = {});
   /// Waits for no call.
@@ -32,20 +28,24 @@ class TestServer {
   Status Stop() { return Stop(std::chrono::duration<double>(kPatience).count()); }
   Status Stop(double grace_s);
 
-  [[nodiscard]] GrpcServer& grpc() { return *grpc_; }
-  [[nodiscard]] MapRegistry& registry() { return *registry_; }
-  [[nodiscard]] const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
+  [[nodiscard]] GrpcServer& grpc() { return *doors_.grpc; }
+  [[nodiscard]] MapRegistry& registry() { return *doors_.registry; }
 
-  std::unique_ptr<v1::MapService::Stub> maps;
-  std::unique_ptr<v1::MappingService::Stub> mapping;
-  std::unique_ptr<v1::SubmapService::Stub> submaps;
-  std::unique_ptr<v1::QueryService::Stub> queries;
-  std::unique_ptr<v1::WatchService::Stub> watches;
+  const std::unique_ptr<MapStub> maps = std::make_unique<MapStub>(channel());
+  const std::unique_ptr<MappingStub> mapping = std::make_unique<MappingStub>(channel());
+  const std::unique_ptr<SubmapStub> submaps = std::make_unique<SubmapStub>(channel());
+  const std::unique_ptr<QueryStub> queries = std::make_unique<QueryStub>(channel());
+  const std::unique_ptr<WatchStub> watches = std::make_unique<WatchStub>(channel());
 
  private:
-  std::unique_ptr<MapRegistry> registry_;
-  std::unique_ptr<GrpcServer> grpc_;
-  std::shared_ptr<grpc::Channel> channel_;
+  struct Doors {
+    std::unique_ptr<MapRegistry> registry;
+    std::unique_ptr<GrpcServer> grpc;
+  };
+  static Doors Open(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer);
+  explicit TestServer(Doors doors);
+
+  const Doors doors_;
 };
 
 /// A ball and a box (things 1 and 2) on a floor (stuff 3), seen from all around.

@@ -26,27 +26,15 @@ class VacatedPlaces : public ServerOnFile {
     request.mutable_submap()->set_name(name);
     request.mutable_submap()->mutable_map_from_submap()->mutable_translation_m()->set_z(z_m);
     request.mutable_update_mask()->add_paths("map_from_submap");
-    v1::UpdateSubmapResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = server->submaps->UpdateSubmap(&context, request, &response);
-    ASSERT_TRUE(status.ok()) << status.error_message();
+    ASSERT_OK(server->Call(&SubmapStub::UpdateSubmap, request));
   }
-  void Delete(const std::string& name) {
-    v1::DeleteSubmapRequest request;
-    request.set_name(name);
-    v1::DeleteSubmapResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = server->submaps->DeleteSubmap(&context, request, &response);
-    ASSERT_TRUE(status.ok()) << status.error_message();
-  }
+  void Delete(const std::string& name) { ASSERT_OK(server->Call(&SubmapStub::DeleteSubmap, name)); }
 
   v1::PointResult PointAt(const std::string& map, const Eigen::Vector3d& p) {
     v1::QueryPointsRequest request;
     request.set_map("maps/" + map);
     SetVector(p, *request.add_points_m());
-    v1::QueryPointsResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server->queries->QueryPoints(&context, request, &response).ok());
+    const auto response = server->Call(&QueryStub::QueryPoints, request).value();
     return response.results_size() == 1 ? response.results(0) : v1::PointResult();
   }
   v1::DistanceResult DistanceAt(const std::string& map, const Eigen::Vector3d& p, v1::Vacated::Policy vacated) {
@@ -54,9 +42,7 @@ class VacatedPlaces : public ServerOnFile {
     request.set_map("maps/" + map);
     SetVector(p, *request.add_points_m());
     request.mutable_options()->set_vacated(vacated);
-    v1::QueryDistancesResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server->queries->QueryDistances(&context, request, &response).ok());
+    const auto response = server->Call(&QueryStub::QueryDistances, request).value();
     return response.results_size() == 1 ? response.results(0) : v1::DistanceResult();
   }
   /// Of a ball of 5 cm, for which unseen space is in the way.
@@ -67,9 +53,7 @@ class VacatedPlaces : public ServerOnFile {
     SetVector(p, *sphere.mutable_center_m());
     sphere.set_radius_m(0.05);
     request.mutable_options()->set_vacated(vacated);
-    v1::CheckCollisionsResponse response;
-    grpc::ClientContext context;
-    EXPECT_TRUE(server->queries->CheckCollisions(&context, request, &response).ok());
+    const auto response = server->Call(&QueryStub::CheckCollisions, request).value();
     return response.results_size() == 1 ? response.results(0) : v1::CollisionResult();
   }
 

@@ -15,12 +15,10 @@ class VerifyMapTest : public ::testing::Test {
  protected:
   [[nodiscard]] std::string Path() const { return (folder_.path() / "maps.db").string(); }
 
-  static grpc::Status Verify(TestServer& server, bool repair, v1::VerifyMapResponse& response) {
-    grpc::ClientContext context;
-    v1::VerifyMapRequest request;
-    request.set_name("maps/room");
+  static Answer<v1::VerifyMapResponse> Verify(TestServer& server, bool repair) {
+    auto request = About<v1::VerifyMapRequest>("maps/room");
     request.set_repair(repair);
-    return server.maps->VerifyMap(&context, request, &response);
+    return server.Call(&MapStub::VerifyMap, request);
   }
 
   /// Flips a byte of the first blob of the file.
@@ -42,63 +40,44 @@ class VerifyMapTest : public ::testing::Test {
 TEST_F(VerifyMapTest, AMapThatIsMappedIsWholeAndIsNotRepaired) {
   const auto store = std::move(OpenSqliteStore(Path())).value();
   TestServer server(*store);
-  grpc::ClientContext create;
-  v1::CreateMapResponse made;
-  ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &made).ok());
-  ASSERT_TRUE(Feed(server, "room", 0, 4).status.ok());
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+  ASSERT_OK(Feed(server, "room", 0, 4));
   for (const bool repair : {false, true}) {
-    v1::VerifyMapResponse report;
-    const grpc::Status status = Verify(server, repair, report);
-    ASSERT_TRUE(status.ok()) << status.error_message();
+    ASSERT_OK_AND_ASSIGN(const auto report, Verify(server, repair));
     EXPECT_EQ(report.num_faults(), 0) << report.DebugString();
     EXPECT_FALSE(report.repaired());
     EXPECT_GT(report.num_submaps(), 2);
     EXPECT_GT(report.num_tiles(), 4);
     EXPECT_GT(report.num_blocks(), report.num_tiles());
   }
-  grpc::ClientContext context;
-  v1::VerifyMapRequest request;
-  request.set_name("maps/other");
-  v1::VerifyMapResponse report;
-  EXPECT_EQ(server.maps->VerifyMap(&context, request, &report).error_code(), grpc::NOT_FOUND);
+  EXPECT_EQ(server.Call(&MapStub::VerifyMap, "maps/other").code(), grpc::NOT_FOUND);
 }
 
 TEST_F(VerifyMapTest, ADamagedMapIsServedAgainAfterARepair) {
-  std::int64_t revision = 0;
   {
     const auto store = std::move(OpenSqliteStore(Path())).value();
     TestServer server(*store);
-    grpc::ClientContext create;
-    v1::CreateMapResponse made;
-    ASSERT_TRUE(server.maps->CreateMap(&create, CreateRequest("room"), &made).ok());
-    ASSERT_TRUE(Feed(server, "room", 0, 4).status.ok());
-    ASSERT_TRUE(server.Stop().ok());
+    ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(server, "room", 0, 4));
+    ASSERT_OK(server.Stop());
   }
   DamageBlobsOfLabels();
   const auto store = std::move(OpenSqliteStore(Path())).value();
   TestServer server(*store);
-  const auto list = [&server] {
-    grpc::ClientContext context;
-    v1::ListSubmapsRequest request;
-    request.set_parent("maps/room");
-    v1::ListSubmapsResponse response;
-    return server.submaps->ListSubmaps(&context, request, &response);
-  };
+  const auto list = [&server] { return server.Call(&SubmapStub::ListSubmaps, "maps/room").status(); };
   EXPECT_EQ(list().error_code(), grpc::DATA_LOSS);
-  v1::VerifyMapResponse report;
-  ASSERT_TRUE(Verify(server, false, report).ok());
+  ASSERT_OK_AND_ASSIGN(auto report, Verify(server, false));
   ASSERT_GE(report.num_faults(), 1);
   EXPECT_EQ(report.faults(0).kind(), v1::VerifyMapResponse::Fault::BLOB) << report.DebugString();
   EXPECT_NE(report.faults(0).place().find(" tile ("), std::string::npos);
-  revision = report.revision();
+  const std::int64_t revision = report.revision();
 
-  ASSERT_TRUE(Verify(server, true, report).ok());
+  ASSERT_OK_AND_ASSIGN(report, Verify(server, true));
   EXPECT_TRUE(report.repaired());
   EXPECT_EQ(report.revision(), revision + 1);
-  EXPECT_TRUE(list().ok());
-  ASSERT_TRUE(Feed(server, "room", 4, 6).status.ok()) << "mapping goes on";
-  v1::VerifyMapResponse after;
-  ASSERT_TRUE(Verify(server, false, after).ok());
+  EXPECT_OK(list());
+  ASSERT_OK(Feed(server, "room", 4, 6)) << "mapping goes on";
+  ASSERT_OK_AND_ASSIGN(const auto after, Verify(server, false));
   EXPECT_EQ(after.num_faults(), 0) << after.DebugString();
 }
 

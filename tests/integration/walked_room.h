@@ -67,17 +67,14 @@ inline void CreateWalkedMap(TestServer& server, const std::string& map_id) {
     label->set_name(c.name);
     label->set_kind(c.panoptic == Panoptic::kThing ? v1::THING : v1::STUFF);
   }
-  v1::CreateMapResponse response;
-  grpc::ClientContext context;
-  const grpc::Status status = server.maps->CreateMap(&context, request, &response);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_OK(server.Call(&MapStub::CreateMap, request));
 }
 
 /// Frames [begin, end) of the walk, as the scene is now; they are stored when it returns.
 inline void Walk(TestServer& server, const std::string& map_id, const Scene& scene, int begin, int end) {
   const FeedResult fed = Feed(*server.mapping, map_id, begin, end, [&scene](int i) { return WalkFrame(scene, i); });
   for (const auto& ack : fed.acks) EXPECT_EQ(ack.error_code(), 0) << ack.error_message();
-  ASSERT_TRUE(fed.status.ok()) << fed.status.error_message();
+  ASSERT_OK(fed);
 }
 
 /// The one object of a class; one without a name if there is not exactly one.
@@ -85,22 +82,15 @@ inline v1::Submap ListedOfClass(TestServer& server, const std::string& map_id, i
   v1::ListSubmapsRequest request;
   request.set_parent("maps/" + map_id);
   request.add_class_ids(class_id);
-  v1::ListSubmapsResponse response;
-  grpc::ClientContext context;
-  EXPECT_TRUE(server.submaps->ListSubmaps(&context, request, &response).ok());
+  const auto response = server.Call(&SubmapStub::ListSubmaps, request).value();
   EXPECT_EQ(response.submaps_size(), 1) << response.DebugString();
   return response.submaps_size() == 1 ? response.submaps(0) : v1::Submap();
 }
 
 /// The vertices of the mesh of a map or an object, by its name.
 inline std::vector<Eigen::Vector3f> MeshVerticesOf(TestServer& server, const std::string& name) {
-  v1::GetSubmapMeshRequest request;
-  request.set_name(name);
-  grpc::ClientContext context;
-  const auto stream = server.submaps->GetSubmapMesh(&context, request);
   std::string file;
-  for (v1::GetSubmapMeshResponse part; stream->Read(&part);) file += part.data();
-  EXPECT_TRUE(stream->Finish().ok());
+  for (const auto& part : server.Call(&SubmapStub::GetSubmapMesh, name).value()) file += part.data();
   const std::string count = "element vertex ", end = "end_header\n";
   const std::size_t head = file.find(count), body = file.find(end);
   if (head == std::string::npos || body == std::string::npos) {

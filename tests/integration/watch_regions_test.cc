@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "tests/integration/watcher.h"
 
 namespace dhpmap::testing {
@@ -17,10 +16,8 @@ class WatchRegionsTest : public ::testing::Test {
  protected:
   void SetUp() override {
     Start();
-    grpc::ClientContext create;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server->maps->CreateMap(&create, CreateRequest("room"), &response).ok());
-    ASSERT_TRUE(Feed(*server, "room", 0, 6).status.ok());
+    ASSERT_OK(server->Call(&MapStub::CreateMap, CreateRequest("room")));
+    ASSERT_OK(Feed(*server, "room", 0, 6));
     const v1::ListSubmapsResponse list = ListAll(*server->submaps, "room");
     begun = list.revision();
     for (const v1::Submap& submap : list.submaps()) {
@@ -29,24 +26,19 @@ class WatchRegionsTest : public ::testing::Test {
     ASSERT_TRUE(ball.has_bounding_sphere());
   }
   void Start() {
-    edits = nullptr;
     if (server != nullptr) {
-      ASSERT_TRUE(server->Stop().ok());
+      ASSERT_OK(server->Stop());
     }
     server = nullptr;
     store = nullptr;
     auto opened = OpenSqliteStore((folder.path() / "maps.db").string());
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    ASSERT_OK(opened);
     store = std::move(opened).value();
     server = std::make_unique<TestServer>(*store);
-    edits = v1::EditService::NewStub(server->channel());
   }
   std::int64_t Apply(v1::ApplyEditsRequest request) {
     request.set_map("maps/room");
-    grpc::ClientContext context;
-    v1::ApplyEditsResponse response;
-    const grpc::Status status = edits->ApplyEdits(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
+    const auto response = server->Call(&EditStub::ApplyEdits, request).value();
     num_voxels = response.results_size() > 0 ? response.results(0).num_voxels() : 0;
     return response.revision();
   }
@@ -71,7 +63,6 @@ class WatchRegionsTest : public ::testing::Test {
   TempDir folder;
   std::unique_ptr<MapStore> store;
   std::unique_ptr<TestServer> server;
-  std::unique_ptr<v1::EditService::Stub> edits;
   v1::Submap ball;
   std::int64_t begun = 0, num_voxels = 0;
 };
@@ -120,11 +111,7 @@ TEST_F(WatchRegionsTest, AnUndoTellsWhatIsKeptClearAsItIsNow) {
   door.set_name("door");
   door.mutable_sphere()->set_radius_m(1);
   Apply(keep);
-  v1::UndoEditsRequest undo;
-  undo.set_map("maps/room");
-  v1::UndoEditsResponse undone;
-  grpc::ClientContext context;
-  ASSERT_TRUE(edits->UndoEdits(&context, undo, &undone).ok());
+  ASSERT_OK_AND_ASSIGN(const auto undone, server->Call(&EditStub::UndoEdits, "maps/room"));
   const auto told = Told(undone.revision());
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].kind(), v1::RegionEvent::KEPT_CLEAR);

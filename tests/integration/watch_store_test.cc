@@ -13,7 +13,7 @@ class StoredWatchTest : public ::testing::Test {
   void Start(const std::string& file) {
     Stop();
     auto opened = OpenSqliteStore((folder_.path() / file).string());
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+    ASSERT_OK(opened);
     store_ = std::move(*opened);
     server_ = std::make_unique<TestServer>(*store_);
   }
@@ -21,34 +21,22 @@ class StoredWatchTest : public ::testing::Test {
     server_ = nullptr;
     store_ = nullptr;
   }
-  void CreateMap() {
-    grpc::ClientContext create;
-    v1::CreateMapResponse response;
-    ASSERT_TRUE(server_->maps->CreateMap(&create, CreateRequest("room"), &response).ok());
-  }
+  void CreateMap() { ASSERT_OK(server_->Call(&MapStub::CreateMap, CreateRequest("room"))); }
   /// Moves, clones or deletes an object, or renames it.
   void Edit(std::mt19937& random) {
     const v1::ListSubmapsResponse list = ListAll(*server_->submaps, "room");
     const v1::Submap& submap = list.submaps(static_cast<int>(random() % static_cast<unsigned>(list.submaps_size())));
-    grpc::ClientContext context;
     if (random() % 4 == 0) {
-      v1::DeleteSubmapRequest request;
-      request.set_name(submap.name());
-      v1::DeleteSubmapResponse response;
-      (void)server_->submaps->DeleteSubmap(&context, request, &response);  // of the unknown one: refused
+      (void)server_->Call(&SubmapStub::DeleteSubmap, submap.name());  // of the unknown one: refused
     } else if (random() % 3 == 0) {
-      v1::CloneSubmapRequest request;
-      request.set_name(submap.name());
-      v1::CloneSubmapResponse response;
-      (void)server_->submaps->CloneSubmap(&context, request, &response);
+      (void)server_->Call(&SubmapStub::CloneSubmap, submap.name());
     } else {
       v1::UpdateSubmapRequest request;
       request.mutable_submap()->set_name(submap.name());
       request.mutable_submap()->set_display_name("name " + std::to_string(random() % 100));
       request.mutable_submap()->mutable_map_from_submap()->mutable_translation_m()->set_x(random() % 7);
       request.mutable_update_mask()->add_paths(random() % 2 == 0 ? "display_name" : "map_from_submap");
-      v1::UpdateSubmapResponse response;
-      (void)server_->submaps->UpdateSubmap(&context, request, &response);
+      (void)server_->Call(&SubmapStub::UpdateSubmap, request);
     }
   }
 
@@ -66,7 +54,7 @@ TEST_F(StoredWatchTest, FromAnyListOnItGivesThePresentOneWhateverHappenedMeanwhi
   for (int step = 0; step < 60; ++step) {
     const auto kind = random() % 12;
     if (kind < 3) {
-      ASSERT_TRUE(Feed(*server_, "room", frame, frame + 2).status.ok());
+      ASSERT_OK(Feed(*server_, "room", frame, frame + 2));
       frame += 2;
     } else if (kind == 3) {
       Start("maps.db");
@@ -88,9 +76,9 @@ TEST_F(StoredWatchTest, FromAnyListOnItGivesThePresentOneWhateverHappenedMeanwhi
 TEST_F(StoredWatchTest, AfterARestorePositionsOfBeforeAreLost) {
   Start("maps.db");
   CreateMap();
-  ASSERT_TRUE(Feed(*server_, "room", 0, 4).status.ok());
+  ASSERT_OK(Feed(*server_, "room", 0, 4));
   auto backup = store_->Backup({});
-  ASSERT_TRUE(backup.ok());
+  ASSERT_OK(backup);
   {
     std::ofstream copy(folder_.path() / "restored.db", std::ios::binary);
     for (std::string part = *(*backup)->Read(1 << 20); !part.empty(); part = *(*backup)->Read(1 << 20)) copy << part;
@@ -109,7 +97,7 @@ TEST_F(StoredWatchTest, AfterARestorePositionsOfBeforeAreLost) {
   EXPECT_EQ(ErrorInfoOf(ended).reason(), "HISTORY_LOST");
   HeldSubmaps listed(ListAll(*server_->submaps, "room"));
   Watcher watcher(*server_, "room", listed.revision() + 1);
-  ASSERT_TRUE(Feed(*server_, "room", 4, 6).status.ok());
+  ASSERT_OK(Feed(*server_, "room", 4, 6));
   const v1::ListSubmapsResponse now = ListAll(*server_->submaps, "room");
   ASSERT_TRUE(watcher.FollowTo(now.revision(), listed));
   EXPECT_EQ(listed.submaps(), HeldSubmaps(now).submaps());

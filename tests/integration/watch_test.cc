@@ -20,50 +20,25 @@ class WatchTest : public ::testing::Test {
     CreateMap();
   }
   void CreateMap() {
-    grpc::ClientContext create;
-    v1::CreateMapResponse response;
-    const grpc::Status created = server->maps->CreateMap(&create, CreateRequest("room"), &response);
-    ASSERT_TRUE(created.ok()) << created.error_message();
+    ASSERT_OK_AND_ASSIGN(const auto response, server->Call(&MapStub::CreateMap, CreateRequest("room")));
     history = response.map().history_id();
   }
-  void DeleteMap() {
-    v1::DeleteMapRequest request;
-    request.set_name("maps/room");
-    v1::DeleteMapResponse response;
-    grpc::ClientContext context;
-    const grpc::Status deleted = server->maps->DeleteMap(&context, request, &response);
-    ASSERT_TRUE(deleted.ok()) << deleted.error_message();
-  }
+  void DeleteMap() { ASSERT_OK(server->Call(&MapStub::DeleteMap, "maps/room")); }
   /// Commits before it is answered.
   std::int64_t Rename(std::int64_t id, const std::string& name) {
     v1::UpdateSubmapRequest request;
     request.mutable_submap()->set_name("maps/room/submaps/" + std::to_string(id));
     request.mutable_submap()->set_display_name(name);
     request.mutable_update_mask()->add_paths("display_name");
-    v1::UpdateSubmapResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = server->submaps->UpdateSubmap(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
-    return response.revision();
+    return server->Call(&SubmapStub::UpdateSubmap, request).value().revision();
   }
   std::int64_t Clone(std::int64_t id, std::int64_t* made = nullptr) {
-    v1::CloneSubmapRequest request;
-    request.set_name("maps/room/submaps/" + std::to_string(id));
-    v1::CloneSubmapResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = server->submaps->CloneSubmap(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
+    const auto response = server->Call(&SubmapStub::CloneSubmap, "maps/room/submaps/" + std::to_string(id)).value();
     if (made != nullptr) *made = response.submap().instance_id();
     return response.revision();
   }
   std::int64_t Remove(std::int64_t id) {
-    v1::DeleteSubmapRequest request;
-    request.set_name("maps/room/submaps/" + std::to_string(id));
-    v1::DeleteSubmapResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = server->submaps->DeleteSubmap(&context, request, &response);
-    EXPECT_TRUE(status.ok()) << status.error_message();
-    return response.revision();
+    return server->Call(&SubmapStub::DeleteSubmap, "maps/room/submaps/" + std::to_string(id)).value().revision();
   }
   v1::ListSubmapsResponse List() { return ListAll(*server->submaps, "room"); }
   std::int64_t AnyThing() {
@@ -95,11 +70,11 @@ TEST_F(WatchTest, WhoListsAndWatchesFromThereHoldsWhatAFreshListSays) {
   Begin();
   Watcher from_the_beginning(*server->watches, From(1));
   HeldSubmaps all{v1::ListSubmapsResponse()};
-  ASSERT_TRUE(Feed(*server, "room", 0, 6).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 6));
   const v1::ListSubmapsResponse list = List();
   HeldSubmaps held(list);
   Watcher watcher(*server->watches, From(list.revision() + 1));
-  ASSERT_TRUE(Feed(*server, "room", 6, 12).status.ok());
+  ASSERT_OK(Feed(*server, "room", 6, 12));
   const std::int64_t thing = AnyThing();
   std::int64_t made = 0;
   Clone(thing, &made);
@@ -115,7 +90,7 @@ TEST_F(WatchTest, WhoListsAndWatchesFromThereHoldsWhatAFreshListSays) {
 
 TEST_F(WatchTest, TheFirstMessageSaysWhereItBegins) {
   Begin();
-  ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t now = List().revision();
   v1::WatchMapResponse message;
   Watcher from_now(*server->watches, Silent(From(0)));
@@ -140,7 +115,7 @@ TEST_F(WatchTest, OneThatIsKilledAndResumedTwoHundredTimesMissesNothingAndHearsN
   std::atomic<bool> is_done = false;
   std::thread mapping([&] {
     for (int part = 0; part < 10; ++part) {
-      EXPECT_TRUE(Feed(*server, "room", 3 * part, 3 * part + 3).status.ok());
+      EXPECT_OK(Feed(*server, "room", 3 * part, 3 * part + 3));
       const std::int64_t thing = AnyThing();
       for (int n = 0; n < 8 && thing > 0; ++n) Rename(thing, "thing " + std::to_string(8 * part + n));
       std::int64_t made = 0;
@@ -179,9 +154,9 @@ TEST_F(WatchTest, GoesOnAfterARestartOfTheServer) {
   Begin();
   HeldSubmaps held(List());
   auto watcher = std::make_unique<Watcher>(*server->watches, From(held.revision() + 1));
-  ASSERT_TRUE(Feed(*server, "room", 0, 5).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 5));
   ASSERT_TRUE(watcher->FollowTo(List().revision(), held));
-  ASSERT_TRUE(server->Stop().ok());
+  ASSERT_OK(server->Stop());
   const grpc::Status ended = watcher->Finish();
   EXPECT_EQ(ended.error_code(), grpc::UNAVAILABLE) << ended.error_message();
   EXPECT_EQ(ErrorInfoOf(ended).reason(), "SHUTTING_DOWN");
@@ -190,7 +165,7 @@ TEST_F(WatchTest, GoesOnAfterARestartOfTheServer) {
   v1::WatchMapRequest request = From(0);
   request.set_resume_after(watcher->position());
   Watcher resumed(*server->watches, request);
-  ASSERT_TRUE(Feed(*server, "room", 5, 9).status.ok());
+  ASSERT_OK(Feed(*server, "room", 5, 9));
   const v1::ListSubmapsResponse now = List();
   ASSERT_TRUE(resumed.FollowTo(now.revision(), held));
   EXPECT_EQ(held.submaps(), HeldSubmaps(now).submaps());
@@ -198,7 +173,7 @@ TEST_F(WatchTest, GoesOnAfterARestartOfTheServer) {
 
 TEST_F(WatchTest, BeyondWhatIsKeptItIsCompacted) {
   Begin({.max_changes = 3});
-  ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t thing = AnyThing();
   std::int64_t now = 0;
   for (int n = 0; n < 5; ++n) now = Rename(thing, "name " + std::to_string(n));
@@ -246,7 +221,7 @@ TEST_F(WatchTest, DeletingTheMapEndsItAndAnotherOfItsNameIsAnother) {
 
 TEST_F(WatchTest, ASlowReaderIsToldToStartOver) {
   Begin({.max_changes = 4});
-  ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t thing = AnyThing();
   std::int64_t other = 0;
   Clone(thing, &other);
@@ -272,7 +247,7 @@ TEST_F(WatchTest, NeitherOpensAMapNorKeepsItOpen) {
   v1::WatchMapResponse message;
   ASSERT_TRUE(watcher.Read(message));
   EXPECT_TRUE(server->registry().OpenSessions().empty());
-  ASSERT_TRUE(Feed(*server, "room", 0, 3).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 3));
   EXPECT_TRUE(Eventually([&] {
     server->registry().CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1000));
     return server->registry().OpenSessions().empty();
@@ -307,7 +282,7 @@ TEST_F(WatchTest, SaysFromTimeToTimeHowFarAllIsTold) {
   ASSERT_TRUE(watcher.Read(message));
   ASSERT_TRUE(watcher.Read(message));
   EXPECT_TRUE(message.has_heartbeat()) << message.ShortDebugString();
-  ASSERT_TRUE(Feed(*server, "room", 0, 3).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 3));
   const std::int64_t now = List().revision();
   for (message.Clear(); !message.has_progress();) ASSERT_TRUE(watcher.Read(message));
   while (RevisionOf(message.position()) < now) ASSERT_TRUE(watcher.Read(message));
@@ -318,7 +293,7 @@ using WatchClock = WatchTest;
 
 TEST_F(WatchClock, HeartbeatsComeWhileNothingHappensToThoseWhoAskedForThemAndSayWhereToGoOn) {
   Begin();
-  ASSERT_TRUE(Feed(*server, "room", 0, 3).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 3));
   const std::int64_t thing = AnyThing();
   Rename(thing, "as stored");  // so that nothing is left to be stored
   v1::WatchMapRequest often = From(0), seldom = Silent(From(0));
@@ -357,10 +332,10 @@ TEST_F(WatchClock, HeartbeatsComeWhileNothingHappensToThoseWhoAskedForThemAndSay
 
 TEST_F(WatchTest, AChangeOfManySubmapsComesInMessagesOfWhichTheLastSaysSo) {
   Begin();
-  ASSERT_TRUE(Feed(*server, "room", 0, 4).status.ok());
+  ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t thing = AnyThing();
   const auto session = server->registry().OpenSession("room");
-  ASSERT_TRUE(session.ok());
+  ASSERT_OK(session);
   const std::int64_t before = List().revision();
   std::promise<bool> is_made;
   (*session)->Edit(

@@ -10,8 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/eventually.h"
 
@@ -45,19 +43,12 @@ inline v1::ListSubmapsResponse ListAll(v1::SubmapService::Stub& submaps, const s
   request.set_parent("maps/" + map);
   v1::ListSubmapsResponse response;
   grpc::ClientContext context;
-  EXPECT_TRUE(submaps.ListSubmaps(&context, request, &response).ok());
+  EXPECT_OK(submaps.ListSubmaps(&context, request, &response));
   return response;
 }
 
 inline std::int64_t RevisionOf(const std::string& position) {
   return std::stoll(position.substr(position.find('-') + 1));
-}
-
-inline google::rpc::ErrorInfo ErrorInfoOf(const grpc::Status& status) {
-  google::rpc::Status details;
-  google::rpc::ErrorInfo info;
-  if (details.ParseFromString(status.error_details()) && details.details_size() > 0) details.details(0).UnpackTo(&info);
-  return info;
 }
 
 /// One call of WatchMap, which ends with this, or after a time that only what hangs needs.
