@@ -281,12 +281,12 @@ TEST_F(RestFeeders, AnImplausibleFrameIsToldOrRefusedAsItsSenderLikes) {
   EXPECT_EQ(post(0).status, 200);
   const http::HttpAnswer told = post(1);
   EXPECT_EQ(told.status, 200) << told.body;
-  EXPECT_TRUE(Contains(told.body, R"("fault":"TRANSLATION_IN_MILLIMETRES")")) << told.body;
+  EXPECT_TRUE(ContainsText(told.body, R"("fault":"TRANSLATION_IN_MILLIMETRES")")) << told.body;
   request.set_refuse_implausible(true);
   const http::HttpAnswer refused = post(2);
   EXPECT_EQ(refused.status, 400) << refused.body;
-  EXPECT_TRUE(Contains(refused.body, "IMPLAUSIBLE_FRAME")) << refused.body;
-  EXPECT_TRUE(Contains(refused.body, R"("fault":"TRANSLATION_IN_MILLIMETRES")")) << refused.body;
+  EXPECT_TRUE(ContainsText(refused.body, "IMPLAUSIBLE_FRAME")) << refused.body;
+  EXPECT_TRUE(ContainsText(refused.body, R"("fault":"TRANSLATION_IN_MILLIMETRES")")) << refused.body;
   EXPECT_EQ(Get<v1::GetMapResponse>("maps/room").map().num_frames(), 2);
 }
 

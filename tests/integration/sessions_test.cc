@@ -82,10 +82,10 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
   CreateMap(server, CreateRequest("room"));
   Feeder flood(server, "room", {.session = "flood"}), other(server, "room", {.session = "other"});
   ASSERT_TRUE(flood.Feed(0) && other.Feed(0));
-  const std::int64_t message_bytes = List(server, "room")["other"].num_bytes();
+  const std::int64_t message_bytes = SessionsOf(server, "room")["other"].num_bytes();
   // Messages that wait for the writer, or have come to it.
   const auto num_come = [&](const std::string& session) {
-    return (List(server, "room")[session].num_bytes() + message_bytes / 2) / message_bytes;
+    return (SessionsOf(server, "room")[session].num_bytes() + message_bytes / 2) / message_bytes;
   };
   const std::int64_t revision = StateOf(server, "room")->revision();
   std::future<void> reader;
