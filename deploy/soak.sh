@@ -11,7 +11,7 @@ readonly bin=build/release/bin demo=build/soak/apartment
 folder=build/soak/$(git rev-parse HEAD)
 parts=(asan tsan tools fuzz lint-1 lint-2 lint-3 lint-4 sources properties load hostile maps rigs kills migration-kills power memory)
 
-release() { deploy/setup.sh --quiet && deploy/ci/build.sh release all; }
+release() { deploy/setup.sh --quiet && deploy/ci/build.sh release all dhpmap-check-points; }
 dataset() {
   release
   [ -d "$demo" ] || { "$bin/dhpmap-simulate" "$demo.new" --frames 120 && mv "$demo.new" "$demo"; }
