@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/gateway/rpc_call.h"
 
+#include <grpc/support/time.h>
 #include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
 #include <grpcpp/generic/generic_stub.h>
@@ -68,9 +69,14 @@ class CountedCall {
   std::shared_ptr<CallCounter> counter_;
 };
 
+/// By time that only passes, whatever the system's clock is set to.
+gpr_timespec DeadlineIn(std::chrono::nanoseconds timeout) {
+  return gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC), gpr_time_from_nanos(timeout.count(), GPR_TIMESPAN));
+}
+
 void Prepare(const CallOptions& options, grpc::ClientContext* context) {
   for (const auto& [key, value] : options.metadata) context->AddMetadata(key, value);
-  if (options.timeout) context->set_deadline(std::chrono::system_clock::now() + *options.timeout);
+  if (options.timeout) context->set_deadline(DeadlineIn(*options.timeout));
 }
 
 struct GenericUnaryCall final : UnaryCall {

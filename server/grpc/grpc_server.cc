@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "grpc/health/v1/health.pb.h"
+#include "server/grpc/passing_time.h"
 #include "server/grpc/reflection_service.h"
 #include "server/grpc/services.h"
 #include "server/grpc/stream_window.h"
@@ -250,9 +251,8 @@ void GrpcServer::Drain() {
 void GrpcServer::Shutdown(double grace_s) {
   Drain();
   if (impl_->connections != nullptr) impl_->connections->Stop();
-  const auto grace =
-      std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(grace_s));
-  const auto end = std::chrono::system_clock::now() + grace;
+  const gpr_timespec end =
+      GrpcTimeIn(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(grace_s)));
   grpc::Alarm giving_up;
   const auto has_given_up = std::make_shared<std::promise<void>>();
   giving_up.Set(end, [&registry = impl_->context.registry, has_given_up](bool is_time) {

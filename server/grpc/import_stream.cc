@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "server/grpc/passing_time.h"
 #include "server/grpc/request_message.h"
 #include "server/wire/map_conversion.h"
 
@@ -50,7 +51,7 @@ void ImportStream::Read() {
 void ImportStream::Watch(Clock::duration after) {
   // A new one each time: the one that has just fired is still in use.
   alarm_ = std::make_unique<grpc::Alarm>();
-  alarm_->Set(std::chrono::system_clock::now() + after, [stream = std::weak_ptr(self_)](bool has_fired) {
+  alarm_->Set(GrpcTimeIn(after), [stream = std::weak_ptr(self_)](bool has_fired) {
     const auto self = stream.lock();
     if (has_fired && self != nullptr) self->OnAlarm();
   });

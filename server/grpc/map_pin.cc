@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mapping/base/mutex.h"
+#include "server/grpc/passing_time.h"
 
 namespace dhpmap {
 
@@ -28,7 +29,7 @@ void MapPin::Hold(std::string map, std::shared_ptr<const MapView> view) {
     const MutexLock lock(held_->mutex);
     held_->view = std::move(view);
   }
-  held_->alarm.Set(std::chrono::system_clock::now() + longest_, [held = std::weak_ptr(held_)](bool) {
+  held_->alarm.Set(GrpcTimeIn(longest_), [held = std::weak_ptr(held_)](bool) {
     const auto still = held.lock();
     if (still == nullptr) return;
     std::shared_ptr<const MapView> last;  // gone after the mutex

@@ -8,6 +8,7 @@
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "server/app/distance_grid.h"
 #include "server/grpc/counted_service.h"
+#include "server/grpc/passing_time.h"
 #include "server/grpc/query_answers.h"
 #include "server/grpc/query_stream.h"
 #include "server/grpc/read_view.h"
@@ -104,11 +105,12 @@ class QueryService final : public CountedService<v1::QueryService> {
       return RunAsync(context_, call, [=, this](const Respond& respond, const std::stop_token& stop) {
         const Result<std::string> map = ParseMapName(request->map(), "map");
         if (!map.ok()) return respond(map.status());
-        waits_.Await(*map, revision, context->deadline(), stop, [=, this](const Status& there) {
-          if (!there.ok()) return respond(there);
-          AnswerInLane(
-              effort.is_quick, [=] { return answer(stop); }, respond);
-        });
+        waits_.Await(*map, revision, DeadlineOf(*context, RevisionWaits::kLongest), stop,
+                     [=, this](const Status& there) {
+                       if (!there.ok()) return respond(there);
+                       AnswerInLane(
+                           effort.is_quick, [=] { return answer(stop); }, respond);
+                     });
       });
     }
     if (effort.is_quick) return Run(context_, call, [answer] { return answer({}); });

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "server/app/etag.h"
+#include "server/grpc/passing_time.h"
 #include "server/grpc/query_answers.h"
 #include "server/grpc/read_view.h"
 #include "server/grpc/request_message.h"
@@ -76,7 +77,7 @@ void QueryStream::Read() {
 void QueryStream::ReadLater() {
   constexpr std::chrono::milliseconds kPause{100};
   pause_ = std::make_unique<grpc::Alarm>();
-  pause_->Set(std::chrono::system_clock::now() + kPause, [this](bool) {
+  pause_->Set(GrpcTimeIn(kPause), [this](bool) {
     const Status posted = RunGuarded([this] {
       context_.lanes.quick.Post([this] { ReadIfThereIsRoom(); });
       return Status::Ok();
@@ -98,7 +99,7 @@ void QueryStream::ReadIfThereIsRoom() {
 void QueryStream::GiveRoomBackLater() {
   constexpr std::chrono::seconds kKeptForNext{1};
   pause_ = std::make_unique<grpc::Alarm>();
-  pause_->Set(std::chrono::system_clock::now() + kKeptForNext, [ahead = std::weak_ptr(room_)](bool has_fired) {
+  pause_->Set(GrpcTimeIn(kKeptForNext), [ahead = std::weak_ptr(room_)](bool has_fired) {
     const auto room = ahead.lock();
     if (has_fired && room != nullptr) room->GiveBackUnused();
   });

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "server/app/etag.h"
+#include "server/grpc/passing_time.h"
 
 namespace dhpmap {
 
@@ -44,7 +45,7 @@ class RevisionWaits::Wait : public std::enable_shared_from_this<Wait> {
     if (is_over) return done_(status);
     constexpr std::chrono::milliseconds kBetween{10};
     alarm_ = std::make_unique<grpc::Alarm>();
-    alarm_->Set(TimePoint::clock::now() + kBetween,
+    alarm_->Set(GrpcTimeIn(kBetween),
                 [self = shared_from_this()](bool) { self->context_.lanes.quick.Post([self] { self->Look(); }); });
   }
 

@@ -16,7 +16,7 @@ namespace dhpmap {
 /// Calls that wait until a map is at some revision. None holds a thread: each looks again every 10 ms. Thread-safe.
 class RevisionWaits {
  public:
-  using TimePoint = std::chrono::system_clock::time_point;
+  using TimePoint = std::chrono::steady_clock::time_point;
   static constexpr std::chrono::seconds kLongest{10};
   static constexpr int kMost = 256;
 

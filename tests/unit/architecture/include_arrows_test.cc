@@ -261,6 +261,23 @@ TEST(Architecture, NoFileIsNamedForNothing) {
   }
 }
 
+/// What the system's clock says may change by a year at any moment: it is for stamps that people read.
+TEST(Architecture, OnlyStampsAreOfTheSystemsClock) {
+  const std::vector<std::string> stamps = {"server/app/map_session.cc", "server/app/map_registry.cc",
+                                           "server/record/map_recorder.cc"};
+  const fs::path root = testing::SourceDir();
+  for (const char* top : {"mapping", "storage", "server"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (entry.path().extension() != ".h" && entry.path().extension() != ".cc") continue;
+      const std::string file = fs::relative(entry.path(), root).string();
+      if (std::find(stamps.begin(), stamps.end(), file) != stamps.end()) continue;
+      std::ifstream in(entry.path());
+      const std::string text(std::istreambuf_iterator<char>(in), {});
+      EXPECT_EQ(text.find("system_clock"), std::string::npos) << file << ": what takes time is by a steady clock";
+    }
+  }
+}
+
 TEST(Architecture, NoSourceIsLongerThan500Lines) {
   const fs::path root = testing::SourceDir();
   for (const char* top : {"mapping", "storage", "server", "clients", "tests"}) {
