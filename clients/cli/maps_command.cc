@@ -130,7 +130,7 @@ ExitCode RunDeleteMap(const Session& session, const MapDeletion& deletion) {
     const bool is_damaged = found.error_code() == grpc::StatusCode::DATA_LOSS;
     if (!found.ok() && !is_damaged) return ReportError(session, found);
     const std::string what =
-        is_damaged ? ", which is damaged" : " with its " + std::to_string(map.num_submaps()) + " submaps";
+        is_damaged ? ", which is damaged" : " with all its submaps (" + std::to_string(map.num_submaps()) + ")";
     const std::string question = "Delete " + MapName(name) + what + "? This cannot be undone.";
     const Status said = Confirm(question, isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0, std::cin, std::cerr);
     if (!said.ok()) return ReportLocalError(said.message(), ExitCode::kUsage);

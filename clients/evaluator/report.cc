@@ -147,14 +147,15 @@ std::string Folded(const std::string& summary, const std::string& content) {
 std::string ProtocolHtml(const std::string& markdown) {
   std::istringstream lines(markdown);
   std::string html, line;
-  for (bool is_list = false; std::getline(lines, line);) {
+  bool is_list = false;
+  while (std::getline(lines, line)) {
     if (line.empty()) continue;
     const bool is_item = line.starts_with("- ");
     if (is_item != is_list) html += is_item ? "<ul>" : "</ul>";
     is_list = is_item;
     html += is_item ? "<li>" + Escaped(line.substr(2)) + "</li>\n" : "<p>" + Escaped(line) + "</p>\n";
-    if (lines.peek() == EOF && is_list) html += "</ul>";
   }
+  if (is_list) html += "</ul>\n";
   return html;
 }
 

@@ -111,7 +111,7 @@ TEST_F(CommandHelp, DeletingAMapAsksFirst) {
   EXPECT_TRUE(HasMap("spare")) << "nobody was there to be asked";
 
   const Outcome no = OnTerminal("maps delete spare", "n");
-  EXPECT_NE(no.out.find("Delete maps/spare with its"), std::string::npos) << no.out << no.err;
+  EXPECT_NE(no.out.find("Delete maps/spare with all its submaps (1)"), std::string::npos) << no.out << no.err;
   EXPECT_TRUE(HasMap("spare"));
   const Outcome yes = OnTerminal("maps delete spare", "y");
   EXPECT_EQ(yes.exit_code, 0) << yes.out << yes.err;
