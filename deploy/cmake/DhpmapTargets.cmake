@@ -134,6 +134,7 @@ function(dhpmap_compile_as_source target stubs)
   if(stubs AND CMAKE_CURRENT_SOURCE_DIR MATCHES "^${CMAKE_SOURCE_DIR}/tests")
     set(kind tests)
     target_compile_options(${target} PRIVATE ${dhpmap_stub_test_options})
+    target_link_libraries(${target} PRIVATE GTest::gtest)  # whose definitions the precompiled headers were made with
   endif()
   dhpmap_use_prelude(${target} ${kind} ${stubs})
   dhpmap_compile_together(${target} ${ARGN})
