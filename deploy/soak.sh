@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 
 readonly bin=build/release/bin demo=build/soak/apartment
 folder=build/soak/$(git rev-parse HEAD)
-parts=(asan tsan tools fuzz lint-1 lint-2 lint-3 lint-4 sources properties load hostile maps rigs kills migration-kills power memory)
+parts=(asan tsan tools fuzz lint-1 lint-2 lint-3 lint-4 sources properties load hostile maps rigs kills killed power memory)
 
 release() { deploy/setup.sh --quiet && deploy/ci/build.sh release all dhpmap-check-points; }
 dataset() {
@@ -63,7 +63,7 @@ $bin/dhpmap-rig watchers $demo
 $bin/dhpmap-rig two-feeders $demo"
 }
 part_kills() { release; every <<<"$bin/dhpmap-rig-kills --kills 300"; }
-part_migration-kills() { release; every <<<"build/release/tests/e2e_test --gtest_filter='*Kill*' --gtest_repeat=20"; }
+part_killed() { release; every <<<"build/release/tests/e2e_test --gtest_filter='*Kill*' --gtest_repeat=20"; }
 part_power() { release; every <<<"tests/rig/power_cut.sh"; }
 # Bounds that a busy machine would break: they are held here, where nothing else runs.
 part_memory() { dataset; every <<<"$bin/dhpmap-bench budget $demo"; }
