@@ -119,20 +119,21 @@ struct GrpcServer::Impl {
         context{registry, lanes, options, observer, held},
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams, query_streams, watch_streams, reflection_streams)),
-        lanes{
-            .quick = MakeLane({.name = "quick",
-                               .num_threads = options.num_threads,
-                               .max_waiting = kMaxWaiting,
-                               .turns = Turns::kShort}),
-            .loads = MakeLane({.name = "loads", .num_threads = kLoadThreads, .max_waiting = kMaxWaiting}),
-            .answers = MakeLane({.name = "answers", .turns = Turns::kShort}),
-            .bulk = MakeLane({.name = "bulk",
-                              .num_threads = BulkThreads(options),
-                              .max_waiting = kMaxWaiting,
-                              .niceness = kBulkNiceness}),
-            .frames = MakeLane({.name = "frames", .num_threads = kFrameThreads}),
-            .decoding = MakeLane({.name = "decoding", .num_threads = kDecodingThreads, .niceness = kDecodingNiceness}),
-            .watch = MakeLane({.name = "watch"})} {
+        lanes{.quick = MakeLane({.name = "quick",
+                                 .num_threads = options.num_threads,
+                                 .max_waiting = kMaxWaiting,
+                                 .turns = Turns::kShort}),
+              .loads = MakeLane({.name = "loads", .num_threads = kLoadThreads, .max_waiting = kMaxWaiting}),
+              .answers = MakeLane({.name = "answers", .turns = Turns::kShort}),
+              .bulk = MakeLane({.name = "bulk",
+                                .num_threads = BulkThreads(options),
+                                .max_waiting = kMaxWaiting,
+                                .niceness = options.has_nice_threads ? kBulkNiceness : 0}),
+              .frames = MakeLane({.name = "frames", .num_threads = kFrameThreads}),
+              .decoding = MakeLane({.name = "decoding",
+                                    .num_threads = kDecodingThreads,
+                                    .niceness = options.has_nice_threads ? kDecodingNiceness : 0}),
+              .watch = MakeLane({.name = "watch"})} {
     LetLanesMeet();
   }
 

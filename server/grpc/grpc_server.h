@@ -23,6 +23,7 @@ struct GrpcOptions {
   std::size_t max_message_bytes = 64u << 20;  ///< of a request
   int num_threads = 4;                        ///< for calls that are answered quickly
   int num_bulk_threads = 0;                   ///< for meshes, voxels, many points; 0 = one a core
+  bool has_nice_threads = true;               ///< what takes long leaves busy cores to others, of any process
   /// For requests and answers in memory; what goes beyond it is refused. As much again is for frames, and for gRPC's
   /// own buffers. Never null.
   std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);

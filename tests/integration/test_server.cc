@@ -29,6 +29,7 @@ void BePatient(double& time_s, double default_s) {
 
 GrpcOptions OnFreePort(GrpcOptions options) {
   options.address = "127.0.0.1:0";
+  options.has_nice_threads = false;  // which would hardly run beside what else keeps the machine busy
   BePatient(options.keepalive_s, GrpcOptions().keepalive_s);
   BePatient(options.import_idle_s, GrpcOptions().import_idle_s);
   return options;

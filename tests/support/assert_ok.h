@@ -8,8 +8,7 @@
 
 namespace dhpmap::testing {
 
-/// Whether a status is OK, ours or gRPC's, or that of a result, an answer or a
-/// stream; says what is wrong.
+/// Whether a status is OK, ours or gRPC's, or that of a result, an answer or a stream; says what is wrong.
 template <typename T>
 ::testing::AssertionResult IsOk(const T& what) {
   if constexpr (requires { what.status(); }) {
@@ -30,8 +29,7 @@ template <typename T>
 #define EXPECT_OK(expr) EXPECT_TRUE(::dhpmap::testing::IsOk(expr))
 #define ASSERT_OK(expr) ASSERT_TRUE(::dhpmap::testing::IsOk(expr))
 
-/// `ASSERT_OK_AND_ASSIGN(const auto x, Compute())`: x is the value, or the test
-/// ends with the error.
+/// `ASSERT_OK_AND_ASSIGN(const auto x, Compute())`: x is the value, or the test ends with the error.
 #define ASSERT_OK_AND_ASSIGN(lhs, expr) \
   DHPMAP_ASSERT_OK_AND_ASSIGN_(DHPMAP_ASSERT_OK_CONCAT_(dhpmap_result_, __LINE__), lhs, expr)
 #define DHPMAP_ASSERT_OK_AND_ASSIGN_(result, lhs, expr) \

@@ -30,8 +30,7 @@ using QueryStub = v1::QueryService::Stub;
 using SubmapStub = v1::SubmapService::Stub;
 using WatchStub = v1::WatchService::Stub;
 
-/// What a call has come to: gRPC's status as it came, and what was answered,
-/// nothing unless that is OK.
+/// What a call has come to: gRPC's status as it came, and what was answered, nothing unless that is OK.
 template <typename Response>
 class [[nodiscard]] Answer {
  public:
@@ -72,10 +71,12 @@ Request About(std::string_view resource) {
   return request;
 }
 
-/// Calls a server's methods, each `&SubmapStub::ListSubmaps` or the like. A
-/// call ends when only what hangs would still go on. Thread-safe.
+/// Calls a server's methods, each `&SubmapStub::ListSubmaps` or the like. A call ends when only what hangs would still
+/// go on. Thread-safe.
 class Client {
  public:
+  static constexpr std::chrono::minutes kLongest{10};
+
   explicit Client(std::shared_ptr<grpc::Channel> channel) : channel_(std::move(channel)) {}
 
   [[nodiscard]] const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
@@ -89,7 +90,7 @@ class Client {
   Answer<Response> Call(Unary<Stub, Request, Response> method,
                         const std::type_identity_t<Request>& request = Request()) const {
     grpc::ClientContext context;
-    context.set_deadline(std::chrono::system_clock::now() + kPatience);
+    context.set_deadline(std::chrono::system_clock::now() + kLongest);
     Response response;
     Stub stub(channel_);
     grpc::Status status = (stub.*method)(&context, request, &response);
@@ -100,7 +101,7 @@ class Client {
   Answer<std::vector<Response>> Call(Streaming<Stub, Request, Response> method,
                                      const std::type_identity_t<Request>& request = Request()) const {
     grpc::ClientContext context;
-    context.set_deadline(std::chrono::system_clock::now() + kPatience);
+    context.set_deadline(std::chrono::system_clock::now() + kLongest);
     std::vector<Response> messages;
     Stub stub(channel_);
     const auto reader = (stub.*method)(&context, request);
