@@ -9,6 +9,7 @@
 
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 #include "tests/support/thread_ids.h"
 
@@ -16,9 +17,7 @@ namespace dhpmap {
 namespace {
 
 MapInfo Info(int refine_every_frames) {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(1, 1);
+  MapInfo info = testing::NamedMap("m", 1, 1);
   info.config.tracking.min_points_stuff = 20;
   info.config.tracking.min_points_medium = 10;
   info.config.refinement.every_frames = refine_every_frames;

@@ -13,6 +13,7 @@
 #include "mapping/map/tile_directory.h"
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -95,9 +96,7 @@ std::shared_ptr<const MapSnapshot> OnDisk(const MapSnapshot& whole) {
 }
 
 MapInfo Info() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(1, 1);
+  MapInfo info = testing::NamedMap("m", 1, 1);
   info.config.tracking.min_points_stuff = 20;
   info.config.tracking.min_points_medium = 10;
   info.config.refinement.every_frames = 0;

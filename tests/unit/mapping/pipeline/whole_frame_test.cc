@@ -16,6 +16,7 @@
 #include "mapping/fusion/bundler.h"
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace {
@@ -103,9 +104,7 @@ PanopticFrame Frame(int i) {
 }
 
 MapInfo Info() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(1, 1);
+  MapInfo info = testing::NamedMap("m", 1, 1);
   info.config.tracking.min_points_stuff = 20;
   info.config.tracking.min_points_medium = 10;
   info.config.refinement.every_frames = 0;
