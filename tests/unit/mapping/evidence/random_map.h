@@ -7,27 +7,17 @@
 #include <vector>
 
 #include "mapping/map/map.h"
-#include "tests/support/scenes.h"
+#include "tests/support/map_infos.h"
 
 namespace dhpmap::testing {
 
 inline constexpr int kNumClasses = 4;
 inline constexpr int kSpan_vox = 12;  // voxels per axis in which random submaps overlap, across block borders
 
-inline MapInfo RandomMapInfo() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = MakeLabelSet(2, 2);
-  return info;
-}
+inline MapInfo RandomMapInfo() { return NamedMap("m", 2, 2); }
 
 inline Submap& AddSubmap(Map& map, Panoptic panoptic = Panoptic::kThing) {
-  SubmapInfo info;
-  info.panoptic = panoptic;
-  info.class_id = ClassId(1);
-  info.voxel_size_m = map.info().config.voxel_size_m;
-  info.truncation_m = map.info().config.truncation_m;
-  return map.Create(std::move(info));
+  return map.Create(InfoOn(map, panoptic, ClassId(1)));
 }
 
 inline void Put(Submap& submap, VoxelIndex v, float distance_m, float weight, const LabelHistograms& labels) {

@@ -9,7 +9,7 @@
 #include "mapping/objects/object_care.h"
 #include "mapping/objects/pair_evidence.h"
 #include "tests/support/map_equality.h"
-#include "tests/support/scenes.h"
+#include "tests/support/map_infos.h"
 
 namespace dhpmap {
 namespace {
@@ -20,22 +20,9 @@ constexpr std::int64_t kLeast = 20;
 /// A thing of sheets of voxels in the plane z = 0, each 6 x 6 voxels from (x, 0) on.
 class ApartThings : public ::testing::Test {
  protected:
-  ApartThings() : map_(Info()) {}
-
-  static MapInfo Info() {
-    MapInfo info;
-    info.name = "m";
-    info.label_set = testing::MakeLabelSet(2, 1);
-    return info;
-  }
-
   SubmapId AddThing(const std::vector<int>& sheets_at_x, int side_vox = 6) {
-    SubmapInfo info{.panoptic = Panoptic::kThing,
-                    .class_id = ClassId(1),
-                    .voxel_size_m = map_.info().config.voxel_size_m,
-                    .truncation_m = map_.info().config.truncation_m,
-                    .is_confirmed = true};
-    info.activity = Activity::kInactive;
+    SubmapInfo info = testing::SettledThingOn(map_, ClassId(1));
+    info.is_confirmed = true;
     const SubmapId id = map_.Create(std::move(info)).id();
     for (const int x : sheets_at_x) AddSheetTo(id, x, side_vox);
     return id;
@@ -63,7 +50,7 @@ class ApartThings : public ::testing::Test {
     return number;
   }
 
-  Map map_;
+  Map map_{testing::NamedMap("m", 2, 1)};
 };
 
 TEST_F(ApartThings, WhatLiesApartBecomesTwoOfWhichTheLargerKeepsTheId) {

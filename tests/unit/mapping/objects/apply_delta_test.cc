@@ -9,26 +9,14 @@
 
 #include "mapping/map/tile_page.h"
 #include "mapping/objects/merge_submaps.h"
-#include "tests/support/scenes.h"
+#include "tests/support/map_infos.h"
 
 namespace dhpmap {
 namespace {
 
-MapInfo MapOfClasses() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(3, 1);
-  return info;
-}
+MapInfo MapOfClasses() { return testing::NamedMap("m", 3, 1); }
 
-SubmapId AddChair(Map& map) {
-  SubmapInfo info;
-  info.panoptic = Panoptic::kThing;
-  info.class_id = ClassId(1);
-  info.voxel_size_m = map.info().config.voxel_size_m;
-  info.truncation_m = map.info().config.truncation_m;
-  return map.Create(std::move(info)).id();
-}
+SubmapId AddChair(Map& map) { return map.Create(testing::InfoOn(map, Panoptic::kThing, ClassId(1))).id(); }
 
 StateDelta Difference(const MapSnapshot& before, const MapSnapshot& after) {
   StateDelta delta = DiffRows(before, after);
@@ -236,14 +224,7 @@ TEST(ApplyDelta, TheSphereHoldsWhatFramesHaveAddedWhereItWasLarger) {
 
 TEST(ApplyDelta, ABackgroundDoesNotComeBackBesideTheOneThatIsThereNow) {
   Map map(MapOfClasses());
-  const auto add_stuff = [&map] {
-    SubmapInfo info;
-    info.panoptic = Panoptic::kStuff;
-    info.class_id = ClassId(4);
-    info.voxel_size_m = map.info().config.voxel_size_m;
-    info.truncation_m = map.info().config.truncation_m;
-    return map.Create(std::move(info)).id();
-  };
+  const auto add_stuff = [&map] { return map.Create(testing::InfoOn(map, Panoptic::kStuff, ClassId(4))).id(); };
   const SubmapId floor = add_stuff();
   const auto before = map.Publish(1);
   map.Remove(floor);
@@ -260,13 +241,9 @@ TEST(ApplyDelta, ARelabelledBackgroundDoesNotComeBackBesideWhatWasSeenInItsPlace
   for (const bool is_relabelled_first : {true, false}) {
     Map map(MapOfClasses());
     const auto add_stuff = [&map](bool is_relabelled) {
-      SubmapInfo info;
-      info.panoptic = Panoptic::kStuff;
-      info.class_id = ClassId(is_relabelled ? 3 : 4);
+      SubmapInfo info = testing::InfoOn(map, Panoptic::kStuff, ClassId(is_relabelled ? 3 : 4));
       info.class_is_fixed = is_relabelled;
       info.class_counts = {{ClassId(4), 9}};
-      info.voxel_size_m = map.info().config.voxel_size_m;
-      info.truncation_m = map.info().config.truncation_m;
       return map.Create(std::move(info)).id();
     };
     const SubmapId floor = add_stuff(is_relabelled_first);

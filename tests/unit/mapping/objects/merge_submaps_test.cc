@@ -8,28 +8,17 @@
 
 #include "mapping/refinement/adopt_refinement.h"
 #include "mapping/refinement/refine_map.h"
-#include "tests/support/scenes.h"
+#include "tests/support/map_infos.h"
 
 namespace dhpmap {
 namespace {
 
 constexpr ClassId kChair{1}, kTable{2};
 
-MapInfo Info() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(3, 1);
-  return info;
-}
+MapInfo Info() { return testing::NamedMap("m", 3, 1); }
 
 SubmapId AddThing(Map& map, ClassId class_id = kChair) {
-  SubmapInfo info;
-  info.panoptic = Panoptic::kThing;
-  info.class_id = class_id;
-  info.voxel_size_m = map.info().config.voxel_size_m;
-  info.truncation_m = map.info().config.truncation_m;
-  info.activity = Activity::kInactive;
-  return map.Create(std::move(info)).id();
+  return map.Create(testing::SettledThingOn(map, class_id)).id();
 }
 
 void Observe(Map& map, SubmapId id, BlockIndex block, int linear, float distance_m, float weight,

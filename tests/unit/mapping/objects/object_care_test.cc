@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mapping/objects/pair_evidence.h"
-#include "tests/support/scenes.h"
+#include "tests/support/map_infos.h"
 
 namespace dhpmap {
 namespace {
@@ -14,23 +14,8 @@ constexpr ClassId kSeat{1}, kDesk{2};
 /// A row of things along x, each a sheet of one block, side by side.
 class ObjectCareTest : public ::testing::Test {
  protected:
-  ObjectCareTest() : map_(Info()) {}
-
-  static MapInfo Info() {
-    MapInfo info;
-    info.name = "m";
-    info.label_set = testing::MakeLabelSet(3, 1);
-    return info;
-  }
-
   SubmapId AddSheet(int block_x, ClassId class_id = kSeat, int num_voxels = kBlockVoxels) {
-    SubmapInfo info;
-    info.panoptic = Panoptic::kThing;
-    info.class_id = class_id;
-    info.voxel_size_m = map_.info().config.voxel_size_m;
-    info.truncation_m = map_.info().config.truncation_m;
-    info.activity = Activity::kInactive;
-    Submap& submap = map_.Create(std::move(info));
+    Submap& submap = map_.Create(testing::SettledThingOn(map_, class_id));
     TsdfBlock& tsdf = submap.MutableTsdf({block_x, 0, 0});
     for (int i = 0; i < num_voxels; ++i) tsdf.weight[static_cast<std::size_t>(i)] = 1;
     submap.UpdateBoundingSphere();
@@ -56,7 +41,7 @@ class ObjectCareTest : public ::testing::Test {
     for (; num_frames > 0; --num_frames) See({a, b}, {0, 1}, {{500, 0}, {0, 300}});
   }
 
-  Map map_;
+  Map map_{testing::NamedMap("m", 3, 1)};
 };
 
 TEST_F(ObjectCareTest, TwoThatTenFramesShowAsOneBecomeTheOlder) {

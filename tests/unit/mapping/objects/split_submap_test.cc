@@ -11,26 +11,16 @@
 #include "mapping/evidence/submap_labels.h"
 #include "mapping/objects/clear_region.h"
 #include "mapping/objects/merge_submaps.h"
-#include "tests/support/scenes.h"
+#include "tests/support/map_infos.h"
 
 namespace dhpmap {
 namespace {
 
-MapInfo MapOfBench() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(3, 1);
-  return info;
-}
+MapInfo MapOfBench() { return testing::NamedMap("m", 3, 1); }
 
 SubmapId AddBench(Map& map) {
-  SubmapInfo info;
-  info.panoptic = Panoptic::kThing;
-  info.class_id = ClassId(1);
+  SubmapInfo info = testing::SettledThingOn(map, ClassId(1));
   info.display_name = "bench";
-  info.voxel_size_m = map.info().config.voxel_size_m;
-  info.truncation_m = map.info().config.truncation_m;
-  info.activity = Activity::kInactive;
   return map.Create(std::move(info)).id();
 }
 

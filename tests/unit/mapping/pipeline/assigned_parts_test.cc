@@ -8,6 +8,7 @@
 #include "mapping/fusion/segment_parts.h"
 #include "mapping/pipeline/frame_fusion.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -54,10 +55,7 @@ PanopticFrame TwoScannedBalls() {
 class AssignedParts : public ::testing::Test {
  protected:
   AssignedParts() : map_(Info()) {
-    SubmapInfo info{.panoptic = Panoptic::kThing,
-                    .class_id = ClassId(1),
-                    .voxel_size_m = map_.info().config.voxel_size_m,
-                    .truncation_m = map_.info().config.truncation_m};
+    SubmapInfo info = testing::InfoOn(map_, Panoptic::kThing, ClassId(1));
     still_ = map_.Create(info).id();
     info.T_map_submap.translation() = Eigen::Vector3d(0.013, -0.537, 0.1);
     info.T_map_submap.linear() = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -65,9 +63,7 @@ class AssignedParts : public ::testing::Test {
   }
 
   static MapInfo Info() {
-    MapInfo info;
-    info.name = "m";
-    info.label_set = testing::MakeLabelSet(1, 1);
+    MapInfo info = testing::NamedMap("m", 1, 1);
     info.config = IndoorConfig();
     return info;
   }

@@ -12,6 +12,7 @@
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/surface_cache.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 // A room that sensors walk through, and what a map of it says that is there, as the tests of what is gone need them.
@@ -96,9 +97,7 @@ inline PanopticFrame WalkFrame(const Scene& scene, int i) {
 }
 
 inline MapInfo Info() {
-  MapInfo info;
-  info.name = "room";
-  info.label_set = MakeLabelSet(2, 3);
+  MapInfo info = NamedMap("room", 2, 3);
   info.config.tracking.min_points_stuff = 100;
   info.config.tracking.min_points_medium = 50;
   info.config.refinement.every_frames = 0;

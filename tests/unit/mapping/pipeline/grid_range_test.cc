@@ -8,6 +8,7 @@
 #include "mapping/base/grid_reach.h"
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -16,9 +17,7 @@ namespace {
 using testing::MapsAreEqual;
 
 MapInfo WallInfo(double voxel_size_m = 0.04) {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(1, 1);
+  MapInfo info = testing::NamedMap("m", 1, 1);
   info.config.voxel_size_m = voxel_size_m;
   info.config.truncation_m = 2 * voxel_size_m;
   return info;

@@ -5,7 +5,7 @@
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/query/point_lookup.h"
 #include "tests/support/map_equality.h"
-#include "tests/support/scenes.h"
+#include "tests/support/map_infos.h"
 
 namespace dhpmap {
 namespace {
@@ -35,9 +35,7 @@ PanopticFrame StreetScan(bool with_flags) {
 }
 
 MapInfo StreetInfo() {
-  MapInfo info;
-  info.name = "street";
-  info.label_set = testing::MakeLabelSet(2, 1);
+  MapInfo info = testing::NamedMap("street", 2, 1);
   info.config = OutdoorLidarConfig();
   info.config.tracking.min_points_stuff = info.config.tracking.min_points_medium = 10;
   return info;

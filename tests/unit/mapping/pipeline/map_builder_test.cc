@@ -8,6 +8,7 @@
 
 #include "mapping/query/point_lookup.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -43,9 +44,7 @@ Scene RoomScene() {
 }
 
 MapInfo RoomInfo() {
-  MapInfo info;
-  info.name = "room";
-  info.label_set = testing::MakeLabelSet(2, 1);
+  MapInfo info = testing::NamedMap("room", 2, 1);
   info.config.tracking.min_points_stuff = 100;
   info.config.tracking.min_points_medium = 50;
   return info;
@@ -201,9 +200,7 @@ TEST(MapBuilder, SphereEnclosesEveryObservedVoxel) {
 }
 
 TEST(MapBuilder, PointsOnAllSidesOfTheSensorLeaveNoNonsense) {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(1, 1);
+  MapInfo info = testing::NamedMap("m", 1, 1);
   info.config.voxel_size_m = 0.5;
   info.config.truncation_m = 1.0;
   MapBuilder builder(info, 1);

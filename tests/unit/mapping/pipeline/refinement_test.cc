@@ -8,6 +8,7 @@
 
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -24,9 +25,7 @@ constexpr ClassId kCrateClass{1}, kFloorClass{3};
 constexpr std::uint32_t kCrateId = 12, kFloorId = 13;
 
 MapInfo CrateInfo(int every_frames) {
-  MapInfo info;
-  info.name = "room";
-  info.label_set = testing::MakeLabelSet(2, 1);
+  MapInfo info = testing::NamedMap("room", 2, 1);
   info.config.tracking.min_points_stuff = 100;
   info.config.tracking.min_points_medium = 50;
   info.config.refinement.every_frames = every_frames;

@@ -5,27 +5,17 @@
 
 #include <random>
 
-#include "tests/support/scenes.h"
+#include "tests/support/map_infos.h"
 
 namespace dhpmap {
 namespace {
 
 constexpr ClassId kThing{1}, kStuff{2};
 
-MapInfo Info() {
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(1, 1);
-  return info;
-}
+MapInfo Info() { return testing::NamedMap("m", 1, 1); }
 
 Submap& AddSubmap(Map& map, Panoptic panoptic, ClassId class_id) {
-  SubmapInfo info;
-  info.panoptic = panoptic;
-  info.class_id = class_id;
-  info.voxel_size_m = map.info().config.voxel_size_m;
-  info.truncation_m = map.info().config.truncation_m;
-  return map.Create(std::move(info));
+  return map.Create(testing::InfoOn(map, panoptic, class_id));
 }
 
 void Observe(Submap& submap, VoxelIndex v, float distance_m, float weight, int num_observations, ClassId c) {

@@ -17,6 +17,8 @@
 #include "mapping/refinement/label_crf.h"
 #include "mapping/refinement/near_evidence.h"
 #include "mapping/refinement/tile_marginals.h"
+#include "tests/support/map_infos.h"
+#include "tests/support/scenes.h"
 #include "tests/unit/mapping/evidence/random_map.h"
 
 namespace dhpmap {
@@ -64,9 +66,7 @@ Map MapOfFrames(const MapConfig& config, unsigned seed) {
                               {Solid::Shape::kBox, {1.5, -0.2, 0.9}, {0.2, 0.2, 0.2}, 2, {60, 150, 70}},
                               {Solid::Shape::kHalfSpace, {1.8, 0, 0}, {-1, 0, 0}, 3, {100, 100, 140}}}};
   const PinholeCamera camera{.width_px = 64, .height_px = 48, .fx_px = 64, .fy_px = 64, .cx_px = 32, .cy_px = 24};
-  MapInfo info;
-  info.name = "m";
-  info.label_set = testing::MakeLabelSet(2, 1);
+  MapInfo info = testing::NamedMap("m", 2, 1);
   info.config = config;
   MapBuilder builder(std::move(info), 1);
   std::mt19937 random(seed);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -33,9 +34,7 @@ class ActivityTest : public ::testing::Test {
   }
 
   static MapInfo Info() {
-    MapInfo info;
-    info.name = "m";
-    info.label_set = testing::MakeLabelSet(1, 1);
+    MapInfo info = testing::NamedMap("m", 1, 1);
     info.config.voxel_size_m = 0.1;
     info.config.truncation_m = 0.2;
     info.config.integration.max_weight = 100;
@@ -44,11 +43,9 @@ class ActivityTest : public ::testing::Test {
   }
 
   SubmapInfo Thing(bool is_confirmed) const {
-    return {.panoptic = Panoptic::kThing,
-            .class_id = ClassId(1),
-            .voxel_size_m = map_.info().config.voxel_size_m,
-            .truncation_m = map_.info().config.truncation_m,
-            .is_confirmed = is_confirmed};
+    SubmapInfo info = testing::InfoOn(map_, Panoptic::kThing, ClassId(1));
+    info.is_confirmed = is_confirmed;
+    return info;
   }
 
   /// A submap with one observed voxel, the first of `block`.

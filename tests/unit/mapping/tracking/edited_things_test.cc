@@ -11,6 +11,7 @@
 #include "mapping/tracking/segment_votes.h"
 #include "mapping/tracking/tracker.h"
 #include "mapping/tracking/visibility.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -41,9 +42,7 @@ void Rename(std::uint32_t from, std::uint32_t to, PanopticFrame& frame) {
 class EditedThings : public ::testing::TestWithParam<bool> {
  protected:
   static MapInfo InfoOfCupboards() {
-    MapInfo info;
-    info.name = "m";
-    info.label_set = testing::MakeLabelSet(2, 2);
+    MapInfo info = testing::NamedMap("m", 2, 2);
     info.config.tracking.min_points_stuff = 100;
     info.config.tracking.min_points_medium = 100;
     return info;
@@ -305,12 +304,7 @@ TEST_P(EditedThings, ARelabelledBackgroundGetsWhatFramesStillCallByItsOldClass) 
   frame.segments[2].class_id = kCurtain;
   EXPECT_EQ(Feed(frame)[2], Ids{wall}) << "there is no other of its class";
 
-  SubmapInfo other;
-  other.panoptic = Panoptic::kStuff;
-  other.class_id = kCurtain;
-  other.voxel_size_m = map_.info().config.voxel_size_m;
-  other.truncation_m = map_.info().config.truncation_m;
-  const SubmapId curtain = map_.Create(std::move(other)).id();
+  const SubmapId curtain = map_.Create(testing::InfoOn(map_, Panoptic::kStuff, kCurtain)).id();
   EXPECT_EQ(Feed(frame)[2], Ids{curtain}) << "what was seen as that class comes first";
   EXPECT_EQ(Feed(Frame(0.8))[2], Ids{wall});
 }

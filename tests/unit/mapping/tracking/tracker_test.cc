@@ -14,6 +14,7 @@
 #include "mapping/tracking/activity.h"
 #include "mapping/tracking/segment_votes.h"
 #include "mapping/tracking/visibility.h"
+#include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -47,9 +48,7 @@ class TrackerTest : public ::testing::Test {
   TrackerTest() : map_(Info()) {}
 
   static MapInfo Info() {
-    MapInfo info;
-    info.name = "m";
-    info.label_set = testing::MakeLabelSet(2, 1);
+    MapInfo info = testing::NamedMap("m", 2, 1);
     info.config.tracking.min_points_stuff = 100;
     info.config.tracking.min_points_medium = 100;
     return info;
