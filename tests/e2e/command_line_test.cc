@@ -15,7 +15,7 @@
 namespace dhpmap::testing {
 namespace {
 
-std::string BytesOf(const std::filesystem::path& path) {
+std::string FileBytes(const std::filesystem::path& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();
   return text.str();
@@ -129,11 +129,11 @@ TEST_F(CommandLine, WritesSlicesAsMapsForNav2) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("cells of 0.0"), std::string::npos) << outcome.out;
     EXPECT_GT(std::filesystem::file_size(File(name)), 100u);
-    const std::string yaml = BytesOf(File("floor.yaml"));
+    const std::string yaml = FileBytes(File("floor.yaml"));
     EXPECT_NE(yaml.find("image: '" + std::string(name) + "'"), std::string::npos) << yaml;
     EXPECT_NE(yaml.find("origin: ["), std::string::npos) << yaml;
   }
-  EXPECT_TRUE(BytesOf(File("floor.pgm")).starts_with("P5\n"));
+  EXPECT_TRUE(FileBytes(File("floor.pgm")).starts_with("P5\n"));
   EXPECT_EQ(Run({"query", "slice", "room", "--out", "floor.jpg"}).exit_code, 1);
   EXPECT_EQ(Run({"query", "slice", "room", "--from", "2", "--to", "1", "--out", File("no.pgm").string()}).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(File("no.pgm")));
@@ -151,7 +151,7 @@ TEST_F(CommandLine, FindsAndRelatesObjectsAndWritesGrids) {
   const Outcome grid =
       Run({"query", "grid", "room", "--box", "0", "0", "0", "0.5", "0.4", "0.3", "--resolution", "0.1", "--out", npy});
   EXPECT_NE(grid.out.find("6 x 5 x 4 distances"), std::string::npos) << grid.out << grid.err;
-  EXPECT_EQ(BytesOf(File("grid.npy")).size(), 128 + 4 * 6 * 5 * 4u);
+  EXPECT_EQ(FileBytes(File("grid.npy")).size(), 128 + 4 * 6 * 5 * 4u);
 }
 
 TEST_F(CommandLine, EditsObjects) {
@@ -278,9 +278,9 @@ TEST_F(CommandLine, RenamesAMapAsEveryEditIsMade) {
 
 TEST_F(CommandLine, ExportsMeshesAndVoxels) {
   EXPECT_EQ(Run({"export", "ply", "room", "-o", File("room.ply").string(), "--color", "instance"}).exit_code, 0);
-  EXPECT_TRUE(BytesOf(File("room.ply")).starts_with("ply\n"));
+  EXPECT_TRUE(FileBytes(File("room.ply")).starts_with("ply\n"));
   EXPECT_EQ(Run({"export", "pcd", "room", "1", "-o", File("one.pcd").string()}).exit_code, 0);
-  EXPECT_NE(BytesOf(File("one.pcd")).find("DATA binary"), std::string::npos);
+  EXPECT_NE(FileBytes(File("one.pcd")).find("DATA binary"), std::string::npos);
   const Outcome voxels = Run({"export", "voxels", "room", "1", "-o", "-"});
   EXPECT_TRUE(voxels.out.starts_with("x_m,y_m,z_m,distance_m")) << voxels.out.substr(0, 80);
   EXPECT_GT(std::count(voxels.out.begin(), voxels.out.end(), '\n'), 100);
@@ -343,7 +343,7 @@ std::string SettledDatabase(const std::filesystem::path& folder) {
   ServerProcess server(folder, db);
   EXPECT_EQ(server.Dhpmap({"map", (folder / "dataset").string(), "--map", "room"}).exit_code, 0);
   EXPECT_EQ(server.Terminate(), 0);
-  return BytesOf(db);
+  return FileBytes(db);
 }
 
 TEST_F(CommandLine, AServerThatCannotUseItsDatabaseSaysWhyAndLeavesItAlone) {
@@ -367,7 +367,7 @@ TEST_F(CommandLine, AServerThatCannotUseItsDatabaseSaysWhyAndLeavesItAlone) {
     ASSERT_EQ(server.process().Wait(), 1) << "an error, not a crash: " << server.process().Stderr();
     const std::string said = server.process().Stderr();
     EXPECT_TRUE(std::regex_search(said, std::regex(bad.code))) << said;
-    EXPECT_EQ(BytesOf(File(bad.name)), bad.content);
+    EXPECT_EQ(FileBytes(File(bad.name)), bad.content);
   }
   ServerProcess no_folder(temp_->path(), File("no/such/folder/maps.db"));
   EXPECT_FALSE(no_folder.is_serving());
