@@ -23,7 +23,7 @@ constexpr std::size_t kFewPoints = 40;   ///< of which nothing is told
 // Where no mistake explains it. What comes before a camera hides surfaces, and shows none behind; floors and ceilings
 // agree wherever the camera is.
 constexpr double kUnexplainedAgreement = 0.7;
-constexpr double kUnexplainedKnown = 0.5;
+constexpr double kUnexplainedKnown = 0.3;
 constexpr double kUnexplainedSeenThrough = 0.2;
 
 /// Nobody moves so far from frame to frame, in metres and in ranges of the sensor.

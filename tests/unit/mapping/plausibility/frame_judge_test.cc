@@ -128,12 +128,14 @@ TEST(FrameJudge, APoseThatIsOffIsToldThoughNobodyKnowsWhy) {
     frame.T_map_sensor.translation() += Eigen::Vector3d(0, aside_m, 0);
     return FuseAndCheck(builder, frame);
   };
-  for (const auto& [aside_m, turn_rad] : {std::pair{0.5, 0.4}, {-0.6, 0.3}, {0.3, -0.6}}) {
+  for (const auto& [aside_m, turn_rad] : {std::pair{0.5, 0.4}, {0.3, 0.2}, {-0.6, -0.4}}) {
     const FrameCheck check = check_of(aside_m, turn_rad);
     EXPECT_TRUE(Tells(check, FrameFault::kDisagrees))
         << aside_m << " " << turn_rad << ": " << *check.fit->agreeing_fraction;
     EXPECT_LT(check.fit->agreeing_fraction, 0.7) << "floor and ceiling are the same everywhere";
   }
+  EXPECT_TRUE(check_of(-0.6, 0.2).IsPlausible()) << "all is nearer: it may be that something new stands there";
+  EXPECT_LT(check_of(-0.6, 0.2).fit->agreeing_fraction, 0.5);
   EXPECT_TRUE(check_of(0.02, 0.005).IsPlausible()) << "poses are never exact";
   EXPECT_GT(check_of(0.02, 0.005).fit->median_residual_m, 0.004) << "but it is told how far off they are";
 }
