@@ -11,8 +11,6 @@ namespace {
 
 using namespace error_colors;
 
-constexpr int kLongSide_px = 1000;
-
 /// Outdoors there are no ceilings to look through, and a scan sees walls from one side only.
 Sides SidesOf(const Truth& truth) {
   constexpr double kIndoorSpacing_m = 0.04;
@@ -66,10 +64,10 @@ std::vector<std::uint32_t> SampleOfTriangle(const Truth& truth) {
 
 }  // namespace
 
-TruthPictures::TruthPictures(const Truth& truth)
+TruthPictures::TruthPictures(const Truth& truth, int long_side_px)
     : truth_(truth),
-      corner_(truth.mesh(), FromCorner(), SidesOf(truth), kLongSide_px),
-      above_(truth.mesh(), FromAbove(), SidesOf(truth), kLongSide_px),
+      corner_(truth.mesh(), FromCorner(), SidesOf(truth), long_side_px),
+      above_(truth.mesh(), FromAbove(), SidesOf(truth), long_side_px),
       sample_of_triangle_(SampleOfTriangle(truth)) {}
 
 PicturePair TruthPictures::Paint(const std::function<Color(std::uint32_t sample)>& color_of) const {

@@ -26,7 +26,7 @@ inline constexpr Color kRight{222, 225, 229}, kWrongClass{214, 39, 40}, kWrongIn
 /// outlive it.
 class TruthPictures {
  public:
-  explicit TruthPictures(const Truth& truth);
+  explicit TruthPictures(const Truth& truth, int long_side_px = 1000);
 
   /// As the camera saw it.
   [[nodiscard]] PicturePair Seen() const;

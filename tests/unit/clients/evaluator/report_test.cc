@@ -21,6 +21,8 @@ int NumOf(const std::string& part, const std::string& text) {
   return num;
 }
 
+constexpr int kSide_px = 200;
+
 /// A square of floor, of which the system takes the right half for a thing.
 class ReportTest : public ::testing::Test {
  protected:
@@ -61,7 +63,7 @@ class ReportTest : public ::testing::Test {
   }
   [[nodiscard]] std::string Page() const {
     ReportPictures pictures;
-    pictures.Add(TruthPictures(truth_), scores_, labels_);
+    pictures.Add(TruthPictures(truth_, kSide_px), scores_, labels_);
     return ReportPage(experiment_, pictures);
   }
 
@@ -72,12 +74,12 @@ class ReportTest : public ::testing::Test {
 };
 
 TEST_F(ReportTest, ShowsErrorsWhereTheyAre) {
-  const Picture errors = TruthPictures(truth_).Errors(scores_, labels_).above;
+  const Picture errors = TruthPictures(truth_, kSide_px).Errors(scores_, labels_).above;
   const Color left = errors.at(errors.width_px / 4, errors.height_px / 2);
   const Color right = errors.at(3 * errors.width_px / 4, errors.height_px / 2);
   EXPECT_LT(std::abs(left.r - left.b), 12) << "grey: right";
   EXPECT_GT(right.r, right.b + 60) << "red: wrong class";
-  const Picture seen = TruthPictures(truth_).Seen().above;
+  const Picture seen = TruthPictures(truth_, kSide_px).Seen().above;
   EXPECT_GT(seen.at(seen.width_px / 2, seen.height_px / 2).r, seen.at(seen.width_px / 2, seen.height_px / 2).b + 30);
 }
 
@@ -86,7 +88,7 @@ TEST_F(ReportTest, WhatMatchesTheTruthHasItsColour) {
   for (ElementLabel& label : all_right) label.instance = 99;
   Scores scores = scores_;
   scores.panoptics.matches = {{truth_.labels().front(), all_right.front()}};
-  const TruthPictures pictures(truth_);
+  const TruthPictures pictures(truth_, kSide_px);
   EXPECT_EQ(pictures.Labels(scores, all_right).above.pixels, pictures.TruthLabels().above.pixels);
   scores.panoptics.matches.clear();
   EXPECT_NE(pictures.Labels(scores, all_right).above.pixels, pictures.TruthLabels().above.pixels);
