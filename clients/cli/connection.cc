@@ -7,6 +7,7 @@
 
 #include <iostream>
 
+#include "clients/cli/printable.h"
 #include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
@@ -16,7 +17,7 @@ void PrintDetails(const grpc::Status& status) {
   const ErrorDetails details = ReadErrorDetails(status.error_details());
   if (!details.reason.empty()) std::cerr << "  reason: " << details.reason << "\n";
   for (const FieldViolation& violation : details.violations) {
-    std::cerr << "  " << violation.field << ": " << violation.description << "\n";
+    std::cerr << "  " << Printable(violation.field) << ": " << Printable(violation.description) << "\n";
   }
 }
 
@@ -55,7 +56,7 @@ std::string SubmapName(const std::string& map, std::int64_t id) {
 
 ExitCode ReportError(const Session& session, const grpc::Status& status) {
   const auto code = static_cast<StatusCode>(status.error_code());
-  std::cerr << "dhpmap: " << StatusCodeName(code) << ": " << status.error_message() << "\n";
+  std::cerr << "dhpmap: " << StatusCodeName(code) << ": " << Printable(status.error_message()) << "\n";
   PrintDetails(status);
   if (code == StatusCode::kUnavailable) {
     std::cerr << "  Is dhpmap-server running at " << session.server << "? Say where with --server or DHPMAP_SERVER.\n";

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/printable.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/edit_service.grpc.pb.h"
 
@@ -29,7 +30,7 @@ void PrintIds(const char* what, const google::protobuf::RepeatedPtrField<std::st
 /// "17  2026-11-24T15:45:37Z  anna  move 7, rename 7, changed 7 (undone)".
 void Print(const v1::LoggedEdit& edit) {
   std::cout << edit.revision() << "  " << google::protobuf::util::TimeUtil::ToString(edit.time()) << "  "
-            << (edit.author().empty() ? "-" : edit.author()) << "  ";
+            << (edit.author().empty() ? "-" : Printable(edit.author())) << "  ";
   if (edit.kind() != v1::LoggedEdit::EDIT) std::cout << Lower(v1::LoggedEdit::Kind_Name(edit.kind()));
   for (const std::string& target : edit.targets()) std::cout << " " << Id(target);
   const char* separator = "";

@@ -12,6 +12,7 @@
 #include "clients/cli/finish_call.h"
 #include "clients/cli/new_map.h"
 #include "clients/cli/pages.h"
+#include "clients/cli/printable.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
@@ -58,7 +59,7 @@ ExitCode RunShow(const Session& session, const MapAt& wanted) {
     PrintJson(map);
     return ExitCode::kOk;
   }
-  std::cout << map.name() << (map.display_name().empty() ? "" : " (" + map.display_name() + ")") << ": "
+  std::cout << map.name() << (map.display_name().empty() ? "" : " (" + Printable(map.display_name()) + ")") << ": "
             << map.num_frames() << " frames, " << map.num_submaps() << " submaps, revision " << map.revision() << "\n"
             << map.config().DebugString();
   TextTable table({"CLASS", "NAME", "KIND"});

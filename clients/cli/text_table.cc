@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include "clients/cli/printable.h"
+
 namespace dhpmap {
 namespace {
 
@@ -19,6 +21,11 @@ bool IsNumeric(const std::string& text) {
 }
 
 }  // namespace
+
+void TextTable::Add(std::vector<std::string> row) {
+  for (std::string& cell : row) cell = Printable(cell);
+  rows_.push_back(std::move(row));
+}
 
 void TextTable::Print(std::ostream& out) const {
   const std::size_t num_columns = rows_.front().size();

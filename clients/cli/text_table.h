@@ -7,11 +7,11 @@
 
 namespace dhpmap {
 
-/// Columns of text for people, aligned: numbers to the right, the rest to the left.
+/// Columns of text for people, each cell made Printable, aligned: numbers to the right, the rest to the left.
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
-  void Add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void Add(std::vector<std::string> row);
   void Print(std::ostream& out) const;
 
  private:

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/printable.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/watch_service.grpc.pb.h"
 
@@ -47,8 +48,8 @@ v1::WatchMapRequest RequestOf(const WatchOptions& options) {
 void PrintEvent(const v1::SubmapEvent& event) {
   const v1::Submap& submap = event.submap();
   std::cout << "  " << Lower(v1::SubmapEvent::Kind_Name(event.kind())) << " " << submap.instance_id();
-  if (!submap.class_name().empty()) std::cout << " " << submap.class_name();
-  if (!submap.display_name().empty()) std::cout << " '" << submap.display_name() << "'";
+  if (!submap.class_name().empty()) std::cout << " " << Printable(submap.class_name());
+  if (!submap.display_name().empty()) std::cout << " '" << Printable(submap.display_name()) << "'";
   if (!event.into().empty()) std::cout << " into " << event.into();
   const char* separator = ": ";
   for (const int part : event.parts()) {
@@ -70,8 +71,8 @@ std::string RegionText(const v1::RegionEvent& event) {
 /// "cleared box 0 0 0 to 1 1 1 m of chair: 120 voxels", "kept clear 'door': ...", "lifted 'door': ...".
 void PrintRegion(const v1::RegionEvent& event) {
   switch (event.kind()) {
-    case v1::RegionEvent::KEPT_CLEAR: std::cout << "  kept clear '" << event.name() << "': "; break;
-    case v1::RegionEvent::LIFTED: std::cout << "  lifted '" << event.name() << "': "; break;
+    case v1::RegionEvent::KEPT_CLEAR: std::cout << "  kept clear '" << Printable(event.name()) << "': "; break;
+    case v1::RegionEvent::LIFTED: std::cout << "  lifted '" << Printable(event.name()) << "': "; break;
     default: std::cout << "  cleared ";
   }
   std::cout << RegionText(event);
@@ -79,7 +80,7 @@ void PrintRegion(const v1::RegionEvent& event) {
     if (!event.submap().empty()) std::cout << " of " << event.submap();
     const char* separator = " of ";
     for (const std::string& name : event.class_names()) {
-      std::cout << separator << name;
+      std::cout << separator << Printable(name);
       separator = ", ";
     }
     std::cout << ": " << event.num_voxels() << " voxels";
@@ -112,7 +113,7 @@ void Print(const v1::WatchMapResponse& message) {
   std::cout << "revision " << change.first_revision();
   if (change.last_revision() != change.first_revision()) std::cout << " to " << change.last_revision();
   std::cout << ":";
-  if (change.has_display_name()) std::cout << " the map is called '" << change.display_name() << "'";
+  if (change.has_display_name()) std::cout << " the map is called '" << Printable(change.display_name()) << "'";
   std::cout << "\n";
   for (const v1::RegionEvent& event : change.regions()) PrintRegion(event);
   for (const v1::SubmapEvent& event : change.submaps()) PrintEvent(event);

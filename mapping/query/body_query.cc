@@ -12,6 +12,9 @@
 namespace dhpmap {
 namespace {
 
+/// What a search for the nearest surface counts.
+constexpr std::int64_t kSearchWork = 64;
+
 BodyContact ContactOf(const SurfaceDistance& distance, double radius_m) {
   return {distance.submap, radius_m - distance.distance_m, distance.nearest_m, distance.gradient};
 }
@@ -23,59 +26,62 @@ BodyQuery::BodyQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions op
       world_(surfaces, options_.scope),
       distances_(std::move(surfaces), {.max_distance_m = options_.max_distance_m, .scope = options_.scope}) {}
 
-BodyAnswer BodyQuery::Test(const Body& body) const {
-  return std::visit([this](const auto& shape) { return TestShape(shape); }, body);
+BodyAnswer BodyQuery::Test(const Body& body, WorkBudget* work) const {
+  return std::visit([&](const auto& shape) { return TestShape(shape, work); }, body);
 }
 
-BodyAnswer BodyQuery::Check(const Body& body, std::size_t max_contacts) const {
-  return std::visit([&](const auto& shape) { return CheckShape(shape, max_contacts); }, body);
+BodyAnswer BodyQuery::Check(const Body& body, std::size_t max_contacts, WorkBudget* work) const {
+  return std::visit([&](const auto& shape) { return CheckShape(shape, max_contacts, work); }, body);
 }
 
 template <typename Shape>
-BodyAnswer BodyQuery::TestShape(const Shape& body) const {
-  BodyAnswer answer{.is_colliding = TouchesAny(body) || InsideOf(CentreOf(body))};
-  if (!answer.is_colliding) AddUnseen(body, answer);
+BodyAnswer BodyQuery::TestShape(const Shape& body, WorkBudget* work) const {
+  (void)SpendOf(work, kSearchWork);
+  BodyAnswer answer{.is_colliding = TouchesAny(body, work) || InsideOf(CentreOf(body))};
+  if (!answer.is_colliding) AddUnseen(body, answer, work);
   answer.contacts.clear();
   return answer;
 }
 
-bool BodyQuery::TouchesAny(const Capsule& capsule) const {
-  if (capsule.a_m != capsule.b_m) return TouchesTriangle(capsule);
+bool BodyQuery::TouchesAny(const Capsule& capsule, WorkBudget* work) const {
+  if (capsule.a_m != capsule.b_m) return TouchesTriangle(capsule, work);
   return distances_.AnyCloserThan(capsule.a_m, capsule.radius_m);
 }
 
-bool BodyQuery::TouchesAny(const OrientedBox& box) const { return TouchesTriangle(box); }
+bool BodyQuery::TouchesAny(const OrientedBox& box, WorkBudget* work) const { return TouchesTriangle(box, work); }
 
 template <typename Shape>
-bool BodyQuery::TouchesTriangle(const Shape& body) const {
+bool BodyQuery::TouchesTriangle(const Shape& body, WorkBudget* work) const {
   bool touches = false;
-  VisitNear(world_, body, [&](const NearTriangle<Shape>& near) {
+  const auto visit = [&](const NearTriangle<Shape>& near) {
     touches = TouchOf(near.body, near.triangle, near.padding_m).has_value();
     return !touches;
-  });
+  };
+  VisitNear(world_, body, visit, work);
   return touches;
 }
 
 template <typename Shape>
-BodyAnswer BodyQuery::CheckShape(const Shape& body, std::size_t max_contacts) const {
-  BodyAnswer answer{.contacts = Contacts(body, max_contacts)};
+BodyAnswer BodyQuery::CheckShape(const Shape& body, std::size_t max_contacts, WorkBudget* work) const {
+  (void)SpendOf(work, kSearchWork);
+  BodyAnswer answer{.contacts = Contacts(body, max_contacts, work)};
   if (answer.contacts.empty()) {
     if (const auto inside = InsideOf(CentreOf(body))) answer.contacts.push_back(ContactOf(*inside, 0));
   }
   answer.is_colliding = !answer.contacts.empty();
-  if (!answer.is_colliding) AddUnseen(body, answer);
+  if (!answer.is_colliding) AddUnseen(body, answer, work);
   return answer;
 }
 
-std::vector<BodyContact> BodyQuery::Contacts(const Capsule& capsule, std::size_t max_contacts) const {
-  if (capsule.a_m != capsule.b_m) return TriangleContacts(capsule, max_contacts);
+std::vector<BodyContact> BodyQuery::Contacts(const Capsule& capsule, std::size_t max_contacts, WorkBudget* work) const {
+  if (capsule.a_m != capsule.b_m) return TriangleContacts(capsule, max_contacts, work);
   // A sphere: by distances, which tell the side exactly. The next object is the nearest without those before.
   std::vector<BodyContact> contacts;
   const SurfaceDistance nearest = distances_.Within(capsule.a_m, capsule.radius_m);
   if (nearest.submap == nullptr) return contacts;
   contacts.push_back(ContactOf(nearest, capsule.radius_m));
   DistanceOptions others{.max_distance_m = capsule.radius_m, .scope = options_.scope};
-  while (contacts.size() < max_contacts) {
+  while (contacts.size() < max_contacts && SpendOf(work, kSearchWork)) {
     others.scope.excluded_submaps.push_back(contacts.back().submap->id);
     const SurfaceDistance next = DistanceQuery(world_.shared_surfaces(), others).At(capsule.a_m);
     if (next.submap == nullptr) break;
@@ -84,18 +90,19 @@ std::vector<BodyContact> BodyQuery::Contacts(const Capsule& capsule, std::size_t
   return contacts;
 }
 
-std::vector<BodyContact> BodyQuery::Contacts(const OrientedBox& box, std::size_t max_contacts) const {
-  return TriangleContacts(box, max_contacts);
+std::vector<BodyContact> BodyQuery::Contacts(const OrientedBox& box, std::size_t max_contacts, WorkBudget* work) const {
+  return TriangleContacts(box, max_contacts, work);
 }
 
 template <typename Shape>
-std::vector<BodyContact> BodyQuery::TriangleContacts(const Shape& body, std::size_t max_contacts) const {
+std::vector<BodyContact> BodyQuery::TriangleContacts(const Shape& body, std::size_t max_contacts,
+                                                     WorkBudget* work) const {
   struct Deepest {
     BodyTouch touch;
     BodyContact contact;
   };
   std::map<std::size_t, Deepest> by_submap;
-  VisitNear(world_, body, [&](const NearTriangle<Shape>& near) {
+  const auto visit = [&](const NearTriangle<Shape>& near) {
     const auto touch = TouchOf(near.body, near.triangle, near.padding_m);
     if (!touch) return true;
     const auto [known, is_new] = by_submap.try_emplace(near.number);
@@ -104,7 +111,8 @@ std::vector<BodyContact> BodyQuery::TriangleContacts(const Shape& body, std::siz
                      {&world_.surfaces().index().entries()[near.number].submap().info(), touch->depth_m,
                       near.InMap(touch->point), near.TurnedToMap(touch->normal)}};
     return true;
-  });
+  };
+  VisitNear(world_, body, visit, work);
   std::vector<BodyContact> contacts;
   for (const auto& [number, deepest] : by_submap) contacts.push_back(deepest.contact);
   std::stable_sort(contacts.begin(), contacts.end(),
@@ -124,13 +132,14 @@ std::optional<SurfaceDistance> BodyQuery::InsideOf(const Eigen::Vector3d& p_map)
 }
 
 template <typename Shape>
-void BodyQuery::AddUnseen(const Shape& body, BodyAnswer& answer) const {
+void BodyQuery::AddUnseen(const Shape& body, BodyAnswer& answer, WorkBudget* work) const {
   if (options_.unknown == UnknownSpace::kFree) return;
-  VisitUnseen(world_, body, [&](VoxelIndex voxel) {
+  const auto visit = [&](VoxelIndex voxel) {
     answer.is_unknown = true;
     answer.contacts.push_back({.point_m = VoxelCentre(voxel, world_.voxel_size_m())});
     return false;
-  });
+  };
+  VisitUnseen(world_, body, visit, work);
   answer.is_colliding = answer.is_unknown && options_.unknown == UnknownSpace::kOccupied;
 }
 

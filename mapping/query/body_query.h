@@ -12,6 +12,7 @@
 #include "mapping/query/distance_query.h"
 #include "mapping/query/query_scope.h"
 #include "mapping/query/query_world.h"
+#include "mapping/query/work_budget.h"
 
 namespace dhpmap {
 
@@ -52,30 +53,34 @@ class BodyQuery {
  public:
   BodyQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options);
 
+  // Where `work` is over in between, the answer means nothing.
   /// Ends at the first contact it finds, and tells none.
-  [[nodiscard]] BodyAnswer Test(const Body& body) const;
+  [[nodiscard]] BodyAnswer Test(const Body& body, WorkBudget* work = nullptr) const;
   /// With a contact for each object that it touches, the deepest first, up to `max_contacts`.
-  [[nodiscard]] BodyAnswer Check(const Body& body, std::size_t max_contacts = 1) const;
+  [[nodiscard]] BodyAnswer Check(const Body& body, std::size_t max_contacts = 1, WorkBudget* work = nullptr) const;
 
   /// Whose inside a place is, if anybody's: where its distance is negative.
   [[nodiscard]] std::optional<SurfaceDistance> InsideOf(const Eigen::Vector3d& p_map) const;
 
  private:
-  [[nodiscard]] std::vector<BodyContact> Contacts(const Capsule& capsule, std::size_t max_contacts) const;
-  [[nodiscard]] std::vector<BodyContact> Contacts(const OrientedBox& box, std::size_t max_contacts) const;
+  [[nodiscard]] std::vector<BodyContact> Contacts(const Capsule& capsule, std::size_t max_contacts,
+                                                  WorkBudget* work) const;
+  [[nodiscard]] std::vector<BodyContact> Contacts(const OrientedBox& box, std::size_t max_contacts,
+                                                  WorkBudget* work) const;
   template <typename Shape>
-  [[nodiscard]] std::vector<BodyContact> TriangleContacts(const Shape& body, std::size_t max_contacts) const;
-  [[nodiscard]] bool TouchesAny(const Capsule& capsule) const;
-  [[nodiscard]] bool TouchesAny(const OrientedBox& box) const;
+  [[nodiscard]] std::vector<BodyContact> TriangleContacts(const Shape& body, std::size_t max_contacts,
+                                                          WorkBudget* work) const;
+  [[nodiscard]] bool TouchesAny(const Capsule& capsule, WorkBudget* work) const;
+  [[nodiscard]] bool TouchesAny(const OrientedBox& box, WorkBudget* work) const;
   template <typename Shape>
-  [[nodiscard]] bool TouchesTriangle(const Shape& body) const;
+  [[nodiscard]] bool TouchesTriangle(const Shape& body, WorkBudget* work) const;
   template <typename Shape>
-  [[nodiscard]] BodyAnswer TestShape(const Shape& body) const;
+  [[nodiscard]] BodyAnswer TestShape(const Shape& body, WorkBudget* work) const;
   template <typename Shape>
-  [[nodiscard]] BodyAnswer CheckShape(const Shape& body, std::size_t max_contacts) const;
+  [[nodiscard]] BodyAnswer CheckShape(const Shape& body, std::size_t max_contacts, WorkBudget* work) const;
   /// Adds what unseen space means for a body that touches nothing.
   template <typename Shape>
-  void AddUnseen(const Shape& body, BodyAnswer& answer) const;
+  void AddUnseen(const Shape& body, BodyAnswer& answer, WorkBudget* work) const;
 
   BodyOptions options_;
   QueryWorld world_;

@@ -8,6 +8,7 @@
 
 #include "mapping/query/body.h"
 #include "mapping/query/query_world.h"
+#include "mapping/query/work_budget.h"
 
 namespace dhpmap {
 
@@ -26,10 +27,10 @@ struct NearTriangle {
 };
 
 /// Calls visit(const NearTriangle&) for every triangle whose box, grown by the padding of its submap, meets that around
-/// a body of the map frame, in no order to rely on, until it returns false. None that the grown body touches is left
-/// out.
+/// a body of the map frame, in no order to rely on, until it returns false or `work`, if there is any, is over. None
+/// that the grown body touches is left out.
 template <typename Shape, typename Visitor>
-void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit) {
+void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit, WorkBudget* work = nullptr) {
   const MapSurfaces& surfaces = world.surfaces();
   const SubmapIndex& index = surfaces.index();
   const auto grown_box = [](const Shape& shape, double padding_m) {
@@ -52,18 +53,23 @@ void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit) {
     const SubmapSurface& surface = surfaces.surface(number);
     bool goes_on = true;
     surface.tree().VisitOverlapping({surface.InTree(box.min()), surface.InTree(box.max())}, [&](std::size_t tile) {
+      constexpr int kTileWork = 64;
+      goes_on = SpendOf(work, kTileWork);
+      if (!goes_on) return false;
       const TriangleTree& triangles = surface.Surface(entry.submap(), tile);
       const Eigen::Vector3d corner_m = surface.FromTile(Eigen::Vector3f::Zero(), tile);
       const Shape in_tile = Shifted(in_submap, -corner_m);
       const Eigen::AlignedBox3f box_in_tile(surface.InTile(box.min(), tile), surface.InTile(box.max(), tile));
       triangles.tree().VisitOverlapping(box_in_tile, [&](std::size_t leaf) {
         constexpr std::size_t kLanes = TrianglePacket::kLanes;
+        goes_on = SpendOf(work, 1);
         const std::size_t end = std::min((leaf + 1) * kLanes, triangles.num_triangles());
         for (std::size_t i = leaf * kLanes; i < end && goes_on; ++i) {
           const TriangleCorners t = triangles.triangle(i);
           const Eigen::AlignedBox3f around(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
           if (!around.intersects(box_in_tile)) continue;
-          goes_on = visit(NearTriangle<Shape>{number, padding_m, t, in_tile, T_map_submap, corner_m});
+          goes_on =
+              SpendOf(work, 1) && visit(NearTriangle<Shape>{number, padding_m, t, in_tile, T_map_submap, corner_m});
         }
         return goes_on;
       });

@@ -12,6 +12,9 @@
 namespace dhpmap {
 namespace {
 
+/// What a step of a sphere counts, beside what it looks at.
+constexpr std::int64_t kStepWork = 64;
+
 /// More than any point of the sphere's surface moves.
 double WayOf(const SphereKnot& from, const SphereKnot& to) {
   return (to.center_m - from.center_m).norm() + std::abs(to.radius_m - from.radius_m);
@@ -32,11 +35,12 @@ SweepQuery::SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions 
       distances_(surfaces, {.max_distance_m = options_.max_distance_m, .scope = options_.scope}),
       bodies_(std::move(surfaces), options_) {}
 
-SweepAnswer SweepQuery::First(std::span<const SphereKnot> knots, double until, const std::stop_token& stop) const {
-  SweepAnswer answer{.first = FirstSurface(knots, until, stop)};
+SweepAnswer SweepQuery::First(std::span<const SphereKnot> knots, double until, const std::stop_token& stop,
+                              WorkBudget* work) const {
+  SweepAnswer answer{.first = FirstSurface(knots, until, stop, work)};
   if (options_.unknown == UnknownSpace::kFree) return answer;
   const double before = answer.first ? std::min(until, answer.first->at) : until;
-  auto unseen = FirstUnseen(knots, before, stop);
+  auto unseen = FirstUnseen(knots, before, stop, work);
   if (!unseen || (answer.first && unseen->at >= answer.first->at)) return answer;
   answer.unknown_at = unseen->at;
   if (options_.unknown == UnknownSpace::kOccupied) answer.first = std::move(unseen);
@@ -44,12 +48,12 @@ SweepAnswer SweepQuery::First(std::span<const SphereKnot> knots, double until, c
 }
 
 std::optional<SweepContact> SweepQuery::FirstSurface(std::span<const SphereKnot> knots, double until,
-                                                     const std::stop_token& stop) const {
+                                                     const std::stop_token& stop, WorkBudget* work) const {
   if (knots.empty() || knots.front().at > until) return std::nullopt;
   double rest_m = 0;
   for (std::size_t i = 0; i + 1 < knots.size() && knots[i].at <= until; ++i) rest_m += WayOf(knots[i], knots[i + 1]);
   for (std::size_t i = 0; i < knots.size() && knots[i].at <= until;) {
-    if (stop.stop_requested()) return std::nullopt;
+    if (stop.stop_requested() || !SpendOf(work, kStepWork)) return std::nullopt;
     const SphereKnot& here = knots[i];
     const double look_m = std::min(std::max(rest_m, 0.0), options_.max_distance_m);
     const SurfaceDistance distance = distances_.Within(here.center_m, here.radius_m + look_m);
@@ -73,7 +77,7 @@ std::optional<SweepContact> SweepQuery::FirstSurface(std::span<const SphereKnot>
     }
     if (i + 1 >= knots.size()) return std::nullopt;
     if (i > first) continue;
-    if (const auto contact = FirstBetween(here, knots[i + 1])) {
+    if (const auto contact = FirstBetween(here, knots[i + 1], work)) {
       return contact->at <= until ? contact : std::nullopt;
     }
     rest_m -= WayOf(here, knots[i + 1]);
@@ -82,11 +86,12 @@ std::optional<SweepContact> SweepQuery::FirstSurface(std::span<const SphereKnot>
   return std::nullopt;
 }
 
-std::optional<SweepContact> SweepQuery::FirstBetween(const SphereKnot& from, const SphereKnot& to) const {
+std::optional<SweepContact> SweepQuery::FirstBetween(const SphereKnot& from, const SphereKnot& to,
+                                                     WorkBudget* work) const {
   double best = std::numeric_limits<double>::infinity();
   std::size_t number = 0;
   BodyContact contact;
-  VisitNear(world_, SweptBy(from, to), [&](const NearTriangle<Capsule>& near) {
+  const auto visit = [&](const NearTriangle<Capsule>& near) {
     const SphereStep step{near.body.a_m, near.body.b_m - near.body.a_m, from.radius_m + near.padding_m,
                           to.radius_m - from.radius_m};
     const auto share = TimeOfTouch(step, near.triangle);
@@ -98,7 +103,8 @@ std::optional<SweepContact> SweepQuery::FirstBetween(const SphereKnot& from, con
     contact.point_m = near.InMap(point);
     contact.normal = near.TurnedToMap((center - point).stableNormalized());
     return true;
-  });
+  };
+  VisitNear(world_, SweptBy(from, to), visit, work);
   if (!(best <= 1)) return std::nullopt;
   contact.submap = &world_.surfaces().index().entries()[number].submap().info();
   contact.depth_m = DepthAt(to, number);
@@ -117,10 +123,11 @@ double SweepQuery::DepthAt(const SphereKnot& knot, std::size_t number) const {
 
 /// By halves, of which those whose box is free as a whole need no more.
 std::optional<SweepContact> SweepQuery::FirstUnseen(std::span<const SphereKnot> knots, double until,
-                                                    const std::stop_token& stop) const {
+                                                    const std::stop_token& stop, WorkBudget* work) const {
   if (knots.empty() || knots.front().at > until || stop.stop_requested()) return std::nullopt;
+  if (!SpendOf(work, static_cast<std::int64_t>(knots.size()))) return std::nullopt;
   if (knots.size() <= 2) {
-    auto contact = FirstUnseenBetween(knots.front(), knots.back());
+    auto contact = FirstUnseenBetween(knots.front(), knots.back(), work);
     return contact && contact->at <= until ? contact : std::nullopt;
   }
   Eigen::AlignedBox3d box;
@@ -129,25 +136,27 @@ std::optional<SweepContact> SweepQuery::FirstUnseen(std::span<const SphereKnot> 
   }
   if (IsFreeThroughout(world_, box)) return std::nullopt;
   const std::size_t middle = knots.size() / 2;
-  if (auto contact = FirstUnseen(knots.first(middle + 1), until, stop)) return contact;
-  return FirstUnseen(knots.subspan(middle), until, stop);
+  if (auto contact = FirstUnseen(knots.first(middle + 1), until, stop, work)) return contact;
+  return FirstUnseen(knots.subspan(middle), until, stop, work);
 }
 
-std::optional<SweepContact> SweepQuery::FirstUnseenBetween(const SphereKnot& from, const SphereKnot& to) const {
+std::optional<SweepContact> SweepQuery::FirstUnseenBetween(const SphereKnot& from, const SphereKnot& to,
+                                                           WorkBudget* work) const {
   const double half_diagonal_m = kHalfDiagonal_vox * world_.voxel_size_m();
   const double radius_m = std::max(from.radius_m, half_diagonal_m);
   const SphereStep step{from.center_m, to.center_m - from.center_m, radius_m,
                         std::max(to.radius_m, half_diagonal_m) - radius_m};
   double best = std::numeric_limits<double>::infinity();
   SweepContact contact;
-  VisitUnseen(world_, SweptBy(from, to), [&](VoxelIndex voxel) {
+  const auto visit = [&](VoxelIndex voxel) {
     const Eigen::Vector3d centre = VoxelCentre(voxel, world_.voxel_size_m());
     const auto share = TimeOfTouch(step, centre);
     if (!share || *share >= best) return true;
     best = *share;
     contact = {At(from, to, best), {.point_m = centre}};
     return best > 0;
-  });
+  };
+  VisitUnseen(world_, SweptBy(from, to), visit, work);
   return best <= 1 ? std::optional(contact) : std::nullopt;
 }
 

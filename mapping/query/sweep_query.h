@@ -34,21 +34,24 @@ class SweepQuery {
   SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options, bool counts_inside = true);
 
   /// Of the map frame, in the order of time; finite. Only what happens no later than `until`. The depth of a contact
-  /// on the way is that at the next knot, or 0. Gives up soon after `stop` is requested: then the answer means nothing.
+  /// on the way is that at the next knot, or 0. Gives up soon after `stop` is requested or `work` is over: then the
+  /// answer means nothing.
   [[nodiscard]] SweepAnswer First(std::span<const SphereKnot> knots,
                                   double until = std::numeric_limits<double>::infinity(),
-                                  const std::stop_token& stop = {}) const;
+                                  const std::stop_token& stop = {}, WorkBudget* work = nullptr) const;
 
   [[nodiscard]] const BodyOptions& options() const { return options_; }
   [[nodiscard]] const QueryWorld& world() const { return world_; }
 
  private:
   [[nodiscard]] std::optional<SweepContact> FirstSurface(std::span<const SphereKnot> knots, double until,
-                                                         const std::stop_token& stop) const;
-  [[nodiscard]] std::optional<SweepContact> FirstBetween(const SphereKnot& from, const SphereKnot& to) const;
+                                                         const std::stop_token& stop, WorkBudget* work) const;
+  [[nodiscard]] std::optional<SweepContact> FirstBetween(const SphereKnot& from, const SphereKnot& to,
+                                                         WorkBudget* work) const;
   [[nodiscard]] std::optional<SweepContact> FirstUnseen(std::span<const SphereKnot> knots, double until,
-                                                        const std::stop_token& stop) const;
-  [[nodiscard]] std::optional<SweepContact> FirstUnseenBetween(const SphereKnot& from, const SphereKnot& to) const;
+                                                        const std::stop_token& stop, WorkBudget* work) const;
+  [[nodiscard]] std::optional<SweepContact> FirstUnseenBetween(const SphereKnot& from, const SphereKnot& to,
+                                                               WorkBudget* work) const;
   [[nodiscard]] double DepthAt(const SphereKnot& knot, std::size_t number) const;
 
   BodyOptions options_;

@@ -61,8 +61,9 @@ class TrajectoryQuery {
                                       const std::stop_token& stop = {});
   static constexpr std::size_t kMostBalls = 50'000;
 
-  /// CANCELLED soon after `stop` is requested.
-  [[nodiscard]] Result<TrajectoryAnswer> Check(const RobotMotion& motion, const std::stop_token& stop = {}) const;
+  /// CANCELLED soon after `stop` is requested, or `work` is over.
+  [[nodiscard]] Result<TrajectoryAnswer> Check(const RobotMotion& motion, const std::stop_token& stop = {},
+                                               WorkBudget* work = nullptr) const;
 
  private:
   struct Carried {
@@ -75,10 +76,10 @@ class TrajectoryQuery {
   /// Adds what one part of the robot meets. `sweep(query, until)` finds the first of it. After `stop` not all of it.
   template <typename Sweep>
   void Add(const SweepQuery& query, const TrajectoryContact& part, const Sweep& sweep, const std::stop_token& stop,
-           TrajectoryAnswer& answer, double& unknown_at) const;
+           WorkBudget* work, TrajectoryAnswer& answer, double& unknown_at) const;
   /// Ends soon after `stop` is requested, with what it has.
   [[nodiscard]] static SweepAnswer SweepCarried(const SweepQuery& query, const CarriedBody& body, const RigidPath& path,
-                                                double until, const std::stop_token& stop);
+                                                double until, const std::stop_token& stop, WorkBudget* work);
 
   TrajectoryOptions options_;
   std::shared_ptr<const MapSurfaces> surfaces_;

@@ -8,6 +8,7 @@
 
 #include "mapping/query/body.h"
 #include "mapping/query/query_world.h"
+#include "mapping/query/work_budget.h"
 
 namespace dhpmap {
 
@@ -17,11 +18,11 @@ inline constexpr double kHalfDiagonal_vox = 0.8660254037844387;  ///< of a voxel
 bool IsFreeThroughout(const QueryWorld& world, const Eigen::AlignedBox3d& box);
 
 /// Calls visit(voxel) for voxels of the map's grid whose centre a body (of the map frame) holds and that nobody has
-/// seen, until it returns false. A body thinner than a voxel's diagonal is taken to be as thick, so that the voxels it
-/// lies in count. Blocks that are free as a whole cost next to nothing. Beyond the reach of the grid one voxel at its
-/// rim is visited.
+/// seen, until it returns false or `work`, if there is any, is over. A body thinner than a voxel's diagonal is taken to
+/// be as thick, so that the voxels it lies in count. Blocks that are free as a whole cost next to nothing. Beyond the
+/// reach of the grid one voxel at its rim is visited.
 template <typename Shape, typename Visitor>
-void VisitUnseen(const QueryWorld& world, const Shape& thin, Visitor&& visit) {
+void VisitUnseen(const QueryWorld& world, const Shape& thin, Visitor&& visit, WorkBudget* work = nullptr) {
   const double size_m = world.voxel_size_m();
   constexpr double kGridReach_vox = 1 << 30;
   const Shape body = AtLeast(kHalfDiagonal_vox * size_m, thin);
@@ -42,6 +43,7 @@ void VisitUnseen(const QueryWorld& world, const Shape& thin, Visitor&& visit) {
     for (std::int32_t by = from.y; by <= to.y; ++by) {
       for (std::int32_t bx = from.x; bx <= to.x; ++bx) {
         const BlockIndex block{bx, by, bz};
+        if (!SpendOf(work, 1)) return;
         const FreeTile* tile = world.FindFreeTile(TileOf(block));
         if (tile != nullptr && (tile->full() >> CellOf(block) & 1u) != 0) continue;
         const FreeMask free = tile == nullptr ? FreeMask{} : tile->MaskOf(CellOf(block));
@@ -52,9 +54,11 @@ void VisitUnseen(const QueryWorld& world, const Shape& thin, Visitor&& visit) {
             if (!(row.first_m <= row.last_m)) continue;
             const std::int32_t first = first_at(std::max(row.first_m, (x0 + 0.25) * size_m));
             const std::int32_t last = last_at(std::min(row.last_m, (x0 + kLast + 0.75) * size_m));
+            if (!SpendOf(work, 1)) return;
             for (std::int32_t x = first; x <= last; ++x) {
               const int linear = LinearIndex({x, y, z});
               if ((free[static_cast<std::size_t>(linear >> 6)] >> (linear & 63) & 1u) != 0) continue;
+              if (!SpendOf(work, 2)) return;
               if (!world.IsObserved({x, y, z}) && !visit(VoxelIndex{x, y, z})) return;
             }
           }

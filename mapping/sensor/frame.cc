@@ -9,6 +9,9 @@
 namespace dhpmap {
 namespace {
 
+/// Two stamps within can be subtracted from each other, and no store takes others from a file.
+constexpr std::int64_t kBeyondStamps_ns = std::int64_t{1} << 62;
+
 constexpr std::size_t kMaxIdsNamed = 20;  // of ids without a row: a wrong table may miss thousands
 
 constexpr float kMostInSum = 1.001f;  // of what a softmax in single precision may add up to
@@ -154,6 +157,9 @@ std::optional<ClassId> LikeliestClass(std::span<const ClassScore> scores) {
 
 Status ValidateFrame(const PanopticFrame& frame, const LabelSet& label_set) {
   Status bad = InvalidArgument("the frame is not usable").WithReason("BAD_FRAME");
+  if (frame.stamp_ns <= -kBeyondStamps_ns || frame.stamp_ns >= kBeyondStamps_ns) {
+    bad.AddViolation("stamp_ns", "is beyond +-2^62");
+  }
   if (!IsFinite(frame.T_map_sensor)) bad.AddViolation("T_map_sensor", "has a NaN or infinite entry");
   if (frame.camera.has_value() == frame.lidar.has_value()) {
     bad.AddViolation("sensor", frame.camera ? "has both a camera and a LiDAR" : "has neither a camera nor a LiDAR");

@@ -2,13 +2,18 @@
 #include "server/app/body_check.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
+
+#include "mapping/query/work_budget.h"
 
 namespace dhpmap {
 namespace {
 
 // Between two batches the cache may let go of surfaces.
 constexpr std::size_t kBodiesABatch = 1024;
+
+Status NobodyWaitsForCheck() { return Cancelled("the client went away"); }
 
 }  // namespace
 
@@ -17,21 +22,48 @@ void MoveContact(const Transform& T_query_map, BodyContact& contact) {
   contact.normal = T_query_map.linear() * contact.normal;
 }
 
+Status TooMuchWork(const char* field) {
+  return ResourceExhausted("the check would take too long")
+      .WithViolation(field,
+                     "are near more of the map than one call may look at: ask for fewer or smaller ones, or with "
+                     "less padding");
+}
+
+BodyCheck::BodyCheck(std::shared_ptr<const MapSnapshot> state, SurfaceCache& cache, CheckQuestion question,
+                     std::span<const Body> bodies, std::int64_t most_work)
+    : state_(std::move(state)), cache_(cache), question_(std::move(question)), bodies_(bodies), work_left_(most_work) {}
+
+Result<bool> BodyCheck::Next(const CheckPiece& piece, const std::stop_token& stop,
+                             const std::function<void(const BodyAnswer&)>& take) {
+  const Transform T_query_map = question_.T_map_query.inverse();
+  const BodyQuery query(cache_.Of(state_, question_.options.scope.with_absent), question_.options);
+  WorkBudget work(piece.may_overrun ? work_left_ : std::min(work_left_, piece.work), stop);
+  const std::size_t end = std::min(bodies_.size(), next_ + kBodiesABatch);
+  for (; next_ < end && work.spent() < piece.work; ++next_) {
+    if (stop.stop_requested()) return NobodyWaitsForCheck();
+    const Body in_map =
+        std::visit([&](const auto& b) -> Body { return Moved(question_.T_map_query, b); }, bodies_[next_]);
+    BodyAnswer answer =
+        question_.max_contacts == 0 ? query.Test(in_map, &work) : query.Check(in_map, question_.max_contacts, &work);
+    if (work.is_over()) break;
+    for (BodyContact& contact : answer.contacts) MoveContact(T_query_map, contact);
+    take(answer);
+  }
+  if (next_ == bodies_.size()) return false;
+  if (stop.stop_requested()) return NobodyWaitsForCheck();
+  work_left_ -= work.spent();
+  if (work_left_ <= 0) return TooMuchWork("bodies");
+  return true;
+}
+
 Status CheckBodies(const MapView& view, SurfaceCache& cache, const CheckQuestion& question,
                    std::span<const Body> bodies, const std::stop_token& stop,
                    const std::function<void(const BodyAnswer&)>& take) {
-  const Transform T_query_map = question.T_map_query.inverse();
-  for (std::size_t first = 0; first < bodies.size(); first += kBodiesABatch) {
-    const BodyQuery query(cache.Of(view.shared_snapshot(), question.options.scope.with_absent), question.options);
-    for (const Body& body : bodies.subspan(first, std::min(kBodiesABatch, bodies.size() - first))) {
-      if (stop.stop_requested()) return Cancelled("the client went away");
-      const Body in_map = std::visit([&](const auto& b) -> Body { return Moved(question.T_map_query, b); }, body);
-      BodyAnswer answer = question.max_contacts == 0 ? query.Test(in_map) : query.Check(in_map, question.max_contacts);
-      for (BodyContact& contact : answer.contacts) MoveContact(T_query_map, contact);
-      take(answer);
-    }
+  BodyCheck check(view.shared_snapshot(), cache, question, bodies);
+  for (;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool has_more, check.Next({}, stop, take));
+    if (!has_more) return Status::Ok();
   }
-  return Status::Ok();
 }
 
 }  // namespace dhpmap

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <vector>
 
-#include "mapping/base/status.h"
+#include "mapping/base/result.h"
 #include "mapping/query/body_query.h"
+#include "server/app/check_piece.h"
 #include "server/app/map_view.h"
 
 namespace dhpmap {
@@ -31,9 +34,30 @@ struct CheckQuestion {
 /// A contact, from the map's frame to that of the asker.
 void MoveContact(const Transform& T_query_map, BodyContact& contact);
 
-/// Do these bodies (in the asker's frame) touch anything? Hands the answers, in the asker's frame, to `take` in their
-/// order; what they refer to stays as long as the view. Surfaces that are not in the cache are made meanwhile.
-/// CANCELLED soon after `stop` is requested.
+/// Do these bodies (in the asker's frame) touch anything? Answered piece by piece, so that others have their turns
+/// between two. Thread-compatible.
+class BodyCheck {
+ public:
+  /// The cache and the bodies outlive this.
+  BodyCheck(std::shared_ptr<const MapSnapshot> state, SurfaceCache& cache, CheckQuestion question,
+            std::span<const Body> bodies, std::int64_t most_work = kMostCheckWork);
+
+  /// Hands the next answers, in the asker's frame, to `take` in their order; what they refer to stays as long as the
+  /// state. Surfaces that are not in the cache are made meanwhile. True if there are more. CANCELLED soon after `stop`
+  /// is requested; RESOURCE_EXHAUSTED once all that it may cost is spent.
+  Result<bool> Next(const CheckPiece& piece, const std::stop_token& stop,
+                    const std::function<void(const BodyAnswer&)>& take);
+
+ private:
+  const std::shared_ptr<const MapSnapshot> state_;
+  SurfaceCache& cache_;
+  const CheckQuestion question_;
+  const std::span<const Body> bodies_;
+  std::size_t next_ = 0;
+  std::int64_t work_left_;
+};
+
+/// All of it at once.
 Status CheckBodies(const MapView& view, SurfaceCache& cache, const CheckQuestion& question,
                    std::span<const Body> bodies, const std::stop_token& stop,
                    const std::function<void(const BodyAnswer&)>& take);

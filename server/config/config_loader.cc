@@ -3,12 +3,16 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace dhpmap {
 namespace {
@@ -19,16 +23,44 @@ Status BadYaml(const std::string& what) {
   return InvalidArgument("the configuration file cannot be read: " + what).WithReason("BAD_CONFIG");
 }
 
-Status Flatten(const YAML::Node& node, const std::string& prefix, KeyValues& values) {
-  for (const auto& item : node) {
-    const std::string key = prefix + item.first.as<std::string>();
-    if (item.second.IsMap()) DHPMAP_RETURN_IF_ERROR(Flatten(item.second, key + ".", values));
-    else if (item.second.IsScalar()) values.emplace_back(key, item.second.Scalar());
-    else if (item.second.IsNull()) continue;  // a section with everything commented out
-    else return BadYaml("'" + key + "' is a list");
-  }
-  return Status::Ok();
+int LineOf(const YAML::Node& node) { return node.Mark().line + 1; }
+
+Status BadYamlAt(const YAML::Node& node, const std::string& what) {
+  return BadYaml("line " + std::to_string(LineOf(node)) + ": " + what);
 }
+
+/// Nested mappings as dotted keys. Aliases may make a document of any size, or one without an end, of a few lines.
+class Flattener {
+ public:
+  Status Add(const YAML::Node& mapping, const std::string& prefix) {
+    open_.push_back(mapping);
+    for (const auto& item : mapping) DHPMAP_RETURN_IF_ERROR(AddItem(item.first, item.second, prefix));
+    open_.pop_back();
+    return Status::Ok();
+  }
+  KeyValues Take() { return std::move(values_); }
+
+ private:
+  static constexpr std::size_t kMostKeys = 10'000;
+
+  Status AddItem(const YAML::Node& name, const YAML::Node& value, const std::string& prefix) {
+    const std::string key = prefix + name.as<std::string>();
+    const auto [first, is_new] = lines_.emplace(key, LineOf(name));
+    if (!is_new) return BadYamlAt(name, "'" + key + "' is in line " + std::to_string(first->second) + " already");
+    if (lines_.size() > kMostKeys) return BadYamlAt(name, "there are more than 10000 keys");
+    if (std::any_of(open_.begin(), open_.end(), [&](const YAML::Node& around) { return around.is(value); })) {
+      return BadYamlAt(name, "'" + key + "' is an alias of what it is in");
+    }
+    if (value.IsMap()) return Add(value, key + ".");
+    if (value.IsSequence()) return BadYamlAt(name, "'" + key + "' is a list");
+    if (value.IsScalar()) values_.emplace_back(key, value.Scalar());  // else a section with everything commented out
+    return Status::Ok();
+  }
+
+  KeyValues values_;
+  std::map<std::string, int> lines_;
+  std::vector<YAML::Node> open_;  ///< that what is added now is in
+};
 
 bool Parse(const std::string& text, std::string& value) {
   value = text;
@@ -104,12 +136,13 @@ class NestedWriter {
 
 Result<KeyValues> ParseYaml(const std::string& text) {
   try {
-    const YAML::Node root = YAML::Load(text);
-    KeyValues values;
-    if (root.IsNull()) return values;
-    if (!root.IsMap()) return BadYaml("it is not a mapping of keys to values");
-    DHPMAP_RETURN_IF_ERROR(Flatten(root, "", values));
-    return values;
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1) return BadYamlAt(documents[1], "a second document begins");
+    if (documents.empty() || documents[0].IsNull()) return KeyValues();
+    if (!documents[0].IsMap()) return BadYaml("it is not a mapping of keys to values");
+    Flattener flattener;
+    DHPMAP_RETURN_IF_ERROR(flattener.Add(documents[0], ""));
+    return flattener.Take();
   } catch (const YAML::Exception& error) {
     return BadYaml(error.what());
   }

@@ -15,7 +15,8 @@ namespace dhpmap {
 /// Dotted keys and their values as text. Keys of map_defaults begin with "map_defaults.".
 using KeyValues = std::vector<std::pair<std::string, std::string>>;
 
-/// Flattens a YAML document of nested mappings. INVALID_ARGUMENT if it does not parse, or holds something else.
+/// Flattens a YAML document of nested mappings. INVALID_ARGUMENT, which says the line, if it does not parse, has a key
+/// twice, a second document or an alias that holds itself, or anything but mappings of text.
 Result<KeyValues> ParseYaml(const std::string& text);
 
 /// Reads a file. NOT_FOUND if it cannot be read.

@@ -140,6 +140,11 @@ grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMess
   return UnaryReactor::Start(context, call, QuickLane(context, call.opens), 0, std::move(handler));
 }
 
+grpc::ServerUnaryReactor* RunAsyncIn(Lane& lane, const ServiceContext& context, const CallMessages& call,
+                                     std::size_t answer_bytes, std::function<void(Respond, std::stop_token)> handler) {
+  return UnaryReactor::Start(context, call, lane, answer_bytes, std::move(handler));
+}
+
 grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages& call,
                               std::function<Status()> handler) {
   return RunAsync(context, call, [handler = std::move(handler)](const Respond& respond, const std::stop_token&) {

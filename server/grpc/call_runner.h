@@ -37,6 +37,7 @@ struct ServiceContext {
   const GrpcOptions& options;
   const GrpcObserver& observer;
   HeldStates& held;
+  std::atomic<int>& num_checks;  ///< that are being answered in pieces
 };
 
 /// Over the calling thread and those of the bulk lane that have nothing else to do. What they read from the disk counts
@@ -97,7 +98,11 @@ using Respond = std::function<void(const Status&)>;
 grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMessages& call,
                                    std::function<void(Respond, std::stop_token)> handler);
 
-/// Runs a unary handler likewise and responds with what it returns.
+/// The same on a lane of the caller's choice, and refused at once if there is no room for an answer of `answer_bytes`.
+grpc::ServerUnaryReactor* RunAsyncIn(Lane& lane, const ServiceContext& context, const CallMessages& call,
+                                     std::size_t answer_bytes, std::function<void(Respond, std::stop_token)> handler);
+
+/// Runs a unary handler as RunAsync does and responds with what it returns.
 grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages& call, std::function<Status()> handler);
 
 /// The same on the bulk lane, for what takes milliseconds or more, and refused at once if there is no room for an

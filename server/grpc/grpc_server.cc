@@ -33,6 +33,8 @@ constexpr std::size_t kMaxWaiting = 1024;
 /// A step of niceness is worth a quarter: with 10 more than fusion and decoding have, a busy core goes to these nine
 /// times in ten, and to quick answers nearly always.
 constexpr int kBulkNiceness = 15;
+/// One motion may take seconds, and is one piece: more than there are cores take turns as the kernel has them.
+constexpr int kLeastCheckThreads = 4;
 constexpr int kFrameThreads = 2;
 /// With 5 a busy core goes to quick answers three times in four.
 constexpr int kDecodingNiceness = 5;
@@ -116,7 +118,7 @@ struct GrpcServer::Impl {
       : options(grpc_options),
         observer(std::move(grpc_observer)),
         held(*options.inflight, [&registry](const MapSnapshot& state) { return registry.PresentOf(state); }),
-        context{registry, lanes, options, observer, held},
+        context{registry, lanes, options, observer, held, num_checks},
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams, query_streams, watch_streams, reflection_streams)),
         lanes{.quick = MakeLane({.name = "quick",
@@ -129,6 +131,10 @@ struct GrpcServer::Impl {
                                 .num_threads = BulkThreads(options),
                                 .max_waiting = kMaxWaiting,
                                 .niceness = options.has_nice_threads ? kBulkNiceness : 0}),
+              .checks = MakeLane({.name = "checks",
+                                  .num_threads = std::max(kLeastCheckThreads, 2 * BulkThreads(options)),
+                                  .max_waiting = kMaxWaiting,
+                                  .niceness = options.has_nice_threads ? kBulkNiceness : 0}),
               .frames = MakeLane({.name = "frames", .num_threads = kFrameThreads}),
               .decoding = MakeLane({.name = "decoding",
                                     .num_threads = kDecodingThreads,
@@ -141,8 +147,8 @@ struct GrpcServer::Impl {
   /// but it is gRPC that sees to that; a job for each makes it so for whoever does not look into gRPC
   /// (ThreadSanitizer), too.
   void LetLanesMeet() {
-    for (Lane* lane :
-         {&lanes.quick, &lanes.loads, &lanes.answers, &lanes.bulk, &lanes.frames, &lanes.decoding, &lanes.watch}) {
+    for (Lane* lane : {&lanes.quick, &lanes.loads, &lanes.answers, &lanes.bulk, &lanes.checks, &lanes.frames,
+                       &lanes.decoding, &lanes.watch}) {
       lane->Post([] {});
     }
   }
@@ -150,6 +156,7 @@ struct GrpcServer::Impl {
   GrpcOptions options;
   GrpcObserver observer;
   HeldStates held;
+  std::atomic<int> num_checks = 0;
   ServiceContext context;
   IntegrateStreams streams;
   OpenStreams query_streams;
@@ -234,6 +241,7 @@ void GrpcServer::SetServing(bool is_serving) {
 
 bool GrpcServer::is_serving() const { return impl_->is_serving; }
 std::size_t GrpcServer::frame_bytes() const { return impl_->streams.frame_bytes(); }
+int GrpcServer::num_running_checks() const { return impl_->num_checks; }
 
 std::shared_ptr<grpc::Channel> GrpcServer::InProcessChannel() {
   grpc::ChannelArguments arguments;

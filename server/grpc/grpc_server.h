@@ -60,6 +60,8 @@ class GrpcServer {
   [[nodiscard]] bool is_serving() const;
   /// Memory of frames that are being decoded, wait to be fused, or are.
   [[nodiscard]] std::size_t frame_bytes() const;
+  /// Checks of collisions and trajectories that are being answered in pieces.
+  [[nodiscard]] int num_running_checks() const;
   /// A channel to this server inside the process; for the REST gateway and tests.
   [[nodiscard]] std::shared_ptr<grpc::Channel> InProcessChannel();
 

@@ -12,7 +12,9 @@ struct Lanes {
   /// Hands to gRPC what the bulk lane has made. A thread that is nice must not call it: it would hold gRPC's locks
   /// while it waits for a core, and the threads that gRPC starts as it needs them would be as nice for ever.
   Lane answers;
-  Lane bulk;    ///< meshes, voxels, many points: takes long, and cares less
+  Lane bulk;  ///< meshes, voxels, many points: takes long, and cares less
+  /// Collisions and trajectories that take long, piece by piece; as nice as the bulk lane, which goes on beside it.
+  Lane checks;
   Lane frames;  ///< what robots stream, before and after it is decoded
   /// Parsing and decoding that: on nice threads, so that what is quick does not wait for a message that takes long.
   Lane decoding;

@@ -4,13 +4,11 @@
 #include <string>
 #include <utility>
 
-#include "server/app/body_check.h"
 #include "server/app/distance_lookup.h"
 #include "server/app/object_queries.h"
 #include "server/app/point_query.h"
 #include "server/app/ray_cast.h"
 #include "server/app/slice_export.h"
-#include "server/app/trajectory_check.h"
 #include "server/wire/body_conversion.h"
 #include "server/wire/distance_conversion.h"
 #include "server/wire/object_conversion.h"
@@ -127,35 +125,10 @@ QueryEffort EffortOf(const v1::CheckCollisionsRequest& request) {
   return EffortOfItems(request, NumBodies(request), kMostQuickBodies);
 }
 
-Status AnswerQuery(const QueryPlace& place, const v1::CheckCollisionsRequest& request,
-                   v1::CheckCollisionsResponse& response) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto bodies, BodiesFromProto(request, place.context.options.max_query_points));
-  DHPMAP_ASSIGN_OR_RETURN(auto question, CheckOptionsFromProto(request.options(), place.view.snapshot(), kBodyOptions));
-  DHPMAP_ASSIGN_OR_RETURN(question.max_contacts, MaxContactsFromProto(request));
-  DHPMAP_RETURN_IF_ERROR(place.fits);
-  CollisionAnswers answers(request, InfoOf(place), response);
-  return CheckBodies(place.view, SurfacesOf(place), question, bodies, place.stop,
-                     [&](const BodyAnswer& answer) { answers.Append(answer); });
-}
-
 QueryEffort EffortOf(const v1::CheckTrajectoryRequest& request) {
   // What is attached is many spheres more.
   const std::size_t most_quick = request.options().attached_size() > 0 ? 0 : kMostQuickSpheres;
   return EffortOfItems(request, NumSpheres(request), most_quick);
-}
-
-Status AnswerQuery(const QueryPlace& place, const v1::CheckTrajectoryRequest& request,
-                   v1::CheckTrajectoryResponse& response) {
-  DHPMAP_ASSIGN_OR_RETURN(auto question,
-                          CheckOptionsFromProto(request.options(), place.view.snapshot(), kTrajectoryOptions));
-  DHPMAP_ASSIGN_OR_RETURN(question.max_contacts, MaxContactsFromProto(request));
-  DHPMAP_ASSIGN_OR_RETURN(const auto motions,
-                          RequestedMotions::Make(request, question.attached, place.context.options.max_query_points));
-  DHPMAP_RETURN_IF_ERROR(place.fits);
-  TrajectoryAnswers answers(request, InfoOf(place), response);
-  return CheckTrajectories(
-      place.view, SurfacesOf(place), question, motions.size(), [&](std::size_t i) { return motions[i]; }, place.stop,
-      [&](const TrajectoryAnswer& answer) { answers.Append(answer); });
 }
 
 }  // namespace dhpmap

@@ -54,13 +54,9 @@ QueryEffort EffortOf(const v1::ListRelationsRequest& request);
 Status AnswerQuery(const QueryPlace& place, const v1::ListRelationsRequest& request,
                    v1::ListRelationsResponse& response);
 
+// Those that are answered in pieces: see CheckAnswer.
 QueryEffort EffortOf(const v1::CheckCollisionsRequest& request);
-Status AnswerQuery(const QueryPlace& place, const v1::CheckCollisionsRequest& request,
-                   v1::CheckCollisionsResponse& response);
-
 QueryEffort EffortOf(const v1::CheckTrajectoryRequest& request);
-Status AnswerQuery(const QueryPlace& place, const v1::CheckTrajectoryRequest& request,
-                   v1::CheckTrajectoryResponse& response);
 
 /// What AnswerQuery is to say of `fits` where so many bytes are more than there are for all calls.
 Status AnswersTooLarge(std::size_t bytes);

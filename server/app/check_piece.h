@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "mapping/base/status.h"
+
+namespace dhpmap {
+
+/// How far a check goes at a time, in units of WorkBudget.
+struct CheckPiece {
+  std::int64_t work = 500'000;  ///< about so much; some 30 ms
+  bool may_overrun = true;      ///< what takes more alone is done all the same; else it is left to another piece
+};
+
+/// What all of a check may cost: half a minute of one core.
+inline constexpr std::int64_t kMostCheckWork = 500'000'000;
+
+/// RESOURCE_EXHAUSTED, for what would cost more. `field`: of what there is too much.
+Status TooMuchWork(const char* field);
+
+}  // namespace dhpmap
