@@ -46,15 +46,17 @@ bool IsLookedThrough(const Submap& submap) {
 
 }  // namespace
 
-CarriedBody CarriedBodyOf(const Submap& submap, const SubmapSurface& surface, std::size_t max_balls) {
+CarriedBody CarriedBodyOf(const MapSnapshot& state, const Submap& submap, const SubmapSurface& surface,
+                          std::size_t max_balls) {
   const double size_m = submap.info().voxel_size_m;
   // A triangle of marching cubes lies in one cell, which has a voxel's size and voxel centres for corners.
   const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * size_m);
   std::map<BlockIndex, std::map<VoxelIndex, std::vector<Corners>>> cells;
   CarriedBody body;
   for (std::size_t tile = 0; tile < surface.num_tiles() && body.num_balls <= max_balls; ++tile) {
-    const TriangleTree& triangles = surface.Surface(submap, tile);
+    const TriangleTree& triangles = surface.Surface(state, submap, tile);
     for (std::size_t i = 0; i < triangles.num_triangles(); ++i) {
+      if (!triangles.NeededBy(i).empty()) continue;
       Corners t;
       for (std::size_t k = 0; k < 3; ++k) t[k] = surface.FromTile(triangles.triangle(i)[k], tile);
       const VoxelIndex cell = VoxelAt((t[0] + t[1] + t[2]) / 3 - half, size_m);
@@ -76,20 +78,20 @@ CarriedBody WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t ma
   const Submap* submap = surfaces.state().Find(id);
   if (submap == nullptr) return {};
   const SubmapSurface* known = surfaces.SurfaceOf(id);
-  if (!IsLookedThrough(*submap) && known != nullptr) return CarriedBodyOf(*submap, *known, max_balls);
+  if (!IsLookedThrough(*submap) && known != nullptr) return CarriedBodyOf(surfaces.state(), *submap, *known, max_balls);
   Submap whole = *submap;
   whole.ShareBlocks();  // before anything is written to them
   whole.DropGone();
   const auto ledger = std::make_shared<SurfaceLedger>();
-  const SubmapSurface surface(whole, [&](std::span<const SubmapSurface::Place> places) {
+  const SubmapSurface surface(whole, nullptr, [&](std::span<const TilePlace> places) {
     SubmapSurface::Slots slots;
     slots.reserve(places.size());
-    for (const auto& [tile, around] : places) {
-      slots.push_back(std::make_shared<const TileSurfaceSlot>(around, tile, whole.info().voxel_size_m, ledger));
+    for (const TilePlace& place : places) {
+      slots.push_back(std::make_shared<const TileSurfaceSlot>(place, whole.info().voxel_size_m, ledger));
     }
     return slots;
   });
-  return CarriedBodyOf(whole, surface, max_balls);
+  return CarriedBodyOf(surfaces.state(), whole, surface, max_balls);
 }
 
 }  // namespace dhpmap

@@ -25,8 +25,10 @@ struct CarriedBody {
   std::size_t num_balls = 0;
 };
 
-/// Of a submap, and of its surface as it is. Ends early, with more than `max_balls`, once there are so many.
-CarriedBody CarriedBodyOf(const Submap& submap, const SubmapSurface& surface, std::size_t max_balls);
+/// Of a submap of a state, and of its surface as it is, but for what only is one together with others: what a robot
+/// carries has left them. Ends early, with more than `max_balls`, once there are so many.
+CarriedBody CarriedBodyOf(const MapSnapshot& state, const Submap& submap, const SubmapSurface& surface,
+                          std::size_t max_balls);
 
 /// Of all that was ever observed of a submap of a state, be it absent: what sensors look through where it was taken
 /// from says nothing of what it is. Nothing, if there is no such submap.

@@ -52,7 +52,7 @@ void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit) {
     const SubmapSurface& surface = surfaces.surface(number);
     bool goes_on = true;
     surface.tree().VisitOverlapping({surface.InTree(box.min()), surface.InTree(box.max())}, [&](std::size_t tile) {
-      const TriangleTree& triangles = surface.Surface(entry.submap(), tile);
+      const TriangleTree& triangles = surfaces.Triangles(number, tile);
       const Eigen::Vector3d corner_m = surface.FromTile(Eigen::Vector3f::Zero(), tile);
       const Shape in_tile = Shifted(in_submap, -corner_m);
       const Eigen::AlignedBox3f box_in_tile(surface.InTile(box.min(), tile), surface.InTile(box.max(), tile));
@@ -62,7 +62,7 @@ void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit) {
         for (std::size_t i = leaf * kLanes; i < end && goes_on; ++i) {
           const TriangleCorners t = triangles.triangle(i);
           const Eigen::AlignedBox3f around(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
-          if (!around.intersects(box_in_tile)) continue;
+          if (!around.intersects(box_in_tile) || !world.HoldsAll(triangles.NeededBy(i))) continue;
           goes_on = visit(NearTriangle<Shape>{number, padding_m, t, in_tile, T_map_submap, corner_m});
         }
         return goes_on;

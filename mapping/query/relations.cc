@@ -193,7 +193,7 @@ class Finder {
       const Submap& submap = surfaces_.index().entries()[number].submap();
       if (submap.info().panoptic == Panoptic::kUnknown || !question_.scope.Holds(submap.info())) continue;
       constexpr std::uint64_t kEver = 0;  // all of the surface: of a large submap that takes long
-      surfaces_.surface(number).PrepareUsedSince(kEver, submap, stop_);
+      surfaces_.surface(number).PrepareUsedSince(kEver, surfaces_.state(), submap, stop_);
       if (stop_.stop_requested()) break;
       Body body{.number = number, .submap = &submap, .box_m = SurfaceBox(surfaces_, number, T_query_map)};
       if (body.box_m.isEmpty()) continue;

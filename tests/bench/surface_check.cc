@@ -141,6 +141,14 @@ void JudgeWhole(const Recording& recording, const SurfaceCheckOptions& options, 
   std::printf("mesh: %zu triangles; of its samples %.2f %% were measured, %.2f %% looked through and never measured\n",
               judge.mesh().triangles.size(), share * static_cast<double>(num_measured),
               share * static_cast<double>(num_looked_through));
+  std::size_t num_covered = 0;
+  const auto measured = MeasuredPoints(recording.loaded.frames, options.num_points,
+                                       0.8 * recording.info.config.integration.max_range_m, random);
+  for (const Eigen::Vector3d& p : measured) {
+    num_covered += judge.truth().Distance(p, kMost_m) <= recording.voxel_m() ? 1 : 0;
+  }
+  std::printf("of measured points %.3f %% have the mesh within a voxel\n",
+              100 * static_cast<double>(num_covered) / static_cast<double>(std::max<std::size_t>(1, measured.size())));
 }
 
 /// Those with the most voxels.
@@ -148,7 +156,7 @@ std::vector<SubmapId> LargestThings(const MapSnapshot& state, std::size_t most) 
   std::vector<std::pair<std::size_t, SubmapId>> things;
   for (const auto& submap : state.submaps()) {
     if (submap->info().panoptic != Panoptic::kThing || submap->IsAbsent()) continue;
-    things.emplace_back(submap->blocks().entries().size(), submap->id());
+    things.emplace_back(submap->blocks().tiles().size(), submap->id());
   }
   std::sort(things.begin(), things.end(), std::greater<>());
   std::vector<SubmapId> largest;

@@ -10,6 +10,7 @@ namespace dhpmap::bench {
 namespace {
 
 constexpr double kCube_m = 0.1;
+constexpr double kLeastDepth_m = 0.2;
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 Corners CornersOf(const Mesh& mesh, std::uint32_t t) {
@@ -103,34 +104,38 @@ Eigen::Vector3d MeshTruth::Sample(std::mt19937& random) const {
 
 DepthView LookAt(std::span<const PanopticFrame> frames, const Eigen::Vector3d& p, double near_m, double most_depth_m) {
   DepthView view;
-  constexpr double kLeastDepth_m = 0.2;
-  constexpr int kAround_px = 1;
   for (const PanopticFrame& frame : frames) {
     if (!frame.camera) continue;
     const PinholeCamera& camera = frame.camera->camera;
     const Eigen::Vector3d q = frame.T_map_sensor.inverse() * p;
     if (q.z() < kLeastDepth_m || q.z() > most_depth_m) continue;
     const double u = camera.fx_px * q.x() / q.z() + camera.cx_px, v = camera.fy_px * q.y() / q.z() + camera.cy_px;
-    if (!(u >= kAround_px && v >= kAround_px && u < camera.width_px - 1 - kAround_px &&
-          v < camera.height_px - 1 - kAround_px)) {
-      continue;
-    }
-    const int u0 = static_cast<int>(std::lround(u)), v0 = static_cast<int>(std::lround(v));
-    bool are_farther = true;
-    for (int dv = -kAround_px; dv <= kAround_px; ++dv) {
-      for (int du = -kAround_px; du <= kAround_px; ++du) {
-        const double depth_m =
-            static_cast<double>(frame.camera->depth_m[static_cast<std::size_t>((v0 + dv) * camera.width_px + u0 + du)]);
-        const bool is_valid = depth_m > kLeastDepth_m;
-        const double beyond_m = depth_m - q.z();
-        are_farther = are_farther && is_valid && beyond_m > near_m;
-        if (du != 0 || dv != 0 || !is_valid) continue;
-        view.is_measured = view.is_measured || std::abs(beyond_m) <= near_m;
-      }
-    }
-    view.is_looked_through = view.is_looked_through || are_farther;
+    if (!(u > -0.5 && v > -0.5 && u < camera.width_px - 0.5 && v < camera.height_px - 0.5)) continue;
+    const auto pixel = static_cast<std::size_t>(std::lround(v) * camera.width_px + std::lround(u));
+    const double depth_m = static_cast<double>(frame.camera->depth_m[pixel]);
+    if (!(depth_m > kLeastDepth_m)) continue;
+    view.is_measured = view.is_measured || std::abs(depth_m - q.z()) <= near_m;
+    view.is_looked_through = view.is_looked_through || depth_m - q.z() > near_m;
   }
   return view;
+}
+
+std::vector<Eigen::Vector3d> MeasuredPoints(std::span<const PanopticFrame> frames, std::size_t count,
+                                            double most_depth_m, std::mt19937& random) {
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t tries = 0; points.size() < count && tries < 100 * count; ++tries) {
+    const PanopticFrame& frame = frames[random() % frames.size()];
+    if (!frame.camera) continue;
+    const PinholeCamera& camera = frame.camera->camera;
+    const auto width = static_cast<std::size_t>(camera.width_px);
+    const std::size_t pixel = random() % frame.camera->depth_m.size();
+    const double depth_m = static_cast<double>(frame.camera->depth_m[pixel]);
+    if (!(depth_m > kLeastDepth_m && depth_m < most_depth_m)) continue;
+    const double u = static_cast<double>(pixel % width), v = static_cast<double>(pixel / width);
+    points.push_back(frame.T_map_sensor * Eigen::Vector3d((u - camera.cx_px) / camera.fx_px * depth_m,
+                                                          (v - camera.cy_px) / camera.fy_px * depth_m, depth_m));
+  }
+  return points;
 }
 
 }  // namespace dhpmap::bench

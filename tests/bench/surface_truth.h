@@ -36,9 +36,13 @@ class MeshTruth {
 /// What depth images saw of a place.
 struct DepthView {
   bool is_measured = false;        ///< some image has something there
-  bool is_looked_through = false;  ///< some image sees only what is farther, all around its pixel
+  bool is_looked_through = false;  ///< some image sees what is farther in the pixel that shows it
 };
 /// `near_m`: of what is measured, from the place.
 DepthView LookAt(std::span<const PanopticFrame> frames, const Eigen::Vector3d& p, double near_m, double most_depth_m);
+
+/// Points that depth images measured, at random. `most_depth_m`: along the optical axis.
+std::vector<Eigen::Vector3d> MeasuredPoints(std::span<const PanopticFrame> frames, std::size_t count,
+                                            double most_depth_m, std::mt19937& random);
 
 }  // namespace dhpmap::bench

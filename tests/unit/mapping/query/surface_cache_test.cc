@@ -298,7 +298,8 @@ TEST(SurfaceCache, ThreadsThatWantASurfaceAtOnceGetOneThatIsCountedOnce) {
     const std::span<const SubmapIndex::Entry> entries = surfaces->index().entries();
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const SubmapSurface& surface = surfaces->surface(i);
-      for (std::size_t t = 0; t < surface.num_tiles(); ++t) made.push_back(&surface.Surface(entries[i].submap(), t));
+      for (std::size_t t = 0; t < surface.num_tiles(); ++t)
+        made.push_back(&surface.Surface(*state, entries[i].submap(), t));
     }
     return made;
   };
