@@ -25,8 +25,9 @@ class SubmapSurface {
   using SlotSource = std::function<Slots(std::span<const TilePlace>)>;
 
   /// Takes a look at each tile; `slots_of` gives their slots. `grid`: with which others it shares the grid of which of
-  /// them; null: with none.
-  SubmapSurface(const Submap& submap, const GridSharers* grid, const SlotSource& slots_of);
+  /// them; null: with none. `known`: of the same submap with others beside it, which keeps the slots of tiles that none
+  /// of them are near to; null: there is none.
+  SubmapSurface(const Submap& submap, const GridSharers* grid, const SubmapSurface* known, const SlotSource& slots_of);
 
   /// Whether it would be the same of this submap and those with which it shares the grid now.
   [[nodiscard]] bool IsOf(const Submap& submap, const GridSharers* grid) const;
@@ -89,6 +90,11 @@ class SubmapSurface {
     std::shared_ptr<const TileSurfaceSlot> slot;
     std::shared_ptr<const GridSharers::Around> around;  ///< null: the grid is not shared
   };
+
+  /// Null: there is none.
+  [[nodiscard]] const Tile* Find(TileIndex tile) const;
+  /// Whether what is around a tile, but for the submap itself, is as it was.
+  [[nodiscard]] static bool IsAlike(const Tile& tile, const Submap& submap, const GridSharers* grid);
 
   Eigen::AlignedBox3d box_m_;
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();  ///< of the tree, whose floats would not do far from here

@@ -231,7 +231,7 @@ std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_p
     num_evictions = num_evictions_;
   }
   if (there != nullptr && there->IsOf(*submap, grid)) return there;
-  auto made = std::make_shared<const SubmapSurface>(*submap, grid, [&](std::span<const TilePlace> places) {
+  auto made = std::make_shared<const SubmapSurface>(*submap, grid, there.get(), [&](std::span<const TilePlace> places) {
     return SlotsOf(places, submap->info().voxel_size_m, before);
   });
   Known<Submap, SubmapSurface> now{submap, made};
