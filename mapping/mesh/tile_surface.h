@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bitset>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mapping/map/submap.h"
@@ -28,6 +30,11 @@ constexpr BlockIndex OffsetInTile(int number) {
 }
 TileBlocks FindBlocks(const TileNeighbourhood& around, TileIndex tile);
 
+/// Some places of TileBlocks, and these with all that touch one of them: of a submap that shares the grid nothing else
+/// matters to who has blocks at the first.
+using TilePlaces = std::bitset<std::tuple_size_v<TileBlocks>>;
+TilePlaces Widened(const TilePlaces& places);
+
 /// What such a block shows a surface by (see PartId); 0 where there is none.
 struct SurfaceNames {
   std::uint64_t tsdf = 0, gone = 0;
@@ -36,12 +43,30 @@ struct SurfaceNames {
 using TileNames = std::array<SurfaceNames, std::tuple_size_v<TileBlocks>>;
 TileNames FindNames(const TileNeighbourhood& around, TileIndex tile);
 
+/// A submap's blocks around a tile.
+struct TileOwner {
+  SubmapId id;
+  TileBlocks blocks{};
+};
+
+/// Triangles of a submap's surface, and which others they take to be there.
+struct TileSurface {
+  std::vector<SurfaceTriangle> triangles;
+  std::vector<std::uint16_t> needs;           ///< of each triangle, in `needed`; empty: all are the first
+  std::vector<std::vector<SubmapId>> needed;  ///< ascending, each once; the first: nobody
+};
+
 /// The part of a submap's zero surface that belongs to one of its tiles, relative to the tile's corner of least
-/// coordinates (TileCorner), along the axes of the submap's frame. Marching cubes as in a mesh of the submap alone, but
-/// the surface reaches one voxel over the border of what is observed, where values are extrapolated from the observed
-/// voxels around, but not where a sensor has looked through (GoneBlock): so the surfaces of neighbours that label
-/// management has made exclusive close, whatever becomes of either. It depends on the submap's own voxels only. A cell
-/// with an observed corner belongs to the tile of the first of these, so each is in exactly one tile.
+/// coordinates (TileCorner), along the axes of the submap's frame: marching cubes over the cells whose 8 corners are
+/// shown (BlockEntry::Shows), and nothing beyond. `sharers`: others on the same grid, by ascending id, with which it
+/// has made positions exclusive. A cell with corners of several belongs to the known one that has most of them, of
+/// equals to the least id, and needs the others; so all surfaces together are that of the whole map (ExtractMapMesh),
+/// they close where neighbours meet, and without some of the submaps what is left is the surface of the others. While
+/// positions are not exclusive yet, each shows what it holds itself, and at its border what the sharer of least id
+/// does. A cell belongs to the tile of the first corner that its submap shows, so each is in exactly one tile.
+TileSurface ExtractTileSurface(const TileOwner& own, std::span<const TileOwner> sharers, double voxel_size_m);
+
+/// Of a submap alone.
 std::vector<SurfaceTriangle> ExtractTileSurface(const TileBlocks& blocks, double voxel_size_m);
 
 /// In metres of the submap frame.

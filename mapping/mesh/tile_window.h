@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "mapping/base/memory_count.h"
 #include "mapping/mesh/tile_surface.h"
@@ -15,9 +15,7 @@ namespace dhpmap {
 /// marching cubes asks of many of them, it asks at once.
 struct TileRoom {
   static constexpr int kTileVoxels = kTileSide * kBlockSide;  ///< along an axis
-  // Cells begin one voxel before the tile; their corners are extrapolated from voxels one farther, by slopes that look
-  // at one more.
-  static constexpr int kMargin = 3;
+  static constexpr int kMargin = 1;                           ///< cells begin one voxel before the tile, and end beyond
   static constexpr int kSide = kTileVoxels + 2 * kMargin;
   static constexpr std::size_t kRows = std::size_t{kSide} * kSide;
   static constexpr std::size_t kVoxels = kRows * kSide;
@@ -29,22 +27,19 @@ struct TileRoom {
   using Room = CountedVector<T, MemoryKind::kTileRooms>;
   using Rows = Room<Row>;
 
-  Rows observed = Rows(kRows), inside = Rows(kRows), contradicted = Rows(kRows);
-  Rows in_front = Rows(kRows), behind = Rows(kRows), wider = Rows(kRows);
-  Rows extrapolated = Rows(kRows);
+  Rows own = Rows(kRows), shared = Rows(kRows), inside = Rows(kRows);
   Room<float> distance_m = Room<float>(kVoxels);
-  Room<Eigen::Vector3f> slope = Room<Eigen::Vector3f>(kVoxels);  ///< of those observed beside others, in metres a voxel
+  Room<std::uint16_t> sharer = Room<std::uint16_t>(kVoxels);  ///< of those shared, who shows them
 };
 
-/// A tile with the voxels around it, as far as they are observed or can be extrapolated: those that are not, but have
-/// one among their 26 neighbours that is, have the average of what these expect there, the nearer the more. Mostly it
-/// is plain on which side of the surface they are; how far is worked out for those that are asked about. Uses the room
-/// as long as it lives. Thread-compatible.
+/// A tile with the voxels around it, as far as its submap shows them or others do that share the grid. Uses the room as
+/// long as it lives. Thread-compatible.
 class TileWindow {
  public:
   using Row = TileRoom::Row;
 
-  TileWindow(TileRoom& room, const TileBlocks& blocks);
+  /// What several of `sharers` show is the first one's, what `own` shows its own.
+  TileWindow(TileRoom& room, const TileBlocks& own, std::span<const TileOwner> sharers);
   TileWindow(const TileWindow&) = delete;
   TileWindow& operator=(const TileWindow&) = delete;
 
@@ -54,25 +49,23 @@ class TileWindow {
   }
   /// Whether there may be a surface at all.
   [[nodiscard]] bool has_both_sides() const { return has_both_sides_; }
-  [[nodiscard]] Row Observed(std::size_t row) const { return room_.observed[row]; }
-  /// Observed or extrapolated: has a distance.
-  [[nodiscard]] Row Known(std::size_t row) const { return room_.in_front[row] | room_.inside[row]; }
+  [[nodiscard]] Row Own(std::size_t row) const { return room_.own[row]; }
+  /// Somebody shows it.
+  [[nodiscard]] Row Known(std::size_t row) const { return room_.own[row] | room_.shared[row]; }
   /// Known, with a distance below 0.
   [[nodiscard]] Row Inside(std::size_t row) const { return room_.inside[row]; }
-  /// Of one that is known.
-  [[nodiscard]] float At(std::size_t row, int x) {
-    const std::size_t at = row * TileRoom::kSide + static_cast<std::size_t>(x);
-    if (((room_.observed[row] | room_.extrapolated[row]) >> x & 1) == 0) Extrapolate(row, x);
-    return room_.distance_m[at];
-  }
+  /// Of one that is known. `x`: in the row.
+  [[nodiscard]] float At(std::size_t row, int x) const { return room_.distance_m[PlaceOf(row, x)]; }
+  /// Of one that is known and not its own: position in the sharers.
+  [[nodiscard]] std::size_t SharerAt(std::size_t row, int x) const { return room_.sharer[PlaceOf(row, x)]; }
 
  private:
-  void CopyBlock(const BlockEntry& block, BlockIndex offset);
-  [[nodiscard]] Row Rim(int y, int z) const;
-  [[nodiscard]] Eigen::Vector3f SlopeAt(std::size_t row, int x) const;
+  static constexpr std::size_t PlaceOf(std::size_t row, int x) {
+    return row * TileRoom::kSide + static_cast<std::size_t>(x);
+  }
+  void CopyOwn(const BlockEntry& block, BlockIndex offset);
+  void CopyShared(const BlockEntry& block, BlockIndex offset, std::uint16_t sharer);
   void FindSides();
-  void ConcludeSides();
-  void Extrapolate(std::size_t row, int x);
 
   TileRoom& room_;
   bool has_both_sides_ = false;

@@ -46,50 +46,98 @@ bool IsLookedThrough(const Submap& submap) {
 
 }  // namespace
 
-CarriedBody CarriedBodyOf(const Submap& submap, const SubmapSurface& surface, std::size_t max_balls) {
-  const double size_m = submap.info().voxel_size_m;
-  // A triangle of marching cubes lies in one cell, which has a voxel's size and voxel centres for corners.
-  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * size_m);
-  std::map<BlockIndex, std::map<VoxelIndex, std::vector<Corners>>> cells;
-  CarriedBody body;
-  for (std::size_t tile = 0; tile < surface.num_tiles() && body.num_balls <= max_balls; ++tile) {
-    const TriangleTree& triangles = surface.Surface(submap, tile);
-    for (std::size_t i = 0; i < triangles.num_triangles(); ++i) {
-      Corners t;
-      for (std::size_t k = 0; k < 3; ++k) t[k] = surface.FromTile(triangles.triangle(i)[k], tile);
-      const VoxelIndex cell = VoxelAt((t[0] + t[1] + t[2]) / 3 - half, size_m);
-      auto& of_cell = cells[BlockOf(cell)][cell];
-      body.num_balls += of_cell.empty() ? 1 : 0;
-      of_cell.push_back(t);
+namespace {
+
+/// Makes a body of triangles, which come in any order.
+class BodyMaker {
+ public:
+  BodyMaker(double voxel_size_m, std::size_t max_balls) : size_m_(voxel_size_m), max_balls_(max_balls) {}
+
+  [[nodiscard]] bool is_full() const { return body_.num_balls > max_balls_; }
+  void Add(const TriangleTree& triangles, std::size_t position, const SubmapSurface& surface, std::size_t tile) {
+    Corners t;
+    for (std::size_t k = 0; k < 3; ++k) t[k] = surface.FromTile(triangles.triangle(position)[k], tile);
+    // A triangle of marching cubes lies in one cell, which has a voxel's size and voxel centres for corners.
+    const VoxelIndex cell = VoxelAt((t[0] + t[1] + t[2]) / 3 - Eigen::Vector3d::Constant(0.5 * size_m_), size_m_);
+    auto& of_cell = cells_[BlockOf(cell)][cell];
+    body_.num_balls += of_cell.empty() ? 1 : 0;
+    of_cell.push_back(t);
+  }
+  void AddAll(const MapSnapshot& state, const Submap& submap, const SubmapSurface& surface) {
+    for (std::size_t tile = 0; tile < surface.num_tiles() && !is_full(); ++tile) {
+      const TriangleTree& triangles = surface.Surface(state, submap, tile);
+      for (std::size_t i = 0; i < triangles.num_triangles(); ++i) Add(triangles, i, surface, tile);
     }
   }
-  for (const auto& [block, of_block] : cells) {
-    CarriedBody::Group& group = body.groups.emplace_back();
-    for (const auto& [cell, triangles] : of_block) group.balls.push_back(BallAround(triangles));
-    group.around = BallAround(group.balls);
-    body.reach_m = std::max(body.reach_m, group.around.center_m.norm() + group.around.radius_m);
+  /// Of others' surfaces what they have together with the submap: where these meet.
+  void AddShared(const MapSurfaces& surfaces, std::size_t own) {
+    const SubmapIndex::Entry& entry = surfaces.index().entries()[own];
+    if (!entry.IsInMapFrame()) return;
+    const SubmapId id = entry.submap().id();
+    for (std::size_t number = 0; number < surfaces.index().entries().size(); ++number) {
+      const SubmapIndex::Entry& other = surfaces.index().entries()[number];
+      if (number == own || !other.IsInMapFrame() || !other.box_m().intersects(entry.box_m())) continue;
+      const SubmapSurface& surface = surfaces.surface(number);
+      const Eigen::AlignedBox3f box(surface.InTree(entry.box_m().min()), surface.InTree(entry.box_m().max()));
+      surface.tree().VisitOverlapping(box, [&](std::size_t tile) {
+        const TriangleTree& triangles = surfaces.Triangles(number, tile);
+        for (std::size_t i = 0; triangles.has_needs() && i < triangles.num_triangles(); ++i) {
+          const std::span<const SubmapId> needed = triangles.NeededBy(i);
+          if (std::find(needed.begin(), needed.end(), id) != needed.end()) Add(triangles, i, surface, tile);
+        }
+        return !is_full();
+      });
+    }
   }
-  return body;
+  CarriedBody Make() {
+    for (const auto& [block, of_block] : cells_) {
+      CarriedBody::Group& group = body_.groups.emplace_back();
+      for (const auto& [cell, triangles] : of_block) group.balls.push_back(BallAround(triangles));
+      group.around = BallAround(group.balls);
+      body_.reach_m = std::max(body_.reach_m, group.around.center_m.norm() + group.around.radius_m);
+    }
+    return std::move(body_);
+  }
+
+ private:
+  const double size_m_;
+  const std::size_t max_balls_;
+  std::map<BlockIndex, std::map<VoxelIndex, std::vector<Corners>>> cells_;
+  CarriedBody body_;
+};
+
+}  // namespace
+
+CarriedBody CarriedBodyOf(const MapSnapshot& state, const Submap& submap, const SubmapSurface& surface,
+                          std::size_t max_balls) {
+  BodyMaker maker(submap.info().voxel_size_m, max_balls);
+  maker.AddAll(state, submap, surface);
+  return maker.Make();
 }
 
 CarriedBody WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t max_balls) {
   const Submap* submap = surfaces.state().Find(id);
   if (submap == nullptr) return {};
   const SubmapSurface* known = surfaces.SurfaceOf(id);
-  if (!IsLookedThrough(*submap) && known != nullptr) return CarriedBodyOf(*submap, *known, max_balls);
+  if (!IsLookedThrough(*submap) && known != nullptr) {
+    BodyMaker maker(submap->info().voxel_size_m, max_balls);
+    maker.AddAll(surfaces.state(), *submap, *known);
+    maker.AddShared(surfaces, surfaces.NumberOf(id));
+    return maker.Make();
+  }
   Submap whole = *submap;
   whole.ShareBlocks();  // before anything is written to them
   whole.DropGone();
   const auto ledger = std::make_shared<SurfaceLedger>();
-  const SubmapSurface surface(whole, [&](std::span<const SubmapSurface::Place> places) {
+  const SubmapSurface surface(whole, nullptr, nullptr, [&](std::span<const TilePlace> places) {
     SubmapSurface::Slots slots;
     slots.reserve(places.size());
-    for (const auto& [tile, around] : places) {
-      slots.push_back(std::make_shared<const TileSurfaceSlot>(around, tile, whole.info().voxel_size_m, ledger));
+    for (const TilePlace& place : places) {
+      slots.push_back(std::make_shared<const TileSurfaceSlot>(place, whole.info().voxel_size_m, ledger));
     }
     return slots;
   });
-  return CarriedBodyOf(whole, surface, max_balls);
+  return CarriedBodyOf(surfaces.state(), whole, surface, max_balls);
 }
 
 }  // namespace dhpmap

@@ -33,7 +33,7 @@ class DistanceQuery::Searches {
  public:
   explicit Searches(const QueryWorld& world) {
     for (const QueryWorld::Grown& grown : world.grown()) {
-      parts_.push_back({grown.padding_m, NearestSearch(world.surfaces(), grown.is_held)});
+      parts_.push_back({grown.padding_m, NearestSearch(world.surfaces(), grown.is_held, world.is_held())});
     }
   }
 
@@ -91,7 +91,8 @@ SurfaceDistance DistanceQuery::Within(const Eigen::Vector3d& p_map, double limit
 
 bool DistanceQuery::AnyCloserThan(const Eigen::Vector3d& p_map, double radius_m) const {
   return std::any_of(world_.grown().begin(), world_.grown().end(), [&](const QueryWorld::Grown& grown) {
-    return NearestSearch(world_.surfaces(), grown.is_held).IsAnyWithin(p_map, radius_m + grown.padding_m);
+    return NearestSearch(world_.surfaces(), grown.is_held, world_.is_held())
+        .IsAnyWithin(p_map, radius_m + grown.padding_m);
   });
 }
 
@@ -176,7 +177,8 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
     answers[flight.point] = Describe(p, most_m, found, padding_m);
     if (found.is_any) limit.Learn(p, (found.p_submap - found.point_submap).norm() - padding_m);
   };
-  std::vector<Flight> flights(std::min(open.size(), kMostInFlight), Flight{NearestSearch(world_.surfaces(), is_held)});
+  std::vector<Flight> flights(std::min(open.size(), kMostInFlight),
+                              Flight{NearestSearch(world_.surfaces(), is_held, world_.is_held())});
   std::vector<Flight*> in_flight;
   for (Flight& flight : flights) {
     start_next(flight);
@@ -268,7 +270,7 @@ bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell
   if (list.count == 0) return false;
   const NearField::Nearest nearest = cell.field->Find(p, list);
   NearestSurface found{.is_any = true, .number = cell.numbers[nearest.submap], .is_behind = nearest.is_behind};
-  if (!world_.Holds(found.number)) return false;
+  if (!world_.Holds(found.number) || !world_.HoldsAll(cell.field->needed(nearest.submap))) return false;
   const double distance_m = static_cast<double>(nearest.away.norm());
   if (distance_m - padding_m > limit_m) {
     answer = Clamped(limit_m);
@@ -284,7 +286,8 @@ bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell
     if (distance_m <= band_m || !world_.SightAt(p_map, found).is_front) return false;
     found.is_behind = false;
   }
-  if (found.is_behind && list.may_end && !nearest.is_across) {
+  const bool may_end = list.may_end || !world_.is_held().empty();  // where something that is left out went on
+  if (found.is_behind && may_end && !nearest.is_across) {
     // Of no account, if the place itself was seen to be inside, or, beyond the band, to be in front.
     const double band_m = world_.surfaces().index().entries()[found.number].submap().info().truncation_m;
     const QueryWorld::Sight sight = world_.SightAt(p_map, found);

@@ -16,7 +16,7 @@ NearField::~NearField() { ledger_->cell_bytes -= counted_bytes_; }
 std::size_t NearField::MemoryBytes() const {
   return sizeof(*this) + grid_.capacity() * sizeof(grid_[0]) + nodes_.capacity() * sizeof(nodes_[0]) +
          lists_.capacity() * sizeof(lists_[0]) + triangles_.capacity() * sizeof(triangles_[0]) +
-         submaps_.capacity() * sizeof(submaps_[0]);
+         submaps_.capacity() * sizeof(submaps_[0]) + needed_.capacity() * sizeof(needed_[0]);
 }
 
 std::uint32_t NearField::PackNormal(const Eigen::Vector3f& normal) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mapping/map/submap.h"
@@ -53,6 +54,8 @@ class NearField {
   }
   /// Those of what it holds, and of what else is nearest to any of its points.
   [[nodiscard]] const std::vector<SubmapId>& submaps() const { return submaps_; }
+  /// Which others must be there for what it holds of one of them to be (TriangleTree::NeededBy).
+  [[nodiscard]] std::span<const SubmapId> needed(std::uint32_t position) const { return needed_[position]; }
   [[nodiscard]] std::size_t MemoryBytes() const;
   [[nodiscard]] std::size_t num_triangles() const { return triangles_.size(); }
 
@@ -120,8 +123,9 @@ class NearField {
   std::vector<std::array<std::uint32_t, 8>> nodes_;
   std::vector<std::uint16_t> lists_;  ///< of triangles
   std::vector<Triangle> triangles_;
-  std::vector<SubmapId> submaps_;
-  std::size_t counted_bytes_ = 0;  ///< in the ledger
+  std::vector<SubmapId> submaps_;              ///< one may come several times,
+  std::vector<std::vector<SubmapId>> needed_;  ///< with what its triangles need
+  std::size_t counted_bytes_ = 0;              ///< in the ledger
   const std::shared_ptr<SurfaceLedger> ledger_;
 };
 

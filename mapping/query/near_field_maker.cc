@@ -79,6 +79,7 @@ std::shared_ptr<const NearField> NearFieldMaker::Make(BlockIndex block, std::sha
 void NearFieldMaker::Gather(const Eigen::Vector3d& centre_m, const FieldReach& reach) {
   pools_[0].Clear();
   numbers_.clear();
+  needed_.clear();
   const SubmapIndex& index = surfaces_.index();
   index.tree().VisitWhere(reach.At(index.InTree(centre_m)), [&](std::size_t item) {
     const std::uint32_t number = index.tree().items()[item];
@@ -88,7 +89,7 @@ void NearFieldMaker::Gather(const Eigen::Vector3d& centre_m, const FieldReach& r
     const Eigen::Matrix3f turn = entry.submap().info().T_map_submap.linear().cast<float>();
     const FieldReach in_submap = reach.In(turn.transpose(), surface.InTree(middle_m));
     surface.tree().VisitWhere(in_submap, [&](std::size_t tile) {
-      const TriangleTree& triangles = surface.Surface(entry.submap(), tile);
+      const TriangleTree& triangles = surfaces_.Triangles(number, tile);
       const Eigen::Vector3f middle = surface.InTile(middle_m, tile);
       triangles.tree().VisitWhere(in_submap.At(middle), [&](std::size_t leaf) {
         const std::size_t end = std::min((leaf + 1) * kLanes, triangles.num_triangles());
@@ -97,6 +98,7 @@ void NearFieldMaker::Gather(const Eigen::Vector3d& centre_m, const FieldReach& r
           for (Eigen::Vector3f& corner : triangle) corner = turn * (corner - middle);
           pools_[0].Add(triangle, static_cast<std::uint32_t>(numbers_.size()));
           numbers_.push_back(number);
+          needed_.push_back(triangles.NeededBy(i));
           has_failed_ = numbers_.size() > kMostCandidates;
         }
       });
@@ -327,12 +329,20 @@ std::uint32_t NearFieldMaker::CodeOf(const Leaf& leaf) const {
          (may_end ? NearField::kMayEnd : 0) | leaf.first;
 }
 
-std::uint16_t NearFieldMaker::NumberInField(std::uint32_t number) {
-  const SubmapId submap = surfaces_.index().entries()[number].submap().id();
-  const auto known = std::find(field_->submaps_.begin(), field_->submaps_.end(), submap);
-  const auto position = static_cast<std::uint16_t>(known - field_->submaps_.begin());
-  if (known == field_->submaps_.end()) field_->submaps_.push_back(submap);
-  return position;
+/// Of the submap of a triangle, together with what that needs.
+std::uint16_t NearFieldMaker::NumberInField(std::uint32_t id) {
+  const SubmapId submap = surfaces_.index().entries()[numbers_[id]].submap().id();
+  const std::span<const SubmapId> needed = needed_[id];
+  std::size_t position = 0;
+  while (position < field_->submaps_.size() &&
+         !(field_->submaps_[position] == submap && std::ranges::equal(field_->needed_[position], needed))) {
+    ++position;
+  }
+  if (position == field_->submaps_.size()) {
+    field_->submaps_.push_back(submap);
+    field_->needed_.emplace_back(needed.begin(), needed.end());
+  }
+  return static_cast<std::uint16_t>(position);
 }
 
 std::uint16_t NearFieldMaker::Keep(std::uint32_t id, const TriangleCorners& triangle) {
@@ -341,7 +351,7 @@ std::uint16_t NearFieldMaker::Keep(std::uint32_t id, const TriangleCorners& tria
   for (std::size_t i = 0; i < 3; ++i) {
     for (int axis = 0; axis < 3; ++axis) kept.corners[i][axis] = triangle[i][axis];
   }
-  kept.submap = NumberInField(numbers_[id]);
+  kept.submap = NumberInField(id);
   alone_.push_back(kNowhere);
   kept_[id] = static_cast<std::uint16_t>(field_->triangles_.size() - 1);
   return kept_[id];
@@ -394,14 +404,18 @@ void NearFieldMaker::AddNormals() {
   std::vector<FieldNormals::Places> places;
   places.reserve(wanted.size());
   for (const std::uint32_t id : wanted) places.push_back(normals.Want(triangle(id)));
-  for (const std::uint32_t id : all.ids) normals.Add(triangle(id), numbers_[id]);
+  const auto surface_of = [this](std::uint32_t number) {
+    constexpr std::uint32_t kOnMapGrid = 0xFFFFFFFE;  // one surface, whoever has it
+    return surfaces_.index().entries()[number].IsInMapFrame() ? kOnMapGrid : number;
+  };
+  for (const std::uint32_t id : all.ids) normals.Add(triangle(id), surface_of(numbers_[id]));
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     bool goes_on = true;
     for (std::size_t k = 0; k < 3; ++k) {
       goes_on = goes_on && normals.GoesOn(places[i].corners[k]) && normals.GoesOn(places[i].edges[k]);
     }
     may_end_[wanted[i]] = !goes_on;
-    (void)NumberInField(numbers_[wanted[i]]);  // what becomes of it concerns the field, whether it is listed or not
+    (void)NumberInField(wanted[i]);  // what becomes of it concerns the field, whether it is listed or not
     if (kept_[wanted[i]] == kNotKept) continue;
     NearField::Triangle& kept = field_->triangles_[kept_[wanted[i]]];
     for (std::size_t k = 0; k < 3; ++k) {

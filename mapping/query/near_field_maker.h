@@ -68,7 +68,7 @@ class NearFieldMaker {
   void Lay(std::uint32_t root);
   std::uint32_t Copy(std::uint32_t at);
   /// Of a submap in MapSurfaces: its position in the field's.
-  std::uint16_t NumberInField(std::uint32_t number);
+  std::uint16_t NumberInField(std::uint32_t id);
   std::uint16_t Keep(std::uint32_t id, const TriangleCorners& triangle);
   void AddNormals();
 
@@ -79,6 +79,7 @@ class NearFieldMaker {
   std::vector<std::uint32_t> exact_;    ///< candidates, leaf by leaf
   std::vector<bool> may_end_;           ///< by candidate that is in exact_: some surface ends on its border, or may
   std::vector<std::uint32_t> numbers_;  ///< of the submaps, by candidate
+  std::vector<std::span<const SubmapId>> needed_;  ///< which others each needs
   std::vector<Tangents> tangents_;
   std::vector<std::uint8_t> alive_, saved_, picked_, front_, back_;  ///< a bit a lane
   std::vector<std::uint16_t> kept_;                                  ///< by candidate

@@ -56,7 +56,7 @@ void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit, Work
       constexpr int kTileWork = 64;
       goes_on = SpendOf(work, kTileWork);
       if (!goes_on) return false;
-      const TriangleTree& triangles = surface.Surface(entry.submap(), tile);
+      const TriangleTree& triangles = surfaces.Triangles(number, tile);
       const Eigen::Vector3d corner_m = surface.FromTile(Eigen::Vector3f::Zero(), tile);
       const Shape in_tile = Shifted(in_submap, -corner_m);
       const Eigen::AlignedBox3f box_in_tile(surface.InTile(box.min(), tile), surface.InTile(box.max(), tile));
@@ -67,7 +67,7 @@ void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit, Work
         for (std::size_t i = leaf * kLanes; i < end && goes_on; ++i) {
           const TriangleCorners t = triangles.triangle(i);
           const Eigen::AlignedBox3f around(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]));
-          if (!around.intersects(box_in_tile)) continue;
+          if (!around.intersects(box_in_tile) || !world.HoldsAll(triangles.NeededBy(i))) continue;
           goes_on =
               SpendOf(work, 1) && visit(NearTriangle<Shape>{number, padding_m, t, in_tile, T_map_submap, corner_m});
         }

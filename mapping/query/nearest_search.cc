@@ -41,9 +41,11 @@ constexpr float kRounding = 1 - 1e-5f;
 
 }  // namespace
 
-NearestSearch::NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held)
+NearestSearch::NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held,
+                             const std::vector<bool>& is_there)
     : surfaces_(surfaces),
       is_held_(is_held),
+      is_there_(is_there),
       rounding_m_(static_cast<float>(kCoordinateRounding * kTileSide * kBlockSide *
                                      surfaces.state().info().config.voxel_size_m)) {
   touches_.reserve(8);
@@ -219,7 +221,7 @@ void NearestSearch::VisitTiles(Visitor&& visit) {
       continue;
     }
     const SubmapIndex::Entry& entry = index.entries()[from.number];
-    const TriangleTree& triangles = from.submap->Surface(entry.submap(), here.node);
+    const TriangleTree& triangles = surfaces_.Triangles(from.number, here.node);
     if (triangles.num_triangles() == 0) continue;
     visit(Tile{.triangles = &triangles,
                .number = from.number,
@@ -298,7 +300,7 @@ bool NearestSearch::VisitNode() {
     unsigned near = tile_.triangles->packet(here.node).Within(tile_.p, limit2_, distance2);
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
-      if (distance2[lane] > limit2_) continue;
+      if (distance2[lane] > limit2_ || !IsThere(kLanes * here.node + lane)) continue;
       const float as_near2 = WithRounding(distance2[lane]);
       if (as_near2 < best2_) touches_.clear();
       touches_.push_back({tile_, kLanes * here.node + lane});
@@ -367,14 +369,20 @@ bool NearestSearch::IsBeside(const Touch& nearest) {
   // Across the face it matters as little whether the surface ends there as it does on it.
   constexpr float kAcross = 0.9998f;  // cosine of a degree
   if (distance_m <= same_m || -NormalOf(triangle).dot(away) >= kAcross * distance_m) return false;
-  const SubmapSurface& surface = surfaces_.surface(nearest.tile.number);
-  const Eigen::Vector3d point_submap = surface.FromTile(point, nearest.tile.tile);
+  const std::span<const SubmapIndex::Entry> entries = surfaces_.index().entries();
+  const Eigen::Vector3d point_submap = surfaces_.surface(nearest.tile.number).FromTile(point, nearest.tile.tile);
+  // On the map's grid it goes on in its neighbours'.
+  const auto goes_on_in = [&](std::uint32_t number) {
+    return number == nearest.tile.number ||
+           (entries[number].IsInMapFrame() && entries[nearest.tile.number].IsInMapFrame());
+  };
   around_.assign(1, triangle);
   for (Eigen::Vector3f& corner : around_[0]) corner -= point;
   for (const Touch& touch : touches_) {
-    const bool is_other = touch.tile.tile != nearest.tile.tile || touch.position != nearest.position;
-    if (touch.tile.number != nearest.tile.number || !is_other) continue;
-    const Eigen::Vector3f origin = surface.InTile(point_submap, touch.tile.tile);
+    const bool is_other = touch.tile.number != nearest.tile.number || touch.tile.tile != nearest.tile.tile ||
+                          touch.position != nearest.position;
+    if (!goes_on_in(touch.tile.number) || !is_other) continue;
+    const Eigen::Vector3f origin = surfaces_.surface(touch.tile.number).InTile(point_submap, touch.tile.tile);
     TriangleCorners& other = around_.emplace_back(touch.tile.triangles->triangle(touch.position));
     for (Eigen::Vector3f& corner : other) corner -= origin;
   }

@@ -29,8 +29,12 @@ struct NearestSurface {
 /// one search to the next: belongs to one thread.
 class NearestSearch {
  public:
-  /// `is_held` says by number which submaps count; empty: all. Both outlive this.
-  NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held);
+  /// `is_held` says by number whose surfaces count, `is_there` which submaps are there, without which others may have
+  /// less of a surface; empty: all. All outlive this.
+  NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held, const std::vector<bool>& is_there);
+  /// All are there.
+  NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held)
+      : NearestSearch(surfaces, is_held, Everybody()) {}
 
   /// `p_map`: finite, metres of the map frame; `limit_m`: finite. Exact to 1e-5 of the distance and 1e-4 voxels, by
   /// rounding.
@@ -86,7 +90,15 @@ class NearestSearch {
 
   /// Of a squared distance, that within which another may be the same one.
   [[nodiscard]] float WithRounding(float distance2) const;
+  static const std::vector<bool>& Everybody() {
+    static const std::vector<bool> everybody;
+    return everybody;
+  }
   void Begin(const Eigen::Vector3d& p_map, double limit_m);
+  /// Of a triangle of the tile.
+  [[nodiscard]] bool IsThere(std::uint32_t position) const {
+    return is_there_.empty() || sees_all_ || surfaces_.Holds(tile_.triangles->NeededBy(position), is_there_);
+  }
   [[nodiscard]] bool Holds(std::size_t number) const { return sees_all_ || is_held_.empty() || is_held_[number]; }
 
   // In a cell.
@@ -115,7 +127,7 @@ class NearestSearch {
   [[nodiscard]] bool IsBeside(const Touch& nearest);
 
   const MapSurfaces& surfaces_;
-  const std::vector<bool>& is_held_;
+  const std::vector<bool>&is_held_, &is_there_;
   float rounding_m_;  ///< of coordinates
   Eigen::Vector3d p_map_ = Eigen::Vector3d::Zero();
   double limit_m_ = 0;

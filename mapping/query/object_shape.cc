@@ -16,7 +16,7 @@ void ForEachTriangle(const MapSurfaces& surfaces, std::size_t number, const Tran
   const SubmapSurface& surface = surfaces.surface(number);
   const Transform T_query_submap = T_query_map * submap.info().T_map_submap;
   for (std::size_t tile = 0; tile < surface.tree().items().size(); ++tile) {
-    const TriangleTree& triangles = surface.Surface(submap, tile);
+    const TriangleTree& triangles = surfaces.Triangles(number, tile);
     for (std::size_t i = 0; i < triangles.num_triangles(); ++i) {
       Triangle triangle;
       for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -36,6 +36,10 @@ class QueryWorld {
   [[nodiscard]] const std::shared_ptr<const MapSurfaces>& shared_surfaces() const { return surfaces_; }
   [[nodiscard]] double voxel_size_m() const { return surfaces_->state().info().config.voxel_size_m; }
   [[nodiscard]] bool Holds(std::size_t number) const { return is_held_.empty() || is_held_[number]; }
+  /// By number, which submaps are there; empty: all.
+  [[nodiscard]] const std::vector<bool>& is_held() const { return is_held_; }
+  /// Whether all that a triangle needs is there.
+  [[nodiscard]] bool HoldsAll(std::span<const SubmapId> needed) const { return surfaces_->Holds(needed, is_held_); }
   /// Every submap that is there is in exactly one of these; at least one, those that are grown most first.
   [[nodiscard]] std::span<const Grown> grown() const { return grown_; }
   [[nodiscard]] double most_padding_m() const { return grown_.front().padding_m; }

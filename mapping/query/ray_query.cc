@@ -43,9 +43,10 @@ Eigen::Vector3f InverseOf(const Eigen::Vector3d& direction) {
 }
 
 /// Calls visit(along_m, triangle) for triangles of a submap that the ray meets within `limit_m`, in no order to rely
-/// on; it returns the limit from then on, below 0 to end it.
+/// on; it returns the limit from then on, below 0 to end it. `is_there`: see NearestSearch.
 template <typename Visitor>
-void VisitMet(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, double limit_m, Visitor&& visit) {
+void VisitMet(const MapSurfaces& surfaces, std::size_t number, const std::vector<bool>& is_there, const Ray& ray,
+              double limit_m, Visitor&& visit) {
   const SubmapIndex::Entry& entry = surfaces.index().entries()[number];
   const Submap& submap = entry.submap();
   const SubmapSurface& surface = surfaces.surface(number);
@@ -54,7 +55,7 @@ void VisitMet(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, d
   const Eigen::Vector3f inverse = InverseOf(direction);
   const auto limit = [&limit_m] { return static_cast<float>(limit_m); };
   surface.tree().VisitAlong(surface.InTree(origin), direction.cast<float>(), limit(), [&](std::size_t tile) {
-    const TriangleTree& triangles = surface.Surface(submap, tile);
+    const TriangleTree& triangles = surfaces.Triangles(number, tile);
     const Eigen::Vector3d in_tile = surface.InTileExactly(origin, tile);
     const auto margin_m = static_cast<float>(1e-5 * (1 + in_tile.cwiseAbs().maxCoeff()));  // for rounding
     triangles.tree().VisitAlong(in_tile.cast<float>(), direction.cast<float>(), limit(), [&](std::size_t i) {
@@ -65,7 +66,7 @@ void VisitMet(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, d
         const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(met));
         const TriangleCorners triangle = triangles.triangle(k);
         const double along_m = MeetingOf(triangle, in_tile, direction);
-        if (along_m <= limit_m) limit_m = visit(along_m, triangle);
+        if (along_m <= limit_m && surfaces.Holds(triangles.NeededBy(k), is_there)) limit_m = visit(along_m, triangle);
       }
       return limit();
     });
@@ -77,7 +78,7 @@ void VisitMet(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, d
 
 bool MeetsSubmap(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, double limit_m) {
   bool is_met = false;
-  VisitMet(surfaces, number, ray, limit_m, [&is_met](double, const TriangleCorners&) {
+  VisitMet(surfaces, number, {}, ray, limit_m, [&is_met](double, const TriangleCorners&) {
     is_met = true;
     return -1.0;
   });
@@ -105,7 +106,7 @@ RayHit RayQuery::FirstHit(const Ray& ray) const {
     const std::size_t number = index.tree().items()[position];
     if (!world_.Holds(number)) return limit();
     const SubmapInfo& info = index.entries()[number].submap().info();
-    VisitMet(surfaces, number, ray, hit.distance_m, [&](double along_m, const TriangleCorners& t) {
+    VisitMet(surfaces, number, world_.is_held(), ray, hit.distance_m, [&](double along_m, const TriangleCorners& t) {
       if (hit.submap != nullptr && along_m == hit.distance_m) return hit.distance_m;
       hit.submap = &info;
       hit.distance_m = along_m;

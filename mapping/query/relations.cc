@@ -15,6 +15,8 @@ namespace dhpmap {
 namespace {
 
 constexpr double kContact_vox = 2;
+/// Between surfaces of objects that touch, each of which ends up to a voxel before the other.
+constexpr double kHold_vox = 3;
 constexpr double kLeastUp = 0.70710678;  // cosine of 45 degrees
 /// Stray voxels below an object are not what it stands on.
 constexpr double kStrayShare = 0.02;
@@ -61,7 +63,8 @@ class Judge {
         stop_(stop),
         T_query_map_(question.T_map_query.inverse()),
         is_held_(surfaces.index().entries().size()),
-        search_(surfaces, is_held_) {}
+        is_there_(surfaces.index().entries().size(), true),
+        search_(surfaces, is_held_, is_there_) {}
 
   struct Support {
     double share = 0;
@@ -74,14 +77,16 @@ class Judge {
         heights_m.begin() + static_cast<std::ptrdiff_t>(kStrayShare * static_cast<double>(heights_m.size()));
     std::nth_element(heights_m.begin(), lowest, heights_m.end());
     const double reach_m = kContact_vox * subject.body.submap->info().voxel_size_m, bottom_m = *lowest;
+    const double hold_m = kHold_vox * subject.body.submap->info().voxel_size_m;
     const Hold hold(*this, object.number);
+    const Absence absence(*this, subject.body.number);  // what holds it up is there without it
     int num_bottom = 0, num_held = 0;
-    double gap_m = reach_m;
+    double gap_m = hold_m;
     for (const Eigen::Vector3d& p : subject.points_m) {
       if (stop_.stop_requested()) break;
       if (p.z() > bottom_m + reach_m) continue;
       ++num_bottom;
-      const auto found = Nearest(p, reach_m);
+      const auto found = Nearest(p, hold_m);
       if (!found || found->up < kLeastUp || found->point_m.z() > p.z() + reach_m / 2) continue;
       ++num_held;
       gap_m = std::min(gap_m, found->distance_m);
@@ -141,6 +146,18 @@ class Judge {
     Judge& judge_;
     std::size_t number_;
   };
+  /// Has one submap not be there for its life.
+  class Absence {
+   public:
+    Absence(Judge& judge, std::size_t number) : judge_(judge), number_(number) { judge_.is_there_[number_] = false; }
+    ~Absence() { judge_.is_there_[number_] = true; }
+    Absence(const Absence&) = delete;
+    Absence& operator=(const Absence&) = delete;
+
+   private:
+    Judge& judge_;
+    std::size_t number_;
+  };
   struct Found {
     double distance_m;
     double up;                ///< of the normal
@@ -160,7 +177,7 @@ class Judge {
   const RelationQuestion& question_;
   const std::stop_token& stop_;
   const Transform T_query_map_;
-  std::vector<bool> is_held_;
+  std::vector<bool> is_held_, is_there_;
   NearestSearch search_;
 };
 
@@ -193,7 +210,7 @@ class Finder {
       const Submap& submap = surfaces_.index().entries()[number].submap();
       if (submap.info().panoptic == Panoptic::kUnknown || !question_.scope.Holds(submap.info())) continue;
       constexpr std::uint64_t kEver = 0;  // all of the surface: of a large submap that takes long
-      surfaces_.surface(number).PrepareUsedSince(kEver, submap, stop_);
+      surfaces_.surface(number).PrepareUsedSince(kEver, surfaces_.state(), submap, stop_);
       if (stop_.stop_requested()) break;
       RelatedBody body{.number = number, .submap = &submap, .box_m = SurfaceBox(surfaces_, number, T_query_map)};
       if (body.box_m.isEmpty()) continue;
@@ -217,7 +234,7 @@ class Finder {
   /// Those that may have to do with it, by ascending id.
   std::vector<std::uint32_t> Around(std::size_t a) {
     const RelatedBody& body = bodies_[a];
-    const double reach_m = std::max(question_.rules.most_gap_m, kContact_vox * body.submap->info().voxel_size_m);
+    const double reach_m = std::max(question_.rules.most_gap_m, kHold_vox * body.submap->info().voxel_size_m);
     std::vector<std::uint32_t> around;
     tree_.VisitOverlapping(InTree(body.box_m, reach_m),
                            [&](std::size_t position) { around.push_back(tree_.items()[position]); });
@@ -252,7 +269,7 @@ class Finder {
   // Each is without a subject if it does not hold.
 
   Relation On(const Subject& subject, const RelatedBody& object) {
-    const double reach_m = kContact_vox * subject.body.submap->info().voxel_size_m;
+    const double reach_m = kHold_vox * subject.body.submap->info().voxel_size_m;
     Eigen::AlignedBox3d bottom_m = subject.body.box_m;
     bottom_m.min().array() -= reach_m;
     if (!bottom_m.intersects(object.box_m)) return {};

@@ -63,7 +63,8 @@ class Search {
   /// All of it, as far as it is not there; of a large submap that takes long. False: told to stop.
   [[nodiscard]] bool MakeSurface(std::size_t number) const {
     constexpr std::uint64_t kEver = 0;
-    surfaces_.surface(number).PrepareUsedSince(kEver, surfaces_.index().entries()[number].submap(), stop_);
+    surfaces_.surface(number).PrepareUsedSince(kEver, surfaces_.state(), surfaces_.index().entries()[number].submap(),
+                                               stop_);
     return !stop_.stop_requested();
   }
 

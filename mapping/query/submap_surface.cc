@@ -22,22 +22,38 @@ Eigen::AlignedBox3d BoxOf(const TileEntry& tile, double voxel_size_m) {
 
 }  // namespace
 
-SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slots_of) {
+SubmapSurface::SubmapSurface(const Submap& submap, const GridSharers* grid, const SubmapSurface* known,
+                             const SlotSource& slots_of) {
   const double voxel_size_m = submap.info().voxel_size_m;
   std::vector<Tile> tiles;
   std::vector<Eigen::AlignedBox3d> boxes_m;
-  std::vector<Place> places;
+  std::vector<TilePlace> places;
+  std::vector<std::size_t> wanted;  // by place, its tile
   for (const TileEntry& entry : submap.blocks().tiles()) {
     const Eigen::AlignedBox3d box = BoxOf(entry, voxel_size_m);
     if (box.isEmpty()) continue;
     boxes_m.push_back(box);
     box_m_.extend(box);
-    tiles.push_back({entry.index, TileCorner(entry.index, voxel_size_m), box, nullptr});
-    places.push_back({entry.index, FindNeighbourhood(submap.blocks(), entry.index)});
+    tiles.push_back({.index = entry.index,
+                     .corner_m = TileCorner(entry.index, voxel_size_m),
+                     .box_m = box,
+                     .slot = nullptr,
+                     .around = grid == nullptr ? nullptr : grid->AroundOf(entry.index)});
+    const Tile* before = known == nullptr ? nullptr : known->Find(entry.index);
+    if (before != nullptr && IsAlike(*before, submap, grid)) {
+      tiles.back().slot = before->slot;
+      continue;
+    }
+    wanted.push_back(tiles.size() - 1);
+    places.push_back({.tile = entry.index,
+                      .owner = submap.id(),
+                      .around = FindNeighbourhood(submap.blocks(), entry.index),
+                      .sharers = {}});
+    if (grid != nullptr) places.back().sharers = grid->SharersOf(submap.id(), entry.index);
   }
   if (tiles.empty()) return;
   Slots slots = slots_of(places);
-  for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].slot = std::move(slots[i]);
+  for (std::size_t i = 0; i < wanted.size(); ++i) tiles[wanted[i]].slot = std::move(slots[i]);
   origin_m_ = box_m_.center();
   const float rounding_m = static_cast<float>(1e-6 * box_m_.sizes().norm());
   std::vector<Eigen::AlignedBox3f> boxes;
@@ -54,16 +70,32 @@ SubmapSurface::SubmapSurface(const Submap& submap, const SlotSource& slots_of) {
             [this](std::uint32_t a, std::uint32_t b) { return tiles_[a].index < tiles_[b].index; });
 }
 
-std::shared_ptr<const TileSurfaceSlot> SubmapSurface::SlotAt(TileIndex tile) const {
-  const auto found = std::lower_bound(by_index_.begin(), by_index_.end(), tile,
-                                      [this](std::uint32_t i, TileIndex t) { return tiles_[i].index < t; });
-  return found != by_index_.end() && tiles_[*found].index == tile ? tiles_[*found].slot : nullptr;
+bool SubmapSurface::IsAlike(const Tile& tile, const Submap& submap, const GridSharers* grid) {
+  if (grid == nullptr || tile.around == nullptr) return grid == nullptr && tile.around == nullptr;
+  const std::shared_ptr<const GridSharers::Around>& now = grid->AroundOf(tile.index);
+  return now == tile.around || (now != nullptr && now->IsAlikeFor(submap.id(), *tile.around));
 }
 
-void SubmapSurface::PrepareUsedSince(std::uint64_t time, const Submap& submap, const std::stop_token& stop) const {
+bool SubmapSurface::IsOf(const Submap& submap, const GridSharers* grid) const {
+  return std::all_of(tiles_.begin(), tiles_.end(), [&](const Tile& tile) { return IsAlike(tile, submap, grid); });
+}
+
+const SubmapSurface::Tile* SubmapSurface::Find(TileIndex tile) const {
+  const auto found = std::lower_bound(by_index_.begin(), by_index_.end(), tile,
+                                      [this](std::uint32_t i, TileIndex t) { return tiles_[i].index < t; });
+  return found != by_index_.end() && tiles_[*found].index == tile ? &tiles_[*found] : nullptr;
+}
+
+std::shared_ptr<const TileSurfaceSlot> SubmapSurface::SlotAt(TileIndex tile) const {
+  const Tile* found = Find(tile);
+  return found != nullptr ? found->slot : nullptr;
+}
+
+void SubmapSurface::PrepareUsedSince(std::uint64_t time, const MapSnapshot& state, const Submap& submap,
+                                     const std::stop_token& stop) const {
   for (const Tile& tile : tiles_) {
     if (stop.stop_requested()) return;
-    if (tile.slot->last_used() >= time) tile.slot->Prepare(submap.blocks(), tile.index);
+    if (tile.slot->last_used() >= time) tile.slot->Prepare(state, submap, tile.index);
   }
 }
 

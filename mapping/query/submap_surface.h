@@ -12,6 +12,7 @@
 
 #include "mapping/map/submap.h"
 #include "mapping/query/box_tree.h"
+#include "mapping/query/grid_sharers.h"
 #include "mapping/query/tile_surface_slot.h"
 
 namespace dhpmap {
@@ -20,15 +21,16 @@ namespace dhpmap {
 /// are not made. Holds no voxels: whoever asks has the submap. Thread-safe.
 class SubmapSurface {
  public:
-  struct Place {
-    TileIndex tile;
-    TileNeighbourhood around;
-  };
   using Slots = std::vector<std::shared_ptr<const TileSurfaceSlot>>;
-  using SlotSource = std::function<Slots(std::span<const Place>)>;
+  using SlotSource = std::function<Slots(std::span<const TilePlace>)>;
 
-  /// Takes a look at each tile; `slots_of` gives their slots.
-  SubmapSurface(const Submap& submap, const SlotSource& slots_of);
+  /// Takes a look at each tile; `slots_of` gives their slots. `grid`: with which others it shares the grid of which of
+  /// them; null: with none. `known`: of the same submap with others beside it, which keeps the slots of tiles that none
+  /// of them are near to; null: there is none.
+  SubmapSurface(const Submap& submap, const GridSharers* grid, const SubmapSurface* known, const SlotSource& slots_of);
+
+  /// Whether it would be the same of this submap and those with which it shares the grid now.
+  [[nodiscard]] bool IsOf(const Submap& submap, const GridSharers* grid) const;
 
   /// Null: there is none.
   [[nodiscard]] std::shared_ptr<const TileSurfaceSlot> SlotAt(TileIndex tile) const;
@@ -46,13 +48,15 @@ class SubmapSurface {
   /// Positions in it are below this.
   [[nodiscard]] std::size_t num_tiles() const { return tiles_.size(); }
   /// The surface of the tile at a position in the tree, made if it is not there. `submap` is the one this was made of,
-  /// at whatever pose, or a clone. Valid as long as this.
-  [[nodiscard]] const TriangleTree& Surface(const Submap& submap, std::size_t position) const {
-    return tiles_[position].slot->Surface(submap.blocks(), tiles_[position].index);
+  /// at whatever pose, or a clone; `state` has it and those that it shares the grid with. Valid as long as this.
+  [[nodiscard]] const TriangleTree& Surface(const MapSnapshot& state, const Submap& submap,
+                                            std::size_t position) const {
+    return tiles_[position].slot->Surface(state, submap, tiles_[position].index);
   }
   /// Makes the surfaces of tiles that were used, in this state or one before, since a time by the ledger's clock. Ends
   /// soon after `stop` is requested.
-  void PrepareUsedSince(std::uint64_t time, const Submap& submap, const std::stop_token& stop) const;
+  void PrepareUsedSince(std::uint64_t time, const MapSnapshot& state, const Submap& submap,
+                        const std::stop_token& stop) const;
   /// That somebody uses the surface of a tile, which is made, without asking for it.
   void MarkUsed(std::size_t position) const { tiles_[position].slot->MarkUsed(); }
   /// Origin of the frame of a tile's surface, in the submap's frame.
@@ -84,7 +88,13 @@ class SubmapSurface {
     Eigen::Vector3d corner_m;
     Eigen::AlignedBox3d box_m;
     std::shared_ptr<const TileSurfaceSlot> slot;
+    std::shared_ptr<const GridSharers::Around> around;  ///< null: the grid is not shared
   };
+
+  /// Null: there is none.
+  [[nodiscard]] const Tile* Find(TileIndex tile) const;
+  /// Whether what is around a tile, but for the submap itself, is as it was.
+  [[nodiscard]] static bool IsAlike(const Tile& tile, const Submap& submap, const GridSharers* grid);
 
   Eigen::AlignedBox3d box_m_;
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();  ///< of the tree, whose floats would not do far from here

@@ -30,10 +30,11 @@ void DropExpired(Map& map, std::vector<std::shared_ptr<const void>>& forgotten) 
 
 }  // namespace
 
-MapSurfaces::MapSurfaces(const MapSnapshot& state, std::vector<Part> parts,
+MapSurfaces::MapSurfaces(const MapSnapshot& state, std::unique_ptr<const GridSharers> grid, std::vector<Part> parts,
                          const std::shared_ptr<SurfaceLedger>& ledger, const MapSurfaces* before)
     : state_(state),
       voxel_size_m_(state.info().config.voxel_size_m),
+      grid_(std::move(grid)),
       parts_(std::move(parts)),
       index_(IndexOf(parts_, before)),
       cells_(index_.box_m(), voxel_size_m_, ledger),
@@ -49,10 +50,22 @@ DistanceFields MapSurfaces::FieldsAfter(const MapSurfaces* before, const std::sh
   return {index_.box_m(), voxel_size_m_, std::make_shared<FieldStore>(ledger), FieldStore::kFirst};
 }
 
-const SubmapSurface* MapSurfaces::SurfaceOf(SubmapId id) const {
+std::size_t MapSurfaces::NumberOf(SubmapId id) const {
   const auto part =
       std::lower_bound(parts_.begin(), parts_.end(), id, [](const Part& a, SubmapId b) { return a.id < b; });
-  return part != parts_.end() && part->id == id ? part->surface.get() : nullptr;
+  return part != parts_.end() && part->id == id ? static_cast<std::size_t>(part - parts_.begin()) : parts_.size();
+}
+
+const SubmapSurface* MapSurfaces::SurfaceOf(SubmapId id) const {
+  const std::size_t number = NumberOf(id);
+  return number < parts_.size() ? parts_[number].surface.get() : nullptr;
+}
+
+bool MapSurfaces::Holds(std::span<const SubmapId> needed, const std::vector<bool>& is_there) const {
+  return is_there.empty() || std::all_of(needed.begin(), needed.end(), [&](SubmapId id) {
+           const std::size_t number = NumberOf(id);
+           return number < is_there.size() && is_there[number];
+         });
 }
 
 /// Of what was, only what this has copies of: the state may be gone.
@@ -144,7 +157,7 @@ void SurfaceCache::Freshen(const std::shared_ptr<const MapSnapshot>& state, cons
   const std::shared_ptr<const MapSurfaces> surfaces = Find(state, false);
   const std::span<const SubmapIndex::Entry> entries = surfaces->index().entries();
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    surfaces->surface(i).PrepareUsedSince(now > kLately ? now - kLately : 1, entries[i].submap(), stop);
+    surfaces->surface(i).PrepareUsedSince(now > kLately ? now - kLately : 1, *state, entries[i].submap(), stop);
   }
 }
 
@@ -195,26 +208,30 @@ void SurfaceCache::Remember(States& states, const std::shared_ptr<const MapSnaps
 
 std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, bool with_absent,
                                                       const MapSurfaces* before) {
+  auto grid = std::make_unique<const GridSharers>(state, before == nullptr ? nullptr : before->grid());
   std::vector<MapSurfaces::Part> parts;
   for (const auto& submap : state.submaps()) {
     if (submap->IsAbsent() && !with_absent) continue;
     std::shared_ptr<const SubmapSurface> surface =
-        SurfaceOf(submap, before == nullptr ? nullptr : before->SurfaceOf(submap->id()));
+        SurfaceOf(submap, GridSharers::Takes(state, *submap) ? grid.get() : nullptr,
+                  before == nullptr ? nullptr : before->SurfaceOf(submap->id()));
     if (!surface->box_m().isEmpty()) parts.push_back({submap.get(), submap->id(), std::move(surface)});
   }
-  return std::make_shared<const MapSurfaces>(state, std::move(parts), ledger_, before);
+  return std::make_shared<const MapSurfaces>(state, std::move(grid), std::move(parts), ledger_, before);
 }
 
 std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap,
-                                                             const SubmapSurface* before) {
+                                                             const GridSharers* grid, const SubmapSurface* before) {
   std::uint64_t num_evictions = 0;
+  std::shared_ptr<const SubmapSurface> there;
   {
     const MutexLock lock(mutex_);
     const auto known = submaps_.find(submap.get());
-    if (known != submaps_.end() && !known->second.key.expired()) return known->second.value;
+    if (known != submaps_.end() && !known->second.key.expired()) there = known->second.value;
     num_evictions = num_evictions_;
   }
-  auto made = std::make_shared<const SubmapSurface>(*submap, [&](std::span<const SubmapSurface::Place> places) {
+  if (there != nullptr && there->IsOf(*submap, grid)) return there;
+  auto made = std::make_shared<const SubmapSurface>(*submap, grid, there.get(), [&](std::span<const TilePlace> places) {
     return SlotsOf(places, submap->info().voxel_size_m, before);
   });
   Known<Submap, SubmapSurface> now{submap, made};
@@ -226,9 +243,9 @@ std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_p
 
 /// Those of the same tiles, of others before them that show the same, or new ones. What is looked at is not looked at
 /// under the mutex: a nice thread that loses its core meanwhile would keep everybody waiting.
-SubmapSurface::Slots SurfaceCache::SlotsOf(std::span<const SubmapSurface::Place> places, double voxel_size_m,
+SubmapSurface::Slots SurfaceCache::SlotsOf(std::span<const TilePlace> places, double voxel_size_m,
                                            const SubmapSurface* before) {
-  const auto centre_of = [](const SubmapSurface::Place& place) -> const std::shared_ptr<const BlockTile>& {
+  const auto centre_of = [](const TilePlace& place) -> const std::shared_ptr<const BlockTile>& {
     return place.around[kCentre]->tile;
   };
   SubmapSurface::Slots known(places.size());
@@ -241,16 +258,14 @@ SubmapSurface::Slots SurfaceCache::SlotsOf(std::span<const SubmapSurface::Place>
   }
   SubmapSurface::Slots slots = known;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const SubmapSurface::Place& place = places[i];
-    const auto fits = [&](const Slot& slot) {
-      return slot != nullptr && slot->IsOf(place.around, place.tile, voxel_size_m);
-    };
+    const TilePlace& place = places[i];
+    const auto fits = [&](const Slot& slot) { return slot != nullptr && slot->IsOf(place, voxel_size_m); };
     if (fits(slots[i])) continue;
     if (Slot earlier = before == nullptr ? nullptr : before->SlotAt(place.tile); fits(earlier)) {
       slots[i] = std::move(earlier);
     } else {
       const std::uint64_t last_used = earlier == nullptr ? 0 : earlier->last_used();
-      slots[i] = std::make_shared<const TileSurfaceSlot>(place.around, place.tile, voxel_size_m, ledger_, last_used);
+      slots[i] = std::make_shared<const TileSurfaceSlot>(place, voxel_size_m, ledger_, last_used);
     }
   }
   Forgotten forgotten;
@@ -260,7 +275,7 @@ SubmapSurface::Slots SurfaceCache::SlotsOf(std::span<const SubmapSurface::Place>
     Known<BlockTile, TileSurfaceSlot>& there = slots_[centre_of(places[i]).get()];  // may have been let go of meanwhile
     if (there.value == slots[i] && !there.key.expired()) continue;
     const bool is_new = !there.key.expired() && there.value != known[i];  // somebody else has been here
-    if (is_new && there.value->IsOf(places[i].around, places[i].tile, voxel_size_m)) {
+    if (is_new && there.value->IsOf(places[i], voxel_size_m)) {
       forgotten.push_back(std::exchange(slots[i], there.value));
       continue;
     }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <unordered_map>
@@ -15,6 +16,7 @@
 #include "mapping/base/mutex.h"
 #include "mapping/map/map.h"
 #include "mapping/query/distance_fields.h"
+#include "mapping/query/grid_sharers.h"
 #include "mapping/query/nearby_cells.h"
 #include "mapping/query/submap_index.h"
 #include "mapping/query/submap_surface.h"
@@ -31,16 +33,25 @@ class MapSurfaces {
     SubmapId id;
     std::shared_ptr<const SubmapSurface> surface;  ///< of something
   };
-  /// `state` outlives this; `ledger`: see CellSlots. With those of an earlier state of the map, though that be gone,
-  /// the index costs little more than what has changed since, and near fields go on where nothing has.
-  MapSurfaces(const MapSnapshot& state, std::vector<Part> parts, const std::shared_ptr<SurfaceLedger>& ledger,
-              const MapSurfaces* before = nullptr);
+  /// `state` outlives this; `grid`: of it; `ledger`: see CellSlots. With those of an earlier state of the map, though
+  /// that be gone, the index costs little more than what has changed since, and near fields go on where nothing has.
+  MapSurfaces(const MapSnapshot& state, std::unique_ptr<const GridSharers> grid, std::vector<Part> parts,
+              const std::shared_ptr<SurfaceLedger>& ledger, const MapSurfaces* before = nullptr);
 
   [[nodiscard]] const MapSnapshot& state() const { return state_; }
 
   /// Entry i is of surface(i). By ascending id.
   [[nodiscard]] const SubmapIndex& index() const { return index_; }
   [[nodiscard]] const SubmapSurface& surface(std::size_t number) const { return *parts_[number].surface; }
+  /// The triangles of a tile of surface(number), made if they are not there. Some are there only if other submaps are:
+  /// see Holds.
+  [[nodiscard]] const TriangleTree& Triangles(std::size_t number, std::size_t tile) const {
+    return surface(number).Surface(state_, index_.entries()[number].submap(), tile);
+  }
+  /// Whether all that a triangle needs (TriangleTree::NeededBy) is there, by number; `is_there` empty: all is.
+  [[nodiscard]] bool Holds(std::span<const SubmapId> needed, const std::vector<bool>& is_there) const;
+  [[nodiscard]] std::size_t NumberOf(SubmapId id) const;
+  [[nodiscard]] const GridSharers* grid() const { return grid_.get(); }
   /// Of a submap; null if it has none.
   [[nodiscard]] const SubmapSurface* SurfaceOf(SubmapId id) const;
   /// What is nearest to the places that are asked about again and again.
@@ -58,6 +69,7 @@ class MapSurfaces {
 
   const MapSnapshot& state_;
   const double voxel_size_m_;
+  std::unique_ptr<const GridSharers> grid_;
   std::vector<Part> parts_;
   SubmapIndex index_;
   NearbyCells cells_;
@@ -112,11 +124,11 @@ class SurfaceCache {
       DHPMAP_EXCLUDES(mutex_);
   std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state, bool with_absent, const MapSurfaces* before)
       DHPMAP_EXCLUDES(mutex_);
-  /// `before`: of an earlier state of the submap; null: there was none.
-  std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap,
+  /// `grid`: null, if it shares it with nobody. `before`: of an earlier state of the submap; null: there was none.
+  std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap, const GridSharers* grid,
                                                  const SubmapSurface* before) DHPMAP_EXCLUDES(mutex_);
-  SubmapSurface::Slots SlotsOf(std::span<const SubmapSurface::Place> places, double voxel_size_m,
-                               const SubmapSurface* before) DHPMAP_EXCLUDES(mutex_);
+  SubmapSurface::Slots SlotsOf(std::span<const TilePlace> places, double voxel_size_m, const SubmapSurface* before)
+      DHPMAP_EXCLUDES(mutex_);
   struct States;
   // What they forget they leave to the caller, to be freed without the mutex.
   void Remember(States& states, const std::shared_ptr<const MapSnapshot>& state,

@@ -115,7 +115,8 @@ double SweepQuery::DepthAt(const SphereKnot& knot, std::size_t number) const {
   std::vector<bool> is_held(world_.surfaces().index().entries().size());
   is_held[number] = true;
   const double reach_m = knot.radius_m + world_.padding_m(number);
-  const NearestSurface found = NearestSearch(world_.surfaces(), is_held).Find(knot.center_m, options_.max_distance_m);
+  const NearestSurface found =
+      NearestSearch(world_.surfaces(), is_held, world_.is_held()).Find(knot.center_m, options_.max_distance_m);
   if (!found.is_any) return 0;
   const double distance_m = (found.p_submap - found.point_submap).norm();
   return std::max(0.0, reach_m - (found.is_behind && !found.is_beside ? -distance_m : distance_m));

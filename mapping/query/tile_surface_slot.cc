@@ -9,29 +9,50 @@
 namespace dhpmap {
 namespace {
 
-std::array<std::uint64_t, 27> TilesOf(const TileNeighbourhood& around) {
-  std::array<std::uint64_t, 27> tiles{};
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    if (around[i] != nullptr) tiles[i] = around[i]->tile->part_id();
+/// All that is in and around a tile, by whom.
+std::vector<std::uint64_t> TilesOf(const TilePlace& place) {
+  std::vector<std::uint64_t> tiles;
+  tiles.reserve((place.around.size() + 1) * (1 + place.sharers.size()));
+  const auto append = [&tiles](const TileNeighbourhood& around) {
+    for (const TileEntry* entry : around) tiles.push_back(entry == nullptr ? 0 : entry->tile->part_id());
+  };
+  append(place.around);
+  if (!place.sharers.empty()) tiles.push_back(place.owner.value);
+  for (const TilePlace::Sharer& sharer : place.sharers) {
+    tiles.push_back(sharer.id.value);
+    append(sharer.around);
   }
   return tiles;
 }
 
 }  // namespace
 
-TileSurfaceSlot::TileSurfaceSlot(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m,
-                                 std::shared_ptr<SurfaceLedger> ledger, std::uint64_t last_used)
-    : tiles_(TilesOf(around)),
-      layers_(LayersOf(FindNames(around, tile))),
+TileSurfaceSlot::TileSurfaceSlot(const TilePlace& place, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger,
+                                 std::uint64_t last_used)
+    : tiles_(TilesOf(place)),
+      layers_(LayersOf(place)),
       voxel_size_m_(voxel_size_m),
       ledger_(std::move(ledger)),
       last_used_(last_used) {}
 
-std::vector<TileSurfaceSlot::Layers> TileSurfaceSlot::LayersOf(const TileNames& names) {
+std::vector<TileSurfaceSlot::Layers> TileSurfaceSlot::LayersOf(const TilePlace& place) {
   std::vector<Layers> layers;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].tsdf != 0) layers.push_back({i, names[i]});
+  TilePlaces own;
+  const auto append = [&](const TileNames& names, const TilePlaces& wanted, SubmapId owner, bool is_shared) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i].tsdf == 0 || !wanted[i]) continue;
+      if (!is_shared) own.set(i);
+      layers.push_back({owner, is_shared, static_cast<std::uint8_t>(i), names[i].tsdf, names[i].gone});
+    }
+  };
+  append(FindNames(place.around, place.tile), TilePlaces().set(), SubmapId(0), false);
+  const std::size_t num_own = layers.size();
+  const TilePlaces beside = Widened(own);
+  for (const TilePlace::Sharer& sharer : place.sharers) {
+    append(FindNames(sharer.around, place.tile), beside, sharer.id, true);
   }
+  // Whose a cell of several is depends on whose they are.
+  if (layers.size() > num_own && num_own > 0) layers[0].owner = place.owner;
   layers.shrink_to_fit();
   return layers;
 }
@@ -41,20 +62,9 @@ TileSurfaceSlot::~TileSurfaceSlot() {
   delete ready_.load();
 }
 
-bool TileSurfaceSlot::IsOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m) const {
+bool TileSurfaceSlot::IsOf(const TilePlace& place, double voxel_size_m) const {
   if (voxel_size_m != voxel_size_m_) return false;
-  return TilesOf(around) == tiles_ || HasLayersOf(FindNames(around, tile));
-}
-
-bool TileSurfaceSlot::HasLayersOf(const TileNames& names) const {
-  auto known = layers_.begin();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].tsdf == 0) continue;
-    if (known == layers_.end() || known->where != i) return false;
-    if (known->names.tsdf != names[i].tsdf || known->names.gone != names[i].gone) return false;
-    ++known;
-  }
-  return known == layers_.end();
+  return TilesOf(place) == tiles_ || LayersOf(place) == layers_;
 }
 
 std::size_t TileSurfaceSlot::bytes() const {
@@ -62,15 +72,28 @@ std::size_t TileSurfaceSlot::bytes() const {
   return ready == nullptr ? 0 : ready->MemoryBytes();
 }
 
-const TriangleTree& TileSurfaceSlot::MakeInTurn(const BlockTable& blocks, TileIndex tile) const {
+const TriangleTree& TileSurfaceSlot::MakeInTurn(const MapSnapshot& state, const Submap& submap, TileIndex tile) const {
   const MutexLock lock(IsThisThreadNicer() ? nice_makers_ : makers_);
   const TriangleTree* ready = ready_.load(std::memory_order_acquire);
-  return ready != nullptr ? *ready : Make(blocks, tile);
+  return ready != nullptr ? *ready : Make(state, submap, tile);
 }
 
-const TriangleTree& TileSurfaceSlot::Make(const BlockTable& blocks, TileIndex tile) const {
-  auto made = std::make_unique<const TriangleTree>(
-      ExtractTileSurface(FindBlocks(FindNeighbourhood(blocks, tile), tile), voxel_size_m_));
+const TriangleTree& TileSurfaceSlot::Make(const MapSnapshot& state, const Submap& submap, TileIndex tile) const {
+  const TileOwner own{submap.id(), FindBlocks(FindNeighbourhood(submap.blocks(), tile), tile)};
+  std::vector<TileOwner> sharers;
+  const Submap* sharer = nullptr;
+  const BlockIndex first = BlockIn(tile, 0);
+  for (const Layers& layer : layers_) {
+    if (!layer.is_shared) continue;
+    if (sharer == nullptr || sharer->id() != layer.owner) {
+      sharer = state.Find(layer.owner);
+      sharers.push_back({layer.owner, {}});
+    }
+    const BlockIndex offset = OffsetInTile(layer.where);
+    sharers.back().blocks[layer.where] =
+        sharer->blocks().Find({first.x + offset.x, first.y + offset.y, first.z + offset.z});
+  }
+  auto made = std::make_unique<const TriangleTree>(ExtractTileSurface(own, sharers, voxel_size_m_));
   const TriangleTree* there = nullptr;
   if (!ready_.compare_exchange_strong(there, made.get(), std::memory_order_acq_rel)) return *there;
   ledger_->bytes += made->MemoryBytes();

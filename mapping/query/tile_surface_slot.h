@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -9,11 +8,24 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
+#include "mapping/map/map.h"
 #include "mapping/mesh/tile_surface.h"
 #include "mapping/query/surface_ledger.h"
 #include "mapping/query/triangle_tree.h"
 
 namespace dhpmap {
+
+/// A tile of a submap, with those of others that share its grid.
+struct TilePlace {
+  struct Sharer {
+    SubmapId id;
+    TileNeighbourhood around;
+  };
+  TileIndex tile;
+  SubmapId owner;
+  TileNeighbourhood around;
+  std::vector<Sharer> sharers;  ///< by ascending id
+};
 
 /// The surface of one tile of a submap, made when it is first asked for, from whichever map, clone or state has the
 /// same surface voxels there; labels may differ. Knows them by identity and does not keep them alive. Thread-safe:
@@ -23,24 +35,24 @@ namespace dhpmap {
 class TileSurfaceSlot {
  public:
   /// `last_used`: of the slot in whose place it comes.
-  TileSurfaceSlot(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m,
-                  std::shared_ptr<SurfaceLedger> ledger, std::uint64_t last_used = 0);
+  TileSurfaceSlot(const TilePlace& place, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger,
+                  std::uint64_t last_used = 0);
   ~TileSurfaceSlot();
   TileSurfaceSlot(const TileSurfaceSlot&) = delete;
   TileSurfaceSlot& operator=(const TileSurfaceSlot&) = delete;
 
   /// Whether the surface is made of these very voxels.
-  [[nodiscard]] bool IsOf(const TileNeighbourhood& around, TileIndex tile, double voxel_size_m) const;
+  [[nodiscard]] bool IsOf(const TilePlace& place, double voxel_size_m) const;
 
-  /// `blocks` has the tile, with the voxels it was made of. Valid as long as the slot.
-  [[nodiscard]] const TriangleTree& Surface(const BlockTable& blocks, TileIndex tile) const {
+  /// `submap` has the tile, and others of `state` share it, with the voxels it was made of. Valid as long as the slot.
+  [[nodiscard]] const TriangleTree& Surface(const MapSnapshot& state, const Submap& submap, TileIndex tile) const {
     MarkUsed();
     const TriangleTree* ready = ready_.load(std::memory_order_acquire);
-    return ready != nullptr ? *ready : MakeInTurn(blocks, tile);
+    return ready != nullptr ? *ready : MakeInTurn(state, submap, tile);
   }
-  /// Makes it, if it is not there, without anybody having asked for it. `blocks` as for Surface.
-  void Prepare(const BlockTable& blocks, TileIndex tile) const {
-    if (ready_.load(std::memory_order_acquire) == nullptr) (void)Make(blocks, tile);
+  /// Makes it, if it is not there, without anybody having asked for it. As for Surface.
+  void Prepare(const MapSnapshot& state, const Submap& submap, TileIndex tile) const {
+    if (ready_.load(std::memory_order_acquire) == nullptr) (void)Make(state, submap, tile);
   }
   /// Null: it is not there. Valid as long as the slot.
   [[nodiscard]] const TriangleTree* IfMade() const { return ready_.load(std::memory_order_acquire); }
@@ -60,16 +72,18 @@ class TileSurfaceSlot {
  private:
   /// What a block shows of a surface.
   struct Layers {
-    std::size_t where;  ///< in TileNames
-    SurfaceNames names;
+    SubmapId owner;  ///< of the block; the submap's own come first, and have 0 unless anything is shared
+    bool is_shared = false;
+    std::uint8_t where = 0;  ///< in TileNames
+    std::uint64_t tsdf = 0, gone = 0;
+    bool operator==(const Layers&) const = default;
   };
-  static std::vector<Layers> LayersOf(const TileNames& names);
-  [[nodiscard]] bool HasLayersOf(const TileNames& names) const;
-  const TriangleTree& MakeInTurn(const BlockTable& blocks, TileIndex tile) const DHPMAP_EXCLUDES(makers_, nice_makers_);
-  const TriangleTree& Make(const BlockTable& blocks, TileIndex tile) const;
+  static std::vector<Layers> LayersOf(const TilePlace& place);
+  const TriangleTree& MakeInTurn(const MapSnapshot& state, const Submap& submap, TileIndex tile) const
+      DHPMAP_EXCLUDES(makers_, nice_makers_);
+  const TriangleTree& Make(const MapSnapshot& state, const Submap& submap, TileIndex tile) const;
 
-  const std::array<std::uint64_t, 27>
-      tiles_;  ///< see PartId; 0 where there is none; if these are the same, so are blocks
+  const std::vector<std::uint64_t> tiles_;  ///< see PartId; if these are the same, so are blocks
   const std::vector<Layers> layers_;
   const double voxel_size_m_;
   const std::shared_ptr<SurfaceLedger> ledger_;

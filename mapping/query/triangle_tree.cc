@@ -37,16 +37,23 @@ Eigen::Vector3f NearestPointOf(const TriangleCorners& triangle, const Eigen::Vec
   return a + (in_b * ab + in_c * ac) / (in_a + in_b + in_c);
 }
 
-TriangleTree::TriangleTree(std::vector<TriangleCorners> triangles)
-    : tree_(BoxesOf(triangles), TrianglePacket::kLanes),
-      packets_((triangles.size() + TrianglePacket::kLanes - 1) / TrianglePacket::kLanes) {
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    packets_[i / TrianglePacket::kLanes].Set(i % TrianglePacket::kLanes, triangles[tree_.items()[i]]);
+TriangleTree::TriangleTree(TileSurface surface)
+    : tree_(BoxesOf(surface.triangles), TrianglePacket::kLanes),
+      packets_((surface.triangles.size() + TrianglePacket::kLanes - 1) / TrianglePacket::kLanes),
+      needed_(std::move(surface.needed)) {
+  needs_.reserve(surface.needs.size());
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const std::uint32_t item = tree_.items()[i];
+    packets_[i / TrianglePacket::kLanes].Set(i % TrianglePacket::kLanes, surface.triangles[item]);
+    if (!surface.needs.empty()) needs_.push_back(surface.needs[item]);
   }
 }
 
 std::size_t TriangleTree::MemoryBytes() const {
-  return sizeof(*this) + tree_.MemoryBytes() + packets_.capacity() * sizeof(packets_[0]);
+  std::size_t bytes = sizeof(*this) + tree_.MemoryBytes() + packets_.capacity() * sizeof(packets_[0]) +
+                      needs_.capacity() * sizeof(needs_[0]) + needed_.capacity() * sizeof(needed_[0]);
+  for (const std::vector<SubmapId>& ids : needed_) bytes += ids.capacity() * sizeof(SubmapId);
+  return bytes;
 }
 
 }  // namespace dhpmap

@@ -3,8 +3,12 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "mapping/mesh/tile_surface.h"
 #include "mapping/query/box_tree.h"
 #include "mapping/query/triangle_packet.h"
 
@@ -17,7 +21,9 @@ Eigen::Vector3f NearestPointOf(const TriangleCorners& triangle, const Eigen::Vec
 /// corners counter-clockwise seen from the front. Immutable, thread-safe.
 class TriangleTree {
  public:
-  explicit TriangleTree(std::vector<TriangleCorners> triangles);
+  explicit TriangleTree(std::vector<TriangleCorners> triangles)
+      : TriangleTree(TileSurface{std::move(triangles), {}, {}}) {}
+  explicit TriangleTree(TileSurface surface);
 
   [[nodiscard]] std::size_t num_triangles() const { return tree_.items().size(); }
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return tree_.bounds(); }
@@ -29,6 +35,13 @@ class TriangleTree {
   [[nodiscard]] TriangleCorners triangle(std::size_t position) const {
     return packets_[position / TrianglePacket::kLanes].Get(position % TrianglePacket::kLanes);
   }
+  /// Which submaps a triangle takes to be there, other than its own: mostly none.
+  [[nodiscard]] std::span<const SubmapId> NeededBy(std::size_t position) const {
+    if (needs_.empty()) return {};
+    return needed_[needs_[position]];
+  }
+  /// Whether any needs any.
+  [[nodiscard]] bool has_needs() const { return !needs_.empty(); }
   /// Fetches a packet that will soon be asked for.
   void PrefetchPacket(std::size_t leaf) const {
     const auto* first = reinterpret_cast<const char*>(&packets_[leaf]);
@@ -38,6 +51,8 @@ class TriangleTree {
  private:
   BoxTree tree_;
   std::vector<TrianglePacket> packets_;  ///< in the order of the tree
+  std::vector<std::uint16_t> needs_;     ///< likewise, in needed_; empty: nothing is needed
+  std::vector<std::vector<SubmapId>> needed_;
 };
 
 }  // namespace dhpmap

@@ -36,6 +36,17 @@ struct GeometryCheckOptions {
 /// rays of depth images, by brute force over all triangles for points of scans. And how flat it is where it should be.
 Status RunGeometryCheck(const GeometryCheckOptions& options);
 
+struct SurfaceCheckOptions {
+  std::string directory;
+  std::size_t num_frames = 0;
+  std::size_t num_points = 20000;  ///< around surfaces, and on them
+  double reach_m = 0.25;           ///< of the points, from a surface
+  std::size_t num_things = 20;     ///< the largest, excluded and moved one by one
+  unsigned seed = 1;
+};
+/// Whether distances agree with the whole-map mesh, and both with what depth images saw: measured by code of its own.
+Status RunSurfaceCheck(const SurfaceCheckOptions& options);
+
 struct CrfBenchOptions {
   std::string directory;        ///< empty: a synthetic room
   std::size_t num_frames = 80;  ///< of the data set

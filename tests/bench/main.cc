@@ -54,6 +54,16 @@ int main(int argc, char** argv) {
   fusion_command->add_option("--kept-clear", fusion.num_kept_clear, "Keep so many regions clear along the way")
       ->check(CLI::Range(0, 64));
 
+  dhpmap::bench::SurfaceCheckOptions surfaces;
+  CLI::App* surfaces_command =
+      app.add_subcommand("surfaces", "Distances against the whole-map mesh, and both against depth images");
+  surfaces_command->add_option("directory", surfaces.directory, "Data set with depth images")->required();
+  surfaces_command->add_option("--frames", surfaces.num_frames, "Frames, 0 = all");
+  surfaces_command->add_option("--points", surfaces.num_points, "Points around surfaces")->capture_default_str();
+  surfaces_command->add_option("--reach", surfaces.reach_m, "Of the points, in m")->capture_default_str();
+  surfaces_command->add_option("--things", surfaces.num_things, "To exclude and move")->capture_default_str();
+  surfaces_command->add_option("--seed", surfaces.seed, "Of the points")->capture_default_str();
+
   dhpmap::bench::GeometryCheckOptions geometry;
   CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against frames that were held out");
   geometry_command->add_option("directory", geometry.directory, "Data set with ground truth")->required();
@@ -166,6 +176,7 @@ int main(int argc, char** argv) {
   paging.scratch = store.scratch;
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
+                                : surfaces_command->parsed() ? dhpmap::bench::RunSurfaceCheck(surfaces)
                                 : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
                                 : change_command->parsed()   ? dhpmap::bench::RunChangeBench(change)
                                 : is_paging->count() > 0     ? dhpmap::bench::RunPagingBench(paging)

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "mapping/mesh/map_mesh.h"
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/point_lookup.h"
@@ -77,18 +78,11 @@ void MoveThings(Map& map, double share, std::mt19937& random) {
 struct Soup {
   std::vector<std::array<Eigen::Vector3d, 3>> triangles;
   explicit Soup(const MapSnapshot& map) {
-    for (const auto& submap : map.submaps()) {
-      const double size_m = submap->info().voxel_size_m;
-      for (const TileEntry& tile : submap->blocks().tiles()) {
-        const Eigen::Vector3d corner = TileCorner(tile.index, size_m);
-        for (const SurfaceTriangle& t :
-             ExtractTileSurface(FindBlocks(FindNeighbourhood(submap->blocks(), tile.index), tile.index), size_m)) {
-          auto& triangle = triangles.emplace_back();
-          for (std::size_t i = 0; i < 3; ++i) {
-            triangle[i] = submap->info().T_map_submap * (corner + t[i].cast<double>());
-          }
-        }
-      }
+    ThreadPool pool(0);
+    const Mesh mesh = ExtractMapMesh(map, MeshColoring::kInstance, pool);
+    for (const auto& t : mesh.triangles) {
+      auto& triangle = triangles.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) triangle[i] = mesh.vertices_m[t[i]].cast<double>();
     }
   }
   [[nodiscard]] double Distance(const Eigen::Vector3d& p, Eigen::Vector3d& nearest) const {

@@ -189,10 +189,10 @@ double RightmostOf(const Submap& submap) {
   return rightmost_m;
 }
 
-TEST(GoneMesh, NoSurfaceReachesIntoWhatWasLookedThroughAsItDoesIntoTheUnseen) {
+TEST(GoneMesh, NoSurfaceReachesIntoWhatWasLookedThroughNorIntoTheUnseen) {
   constexpr double kHalf_m = 0.5 * testing::kVoxel_m;
   EXPECT_GT(RightmostOf(WholeBall()), 0.5);
-  EXPECT_NEAR(RightmostOf(NeverSeen(WholeBall(), kRightHalf)), kHalf_m, 1e-5) << "a voxel over the border";
+  EXPECT_NEAR(RightmostOf(NeverSeen(WholeBall(), kRightHalf)), -kHalf_m, 1e-5) << "to the last voxel's centre";
   EXPECT_NEAR(RightmostOf(LookedThrough(WholeBall(), kRightHalf, GoneBlock::kContradicted)), -kHalf_m, 1e-5);
   EXPECT_GT(RightmostOf(LookedThrough(WholeBall(), kRightHalf, 2)), 0.5);
 }

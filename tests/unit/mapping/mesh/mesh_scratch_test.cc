@@ -110,8 +110,8 @@ TEST(MeshScratch, RoomForTilesIsTheThreadsAndGoesWithIt) {
     meanwhile = CountOf(MemoryKind::kTileRooms).now_bytes();
   });
   thread.join();
-  constexpr std::size_t kVoxels = std::size_t{38} * 38 * 38;
-  EXPECT_GE(meanwhile, before + kVoxels * (3 * sizeof(float) + 1));
+  constexpr std::size_t kVoxels = std::size_t{34} * 34 * 34;
+  EXPECT_GE(meanwhile, before + kVoxels * sizeof(float));
   EXPECT_EQ(CountOf(MemoryKind::kTileRooms).now_bytes(), before);
 }
 

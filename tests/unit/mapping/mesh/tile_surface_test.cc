@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <random>
 #include <set>
 #include <vector>
 
-#include "mapping/map/slope.h"
+#include "mapping/map/map.h"
 #include "mapping/mesh/cell_cases.h"
+#include "mapping/mesh/map_mesh.h"
 #include "mapping/mesh/mesh.h"
 #include "tests/unit/mapping/mesh/solid_submap.h"
 
@@ -83,18 +83,16 @@ TEST(TileSurface, IsTheMeshWhereAllAroundIsObserved) {
   ExpectOnSurface(surface, ball);
 }
 
-TEST(TileSurface, HoldsTheMeshAndReachesOneVoxelOverTheBorder) {
+TEST(TileSurface, IsTheMeshWhereTheObservedEnds) {
   const auto plane = [](const Eigen::Vector3d& p) { return p.z() - 0.21; };
   const Submap submap = testing::SolidSubmap(plane, {-1, 0, 0}, {0, 1, 0});  // 16 x 16 x 8 voxels from (-8, 0, 0) on
   const auto surface = TrianglesOf(submap);
-  const auto keys = KeysOf(surface), mesh = KeysOf(MeshOf(submap));
-  EXPECT_TRUE(std::includes(keys.begin(), keys.end(), mesh.begin(), mesh.end()));
-  EXPECT_EQ(mesh.size(), 2u * 15 * 15);
-  EXPECT_EQ(surface.size(), 2u * 17 * 17);
+  EXPECT_TRUE(KeysOf(surface) == KeysOf(MeshOf(submap)));
+  EXPECT_EQ(surface.size(), 2u * 15 * 15);
   ExpectOnSurface(surface, plane);
 }
 
-TEST(TileSurface, BordersOfOneSignAreExtrapolatedThroughTheSurface) {
+TEST(TileSurface, IsNotWhereOnlyOneSideOfItWasSeen) {
   // Only what is in front has been observed, down to the voxels next to the surface.
   const auto plane = [](const Eigen::Vector3d& p) { return p.z() - 0.21; };
   Submap submap(testing::SolidInfo(), 1);
@@ -105,10 +103,7 @@ TEST(TileSurface, BordersOfOneSignAreExtrapolatedThroughTheSurface) {
     block.distance_m[static_cast<std::size_t>(linear)] = static_cast<float>(d);
     block.weight[static_cast<std::size_t>(linear)] = 1;
   }
-  EXPECT_TRUE(MeshOf(submap).empty());
-  const auto surface = TrianglesOf(submap);
-  EXPECT_EQ(surface.size(), 2u * 9 * 9);
-  ExpectOnSurface(surface, plane);
+  EXPECT_TRUE(TrianglesOf(submap).empty());
 }
 
 TEST(TileSurface, OfASingleVoxelOrNothingIsNothing) {
@@ -170,46 +165,16 @@ class PlainSurface {
     if (block == nullptr || block->tsdf == nullptr || !block->Shows(linear)) return std::nullopt;
     return block->tsdf->distance_m[static_cast<std::size_t>(linear)];
   }
-  [[nodiscard]] bool IsContradicted(VoxelIndex v) const {
-    const BlockEntry* block = submap_.blocks().Find(BlockOf(v));
-    return block != nullptr && block->tsdf != nullptr && block->IsContradicted(LinearIndex(v));
-  }
-  [[nodiscard]] float SlopeAlong(VoxelIndex v, float here_m, int axis) const {
-    const auto step = [&](int by) { return At(v, axis == 0 ? by : 0, axis == 1 ? by : 0, axis == 2 ? by : 0); };
-    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-    return Slope(Observed(step(-1)).value_or(kNone), here_m, Observed(step(1)).value_or(kNone));
-  }
-  [[nodiscard]] Distance ValueAt(VoxelIndex v) const {
-    if (const Distance observed = Observed(v)) return observed;
-    if (IsContradicted(v)) return std::nullopt;
-    float sum_m = 0, weight = 0;
-    for (int k = 0; k < 27; ++k) {
-      const Eigen::Vector3f offset(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 % 3 - 1),
-                                   static_cast<float>(k / 9 - 1));
-      const VoxelIndex from = At(v, k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-      const Distance there = Observed(from);
-      if (!there) continue;
-      const Eigen::Vector3f slope(SlopeAlong(from, *there, 0), SlopeAlong(from, *there, 1),
-                                  SlopeAlong(from, *there, 2));
-      const float nearness = 1 / offset.squaredNorm();
-      sum_m += nearness * (*there - slope.dot(offset));
-      weight += nearness;
-    }
-    return weight > 0 ? Distance(sum_m / weight) : std::nullopt;
-  }
   void AddCell(VoxelIndex low, std::vector<Triangle>& triangles) const {
     std::array<float, kCellCorners> values;
     unsigned inside = 0;
-    bool has_observed = false;
     for (int c = 0; c < kCellCorners; ++c) {
       const VoxelIndex corner = At(low, c & 1, c >> 1 & 1, c >> 2 & 1);
-      const Distance value = ValueAt(corner);
+      const Distance value = Observed(corner);
       if (!value) return;
-      has_observed |= Observed(corner).has_value();
       values[static_cast<std::size_t>(c)] = *value;
       inside |= *value < 0 ? 1u << c : 0;
     }
-    if (!has_observed) return;
     const CellCase& cell_case = CellCases()[inside];
     for (std::size_t k = 0; k < cell_case.num_triangles; ++k) {
       Triangle& triangle = triangles.emplace_back();
@@ -244,7 +209,106 @@ TEST(TileSurface, OfWhateverIsLeftIsTheOneOfItsDefinition) {
     }
     num_triangles += surface.size();
   }
-  EXPECT_GT(num_triangles, 10000u);
+  EXPECT_GT(num_triangles, 1000u);
+}
+
+/// Shreds that belong to several submaps of a map, each voxel to one; some of them to the unknown submap.
+Map ShredsOfSeveral(unsigned seed, std::uint32_t num_submaps) {
+  MapInfo info;
+  info.name = "m";
+  info.config.voxel_size_m = kVoxel_m;
+  Map map(info);
+  for (std::uint32_t k = 1; k < num_submaps; ++k) (void)map.Create(testing::SolidInfo());
+  const Submap whole = Shreds(seed);
+  const unsigned coarseness = 1 + 3 * (seed % 4);
+  for (const BlockEntry& entry : whole.blocks().entries()) {
+    for (int linear = 0; linear < kBlockVoxels; ++linear) {
+      const auto at = static_cast<std::size_t>(linear);
+      if (!entry.tsdf->IsObserved(linear)) continue;
+      const VoxelIndex v = VoxelIn(entry.index, linear);
+      const auto patch = [&](int coordinate) { return static_cast<unsigned>(coordinate + 64) / coarseness; };
+      const std::uint32_t owner = (patch(v.x) * 7 + patch(v.y) * 3 + patch(v.z) * 5) % num_submaps;
+      Submap& submap = *map.FindMutable(SubmapId(owner));
+      TsdfBlock& block = submap.MutableTsdf(entry.index);
+      block.distance_m[at] = entry.tsdf->distance_m[at];
+      block.weight[at] = 1;
+      if (entry.IsContradicted(linear)) submap.MutableGone(entry.index).Set(linear, GoneBlock::kContradicted);
+    }
+  }
+  return map;
+}
+
+/// Of all submaps of a map but one, which may be none of them.
+std::vector<Triangle> SurfacesWithout(const MapSnapshot& map, SubmapId left_out) {
+  std::vector<Triangle> triangles;
+  for (const auto& submap : map.submaps()) {
+    if (submap->id() == left_out) continue;
+    for (const TileEntry& tile : submap->blocks().tiles()) {
+      const auto owner = [&](const Submap& of) {
+        return TileOwner{of.id(), FindBlocks(FindNeighbourhood(of.blocks(), tile.index), tile.index)};
+      };
+      std::vector<TileOwner> sharers;
+      for (const auto& other : map.submaps()) {
+        if (other != submap) sharers.push_back(owner(*other));
+      }
+      const TileSurface surface = ExtractTileSurface(owner(*submap), sharers, kVoxel_m);
+      EXPECT_TRUE(surface.needs.empty() || surface.needs.size() == surface.triangles.size());
+      const Eigen::Vector3d corner = TileCorner(tile.index, kVoxel_m);
+      for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+        if (!surface.needs.empty()) {
+          const std::vector<SubmapId>& needed = surface.needed[surface.needs[i]];
+          if (std::find(needed.begin(), needed.end(), left_out) != needed.end()) continue;
+        }
+        const SurfaceTriangle& t = surface.triangles[i];
+        triangles.push_back({corner + t[0].cast<double>(), corner + t[1].cast<double>(), corner + t[2].cast<double>()});
+      }
+    }
+  }
+  return triangles;
+}
+
+std::vector<Triangle> WholeMesh(const MapSnapshot& map) {
+  ThreadPool here(1);
+  const Mesh mesh = ExtractMapMesh(map, MeshColoring::kInstance, here);
+  std::vector<Triangle> triangles;
+  for (const auto& t : mesh.triangles) {
+    triangles.push_back({mesh.vertices_m[t[0]].cast<double>(), mesh.vertices_m[t[1]].cast<double>(),
+                         mesh.vertices_m[t[2]].cast<double>()});
+  }
+  return triangles;
+}
+
+TEST(TileSurface, OfAllSubmapsTogetherIsTheMeshOfTheMapEachTriangleOnce) {
+  constexpr SubmapId kNone(1000);
+  std::size_t num_triangles = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    Map map = ShredsOfSeveral(seed, 2 + seed % 4);
+    const auto state = map.Publish(0);
+    const auto mesh = KeysOf(WholeMesh(*state));
+    EXPECT_TRUE(KeysOf(SurfacesWithout(*state, kNone)) == mesh) << "seed " << seed;
+    num_triangles += mesh.size();
+  }
+  EXPECT_GT(num_triangles, 1000u);
+}
+
+TEST(TileSurface, WhatIsLeftWithoutASubmapIsTheMeshOfAMapWithoutIt) {
+  std::size_t num_left = 0, num_lost = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const std::uint32_t num_submaps = 2 + seed % 4;
+    Map map = ShredsOfSeveral(seed, num_submaps);
+    const auto state = map.Publish(0);
+    const std::size_t num_all = WholeMesh(*state).size();
+    for (std::uint32_t k = 1; k < num_submaps; ++k) {
+      Map without = map.Fork();
+      ASSERT_TRUE(without.Remove(SubmapId(k)));
+      const auto mesh = KeysOf(WholeMesh(*without.Publish(0)));
+      EXPECT_TRUE(KeysOf(SurfacesWithout(*state, SubmapId(k))) == mesh) << "seed " << seed << ", without " << k;
+      num_left += mesh.size();
+      num_lost += num_all - mesh.size();
+    }
+  }
+  EXPECT_GT(num_left, 100u);
+  EXPECT_GT(num_lost, 100u);
 }
 
 }  // namespace

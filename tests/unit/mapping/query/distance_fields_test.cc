@@ -365,7 +365,7 @@ TEST(DistanceFields, AfterAMoveOnlyThoseThatHadTheThingOrMayHaveItAreMadeAgain) 
   const std::size_t num_after = surfaces->fields().store()->num_fields();
   errors.ExpectSmall("moved");
   EXPECT_LT(num_after, num_before) << "those that had it are dropped when asked for";
-  EXPECT_GT(num_after, num_before * 6 / 10);
+  EXPECT_GT(num_after, num_before * 3 / 10) << "walls beside it may have been one surface with it";
 }
 
 TEST_F(FieldStoreTest, GivesNoFieldToStatesBeforeTheOneItIsOf) {

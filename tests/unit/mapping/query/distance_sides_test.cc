@@ -19,7 +19,7 @@ namespace {
 using testing::kSceneTruncation_m;
 using testing::kSceneVoxel_m;
 
-constexpr double kFaceHalf_m = 0.425;  ///< to the last voxel that was seen, and one more, as far as a surface reaches
+constexpr double kFaceHalf_m = 0.375;  ///< to the centre of the last voxel that was seen
 
 /// A box of which nobody has seen more than the side that faces +x: |y|, |z| < 0.4.
 Map BoxSeenFromOneSide(const Transform& T = Transform::Identity()) {
@@ -43,6 +43,9 @@ bool IsInSeenVoxel(const Eigen::Vector3d& p) {
   return std::abs(centre.x()) <= kSceneTruncation_m && std::abs(centre.y()) < 0.4 && std::abs(centre.z()) < 0.4;
 }
 
+/// Straight behind the face, or beside it where the voxel was seen to be.
+bool IsBehind(const Eigen::Vector3d& p) { return p.x() < 0 && (Aside_m(p) == 0 || IsInSeenVoxel(p)); }
+
 /// In the plane of the face, or straight behind its edge but for a degree or two.
 bool IsTooCloseToTell(const Eigen::Vector3d& p) {
   const double aside_m = Aside_m(p), behind_m = std::abs(p.x());
@@ -60,7 +63,7 @@ void ExpectSidesOfTheFace(const DistanceQuery& query, const Transform& T_map_box
     const Eigen::Vector3d& p = points[i];
     if (IsTooCloseToTell(p)) continue;
     const double truth_m = std::hypot(p.x(), Aside_m(p));
-    const bool is_inside = p.x() < 0 && Aside_m(p) == 0;
+    const bool is_inside = IsBehind(p);
     num_inside += is_inside;
     num_beside += p.x() < 0 && !is_inside;
     for (const SurfaceDistance& answer : {query.At(points_map[i]), batch[i]}) {
@@ -104,7 +107,7 @@ TEST(DistanceSides, NorByNearFields) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d& p = points[i];
     if (IsTooCloseToTell(p)) continue;
-    const bool is_inside = p.x() < 0 && Aside_m(p) == 0;
+    const bool is_inside = IsBehind(p);
     num_beside += p.x() < 0 && !is_inside;
     EXPECT_EQ(answers[i].distance_m < 0, is_inside) << p.transpose();
     EXPECT_EQ(quick.At(p).distance_m < 0, is_inside) << p.transpose();

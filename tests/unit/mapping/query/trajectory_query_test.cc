@@ -276,7 +276,7 @@ TEST(CarriedBodyOf, HoldsTheSurfaceAndSticksOutByHalfAVoxelsDiagonalAtMost) {
   const auto surfaces = SurfacesOf(map);
   for (const std::size_t number : {1u, 2u}) {
     const Submap& submap = surfaces->index().entries()[number].submap();
-    const CarriedBody body = CarriedBodyOf(submap, surfaces->surface(number), 100'000);
+    const CarriedBody body = CarriedBodyOf(surfaces->state(), submap, surfaces->surface(number), 100'000);
     const Transform T_submap_map = submap.info().T_map_submap.inverse();
     std::vector<CarriedBody::Ball> balls;
     for (const CarriedBody::Group& group : body.groups) {

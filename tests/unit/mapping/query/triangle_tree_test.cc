@@ -96,7 +96,7 @@ TEST(TriangleTree, KeepsEveryTriangleWhereItsTreeSays) {
     EXPECT_EQ(tree.triangle(i), triangles[tree.tree().items()[i]]);
     for (const Eigen::Vector3f& corner : tree.triangle(i)) EXPECT_TRUE(tree.bounds().contains(corner));
   }
-  EXPECT_EQ(TriangleTree({}).num_triangles(), 0u);
+  EXPECT_EQ(TriangleTree(std::vector<TriangleCorners>{}).num_triangles(), 0u);
 }
 
 }  // namespace
