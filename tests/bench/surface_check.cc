@@ -73,10 +73,10 @@ struct Differences {
 };
 
 /// What a state answers, and what its mesh says.
-class Judge {
+class SurfaceJudge {
  public:
-  Judge(const Recording& recording, std::shared_ptr<const MapSnapshot> asked, const QueryScope& scope,
-        const MapSnapshot& true_state)
+  SurfaceJudge(const Recording& recording, std::shared_ptr<const MapSnapshot> asked, const QueryScope& scope,
+               const MapSnapshot& true_state)
       : recording_(recording),
         cache_(std::size_t{1} << 30),
         lookup_(asked),
@@ -125,7 +125,7 @@ Eigen::Vector3d Around(const Eigen::Vector3d& centre, double reach_m, std::mt199
 
 void JudgeWhole(const Recording& recording, const SurfaceCheckOptions& options, std::mt19937& random) {
   const auto state = recording.builder->map().Publish(0);
-  const Judge judge(recording, state, {}, *state);
+  const SurfaceJudge judge(recording, state, {}, *state);
   Differences all;
   for (std::size_t i = 0; i < options.num_points; ++i) {
     judge.Ask(Around(judge.truth().Sample(random), options.reach_m, random), all);
@@ -180,7 +180,7 @@ void JudgeChanged(const Recording& recording, const SurfaceCheckOptions& options
     const Mesh own = ExtractMesh(*state->Find(id), *recording.info.label_set, MeshColoring::kInstance);
     const MeshTruth place(own);
     if (place.empty()) continue;
-    const Judge of_excluded(recording, state, {.excluded_submaps = {id}}, *left),
+    const SurfaceJudge of_excluded(recording, state, {.excluded_submaps = {id}}, *left),
         of_moved(recording, there, {}, *there);
     for (std::size_t i = 0; i < options.num_points / things.size(); ++i) {
       const Eigen::Vector3d p = Around(place.Sample(random), options.reach_m, random);
