@@ -66,27 +66,9 @@ class BodyMaker {
   void AddAll(const MapSnapshot& state, const Submap& submap, const SubmapSurface& surface) {
     for (std::size_t tile = 0; tile < surface.num_tiles() && !is_full(); ++tile) {
       const TriangleTree& triangles = surface.Surface(state, submap, tile);
-      for (std::size_t i = 0; i < triangles.num_triangles(); ++i) Add(triangles, i, surface, tile);
-    }
-  }
-  /// Of others' surfaces what they have together with the submap: where these meet.
-  void AddShared(const MapSurfaces& surfaces, std::size_t own) {
-    const SubmapIndex::Entry& entry = surfaces.index().entries()[own];
-    if (!entry.IsInMapFrame()) return;
-    const SubmapId id = entry.submap().id();
-    for (std::size_t number = 0; number < surfaces.index().entries().size(); ++number) {
-      const SubmapIndex::Entry& other = surfaces.index().entries()[number];
-      if (number == own || !other.IsInMapFrame() || !other.box_m().intersects(entry.box_m())) continue;
-      const SubmapSurface& surface = surfaces.surface(number);
-      const Eigen::AlignedBox3f box(surface.InTree(entry.box_m().min()), surface.InTree(entry.box_m().max()));
-      surface.tree().VisitOverlapping(box, [&](std::size_t tile) {
-        const TriangleTree& triangles = surfaces.Triangles(number, tile);
-        for (std::size_t i = 0; triangles.has_needs() && i < triangles.num_triangles(); ++i) {
-          const std::span<const SubmapId> needed = triangles.NeededBy(i);
-          if (std::find(needed.begin(), needed.end(), id) != needed.end()) Add(triangles, i, surface, tile);
-        }
-        return !is_full();
-      });
+      for (std::size_t i = 0; i < triangles.num_triangles(); ++i) {
+        if (triangles.NeededBy(i).empty()) Add(triangles, i, surface, tile);
+      }
     }
   }
   CarriedBody Make() {
@@ -120,10 +102,7 @@ CarriedBody WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t ma
   if (submap == nullptr) return {};
   const SubmapSurface* known = surfaces.SurfaceOf(id);
   if (!IsLookedThrough(*submap) && known != nullptr) {
-    BodyMaker maker(submap->info().voxel_size_m, max_balls);
-    maker.AddAll(surfaces.state(), *submap, *known);
-    maker.AddShared(surfaces, surfaces.NumberOf(id));
-    return maker.Make();
+    return CarriedBodyOf(surfaces.state(), *submap, *known, max_balls);
   }
   Submap whole = *submap;
   whole.ShareBlocks();  // before anything is written to them

@@ -25,13 +25,13 @@ struct CarriedBody {
   std::size_t num_balls = 0;
 };
 
-/// Of a submap of a state, and of its surface as it is. Ends early, with more than `max_balls`, once there are so many.
+/// Of a submap of a state, and of its surface as it is, but for what only is one together with others: what a robot
+/// carries has left them. Ends early, with more than `max_balls`, once there are so many.
 CarriedBody CarriedBodyOf(const MapSnapshot& state, const Submap& submap, const SubmapSurface& surface,
                           std::size_t max_balls);
 
 /// Of all that was ever observed of a submap of a state, be it absent: what sensors look through where it was taken
-/// from says nothing of what it is. With what others have of a surface together with it, so that where it stands it
-/// touches what it stands on. Nothing, if there is no such submap.
+/// from says nothing of what it is. Nothing, if there is no such submap.
 CarriedBody WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t max_balls);
 
 }  // namespace dhpmap

@@ -42,8 +42,10 @@ TEST(SurfaceCache, MakesNothingBeforeItIsAsked) {
 }
 
 TEST(SurfaceCache, NewPosesAndClonesMakeNothingAgain) {
-  Map map = testing::FurnishedRoom();
-  map.Remove(SubmapId(4));  // the walls: what stands near may have been one surface with them
+  Map map(testing::SceneInfo());  // nothing is near to another, which may have been one surface with it
+  for (const Eigen::Vector3d& centre : {Eigen::Vector3d(-1.1, 0.1, 0), Eigen::Vector3d(1.1, 0, 0.2)}) {
+    testing::ObserveBand(testing::AddThing(map), testing::Ball(centre, 0.3), testing::CubeAt(centre, 0.5));
+  }
   SurfaceCache cache(kPlenty);
   AskEverywhere(cache, map.Publish(0));
   const std::size_t bytes = cache.bytes(), tiles = cache.num_tiles();
