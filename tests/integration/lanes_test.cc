@@ -46,7 +46,7 @@ class Lanes : public ::testing::Test {
   }
 
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
-  static constexpr std::size_t kEnoughForAll_bytes = 512u << 20;
+  static constexpr std::size_t kEnoughForAll_bytes = std::size_t{4} << 30;
   TestServer server_{
       *store_,
       {},
@@ -148,7 +148,7 @@ class LongChecks {
   [[nodiscard]] int num_ended() const { return num_ended_; }
 
  private:
-  static constexpr int kBoxes = 200'000;
+  static constexpr int kBoxes = 60'000;
   std::vector<std::unique_ptr<grpc::ClientContext>> contexts_;
   std::vector<std::thread> calls_;
   std::atomic<int> num_ended_ = 0;
@@ -180,7 +180,7 @@ TEST_F(Lanes, ChecksEndAtTheirDeadlineAndWithTheirClient) {
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + std::chrono::milliseconds(300));
   v1::CheckCollisionsResponse response;
-  EXPECT_EQ(server_.queries->CheckCollisions(&context, HugeBoxes(200'000), &response).error_code(),
+  EXPECT_EQ(server_.queries->CheckCollisions(&context, HugeBoxes(60'000), &response).error_code(),
             grpc::StatusCode::DEADLINE_EXCEEDED);
   EXPECT_TRUE(Eventually([&] { return server_.grpc().num_running_checks() == 0; }));
   LongChecks checks(server_, 3);
