@@ -130,6 +130,7 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"METHOD_NOT_ALLOWED", StatusCode::kUnimplemented, "the path takes other HTTP methods", 405},
     {"BODY_TOO_LARGE", StatusCode::kResourceExhausted, "the body is larger than the server takes", 413},
     {"UNSUPPORTED_MEDIA_TYPE", StatusCode::kInvalidArgument, "the body is of a type that is not taken", 415},
+    {"NOT_ACCEPTABLE", StatusCode::kInvalidArgument, "the answer comes in no type that the client accepts", 406},
     {"HEAD_TOO_LARGE", StatusCode::kResourceExhausted, "the request's head is larger than the server takes", 431},
     {"UNKNOWN_TRANSFER_CODING", StatusCode::kUnimplemented, "the body is in a transfer coding other than chunked"},
     {"HOST_NOT_ALLOWED", StatusCode::kPermissionDenied, "the request's Host is no name of this server", 421},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <string>
 
 #include "server/http/message.h"
@@ -34,6 +35,14 @@ constexpr std::string_view kProtobufNames[] = {"application/x-protobuf", "applic
 constexpr std::string_view kFileNames[] = {"application/octet-stream", "application/vnd.sqlite3",
                                            "application/x-sqlite3", "application/x-www-form-urlencoded"};
 constexpr std::string_view kStreamNames[] = {"application/x-protobuf-stream", "application/x-protobuf-delimited"};
+
+/// Whether a media range, such as "text/*", is one of a type.
+bool IsOneOf(std::string_view range, std::string_view type) {
+  if (range == "*/*" || http::EqualsIgnoringCase(range, type)) return true;
+  if (!range.ends_with("/*")) return false;
+  range.remove_suffix(1);
+  return http::EqualsIgnoringCase(range, type.substr(0, range.size()));
+}
 
 /// The `q` of a media range, 0 to 1; 1 if it has none, 0 if it is not a number.
 double QualityOf(std::string_view range) {
@@ -85,6 +94,31 @@ AnswerFormat FormatOfAccept(std::string_view accept) {
     best_quality = quality;
   }
   return best;
+}
+
+bool IsAccepted(std::string_view accept, std::string_view type) {
+  bool is_wish = false;
+  while (!accept.empty()) {
+    const std::size_t comma = accept.find(',');
+    const std::string_view range = accept.substr(0, comma);
+    accept.remove_prefix(comma == std::string_view::npos ? accept.size() : comma + 1);
+    is_wish = is_wish || TypeOf(range).find('/') != std::string_view::npos;
+    if (IsOneOf(TypeOf(range), type) && QualityOf(range) > 0) return true;
+  }
+  return !is_wish;
+}
+
+bool IsAnyFormatAccepted(std::string_view accept) {
+  const auto is_accepted = [accept](std::string_view type) { return IsAccepted(accept, type); };
+  return std::any_of(std::begin(kJsonNames), std::end(kJsonNames), is_accepted) ||
+         std::any_of(std::begin(kProtobufNames), std::end(kProtobufNames), is_accepted) ||
+         std::any_of(std::begin(kStreamNames), std::end(kStreamNames), is_accepted) || is_accepted(kEventsType);
+}
+
+Status NotAcceptable(std::string_view accept, std::string_view type) {
+  return InvalidArgument("the answer comes as " + std::string(type) + ", not as '" + std::string(accept.substr(0, 80)) +
+                         "'")
+      .WithReason("NOT_ACCEPTABLE");
 }
 
 }  // namespace dhpmap::gateway

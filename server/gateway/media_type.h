@@ -4,6 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "mapping/base/status.h"
+
 namespace dhpmap::gateway {
 
 /// What a body is written in.
@@ -32,6 +34,14 @@ enum class AnswerFormat {
 };
 AnswerFormat FormatOfAccept(std::string_view accept);
 
+/// Whether an Accept header allows an answer of this type. One that names no type allows all.
+bool IsAccepted(std::string_view accept, std::string_view type);
+/// Whether it allows anything that we write messages in.
+bool IsAnyFormatAccepted(std::string_view accept);
+/// Reason NOT_ACCEPTABLE; `type`: what there is.
+Status NotAcceptable(std::string_view accept, std::string_view type);
+
+inline constexpr std::string_view kBytesType = "application/octet-stream";
 inline constexpr std::string_view kJsonType = "application/json";
 inline constexpr std::string_view kNdjsonType = "application/x-ndjson";
 inline constexpr std::string_view kEventsType = "text/event-stream";

@@ -57,6 +57,10 @@ Result<RpcRequest> RpcRequest::Make(const http::RequestHead& head, RouteMatch ma
   const Route& route = *match.route;
   const std::size_t max_body_bytes = MostRequestBytes(*route.method, most_bytes);
   DHPMAP_ASSIGN_OR_RETURN(const BodyFormat body_format, BodyFormatOf(head, route));
+  const std::string_view accept = http::FindHeader(head.headers, "accept");
+  if (!route.file && !IsAnyFormatAccepted(accept)) {
+    return NotAcceptable(accept, std::string(kJsonType) + " or " + std::string(kProtobufType));
+  }
   if (head.content_length.value_or(0) > max_body_bytes && !route.client_streams()) {
     return RequestTooLarge(*head.content_length, max_body_bytes);
   }
@@ -70,7 +74,8 @@ Result<RpcRequest> RpcRequest::Make(const http::RequestHead& head, RouteMatch ma
                     .transcoder = std::move(transcoder),
                     .body_format = body_format,
                     .is_one_value = IsOneJsonValue(http::FindHeader(head.headers, "content-type")),
-                    .answer_format = FormatOfAccept(http::FindHeader(head.headers, "accept")),
+                    .answer_format = FormatOfAccept(accept),
+                    .accept = std::string(accept),
                     .call = std::move(call),
                     .max_body_bytes = max_body_bytes,
                     .announced_bytes = static_cast<std::size_t>(head.content_length.value_or(0)),

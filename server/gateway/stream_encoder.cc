@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "server/gateway/error_body.h"
+#include "server/gateway/media_type.h"
 #include "server/gateway/shared_answers.h"
 
 namespace dhpmap::gateway {
@@ -21,16 +22,18 @@ std::string HeaderValue(std::string text) {
 
 }  // namespace
 
-StreamEncoder::StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem, SharedAnswers* shared)
+StreamEncoder::StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem, SharedAnswers* shared,
+                             std::string accept)
     : route_(route),
       format_(format),
       file_stem_(std::move(file_stem)),
+      accept_(std::move(accept)),
       shared_(route.events ? shared : nullptr),
       is_file_(route.file.has_value() && format == AnswerFormat::kAny),
       is_one_(!route.server_streams()) {}
 
 http::Headers StreamEncoder::EmptyHead() const {
-  if (is_file_) return {{"Content-Type", "application/octet-stream"}};
+  if (is_file_) return {{"Content-Type", std::string(kBytesType)}};
   if (is_one_) {
     return {{"Content-Type", std::string(format_ == AnswerFormat::kProtobuf ? kProtobufType : kJsonType)}};
   }
@@ -65,6 +68,7 @@ Result<StreamPart> StreamEncoder::EncodeFile(const std::string& bytes) {
   DHPMAP_ASSIGN_OR_RETURN(FilePart file, FilePartOf(route_, bytes));
   StreamPart part;
   if (is_first_) {
+    DHPMAP_RETURN_IF_ERROR(CheckAccepted(accept_, file));
     is_first_ = false;
     part.head = StreamHead{FileHead(std::move(file.type), file_stem_), std::nullopt};
     if (file.total_bytes > 0) part.head->length = static_cast<std::uint64_t>(file.total_bytes);
@@ -94,8 +98,13 @@ Result<FilePart> FilePartOf(const Route& route, const std::string& bytes) {
   return part;
 }
 
+Status CheckAccepted(std::string_view accept, const FilePart& file) {
+  if (IsAccepted(accept, kBytesType) || IsAccepted(accept, file.type)) return Status::Ok();
+  return NotAcceptable(accept, file.type.empty() ? kBytesType : file.type);
+}
+
 http::Headers FileHead(std::string type, const std::string& file_stem) {
-  if (type.empty()) type = "application/octet-stream";
+  if (type.empty()) type = kBytesType;
   http::Headers headers;
   headers.emplace_back("Content-Disposition", "attachment; filename=\"" + file_stem + "." + ExtensionOf(type) + "\"");
   headers.emplace_back("Content-Type", std::move(type));

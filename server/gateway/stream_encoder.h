@@ -31,10 +31,11 @@ struct StreamPart {
 /// neither of them, as the file. Thread-compatible.
 class StreamEncoder {
  public:
-  /// `file_stem`: a file's name, without its extension. `shared`: for events; may be null.
-  StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem, SharedAnswers* shared = nullptr);
+  /// `file_stem`: a file's name, without its extension. `shared`: for events; may be null. `accept`: the client's.
+  StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem, SharedAnswers* shared = nullptr,
+                std::string accept = {});
 
-  /// INTERNAL if it is no message of the RPC's type.
+  /// INTERNAL if it is no message of the RPC's type; NOT_ACCEPTABLE for a file that the client does not accept.
   Result<StreamPart> Encode(const std::string& message);
 
   /// An error can be told in the answer itself.
@@ -53,6 +54,7 @@ class StreamEncoder {
   const Route& route_;
   AnswerFormat format_;
   std::string file_stem_;
+  std::string accept_;
   SharedAnswers* shared_;
   bool is_file_;
   bool is_one_;  ///< message, as of an RPC that does not stream
@@ -67,6 +69,8 @@ struct FilePart {
 };
 /// INTERNAL if it is no message of the RPC's type.
 Result<FilePart> FilePartOf(const Route& route, const std::string& message);
+/// NOT_ACCEPTABLE unless the client accepts the file, or bytes of any kind.
+Status CheckAccepted(std::string_view accept, const FilePart& file);
 /// Of the answer; `type`: empty for bytes of any kind.
 http::Headers FileHead(std::string type, const std::string& file_stem);
 

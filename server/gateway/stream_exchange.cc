@@ -42,7 +42,7 @@ class StreamExchange final : public http::Exchange,
         backend_(backend),
         responder_(std::move(responder)),
         splitter_(request_.body_format, request_.route->client_streams(), request_.max_body_bytes),
-        encoder_(*request_.route, request_.answer_format, request_.file_stem, backend_.shared) {}
+        encoder_(*request_.route, request_.answer_format, request_.file_stem, backend_.shared, request_.accept) {}
 
   // From the connection.
   bool OnBody(std::string_view data) override;

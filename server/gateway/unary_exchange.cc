@@ -102,6 +102,8 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
     if (request_.route->file && request_.answer_format == AnswerFormat::kAny) {
       auto file = FilePartOf(*request_.route, message);
       if (!file.ok()) return ErrorResponse(file.status(), request_.answer_format);
+      const Status accepted = file->type.empty() ? Status::Ok() : CheckAccepted(request_.accept, *file);
+      if (!accepted.ok()) return ErrorResponse(accepted, request_.answer_format);
       if (!file->type.empty()) return FileAnswer(std::move(*file));
     }
     auto body = ToAnswer(*request_.route, std::move(message), request_.answer_format);

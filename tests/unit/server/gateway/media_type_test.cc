@@ -46,6 +46,28 @@ TEST(MediaType, NonsenseIsNoWish) {
   }
 }
 
+TEST(MediaType, IsAcceptedWhereARangeHoldsIt) {
+  constexpr std::string_view kPly = "application/x-ply";
+  for (const char* accept : {"", " ", ",,,", "nonsense", "*/*", "application/*", "Application/X-PLY",
+                             "model/gltf-binary, application/x-ply;q=0.1", "model/gltf-binary,*/*;q=0.01"}) {
+    EXPECT_TRUE(IsAccepted(accept, kPly)) << accept;
+  }
+  for (const char* accept : {"model/gltf-binary", "model/*", "application/x-ply;q=0", "application/x-plyx",
+                             "application/x-pl", "application/json, text/*"}) {
+    EXPECT_FALSE(IsAccepted(accept, kPly)) << accept;
+  }
+}
+
+TEST(MediaType, SomeClientsAcceptNoneOfOurFormats) {
+  for (const char* accept : {"", "*/*", "application/*", "text/*", "text/json", "application/x-ndjson;q=0.1",
+                             "application/x-protobuf-stream", "text/event-stream", "text/html,*/*;q=0.8", ",,,"}) {
+    EXPECT_TRUE(IsAnyFormatAccepted(accept)) << accept;
+  }
+  for (const char* accept : {"text/html", "model/gltf-binary", "image/*", "application/json;q=0"}) {
+    EXPECT_FALSE(IsAnyFormatAccepted(accept)) << accept;
+  }
+}
+
 TEST(MediaType, SomeSayThatABodyIsOneJsonValue) {
   for (const char* type : {"application/json", "Application/JSON; charset=utf-8", "text/json"}) {
     EXPECT_TRUE(IsOneJsonValue(type)) << type;

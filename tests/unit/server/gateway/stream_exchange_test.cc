@@ -136,6 +136,23 @@ TEST_F(GatewayTest, AFileIsAFileUnlessJsonIsAskedFor) {
   EXPECT_EQ(At(At(AsJson(lines[1]), "result").struct_value(), "data").string_value(), "YWJj");
 }
 
+TEST_F(GatewayTest, AFileThatTheClientDoesNotAcceptIsNotSent) {
+  server.Set("GetSubmapMesh", {.messages = {MeshPart("ply\n", "application/x-ply", 10), MeshPart("abcdef")}});
+  const auto ask = [this](const char* accept) {
+    return client->Ask("GET", "/v1/maps/home/submaps/7:mesh", "", {{"Accept", accept}});
+  };
+  for (const char* accept : {"model/gltf-binary", "application/x-pcd", "application/x-ply;q=0"}) {
+    const http::HttpAnswer answer = ask(accept);
+    EXPECT_EQ(answer.status, 406) << accept;
+    EXPECT_EQ(answer.Header("Content-Type"), "application/json");
+    EXPECT_NE(answer.body.find("NOT_ACCEPTABLE"), std::string::npos) << answer.body;
+    EXPECT_NE(answer.body.find("application/x-ply"), std::string::npos) << "says what there is";
+  }
+  for (const char* accept : {"application/x-ply", "application/octet-stream", "model/gltf-binary, */*;q=0.1"}) {
+    EXPECT_EQ(ask(accept).body, "ply\nabcdef") << accept;
+  }
+}
+
 TEST_F(GatewayTest, AFileOfUnknownSizeIsChunked) {
   json::test::Part first, second;
   first.set_data("ab");

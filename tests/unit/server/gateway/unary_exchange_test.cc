@@ -71,6 +71,8 @@ TEST_F(GatewayTest, AnAnswerThatHoldsAFileIsAFileUnlessJsonIsAskedFor) {
   EXPECT_EQ(heard.format(), v1::PGM);
   const http::HttpAnswer json = client->Ask("GET", path, "", {{"Accept", "application/json"}});
   EXPECT_EQ(At(AsJson(json.body), "data").string_value(), "UDUKMSAxCjI1NQr+");
+  EXPECT_EQ(client->Ask("GET", path, "", {{"Accept", "image/png"}}).status, 406);
+  EXPECT_EQ(client->Ask("GET", path, "", {{"Accept", "image/*"}}).body, slice.data());
   slice.clear_content_type();
   slice.set_cells("\x64");
   server.Set("GetOccupancySlice", {.messages = {slice.SerializeAsString()}});
