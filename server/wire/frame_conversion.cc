@@ -61,7 +61,7 @@ Status Renamed(const Status& status, std::span<const Term> terms) {
   for (const FieldViolation& violation : status.violations()) {
     renamed.AddViolation(Rename(violation.field, terms), violation.description);
   }
-  for (const auto& [key, value] : status.metadata()) renamed = std::move(renamed).WithMetadata(key, value);
+  for (const auto& [key, value] : status.metadata()) renamed = Status(renamed).WithMetadata(key, value);
   return renamed;
 }
 
