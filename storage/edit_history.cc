@@ -253,7 +253,8 @@ Result<std::optional<EditTileRecorder>> RecorderOfLeft(Database& database, const
 
 Status AddToHistory(Database& database, const EditTileRecorder& left, std::int64_t now_ns,
                     const EditLogLimits& limits) {
-  DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadHistoryTask));
+  DHPMAP_ASSIGN_OR_RETURN(Statement select,
+                          database.Prepare(EditHistories().Select("WHERE edit_key = ?"), kReadHistoryTask));
   DHPMAP_RETURN_IF_ERROR(select.Bind(left.edit_key()).Step().status());
   EditHistoryRow row;
   const bool is_intact = EditHistories().Read(select, row) && EditHistories().IsIntact(row, row.seal);

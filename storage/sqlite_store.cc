@@ -377,7 +377,7 @@ class SqliteStore final : public MapStore {
   const ChangeHistoryLimits change_limits_;
   const EditLogLimits edit_limits_;
   const PassingTime time_;
-  std::optional<SeenClock> clock_;                                    // none: read-only
+  std::optional<SeenClock> clock_;                // none: read-only
   std::atomic<std::int64_t> stored_seen_ns_ = 0;  // at least: of a commit that failed, too
   FairMutex writer_mutex_;  // fair, or commits that follow upon each other would leave the reclaimer no turn
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only

@@ -51,7 +51,8 @@ TEST(Memory, ComesBackWhenMapsAreDeleted) {
   const double live = Gauge(root, server, "dhpmap_heap_live_bytes");
   EXPECT_GT(live, most / 4) << "what maps take is handed out";
   EXPECT_LT(live, Gauge(root, server, "dhpmap_heap_resident_bytes"));
-  for (int i = 0; i < 4; ++i) ASSERT_EQ(server.Dhpmap({"maps", "delete", "m" + std::to_string(i), "--yes"}).exit_code, 0);
+  for (int i = 0; i < 4; ++i)
+    ASSERT_EQ(server.Dhpmap({"maps", "delete", "m" + std::to_string(i), "--yes"}).exit_code, 0);
   EXPECT_GT(most, before + 1.2 * kStays) << "too small maps to tell anything";
   double after = 0;
   Eventually([&] {
