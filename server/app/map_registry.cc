@@ -18,18 +18,6 @@ Status NoSuchMap(const std::string& name) {
   return NotFound("there is no map '" + name.substr(0, 80) + "'").WithReason("MAP_NOT_FOUND");
 }
 
-/// The same, with what was near among those that are there.
-template <typename Entries>
-Status NoSuchMapAmong(const Entries& entries, const std::string& name) {
-  constexpr std::size_t kMostNames = 1000;
-  std::vector<std::string> names;
-  for (const auto& [there, entry] : entries) {
-    if (entry->exists && names.size() < kMostNames) names.push_back(there);
-  }
-  const Status plain = NoSuchMap(name);
-  return NotFound(plain.message() + DidYouMean(name, names)).WithReason(plain.reason());
-}
-
 Status NameIsTaken(const std::string& name) {
   return AlreadyExists("there is a map '" + name + "' already").WithReason("MAP_EXISTS");
 }
@@ -147,7 +135,7 @@ Result<MapSummary> MapRegistry::ShowStored(HeldName& held) {
 Result<MapSummary> MapRegistry::Get(const std::string& name) const {
   const MutexLock lock(mutex_);
   const auto found = entries_.find(name);
-  if (found == entries_.end() || !found->second->exists) return NoSuchMapAmong(entries_, name);
+  if (found == entries_.end() || !found->second->exists) return NoSuchMapAmongThese(name);
   MapSummary summary = Summarise(*found->second);
   if (!summary.damage.ok()) return summary.damage;
   return summary;
@@ -171,7 +159,7 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::str
   const auto entry = FindEntry(name);
   if (entry == nullptr) {
     const MutexLock lock(mutex_);
-    return NoSuchMapAmong(entries_, name);
+    return NoSuchMapAmongThese(name);
   }
   const MutexLock busy(entry->busy);
   std::shared_ptr<MapSession> session;
@@ -201,7 +189,7 @@ Result<std::shared_ptr<MapSession>> MapRegistry::OpenSession(const std::string& 
   const auto entry = FindEntry(name);
   if (entry == nullptr) {
     const MutexLock lock(mutex_);
-    return NoSuchMapAmong(entries_, name);
+    return NoSuchMapAmongThese(name);
   }
   {
     const MutexLock lock(mutex_);
@@ -309,7 +297,7 @@ Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, c
   const auto entry = FindEntry(name);
   if (entry == nullptr) {
     const MutexLock lock(mutex_);
-    return NoSuchMapAmong(entries_, name);
+    return NoSuchMapAmongThese(name);
   }
   if (!repair) return store_.VerifyMap(name, !kRepair, stop);
   // That a map is open says nothing of voxels that nobody has read yet.
@@ -439,6 +427,16 @@ std::shared_ptr<MapRegistry::Entry> MapRegistry::FindEntry(const std::string& na
   const MutexLock lock(mutex_);
   const auto found = entries_.find(name);
   return found == entries_.end() ? nullptr : found->second;
+}
+
+Status MapRegistry::NoSuchMapAmongThese(const std::string& name) const {
+  constexpr std::size_t kMostNames = 1000;
+  std::vector<std::string> names;
+  for (const auto& [there, entry] : entries_) {
+    if (entry->exists && names.size() < kMostNames) names.push_back(there);
+  }
+  const Status plain = NoSuchMap(name);
+  return NotFound(plain.message() + DidYouMean(name, names)).WithReason(plain.reason());
 }
 
 MapSummary MapRegistry::Summarise(const Entry& entry) const {

@@ -183,6 +183,8 @@ class MapRegistry {
   MapRegistry(MapStore& store, SessionOptions options);
   [[nodiscard]] std::shared_ptr<Entry> FindEntry(const std::string& name) const;
   [[nodiscard]] MapSummary Summarise(const Entry& entry) const DHPMAP_REQUIRES(mutex_);
+  /// NOT_FOUND, with what is near among the maps that are there.
+  [[nodiscard]] Status NoSuchMapAmongThese(const std::string& name) const DHPMAP_REQUIRES(mutex_);
   [[nodiscard]] Status CheckIsFree(const std::string& name) const;
   /// ALREADY_EXISTS; UNAVAILABLE if the registry is shut down.
   Result<HeldName> HoldName(const std::string& name);

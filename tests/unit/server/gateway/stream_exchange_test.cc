@@ -208,9 +208,9 @@ TEST_F(GatewayTest, TheRpcIsToldOfABodyThatIsOneMessage) {
 TEST_F(GatewayTest, FramesAsDelimitedProtobufInPieces) {
   server.Set("IntegrateFrames", {.acknowledge = Acknowledge});
   std::string body;
-  for (int i = 1; i <= 20; ++i) {
+  for (std::size_t i = 1; i <= 20; ++i) {
     v1::IntegrateFramesRequest frame;
-    frame.set_sequence(i);
+    frame.set_sequence(static_cast<std::int64_t>(i));
     frame.mutable_frame()->mutable_depth_camera()->mutable_depth()->set_data(std::string(i * 100, 'x'));
     AppendVarint(frame.ByteSizeLong(), &body);
     frame.AppendToString(&body);
