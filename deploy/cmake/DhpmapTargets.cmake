@@ -1,9 +1,9 @@
-# dhpmap_library(NAME room_name SOURCES ... PUBLIC ... PRIVATE ... [STUBS] [ALONE ...]): one static library a room, with our warnings.
-# dhpmap_program(NAME ... SOURCES ... LIBS ... [STUBS] [ALONE ...]): a program in bin/.
-# dhpmap_tests(ROOM path LIBS ... [ENVIRONMENT name=value] [COST seconds] [STUBS] [ALONE ...]): all tests/<path>/*_test.cc
+# dhpmap_library(NAME room_name SOURCES ... PUBLIC ... PRIVATE ... [STUBS]): one static library a room, with our warnings.
+# dhpmap_program(NAME ... SOURCES ... LIBS ... [STUBS]): a program in bin/.
+# dhpmap_tests(ROOM path LIBS ... [ENVIRONMENT name=value] [COST seconds] [STUBS]): all tests/<path>/*_test.cc
 # as one test binary; COST is what it takes in the release build, where that is seconds: the costliest run first.
 # STUBS: most of its sources include messages or gRPC; they share those headers too.
-# ALONE: sources that name a helper like another source of the room does (or a macro); all others are compiled 24 together.
+# Sources of a room are compiled 24 together: the names of their helpers are unique in the room.
 
 find_program(DHPMAP_CCACHE ccache)
 if(DHPMAP_CCACHE)
@@ -82,12 +82,10 @@ endfunction()
 # A build that is mended source by source is quicker without.
 option(DHPMAP_TOGETHER "Compile sources of a room together" ${DHPMAP_PRECOMPILE})
 
-# dhpmap_compile_together(TARGET SOURCES...): these sources go by themselves, as they name something of theirs like another source does.
 function(dhpmap_compile_together target)
   if(DHPMAP_TOGETHER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)  # takes all but one for headers
-    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()
 
@@ -124,7 +122,7 @@ if(DHPMAP_SANITIZE STREQUAL "address")
   set(dhpmap_unaligned -fno-sanitize=alignment)
 endif()
 
-# dhpmap_compile_as_source(TARGET STUBS ALONE...): as what is released; under tests/, what comes with gRPC's headers as tests are.
+# dhpmap_compile_as_source(TARGET STUBS): as what is released; under tests/, what comes with gRPC's headers as tests are.
 function(dhpmap_compile_as_source target stubs)
   target_compile_options(${target} PRIVATE ${dhpmap_source_options})
   if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${CMAKE_SOURCE_DIR}/mapping/")
@@ -137,23 +135,23 @@ function(dhpmap_compile_as_source target stubs)
     target_link_libraries(${target} PRIVATE GTest::gtest)  # whose definitions the precompiled headers were made with
   endif()
   dhpmap_use_prelude(${target} ${kind} ${stubs})
-  dhpmap_compile_together(${target} ${ARGN})
+  dhpmap_compile_together(${target})
 endfunction()
 
 function(dhpmap_library)
-  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;PUBLIC;PRIVATE;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${ARG_NAME} STATIC ${ARG_SOURCES})
   target_include_directories(${ARG_NAME} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(${ARG_NAME} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:dhpmap_warnings>)
-  dhpmap_compile_as_source(${ARG_NAME} ${ARG_STUBS} ${ARG_ALONE})
+  dhpmap_compile_as_source(${ARG_NAME} ${ARG_STUBS})
 endfunction()
 
 function(dhpmap_program)
-  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;LIBS;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "NAME" "SOURCES;LIBS" ${ARGN})
   add_executable(${ARG_NAME} ${ARG_SOURCES})
   target_include_directories(${ARG_NAME} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${ARG_NAME} PRIVATE ${ARG_LIBS} dhpmap_warnings)
-  dhpmap_compile_as_source(${ARG_NAME} ${ARG_STUBS} ${ARG_ALONE})
+  dhpmap_compile_as_source(${ARG_NAME} ${ARG_STUBS})
 endfunction()
 
 # dhpmap_room_of_tests(ROOM path TARGET name COMMAND ... [GTEST] [COST seconds] [ENVIRONMENT name=value]): a test of ctest, and a line of
@@ -201,7 +199,7 @@ function(dhpmap_write_rooms_of_tests)
 endfunction()
 
 function(dhpmap_tests)
-  cmake_parse_arguments(ARG "STUBS" "ROOM;COST" "LIBS;ENVIRONMENT;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "STUBS" "ROOM;COST" "LIBS;ENVIRONMENT" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${ARG_ROOM}/*_test.cc)
   if(NOT sources)
     return()
@@ -217,8 +215,7 @@ function(dhpmap_tests)
     target_compile_options(${name} PRIVATE ${dhpmap_test_options})
   endif()
   dhpmap_use_prelude(${name} tests ${ARG_STUBS})
-  list(TRANSFORM ARG_ALONE PREPEND ${CMAKE_SOURCE_DIR}/tests/${ARG_ROOM}/)
-  dhpmap_compile_together(${name} ${ARG_ALONE})
+  dhpmap_compile_together(${name})
   dhpmap_room_of_tests(ROOM ${ARG_ROOM} TARGET ${name} COMMAND $<TARGET_FILE:${name}> GTEST COST ${ARG_COST}
     ENVIRONMENT ${ARG_ENVIRONMENT})
 endfunction()

@@ -78,8 +78,8 @@ class Judge {
     std::nth_element(heights_m.begin(), lowest, heights_m.end());
     const double reach_m = kContact_vox * subject.body.submap->info().voxel_size_m, bottom_m = *lowest;
     const double hold_m = kHold_vox * subject.body.submap->info().voxel_size_m;
-    const Hold hold(*this, object.number);
-    const Absence absence(*this, subject.body.number);  // what holds it up is there without it
+    const FlagSet held(is_held_, object.number, true);
+    const FlagSet absent(is_there_, subject.body.number, false);  // what holds it up is there without it
     int num_bottom = 0, num_held = 0;
     double gap_m = hold_m;
     for (const Eigen::Vector3d& p : subject.points_m) {
@@ -97,7 +97,7 @@ class Judge {
 
   /// The least distance, infinity if it is more than the limit.
   double GapOf(const Subject& subject, const RelatedBody& object, double limit_m) {
-    const Hold hold(*this, object.number);
+    const FlagSet held(is_held_, object.number, true);
     double gap_m = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : subject.points_m) {
       if (stop_.stop_requested()) break;
@@ -134,29 +134,20 @@ class Judge {
   }
 
  private:
-  /// Has one submap held for its life.
-  class Hold {
+  /// Sets the flag of one submap for its life.
+  class FlagSet {
    public:
-    Hold(Judge& judge, std::size_t number) : judge_(judge), number_(number) { judge_.is_held_[number_] = true; }
-    ~Hold() { judge_.is_held_[number_] = false; }
-    Hold(const Hold&) = delete;
-    Hold& operator=(const Hold&) = delete;
+    FlagSet(std::vector<bool>& flags, std::size_t number, bool value) : flags_(flags), number_(number), value_(value) {
+      flags_[number_] = value_;
+    }
+    ~FlagSet() { flags_[number_] = !value_; }
+    FlagSet(const FlagSet&) = delete;
+    FlagSet& operator=(const FlagSet&) = delete;
 
    private:
-    Judge& judge_;
+    std::vector<bool>& flags_;
     std::size_t number_;
-  };
-  /// Has one submap not be there for its life.
-  class Absence {
-   public:
-    Absence(Judge& judge, std::size_t number) : judge_(judge), number_(number) { judge_.is_there_[number_] = false; }
-    ~Absence() { judge_.is_there_[number_] = true; }
-    Absence(const Absence&) = delete;
-    Absence& operator=(const Absence&) = delete;
-
-   private:
-    Judge& judge_;
-    std::size_t number_;
+    bool value_;
   };
   struct Found {
     double distance_m;

@@ -8,7 +8,7 @@
 
 namespace dhpmap {
 
-/// How far from the origin what is asked about may be, and how fine and how coarse what is sampled.
+/// Queried points lie within kReach_m of the origin. Grids and slices have a resolution between the other two.
 inline constexpr double kReach_m = 1e6, kLeastResolution_m = 0.001, kMostResolution_m = 100;
 
 /// Options that have no meaning for some queries. One that is set and not taken is INVALID_ARGUMENT. All queries take

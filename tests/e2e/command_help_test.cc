@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/e2e/rendered_dataset.h"
+#include "tests/e2e/mapped_room.h"
 #include "tests/e2e/server_process.h"
 #include "tests/support/places.h"
 #include "tests/support/scenes.h"
@@ -19,21 +19,8 @@
 namespace dhpmap::testing {
 namespace {
 
-class CommandHelp : public ::testing::Test {
+class CommandHelp : public MappedRoom {
  protected:
-  static void SetUpTestSuite() {
-    temp_ = std::make_unique<TempDir>();
-    WriteRenderedDataset(temp_->path() / "dataset", 6);
-    server_ = std::make_unique<ServerProcess>(temp_->path(), temp_->path() / "maps.db");
-    ASSERT_TRUE(server_->is_serving()) << server_->process().Stderr();
-    const Outcome mapped =
-        Run({"map", (temp_->path() / "dataset").string(), "--map", "room", "--labels", "groundtruth"});
-    ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
-  }
-  static void TearDownTestSuite() {
-    server_.reset();
-    temp_.reset();
-  }
   static Outcome Run(std::vector<std::string> arguments) { return server_->Dhpmap(std::move(arguments)); }
   static Outcome Shell(const std::string& command) { return RunProgram(temp_->path(), {"bash", "-c", command}); }
   /// `dhpmap ARGUMENTS` on a terminal where somebody types `typed`.
@@ -50,12 +37,7 @@ class CommandHelp : public ::testing::Test {
     const std::regex number("\"" + std::string(axis) + "\": (-?[0-9.e-]+)");
     return std::regex_search(sphere, found, number) ? std::stod(found[1]) : 1e9;
   }
-
-  static std::unique_ptr<TempDir> temp_;
-  static std::unique_ptr<ServerProcess> server_;
 };
-std::unique_ptr<TempDir> CommandHelp::temp_;
-std::unique_ptr<ServerProcess> CommandHelp::server_;
 
 TEST_F(CommandHelp, EveryProgramTellsTheVersionOfTheProject) {
   std::ifstream in(SourceDir() / "CMakeLists.txt");

@@ -10,29 +10,15 @@
 #include <vector>
 
 #include "dhpmap/v1/query_service.grpc.pb.h"
-#include "tests/e2e/rendered_dataset.h"
+#include "tests/e2e/mapped_room.h"
 #include "tests/e2e/server_process.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::testing {
 namespace {
 
-class QueryFlags : public ::testing::Test {
+class QueryFlags : public MappedRoom {
  protected:
-  static void SetUpTestSuite() {
-    temp_ = std::make_unique<TempDir>();
-    WriteRenderedDataset(temp_->path() / "dataset", 6);
-    server_ = std::make_unique<ServerProcess>(temp_->path(), temp_->path() / "maps.db");
-    ASSERT_TRUE(server_->is_serving()) << server_->process().Stderr();
-    const Outcome outcome =
-        server_->Dhpmap({"map", (temp_->path() / "dataset").string(), "--map", "room", "--labels", "groundtruth"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  }
-  static void TearDownTestSuite() {
-    server_.reset();
-    temp_.reset();
-  }
-
   using Arguments = std::vector<std::string>;
   /// `dhpmap query ARGUMENTS MORE`.
   static Outcome Query(Arguments arguments, const Arguments& more = {}) {
@@ -74,9 +60,6 @@ class QueryFlags : public ::testing::Test {
     front.insert(front.end(), back.begin(), back.end());
     return front;
   }
-
-  inline static std::unique_ptr<TempDir> temp_;
-  inline static std::unique_ptr<ServerProcess> server_;
 };
 
 TEST_F(QueryFlags, PaddingOfChecksGrowsWhatIsInTheWay) {

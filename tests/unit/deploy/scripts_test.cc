@@ -13,7 +13,7 @@ class CiRunTest : public ScriptTest {
     std::filesystem::copy_file(testing::SourceDir() / ".ci/run", Folder() / ".ci/run",
                                std::filesystem::copy_options::overwrite_existing);
     WriteFile("steps.sh", steps);
-    return Shell("DHPMAP_CI_STEPS=steps.sh .ci/run");
+    return Shell("CI_STEPS=steps.sh .ci/run");
   }
 };
 
@@ -36,7 +36,7 @@ TEST_F(CiRunTest, FailuresThatAStepCountedAreNotCountedTwice) {
 }
 
 TEST_F(CiRunTest, SanitizersGetWhatIsLeftAtLeastTenMinutesAndNothingBeyondTheEnd) {
-  const Run run = RunSteps(R"(for seconds in 300 1700 3600; do SECONDS=$seconds; seconds_for_sanitizers; done)");
+  const Run run = RunSteps(R"(for seconds in 300 1700 3600; do seconds_for_sanitizers $seconds; done)");
   EXPECT_TRUE(run.Says("1440\n600\n180\n")) << run.output;
 }
 

@@ -21,9 +21,7 @@ constexpr int kNoZstd = 77;
 
 class FormatTest : public SqliteStoreTest {
  protected:
-  void SetUp() override {
-    if (!fs::exists(kPython)) GTEST_SKIP() << "there is no " << kPython;
-  }
+  void SetUp() override { ASSERT_TRUE(fs::exists(kPython)) << "deploy/setup.sh installs it"; }
 
   /// What the reader says of a map.
   std::string ReadByFormat(const std::string& name, int& exit_code) {
