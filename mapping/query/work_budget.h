@@ -9,8 +9,9 @@
 
 namespace dhpmap {
 
-/// What a question may cost, in units of some 60 ns: triangles and voxels that are looked at; and whether anybody still
-/// waits for the answer. Whoever hears that it is over gives up, with an answer that means nothing. Thread-compatible.
+/// What a question may cost, and whether anybody still waits for its answer. A unit is a triangle, a voxel or a step that
+/// is looked at: some 0.3 us for a large box, less for a sphere. Once the budget is over, the question is given up and its
+/// answer means nothing. Thread-compatible.
 class WorkBudget {
  public:
   explicit WorkBudget(std::int64_t most = std::numeric_limits<std::int64_t>::max(), std::stop_token stop = {})
