@@ -9,8 +9,8 @@
 
 namespace dhpmap {
 
-/// What a question may cost, and whether anybody still waits for its answer. A unit is a triangle, a voxel or a step that
-/// is looked at: some 0.3 us for a large box, less for a sphere. Once the budget is over, the question is given up and its
+/// What a question may cost, and whether anybody still waits for its answer. A unit is a triangle, a voxel or a step
+/// that is looked at; for a large box it takes some 0.3 us. Once the budget is over, the question is given up and its
 /// answer means nothing. Thread-compatible.
 class WorkBudget {
  public:
