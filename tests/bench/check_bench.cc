@@ -41,7 +41,7 @@ std::vector<Eigen::Vector3d> FreePlaces(const MapSnapshot& map, std::size_t coun
 /// An arm of 20 spheres, 0.8 m long, that goes 0.8 m along and turns by 60 degrees, in 50 waypoints.
 RobotMotion ArmFrom(const Eigen::Vector3d& place, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
-  const Eigen::Vector3d way = 0.8 * Eigen::Vector3d(unit(random), unit(random), 0.3 * unit(random)).normalized();
+  const Eigen::Vector3d way = 0.8 * Eigen::Vector3d{unit(random), unit(random), 0.3 * unit(random)}.normalized();
   const double start_rad = 3 * unit(random);
   RobotMotion motion;
   for (int s = 0; s < 20; ++s) {

@@ -66,7 +66,7 @@ void MoveThings(Map& map, double share, std::mt19937& random) {
     Submap& submap = *map.FindMutable(id);
     const Eigen::Vector3d center = submap.BoundingSphereInMap().center_m;
     Transform T = Transform::Identity();
-    T.translate(center + Eigen::Vector3d(unit(random), unit(random), 0.2 * unit(random)));
+    T.translate(center + Eigen::Vector3d{unit(random), unit(random), 0.2 * unit(random)});
     T.rotate(Eigen::AngleAxisd(3 * unit(random), Eigen::Vector3d::UnitZ()));
     T.translate(-center);
     submap.mutable_info().T_map_submap = T * submap.info().T_map_submap;
@@ -111,7 +111,7 @@ std::vector<Kind> Points(const MapSnapshot& map, const Soup& soup, std::size_t c
   const auto around = [&](double reach_m) {
     std::vector<Eigen::Vector3d> points;
     for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector3d offset(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
+      const Eigen::Vector3d offset{unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5};
       points.push_back(soup.triangles[which(random)][0] + 2 * reach_m * offset);
     }
     return points;
@@ -123,7 +123,7 @@ std::vector<Kind> Points(const MapSnapshot& map, const Soup& soup, std::size_t c
   std::vector<Kind> kinds = {{"near", around(0.1)}, {"middle", around(0.25)}, {"far", {}}};
   for (std::size_t i = 0; i < count; ++i) {
     kinds[2].points.push_back(box.min() +
-                              Eigen::Vector3d(unit(random), unit(random), unit(random)).cwiseProduct(box.sizes()));
+                              Eigen::Vector3d{unit(random), unit(random), unit(random)}.cwiseProduct(box.sizes()));
   }
   return kinds;
 }
@@ -216,7 +216,7 @@ void MeasureTsdf(const MapSnapshot& map, std::size_t num_points, std::mt19937& r
   std::vector<Kind> kinds = {{"block by block", {}}};
   for (std::size_t i = 0; i < num_points; ++i) {
     const Eigen::Vector3d corner = BlockCorner(blocks[i * blocks.size() / num_points], size_m);
-    kinds[0].points.push_back(corner + kBlockSide * size_m * Eigen::Vector3d(unit(random), unit(random), unit(random)));
+    kinds[0].points.push_back(corner + kBlockSide * size_m * Eigen::Vector3d{unit(random), unit(random), unit(random)});
   }
   std::vector<Kind> shuffled = kinds;
   std::shuffle(shuffled[0].points.begin(), shuffled[0].points.end(), random);
@@ -246,7 +246,7 @@ void MeasureRays(const std::shared_ptr<const MapSurfaces>& surfaces, const std::
   double sum_m = 0;
   const auto cast = [&](const RayQuery& query, auto points) {
     for (const Eigen::Vector3d& p : points) {
-      const Eigen::Vector3d direction(normal(random), normal(random), normal(random));
+      const Eigen::Vector3d direction{normal(random), normal(random), normal(random)};
       sum_m += query.Cast({p, direction.normalized()}).distance_m;
     }
   };
@@ -296,7 +296,7 @@ void MeasureMove(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& ca
   const BoundingSphere sphere = thing->BoundingSphereInMap();
   std::uniform_real_distribution<double> unit(-1.5, 1.5);
   std::vector<Eigen::Vector3d> points(20000);
-  for (Eigen::Vector3d& p : points) p = sphere.center_m + Eigen::Vector3d(unit(random), unit(random), unit(random));
+  for (Eigen::Vector3d& p : points) p = sphere.center_m + Eigen::Vector3d{unit(random), unit(random), unit(random)};
   const DistanceOptions options{.tolerance_vox = 0.5};
   std::vector<SurfaceDistance> answers(kBatch);
   const auto pass = [&](const DistanceQuery& query) {
@@ -395,7 +395,7 @@ std::shared_ptr<const MapSnapshot> Copies(const MapSnapshot& map, std::size_t co
   std::uniform_real_distribution<double> unit(0, 1);
   for (std::size_t i = 0; i < count; ++i) {
     Transform T = Transform::Identity();
-    T.translate(Eigen::Vector3d(side_m * unit(random), side_m * unit(random), 2.5 * unit(random)));
+    T.translate(Eigen::Vector3d{side_m * unit(random), side_m * unit(random), 2.5 * unit(random)});
     T.rotate(Eigen::AngleAxisd(6 * unit(random), Eigen::Vector3d::UnitZ()));
     T.translate(-center);
     Submap& copy = *copies.Clone(original);
@@ -423,7 +423,7 @@ void MeasureGrowth(const MapSnapshot& map, std::size_t num_points) {
     std::uniform_real_distribution<double> unit(0, 1);
     std::vector<Eigen::Vector3d> points;
     for (std::size_t i = 0; i < num_points; ++i) {
-      points.push_back(box.min() + Eigen::Vector3d(unit(random), unit(random), unit(random)).cwiseProduct(box.sizes()));
+      points.push_back(box.min() + Eigen::Vector3d{unit(random), unit(random), unit(random)}.cwiseProduct(box.sizes()));
     }
     const DistanceQuery query(surfaces, {});
     std::vector<SurfaceDistance> answers(kBatch);

@@ -118,7 +118,7 @@ class SurfaceJudge {
 Eigen::Vector3d Around(const Eigen::Vector3d& centre, double reach_m, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   for (;;) {
-    const Eigen::Vector3d offset(unit(random), unit(random), unit(random));
+    const Eigen::Vector3d offset{unit(random), unit(random), unit(random)};
     if (offset.squaredNorm() <= 1) return centre + reach_m * offset;
   }
 }

@@ -12,7 +12,7 @@ std::vector<Eigen::Vector3f> RandomPoints(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> coordinate(-1, 1);
   std::vector<Eigen::Vector3f> points;
-  for (int i = 0; i < count; ++i) points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+  for (int i = 0; i < count; ++i) points.push_back({coordinate(random), coordinate(random), coordinate(random)});
   return points;
 }
 

@@ -13,7 +13,7 @@ namespace {
 TEST(DistanceToTriangle, AgreesWithTryingManyPoints) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> coordinate(-1, 1);
-  const auto point = [&] { return Eigen::Vector3f(coordinate(random), coordinate(random), coordinate(random)); };
+  const auto point = [&] { return Eigen::Vector3f{coordinate(random), coordinate(random), coordinate(random)}; };
   for (int n = 0; n < 200; ++n) {
     const Eigen::Vector3f a = point(), b = point(), c = point(), p = 2 * point();
     float best_m = 1e9f;
@@ -52,7 +52,7 @@ TEST(MeasureToTriangles, DoesNotSeeTheSpacingOfSamples) {
   std::vector<Eigen::Vector3f> queries;
   std::mt19937 random(6);
   std::uniform_real_distribution<float> coordinate(0, 1);
-  for (int i = 0; i < 2000; ++i) queries.emplace_back(coordinate(random), coordinate(random), 0.013f);
+  for (int i = 0; i < 2000; ++i) queries.push_back({coordinate(random), coordinate(random), 0.013f});
   ThreadPool here(1);
   std::vector<Neighbour> neighbours = NearestSample(samples.positions_m).FindAll(queries, 1, here);
   const auto mean_m = [&neighbours] {

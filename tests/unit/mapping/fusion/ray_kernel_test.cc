@@ -92,14 +92,14 @@ Bundle RandomBundle(const RayScene& scene, std::mt19937& random) {
   std::normal_distribution<float> normal;
   std::uniform_real_distribution<float> share(0, 1);
   Bundle bundle;
-  Eigen::Vector3f direction(normal(random), normal(random), normal(random));
+  Eigen::Vector3f direction{normal(random), normal(random), normal(random)};
   if (random() % 8 == 0) direction[random() % 3] = 0;
   if (random() % 16 == 0) direction = Eigen::Vector3f::Unit(static_cast<int>(random() % 3)) * (random() % 2 ? 1 : -1);
   direction.normalize();
   const float range_m = 0.02f + 8 * share(random);
   bundle.weight = 0.1f + 5 * share(random);
   bundle.weighted_sum_m = direction * range_m * bundle.weight;
-  do bundle.plane.normal = Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized();
+  do bundle.plane.normal = Eigen::Vector3f{normal(random), normal(random), normal(random)}.normalized();
   while (-bundle.plane.normal.dot(direction) < 0.05f);
   bundle.plane.offset_m = -bundle.plane.normal.dot(direction * range_m) + 0.02f * normal(random);
   const float most_m = static_cast<float>(kBlockSide) * scene.voxel_size_m;

@@ -93,7 +93,7 @@ Map FiveSolids() {
 RobotMotion RandomMotion(std::mt19937& random, const std::vector<Shell>& shells) {
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto anywhere = [&] {
-    return Eigen::Vector3d(0.9 * Eigen::Vector3d(unit(random), unit(random), unit(random)));
+    return Eigen::Vector3d(0.9 * Eigen::Vector3d{unit(random), unit(random), unit(random)});
   };
   RobotMotion motion;
   while (motion.spheres.size() < 3) {

@@ -44,7 +44,7 @@ TEST(BodyQuery, SpheresTouchWhatIsWithinTheirRadius) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> radius(0, 0.25);
   int num_colliding = 0, num_inside = 0, num_clear = 0;
-  for (const Eigen::Vector3d& p : testing::RandomPoints(100, 1.4, 21)) {
+  for (const Eigen::Vector3d& p : testing::RandomPoints(200, 1.4, 21)) {
     const double radius_m = radius(random);
     const testing::BruteNearest nearest = all.Nearest(p);
     const bool touches = nearest.distance_m <= radius_m;
@@ -78,7 +78,7 @@ TEST(BodyQuery, CapsulesTouchWhatIsWithinTheirRadiusOfTheirAxis) {
   std::uniform_real_distribution<double> unit(-1, 1);
   int num_touching = 0, num_clear = 0;
   for (const Eigen::Vector3d& p : testing::RandomPoints(300, 1.4, 8)) {
-    const Capsule capsule{p, p + 0.4 * Eigen::Vector3d(unit(random), unit(random), unit(random)),
+    const Capsule capsule{p, p + 0.4 * Eigen::Vector3d{unit(random), unit(random), unit(random)},
                           0.1 + 0.1 * unit(random)};
     constexpr int kSteps = 100;
     double least_m = std::numeric_limits<double>::infinity(), signed_m = least_m;

@@ -22,8 +22,8 @@ std::vector<Eigen::AlignedBox3f> RandomBoxes(std::size_t count, unsigned seed) {
   std::uniform_real_distribution<float> place(-5, 5), size(0, 1);
   std::vector<Eigen::AlignedBox3f> boxes;
   for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Vector3f low(place(random), place(random), i % 7 == 0 ? 0.5f : place(random));
-    boxes.emplace_back(low, low + Eigen::Vector3f(size(random), size(random), size(random)));
+    const Eigen::Vector3f low{place(random), place(random), i % 7 == 0 ? 0.5f : place(random)};
+    boxes.emplace_back(low, low + Eigen::Vector3f{size(random), size(random), size(random)});
   }
   return boxes;
 }
@@ -62,7 +62,7 @@ TEST(BoxTree, TellsHowFarBoxesAndNodesAre) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> place(-8, 8);
     for (int n = 0; n < 20; ++n) {
-      const Eigen::Vector3f p(place(random), place(random), place(random));
+      const Eigen::Vector3f p{place(random), place(random), place(random)};
       std::map<std::uint32_t, float> found;
       Descend(tree, p, tree.height(), 0, 0, found);
       ASSERT_EQ(found.size(), count);

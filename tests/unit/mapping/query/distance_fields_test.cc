@@ -108,7 +108,7 @@ TEST(NearField, IsWithinItsToleranceOfAllTriangles) {
     ASSERT_NE(field, nullptr);
     ASSERT_FALSE(field->is_far());
     for (int k = 0; k < 10; ++k) {
-      const Eigen::Vector3d offset = kSide_m * Eigen::Vector3d(unit(random), unit(random), unit(random));
+      const Eigen::Vector3d offset = kSide_m * Eigen::Vector3d{unit(random), unit(random), unit(random)};
       const Eigen::Vector3f p = offset.cast<float>();
       const NearField::List list = field->ListOf(field->CubeAt(p));
       ++num_asked;
@@ -186,7 +186,7 @@ TEST(DistanceFields, GoOnThroughRandomEditsAsIfMadeAnew) {
     switch (step % 5) {
       case 0:
         map.FindMutable(any)->mutable_info().T_map_submap.translation() +=
-            0.2 * Eigen::Vector3d(unit(random), unit(random), 0);
+            0.2 * Eigen::Vector3d{unit(random), unit(random), 0};
         break;
       case 1: {
         Submap& clone = *map.Clone(any);
@@ -195,7 +195,7 @@ TEST(DistanceFields, GoOnThroughRandomEditsAsIfMadeAnew) {
         break;
       }
       case 2: {  // one more thing is seen, in the frame of one that is there
-        const Eigen::Vector3d at(unit(random), unit(random), unit(random));
+        const Eigen::Vector3d at{unit(random), unit(random), unit(random)};
         testing::ObserveBand(*map.FindMutable(any), testing::Ball(at, 0.12), testing::CubeAt(at, 0.2));
         break;
       }

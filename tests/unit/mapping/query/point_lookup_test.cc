@@ -133,7 +133,7 @@ TEST(PointLookup, AnswersAlongATrailOfStatesAsFromNothing) {
     num_continued += along.index().num_replaced() > 0;
     int num_observed = 0;
     for (int n = 0; n < 3000; ++n) {
-      const Eigen::Vector3d p(unit(random), unit(random), unit(random) / 8);
+      const Eigen::Vector3d p{unit(random), unit(random), unit(random) / 8};
       const PointInfo a = along.At(p), b = fresh.At(p);
       num_observed += b.is_observed;
       EXPECT_EQ(a.is_observed, b.is_observed);

@@ -32,8 +32,8 @@ SubmapList RandomSubmaps(int count, double spread_m, std::mt19937& random) {
   SubmapList submaps{Solid(1, Transform::Identity())};
   for (int n = 1; n < count; ++n) {
     Transform T = Transform::Identity();
-    T.translate(spread_m * Eigen::Vector3d(unit(random), unit(random), unit(random)));
-    T.rotate(Eigen::AngleAxisd(3 * unit(random), Eigen::Vector3d(unit(random), unit(random), 1).normalized()));
+    T.translate(spread_m * Eigen::Vector3d{unit(random), unit(random), unit(random)});
+    T.rotate(Eigen::AngleAxisd(3 * unit(random), Eigen::Vector3d{unit(random), unit(random), 1}.normalized()));
     submaps.push_back(Solid(static_cast<std::uint32_t>(n + 1), T));
   }
   return submaps;
@@ -68,7 +68,7 @@ TEST(SubmapIndex, VisitsOnlySubmapsWhoseSphereIsNear) {
   std::uniform_real_distribution<double> unit(-10, 10);
   constexpr double kRim_m = 1e-4;  // rounding of single precision, ten times over
   for (int n = 0; n < 500; ++n) {
-    const Eigen::Vector3d p(unit(random), unit(random), unit(random));
+    const Eigen::Vector3d p{unit(random), unit(random), unit(random)};
     std::set<SubmapId> surely, perhaps;
     for (const auto& submap : submaps) {
       const BoundingSphere sphere = submap->BoundingSphereInMap();
@@ -131,7 +131,7 @@ TEST(SubmapIndex, UpdatedOverAndOverEqualsAFreshOne) {
     for (const std::size_t number : moved) {
       Transform T = Transform::Identity();
       const double spread_m = step == 40 ? 500 : 12;  // once far beyond all that was
-      T.translate(spread_m * Eigen::Vector3d(unit(random), unit(random), unit(random)));
+      T.translate(spread_m * Eigen::Vector3d{unit(random), unit(random), unit(random)});
       T.rotate(Eigen::AngleAxisd(3 * unit(random), Eigen::Vector3d::UnitY()));
       submaps[number] = Solid(static_cast<std::uint32_t>(number + 1), T);
     }
@@ -142,7 +142,7 @@ TEST(SubmapIndex, UpdatedOverAndOverEqualsAFreshOne) {
     for (int n = 0; n < 60; ++n) {
       const SubmapIndex::Entry& near = fresh.entries()[random() % submaps.size()];
       const Eigen::Vector3d p =
-          near.submap().BoundingSphereInMap().center_m + Eigen::Vector3d(unit(random), unit(random), unit(random));
+          near.submap().BoundingSphereInMap().center_m + Eigen::Vector3d{unit(random), unit(random), unit(random)};
       EXPECT_EQ(IdsAround(updated, p), IdsAround(fresh, p)) << step;
     }
     std::set<std::uint32_t> all;
@@ -162,7 +162,7 @@ TEST(SubmapIndex, MadeFromAnotherPutsOnlyThoseElsewhereThatAre) {
   for (std::size_t step = 1; step <= 40; ++step) {
     const std::size_t number = random() % submaps.size();
     Transform T = Transform::Identity();
-    T.translate(10 * Eigen::Vector3d(unit(random), unit(random), unit(random)));
+    T.translate(10 * Eigen::Vector3d{unit(random), unit(random), unit(random)});
     submaps[number] = Solid(static_cast<std::uint32_t>(number + 1), T);  // what was there is gone
     last.emplace(SubmapIndex(*last, submaps));
     EXPECT_EQ(last->num_replaced(), step) << "one a step";
@@ -170,7 +170,7 @@ TEST(SubmapIndex, MadeFromAnotherPutsOnlyThoseElsewhereThatAre) {
     ASSERT_EQ(last->entries().size(), fresh.entries().size());
     for (int n = 0; n < 60; ++n) {
       const Eigen::Vector3d p = fresh.entries()[random() % submaps.size()].submap().BoundingSphereInMap().center_m +
-                                Eigen::Vector3d(unit(random), unit(random), unit(random));
+                                Eigen::Vector3d{unit(random), unit(random), unit(random)};
       EXPECT_EQ(IdsAround(*last, p), IdsAround(fresh, p)) << step;
     }
   }

@@ -163,7 +163,7 @@ TEST(SurfaceCache, IncrementalAnswersEqualThoseOfANewCacheOverRandomEdits) {
         if (submaps.size() > 4) (void)map.Remove(id);
         break;
       case 3: {  // a bump
-        const Eigen::Vector3d center(unit(random), unit(random), unit(random));
+        const Eigen::Vector3d center{unit(random), unit(random), unit(random)};
         testing::ObserveBand(*map.FindMutable(id), testing::Ball(center, 0.15), testing::CubeAt(center, 0.3));
         break;
       }

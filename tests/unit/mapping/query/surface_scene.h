@@ -77,8 +77,8 @@ inline Eigen::AlignedBox3d CubeAt(const Eigen::Vector3d& center_m, double half_m
 inline Transform RandomPose(std::mt19937& random, double spread_m) {
   std::uniform_real_distribution<double> unit(-1, 1);
   Transform T = Transform::Identity();
-  T.translate(spread_m * Eigen::Vector3d(unit(random), unit(random), unit(random)));
-  T.rotate(Eigen::AngleAxisd(3 * unit(random), Eigen::Vector3d(unit(random), unit(random), 1.5).normalized()));
+  T.translate(spread_m * Eigen::Vector3d{unit(random), unit(random), unit(random)});
+  T.rotate(Eigen::AngleAxisd(3 * unit(random), Eigen::Vector3d{unit(random), unit(random), 1.5}.normalized()));
   return T;
 }
 
@@ -177,7 +177,7 @@ inline std::vector<Eigen::Vector3d> RandomPoints(int count, double half_m, unsig
   std::uniform_real_distribution<double> unit(-half_m, half_m);
   std::vector<Eigen::Vector3d> points;
   points.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) points.emplace_back(unit(random), unit(random), unit(random));
+  for (int i = 0; i < count; ++i) points.push_back({unit(random), unit(random), unit(random)});  // in this order
   return points;
 }
 

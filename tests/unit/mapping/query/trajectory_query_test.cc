@@ -54,10 +54,10 @@ TEST(SweepQuery, FindsTheFirstTouchThatDenseSamplingFinds) {
   int num_contacts = 0, num_clear = 0;
   for (int round = 0; round < 80; ++round) {
     Knots knots;
-    Eigen::Vector3d p = 0.8 * Eigen::Vector3d(unit(random), unit(random), unit(random));
+    Eigen::Vector3d p = 0.8 * Eigen::Vector3d{unit(random), unit(random), unit(random)};
     for (int h = 0; h < 4; ++h) {
       knots.push_back({static_cast<double>(h), p, 0.1 + 0.05 * unit(random)});
-      p += 0.4 * Eigen::Vector3d(unit(random), unit(random), unit(random));
+      p += 0.4 * Eigen::Vector3d{unit(random), unit(random), unit(random)};
     }
     const double start_m = distances.At(knots[0].center_m).distance_m;
     const SweepAnswer answer = query.First(knots);
@@ -89,8 +89,8 @@ TEST(SweepQuery, NeverTunnelsThroughAThinSheetHoweverFast) {
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int round = 0; round < 200; ++round) {
     const double radius_m = 0.01 + 0.01 * unit(random), speed_m = std::pow(10.0, 1.5 + 1.5 * unit(random));
-    const Eigen::Vector3d through(0.3, 0.8 * unit(random), 0.8 * unit(random));
-    const Eigen::Vector3d way = Eigen::Vector3d(1, 0.3 * unit(random), 0.3 * unit(random)) * speed_m;
+    const Eigen::Vector3d through{0.3, 0.8 * unit(random), 0.8 * unit(random)};
+    const Eigen::Vector3d way = Eigen::Vector3d{1, 0.3 * unit(random), 0.3 * unit(random)} * speed_m;
     const Knots knots = {{0, through - 0.4 * way, radius_m}, {1, through + 0.6 * way, radius_m}};
     const SweepAnswer answer = query.First(knots);
     ASSERT_TRUE(answer.first) << speed_m;

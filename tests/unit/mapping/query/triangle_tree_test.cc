@@ -14,7 +14,7 @@ namespace {
 std::vector<TriangleCorners> RandomTriangles(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-1, 1), size(-0.1f, 0.1f);
-  const auto vector = [&random](auto& range) { return Eigen::Vector3f(range(random), range(random), range(random)); };
+  const auto vector = [&random](auto& range) { return Eigen::Vector3f{range(random), range(random), range(random)}; };
   std::vector<TriangleCorners> triangles;
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3f a = vector(place);
@@ -73,7 +73,7 @@ TEST(TrianglePacket, FindsAlongARayEveryTriangleWhoseBoxItMeets) {
     for (std::size_t aimed_at = 0; aimed_at < TrianglePacket::kLanes; ++aimed_at) {
       const auto& [a, b, c] = triangles[first + aimed_at];
       const Eigen::Vector3f target = 0.3f * a + 0.3f * b + 0.4f * c;
-      Eigen::Vector3f direction = Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized();
+      Eigen::Vector3f direction = Eigen::Vector3f{normal(random), normal(random), normal(random)}.normalized();
       if (aimed_at == 3) direction = Eigen::Vector3f(1e-12f, 1, 1e-12f);  // along an axis
       const Eigen::Vector3f origin = target - 2 * direction;
       const unsigned near = packet.Along(origin, direction.cwiseInverse(), 1e-5f, 1.5f);
