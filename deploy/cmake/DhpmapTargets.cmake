@@ -189,13 +189,17 @@ function(dhpmap_room_of_tests)
   endforeach()
   string(APPEND entry ", \"kinds\": [${kinds_list}], \"environment\": [${ARG_ENVIRONMENT_list}]}")
   set_property(GLOBAL APPEND_STRING PROPERTY dhpmap_rooms_of_tests "${entry},\n")
+  set_property(GLOBAL APPEND PROPERTY dhpmap_targets_of_tests ${ARG_TARGET})
 endfunction()
 
-# dhpmap_write_rooms_of_tests(): tests/rooms.json, of all rooms named so far.
+# dhpmap_write_rooms_of_tests(): tests/rooms.json, of all rooms named so far, and the target `tests`, which builds them.
 function(dhpmap_write_rooms_of_tests)
   get_property(rooms GLOBAL PROPERTY dhpmap_rooms_of_tests)
   string(REGEX REPLACE ",\n$" "" rooms "${rooms}")
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/tests/rooms.json CONTENT "[\n${rooms}\n]\n")
+  get_property(targets GLOBAL PROPERTY dhpmap_targets_of_tests)
+  list(REMOVE_ITEM targets "")
+  add_custom_target(tests DEPENDS ${targets})
 endfunction()
 
 function(dhpmap_tests)

@@ -44,7 +44,7 @@ TEST_F(CommandHelp, EveryProgramTellsTheVersionOfTheProject) {
   const std::string cmake{std::istreambuf_iterator<char>(in), {}};
   std::smatch version;
   ASSERT_TRUE(std::regex_search(cmake, version, std::regex(R"(project\(dhpmap VERSION ([0-9.]+) )")));
-  for (const char* name : {"dhpmap", "dhpmap-server", "dhpmap-simulate", "dhpmap-evaluate", "dhpmap-bench"}) {
+  for (const char* name : {"dhpmap", "dhpmap-server", "dhpmap-simulate", "dhpmap-evaluate"}) {
     const Outcome outcome = RunProgram(temp_->path(), {Program(name), "--version"});
     EXPECT_EQ(outcome.exit_code, 0) << name;
     EXPECT_EQ(outcome.out, name + (" " + version[1].str()) + "\n");
