@@ -53,6 +53,7 @@ class Sanitizers:
         return self.until is not None and time.time() >= self.until
 
     def run(self):
+        os.makedirs(os.path.join(ROOT, "build"), exist_ok=True)
         for preset, room in self.plan():
             if self.is_over():
                 self.left.append(f"{preset} {room}")
