@@ -108,7 +108,7 @@ void VisitFields(Config& c, Visitor&& visit) {
   visit("integration.max_weight", c.integration.max_weight, 1e-3, 1e9, "cap of a voxel's weight");
   visit("integration.weight_dropoff", c.integration.weight_dropoff, 0.0, 1.0, "fade the weight behind the surface");
   visit("integration.anti_grazing", c.integration.anti_grazing, 0.0, 1.0,
-        "rays skip voxels in which others of their segment end");
+        "rays skip voxels in which other rays of their segment end");
   visit("integration.carving", c.integration.carving, 0.0, 1.0, "also update free space along the ray");
   visit("tracking.iou_threshold", c.tracking.iou_threshold, 0.0, 1.0, "a segment joins a submap only above this IoU");
   visit("tracking.depth_tolerance_vox", c.tracking.depth_tolerance_vox, 0.0, 100.0,
@@ -116,31 +116,32 @@ void VisitFields(Config& c, Visitor&& visit) {
   visit("tracking.match_requires_class", c.tracking.match_requires_class, 0.0, 1.0,
         "things only match submaps of their own class");
   visit("tracking.min_score", c.tracking.min_score, 0.0, 1.0,
-        "segments that the network is less sure of, by score or class_scores, are geometry only; those without always "
-        "count");
+        "segments below this score are fused as geometry without a label; no score counts as 1");
   visit("tracking.weigh_scores", c.tracking.weigh_scores, 0.0, 1.0,
-        "what is seen of a segment counts as its score, or its class_scores, say");
+        "a segment's label counts in proportion to its score or class_scores");
   visit("tracking.split_gap_vox", c.tracking.split_gap_vox, 0.0, 1000.0,
-        "parts of a thing's segment farther apart are matched one by one; 0 = never");
-  visit("tracking.min_points_stuff", c.tracking.min_points_stuff, 1.0, 1e9, "points a new background submap needs");
-  visit("tracking.min_points_small", c.tracking.min_points_small, 1.0, 1e9, "points a new small thing needs");
-  visit("tracking.min_points_medium", c.tracking.min_points_medium, 1.0, 1e9, "points a new medium thing needs");
-  visit("tracking.min_points_large", c.tracking.min_points_large, 1.0, 1e9, "points a new large thing needs");
+        "parts of a thing's segment farther apart are matched separately; 0 = never");
+  visit("tracking.min_points_stuff", c.tracking.min_points_stuff, 1.0, 1e9,
+        "points that a new background submap needs");
+  visit("tracking.min_points_small", c.tracking.min_points_small, 1.0, 1e9, "points that a new small thing needs");
+  visit("tracking.min_points_medium", c.tracking.min_points_medium, 1.0, 1e9, "points that a new medium thing needs");
+  visit("tracking.min_points_large", c.tracking.min_points_large, 1.0, 1e9, "points that a new large thing needs");
   visit("activity.required_reobservations", c.activity.required_reobservations, 0.0, 1e6,
-        "of a new thing before it is confirmed");
+        "observations that confirm a new thing");
   visit("activity.deactivate_after_missed", c.activity.deactivate_after_missed, 1.0, 1e6,
-        "consecutive frames without a matching segment");
+        "consecutive frames without a matching segment until a submap is inactive");
   visit("refinement.every_frames", c.refinement.every_frames, 0.0, 1e6,
-        "frames between refinements of what has settled; 0 = only at FinishMapping");
-  visit("refinement.management", c.refinement.management, 0.0, 1.0, "each position goes to one submap");
-  visit("refinement.crf", c.refinement.crf, 0.0, 1.0, "labels are made to agree with their surroundings");
+        "frames between refinements of inactive submaps; 0 = only at FinishMapping");
+  visit("refinement.management", c.refinement.management, 0.0, 1.0,
+        "label management: each voxel position goes to one submap");
+  visit("refinement.crf", c.refinement.crf, 0.0, 1.0, "run the CRF: labels follow shape and colour");
   visit("refinement.drop_voxel_labels", c.refinement.drop_voxel_labels, 0.0, 1.0,
-        "at FinishMapping keep only the labels of submaps");
-  visit("refinement.crf_iterations", c.refinement.crf_iterations, 1.0, 100.0, "of mean field");
+        "FinishMapping drops the labels of voxels and keeps those of submaps");
+  visit("refinement.crf_iterations", c.refinement.crf_iterations, 1.0, 100.0, "iterations of mean field");
   visit("refinement.evidence_radius_m", c.refinement.evidence_radius_m, 0.0, 1e3,
-        "up to where what was seen at the surface is evidence for others, 8 voxels at most; 0 = for itself alone");
+        "a voxel uses labels of surface voxels within this radius, 8 voxels at most; 0 = its own");
   visit("refinement.least_apart_voxels", c.refinement.least_apart_voxels, 0.0, 1e9,
-        "voxels at the surface that a part of a thing that lies apart needs to become one at FinishMapping; 0 = never");
+        "surface voxels that make a separate part of a thing its own thing at the end; 0 = never");
   visit("refinement.smoothness.position_m", c.refinement.smoothness.position_m, 1e-3, 1e3,
         "standard deviation of the smoothness kernel");
   visit("refinement.smoothness.weight", c.refinement.smoothness.weight, 0.0, 1e3,
@@ -150,9 +151,9 @@ void VisitFields(Config& c, Visitor&& visit) {
   visit("refinement.appearance.color", c.refinement.appearance.color, 0.1, 1e3,
         "standard deviation of the appearance kernel in red, green and blue of 0 to 255");
   visit("refinement.appearance.weight", c.refinement.appearance.weight, 0.0, 1e3,
-        "how strongly voxels of like colour should agree");
-  visit("space.free", c.space.free, 0.0, 1.0, "keep which voxels were looked through, to tell free from unknown");
-  visit("space.gone", c.space.gone, 0.0, 1.0, "leave out of answers what sensors look through: it is no longer there");
+        "how strongly voxels of similar colour should agree");
+  visit("space.free", c.space.free, 0.0, 1.0, "store which voxels sensors looked through, to tell free from unknown");
+  visit("space.gone", c.space.gone, 0.0, 1.0, "leave out surfaces that sensors have looked through since");
 }
 
 /// Every key with its value as text, in the order of VisitFields. SetField undoes it exactly.

@@ -95,86 +95,84 @@ struct ServerConfig {
 /// for text and switches. The one list of keys: file, environment, flags and --print-config all go through it.
 template <typename Config, typename Visitor>
 void VisitServerFields(Config& c, Visitor&& visit) {
-  visit("db", c.db, 0, 0, "the SQLite file with the maps; required to serve");
-  visit("insecure", c.insecure, 0, 0,
-        "allow addresses that other machines can reach, although there is no TLS and no authentication");
-  visit("grpc.address", c.grpc.address, 0, 0, "host:port; port 0 takes a free one");
+  visit("db", c.db, 0, 0, "SQLite file of the maps; required to serve");
+  visit("insecure", c.insecure, 0, 0, "allow addresses that other machines can reach, without TLS and authentication");
+  visit("grpc.address", c.grpc.address, 0, 0, "host:port; port 0 takes a free port");
   visit("grpc.max_message_mib", c.grpc.max_message_mib, 1, 2047,
-        "MiB; a larger request is refused, and one without long lists beyond 1 MiB");
-  visit("grpc.num_threads", c.grpc.num_threads, 1, 256, "threads that answer what is quick");
+        "MiB; larger requests are refused; requests without long lists are limited to 1 MiB");
+  visit("grpc.num_threads", c.grpc.num_threads, 1, 256, "threads of the quick lane");
   visit("grpc.bulk_threads", c.grpc.bulk_threads, 0, 256,
-        "threads for meshes, voxels and many points, at lower priority; 0 = one a core");
-  visit("grpc.max_connections", c.grpc.max_connections, 1, 1e6, "one more is closed at once");
+        "threads for meshes, voxels and large queries, at lower priority; 0 = one per core");
+  visit("grpc.max_connections", c.grpc.max_connections, 1, 1e6, "further connections are closed at once");
   visit("grpc.keepalive_s", c.grpc.keepalive_s, 1, 86400,
-        "s of silence after which a client is asked whether it is there, and again until it is given up");
-  visit("http.address", c.http.address, 0, 0, "host:port; port 0 takes a free one");
+        "s of silence before a client is probed, and again before it is given up");
+  visit("http.address", c.http.address, 0, 0, "host:port; port 0 takes a free port");
   visit("http.max_body_mib", c.http.max_body_mib, 1, 2047,
-        "MiB; a larger body is refused, and one without long lists beyond 1 MiB");
+        "MiB; larger bodies are refused; requests without long lists are limited to 1 MiB");
   visit("http.num_threads", c.http.num_threads, 1, 256, "threads of the REST door");
   visit("http.allowed_hosts", c.http.allowed_hosts, 0, 0,
-        "names that requests may be for besides the address and localhost, separated by commas");
-  visit("http.max_connections", c.http.max_connections, 1, 1e6, "the idlest is closed for one more; if none is, 503");
-  visit("http.idle_timeout_s", c.http.idle_timeout_s, 0.1, 86400, "s; a connection without a request is closed then");
-  visit("http.head_timeout_s", c.http.head_timeout_s, 0.1, 3600, "s that a request's head may take to arrive");
+        "comma-separated Host names that are accepted besides the address and localhost");
+  visit("http.max_connections", c.http.max_connections, 1, 1e6,
+        "beyond it the longest idle connection is closed; if none is idle, 503");
+  visit("http.idle_timeout_s", c.http.idle_timeout_s, 0.1, 86400,
+        "s; a connection without a request is closed after this");
+  visit("http.head_timeout_s", c.http.head_timeout_s, 0.1, 3600, "s that a request's header may take to arrive");
   visit("log.level", c.log.level, 0, 0, "debug, info, warning, error or off");
-  visit("log.json", c.log.json, 0, 0, "write one JSON object a line");
+  visit("log.json", c.log.json, 0, 0, "write one JSON object per line");
   visit("mapping.num_threads", c.mapping.num_threads, 0, 256,
-        "threads of fusion, of all maps together; 0 = one a core");
-  visit("mapping.publish_frames", c.mapping.publish_frames, 1, 1e6, "queries see frames after so many of them");
+        "threads of fusion, shared by all maps; 0 = one per core");
+  visit("mapping.publish_frames", c.mapping.publish_frames, 1, 1e6, "queries see a new state after this many frames");
   visit("mapping.publish_s", c.mapping.publish_s, 0, 3600,
-        "s; or after so long; while planners ask for distances, up to twice that");
+        "s; or after this long; up to twice as long while planners ask for distances");
   visit("mapping.max_frames_in_flight", c.mapping.max_frames_in_flight, 1, 1000,
-        "of a stream, read but not yet acknowledged; then the client has to wait");
+        "unacknowledged frames per stream; then the client waits");
   visit("mapping.feed_idle_s", c.mapping.feed_idle_s, 0, 86400,
-        "s of silence after which a stream makes place for another, or for the deletion of its map");
+        "s of silence after which a stream may be replaced, or its map deleted");
   visit("mapping.max_feeds", c.mapping.max_feeds, 1, 64, "named sessions that may feed one map at once");
   visit("mapping.reproducible", c.mapping.reproducible, 0, 0,
-        "frames wait for refinements that cannot keep up, so that the same frames give the same map");
-  visit(
-      "mapping.record_dir", c.mapping.record_dir, 0, 0,
-      "folder in which frames and edits are kept as they came, a file a map, for dhpmap replay; empty = they are not");
+        "frames wait for refinement, so that the same frames always give the same map");
+  visit("mapping.record_dir", c.mapping.record_dir, 0, 0,
+        "folder that records frames and edits for `dhpmap replay`, a file per map; empty = off");
   visit("mapping.record_mib", c.mapping.record_mib, 1, 1e6,
-        "MiB that all records in the folder may take; then recording stops, and mapping goes on");
+        "MiB for all records in the folder; beyond it recording stops, mapping continues");
   visit("maps.idle_close_s", c.maps.idle_close_s, 0, 1e6,
-        "s after which a map that nobody uses is closed, and its memory freed; 0 = never");
-  visit("store.commit_frames", c.store.commit_frames, 1, 1e6, "frames go to the store after so many of them");
-  visit("store.commit_s", c.store.commit_s, 0, 3600, "s; or after so long");
-  visit("store.retry_s", c.store.retry_s, 0.01, 3600, "s between attempts while the store refuses");
+        "s after which an unused map is closed and its memory freed; 0 = never");
+  visit("store.commit_frames", c.store.commit_frames, 1, 1e6, "frames are stored after this many");
+  visit("store.commit_s", c.store.commit_s, 0, 3600, "s; or after this long");
+  visit("store.retry_s", c.store.retry_s, 0.01, 3600, "s between attempts while the store fails");
   visit("store.max_behind_s", c.store.max_behind_s, 0, 86400,
-        "s that fused frames may wait to be stored; then further ones are refused, and /readyz says so");
-  visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000, "ms to wait for another reader of the file");
+        "s that fused frames may stay unstored; then new frames are refused and /readyz fails");
+  visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000,
+        "ms to wait for another process that has the file locked");
   visit("store.memory_budget_mib", c.store.memory_budget_mib, 0, 1e8,
-        "MiB of voxels in memory, of all maps together: they are read when they are needed, and left on the disk near "
-        "it, what was mapped since it was read in a file without a name beside the database; requests that would hold "
-        "more than half of it, or 64 MiB if that is more, are refused. 0 = maps are read as a whole");
-  visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "of all maps together; more are refused");
+        "MiB of voxels in memory, of all maps together, read on demand; 0 = whole maps are read");
+  visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "watchers of all maps together; more are refused");
   visit("watch.history_changes", c.watch.history_changes, 1, 1e9,
-        "commits whose changes are kept of each map, for who watches it from then on");
-  visit("watch.history_mib", c.watch.history_mib, 1, 1e6, "MiB that these may take of each map in the file");
-  visit("watch.history_s", c.watch.history_s, 0, 1e9, "s that they are kept");
+        "commits per map whose changes are kept for watchers that resume");
+  visit("watch.history_mib", c.watch.history_mib, 1, 1e6, "MiB per map for these in the file");
+  visit("watch.history_s", c.watch.history_s, 0, 1e9, "s that these are kept");
   visit("edits.log_edits", c.edits.log_edits, 1, 1e9,
-        "edits that the log of each map keeps, with what their requests were answered");
-  visit("edits.log_mib", c.edits.log_mib, 1, 1e6, "MiB that these may take of each map in the file");
-  visit("edits.log_s", c.edits.log_s, 0, 1e9, "s that they are kept");
-  visit("edits.history_edits", c.edits.history_edits, 0, 1e6, "edits of each map that can be undone; 0 = none");
-  visit("edits.history_mib", c.edits.history_mib, 0, 1e6, "MiB that what it takes to undo them may take of each map");
-  visit("edits.history_s", c.edits.history_s, 0, 1e9, "s that it is kept");
+        "edits per map that the log keeps, with the answers to their requests");
+  visit("edits.log_mib", c.edits.log_mib, 1, 1e6, "MiB per map for the log in the file");
+  visit("edits.log_s", c.edits.log_s, 0, 1e9, "s that log entries are kept");
+  visit("edits.history_edits", c.edits.history_edits, 0, 1e6, "edits per map that can be undone; 0 = none");
+  visit("edits.history_mib", c.edits.history_mib, 0, 1e6, "MiB per map for what undoing them takes");
+  visit("edits.history_s", c.edits.history_s, 0, 1e9, "s that edits can be undone");
   visit("history.kept_states", c.history.kept_states, 0, 1e5,
-        "states of each open map, of those stored last, that can be read and restored; 0 = none but the present one");
+        "past states of each open map that can be read and restored; 0 = none");
   visit("history.kept_states_mib", c.history.kept_states_mib, 0, 1e6,
-        "MiB of memory for what these have that later ones do not share, of all maps together; the oldest go first");
+        "MiB for what only past states hold, of all maps together; the oldest are evicted");
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
-  visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "of a map; more are refused");
+  visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "waiting edits per map; more are refused");
   visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,
-        "MiB of requests and answers in memory at once, at both doors together; more are refused. A quarter is for "
-        "what gRPC holds; frames have three quarters as much of their own, which no other call can take from a robot");
+        "MiB of requests and answers in memory, both doors together; frames have 3/4 as much more");
   visit("limits.surface_mib", c.limits.surface_mib, 16, 1e6,
-        "MiB of surfaces kept for distances, of all maps together; those not asked about for longest go first");
+        "MiB of cached surfaces for queries, of all maps together; unused ones are evicted");
   visit("limits.import_mib", c.limits.import_mib, 1, 1e7,
-        "MiB that the file of a map that comes in may have; it takes twice as much of the disk");
+        "MiB of an imported map file; importing takes twice as much disk");
   visit("limits.import_idle_s", c.limits.import_idle_s, 0.1, 86400,
-        "s that one that comes in may be behind 16 KiB/s, all in all");
-  visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at the end");
+        "s that an import may lag behind 16 KiB/s in total");
+  visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at shutdown");
 }
 
 /// "DHPMAP_GRPC_ADDRESS" for "grpc.address".

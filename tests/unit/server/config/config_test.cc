@@ -86,6 +86,19 @@ TEST(ConfigLoader, TheShippedFileListsEveryKeyWithItsDefault) {
   EXPECT_NE(text->find(ToYaml(ServerConfig{})), std::string::npos) << "the comments differ from --print-config";
 }
 
+TEST(ConfigLoader, EveryKeyIsExplainedInOneShortLine) {
+  int num_keys = 0;
+  const auto look = [&](const char* key, auto&, double, double, const std::string& help) {
+    ++num_keys;
+    EXPECT_FALSE(help.empty()) << key;
+    EXPECT_LE(help.size(), 100u) << key << ": " << help;
+  };
+  ServerConfig config;
+  VisitServerFields(config, look);
+  VisitFields(config.map_defaults, look);
+  EXPECT_GT(num_keys, 80);
+}
+
 TEST(ConfigLoader, UnknownKeysAndBadValuesAreNamedTogether) {
   const auto values = ParseYaml(
       "db: x.db\ngrpc: {adress: a, num_threads: many}\nmap_defaults:\n  voxel_size_m: small\n  voxel: 1\nnope: 3\n"
