@@ -193,7 +193,7 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
     if (!attached.ok()) return ReportLocalError(attached.status().message(), ExitCode::kUsage);
     *options.add_attached() = *attached;
     for (const std::int64_t other : flags.may_touch) {
-      v1::ContactPair& pair = *options.add_ignored_contacts();
+      v1::AllowedCollision& pair = *options.add_allowed_collisions();
       pair.set_attached(SubmapName(flags.check.map, id));
       pair.set_submap(SubmapName(flags.check.map, other));
     }

@@ -149,7 +149,7 @@ Status CheckTaken(const v1::QueryOptions& options, TakenOptions taken) {
   for (int i = 0; i < options.attached_size() && !taken.carries; ++i) {
     if (options.attached(i).has_pose()) return NotTaken(Item("options.attached", i) + ".pose");
   }
-  if (options.ignored_contacts_size() > 0 && !taken.carries) return NotTaken("options.ignored_contacts");
+  if (options.allowed_collisions_size() > 0 && !taken.carries) return NotTaken("options.allowed_collisions");
   if (options.has_max_age_s() && !taken.max_age) return NotTaken("options.max_age_s");
   if (!v1::Vacated::Policy_IsValid(options.vacated())) {
     return BadOption("BAD_FILTER", "options.vacated", "is none of those there are");
@@ -182,10 +182,10 @@ Result<std::vector<CarriedSubmap>> CarriedFromProto(const v1::QueryOptions& opti
     DHPMAP_ASSIGN_OR_RETURN(one.T_robot_submap, TransformFromProto(options.attached(item).pose(),
                                                                    Item("options.attached", item) + ".pose"));
   }
-  const std::string list = "options.ignored_contacts";
-  DHPMAP_RETURN_IF_ERROR(CheckLength(list, options.ignored_contacts_size()));
-  for (int i = 0; i < options.ignored_contacts_size(); ++i) {
-    const v1::ContactPair& pair = options.ignored_contacts(i);
+  const std::string list = "options.allowed_collisions";
+  DHPMAP_RETURN_IF_ERROR(CheckLength(list, options.allowed_collisions_size()));
+  for (int i = 0; i < options.allowed_collisions_size(); ++i) {
+    const v1::AllowedCollision& pair = options.allowed_collisions(i);
     const std::string item = Item(list, i);
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, SubmapFromProto(pair.attached(), item + ".attached", map));
     const auto one =

@@ -164,7 +164,7 @@ TEST_F(ChecksTest, WhatIsAttachedIsNotInTheWayOfTheRobot) {
   ASSERT_EQ(low.results(0).contacts_size(), 1);
   EXPECT_EQ(low.results(0).contacts(0).attached(), ball);
   EXPECT_EQ(low.results(0).contacts(0).sphere(), -1);
-  v1::ContactPair& pair = *trajectory.mutable_options()->add_ignored_contacts();
+  v1::AllowedCollision& pair = *trajectory.mutable_options()->add_allowed_collisions();
   pair.set_attached(ball);
   pair.set_submap(low.results(0).contacts(0).contact().submap());
   const v1::CheckTrajectoryResponse ignored = Go();
@@ -201,7 +201,7 @@ TEST_F(ChecksTest, BadBodiesAreNamed) {
       {[](auto& r) { r.set_max_contacts(2); }, "max_contacts"},
       {[](auto& r) { r.set_all_contacts(true), r.set_max_contacts(1001); }, "max_contacts"},
       {[](auto& r) { r.set_all_contacts(true), r.set_packed(true); }, "all_contacts"},
-      {[](auto& r) { r.mutable_options()->add_ignored_contacts(); }, "options.ignored_contacts"},
+      {[](auto& r) { r.mutable_options()->add_allowed_collisions(); }, "options.allowed_collisions"},
       {[](auto& r) {
          r.mutable_options()->add_attached()->set_submap("maps/room/submaps/1");
          r.mutable_options()->mutable_attached(0)->mutable_pose();
@@ -266,8 +266,8 @@ TEST_F(ChecksTest, BadTrajectoriesAreNamed) {
       {packed(attach), "packed_attached_poses has 0 values"},
       {packed([&](auto& r) { attach(r), r.mutable_packed_attached_poses()->Resize(14, 0); }),
        "packed_attached_poses pose 0"},
-      {packed([](auto& r) { r.mutable_options()->add_ignored_contacts()->set_attached("maps/room/submaps/1"); }),
-       "options.ignored_contacts[0].attached is not attached"},
+      {packed([](auto& r) { r.mutable_options()->add_allowed_collisions()->set_attached("maps/room/submaps/1"); }),
+       "options.allowed_collisions[0].attached is not attached"},
       {packed(
            [&](auto& r) { attach(r), r.mutable_options()->mutable_attached(0)->mutable_pose()->mutable_rotation(); }),
        "options.attached[0].pose"},

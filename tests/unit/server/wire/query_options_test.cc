@@ -140,7 +140,7 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
       {[](auto& o) { o.set_tolerance_vox(NAN); }, "options.tolerance_vox", "BAD_FILTER"},
       {[](auto& o) { o.set_min_revision(-1); }, "options.min_revision", "BAD_FILTER"},
       {[](auto& o) { o.set_unknown_policy(v1::QueryOptions::OCCUPIED); }, "options.unknown_policy", "BAD_FILTER"},
-      {[](auto& o) { o.add_ignored_contacts(); }, "options.ignored_contacts", "BAD_FILTER"},
+      {[](auto& o) { o.add_allowed_collisions(); }, "options.allowed_collisions", "BAD_FILTER"},
       {[](auto& o) {
          o.add_attached()->set_submap("maps/home/submaps/1");
          o.mutable_attached(0)->mutable_pose();
