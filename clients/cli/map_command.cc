@@ -218,8 +218,7 @@ void AddMapCommand(CLI::App& app, Session& session) {
                     "Keep LiDAR points that the data set's labels call moving or unlabelled");
   command->add_flag("--no-finish", options->no_finish, "Leave the session open: do not call FinishMapping at the end");
   command->add_option("--session", options->session,
-                      "Name of this session of frames: the server remembers how far it has got, so that running the "
-                      "command again, or a lost connection, goes on with the frames that it has not stored");
+                      "Name of this stream: after a lost connection, or when run again, it goes on where it was");
   command->add_option("--reconnect-s", options->reconnect_s, "In a session: how long to try after a lost connection")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

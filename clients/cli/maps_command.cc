@@ -250,9 +250,8 @@ void AddMapsCommands(CLI::App& app, Session& session) {
   create->callback([options, &session] { session.exit_code = RunCreate(session, *options); });
   AddMapFileCommands(*maps, session);
   AddNamed(app, "stats", "What a map holds and what it costs", session, RunStats);
-  AddNamed(app, "finish",
-           "End a mapping session: all things settle, everything is committed; Ctrl-C leaves the map as it was",
-           session, RunFinish);
+  AddNamed(app, "finish", "End mapping: refine and store everything; Ctrl-C leaves the map as it was", session,
+           RunFinish);
 }
 
 }  // namespace dhpmap

@@ -28,12 +28,12 @@ Status CheckClasses(const v1::Map& map, const Dataset& dataset) {
 }  // namespace
 
 void AddNewMapOptions(CLI::App& command, NewMap& map) {
-  command.add_option("--preset", map.preset, "Of a new map: indoor or outdoor_lidar; default: what fits the data set");
-  std::string keys;
-  for (const std::string& key : SettingKeys()) keys += " " + key;
-  command.add_option("--set", map.settings, "Of a new map: KEY=VALUE, may be repeated; keys:" + keys)
+  command.add_option("--preset", map.preset, "For a new map: indoor or outdoor_lidar; default: what fits the data set");
+  command
+      .add_option("--set", map.settings,
+                  "For a new map: KEY=VALUE, may be repeated; keys: map_defaults in deploy/dhpmap.yaml")
       ->allow_extra_args(false);
-  command.add_option("--display-name", map.display_name, "Of a new map");
+  command.add_option("--display-name", map.display_name, "For a new map: its name for people");
 }
 
 Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset) {

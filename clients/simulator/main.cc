@@ -61,7 +61,7 @@ int Run(int argc, char** argv) {
   app.add_option("--width", options.width_px, "Pixels")->capture_default_str();
   app.add_option("--height", options.height_px, "Pixels")->capture_default_str();
   app.add_option("--change", options.num_changed,
-                 "Walk twice, with so many things moved and as many taken away in between; changes.json says which")
+                 "Walk twice; so many things are moved and as many taken away in between; see changes.json")
       ->capture_default_str();
   app.add_option("--noise", options.noise_level, "How much depth and predictions err, 0 to 5")->capture_default_str();
   app.add_flag("--no-noise", no_noise, "Exact depth");

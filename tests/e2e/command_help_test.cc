@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -49,6 +50,17 @@ TEST_F(CommandHelp, EveryProgramTellsTheVersionOfTheProject) {
     EXPECT_EQ(outcome.exit_code, 0) << name;
     EXPECT_EQ(outcome.out, name + (" " + version[1].str()) + "\n");
   }
+}
+
+TEST_F(CommandHelp, ThePageOfCommandsSaysWhatProgramsSay) {
+  std::ifstream in(SourceDir() / "docs/cli.md");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  const std::string bin = std::filesystem::path(Program("dhpmap")).parent_path();
+  const Outcome outcome = RunProgram(temp_->path(), {SourceDir() / "docs/make_cli_page.py", bin});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, page) << "docs/make_cli_page.py says how to make it anew";
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 140u) << line;
 }
 
 TEST_F(CommandHelp, ATypoSaysWhatWasNear) {
