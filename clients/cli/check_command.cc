@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/cli/allow_flags.h"
 #include "clients/cli/connection.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
@@ -22,6 +23,7 @@ struct CheckFlags {
   std::string map;
   QueryFlags query;
   v1::QueryOptions::UnknownPolicy unknown = v1::QueryOptions::OCCUPIED;
+  AllowFlags allow;
   double padding_m = 0;
   bool all_contacts = false;
 };
@@ -36,6 +38,7 @@ struct TrajectoryFlags {
   CheckFlags check;
   std::vector<double> waypoints, robot;
   std::vector<std::int64_t> attached, may_touch;
+  bool with_clearance = false;
 };
 
 void AddCheckFlags(CLI::App& command, CheckFlags& flags) {
@@ -48,10 +51,11 @@ void AddCheckFlags(CLI::App& command, CheckFlags& flags) {
   command.add_flag("--all", flags.all_contacts, "Tell all contacts");
 }
 
-v1::QueryOptions OptionsToProto(const CheckFlags& flags) {
+Result<v1::QueryOptions> OptionsToProto(const CheckFlags& flags) {
   v1::QueryOptions options = ToProto(flags.query, flags.map);
   options.set_unknown_policy(flags.unknown);
   options.mutable_padding()->set_default_m(flags.padding_m);
+  DHPMAP_RETURN_IF_ERROR(AddAllowed(flags.allow, flags.map, options));
   return options;
 }
 
@@ -111,7 +115,10 @@ ExitCode RunCollisions(const Session& session, const CollisionFlags& flags) {
     *capsule.mutable_b_m() = Vector(&flags.capsules[i + 3]);
     capsule.set_radius_m(flags.capsules[i + 6]);
   }
-  *request.mutable_options() = OptionsToProto(flags.check);
+  request.mutable_body_links()->Assign(flags.check.allow.links.begin(), flags.check.allow.links.end());
+  const auto options = OptionsToProto(flags.check);
+  if (!options.ok()) return ReportLocalError(options.status().message(), ExitCode::kUsage);
+  *request.mutable_options() = *options;
   request.set_read_revision(flags.check.query.world.asker.read_revision);
   request.set_all_contacts(flags.check.all_contacts);
   grpc::ClientContext context;
@@ -122,6 +129,25 @@ ExitCode RunCollisions(const Session& session, const CollisionFlags& flags) {
   if (session.json) PrintJson(response);
   else PrintTable(response);
   return ExitCode::kOk;
+}
+
+std::string PartOf(int sphere, const std::string& attached) {
+  return sphere >= 0 ? "sphere " + std::to_string(sphere) : attached;
+}
+
+void PrintClearances(const v1::CheckTrajectoryResponse& response) {
+  TextTable table({"CLEARANCE_M", "WAYPOINT", "FRACTION", "PART", "POINT_M", "INSTANCE", "CLASS"});
+  for (const v1::TrajectoryResult& result : response.results()) {
+    if (!result.has_clearance()) {
+      table.Add({"-", "-", "-", "-", "-", "-", "-"});
+      continue;
+    }
+    const v1::Clearance& least = result.clearance();
+    table.Add({Fixed(least.distance_m(), 4), std::to_string(least.waypoint()), Fixed(least.fraction(), 3),
+               PartOf(least.sphere(), least.attached()), Text(least.point_m()), std::to_string(least.instance_id()),
+               least.class_name().empty() ? "-" : least.class_name()});
+  }
+  table.Print(std::cout);
 }
 
 void PrintTable(const v1::CheckTrajectoryResponse& response) {
@@ -136,9 +162,8 @@ void PrintTable(const v1::CheckTrajectoryResponse& response) {
     }
     for (const v1::TrajectoryContact& contact : result.contacts()) {
       std::vector<std::string> all = row;
-      all.insert(all.end(),
-                 {std::to_string(contact.waypoint()), Fixed(contact.fraction(), 3),
-                  contact.sphere() >= 0 ? "sphere " + std::to_string(contact.sphere()) : contact.attached()});
+      all.insert(all.end(), {std::to_string(contact.waypoint()), Fixed(contact.fraction(), 3),
+                             PartOf(contact.sphere(), contact.attached())});
       Add(std::move(all), &contact.contact(), table);
     }
   }
@@ -181,8 +206,11 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
     pose.mutable_rotation()->set_z(std::sin(half_rad));
     pose.mutable_rotation()->set_w(std::cos(half_rad));
   }
+  request.mutable_sphere_links()->Assign(flags.check.allow.links.begin(), flags.check.allow.links.end());
+  const auto common = OptionsToProto(flags.check);
+  if (!common.ok()) return ReportLocalError(common.status().message(), ExitCode::kUsage);
   v1::QueryOptions& options = *request.mutable_options();
-  options = OptionsToProto(flags.check);
+  options = *common;
   for (const std::int64_t id : flags.attached) {
     grpc::Status status;
     v1::GetSubmapRequest taken;
@@ -200,6 +228,7 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
   }
   request.set_read_revision(flags.check.query.world.asker.read_revision);
   request.set_all_contacts(flags.check.all_contacts);
+  request.set_include_clearance(flags.with_clearance);
   grpc::ClientContext context;
   v1::CheckTrajectoryResponse response;
   const grpc::Status status =
@@ -207,6 +236,7 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
   else PrintTable(response);
+  if (flags.with_clearance && !session.json) PrintClearances(response);
   return ExitCode::kOk;
 }
 
@@ -219,6 +249,7 @@ void AddCheckCommands(CLI::App& query, Session& session) {
   collisions->add_option("spheres", collision->spheres, "X Y Z RADIUS [X Y Z RADIUS ...], in m");
   collisions->add_option("--box", collision->boxes, "X Y Z of the middle and three sizes [...]: along the map's axes");
   collisions->add_option("--capsule", collision->capsules, "X Y Z X Y Z RADIUS [...]");
+  AddAllowFlags(*collisions, "body", collision->check.allow);
   AddCheckFlags(*collisions, collision->check);
   collisions->callback([collision, &session] { session.exit_code = RunCollisions(session, *collision); });
 
@@ -229,6 +260,8 @@ void AddCheckCommands(CLI::App& query, Session& session) {
   trajectory->add_option("--robot", motion->robot, "X Y Z RADIUS [...]: its spheres, in its own frame");
   trajectory->add_option("--attached", motion->attached, "Ids of objects that it takes up at the first");
   trajectory->add_option("--may-touch", motion->may_touch, "Ids of objects that these may touch");
+  trajectory->add_flag("--clearance", motion->with_clearance, "Tell how near it comes to surfaces, where and whose");
+  AddAllowFlags(*trajectory, "sphere of the robot", motion->check.allow);
   AddCheckFlags(*trajectory, motion->check);
   trajectory->callback([motion, &session] { session.exit_code = RunTrajectory(session, *motion); });
 }

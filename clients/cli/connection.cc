@@ -17,6 +17,8 @@ void PrintDetails(const grpc::Status& status) {
   const ErrorDetails details = ReadErrorDetails(status.error_details());
   if (!details.reason.empty()) std::cerr << "  reason: " << details.reason << "\n";
   for (const FieldViolation& violation : details.violations) {
+    const std::string& message = status.error_message();  // which says the first
+    if (message.find(violation.field + ": " + violation.description) != std::string::npos) continue;
     std::cerr << "  " << Printable(violation.field) << ": " << Printable(violation.description) << "\n";
   }
 }

@@ -82,7 +82,7 @@ std::vector<BodyContact> BodyQuery::Contacts(const Capsule& capsule, std::size_t
   contacts.push_back(ContactOf(nearest, capsule.radius_m));
   DistanceOptions others{.max_distance_m = capsule.radius_m, .scope = options_.scope};
   while (contacts.size() < max_contacts && SpendOf(work, kSearchWork)) {
-    others.scope.excluded_submaps.push_back(contacts.back().submap->id);
+    others.scope.may_touch.push_back(contacts.back().submap->id);
     const SurfaceDistance next = DistanceQuery(world_.shared_surfaces(), others).At(capsule.a_m);
     if (next.submap == nullptr) break;
     contacts.push_back(ContactOf(next, capsule.radius_m));
@@ -135,6 +135,7 @@ template <typename Shape>
 void BodyQuery::AddUnseen(const Shape& body, BodyAnswer& answer, WorkBudget* work) const {
   if (options_.unknown == UnknownSpace::kFree) return;
   const auto visit = [&](VoxelIndex voxel) {
+    if (IsAllowed(world_, voxel, options_.max_distance_m, work)) return true;
     answer.is_unknown = true;
     answer.contacts.push_back({.point_m = VoxelCentre(voxel, world_.voxel_size_m())});
     return false;

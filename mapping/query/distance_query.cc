@@ -270,7 +270,7 @@ bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell
   if (list.count == 0) return false;
   const NearField::Nearest nearest = cell.field->Find(p, list);
   NearestSurface found{.is_any = true, .number = cell.numbers[nearest.submap], .is_behind = nearest.is_behind};
-  if (!world_.Holds(found.number) || !world_.HoldsAll(cell.field->needed(nearest.submap))) return false;
+  if (!world_.IsInTheWay(found.number) || !world_.HoldsAll(cell.field->needed(nearest.submap))) return false;
   const double distance_m = static_cast<double>(nearest.away.norm());
   if (distance_m - padding_m > limit_m) {
     answer = Clamped(limit_m);

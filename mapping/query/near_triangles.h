@@ -26,9 +26,9 @@ struct NearTriangle {
   [[nodiscard]] Eigen::Vector3d TurnedToMap(const Eigen::Vector3d& v) const { return T_map_submap.linear() * v; }
 };
 
-/// Calls visit(const NearTriangle&) for every triangle whose box, grown by the padding of its submap, meets that around
-/// a body of the map frame, in no order to rely on, until it returns false or `work`, if there is any, is over. None
-/// that the grown body touches is left out.
+/// Calls visit(const NearTriangle&) for every triangle of what is in the way whose box, grown by the padding of its
+/// submap, meets that around a body of the map frame, in no order to rely on, until it returns false or `work`, if
+/// there is any, is over. None that the grown body touches is left out.
 template <typename Shape, typename Visitor>
 void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit, WorkBudget* work = nullptr) {
   const MapSurfaces& surfaces = world.surfaces();
@@ -43,7 +43,7 @@ void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit, Work
   const Eigen::AlignedBox3d in_map = grown_box(body, world.most_padding_m());
   index.tree().VisitOverlapping({index.InTree(in_map.min()), index.InTree(in_map.max())}, [&](std::size_t position) {
     const std::size_t number = index.tree().items()[position];
-    if (!world.Holds(number)) return true;
+    if (!world.IsInTheWay(number)) return true;
     const SubmapIndex::Entry& entry = index.entries()[number];
     const double padding_m = world.padding_m(number);
     const Transform& T_map_submap = entry.submap().info().T_map_submap;

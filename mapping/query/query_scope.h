@@ -36,6 +36,9 @@ struct QueryScope {
   std::optional<std::vector<SubmapId>> submaps;  ///< only these
   /// On a robot, and no longer where they are: what was in them counts as seen, and free.
   std::vector<SubmapId> attached;
+  /// There, but not in the way of whoever asks: neither their surfaces nor their inside (QueryWorld::IsInTheWay). What
+  /// they have observed is seen, and what others have of a surface beside them stays as it is.
+  std::vector<SubmapId> may_touch;
   SurfacePadding padding;
   /// What was last looked through so long before the newest look at the map is not known to be free.
   std::optional<double> max_free_age_s;

@@ -22,6 +22,17 @@ std::int64_t OldestOf(const FreeSpace& space, double max_age_s) {
                                : std::numeric_limits<std::int64_t>::min();
 }
 
+/// Of those that are there (empty: all of `entries`), without what may be touched.
+std::vector<bool> WithoutTouchable(std::vector<bool> is_there, std::vector<SubmapId> may_touch,
+                                   std::span<const SubmapIndex::Entry> entries) {
+  if (is_there.empty()) is_there.assign(entries.size(), true);
+  std::sort(may_touch.begin(), may_touch.end());
+  for (std::size_t number = 0; number < entries.size(); ++number) {
+    if (std::binary_search(may_touch.begin(), may_touch.end(), entries[number].submap().id())) is_there[number] = false;
+  }
+  return is_there;
+}
+
 }  // namespace
 
 QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryScope& scope)
@@ -31,8 +42,9 @@ QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryS
   if (!scope.IsAll()) {
     for (const SubmapIndex::Entry& entry : entries) is_held_.push_back(scope.Holds(entry.submap().info()));
   }
+  if (!scope.may_touch.empty()) in_the_way_ = WithoutTouchable(is_held_, scope.may_touch, entries);
   if (scope.vacated_is_free) with_vacated_ = WithVacated();
-  takes_all_ = scope.IsAll() && !scope.max_free_age_s && with_vacated_.empty();
+  takes_all_ = scope.IsAll() && in_the_way_.empty() && !scope.max_free_age_s && with_vacated_.empty();
   for (std::size_t number = 0; number < entries.size() && !scope.attached.empty(); ++number) {
     const SubmapId id = entries[number].submap().id();
     if (std::find(scope.attached.begin(), scope.attached.end(), id) != scope.attached.end()) {
@@ -40,13 +52,13 @@ QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryS
     }
   }
   if (scope.padding.classes.empty() && scope.padding.submaps.empty()) {
-    grown_.push_back({scope.padding.default_m, is_held_});
+    grown_.push_back({scope.padding.default_m, in_the_way_.empty() ? is_held_ : in_the_way_});
     return;
   }
   std::map<double, std::vector<bool>, std::greater<>> by_padding = {
       {scope.padding.default_m, std::vector<bool>(entries.size())}};
   for (std::size_t number = 0; number < entries.size(); ++number) {
-    if (!Holds(number)) continue;
+    if (!IsInTheWay(number)) continue;
     auto& is_held = by_padding[scope.padding.Of(entries[number].submap().info())];
     is_held.resize(entries.size());
     is_held[number] = true;
@@ -81,6 +93,13 @@ bool QueryWorld::IsObserved(VoxelIndex voxel) const {
     is_observed = SampleVoxelAt(entry.submap(), entry.ToSubmap(centre)).IsObserved();
   });
   return is_observed || IsLeft(centre);
+}
+
+bool QueryWorld::IsInTouchable(VoxelIndex voxel, double max_depth_m) const {
+  if (!has_touchable()) return false;
+  const NearestSurface nearest =
+      NearestSearch(*surfaces_, is_held_, is_held_).Find(VoxelCentre(voxel, voxel_size_m()), max_depth_m);
+  return nearest.is_any && !in_the_way_[nearest.number] && nearest.is_behind && !nearest.is_beside;
 }
 
 bool QueryWorld::IsLeft(const Eigen::Vector3d& p_map) const {
@@ -127,19 +146,20 @@ QueryWorld::Sight QueryWorld::SightAt(const Eigen::Vector3d& p_map, const Neares
   if (nearest.sight != nullptr && takes_all_) return SightIn(*nearest.sight, p_map);
   Sight sight;
   const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
-  const auto look = [&sight](const Submap& submap, const Eigen::Vector3d& p_submap) {
+  const auto look = [&sight](const Submap& submap, const Eigen::Vector3d& p_submap, bool is_in_the_way) {
     const VoxelSample voxel = SampleVoxelAt(submap, p_submap);
     if (!voxel.IsObserved()) return;
-    sight.is_seen = true;
-    sight.is_front |= voxel.distance_m() > 0;
+    const bool is_front = voxel.distance_m() > 0;
+    sight.is_seen |= is_front || is_in_the_way;
+    sight.is_front |= is_front;
   };
   if (nearest.is_any && entries[nearest.number].MayHold(nearest.p_submap)) {
-    look(entries[nearest.number].submap(), nearest.p_submap);
+    look(entries[nearest.number].submap(), nearest.p_submap, true);
     if (sight.is_front || (sight.is_seen && !nearest.is_behind)) return sight;
   }
   surfaces_->index().VisitAround(p_map, [&](const SubmapIndex::Entry& entry) {
-    if (sight.is_front || !Holds(static_cast<std::size_t>(&entry - entries.data()))) return;
-    look(entry.submap(), entry.ToSubmap(p_map));
+    const auto number = static_cast<std::size_t>(&entry - entries.data());
+    if (!sight.is_front && Holds(number)) look(entry.submap(), entry.ToSubmap(p_map), IsInTheWay(number));
   });
   // A voxel beside a surface may have been looked through, too: what submaps hold there counts.
   if (!sight.is_seen && (IsFree(VoxelAt(p_map, voxel_size_m())) || IsLeft(p_map)))

@@ -36,14 +36,18 @@ class QueryWorld {
   [[nodiscard]] const std::shared_ptr<const MapSurfaces>& shared_surfaces() const { return surfaces_; }
   [[nodiscard]] double voxel_size_m() const { return surfaces_->state().info().config.voxel_size_m; }
   [[nodiscard]] bool Holds(std::size_t number) const { return is_held_.empty() || is_held_[number]; }
+  /// Whether what a submap has is in the way: it is there, and whoever asks may not touch it.
+  [[nodiscard]] bool IsInTheWay(std::size_t number) const {
+    return in_the_way_.empty() ? Holds(number) : in_the_way_[number];
+  }
   /// By number, which submaps are there; empty: all.
   [[nodiscard]] const std::vector<bool>& is_held() const { return is_held_; }
   /// Whether all that a triangle needs is there.
   [[nodiscard]] bool HoldsAll(std::span<const SubmapId> needed) const { return surfaces_->Holds(needed, is_held_); }
-  /// Every submap that is there is in exactly one of these; at least one, those that are grown most first.
+  /// Every submap that is in the way is in exactly one of these; at least one, those that are grown most first.
   [[nodiscard]] std::span<const Grown> grown() const { return grown_; }
   [[nodiscard]] double most_padding_m() const { return grown_.front().padding_m; }
-  /// Of a submap that is there.
+  /// Of a submap that is in the way.
   [[nodiscard]] double padding_m(std::size_t number) const {
     for (const Grown& grown : grown_) {
       if (grown.is_held.empty() || grown.is_held[number]) return grown.padding_m;
@@ -65,6 +69,13 @@ class QueryWorld {
   /// Whether a submap that is there has observed what is at the voxel's centre, or something that is attached was
   /// there.
   [[nodiscard]] bool IsObserved(VoxelIndex voxel) const;
+  /// Whether a voxel that nobody has seen is the inside of something that may be touched, which is then no more in the
+  /// way than its surface: of all surfaces that are there the nearest to its centre is one that may be touched, which
+  /// it is behind, and not beside where that ends. So where DistanceQuery, without padding, is negative and names it.
+  /// No deeper than `max_depth_m`.
+  [[nodiscard]] bool IsInTouchable(VoxelIndex voxel, double max_depth_m) const;
+  /// Whether anything may be touched.
+  [[nodiscard]] bool has_touchable() const { return !in_the_way_.empty(); }
   /// Whether it is free or observed.
   [[nodiscard]] bool IsSeen(VoxelIndex voxel) const { return IsFree(voxel) || IsObserved(voxel); }
   /// Whether there is a voxel for a place.
@@ -85,7 +96,8 @@ class QueryWorld {
   /// Whether a place within the reach of the grid is free, or a submap that is there has observed it. `nearest`: of the
   /// surfaces.
   [[nodiscard]] bool IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
-  /// Of a place within the reach of the grid. `nearest`: of the surfaces; asked first, as its submap mostly knows.
+  /// Of a place within the reach of the grid. `nearest`: of the surfaces; asked first, as its submap mostly knows. What
+  /// may be touched says where a place is in front, not where it is inside.
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
 
  private:
@@ -106,6 +118,7 @@ class QueryWorld {
   FreeSpace with_vacated_;  ///< instead of those of free_space_; by the scope
   std::int64_t oldest_ns_ = std::numeric_limits<std::int64_t>::min();  ///< of looks that count
   std::vector<bool> is_held_;                                          ///< by the scope; empty: all are
+  std::vector<bool> in_the_way_;                                       ///< by the scope; empty: all that are there
   bool takes_all_ = false;                                             ///< submaps and looks
   std::vector<Grown> grown_;
   std::vector<std::size_t> attached_;  ///< by the scope

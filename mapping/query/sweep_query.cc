@@ -60,12 +60,12 @@ std::optional<SweepContact> SweepQuery::FirstSurface(std::span<const SphereKnot>
     const double distance_m = counts_inside_ ? distance.distance_m : std::abs(distance.distance_m);
     double clear_m = distance_m - here.radius_m;
     if (distance.submap != nullptr && clear_m <= 0) {
-      return SweepContact{here.at, {distance.submap, -clear_m, distance.nearest_m, distance.gradient}};
+      return SweepContact{here.at, {distance.submap, -clear_m, distance.nearest_m, distance.gradient}, -clear_m};
     }
     if (i == 0 && counts_inside_ && distance.submap == nullptr) {
       if (const auto inside = bodies_.InsideOf(here.center_m)) {
-        return SweepContact{here.at,
-                            {inside->submap, here.radius_m - inside->distance_m, inside->nearest_m, inside->gradient}};
+        const double depth_m = here.radius_m - inside->distance_m;
+        return SweepContact{here.at, {inside->submap, depth_m, inside->nearest_m, inside->gradient}, depth_m};
       }
     }
     const std::size_t first = i;
@@ -152,7 +152,7 @@ std::optional<SweepContact> SweepQuery::FirstUnseenBetween(const SphereKnot& fro
   const auto visit = [&](VoxelIndex voxel) {
     const Eigen::Vector3d centre = VoxelCentre(voxel, world_.voxel_size_m());
     const auto share = TimeOfTouch(step, centre);
-    if (!share || *share >= best) return true;
+    if (!share || *share >= best || IsAllowed(world_, voxel, options_.max_distance_m, work)) return true;
     best = *share;
     contact = {At(from, to, best), {.point_m = centre}};
     return best > 0;

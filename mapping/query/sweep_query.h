@@ -16,6 +16,7 @@ namespace dhpmap {
 struct SweepContact {
   double at = 0;  ///< when, in waypoints
   BodyContact contact;
+  double depth_then_m = 0;  ///< how deep at that moment: above 0 only where the way begins, or inside something
 };
 struct SweepAnswer {
   std::optional<SweepContact> first;
@@ -40,6 +41,10 @@ class SweepQuery {
                                   double until = std::numeric_limits<double>::infinity(),
                                   const std::stop_token& stop = {}, WorkBudget* work = nullptr) const;
 
+  /// See BodyQuery.
+  [[nodiscard]] std::optional<SurfaceDistance> InsideOf(const Eigen::Vector3d& p_map) const {
+    return bodies_.InsideOf(p_map);
+  }
   [[nodiscard]] const BodyOptions& options() const { return options_; }
   [[nodiscard]] const QueryWorld& world() const { return world_; }
 

@@ -9,8 +9,10 @@
 
 #include "mapping/base/result.h"
 #include "mapping/query/carried_body.h"
+#include "mapping/query/clearance_query.h"
 #include "mapping/query/moving_sphere.h"
 #include "mapping/query/sweep_query.h"
+#include "mapping/query/touch_lists.h"
 
 namespace dhpmap {
 
@@ -32,9 +34,11 @@ struct RobotMotion {
 struct TrajectoryOptions {
   BodyOptions bodies;  ///< whose scope has all that is attached
   std::vector<AttachedObject> attached;
+  TouchLists spheres{};  ///< what each of the spheres may touch, and of the robot
   /// 1: the first of all. More: the first of each part of the robot with each object, the earliest so many; the first
   /// of a part may be with the inside of an object, the others are with surfaces.
   std::size_t max_contacts = 1;
+  bool with_clearance = false;  ///< tell how near each motion comes to surfaces
 };
 
 /// What some part of a robot meets first of some object.
@@ -43,12 +47,23 @@ struct TrajectoryContact {
   std::optional<std::size_t> sphere;    ///< which of the spheres, or
   std::optional<std::size_t> attached;  ///< which of what is attached
   BodyContact contact;
+  double depth_then_m = 0;  ///< see SweepContact
+};
+
+/// Where a motion is nearest to a surface that is in the way of the part that is so near.
+struct TrajectoryClearance {
+  LeastClearance least;
+  std::optional<std::size_t> sphere{};    ///< which of the spheres, or
+  std::optional<std::size_t> attached{};  ///< which of what is attached
 };
 
 struct TrajectoryAnswer {
   bool is_valid = true;
   bool is_unknown = false;                  ///< before it meets any surface it is where nobody has seen
   std::vector<TrajectoryContact> contacts;  ///< the first first
+  /// With clearance, if there is a surface within max_distance_m of the robot: see ClearanceQuery. If the first contact
+  /// is deeper when it is met, that.
+  std::optional<TrajectoryClearance> clearance{};
 };
 
 /// Whether robots, as spheres, can go along trajectories with what they carry: see SweepQuery. What is carried is there
@@ -68,22 +83,26 @@ class TrajectoryQuery {
  private:
   struct Carried {
     CarriedBody body;
-    SweepQuery query;  ///< without what it may touch
+    SweepQuery query;
+    std::optional<ClearanceQuery> clearance{};
   };
-  TrajectoryQuery(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options)
-      : options_(std::move(options)), surfaces_(surfaces), robot_(std::move(surfaces), options_.bodies) {}
+  TrajectoryQuery(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options);
+  [[nodiscard]] SweepQuery QueryOf(const std::vector<SubmapId>& may_touch) const;
 
   /// Adds what one part of the robot meets. `sweep(query, until)` finds the first of it. After `stop` not all of it.
   template <typename Sweep>
   void Add(const SweepQuery& query, const TrajectoryContact& part, const Sweep& sweep, const std::stop_token& stop,
            WorkBudget* work, TrajectoryAnswer& answer, double& unknown_at) const;
+  [[nodiscard]] std::optional<TrajectoryClearance> ClearanceOf(const RobotMotion& motion, const std::stop_token& stop,
+                                                               WorkBudget* work) const;
   /// Ends soon after `stop` is requested, with what it has.
   [[nodiscard]] static SweepAnswer SweepCarried(const SweepQuery& query, const CarriedBody& body, const RigidPath& path,
                                                 double until, const std::stop_token& stop, WorkBudget* work);
 
   TrajectoryOptions options_;
   std::shared_ptr<const MapSurfaces> surfaces_;
-  SweepQuery robot_;
+  std::vector<SweepQuery> spheres_;       ///< by list of what they may touch
+  std::vector<ClearanceQuery> clear_of_;  ///< the same, if that is asked for
   std::vector<Carried> carried_;
 };
 

@@ -3,6 +3,11 @@
 
 namespace dhpmap {
 
+bool IsAllowed(const QueryWorld& world, VoxelIndex voxel, double max_depth_m, WorkBudget* work) {
+  constexpr std::int64_t kInsideWork = 64;
+  return world.has_touchable() && SpendOf(work, kInsideWork) && world.IsInTouchable(voxel, max_depth_m);
+}
+
 bool IsFreeThroughout(const QueryWorld& world, const Eigen::AlignedBox3d& box) {
   if (!world.IsInReach(box.min()) || !world.IsInReach(box.max())) return false;
   const BlockIndex from = BlockOf(VoxelAt(box.min(), world.voxel_size_m()));

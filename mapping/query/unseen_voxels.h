@@ -14,6 +14,9 @@ namespace dhpmap {
 
 inline constexpr double kHalfDiagonal_vox = 0.8660254037844387;  ///< of a voxel
 
+/// Whether a voxel that nobody has seen is not in the way of who may touch what it is the inside of.
+bool IsAllowed(const QueryWorld& world, VoxelIndex voxel, double max_depth_m, WorkBudget* work);
+
 /// Whether every block that a box of the map frame meets is free as a whole. Not looked at if these are more than 512.
 bool IsFreeThroughout(const QueryWorld& world, const Eigen::AlignedBox3d& box);
 

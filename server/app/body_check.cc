@@ -2,6 +2,7 @@
 #include "server/app/body_check.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -14,6 +15,29 @@ namespace {
 constexpr std::size_t kBodiesABatch = 1024;
 
 Status NobodyWaitsForCheck() { return Cancelled("the client went away"); }
+
+/// A query a list of what may be touched, made when a body first needs it.
+class BodyQueries {
+ public:
+  BodyQueries(std::shared_ptr<const MapSurfaces> surfaces, const CheckQuestion& question)
+      : surfaces_(std::move(surfaces)), question_(question), queries_(question.parts.lists.size()) {}
+
+  const BodyQuery& Of(std::size_t body) {
+    const std::size_t list = question_.parts.ListOf(body);
+    std::optional<BodyQuery>& query = queries_[list];
+    if (!query) {
+      BodyOptions options = question_.options;
+      options.scope.may_touch = question_.parts.lists[list];
+      query.emplace(surfaces_, std::move(options));
+    }
+    return *query;
+  }
+
+ private:
+  const std::shared_ptr<const MapSurfaces> surfaces_;
+  const CheckQuestion& question_;
+  std::vector<std::optional<BodyQuery>> queries_;
+};
 
 }  // namespace
 
@@ -36,13 +60,14 @@ BodyCheck::BodyCheck(std::shared_ptr<const MapSnapshot> state, SurfaceCache& cac
 Result<bool> BodyCheck::Next(const CheckPiece& piece, const std::stop_token& stop,
                              const std::function<void(const BodyAnswer&)>& take) {
   const Transform T_query_map = question_.T_map_query.inverse();
-  const BodyQuery query(cache_.Of(state_, question_.options.scope.with_absent), question_.options);
+  BodyQueries queries(cache_.Of(state_, question_.options.scope.with_absent), question_);
   WorkBudget work(piece.may_overrun ? work_left_ : std::min(work_left_, piece.work), stop);
   const std::size_t end = std::min(bodies_.size(), next_ + kBodiesABatch);
   for (; next_ < end && work.spent() < piece.work; ++next_) {
     if (stop.stop_requested()) return NobodyWaitsForCheck();
     const Body in_map =
         std::visit([&](const auto& b) -> Body { return Moved(question_.T_map_query, b); }, bodies_[next_]);
+    const BodyQuery& query = queries.Of(next_);
     BodyAnswer answer =
         question_.max_contacts == 0 ? query.Test(in_map, &work) : query.Check(in_map, question_.max_contacts, &work);
     if (work.is_over()) break;

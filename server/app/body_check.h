@@ -11,6 +11,7 @@
 
 #include "mapping/base/result.h"
 #include "mapping/query/body_query.h"
+#include "mapping/query/touch_lists.h"
 #include "server/app/check_piece.h"
 #include "server/app/map_view.h"
 
@@ -28,7 +29,9 @@ struct CheckQuestion {
   BodyOptions options;
   Transform T_map_query = Transform::Identity();  ///< from the asker's frame
   std::vector<CarriedSubmap> attached;
+  TouchLists parts{};            ///< what each body, or sphere of a motion, may touch
   std::size_t max_contacts = 1;  ///< of each; 0: whether there is one is all that is asked
+  bool with_clearance = false;   ///< of motions: how near each comes to surfaces
 };
 
 /// A contact, from the map's frame to that of the asker.

@@ -36,7 +36,11 @@ TrajectoryCheck::TrajectoryCheck(std::shared_ptr<const MapSnapshot> state, Surfa
       work_left_(most_work) {}
 
 Status TrajectoryCheck::MakeQuery(const std::stop_token& stop) {
-  TrajectoryOptions options{.bodies = question_.options, .attached = {}, .max_contacts = question_.max_contacts};
+  TrajectoryOptions options{.bodies = question_.options,
+                            .attached = {},
+                            .spheres = question_.parts,
+                            .max_contacts = question_.max_contacts,
+                            .with_clearance = question_.with_clearance};
   for (const CarriedSubmap& carried : question_.attached) {
     options.attached.push_back({carried.submap, carried.may_touch});
   }
@@ -61,6 +65,7 @@ Result<bool> TrajectoryCheck::Next(const CheckPiece& piece, const std::stop_toke
       return answer.ok() ? NobodyWaitsForMotions() : answer.status();
     if (work.is_over()) break;
     for (TrajectoryContact& contact : answer->contacts) MoveContact(T_query_map, contact.contact);
+    if (answer->clearance) answer->clearance->least.point_m = T_query_map * answer->clearance->least.point_m;
     take(*answer);
   }
   if (next_ == num_motions_) return false;

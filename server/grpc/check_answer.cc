@@ -156,7 +156,8 @@ Result<std::unique_ptr<CheckAnswer>> CheckAnswer::Begin(const ServiceContext& co
                                                         const v1::CheckCollisionsRequest& request,
                                                         v1::CheckCollisionsResponse& response) {
   DHPMAP_ASSIGN_OR_RETURN(auto bodies, BodiesFromProto(request, context.options.max_query_points));
-  DHPMAP_ASSIGN_OR_RETURN(auto question, CheckOptionsFromProto(request.options(), view->snapshot(), kBodyOptions));
+  DHPMAP_ASSIGN_OR_RETURN(auto question,
+                          CheckOptionsFromProto(request.options(), LinksOf(request), view->snapshot(), kBodyOptions));
   DHPMAP_ASSIGN_OR_RETURN(question.max_contacts, MaxContactsFromProto(request));
   DHPMAP_RETURN_IF_ERROR(CheckFits(context, request));
   return std::unique_ptr<CheckAnswer>(std::make_unique<CollisionAnswer>(
@@ -167,8 +168,10 @@ Result<std::unique_ptr<CheckAnswer>> CheckAnswer::Begin(const ServiceContext& co
                                                         std::shared_ptr<const MapView> view,
                                                         const v1::CheckTrajectoryRequest& request,
                                                         v1::CheckTrajectoryResponse& response) {
-  DHPMAP_ASSIGN_OR_RETURN(auto found, CheckOptionsFromProto(request.options(), view->snapshot(), kTrajectoryOptions));
+  DHPMAP_ASSIGN_OR_RETURN(
+      auto found, CheckOptionsFromProto(request.options(), LinksOf(request), view->snapshot(), kTrajectoryOptions));
   DHPMAP_ASSIGN_OR_RETURN(found.max_contacts, MaxContactsFromProto(request));
+  found.with_clearance = request.include_clearance();
   const auto question = std::make_shared<const CheckQuestion>(std::move(found));
   DHPMAP_ASSIGN_OR_RETURN(auto motions,
                           RequestedMotions::Make(request, question->attached, context.options.max_query_points));

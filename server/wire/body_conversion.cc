@@ -53,6 +53,10 @@ std::size_t NumBodies(const v1::CheckCollisionsRequest& request) {
   return static_cast<std::size_t>(request.spheres_size() / 4) + static_cast<std::size_t>(request.bodies_size());
 }
 
+RequestedLinks LinksOf(const v1::CheckCollisionsRequest& request) {
+  return {request.body_links(), "body_links", NumBodies(request)};
+}
+
 Result<std::vector<Body>> BodiesFromProto(const v1::CheckCollisionsRequest& request, std::int64_t max_bodies) {
   if (request.spheres_size() % 4 != 0) {
     return BadBodies("spheres", "has " + std::to_string(request.spheres_size()) + " values, not four a sphere");

@@ -8,6 +8,7 @@
 #include "dhpmap/v1/collision.pb.h"
 #include "mapping/map/map.h"
 #include "mapping/query/body_query.h"
+#include "server/wire/allowed_collisions.h"
 
 namespace dhpmap {
 
@@ -17,6 +18,9 @@ Result<std::vector<Body>> BodiesFromProto(const v1::CheckCollisionsRequest& requ
 
 /// How many bodies a request has, if its list is whole.
 std::size_t NumBodies(const v1::CheckCollisionsRequest& request);
+
+/// Which link each body is.
+RequestedLinks LinksOf(const v1::CheckCollisionsRequest& request);
 
 /// How many contacts of a body are asked for; 0: only whether there is any. INVALID_ARGUMENT for a number out of range
 /// or options that exclude each other.

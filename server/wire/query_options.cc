@@ -6,56 +6,27 @@
 #include <string>
 #include <utility>
 
-#include "mapping/labels/class_names.h"
-#include "server/app/submap_edits.h"
+#include "server/wire/option_fields.h"
 #include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
 
 constexpr double kMaxDistance_m = 1000;
 constexpr double kMaxPadding_m = 10;
-constexpr int kMaxListed = 1000, kMaxAttached = 100;
+constexpr int kMaxAttached = 100;
 constexpr std::size_t kMostPaddings = 16;  // each costs a search a point
-
-Status BadOption(Reason reason, const std::string& field, const std::string& what) {
-  return InvalidArgument("the options of the query are not usable").WithReason(reason).WithViolation(field, what);
-}
-
-std::string Item(const std::string& list, int number) { return list + "[" + std::to_string(number) + "]"; }
-
-Status CheckLength(const std::string& list, int length) {
-  if (length <= kMaxListed) return Status::Ok();
-  return BadOption("BAD_FILTER", list, std::to_string(length) + " are more than " + std::to_string(kMaxListed));
-}
-
-Result<SubmapId> SubmapFromProto(const std::string& name, const std::string& field, const MapSnapshot& map) {
-  DHPMAP_ASSIGN_OR_RETURN(const SubmapName parsed, ParseSubmapName(name, field));
-  if (parsed.map != map.info().name) return BadOption("BAD_FILTER", field, "is a submap of another map");
-  if (map.Find(parsed.submap) == nullptr) {
-    return NoSuchSubmap(map.info(), parsed.submap).WithViolation(field, "is not there");
-  }
-  return parsed.submap;
-}
-
-Result<ClassId> ClassFromProto(const std::string& name, const std::string& field, const LabelSet& label_set) {
-  if (const LabelClass* found = FindClassByName(label_set, name)) return found->id;
-  return BadOption("BAD_FILTER", field, NoSuchClassText(label_set, name));
-}
 
 Result<std::vector<ClassId>> ClassesFromProto(const google::protobuf::RepeatedPtrField<std::string>& names,
                                               const std::string& list, const LabelSet& label_set) {
-  DHPMAP_RETURN_IF_ERROR(CheckLength(list, names.size()));
+  DHPMAP_RETURN_IF_ERROR(CheckOptionLength(list, names.size()));
   std::vector<ClassId> ids;
   for (int i = 0; i < names.size(); ++i) {
-    DHPMAP_ASSIGN_OR_RETURN(const ClassId id, ClassFromProto(names[i], Item(list, i), label_set));
+    DHPMAP_ASSIGN_OR_RETURN(const ClassId id, OptionClassFromProto(names[i], ItemOfOption(list, i), label_set));
     ids.push_back(id);
   }
   return ids;
 }
-
-Status NotTaken(const std::string& field) { return BadOption("BAD_FILTER", field, "has no meaning for this query"); }
 
 Result<double> PaddingFromProto(double padding_m, const std::string& field) {
   if (padding_m >= 0 && padding_m <= kMaxPadding_m) return padding_m;
@@ -67,20 +38,20 @@ Result<SurfacePadding> PaddingFromProto(const v1::Padding& proto, const MapSnaps
   DHPMAP_ASSIGN_OR_RETURN(padding.default_m, PaddingFromProto(proto.default_m(), "options.padding.default_m"));
   std::set<double> different = {padding.default_m};
   const std::string classes = "options.padding.classes", submaps = "options.padding.submaps";
-  DHPMAP_RETURN_IF_ERROR(CheckLength(classes, proto.classes_size()));
+  DHPMAP_RETURN_IF_ERROR(CheckOptionLength(classes, proto.classes_size()));
   for (int i = 0; i < proto.classes_size(); ++i) {
-    const std::string item = Item(classes, i);
-    DHPMAP_ASSIGN_OR_RETURN(const ClassId id,
-                            ClassFromProto(proto.classes(i).class_name(), item + ".class_name", *map.info().label_set));
+    const std::string item = ItemOfOption(classes, i);
+    DHPMAP_ASSIGN_OR_RETURN(const ClassId id, OptionClassFromProto(proto.classes(i).class_name(), item + ".class_name",
+                                                                   *map.info().label_set));
     DHPMAP_ASSIGN_OR_RETURN(const double padding_m,
                             PaddingFromProto(proto.classes(i).padding_m(), item + ".padding_m"));
     padding.classes.emplace_back(id, padding_m);
     different.insert(padding_m);
   }
-  DHPMAP_RETURN_IF_ERROR(CheckLength(submaps, proto.submaps_size()));
+  DHPMAP_RETURN_IF_ERROR(CheckOptionLength(submaps, proto.submaps_size()));
   for (int i = 0; i < proto.submaps_size(); ++i) {
-    const std::string item = Item(submaps, i);
-    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, SubmapFromProto(proto.submaps(i).submap(), item + ".submap", map));
+    const std::string item = ItemOfOption(submaps, i);
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, OptionSubmapFromProto(proto.submaps(i).submap(), item + ".submap", map));
     DHPMAP_ASSIGN_OR_RETURN(const double padding_m,
                             PaddingFromProto(proto.submaps(i).padding_m(), item + ".padding_m"));
     padding.submaps.emplace_back(id, padding_m);
@@ -100,8 +71,8 @@ Result<std::vector<SubmapId>> AttachedFromProto(const v1::QueryOptions& options,
   }
   std::vector<SubmapId> attached;
   for (int i = 0; i < options.attached_size(); ++i) {
-    const std::string field = Item(list, i) + ".submap";
-    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, SubmapFromProto(options.attached(i).submap(), field, map));
+    const std::string field = ItemOfOption(list, i) + ".submap";
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, OptionSubmapFromProto(options.attached(i).submap(), field, map));
     if (id == kUnknownSubmap) return BadOption("BAD_FILTER", field, "is that of unknown objects, which nobody carries");
     if (std::find(attached.begin(), attached.end(), id) != attached.end()) {
       return BadOption("BAD_FILTER", field, "is attached already");
@@ -114,10 +85,10 @@ Result<std::vector<SubmapId>> AttachedFromProto(const v1::QueryOptions& options,
 Result<QueryScope> ScopeFromProto(const v1::QueryOptions& options, const MapSnapshot& map) {
   const LabelSet& label_set = *map.info().label_set;
   QueryScope scope;
-  DHPMAP_RETURN_IF_ERROR(CheckLength("options.excluded_submaps", options.excluded_submaps_size()));
+  DHPMAP_RETURN_IF_ERROR(CheckOptionLength("options.excluded_submaps", options.excluded_submaps_size()));
   for (int i = 0; i < options.excluded_submaps_size(); ++i) {
-    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id,
-                            SubmapFromProto(options.excluded_submaps(i), Item("options.excluded_submaps", i), map));
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, OptionSubmapFromProto(options.excluded_submaps(i),
+                                                                     ItemOfOption("options.excluded_submaps", i), map));
     scope.excluded_submaps.push_back(id);
   }
   DHPMAP_ASSIGN_OR_RETURN(scope.excluded_classes,
@@ -147,9 +118,9 @@ Status CheckTaken(const v1::QueryOptions& options, TakenOptions taken) {
   if (options.has_padding() && !taken.padding) return NotTaken("options.padding");
   if (options.attached_size() > 0 && !taken.attached) return NotTaken("options.attached");
   for (int i = 0; i < options.attached_size() && !taken.carries; ++i) {
-    if (options.attached(i).has_pose()) return NotTaken(Item("options.attached", i) + ".pose");
+    if (options.attached(i).has_pose()) return NotTaken(ItemOfOption("options.attached", i) + ".pose");
   }
-  if (options.allowed_collisions_size() > 0 && !taken.carries) return NotTaken("options.allowed_collisions");
+  if (options.allowed_collisions_size() > 0 && !taken.allowed) return NotTaken("options.allowed_collisions");
   if (options.has_max_age_s() && !taken.max_age) return NotTaken("options.max_age_s");
   if (!v1::Vacated::Policy_IsValid(options.vacated())) {
     return BadOption("BAD_FILTER", "options.vacated", "is none of those there are");
@@ -172,27 +143,14 @@ UnknownSpace UnknownSpaceOf(v1::QueryOptions::UnknownPolicy policy) {
   return policy == v1::QueryOptions::REPORT ? UnknownSpace::kReported : UnknownSpace::kOccupied;
 }
 
-/// What is attached, with its pose and what it may touch. `ids` are those of options.attached.
-Result<std::vector<CarriedSubmap>> CarriedFromProto(const v1::QueryOptions& options, const std::vector<SubmapId>& ids,
-                                                    const MapSnapshot& map) {
+/// What is attached, with its pose. `ids` are those of options.attached.
+Result<std::vector<CarriedSubmap>> CarriedFromProto(const v1::QueryOptions& options, const std::vector<SubmapId>& ids) {
   std::vector<CarriedSubmap> carried;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const int item = static_cast<int>(i);
     CarriedSubmap& one = carried.emplace_back(CarriedSubmap{.submap = ids[i], .may_touch = {}});
     DHPMAP_ASSIGN_OR_RETURN(one.T_robot_submap, TransformFromProto(options.attached(item).pose(),
-                                                                   Item("options.attached", item) + ".pose"));
-  }
-  const std::string list = "options.allowed_collisions";
-  DHPMAP_RETURN_IF_ERROR(CheckLength(list, options.allowed_collisions_size()));
-  for (int i = 0; i < options.allowed_collisions_size(); ++i) {
-    const v1::AllowedCollision& pair = options.allowed_collisions(i);
-    const std::string item = Item(list, i);
-    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, SubmapFromProto(pair.attached(), item + ".attached", map));
-    const auto one =
-        std::find_if(carried.begin(), carried.end(), [id](const CarriedSubmap& c) { return c.submap == id; });
-    if (one == carried.end()) return BadOption("BAD_FILTER", item + ".attached", "is not attached");
-    DHPMAP_ASSIGN_OR_RETURN(const SubmapId other, SubmapFromProto(pair.submap(), item + ".submap", map));
-    one->may_touch.push_back(other);
+                                                                   ItemOfOption("options.attached", item) + ".pose"));
   }
   return carried;
 }
@@ -212,14 +170,20 @@ Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, 
   return question;
 }
 
-Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
-                                            TakenOptions taken) {
+Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const RequestedLinks& links,
+                                            const MapSnapshot& map, TakenOptions taken) {
   DHPMAP_RETURN_IF_ERROR(CheckTaken(options, taken));
   CheckQuestion question;
   question.options.unknown = UnknownSpaceOf(options.unknown_policy());
   DHPMAP_ASSIGN_OR_RETURN(question.options.max_distance_m, MaxDistanceFromProto(options));
   DHPMAP_ASSIGN_OR_RETURN(question.options.scope, ScopeFromProto(options, map));
-  DHPMAP_ASSIGN_OR_RETURN(question.attached, CarriedFromProto(options, question.options.scope.attached, map));
+  const std::vector<SubmapId>& attached = question.options.scope.attached;
+  DHPMAP_ASSIGN_OR_RETURN(question.attached, CarriedFromProto(options, attached));
+  DHPMAP_ASSIGN_OR_RETURN(
+      AllowedTouches allowed,
+      AllowedTouchesFromProto(options, links, taken.carries ? attached : std::vector<SubmapId>(), map));
+  question.parts = std::move(allowed.parts);
+  for (std::size_t i = 0; i < allowed.attached.size(); ++i) question.attached[i].may_touch = allowed.attached[i];
   DHPMAP_ASSIGN_OR_RETURN(question.T_map_query, TransformFromProto(options.frame(), "options.frame"));
   return question;
 }

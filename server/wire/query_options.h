@@ -5,6 +5,7 @@
 #include "mapping/map/map.h"
 #include "server/app/body_check.h"
 #include "server/app/distance_lookup.h"
+#include "server/wire/allowed_collisions.h"
 
 namespace dhpmap {
 
@@ -20,15 +21,21 @@ struct TakenOptions {
   bool vacated = false;
   bool occupied = false;   ///< unknown space may be
   bool tolerance = false;  ///< of distances
-  bool carries = false;    ///< there is a robot: poses of what is attached, and contacts to be ignored
+  bool allowed = false;    ///< collisions may be
+  bool carries = false;    ///< there is a robot: poses of what is attached, and what that may touch
 };
 inline constexpr TakenOptions kDistanceOptions{
     .padding = true, .attached = true, .max_age = true, .vacated = true, .tolerance = true};
 inline constexpr TakenOptions kRayOptions{.attached = true, .max_age = true, .vacated = true};
 inline constexpr TakenOptions kBodyOptions{
-    .padding = true, .attached = true, .max_age = true, .vacated = true, .occupied = true};
-inline constexpr TakenOptions kTrajectoryOptions{
-    .padding = true, .attached = true, .max_age = true, .vacated = true, .occupied = true, .carries = true};
+    .padding = true, .attached = true, .max_age = true, .vacated = true, .occupied = true, .allowed = true};
+inline constexpr TakenOptions kTrajectoryOptions{.padding = true,
+                                                 .attached = true,
+                                                 .max_age = true,
+                                                 .vacated = true,
+                                                 .occupied = true,
+                                                 .allowed = true,
+                                                 .carries = true};
 
 /// What a request's options mean for a state of a map. INVALID_ARGUMENT for a distance, pose, name, policy or length of
 /// a list that is not usable, or an option that is not taken; NOT_FOUND for a submap that is not there; each names the
@@ -36,7 +43,8 @@ inline constexpr TakenOptions kTrajectoryOptions{
 Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
                                                TakenOptions taken = {});
 /// The same for checks of bodies or motions, for which unknown space is occupied unless they say otherwise.
-Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
-                                            TakenOptions taken);
+/// `links`: which its bodies or spheres belong to.
+Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const RequestedLinks& links,
+                                            const MapSnapshot& map, TakenOptions taken);
 
 }  // namespace dhpmap

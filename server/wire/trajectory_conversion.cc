@@ -104,6 +104,11 @@ std::size_t NumSpheres(const v1::CheckTrajectoryRequest& request) {
          num_waypoints * static_cast<std::size_t>(std::max(request.robot_size(), 1));
 }
 
+RequestedLinks LinksOf(const v1::CheckTrajectoryRequest& request) {
+  const int num_spheres = request.packed_spheres_size() > 0 ? std::max(request.num_spheres(), 0) : request.robot_size();
+  return {request.sphere_links(), "sphere_links", static_cast<std::size_t>(num_spheres)};
+}
+
 Result<RequestedMotions> RequestedMotions::Make(const v1::CheckTrajectoryRequest& request,
                                                 const std::vector<CarriedSubmap>& attached, std::int64_t max_spheres) {
   if (const auto num_spheres = static_cast<std::int64_t>(NumSpheres(request)); num_spheres > max_spheres) {
@@ -179,7 +184,8 @@ std::size_t BytesOfAnswers(const v1::CheckTrajectoryRequest& request) {
   constexpr std::size_t kCuts = 32 * (136 + 40), kPose = 128, kKnot = 40, kMessage = 150, kContact = 700;
   const std::size_t motion = most_waypoints * (kCuts + kPose * (1 + num_attached)) +
                              kKnot * static_cast<std::size_t>(request.packed_spheres_size() / 4);
-  return motion +
+  constexpr std::size_t kClearance = 500;
+  return motion + (request.include_clearance() ? num_trajectories * kClearance : 0) +
          num_trajectories * (kMessage + kContact * static_cast<std::size_t>(request.all_contacts() ? asked : 1));
 }
 
@@ -204,6 +210,25 @@ void TrajectoryAnswers::Append(const TrajectoryAnswer& answer) {
     if (contact.attached) proto.set_attached(request_.options().attached(static_cast<int>(*contact.attached)).submap());
     *proto.mutable_contact() = ToProto(contact.contact, map_);
   }
+  if (answer.clearance) WriteClearance(*answer.clearance, *result.mutable_clearance());
+}
+
+void TrajectoryAnswers::WriteClearance(const TrajectoryClearance& clearance, v1::Clearance& proto) const {
+  const LeastClearance& least = clearance.least;
+  const double waypoint = std::floor(least.at);
+  proto.set_distance_m(least.distance_m);
+  proto.set_waypoint(static_cast<std::int32_t>(waypoint));
+  proto.set_fraction(static_cast<float>(least.at - waypoint));
+  proto.set_sphere(clearance.sphere ? static_cast<std::int32_t>(*clearance.sphere) : -1);
+  if (clearance.attached) {
+    proto.set_attached(request_.options().attached(static_cast<int>(*clearance.attached)).submap());
+  }
+  v1::Contact whose = ToProto(BodyContact{.submap = least.submap, .point_m = least.point_m}, map_);
+  *proto.mutable_point_m() = whose.point_m();
+  proto.set_instance_id(whose.instance_id());
+  proto.set_class_id(whose.class_id());
+  proto.set_submap(std::move(*whose.mutable_submap()));
+  proto.set_class_name(std::move(*whose.mutable_class_name()));
 }
 
 void TrajectoryAnswers::AppendPacked(const TrajectoryAnswer& answer) {
@@ -225,6 +250,9 @@ void TrajectoryAnswers::AppendPacked(const TrajectoryAnswer& answer) {
   }
   packed.add_instance_id(InstanceOf(contact.contact));
   packed.add_class_id(ClassOf(contact.contact));
+  if (!request_.include_clearance()) return;
+  packed.add_clearance_m(answer.clearance ? static_cast<float>(answer.clearance->least.distance_m)
+                                          : std::numeric_limits<float>::quiet_NaN());
 }
 
 }  // namespace dhpmap

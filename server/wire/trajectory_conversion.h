@@ -9,6 +9,7 @@
 #include "mapping/map/map.h"
 #include "mapping/query/trajectory_query.h"
 #include "server/app/body_check.h"
+#include "server/wire/allowed_collisions.h"
 
 namespace dhpmap {
 
@@ -39,6 +40,9 @@ class RequestedMotions {
 /// How many spheres at waypoints a request has, if its lists go together: what it costs.
 std::size_t NumSpheres(const v1::CheckTrajectoryRequest& request);
 
+/// Which link each sphere of the robot belongs to.
+RequestedLinks LinksOf(const v1::CheckTrajectoryRequest& request);
+
 /// See CheckCollisionsRequest; at least one.
 Result<std::size_t> MaxContactsFromProto(const v1::CheckTrajectoryRequest& request);
 
@@ -55,6 +59,7 @@ class TrajectoryAnswers {
 
  private:
   void AppendPacked(const TrajectoryAnswer& answer);
+  void WriteClearance(const TrajectoryClearance& clearance, v1::Clearance& proto) const;
 
   const v1::CheckTrajectoryRequest& request_;
   const MapInfo& map_;

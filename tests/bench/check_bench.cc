@@ -58,8 +58,9 @@ RobotMotion ArmFrom(const Eigen::Vector3d& place, std::mt19937& random) {
 }
 
 void MeasureTrajectories(const char* what, const std::shared_ptr<const MapSurfaces>& surfaces,
-                         const std::vector<RobotMotion>& motions, UnknownSpace unknown) {
-  const auto query = TrajectoryQuery::Make(surfaces, {.bodies = {.unknown = unknown}, .attached = {}});
+                         const std::vector<RobotMotion>& motions, UnknownSpace unknown, bool with_clearance = false) {
+  const auto query = TrajectoryQuery::Make(
+      surfaces, {.bodies = {.unknown = unknown}, .attached = {}, .with_clearance = with_clearance});
   if (!query.ok()) return;
   std::vector<double> valid_ms, invalid_ms;
   for (int repetition = 0; repetition < 2; ++repetition) {  // the first makes surfaces
@@ -70,7 +71,7 @@ void MeasureTrajectories(const char* what, const std::shared_ptr<const MapSurfac
       (answer->is_valid ? valid_ms : invalid_ms).push_back(1e3 * (ThreadCpu_s() - start_s));
     }
   }
-  std::printf("  50 waypoints x 20 spheres, unknown %-9s valid %4zu: median %.3f ms p95 %.3f;  not %4zu: %.3f, %.3f\n",
+  std::printf("  50 waypoints x 20 spheres, unknown %-16s valid %4zu: median %.3f ms p95 %.3f;  not %4zu: %.3f, %.3f\n",
               what, valid_ms.size(), Quantile(valid_ms, 0.5), Quantile(valid_ms, 0.95), invalid_ms.size(),
               Quantile(invalid_ms, 0.5), Quantile(invalid_ms, 0.95));
 }
@@ -156,6 +157,7 @@ void MeasureChecks(const std::shared_ptr<const MapSurfaces>& surfaces) {
   }
   MeasureTrajectories("occupied:", surfaces, motions, UnknownSpace::kOccupied);
   MeasureTrajectories("free:", surfaces, motions, UnknownSpace::kFree);
+  MeasureTrajectories("free, clearance:", surfaces, motions, UnknownSpace::kFree, /*with_clearance=*/true);
   PrintErrors(surfaces, motions);
 }
 

@@ -79,6 +79,34 @@ TEST_F(QueryFlags, PaddingOfChecksGrowsWhatIsInTheWay) {
   EXPECT_EQ(Query(sphere, {"--padding", "-1"}).exit_code, 2) << "refused by the server";
 }
 
+TEST_F(QueryFlags, WhatMayBeTouchedIsNotInTheWayOfTheLinkThatMayTouchIt) {
+  const v1::DistanceResult nearest = FromTheApi({});
+  const std::string radius = Text(nearest.distance_m() + 0.05), id = std::to_string(nearest.instance_id());
+  const Arguments sphere = With({"collisions", "room"}, kInMap, {radius, "--unknown", "free", "--json"});
+  const Arguments stand =
+      With({"trajectory", "room"}, kInMap, {"0", "--robot", "0", "0", "0", radius, "--unknown", "free", "--json"});
+  ASSERT_FALSE(nearest.class_name().empty());
+  for (const std::string& what : {nearest.class_name(), id}) {
+    EXPECT_TRUE(Says(Query(sphere, {"--allow", what}), "\"colliding\": false")) << what;
+    EXPECT_TRUE(Says(Query(sphere, {"--links", "arm", "--allow", "arm:" + what}), "\"colliding\": false"));
+    EXPECT_TRUE(Says(Query(stand, {"--links", "arm", "--allow", "arm:" + what}), "\"valid\": true"));
+    EXPECT_TRUE(Says(Query(stand, {"--allow", ":" + what}), "\"valid\": true")) << "all of the robot";
+  }
+  const Outcome refused = Query(stand, {"--links", "arm", "--allow", "leg:" + id});
+  EXPECT_EQ(refused.exit_code, 2) << "by the server";
+  EXPECT_NE(refused.err.find("options.allowed_collisions[0].link: 'leg' is no link"), std::string::npos) << refused.err;
+  EXPECT_EQ(Query(stand, {"--allow", "leg:"}).exit_code, 1);
+}
+
+TEST_F(QueryFlags, ClearanceTellsHowNearATrajectoryComes) {
+  const double gap_m = FromTheApi({}).distance_m();
+  const Arguments stand = With({"trajectory", "room"}, kInMap,
+                               {"0", "--robot", "0", "0", "0", Text(gap_m - 0.05), "--unknown", "free", "--clearance"});
+  EXPECT_NEAR(NumberOf("distance_m", Query(stand, {"--json"})), 0.05, 1e-3);
+  EXPECT_NEAR(NumberOf("distance_m", Query(stand, {"--json", "--padding", "0.02"})), 0.03, 1e-3);
+  EXPECT_TRUE(Says(Query(stand), "CLEARANCE_M")) << Query(stand).out;
+}
+
 TEST_F(QueryFlags, PaddingOfDistancesIsTakenOffThem) {
   v1::QueryOptions options;
   options.mutable_padding()->set_default_m(0.0625);

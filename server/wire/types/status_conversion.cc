@@ -5,11 +5,27 @@
 #include "mapping/base/utf8.h"
 
 namespace dhpmap {
+namespace {
+
+/// The message, and the first violation beside it if it does not say that anyway: few look into the details.
+std::string MessageOf(const Status& status) {
+  std::string message = status.message();
+  if (status.violations().empty()) return message;
+  const FieldViolation& first = status.violations().front();
+  if (message.find(first.description) == std::string::npos || message.find(first.field) == std::string::npos) {
+    message += (message.empty() ? "" : ": ") + first.field + ": " + first.description;
+  }
+  const std::size_t more = status.violations().size() - 1;
+  if (more > 0) message += ", and " + std::to_string(more) + " more";
+  return message;
+}
+
+}  // namespace
 
 google::rpc::Status ToProto(const Status& status) {
   google::rpc::Status proto;
   proto.set_code(static_cast<int>(status.code()));
-  proto.set_message(ToValidUtf8(status.message()));
+  proto.set_message(ToValidUtf8(MessageOf(status)));
   if (!status.reason().empty()) {
     google::rpc::ErrorInfo info;
     info.set_reason(std::string(status.reason().name()));

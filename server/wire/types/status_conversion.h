@@ -10,7 +10,8 @@
 namespace dhpmap {
 
 /// The error as both doors send it: the reason as google.rpc.ErrorInfo of domain "dhpmap", the violations as
-/// google.rpc.BadRequest. What is not UTF-8 (a message may quote what a client sent) has '?' in its place.
+/// google.rpc.BadRequest, of which the first also stands in the message. What is not UTF-8 (a message may quote what a
+/// client sent) has '?' in its place.
 google::rpc::Status ToProto(const Status& status);
 
 /// What the details of an error say.

@@ -106,7 +106,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
         "split_submap.h"}},
       {"mapping/query",
        {"body_query.h", "distance_query.h", "occupancy_slice.h", "point_lookup.h", "point_order.h", "ray_query.h",
-        "relations.h", "submap_search.h", "surface_cache.h", "trajectory_query.h", "work_budget.h"}},
+        "relations.h", "submap_search.h", "surface_cache.h", "touch_lists.h", "trajectory_query.h", "work_budget.h"}},
       {"mapping/mesh", {"map_mesh.h", "mesh.h", "mesh_stream.h", "tile_surface.h"}},
       {"mapping/io", {"occupancy_image.h", "pcd.h", "ply.h"}},
       {"mapping/pipeline", {"map_builder.h", "refinement_slots.h"}},

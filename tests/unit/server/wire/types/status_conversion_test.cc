@@ -15,7 +15,7 @@ TEST(StatusToProto, CarriesReasonAndViolations) {
   const google::rpc::Status proto =
       ToProto(NotFound("no map 'a'").WithReason("MAP_NOT_FOUND").WithViolation("name", "is 'a'"));
   EXPECT_EQ(proto.code(), 5);
-  EXPECT_EQ(proto.message(), "no map 'a'");
+  EXPECT_EQ(proto.message(), "no map 'a': name: is 'a'");
   ASSERT_EQ(proto.details_size(), 2);
   google::rpc::ErrorInfo info;
   google::rpc::BadRequest bad;
@@ -38,11 +38,22 @@ TEST(StatusToProto, CarriesWhatTheReasonMeansAsMetadata) {
 
 TEST(StatusToProto, WhatIsNotUtf8IsCleaned) {
   const google::rpc::Status proto = ToProto(InvalidArgument("a\xFF").WithViolation("b\xFF", "c\xFF"));
-  EXPECT_EQ(proto.message(), "a?");
+  EXPECT_EQ(proto.message(), "a?: b?: c?");
   const ErrorDetails details = ReadErrorDetails(proto.SerializeAsString());
   ASSERT_EQ(details.violations.size(), 1u);
   EXPECT_EQ(details.violations[0].field, "b?");
   EXPECT_EQ(details.violations[0].description, "c?");
+}
+
+TEST(StatusToProto, TheFirstViolationStandsInTheMessage) {
+  const auto message = [](const Status& status) { return ToProto(status).message(); };
+  EXPECT_EQ(message(InvalidArgument("m").WithViolation("a", "is b").WithViolation("c", "is d").WithViolation("e", "")),
+            "m: a: is b, and 2 more");
+  EXPECT_EQ(message(InvalidArgument("").WithViolation("a", "is b")), "a: is b");
+  EXPECT_EQ(message(InvalidArgument("m")), "m");
+  EXPECT_EQ(message(InvalidArgument("a: is b").WithViolation("a", "is b")), "a: is b") << "once";
+  EXPECT_EQ(message(InvalidArgument("a: is b").WithViolation("a", "is b").WithViolation("c", "is d")),
+            "a: is b, and 1 more");
 }
 
 TEST(ReadErrorDetails, ReadsWhatWasWrittenAndIsEmptyForAnythingElse) {

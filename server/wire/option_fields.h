@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dhpmap/v1/query_options.pb.h"
+#include "mapping/base/result.h"
+#include "mapping/map/map.h"
+
+namespace dhpmap {
+
+// What fields of QueryOptions have in common: names of submaps and classes, and how errors name the field.
+
+inline constexpr int kMostOptionItems = 1000;
+
+Status BadOption(Reason reason, const std::string& field, const std::string& what);
+/// An option that the query has no use for.
+Status NotTaken(const std::string& field);
+
+/// "list[number]".
+std::string ItemOfOption(const std::string& list, int number);
+
+/// INVALID_ARGUMENT for a list of more than kMostOptionItems.
+Status CheckOptionLength(const std::string& list, int length);
+
+/// NOT_FOUND for one that is not there, INVALID_ARGUMENT for what names none of this map.
+Result<SubmapId> OptionSubmapFromProto(const std::string& name, const std::string& field, const MapSnapshot& map);
+
+/// INVALID_ARGUMENT, which says what was near, for a class that there is not.
+Result<ClassId> OptionClassFromProto(const std::string& name, const std::string& field, const LabelSet& label_set);
+
+}  // namespace dhpmap
