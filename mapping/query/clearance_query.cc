@@ -24,10 +24,12 @@ double LeastOnTheWay(double a_m, double b_m, double way_m, double& share) {
 
 ClearanceQuery::ClearanceQuery(std::shared_ptr<const MapSurfaces> surfaces, const BodyOptions& options)
     : most_distance_m_(options.max_distance_m),
-      least_padding_m_(QueryWorld(surfaces, options.scope).grown().back().padding_m),
       padding_(options.scope.padding),
-      distances_(std::move(surfaces),
-                 {.max_distance_m = options.max_distance_m, .unknown_is_free = true, .scope = options.scope}) {}
+      distances_(surfaces,
+                 {.max_distance_m = options.max_distance_m, .unknown_is_free = true, .scope = options.scope}) {
+  const QueryWorld world(std::move(surfaces), options.scope);
+  for (const QueryWorld::Grown& grown : world.grown()) paddings_m_.push_back(grown.padding_m);
+}
 
 /// Of one sphere: halves its way where it may come nearer than anything did so far.
 class ClearanceQuery::Search {
@@ -87,12 +89,16 @@ class ClearanceQuery::Search {
 
   /// The same on a straight way.
   void LowerBetween(const SphereKnot& from, const SphereKnot& to, double from_m, double to_m) {
-    const double way_m = WayOf(from, to);
-    double share = 0;
-    const double padding_m = query_.least_padding_m_, radius_m = std::max(from.radius_m, to.radius_m);
-    const double least_m = LeastOnTheWay(from_m + from.radius_m + padding_m, to_m + to.radius_m + padding_m,
-                                         (to.center_m - from.center_m).norm(), share) -
-                           padding_m - radius_m;
+    const double way_m = WayOf(from, to), center_way_m = (to.center_m - from.center_m).norm();
+    double share = 0, least_m = std::numeric_limits<double>::infinity();
+    for (const double padding_m : query_.paddings_m_) {  // of what is grown by so much
+      double nearest_at = 0;
+      const double to_center_m =
+          LeastOnTheWay(from_m + from.radius_m + padding_m, to_m + to.radius_m + padding_m, center_way_m, nearest_at);
+      const double clear_m = to_center_m - padding_m - std::max(from.radius_m, to.radius_m);
+      if (clear_m < least_m) share = nearest_at;
+      least_m = std::min(least_m, clear_m);
+    }
     if (is_over_ || !MayBeNearer(std::max(0.5 * (from_m + to_m - way_m), least_m))) return;
     share = std::clamp(share, 0.2, 0.8);
     const SphereKnot middle{from.at + share * (to.at - from.at), from.center_m + share * (to.center_m - from.center_m),

@@ -40,7 +40,8 @@ class ClearanceQuery {
  private:
   class Search;
 
-  double most_distance_m_, least_padding_m_;
+  double most_distance_m_;
+  std::vector<double> paddings_m_;  ///< the different ones
   SurfacePadding padding_;
   DistanceQuery distances_;
 };

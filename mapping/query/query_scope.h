@@ -34,7 +34,8 @@ struct QueryScope {
   std::vector<ClassId> excluded_classes;
   std::optional<std::vector<ClassId>> classes;   ///< only these
   std::optional<std::vector<SubmapId>> submaps;  ///< only these
-  /// On a robot, and no longer where they are: what was in them counts as seen, and free.
+  /// On a robot, and no longer where they are: what was in them counts as seen, and free, unless
+  /// keeps_attached_unknown.
   std::vector<SubmapId> attached;
   /// There, but not in the way of whoever asks: neither their surfaces nor their inside (QueryWorld::IsInTheWay). What
   /// they have observed is seen, and what others have of a surface beside them stays as it is.
@@ -43,8 +44,9 @@ struct QueryScope {
   /// What was last looked through so long before the newest look at the map is not known to be free.
   std::optional<double> max_free_age_s;
   /// Whether what objects have left that an edit has moved or deleted (MapSnapshot::vacated) is free, as long as nobody
-  /// has seen anything there.
+  /// has seen anything there; and the place of what is left out of the world: QueryWorld::IsLeft.
   bool vacated_is_free = false;
+  bool keeps_attached_unknown = false;  ///< whether what is attached leaves a place that nobody knows
   /// Also submaps that are absent, but for what of them was looked through: see SurfaceCache::Of.
   bool with_absent = false;
 

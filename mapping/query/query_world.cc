@@ -45,11 +45,16 @@ QueryWorld::QueryWorld(std::shared_ptr<const MapSurfaces> surfaces, const QueryS
   if (!scope.may_touch.empty()) in_the_way_ = WithoutTouchable(is_held_, scope.may_touch, entries);
   if (scope.vacated_is_free) with_vacated_ = WithVacated();
   takes_all_ = scope.IsAll() && in_the_way_.empty() && !scope.max_free_age_s && with_vacated_.empty();
-  for (std::size_t number = 0; number < entries.size() && !scope.attached.empty(); ++number) {
-    const SubmapId id = entries[number].submap().id();
-    if (std::find(scope.attached.begin(), scope.attached.end(), id) != scope.attached.end()) {
-      attached_.push_back(number);
+  const auto is_attached = [&](const SubmapIndex::Entry& entry) {
+    return std::find(scope.attached.begin(), scope.attached.end(), entry.submap().id()) != scope.attached.end();
+  };
+  if (!is_held_.empty() && (scope.vacated_is_free || !scope.attached.empty())) {
+    for (std::size_t number = 0; number < entries.size(); ++number) {
+      is_attached_.push_back(is_attached(entries[number]));
+      has_left_.push_back(is_attached_[number] ? !scope.keeps_attached_unknown
+                                               : scope.vacated_is_free && !is_held_[number]);
     }
+    if (std::find(has_left_.begin(), has_left_.end(), true) == has_left_.end()) has_left_.clear();
   }
   if (scope.padding.classes.empty() && scope.padding.submaps.empty()) {
     grown_.push_back({scope.padding.default_m, in_the_way_.empty() ? is_held_ : in_the_way_});
@@ -102,18 +107,47 @@ bool QueryWorld::IsInTouchable(VoxelIndex voxel, double max_depth_m) const {
   return nearest.is_any && !in_the_way_[nearest.number] && nearest.is_behind && !nearest.is_beside;
 }
 
-bool QueryWorld::IsLeft(const Eigen::Vector3d& p_map) const {
+bool QueryWorld::HasLeft(std::size_t number, const Eigen::Vector3d& p_map) const {
   const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
-  return std::any_of(attached_.begin(), attached_.end(), [&](std::size_t number) {
-    const SubmapIndex::Entry& entry = entries[number];
-    const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
-    if (!entry.box_m().contains(p_submap)) return false;
-    if (SampleVoxelAt(entry.submap(), p_submap).IsObserved()) return true;
-    std::vector<bool> is_held(entries.size());
-    is_held[number] = true;
-    const NearestSurface nearest = NearestSearch(*surfaces_, is_held).Find(p_map, entry.box_m().diagonal().norm());
-    return nearest.is_any && nearest.is_behind;
+  const SubmapIndex::Entry& entry = entries[number];
+  const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
+  if (!entry.box_m().contains(p_submap)) return false;
+  if (SampleVoxelAt(entry.submap(), p_submap).IsObserved()) return true;
+  if (entry.submap().info().panoptic != Panoptic::kThing && !is_attached_[number]) return false;
+  std::vector<bool> is_held(entries.size());
+  is_held[number] = true;
+  const NearestSurface nearest = NearestSearch(*surfaces_, is_held).Find(p_map, entry.box_m().diagonal().norm());
+  return nearest.is_any && nearest.is_behind;
+}
+
+bool QueryWorld::IsLeft(const Eigen::Vector3d& p_map) const {
+  if (has_left_.empty()) return false;
+  bool is_left = false;
+  const SubmapIndex& index = surfaces_->index();
+  index.tree().VisitOverlapping({index.InTree(p_map), index.InTree(p_map)}, [&](std::size_t position) {
+    const std::size_t number = index.tree().items()[position];
+    is_left = has_left_[number] && HasLeft(number, p_map);
+    return !is_left;
   });
+  return is_left;
+}
+
+FreeMask QueryWorld::LeftVoxels(BlockIndex block) const {
+  FreeMask left{};
+  if (has_left_.empty()) return left;
+  const SubmapIndex& index = surfaces_->index();
+  const Eigen::Vector3d corner = BlockCorner(block, voxel_size_m());
+  const Eigen::Vector3d end = corner + Eigen::Vector3d::Constant(kBlockSide * voxel_size_m());
+  bool may_be_left = false;
+  index.tree().VisitOverlapping({index.InTree(corner), index.InTree(end)}, [&](std::size_t position) {
+    may_be_left = has_left_[index.tree().items()[position]];
+    return !may_be_left;
+  });
+  for (int i = 0; i < kBlockVoxels && may_be_left; ++i) {
+    if (!IsLeft(VoxelCentre(VoxelIn(block, i), voxel_size_m()))) continue;
+    left[static_cast<std::size_t>(i >> 6)] |= std::uint64_t{1} << (i & 63);
+  }
+  return left;
 }
 
 bool QueryWorld::IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const {

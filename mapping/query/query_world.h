@@ -66,8 +66,7 @@ class QueryWorld {
     if (const FreeTile* tile = with_vacated_.Find(index); tile != nullptr) return tile;
     return FindLookedThrough(index);
   }
-  /// Whether a submap that is there has observed what is at the voxel's centre, or something that is attached was
-  /// there.
+  /// Whether a submap that is there has observed what is at the voxel's centre, or something has left it: IsLeft.
   [[nodiscard]] bool IsObserved(VoxelIndex voxel) const;
   /// Whether a voxel that nobody has seen is the inside of something that may be touched, which is then no more in the
   /// way than its surface: of all surfaces that are there the nearest to its centre is one that may be touched, which
@@ -78,6 +77,12 @@ class QueryWorld {
   [[nodiscard]] bool has_touchable() const { return !in_the_way_.empty(); }
   /// Whether it is free or observed.
   [[nodiscard]] bool IsSeen(VoxelIndex voxel) const { return IsFree(voxel) || IsObserved(voxel); }
+  /// Whether a place is free because of what has left it: something that is attached, or left out of the world if that
+  /// leaves what it hid free. That is where it observed something, and of a thing, or what is attached, in the box
+  /// around it what lies behind its surface.
+  [[nodiscard]] bool IsLeft(const Eigen::Vector3d& p_map) const;
+  /// The same of all voxels of a block.
+  [[nodiscard]] FreeMask LeftVoxels(BlockIndex block) const;
   /// Whether there is a voxel for a place.
   [[nodiscard]] bool IsInReach(const Eigen::Vector3d& p_map) const {
     constexpr double kGridReach_vox = 1 << 30;
@@ -103,8 +108,7 @@ class QueryWorld {
  private:
   /// What is known of a place in a cell, if all submaps are there and all that was looked through counts.
   [[nodiscard]] Sight SightIn(const CellSight& cell, const Eigen::Vector3d& p_map) const;
-  /// Whether a place was left by something that is attached: where that observed something, or behind its surface.
-  [[nodiscard]] bool IsLeft(const Eigen::Vector3d& p_map) const;
+  [[nodiscard]] bool HasLeft(std::size_t number, const Eigen::Vector3d& p_map) const;
 
   [[nodiscard]] const FreeTile* FindLookedThrough(TileIndex index) const {
     const FreeTile* tile = free_space_->Find(index);
@@ -121,7 +125,8 @@ class QueryWorld {
   std::vector<bool> in_the_way_;                                       ///< by the scope; empty: all that are there
   bool takes_all_ = false;                                             ///< submaps and looks
   std::vector<Grown> grown_;
-  std::vector<std::size_t> attached_;  ///< by the scope
+  std::vector<bool> has_left_;     ///< by number, what leaves its place free; empty: nothing does
+  std::vector<bool> is_attached_;  ///< the same, of what is attached
 };
 
 }  // namespace dhpmap

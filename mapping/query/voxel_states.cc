@@ -34,7 +34,8 @@ class VoxelStates::Maker {
         index_(index),
         with_objects_(with_objects),
         looked_through_(world.LookedThrough(index)),
-        free_(world.FreeVoxels(index)) {}
+        free_(world.FreeVoxels(index)),
+        left_(world.LeftVoxels(index)) {}
 
   void Ask(std::uint32_t number) {
     const SubmapIndex::Entry& entry = surfaces_.index().entries()[number];
@@ -55,7 +56,7 @@ class VoxelStates::Maker {
 
   Block Finish() {
     for (std::size_t z = 0; z < block_.free.size(); ++z) {
-      block_.free[z] = (free_[z] | in_front_[z]) & ~block_.occupied[z];
+      block_.free[z] = (free_[z] | left_[z] | in_front_[z]) & ~block_.occupied[z];
     }
     return std::move(block_);
   }
@@ -81,7 +82,7 @@ class VoxelStates::Maker {
   const MapSurfaces& surfaces_;
   const BlockIndex index_;
   const bool with_objects_;
-  const FreeMask looked_through_, free_;
+  const FreeMask looked_through_, free_, left_;
   FreeMask in_front_{};
   std::array<float, kBlockVoxels> nearest_m_;  // set once anything is occupied
   Block block_;

@@ -103,6 +103,7 @@ Result<QueryScope> ScopeFromProto(const v1::QueryOptions& options, const MapSnap
     scope.max_free_age_s = options.max_age_s();
   }
   scope.vacated_is_free = options.vacated() == v1::Vacated::FREE;
+  scope.keeps_attached_unknown = options.vacated() == v1::Vacated::UNKNOWN;
   scope.with_absent = options.include_absent();
   return scope;
 }

@@ -43,8 +43,9 @@ class WheeledRobot : public MappedScene {
   }
   v1::TrajectoryResult Ask(const v1::CheckTrajectoryRequest& request) {
     const auto response = server_->Call(&QueryStub::CheckTrajectory, request).KeepStatus(status_);
-    const auto in_process = Client(server_->grpc().InProcessChannel()).Call(&QueryStub::CheckTrajectory, request);
-    EXPECT_EQ(in_process.value().SerializeAsString(), response.SerializeAsString()) << "the door of REST";
+    const v1::CheckTrajectoryResponse in_process =
+        Client(server_->grpc().InProcessChannel()).Call(&QueryStub::CheckTrajectory, request).value();
+    EXPECT_EQ(in_process.SerializeAsString(), response.SerializeAsString()) << "the door of REST";
     return response.results_size() == 1 ? response.results(0) : v1::TrajectoryResult();
   }
   std::string ClassName(int class_id) { return MakeLabelSet(2, 1)->Find(ClassId(class_id))->name; }
@@ -96,10 +97,10 @@ TEST_F(WheeledRobot, ClearanceIsToldWithWhereAndWhose) {
   EXPECT_TRUE(least.waypoint() == 0 || least.fraction() == 0);
   Allow("body", ClassName(3), *drive.mutable_options());
   const v1::Clearance ball = Ask(drive).clearance();
-  const double gap_m = std::sqrt(0.2 * 0.2 + 0.8 * 0.8 + 0.33 * 0.33) - 0.4 - kWheel_m;  // the left wheel, at first
+  const double gap_m = std::sqrt(0.2 * 0.2 + 0.9 * 0.9 + 0.15 * 0.15) - 0.4 - kBody_m;  // of the body, at first
   EXPECT_NEAR(ball.distance_m(), gap_m, 0.02);
   EXPECT_EQ(ball.class_name(), ClassName(1));
-  EXPECT_EQ(ball.sphere(), 0);
+  EXPECT_EQ(ball.sphere(), 2);
   EXPECT_EQ(ball.waypoint(), 0);
   EXPECT_EQ(ball.fraction(), 0);
   drive.set_packed(true);
@@ -134,6 +135,20 @@ TEST_F(WheeledRobot, BodiesHaveLinksToo) {
   request.add_body_links("arm");
   (void)server_->Call(&QueryStub::CheckCollisions, request).KeepStatus(status_);
   EXPECT_EQ(ViolationOf(status_).substr(0, 22), "body_links has 3 names");
+}
+
+TEST_F(WheeledRobot, AGripperIsNotBlockedByTheInsideOfWhatIsLeftOutIfThatLeavesFreeSpace) {
+  v1::CheckCollisionsRequest request;
+  request.set_map("maps/room");
+  for (const float value : {0.f, 0.f, 0.5f, 0.12f}) request.add_spheres(value);
+  const auto ask = [&] { return server_->Call(&QueryStub::CheckCollisions, request).value().results(0); };
+  EXPECT_EQ(ask().contacts(0).submap(), ObjectOfClass(1));
+  request.mutable_options()->add_excluded_submaps(ObjectOfClass(1));
+  EXPECT_EQ(ask().status(), v1::UNKNOWN) << "nobody has seen the inside of the ball";
+  EXPECT_TRUE(ask().colliding());
+  request.mutable_options()->set_vacated(v1::Vacated::FREE);
+  EXPECT_EQ(ask().status(), v1::OK);
+  EXPECT_FALSE(ask().colliding());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using testing::kIgnoringUnknown;
 using testing::kSceneVoxel_m;
 using testing::SurfacesOf;
 
-constexpr double kRounding_m = 2e-5, kTolerance_m = ClearanceQuery::kTolerance_m + kRounding_m;
+constexpr double kClearRounding_m = 2e-5, kClearTolerance_m = ClearanceQuery::kTolerance_m + kClearRounding_m;
 constexpr SubmapId kBall(1), kBlock(2), kSmall(3);
 
 /// Three things with space between them.
@@ -30,6 +30,7 @@ Map ThreeThings() {
                        testing::CubeAt({0, 0.8, 0.1}, 0.4));
   std::mt19937 random(8);
   map.FindMutable(kBlock)->mutable_info().T_map_submap = testing::RandomPose(random, 0.1);
+  map.Publish(0);
   return map;
 }
 
@@ -87,18 +88,19 @@ Way RandomWay(std::mt19937& random) {
 void ExpectLeast(const Way& knots, const LeastClearance& least, const AllSurfaces& all) {
   const SphereKnot nearest = Then(knots, least.at);
   SubmapId whose;
-  EXPECT_NEAR(all.Distance(nearest.center_m, &whose) - nearest.radius_m, least.distance_m, kRounding_m) << least.at;
+  EXPECT_NEAR(all.Distance(nearest.center_m, &whose) - nearest.radius_m, least.distance_m, kClearRounding_m)
+      << least.at;
   ASSERT_NE(least.submap, nullptr);
   EXPECT_EQ(least.submap->id, whose);
   constexpr int kMoments = 250;
   for (int i = 0; i <= kMoments; ++i) {
     const SphereKnot knot = Then(knots, static_cast<double>(knots.size() - 1) * i / kMoments);
-    EXPECT_GE(all.Distance(knot.center_m) - knot.radius_m, least.distance_m - kTolerance_m) << knot.at;
+    EXPECT_GE(all.Distance(knot.center_m) - knot.radius_m, least.distance_m - kClearTolerance_m) << knot.at;
   }
   // And as many around it.
   for (int i = -50; i <= 50; ++i) {
     const SphereKnot knot = Then(knots, std::clamp(least.at + 4e-4 * i, 0.0, static_cast<double>(knots.size() - 1)));
-    EXPECT_GE(all.Distance(knot.center_m) - knot.radius_m, least.distance_m - kTolerance_m) << knot.at;
+    EXPECT_GE(all.Distance(knot.center_m) - knot.radius_m, least.distance_m - kClearTolerance_m) << knot.at;
   }
 }
 
@@ -177,17 +179,17 @@ TEST(TrajectoryClearance, IsThatOfTheNearestSphereAndBelowZeroIfTheMotionIsNotVa
     ASSERT_TRUE(answer.clearance);
     const LeastClearance& least = answer.clearance->least;
     if (answer.is_valid) EXPECT_GT(least.distance_m, -1e-5);
-    else EXPECT_LT(least.distance_m, kTolerance_m);
+    else EXPECT_LT(least.distance_m, kClearTolerance_m);
     num_valid += answer.is_valid;
     num_second += answer.clearance->sphere == 1u;
     if (!answer.is_valid || round >= 12) continue;
     for (const Way& way : motion.spheres) {
       for (double at = 0; at <= 3; at += 0.02) {
-        EXPECT_GE(all.Distance(Then(way, at).center_m) - Then(way, at).radius_m, least.distance_m - kTolerance_m);
+        EXPECT_GE(all.Distance(Then(way, at).center_m) - Then(way, at).radius_m, least.distance_m - kClearTolerance_m);
       }
     }
     const SphereKnot nearest = Then(motion.spheres.at(answer.clearance->sphere.value()), least.at);
-    EXPECT_NEAR(all.Distance(nearest.center_m) - nearest.radius_m, least.distance_m, kRounding_m);
+    EXPECT_NEAR(all.Distance(nearest.center_m) - nearest.radius_m, least.distance_m, kClearRounding_m);
   }
   EXPECT_GT(num_valid, 10);
   EXPECT_LT(num_valid, 35);
@@ -205,7 +207,7 @@ TEST(TrajectoryClearance, OfARobotThatTurnsIsNoLargerAndSmallerByTwoMillimetresA
   Map map = ThreeThings();
   const AllSurfaces all(map, {});
   RobotMotion motion;
-  motion.robot = {{{0, 0, 0.3}, 0.05}, {{0.6, 0.1, 0.05}, 0.04}};
+  motion.robot = {{{0, 0, 0.3}, 0.05}, {{0.45, 0.1, 0.05}, 0.04}};
   motion.waypoints = {Turned(0.1, -0.5, 0.3), Turned(0.1, -0.2, 1.6), Turned(0, -0.3, 2.4)};
   const TrajectoryAnswer answer = Ask(map, {.bodies = kIgnoringUnknown}, motion);
   double least_m = std::numeric_limits<double>::infinity();
@@ -223,7 +225,7 @@ TEST(TrajectoryClearance, OfARobotThatTurnsIsNoLargerAndSmallerByTwoMillimetresA
     }
   }
   ASSERT_TRUE(answer.clearance);
-  EXPECT_LE(answer.clearance->least.distance_m, least_m + kTolerance_m);
+  EXPECT_LE(answer.clearance->least.distance_m, least_m + kClearTolerance_m);
   EXPECT_GE(answer.clearance->least.distance_m, least_m - 2e-3);
   EXPECT_GT(least_m, 0.01);
 }
@@ -250,7 +252,7 @@ TEST(TrajectoryClearance, OfWhatIsCarriedIsSmallerByHalfAVoxelsDiagonalAtMost) {
   EXPECT_EQ(answer.clearance->attached, 0u);
   EXPECT_FALSE(answer.clearance->sphere);
   EXPECT_EQ(answer.clearance->least.submap->id, kBlock);
-  EXPECT_LE(answer.clearance->least.distance_m, least_m + kTolerance_m);
+  EXPECT_LE(answer.clearance->least.distance_m, least_m + kClearTolerance_m);
   EXPECT_GE(answer.clearance->least.distance_m, least_m - std::sqrt(3.0) * kSceneVoxel_m)
       << "a triangle lies in a voxel";
   EXPECT_GT(least_m, 0.1);

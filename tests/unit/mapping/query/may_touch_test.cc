@@ -202,7 +202,7 @@ TEST(MayTouch, SpheresMeetWhatIsLeftAsAllTrianglesSay) {
 
 using Knots = std::vector<SphereKnot>;
 
-Knots Along(double y, double z, double radius_m, double to_x) {
+Knots RollTo(double y, double z, double radius_m, double to_x) {
   return {{0, {0.5, y, z}, radius_m}, {1, {to_x, y, z}, radius_m}};
 }
 
@@ -213,7 +213,7 @@ TEST(MayTouch, EachPartOfARobotHasItsOwnList) {
   options.spheres.list_of = {1, 0};  // a wheel and a body
   const auto go = [&](double body_z, double to_x) {
     RobotMotion motion;
-    motion.spheres = {Along(0.8, 0.09, 0.1, to_x), Along(0.8, body_z, 0.1, to_x)};
+    motion.spheres = {RollTo(0.8, 0.09, 0.1, to_x), RollTo(0.8, body_z, 0.1, to_x)};
     const auto query = TrajectoryQuery::Make(SurfacesOf(map), options);
     EXPECT_TRUE(query.ok());
     return *query->Check(motion);

@@ -78,6 +78,18 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   EXPECT_TRUE(question->options.scope.with_absent);
 }
 
+TEST(QueryOptionsFromProto, WhatIsAttachedLeavesItsPlaceFreeUnlessItIsToBeUnknown) {
+  v1::QueryOptions options;
+  const auto keeps_unknown = [&] {
+    return QueryOptionsFromProto(options, *Home(), kDistanceOptions)->options.scope.keeps_attached_unknown;
+  };
+  EXPECT_FALSE(keeps_unknown());
+  options.set_vacated(v1::Vacated::FREE);
+  EXPECT_FALSE(keeps_unknown());
+  options.set_vacated(v1::Vacated::UNKNOWN);
+  EXPECT_TRUE(keeps_unknown());
+}
+
 TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
   struct Case {
     std::function<void(v1::QueryOptions&)> spoil;
