@@ -87,10 +87,15 @@ class QueryWorld {
   [[nodiscard]] bool IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
   /// Of a place within the reach of the grid. `nearest`: of the surfaces; asked first, as its submap mostly knows.
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
+  /// Whether a place that nobody has seen is inside of a thing that is there: see thing_inside.h. Goes through all
+  /// things, and for those near by looks for the nearest of their surface.
+  [[nodiscard]] bool IsInsideThing(const Eigen::Vector3d& p_map) const;
 
  private:
   /// What is known of a place in a cell, if all submaps are there and all that was looked through counts.
   [[nodiscard]] Sight SightIn(const CellSight& cell, const Eigen::Vector3d& p_map) const;
+  /// Of whatever surface is nearest, within a limit.
+  [[nodiscard]] bool IsStraightInFront(const Eigen::Vector3d& p_map, double limit_m) const;
   /// Whether a place was left by something that is attached: where that observed something, or behind its surface.
   [[nodiscard]] bool IsLeft(const Eigen::Vector3d& p_map) const;
 
