@@ -100,7 +100,7 @@ CarriedBody CarriedBodyOf(const MapSnapshot& state, const Submap& submap, const 
 CarriedBody WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t max_balls) {
   const Submap* submap = surfaces.state().Find(id);
   if (submap == nullptr) return {};
-  const SubmapSurface* known = surfaces.SurfaceOf(id);
+  const SubmapSurface* known = surfaces.SurfaceOf(id).get();
   if (!IsLookedThrough(*submap) && known != nullptr) {
     return CarriedBodyOf(surfaces.state(), *submap, *known, max_balls);
   }

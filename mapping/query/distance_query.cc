@@ -326,16 +326,19 @@ void DistanceQuery::Tell(const Eigen::Vector3d& p_map, const NearestSurface& fou
   const bool is_in_band = distance_m <= submap.truncation_m;
   // In front of the surface, or in its band, a place need only be seen; what is farther behind must be known not to be
   // in front of anything.
-  QueryWorld::Sight sight{.is_seen = options_.unknown_is_free};
-  if (found.is_behind && (!is_in_band || found.is_beside)) {
-    sight = world_.SightAt(p_map, found);
-  } else if (!sight.is_seen) {
-    sight.is_seen = world_.IsSeenAt(p_map, found);
-  }
+  QueryWorld::Sight sight;
+  const bool needs_front = found.is_behind && (!is_in_band || found.is_beside);
+  const bool is_looked_at = needs_front || !options_.unknown_is_free;
+  if (needs_front) sight = world_.SightAt(p_map, found);
+  else if (is_looked_at) sight.is_seen = world_.IsSeenAt(p_map, found);
   answer.status = sight.is_seen || options_.unknown_is_free ? DistanceStatus::kOk : DistanceStatus::kUnknown;
   // Where the surface ends it does not tell what is beside it; a voxel that was seen there does.
-  const bool is_inside = found.is_beside ? sight.is_seen && !sight.is_front : is_in_band || !sight.is_front;
-  side = found.is_behind && is_inside ? -1 : 1;
+  bool is_inside =
+      found.is_behind && (found.is_beside ? sight.is_seen && !sight.is_front : is_in_band || !sight.is_front);
+  if (!is_inside && !(is_looked_at ? sight.is_seen : world_.IsSeenAt(p_map, found))) {
+    is_inside = world_.IsInsideThing(p_map);
+  }
+  side = is_inside ? -1 : 1;
   answer.distance_m = side * distance_m - padding_m;
 }
 

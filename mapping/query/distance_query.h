@@ -24,7 +24,8 @@ struct SurfaceDistance {
   DistanceStatus status = DistanceStatus::kClamped;
   /// Euclidean. Negative behind a surface: in the submap's band, and farther behind where the point was not seen in
   /// front of any, nor free. Beside a surface, where it ends at the nearest point, only if the point's own voxel was
-  /// seen, and behind a surface. Less the submap's padding. Clamped: the limit.
+  /// seen, and behind a surface. And negative where nobody has seen the point and it is inside of a thing, whosesoever
+  /// surface is nearest: see thing_inside.h. Less the submap's padding. Clamped: the limit.
   double distance_m = 0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< of the distance, map frame, unit; clamped: zero
   Eigen::Vector3d nearest_m;                           ///< on the surface, map frame; clamped: NaN

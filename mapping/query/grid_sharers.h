@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "mapping/base/index_map.h"
@@ -30,8 +31,9 @@ class GridSharers {
     [[nodiscard]] bool IsAlikeFor(SubmapId submap, const Around& other) const;
   };
 
-  /// Costs little more than a look at each tile. What is the same in an earlier state of the map, though that be gone,
-  /// is shared with `before`; null: there is none.
+  /// `before`: of an earlier state of the map, though that be gone; null: there is none. With it costs a look at each
+  /// submap, one at each tile of those that are others than they were, and, where any of these changed, a copy of some
+  /// bytes a tile.
   GridSharers(const MapSnapshot& state, const GridSharers* before);
 
   [[nodiscard]] static bool Takes(const MapSnapshot& state, const Submap& submap);
@@ -39,22 +41,50 @@ class GridSharers {
   [[nodiscard]] const std::shared_ptr<const Around>& AroundOf(TileIndex tile) const;
   /// The others around a tile of a submap.
   [[nodiscard]] std::vector<TilePlace::Sharer> SharersOf(SubmapId submap, TileIndex tile) const;
+  /// Whether another one knows of the same submaps with the same tiles: then all around is alike, too.
+  [[nodiscard]] bool IsSameAs(const GridSharers& other) const { return tiles_ == other.tiles_; }
 
  private:
+  struct TilePart {
+    TileIndex tile;
+    std::uint64_t part_id = 0;
+    bool operator==(const TilePart&) const = default;
+  };
+  /// A submap that takes part, and its tiles by ascending index.
+  struct Sharing {
+    SubmapId id;
+    std::weak_ptr<const Submap> submap;  ///< tells it from all others, though it be gone
+    std::shared_ptr<const std::vector<TilePart>> parts;
+  };
   struct Tile {
     TileIndex index;
-    std::vector<Around::Holder> here;  ///< their `where` does not count
+    std::shared_ptr<const std::vector<Around::Holder>> here;  ///< by submap; their `where` does not count
     std::shared_ptr<const Around> around;
   };
-  [[nodiscard]] const Tile* Find(TileIndex tile) const {
-    const std::uint32_t number = numbers_.Find(tile);
-    return number == IndexMap<TileIndex>::kNone ? nullptr : &tiles_[number];
-  }
-  [[nodiscard]] Around MakeAround(TileIndex tile) const;
+  struct Tiles {
+    std::vector<Tile> tiles;        ///< those that nobody has anything in any longer are left empty
+    IndexMap<TileIndex> numbers;    ///< position in tiles
+    [[nodiscard]] const Tile* Find(TileIndex tile) const {
+      const std::uint32_t number = numbers.Find(tile);
+      return number == IndexMap<TileIndex>::kNone ? nullptr : &tiles[number];
+    }
+  };
+  /// What of a tile is another's, or no longer there.
+  struct Change {
+    TileIndex tile;
+    SubmapId submap;
+    std::uint64_t part_id = 0;  ///< 0: it has nothing there any longer
+  };
+  static std::vector<TilePart> PartsOf(const Submap& submap);
+  static void AddChanges(SubmapId id, const std::vector<TilePart>& then, const std::vector<TilePart>& now,
+                         std::vector<Change>& changes);
+  std::vector<Change> TakeSubmaps(const GridSharers* before);
+  static void Apply(std::vector<Change> changes, Tiles& tiles);
+  static Around MakeAround(const Tiles& tiles, TileIndex tile);
 
   const MapSnapshot& state_;
-  std::vector<Tile> tiles_;
-  IndexMap<TileIndex> numbers_;  ///< position in tiles_
+  std::vector<Sharing> submaps_;  ///< by ascending id
+  std::shared_ptr<const Tiles> tiles_;
 };
 
 }  // namespace dhpmap

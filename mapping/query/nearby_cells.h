@@ -42,8 +42,29 @@ struct NearbyCell {
 /// The cells of one state of a map that are asked about, each made once it pays. Thread-safe; nobody waits.
 class NearbyCells : public CellGrid<NearbyCell> {
  public:
-  NearbyCells(const Eigen::AlignedBox3d& box_m, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger)
-      : CellGrid(box_m, voxel_size_m, std::move(ledger), kEnough) {}
+  /// Those of the state before, and what has become of what they know.
+  struct Earlier {
+    static constexpr std::uint32_t kGone = 0xFFFFFFFFu;
+    struct Part {
+      std::uint32_t number = kGone;     ///< what a submap's number is now; kGone: it is not there, or elsewhere
+      bool is_same = false;             ///< all tiles are where they were
+      std::vector<std::uint32_t> tiles;  ///< else by position then, that now; kGone: another surface, or none
+    };
+    std::shared_ptr<const NearbyCells> cells;  ///< of the same voxel size
+    std::vector<Part> parts;                   ///< by number then
+    std::vector<Eigen::AlignedBox3d> new_m;    ///< around all surfaces that were not there, in the map frame
+  };
+
+  /// `earlier`: null, if there is none.
+  NearbyCells(const Eigen::AlignedBox3d& box_m, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger,
+              std::shared_ptr<const Earlier> earlier = nullptr)
+      : CellGrid(box_m, voxel_size_m, std::move(ledger), kEnough), earlier_(std::move(earlier)) {}
+
+  /// The cell at a point that is kept in the slot, from the state before, if it had one and nothing near it has changed
+  /// since; else null. `surfaces`: of this state.
+  const NearbyCell* TakeOver(const MapSurfaces& surfaces, Slot& slot, const Eigen::Vector3d& p_map) const;
+  /// From here on nothing is taken over: a later state comes after this one.
+  void LeaveEarlier() const { earlier_.store(nullptr); }
 
   /// Whether, by the ledger's clock, it is time to say again that what the cell refers to is used.
   [[nodiscard]] bool IsMarkDue(const NearbyCell& cell) const {
@@ -56,6 +77,8 @@ class NearbyCells : public CellGrid<NearbyCell> {
 
  private:
   static constexpr std::uintptr_t kEnough = 3;  // times asked for: then to make it costs no more than was spent
+
+  mutable std::atomic<std::shared_ptr<const Earlier>> earlier_;
 };
 
 }  // namespace dhpmap

@@ -92,7 +92,12 @@ bool NearestSearch::Step() {
   switch (stage_) {
     case Stage::kSlot: {
       bool is_wanted = false;
-      if (slot_ != nullptr) cell_ = surfaces_.cells().Find(*slot_, is_wanted);
+      if (slot_ != nullptr) {
+        std::uintptr_t num_asked = 0;
+        cell_ = surfaces_.cells().Find(*slot_, num_asked);
+        if (cell_ == nullptr && num_asked == 0) cell_ = surfaces_.cells().TakeOver(surfaces_, *slot_, p_map_);
+        is_wanted = cell_ == nullptr && num_asked == surfaces_.cells().num_enough();
+      }
       if (is_wanted) cell_ = &MakeCell();
       if (cell_ == nullptr) {
         SearchMap();
@@ -358,7 +363,7 @@ NearestSurface NearestSearch::Found() {
     found.normal_submap = normal.cast<double>();
   }
   found.is_behind = side < 0;
-  found.is_beside = found.is_behind && nearest != nullptr && IsBeside(*nearest);
+  found.is_beside = (found.is_behind || tells_all_beside_) && nearest != nullptr && IsBeside(*nearest);
   return found;
 }
 
@@ -368,7 +373,7 @@ bool NearestSearch::IsBeside(const Touch& nearest) {
   const float distance_m = away.norm(), same_m = 4 * rounding_m_;
   // Across the face it matters as little whether the surface ends there as it does on it.
   constexpr float kAcross = 0.9998f;  // cosine of a degree
-  if (distance_m <= same_m || -NormalOf(triangle).dot(away) >= kAcross * distance_m) return false;
+  if (distance_m <= same_m || std::abs(NormalOf(triangle).dot(away)) >= kAcross * distance_m) return false;
   const std::span<const SubmapIndex::Entry> entries = surfaces_.index().entries();
   const Eigen::Vector3d point_submap = surfaces_.surface(nearest.tile.number).FromTile(point, nearest.tile.tile);
   // On the map's grid it goes on in its neighbours'.

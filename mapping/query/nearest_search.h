@@ -19,7 +19,8 @@ struct NearestSurface {
   Eigen::Vector3d point_submap = Eigen::Vector3d::Zero();   ///< on the surface, in the submap's frame
   Eigen::Vector3d normal_submap = Eigen::Vector3d::Zero();  ///< unit, to the front
   bool is_behind = false;                                   ///< the place is behind the surface
-  /// It is behind, but aside: the surface ends at its nearest point, so that it says nothing of what is at the place.
+  /// It is behind (or in front, if that is asked for), but aside: the surface ends at its nearest point, so that it says
+  /// nothing of what is at the place.
   bool is_beside = false;
   const CellSight* sight = nullptr;  ///< what is known of the voxels around the place; null: nothing
 };
@@ -43,6 +44,9 @@ class NearestSearch {
   /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that and 1e-4 voxels may count, too. Ends
   /// at the first.
   [[nodiscard]] bool IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m);
+
+  /// From here on is_beside is told of what is in front, too.
+  void TellWhereInFrontToo() { tells_all_beside_ = true; }
 
   // Find in steps. What a step will look at has been fetched by the one before, so who has several searches, and goes
   // from one to the next, does not wait for memory.
@@ -123,7 +127,7 @@ class NearestSearch {
   bool VisitNode();
   void SearchTile(const Tile& tile);
 
-  /// Of the touch that is nearest, with the place behind it.
+  /// Of the touch that is nearest.
   [[nodiscard]] bool IsBeside(const Touch& nearest);
 
   const MapSurfaces& surfaces_;
@@ -134,6 +138,7 @@ class NearestSearch {
   Stage stage_ = Stage::kDone;
   bool stops_at_any_ = false;
   bool sees_all_ = false;  ///< also what is not held
+  bool tells_all_beside_ = false;
   float best2_ = 0;        ///< squared distance of the nearest triangle, or of the limit
   float limit2_ = 0;       ///< within which a triangle is as near: an edge or a corner belongs to several
   NearbyCells::Slot* slot_ = nullptr;

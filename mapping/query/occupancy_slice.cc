@@ -7,24 +7,37 @@
 namespace dhpmap {
 namespace {
 
-/// Parts of a length that are no longer than a voxel, but for rounding.
-int NumParts(double length_m, double voxel_size_m) {
-  return std::max(1, static_cast<int>(std::ceil(length_m / voxel_size_m - 1e-6)));
+/// Parts of a length that are no longer than a step, but for rounding.
+int NumParts(double length_m, double step_m) {
+  return std::max(1, static_cast<int>(std::ceil(length_m / step_m - 1e-6)));
+}
+
+/// Between points, so that no voxel whose centre is in a cell is left out.
+double StepOf(const SliceOptions& options, double voxel_size_m) {
+  const Eigen::Matrix3d axes = options.T_map_query.linear().cwiseAbs();
+  const bool is_turned = ((axes.array() > 1e-9) && (axes.array() < 1 - 1e-9)).any();
+  constexpr double kTurned_vox = 0.57;  // less than 1 / sqrt(3)
+  return (is_turned ? kTurned_vox : 1.0) * voxel_size_m;
 }
 
 }  // namespace
 
-std::int64_t PointsACell(double resolution_m, double band_m, double voxel_size_m) {
-  const double side = std::ceil(resolution_m / voxel_size_m), up = std::ceil(band_m / voxel_size_m);
+std::int64_t PointsACell(const SliceOptions& options, double voxel_size_m) {
+  const double step_m = StepOf(options, voxel_size_m);
+  const double side = std::ceil(options.resolution_m / step_m);
+  const double up = std::ceil((options.max_z_m - options.min_z_m) / step_m);
   return static_cast<std::int64_t>(std::min(std::max(side * side * up, 1.0), 1e15));
 }
 
 OccupancySlice::OccupancySlice(const std::shared_ptr<const MapSurfaces>& surfaces, SliceOptions options)
-    : options_(std::move(options)), states_(surfaces, options_.scope, options_.with_objects) {
-  const double voxel_size_m = surfaces->state().info().config.voxel_size_m;
+    : options_(std::move(options)),
+      world_(surfaces, options_.scope),
+      states_(surfaces, {.max_distance_m = options_.max_distance_m, .scope = options_.scope}, options_.with_objects),
+      surface_(world_, options_) {
+  const double step_m = StepOf(options_, world_.voxel_size_m());
   const double band_m = options_.max_z_m - options_.min_z_m;
-  num_side_ = NumParts(options_.resolution_m, voxel_size_m);
-  num_up_ = NumParts(band_m, voxel_size_m);
+  num_side_ = NumParts(options_.resolution_m, step_m);
+  num_up_ = NumParts(band_m, step_m);
   const Eigen::Matrix3d axes = options_.T_map_query.linear();
   side_x_m_ = axes.col(0) * (options_.resolution_m / num_side_);
   side_y_m_ = axes.col(1) * (options_.resolution_m / num_side_);
@@ -33,8 +46,13 @@ OccupancySlice::OccupancySlice(const std::shared_ptr<const MapSurfaces>& surface
 
 void OccupancySlice::Row(int y, std::span<std::int8_t> cells, std::span<const SubmapInfo*> objects,
                          const std::stop_token& stop) {
+  const std::uint32_t* owners = surface_.Row(y, stop);
+  has_given_up_ = has_given_up_ || stop.stop_requested();
+  const std::span<const SubmapIndex::Entry> entries = world_.surfaces().index().entries();
   for (std::size_t x = 0; x < cells.size() && !has_given_up_; ++x) {
-    const Cell cell = CellAt(static_cast<int>(x), y, stop);
+    const bool has_surface = owners[x] != SliceSurface::kNobody;
+    const Cell cell = has_surface ? Cell{kOccupiedCell, &entries[owners[x]].submap().info()}
+                                  : CellAt(static_cast<int>(x), y, stop);
     cells[x] = cell.value;
     if (!objects.empty()) objects[x] = cell.object;
   }
@@ -52,28 +70,40 @@ OccupancySlice::Cell OccupancySlice::CellAt(int x, int y, const std::stop_token&
       options_.T_map_query *
       Eigen::Vector3d(options_.min_m.x() + x * side_m, options_.min_m.y() + y * side_m, options_.min_z_m);
   std::int64_t num_free = 0;
-  bool is_occupied = false;
   counts_.clear();
+  unknown_.clear();
   for (int j = 0; j < num_side_; ++j) {
     for (int i = 0; i < num_side_; ++i) {
       for (int k = 0; k < num_up_; ++k) {
         if (GivesUp(stop)) return {options_.unknown, nullptr};
-        const VoxelStates::Voxel voxel =
-            states_.At(corner + (i + 0.5) * side_x_m_ + (j + 0.5) * side_y_m_ + (k + 0.5) * up_m_);
+        const Eigen::Vector3d p = corner + (i + 0.5) * side_x_m_ + (j + 0.5) * side_y_m_ + (k + 0.5) * up_m_;
+        const VoxelStates::Voxel voxel = states_.At(p);
         num_free += voxel.state == VoxelState::kFree;
-        if (voxel.state != VoxelState::kOccupied) continue;
+        if (voxel.state == VoxelState::kUnknown) unknown_.push_back(p);
+        if (voxel.state != VoxelState::kInside) continue;
         if (!options_.with_objects) return {kOccupiedCell, nullptr};
-        is_occupied = true;
-        const auto known = std::find_if(counts_.begin(), counts_.end(),
-                                        [&voxel](const auto& count) { return count.first == voxel.submap; });
-        if (known != counts_.end()) ++known->second;
-        else counts_.emplace_back(voxel.submap, 1);
+        CountInside(voxel);
       }
     }
   }
-  if (is_occupied) return {kOccupiedCell, MostOften()};
+  for (std::size_t i = 0; i < unknown_.size() && options_.unknown == kFreeCell; ++i) {
+    if (GivesUp(stop)) return {options_.unknown, nullptr};
+    const VoxelStates::Voxel voxel = states_.UnseenAt(unknown_[i]);
+    if (voxel.state != VoxelState::kInside) continue;
+    if (!options_.with_objects) return {kOccupiedCell, nullptr};
+    CountInside(voxel);
+  }
+  if (!counts_.empty()) return {kOccupiedCell, MostOften()};
+  if (!unknown_.empty() && options_.unknown == kOccupiedCell) return {kOccupiedCell, nullptr};
   const bool is_free = static_cast<double>(num_free) >= options_.free_share * static_cast<double>(points_a_cell());
   return {is_free && num_free > 0 ? kFreeCell : options_.unknown, nullptr};
+}
+
+void OccupancySlice::CountInside(const VoxelStates::Voxel& voxel) {
+  const auto known = std::find_if(counts_.begin(), counts_.end(),
+                                  [&voxel](const auto& count) { return count.first == voxel.submap; });
+  if (known != counts_.end()) ++known->second;
+  else counts_.emplace_back(voxel.submap, 1);
 }
 
 const SubmapInfo* OccupancySlice::MostOften() {

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "mapping/query/thing_inside.h"
 #include "mapping/query/voxel_sampler.h"
 
 namespace dhpmap {
@@ -148,6 +149,31 @@ FreeMask QueryWorld::LeftVoxels(BlockIndex block) const {
     left[static_cast<std::size_t>(i >> 6)] |= std::uint64_t{1} << (i & 63);
   }
   return left;
+}
+
+bool QueryWorld::IsInsideThing(const Eigen::Vector3d& p_map) const {
+  const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
+  return std::any_of(surfaces_->things().begin(), surfaces_->things().end(), [&](const MapSurfaces::Thing& thing) {
+    if (!thing.around_m.contains(p_map) || !Holds(thing.number)) return false;
+    const SubmapIndex::Entry& entry = entries[thing.number];
+    const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
+    const Eigen::AlignedBox3d& surface_m =
+        surfaces_->surface(thing.number).BoxOfSurface(surfaces_->state(), entry.submap());
+    if (!AsDeepAsWide(surface_m).contains(p_submap)) return false;
+    const double limit_m = 3 * surface_m.diagonal().norm();
+    std::vector<bool> is_held(entries.size());
+    is_held[thing.number] = true;
+    const NearestSurface own = NearestSearch(*surfaces_, is_held, is_held_).Find(p_map, limit_m);
+    if (!own.is_any || !own.is_behind) return false;
+    return surface_m.contains(p_submap) || !IsStraightInFront(p_map, limit_m);
+  });
+}
+
+bool QueryWorld::IsStraightInFront(const Eigen::Vector3d& p_map, double limit_m) const {
+  NearestSearch search(*surfaces_, is_held_, is_held_);
+  search.TellWhereInFrontToo();
+  const NearestSurface nearest = search.Find(p_map, limit_m);
+  return nearest.is_any && !nearest.is_behind && !nearest.is_beside;
 }
 
 bool QueryWorld::IsSeenAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const {

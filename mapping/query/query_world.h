@@ -104,11 +104,16 @@ class QueryWorld {
   /// Of a place within the reach of the grid. `nearest`: of the surfaces; asked first, as its submap mostly knows. What
   /// may be touched says where a place is in front, not where it is inside.
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
+  /// Whether a place that nobody has seen is inside of a thing that is there: see thing_inside.h. Goes through all
+  /// things, and for those near by looks for the nearest of their surface.
+  [[nodiscard]] bool IsInsideThing(const Eigen::Vector3d& p_map) const;
 
  private:
   /// What is known of a place in a cell, if all submaps are there and all that was looked through counts.
   [[nodiscard]] Sight SightIn(const CellSight& cell, const Eigen::Vector3d& p_map) const;
   [[nodiscard]] bool HasLeft(std::size_t number, const Eigen::Vector3d& p_map) const;
+  /// Of whatever surface is nearest, within a limit.
+  [[nodiscard]] bool IsStraightInFront(const Eigen::Vector3d& p_map, double limit_m) const;
 
   [[nodiscard]] const FreeTile* FindLookedThrough(TileIndex index) const {
     const FreeTile* tile = free_space_->Find(index);

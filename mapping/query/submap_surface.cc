@@ -80,6 +80,23 @@ bool SubmapSurface::IsOf(const Submap& submap, const GridSharers* grid) const {
   return std::all_of(tiles_.begin(), tiles_.end(), [&](const Tile& tile) { return IsAlike(tile, submap, grid); });
 }
 
+bool SubmapSurface::IsSameAs(const SubmapSurface& other) const {
+  return std::equal(tiles_.begin(), tiles_.end(), other.tiles_.begin(), other.tiles_.end(),
+                    [](const Tile& a, const Tile& b) {
+                      return a.index == b.index && a.slot == b.slot && a.around == b.around && a.box_m.min() == b.box_m.min() && a.box_m.max() == b.box_m.max();
+                    });
+}
+
+std::vector<std::uint32_t> SubmapSurface::PositionsIn(const SubmapSurface& other) const {
+  std::vector<std::uint32_t> positions(tiles_.size(), kElsewhere);
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    const Tile* there = other.Find(tiles_[i].index);
+    if (there == nullptr || there->slot != tiles_[i].slot) continue;
+    positions[i] = static_cast<std::uint32_t>(there - other.tiles_.data());
+  }
+  return positions;
+}
+
 const SubmapSurface::Tile* SubmapSurface::Find(TileIndex tile) const {
   const auto found = std::lower_bound(by_index_.begin(), by_index_.end(), tile,
                                       [this](std::uint32_t i, TileIndex t) { return tiles_[i].index < t; });
@@ -97,6 +114,20 @@ void SubmapSurface::PrepareUsedSince(std::uint64_t time, const MapSnapshot& stat
     if (stop.stop_requested()) return;
     if (tile.slot->last_used() >= time) tile.slot->Prepare(state, submap, tile.index);
   }
+}
+
+const Eigen::AlignedBox3d& SubmapSurface::BoxOfSurface(const MapSnapshot& state, const Submap& submap) const {
+  if (const auto* known = surface_box_.load(std::memory_order_acquire); known != nullptr) return *known;
+  auto made = std::make_unique<Eigen::AlignedBox3d>();
+  for (std::size_t position = 0; position < tiles_.size(); ++position) {
+    const TriangleTree& triangles = Surface(state, submap, position);
+    if (triangles.num_triangles() == 0) continue;
+    made->extend(FromTile(triangles.bounds().min(), position));
+    made->extend(FromTile(triangles.bounds().max(), position));
+  }
+  const Eigen::AlignedBox3d* there = nullptr;
+  if (!surface_box_.compare_exchange_strong(there, made.get(), std::memory_order_acq_rel)) return *there;
+  return *made.release();
 }
 
 void SubmapSurface::AppendBoxes(const SubmapSurface* other, std::vector<Eigen::AlignedBox3d>& boxes_m) const {

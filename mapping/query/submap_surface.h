@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -29,8 +30,18 @@ class SubmapSurface {
   /// of them are near to; null: there is none.
   SubmapSurface(const Submap& submap, const GridSharers* grid, const SubmapSurface* known, const SlotSource& slots_of);
 
+  ~SubmapSurface() { delete surface_box_.load(); }
+  SubmapSurface(const SubmapSurface&) = delete;
+  SubmapSurface& operator=(const SubmapSurface&) = delete;
+
   /// Whether it would be the same of this submap and those with which it shares the grid now.
   [[nodiscard]] bool IsOf(const Submap& submap, const GridSharers* grid) const;
+
+  /// Whether another one has the same surfaces in the same order, and will be the same as long as this is.
+  [[nodiscard]] bool IsSameAs(const SubmapSurface& other) const;
+  /// By position here, that in another one; kElsewhere: it has not this surface.
+  [[nodiscard]] std::vector<std::uint32_t> PositionsIn(const SubmapSurface& other) const;
+  static constexpr std::uint32_t kElsewhere = 0xFFFFFFFFu;
 
   /// Null: there is none.
   [[nodiscard]] std::shared_ptr<const TileSurfaceSlot> SlotAt(TileIndex tile) const;
@@ -72,6 +83,10 @@ class SubmapSurface {
     return tiles_[position].corner_m + p_tile.cast<double>();
   }
 
+  /// Around all of the surface, to a few micrometres, in the submap's frame; empty: there is none. Makes what of it is
+  /// not there, once. `state` and `submap` as for Surface.
+  [[nodiscard]] const Eigen::AlignedBox3d& BoxOfSurface(const MapSnapshot& state, const Submap& submap) const;
+
   /// Appends boxes, in the submap's frame, around the surfaces of those tiles that another has not: tight, of what is
   /// made. `other` null: of all.
   void AppendBoxes(const SubmapSurface* other, std::vector<Eigen::AlignedBox3d>& boxes_m) const;
@@ -101,6 +116,7 @@ class SubmapSurface {
   BoxTree tree_;                                        ///< of the tiles' boxes
   std::vector<Tile> tiles_;                             ///< in the order of the tree
   std::vector<std::uint32_t> by_index_;                 ///< their positions, by ascending index
+  mutable std::atomic<const Eigen::AlignedBox3d*> surface_box_{nullptr};  ///< its own; null: nobody has asked
 };
 
 }  // namespace dhpmap

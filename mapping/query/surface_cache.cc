@@ -5,6 +5,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "mapping/query/thing_inside.h"
+
 namespace dhpmap {
 namespace {
 
@@ -37,17 +39,50 @@ MapSurfaces::MapSurfaces(const MapSnapshot& state, std::unique_ptr<const GridSha
       grid_(std::move(grid)),
       parts_(std::move(parts)),
       index_(IndexOf(parts_, before)),
-      cells_(index_.box_m(), voxel_size_m_, ledger),
-      fields_(FieldsAfter(before, ledger)) {}
+      things_(ThingsOf(index_)) {
+  GoOnFrom(before, ledger);
+}
 
-DistanceFields MapSurfaces::FieldsAfter(const MapSurfaces* before, const std::shared_ptr<SurfaceLedger>& ledger) const {
+void MapSurfaces::GoOnFrom(const MapSurfaces* before, const std::shared_ptr<SurfaceLedger>& ledger) {
+  std::shared_ptr<const NearbyCells::Earlier> cells;
+  std::shared_ptr<FieldStore> store;
+  std::uint64_t field_state = FieldStore::kFirst;
   if (before != nullptr && before->voxel_size_m_ == voxel_size_m_) {
-    const std::shared_ptr<FieldStore>& store = before->fields_.store();
-    if (const auto number = store->Append(before->fields_.state(), ChangesSince(*before))) {
-      return {index_.box_m(), voxel_size_m_, store, *number};
-    }
+    std::vector<SurfaceChange> changes = ChangesSince(*before);
+    before->cells_->LeaveEarlier();
+    cells = CellsOf(*before, changes);
+    store = before->fields_->store();
+    if (const auto number = store->Append(before->fields_->state(), std::move(changes))) field_state = *number;
+    else store = nullptr;
   }
-  return {index_.box_m(), voxel_size_m_, std::make_shared<FieldStore>(ledger), FieldStore::kFirst};
+  if (store == nullptr) store = std::make_shared<FieldStore>(ledger);
+  cells_ = std::make_shared<const NearbyCells>(index_.box_m(), voxel_size_m_, ledger, std::move(cells));
+  fields_ = std::make_unique<const DistanceFields>(index_.box_m(), voxel_size_m_, std::move(store), field_state);
+}
+
+/// What has become of those of an earlier state, of which only what this has copies of counts.
+std::shared_ptr<const NearbyCells::Earlier> MapSurfaces::CellsOf(const MapSurfaces& before,
+                                                                 std::span<const SurfaceChange> changes) const {
+  auto earlier = std::make_shared<NearbyCells::Earlier>();
+  earlier->cells = before.cells_;
+  earlier->parts.resize(before.parts_.size());
+  for (std::size_t number = 0; number < before.parts_.size(); ++number) {
+    const std::size_t now = NumberOf(before.parts_[number].id);
+    if (now == parts_.size()) continue;
+    const Transform &T_then = before.index_.entries()[number].T_submap_map(),
+                    &T_now = index_.entries()[now].T_submap_map();
+    if (T_then.matrix() != T_now.matrix()) continue;
+    NearbyCells::Earlier::Part& part = earlier->parts[number];
+    part.number = static_cast<std::uint32_t>(now);
+    part.is_same = before.parts_[number].surface == parts_[now].surface;
+    if (!part.is_same) part.tiles = before.surface(number).PositionsIn(surface(now));
+  }
+  for (const SurfaceChange& change : changes) {
+    if (change.is_gone) continue;
+    const Transform T_map_submap = change.T_submap_map.inverse();
+    for (const Eigen::AlignedBox3d& box_m : change.boxes_m) earlier->new_m.push_back(box_m.transformed(T_map_submap));
+  }
+  return earlier;
 }
 
 std::size_t MapSurfaces::NumberOf(SubmapId id) const {
@@ -56,9 +91,9 @@ std::size_t MapSurfaces::NumberOf(SubmapId id) const {
   return part != parts_.end() && part->id == id ? static_cast<std::size_t>(part - parts_.begin()) : parts_.size();
 }
 
-const SubmapSurface* MapSurfaces::SurfaceOf(SubmapId id) const {
+std::shared_ptr<const SubmapSurface> MapSurfaces::SurfaceOf(SubmapId id) const {
   const std::size_t number = NumberOf(id);
-  return number < parts_.size() ? parts_[number].surface.get() : nullptr;
+  return number < parts_.size() ? parts_[number].surface : nullptr;
 }
 
 bool MapSurfaces::Holds(std::span<const SubmapId> needed, const std::vector<bool>& is_there) const {
@@ -96,32 +131,38 @@ std::vector<SurfaceChange> MapSurfaces::ChangesSince(const MapSurfaces& before) 
     }
     const std::size_t old_one = was++, new_one = is++;
     const SubmapSurface &old_surface = before.surface(old_one), &new_surface = surface(new_one);
-    if (&old_surface == &new_surface) continue;
     const bool is_moved = old_entries[old_one].T_submap_map().matrix() != new_entries[new_one].T_submap_map().matrix();
+    if (&old_surface == &new_surface && !is_moved) continue;
     add(before, old_one, true, is_moved ? nullptr : &new_surface);
     add(*this, new_one, false, is_moved ? nullptr : &old_surface);
   }
   return changes;
 }
 
-/// The surface tells a submap from all others that there have been: submaps that are gone may have had the same
-/// address.
 SubmapIndex MapSurfaces::IndexOf(const std::vector<Part>& parts, const MapSurfaces* before) {
-  const std::size_t num_before = before == nullptr ? 0 : before->parts_.size();
+  const bool has_before = before != nullptr && before->parts_.size() == parts.size();
   std::vector<SubmapIndex::Entry> entries;
   entries.reserve(parts.size());
   std::vector<std::size_t> changed;
   for (std::size_t number = 0; number < parts.size(); ++number) {
     const Part& part = parts[number];
-    if (number < num_before && before->parts_[number].surface == part.surface) {
-      entries.push_back(before->index_.entries()[number]);
-    } else {
-      entries.emplace_back(*part.submap, part.surface->box_m());
-      changed.push_back(number);
-    }
+    entries.emplace_back(*part.submap, part.surface->box_m());
+    if (has_before && !entries.back().IsPlacedAs(before->index_.entries()[number])) changed.push_back(number);
   }
-  if (before == nullptr || num_before != parts.size()) return SubmapIndex(std::move(entries));
+  if (!has_before) return SubmapIndex(std::move(entries));
   return {before->index_, std::move(entries), changed};
+}
+
+std::vector<MapSurfaces::Thing> MapSurfaces::ThingsOf(const SubmapIndex& index) {
+  std::vector<Thing> things;
+  for (std::size_t number = 0; number < index.entries().size(); ++number) {
+    const SubmapIndex::Entry& entry = index.entries()[number];
+    const SubmapInfo& info = entry.submap().info();
+    if (info.panoptic != Panoptic::kThing) continue;
+    things.push_back(
+        {static_cast<std::uint32_t>(number), MayBeInside(entry.box_m()).transformed(info.T_map_submap)});
+  }
+  return things;
 }
 
 SurfaceCache::SurfaceCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {
@@ -221,7 +262,8 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Make(const MapSnapshot& state, 
 }
 
 std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_ptr<const Submap>& submap,
-                                                             const GridSharers* grid, const SubmapSurface* before) {
+                                                             const GridSharers* grid,
+                                                             const std::shared_ptr<const SubmapSurface>& before) {
   std::uint64_t num_evictions = 0;
   std::shared_ptr<const SubmapSurface> there;
   {
@@ -232,8 +274,9 @@ std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_p
   }
   if (there != nullptr && there->IsOf(*submap, grid)) return there;
   auto made = std::make_shared<const SubmapSurface>(*submap, grid, there.get(), [&](std::span<const TilePlace> places) {
-    return SlotsOf(places, submap->info().voxel_size_m, before);
+    return SlotsOf(places, submap->info().voxel_size_m, before.get());
   });
+  if (before != nullptr && before->IsSameAs(*made)) made = before;  // it was renamed, moved or relabelled
   Known<Submap, SubmapSurface> now{submap, made};
   const MutexLock lock(mutex_);
   // Else it may have slots that were dropped meanwhile, which nobody would know of any longer.

@@ -33,8 +33,14 @@ class MapSurfaces {
     SubmapId id;
     std::shared_ptr<const SubmapSurface> surface;  ///< of something
   };
+  /// A thing, and a box of the map frame around all that may be inside of it.
+  struct Thing {
+    std::uint32_t number;
+    Eigen::AlignedBox3d around_m;
+  };
   /// `state` outlives this; `grid`: of it; `ledger`: see CellSlots. With those of an earlier state of the map, though
-  /// that be gone, the index costs little more than what has changed since, and near fields go on where nothing has.
+  /// that be gone, the index costs little more than what has changed since, and cells and near fields go on where nothing
+  /// has.
   MapSurfaces(const MapSnapshot& state, std::unique_ptr<const GridSharers> grid, std::vector<Part> parts,
               const std::shared_ptr<SurfaceLedger>& ledger, const MapSurfaces* before = nullptr);
 
@@ -53,27 +59,31 @@ class MapSurfaces {
   [[nodiscard]] std::size_t NumberOf(SubmapId id) const;
   [[nodiscard]] const GridSharers* grid() const { return grid_.get(); }
   /// Of a submap; null if it has none.
-  [[nodiscard]] const SubmapSurface* SurfaceOf(SubmapId id) const;
+  [[nodiscard]] std::shared_ptr<const SubmapSurface> SurfaceOf(SubmapId id) const;
+  [[nodiscard]] std::span<const Thing> things() const { return things_; }
   /// What is nearest to the places that are asked about again and again.
-  [[nodiscard]] const NearbyCells& cells() const { return cells_; }
+  [[nodiscard]] const NearbyCells& cells() const { return *cells_; }
   /// What is nearest to them but for a part of a voxel, found sooner.
-  [[nodiscard]] const DistanceFields& fields() const { return fields_; }
+  [[nodiscard]] const DistanceFields& fields() const { return *fields_; }
 
  private:
   static SubmapIndex IndexOf(const std::vector<Part>& parts, const MapSurfaces* before);
+  static std::vector<Thing> ThingsOf(const SubmapIndex& index);
 
+  void GoOnFrom(const MapSurfaces* before, const std::shared_ptr<SurfaceLedger>& ledger);
   /// All in which this differs from an earlier state.
   [[nodiscard]] std::vector<SurfaceChange> ChangesSince(const MapSurfaces& before) const;
-  [[nodiscard]] DistanceFields FieldsAfter(const MapSurfaces* before,
-                                           const std::shared_ptr<SurfaceLedger>& ledger) const;
+  [[nodiscard]] std::shared_ptr<const NearbyCells::Earlier> CellsOf(const MapSurfaces& before,
+                                                                    std::span<const SurfaceChange> changes) const;
 
   const MapSnapshot& state_;
   const double voxel_size_m_;
   std::unique_ptr<const GridSharers> grid_;
   std::vector<Part> parts_;
   SubmapIndex index_;
-  NearbyCells cells_;
-  DistanceFields fields_;
+  std::vector<Thing> things_;
+  std::shared_ptr<const NearbyCells> cells_;
+  std::unique_ptr<const DistanceFields> fields_;
 };
 
 /// Surfaces of the maps that are asked about, made when they are first wanted and kept for later states, moved objects
@@ -126,7 +136,7 @@ class SurfaceCache {
       DHPMAP_EXCLUDES(mutex_);
   /// `grid`: null, if it shares it with nobody. `before`: of an earlier state of the submap; null: there was none.
   std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap, const GridSharers* grid,
-                                                 const SubmapSurface* before) DHPMAP_EXCLUDES(mutex_);
+                                                 const std::shared_ptr<const SubmapSurface>& before) DHPMAP_EXCLUDES(mutex_);
   SubmapSurface::Slots SlotsOf(std::span<const TilePlace> places, double voxel_size_m, const SubmapSurface* before)
       DHPMAP_EXCLUDES(mutex_);
   struct States;

@@ -56,7 +56,7 @@ class VoxelStates::Maker {
 
   Block Finish() {
     for (std::size_t z = 0; z < block_.free.size(); ++z) {
-      block_.free[z] = (free_[z] | left_[z] | in_front_[z]) & ~block_.occupied[z];
+      block_.free[z] = (free_[z] | left_[z] | in_front_[z]) & ~block_.inside[z];
     }
     return std::move(block_);
   }
@@ -64,11 +64,10 @@ class VoxelStates::Maker {
  private:
   void Take(int i, std::uint32_t number, const VoxelSample& voxel) {
     if (!voxel.IsObserved()) return;
-    const double half_m = 0.5 * (1 + 1e-3) * surfaces_.index().entries()[number].submap().info().voxel_size_m;
     const float distance_m = voxel.distance_m();
-    if (distance_m > half_m) return Set(in_front_, i);
-    if (distance_m < -half_m && HasVoxel(looked_through_, i)) return;
-    Set(block_.occupied, i);
+    if (distance_m > 0) return Set(in_front_, i);
+    if (HasVoxel(looked_through_, i)) return;
+    Set(block_.inside, i);
     if (!with_objects_) return;
     if (block_.numbers.empty()) {
       block_.numbers.resize(kBlockVoxels);
@@ -88,29 +87,61 @@ class VoxelStates::Maker {
   Block block_;
 };
 
-VoxelStates::VoxelStates(std::shared_ptr<const MapSurfaces> surfaces, const QueryScope& scope, bool with_objects)
-    : world_(std::move(surfaces), scope),
+VoxelStates::VoxelStates(const std::shared_ptr<const MapSurfaces>& surfaces, const DistanceOptions& options,
+                         bool with_objects)
+    : world_(surfaces, options.scope),
+      distances_(surfaces, options),
       with_objects_(with_objects),
       voxel_size_m_(world_.voxel_size_m()),
       reach_m_(GridReach_m(voxel_size_m_)) {}
 
-VoxelStates::Voxel VoxelStates::At(const Eigen::Vector3d& p_map) {
-  if (!(p_map.array().abs() <= reach_m_).all()) return {};
+VoxelStates::Block* VoxelStates::BlockOfPoint(const Eigen::Vector3d& p_map, int& linear) {
+  if (!(p_map.array().abs() <= reach_m_).all()) return nullptr;
   const VoxelIndex voxel = VoxelAt(p_map, voxel_size_m_);
   const BlockIndex index = BlockOf(voxel);
   if (last_ == nullptr || index != last_index_) {
     last_ = &BlockAt(index);
     last_index_ = index;
   }
-  const int i = LinearIndex(voxel);
-  if (HasVoxel(last_->free, i)) return {.state = VoxelState::kFree};
-  if (!HasVoxel(last_->occupied, i)) return {};
-  if (last_->numbers.empty()) return {.state = VoxelState::kOccupied};
-  const std::uint32_t number = last_->numbers[static_cast<std::size_t>(i)];
-  return {.state = VoxelState::kOccupied, .submap = &world_.surfaces().index().entries()[number].submap().info()};
+  linear = LinearIndex(voxel);
+  return last_;
 }
 
-const VoxelStates::Block& VoxelStates::BlockAt(BlockIndex index) {
+VoxelStates::Voxel VoxelStates::At(const Eigen::Vector3d& p_map) {
+  int i = 0;
+  const Block* block = BlockOfPoint(p_map, i);
+  if (block == nullptr) return {};
+  if (HasVoxel(block->free, i)) return {.state = VoxelState::kFree};
+  if (!HasVoxel(block->inside, i)) return {};
+  if (block->numbers.empty()) return {.state = VoxelState::kInside};
+  const std::uint32_t number = block->numbers[static_cast<std::size_t>(i)];
+  return {.state = VoxelState::kInside, .submap = &world_.surfaces().index().entries()[number].submap().info()};
+}
+
+VoxelStates::Voxel VoxelStates::UnseenAt(const Eigen::Vector3d& p_map) {
+  int linear = 0;
+  Block* block = BlockOfPoint(p_map, linear);
+  if (block == nullptr) return {};
+  if (block->behind.empty()) {
+    block->behind.resize(kBlockVoxels);
+    std::vector<Eigen::Vector3d> centres;
+    std::vector<std::size_t> voxels;
+    for (int i = 0; i < kBlockVoxels; ++i) {
+      if (HasVoxel(block->free, i) || HasVoxel(block->inside, i)) continue;
+      voxels.push_back(static_cast<std::size_t>(i));
+      centres.push_back(VoxelCentre(VoxelIn(last_index_, i), voxel_size_m_));
+    }
+    std::vector<SurfaceDistance> distances(centres.size());
+    distances_.AtInOrder(centres, distances);
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+      if (distances[i].distance_m < 0) block->behind[voxels[i]] = distances[i].submap;
+    }
+  }
+  const SubmapInfo* submap = block->behind[static_cast<std::size_t>(linear)];
+  return {.state = submap != nullptr ? VoxelState::kInside : VoxelState::kUnknown, .submap = submap};
+}
+
+VoxelStates::Block& VoxelStates::BlockAt(BlockIndex index) {
   const auto known = blocks_.find(index);
   if (known != blocks_.end()) return known->second;
   if (blocks_.size() >= kMostBlocks) blocks_.clear();

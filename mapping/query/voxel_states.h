@@ -8,46 +8,54 @@
 #include <vector>
 
 #include "mapping/map/free_tile.h"
-#include "mapping/query/query_scope.h"
+#include "mapping/query/distance_query.h"
 #include "mapping/query/query_world.h"
 #include "mapping/query/surface_cache.h"
 
 namespace dhpmap {
 
-enum class VoxelState : std::uint8_t { kUnknown, kFree, kOccupied };
+enum class VoxelState : std::uint8_t {
+  kUnknown,  ///< nobody has seen it
+  kFree,     ///< somebody has looked through it, or observed it in front of a surface
+  kInside,   ///< observed behind a surface, in its band, and nobody has looked through it
+};
 
-/// What is known of the voxels of a map's own grid, asked of every submap that counts at the voxel's centre:
-/// - occupied: a surface is within half a voxel, or the voxel is behind one, in its band, and nobody looked through it;
-/// - free: else, if somebody looked through it or observed it in front of a surface;
-/// - unknown: else.
+/// What is known of the voxels of a map's own grid, asked of every submap that counts at the voxel's centre; of whether
+/// there is a surface in them they say nothing.
 /// Works block by block and keeps what it made last: belongs to one thread.
 class VoxelStates {
  public:
   struct Voxel {
     VoxelState state = VoxelState::kUnknown;
-    const SubmapInfo* submap = nullptr;  ///< of an occupied one, whose surface is nearest; only if objects are wanted
+    const SubmapInfo* submap = nullptr;  ///< of one inside, whose surface is nearest; only if objects are wanted
   };
 
-  VoxelStates(std::shared_ptr<const MapSurfaces> surfaces, const QueryScope& scope, bool with_objects);
+  VoxelStates(const std::shared_ptr<const MapSurfaces>& surfaces, const DistanceOptions& options, bool with_objects);
 
   /// Of the voxel that holds the point (finite, metres of the map frame).
   [[nodiscard]] Voxel At(const Eigen::Vector3d& p_map);
+  /// Of one that is unknown, whether its centre is inside all the same: where distances (DistanceQuery) are negative.
+  [[nodiscard]] Voxel UnseenAt(const Eigen::Vector3d& p_map);
 
  private:
   struct Block {
-    FreeMask occupied{}, free{};
-    std::vector<std::uint32_t> numbers;  ///< of the submaps; empty: not wanted, or nothing is occupied
+    FreeMask inside{}, free{};
+    std::vector<std::uint32_t> numbers;  ///< of the submaps; empty: not wanted, or nothing is inside
+    std::vector<const SubmapInfo*> behind;  ///< of what is unknown, whose inside it is; null: nobody's; empty: not asked
   };
   class Maker;
 
-  const Block& BlockAt(BlockIndex index);
+  Block& BlockAt(BlockIndex index);
+  /// Null: out of reach.
+  Block* BlockOfPoint(const Eigen::Vector3d& p_map, int& linear);
 
   const QueryWorld world_;
+  const DistanceQuery distances_;
   const bool with_objects_;
   const double voxel_size_m_, reach_m_;
   std::unordered_map<BlockIndex, Block, BlockIndexHash> blocks_;
   BlockIndex last_index_;
-  const Block* last_ = nullptr;
+  Block* last_ = nullptr;
 };
 
 }  // namespace dhpmap

@@ -35,7 +35,7 @@ Status Place(const Eigen::AlignedBox2d& area_m, double voxel_size_m, SliceOption
   if (!(width * height <= static_cast<double>(kMostSliceCells))) {
     return TooLarge("area", "has more than 4,000,000 cells: ask for fewer or coarser ones");
   }
-  const std::int64_t points = PointsACell(options.resolution_m, options.max_z_m - options.min_z_m, voxel_size_m);
+  const std::int64_t points = PointsACell(options, voxel_size_m);
   if (static_cast<double>(points) * width * height > static_cast<double>(kMostPoints)) {
     return TooLarge("max_z_m", "area and band hold more than 400,000,000 voxels: ask for a part");
   }

@@ -130,6 +130,7 @@ Result<SliceRequest> SliceRequestFromProto(const v1::GetOccupancySliceRequest& r
   DHPMAP_ASSIGN_OR_RETURN(const auto question, QueryOptionsFromProto(options, map, kRayOptions));
   slice.options.unknown = UnknownCellOf(request.options().unknown_policy());
   slice.options.T_map_query = question.T_map_query;
+  slice.options.max_distance_m = question.options.max_distance_m;
   slice.options.scope = question.options.scope;
   return slice;
 }

@@ -47,6 +47,28 @@ struct SurfaceCheckOptions {
 /// Whether distances agree with the whole-map mesh, and both with what depth images saw: measured by code of its own.
 Status RunSurfaceCheck(const SurfaceCheckOptions& options);
 
+struct PathCheckOptions {
+  std::string directory;
+  std::size_t num_frames = 0;
+  double min_z_m = 0.1, max_z_m = 1.2;  ///< of the band
+  double radius_m = 0.2;                ///< of the ball
+  double resolution_m = 0;              ///< of the slice; 0: the map's voxel size
+  double height_step_m = 0.1;           ///< between the heights at which steps are checked
+  std::size_t num_listed = 0;           ///< of the cells in which it collides
+};
+/// Whether a ball that goes where a slice lets it passes the check of its motion, at all heights of the band, with what
+/// is unknown free, and occupied. All paths of A* are made of the steps that are looked at.
+Status RunPathCheck(const PathCheckOptions& options);
+
+struct InsideCheckOptions {
+  std::string directory;  ///< of dhpmap-simulate, nothing changed
+  std::size_t num_frames = 0;
+  double depth_m = 0.12;  ///< so deep inside solids
+  unsigned seed = 1;
+};
+/// What answers say of the inside of things, which nobody has seen, if what is unknown is free: by the simulator's truth.
+Status RunInsideCheck(const InsideCheckOptions& options);
+
 struct CrfBenchOptions {
   std::string directory;        ///< empty: a synthetic room
   std::size_t num_frames = 80;  ///< of the data set
@@ -86,6 +108,7 @@ struct QueryBenchOptions {
   std::size_t num_points = 100000;  ///< of each kind
   std::size_t num_checked = 300;    ///< of these, compared with every triangle
   bool only_distances = false;
+  bool only_edits = false;  ///< what they cost that change nothing near by
 };
 /// What one core answers a second on the data set's map, as it is and with a third of the things moved, the errors
 /// against brute force over all triangles, and how the time grows with the number of submaps.

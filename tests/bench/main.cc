@@ -64,6 +64,26 @@ int main(int argc, char** argv) {
   surfaces_command->add_option("--things", surfaces.num_things, "To exclude and move")->capture_default_str();
   surfaces_command->add_option("--seed", surfaces.seed, "Of the points")->capture_default_str();
 
+  dhpmap::bench::PathCheckOptions paths;
+  CLI::App* paths_command = app.add_subcommand("paths", "Whether ways that an occupancy slice leaves pass checks");
+  paths_command->add_option("directory", paths.directory, "Data set")->required();
+  paths_command->add_option("--frames", paths.num_frames, "Frames, 0 = all");
+  paths_command->add_option("--min-z", paths.min_z_m, "Of the band, in m")->capture_default_str();
+  paths_command->add_option("--max-z", paths.max_z_m, "Of the band, in m")->capture_default_str();
+  paths_command->add_option("--radius", paths.radius_m, "Of the ball, in m")->capture_default_str();
+  paths_command->add_option("--resolution", paths.resolution_m, "Of the slice in m, 0 = the voxel size");
+  paths_command->add_option("--height-step", paths.height_step_m, "Between the heights of steps, in m")
+      ->check(CLI::Range(0.001, 100.0))
+      ->capture_default_str();
+  paths_command->add_option("--list", paths.num_listed, "So many of the cells in which it collides");
+
+  dhpmap::bench::InsideCheckOptions inside;
+  CLI::App* inside_command = app.add_subcommand("inside", "Whether the unseen inside of things is solid");
+  inside_command->add_option("directory", inside.directory, "Recording of dhpmap-simulate")->required();
+  inside_command->add_option("--frames", inside.num_frames, "Frames, 0 = all");
+  inside_command->add_option("--depth", inside.depth_m, "So deep inside, in m")->capture_default_str();
+  inside_command->add_option("--seed", inside.seed, "Of the places")->capture_default_str();
+
   dhpmap::bench::GeometryCheckOptions geometry;
   CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against frames that were held out");
   geometry_command->add_option("directory", geometry.directory, "Data set with ground truth")->required();
@@ -97,6 +117,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   query_command->add_option("--check", query.num_checked, "Of these, compared with brute force")->capture_default_str();
   query_command->add_flag("--distances", query.only_distances, "Nothing but distances");
+  query_command->add_flag("--edits", query.only_edits, "Nothing but the first distances after edits far away");
 
   dhpmap::bench::ChangeBenchOptions change;
   CLI::App* change_command = app.add_subcommand("change", "What is gone and what was moved between two walks");
@@ -177,6 +198,8 @@ int main(int argc, char** argv) {
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
                                 : surfaces_command->parsed() ? dhpmap::bench::RunSurfaceCheck(surfaces)
+                                : paths_command->parsed()    ? dhpmap::bench::RunPathCheck(paths)
+                                : inside_command->parsed()   ? dhpmap::bench::RunInsideCheck(inside)
                                 : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
                                 : change_command->parsed()   ? dhpmap::bench::RunChangeBench(change)
                                 : is_paging->count() > 0     ? dhpmap::bench::RunPagingBench(paging)

@@ -6,40 +6,16 @@
 #include <vector>
 
 #include "mapping/mesh/map_mesh.h"
-#include "mapping/pipeline/map_builder.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/point_lookup.h"
 #include "tests/bench/bench.h"
-#include "tests/bench/frames.h"
+#include "tests/bench/recording.h"
 #include "tests/bench/surface_truth.h"
 
 namespace dhpmap::bench {
 namespace {
 
 constexpr double kMost_m = 1.0;  // what is farther counts as that far
-
-/// A map as it was made, and what it was made from.
-struct Recording {
-  LoadedFrames loaded;
-  MapInfo info;
-  std::unique_ptr<MapBuilder> builder;
-  [[nodiscard]] double voxel_m() const { return info.config.voxel_size_m; }
-};
-
-Result<Recording> MapRecording(const SurfaceCheckOptions& options) {
-  Recording made;
-  DHPMAP_ASSIGN_OR_RETURN(made.loaded, LoadFrames(options.directory, LabelSource::kPredicted, options.num_frames));
-  made.info.name = "surfaces";
-  DHPMAP_RETURN_IF_ERROR(ApplyPreset(made.loaded.dataset->preset(), made.info.config));
-  DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(made.loaded.dataset->label_classes()));
-  made.info.label_set = std::make_shared<LabelSet>(std::move(label_set));
-  made.builder = std::make_unique<MapBuilder>(made.info, 0);
-  for (const PanopticFrame& frame : made.loaded.frames) {
-    DHPMAP_RETURN_IF_ERROR(made.builder->Integrate(frame).status());
-  }
-  (void)made.builder->Finish();
-  return made;
-}
 
 /// Of points around surfaces: the distance that a query told less that to the mesh, in voxels.
 struct Differences {
@@ -195,7 +171,7 @@ void JudgeChanged(const Recording& recording, const SurfaceCheckOptions& options
 }  // namespace
 
 Status RunSurfaceCheck(const SurfaceCheckOptions& options) {
-  DHPMAP_ASSIGN_OR_RETURN(const Recording recording, MapRecording(options));
+  DHPMAP_ASSIGN_OR_RETURN(const Recording recording, MapRecording(options.directory, options.num_frames));
   std::mt19937 random(options.seed);
   JudgeWhole(recording, options, random);
   JudgeChanged(recording, options, random);

@@ -201,8 +201,8 @@ TEST(DistanceQuery, IsNegativeDeepBehindOnlyWhereNothingWasSeenInFront) {
   testing::ObserveBand(testing::AddThing(map), other, testing::CubeAt({-0.44, 0, 0}, 0.16));
   const SurfaceDistance between = QueryOf(map).At({-0.2, 0.02, 0.03});
   EXPECT_NEAR(between.distance_m, -0.2, 1e-3) << "nobody has seen this";
-  const SurfaceDistance before_other = QueryOf(map).At({-0.295, 0.02, 0.03});
-  EXPECT_NEAR(before_other.distance_m, 0.145, 1e-3) << "before the other wall";
+  const SurfaceDistance before_other = QueryOf(map).At({-0.305, 0.02, 0.03});
+  EXPECT_NEAR(before_other.distance_m, 0.135, 1e-3) << "before the other wall";
 }
 
 TEST(DistanceQuery, TellsSeenFromUnseen) {

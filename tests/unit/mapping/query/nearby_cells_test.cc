@@ -74,7 +74,7 @@ TEST(NearbyCells, MadeForSomeServeOthersWithAnotherScope) {
   for (const Eigen::Vector3d& p : points) ExpectSame(wide.At(p), truth.At(p));
 }
 
-TEST(NearbyCells, GiveTheirBytesBackWithTheState) {
+TEST(NearbyCells, GiveTheirBytesBackOnceTheNextStateHasANextOne) {
   Map map = testing::FurnishedRoom();
   SurfaceCache cache(kPlenty);
   {
@@ -82,12 +82,16 @@ TEST(NearbyCells, GiveTheirBytesBackWithTheState) {
     for (int n = 0; n < kTimesACell; ++n) (void)query.At({0.1, 0.2, 0.3});
     EXPECT_GT(cache.cell_bytes(), 0u);
   }
-  (void)map.FindMutable(SubmapId(1));
-  const auto next = map.Publish(1);
-  const std::size_t of_next = (cache.Of(next), cache.cell_bytes());
+  std::vector<std::size_t> of_next;
+  for (int n = 1; n < 5; ++n) {
+    (void)map.FindMutable(SubmapId(1));
+    of_next.push_back((cache.Of(map.Publish(n)), cache.cell_bytes()));
+  }
   SurfaceCache fresh(kPlenty);
-  (void)fresh.Of(next);
-  EXPECT_EQ(of_next, fresh.cell_bytes());
+  (void)fresh.Of(map.published());
+  EXPECT_LT(of_next[1], of_next[0]) << "which may take over what the first had";
+  EXPECT_LT(of_next[1], 2 * fresh.cell_bytes()) << "none of the two has a cell";
+  EXPECT_EQ(of_next[3], of_next[1]);
 }
 
 TEST(NearbyCells, AreNotMadeWhereTheMapIsBeyondMeasure) {

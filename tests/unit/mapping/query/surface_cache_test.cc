@@ -130,7 +130,7 @@ TEST(SurfaceCache, AChangeBeyondTheReachOfATilesCellsLeavesItsSurface) {
   SurfaceCache cache(kPlenty);
   const auto slots = [&] {
     const auto surfaces = cache.Of(map.published());
-    const SubmapSurface* surface = surfaces->SurfaceOf(SubmapId(1));
+    const SubmapSurface* surface = surfaces->SurfaceOf(SubmapId(1)).get();
     return std::array{surface->SlotAt({0, 0, 0}), surface->SlotAt({0, 1, 0})};
   };
   const auto write_at = [&](double y_m) {
@@ -176,13 +176,101 @@ TEST(SurfaceCache, IncrementalAnswersEqualThoseOfANewCacheOverRandomEdits) {
     const auto state = map.Publish(step);
     SurfaceCache fresh(kPlenty);
     const DistanceQuery incremental(cache.Of(state), {}), batch(fresh.Of(state), {});
-    for (const Eigen::Vector3d& p : testing::RandomPoints(40, 1.8, static_cast<unsigned>(step))) {
+    for (const Eigen::Vector3d& p : testing::RandomPoints(60, 1.8, static_cast<unsigned>(step / 5))) {
       const SurfaceDistance a = incremental.At(p), b = batch.At(p);
+      for (int n = 0; n < 4; ++n) (void)incremental.At(p);  // until its cell is there, for the states that follow
       EXPECT_EQ(a.distance_m, b.distance_m) << step;
       EXPECT_EQ(a.status, b.status) << step;
       EXPECT_EQ(a.submap, b.submap) << step;
     }
   }
+}
+
+/// Whether a state had, or takes over, what is near a place, when it is asked about it for the first time.
+bool HasCellAtOnce(const std::shared_ptr<const MapSurfaces>& surfaces, const Eigen::Vector3d& p) {
+  (void)DistanceQuery(surfaces, {}).At(p);
+  return surfaces->cells().SlotAt(p)->load() > CellSlots::kMostAsked;
+}
+
+TEST(SurfaceCache, WhatIsNearAPlaceIsKnownForAsLongAsNothingChangesThere) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(kPlenty);
+  const Eigen::Vector3d at_ball(0.61, 0.0, 0.43), at_small(-0.55, 0.5, 0.9);  // before things 1 and 3
+  const auto first = cache.Of(map.Publish(0));
+  EXPECT_FALSE(HasCellAtOnce(first, at_ball));
+  for (int n = 0; n < 5; ++n) {
+    for (const Eigen::Vector3d& p : {at_ball, at_small}) (void)DistanceQuery(first, {}).At(p);
+  }
+  ASSERT_TRUE(HasCellAtOnce(first, at_ball) && HasCellAtOnce(first, at_small));
+  map.FindMutable(SubmapId(1))->mutable_info().display_name = "globe";
+  const auto renamed = cache.Of(map.Publish(1));
+  EXPECT_TRUE(HasCellAtOnce(renamed, at_ball) && HasCellAtOnce(renamed, at_small));
+  map.FindMutable(SubmapId(3))->mutable_info().T_map_submap.translation().z() -= 0.2;
+  const auto moved = cache.Of(map.Publish(2));
+  EXPECT_FALSE(HasCellAtOnce(moved, at_small));
+  EXPECT_TRUE(map.Remove(SubmapId(2)));  // numbers are others from here on
+  const auto removed = cache.Of(map.Publish(3));
+  SurfaceCache fresh(kPlenty);
+  const DistanceQuery incremental(removed, {}), anew(fresh.Of(map.published()), {});
+  for (const Eigen::Vector3d& p : testing::RandomPoints(200, 1.5, 9)) {
+    EXPECT_EQ(incremental.At(p).distance_m, anew.At(p).distance_m);
+    EXPECT_EQ(incremental.At(p).submap, anew.At(p).submap);
+  }
+}
+
+TEST(SurfaceCache, ARenamedSubmapAndOneThatMovesKeepTheirSurface) {
+  Map map = testing::FurnishedRoom();
+  SurfaceCache cache(kPlenty);
+  const auto first = cache.Of(map.Publish(0));
+  map.FindMutable(SubmapId(1))->mutable_info().display_name = "globe";
+  const auto renamed = cache.Of(map.Publish(1));
+  EXPECT_EQ(renamed->SurfaceOf(SubmapId(1)), first->SurfaceOf(SubmapId(1)));
+  EXPECT_EQ(renamed->index().entries()[renamed->NumberOf(SubmapId(1))].submap().info().display_name, "globe");
+}
+
+TEST(GridSharers, OverRandomEditsAreThoseOfANewOne) {
+  Map map = testing::FurnishedRoom();
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<std::shared_ptr<const MapSnapshot>> states;
+  std::vector<std::unique_ptr<const GridSharers>> sharers;
+  int num_same = 0;
+  for (int step = 0; step < 40; ++step) {
+    const auto& submaps = map.submaps();
+    const SubmapId id = submaps[random() % submaps.size()]->id();
+    switch (random() % 5) {
+      case 0: map.FindMutable(id)->mutable_info().T_map_submap = testing::RandomPose(random, 0.6); break;
+      case 1: map.FindMutable(id)->mutable_info().display_name = std::to_string(step); break;
+      case 2:
+        if (submaps.size() > 4) (void)map.Remove(id);
+        break;
+      case 3: {
+        const Eigen::Vector3d center = 2.5 * Eigen::Vector3d{unit(random), unit(random), unit(random)};
+        testing::ObserveBand(testing::AddThing(map), testing::Ball(center, 0.15), testing::CubeAt(center, 0.3));
+        break;
+      }
+      default: {
+        Submap& submap = *map.FindMutable(id);
+        if (!submap.blocks().empty()) (void)submap.EraseBlock(submap.blocks().entries().front().index);
+      }
+    }
+    states.push_back(map.Publish(step));
+    sharers.push_back(
+        std::make_unique<const GridSharers>(*states.back(), sharers.empty() ? nullptr : sharers.back().get()));
+    if (step > 0) num_same += sharers.back()->IsSameAs(*sharers[sharers.size() - 2]);
+    const GridSharers anew(*states.back(), nullptr);
+    for (int z = -3; z <= 3; ++z) {
+      for (int n = 0; n < 49; ++n) {
+        const TileIndex tile{n % 7 - 3, n / 7 - 3, z};
+        const auto &a = sharers.back()->AroundOf(tile), &b = anew.AroundOf(tile);
+        ASSERT_EQ(a == nullptr, b == nullptr) << step;
+        if (a == nullptr) continue;
+        ASSERT_EQ(a->holders, b->holders) << step;
+      }
+    }
+  }
+  EXPECT_GT(num_same, 5) << "nothing is made for a name";
+  EXPECT_LT(num_same, 30);
 }
 
 TEST(SurfaceCache, KeepsToItsLimitAndAnswersTheSame) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <random>
 #include <vector>
@@ -51,6 +52,26 @@ inline void ObserveBand(Submap& submap, const SolidDistance& distance, const Eig
     }
   }
   submap.UpdateBoundingSphere();
+}
+
+/// Marks the voxels whose centres `is_free` as looked through.
+inline void LookThrough(Map& map, const Eigen::AlignedBox3d& box, const std::function<bool(const Eigen::Vector3d&)>& is_free) {
+  std::map<TileIndex, FreeBlocks> tiles;
+  const VoxelIndex low = VoxelAt(box.min(), kSceneVoxel_m), high = VoxelAt(box.max(), kSceneVoxel_m);
+  for (int z = low.z; z <= high.z; ++z) {
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
+        const VoxelIndex voxel{x, y, z};
+        if (!is_free(VoxelCentre(voxel, kSceneVoxel_m))) continue;
+        const int cell = CellOf(BlockOf(voxel)), linear = LinearIndex(voxel);
+        FreeBlocks& seen = tiles[TileOf(BlockOf(voxel))];
+        seen.mixed |= std::uint64_t{1} << cell;
+        seen.masks[static_cast<std::size_t>(cell)][static_cast<std::size_t>(linear >> 6)] |= std::uint64_t{1}
+                                                                                             << (linear & 63);
+      }
+    }
+  }
+  for (const auto& [index, seen] : tiles) map.mutable_free_space().Add(index, seen, 0);
 }
 
 inline MapInfo SceneInfo() {

@@ -82,7 +82,7 @@ TEST_F(UnlayeredMap, DistancesAreUnknownWhereNoVoxelWasObserved) {
 
 TEST_F(UnlayeredMap, VoxelsAreFreeOnlyInFrontOfASurface) {
   for (const QueryScope& scope : Scopes()) {
-    VoxelStates states(surfaces_, scope, false);
+    VoxelStates states(surfaces_, {.scope = scope}, false);
     int num_free = 0;
     for (const Eigen::Vector3d& p : points_) {
       const OwnVoxels own(*state_, p);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/query/nearby_cells.h"
+
+#include <algorithm>
+
+#include "mapping/query/surface_cache.h"
+
+namespace dhpmap {
+
+const NearbyCell* NearbyCells::TakeOver(const MapSurfaces& surfaces, Slot& slot, const Eigen::Vector3d& p_map) const {
+  const std::shared_ptr<const Earlier> earlier = earlier_.load();
+  if (earlier == nullptr) return nullptr;
+  Slot* const slot_then = earlier->cells->SlotAt(p_map);
+  std::uintptr_t num_asked = 0;
+  const NearbyCell* then = slot_then == nullptr ? nullptr : earlier->cells->Find(*slot_then, num_asked);
+  if (then == nullptr) return nullptr;
+  const auto is_near = [then](const Eigen::AlignedBox3d& box_m) {
+    constexpr double kRounding = 1 + 1e-5;
+    return box_m.exteriorDistance(then->centre_m) <= kRounding * static_cast<double>(then->complete_m);
+  };
+  if (std::any_of(earlier->new_m.begin(), earlier->new_m.end(), is_near)) return nullptr;
+  auto now = std::make_unique<NearbyCell>();
+  now->centre_m = then->centre_m;
+  now->complete_m = then->complete_m;
+  now->tiles = then->tiles;
+  for (NearbyTile& tile : now->tiles) {
+    const Earlier::Part& part = earlier->parts[tile.number];
+    tile.number = part.number;
+    if (part.number == Earlier::kGone || part.is_same) continue;
+    tile.tile = part.tiles[tile.tile];
+    if (tile.tile == Earlier::kGone) tile.number = Earlier::kGone;
+  }
+  const auto is_gone = [](const NearbyTile& tile) { return tile.number == Earlier::kGone; };
+  if (std::any_of(now->tiles.begin(), now->tiles.end(), is_gone)) return nullptr;
+  now->sight = LookIntoCell(surfaces, BlockAt(p_map));
+  return &Put(slot, std::move(now));
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "mapping/base/transform.h"
+#include "mapping/query/query_scope.h"
+
+namespace dhpmap {
+
+/// Values of a cell, as in nav_msgs/OccupancyGrid.
+inline constexpr std::int8_t kFreeCell = 0, kOccupiedCell = 100, kUnknownCell = -1;
+
+/// A band of heights, seen from above in the asker's frame, whose z is up.
+struct SliceOptions {
+  Transform T_map_query = Transform::Identity();    ///< from the asker's frame
+  double min_z_m = 0, max_z_m = 0;                  ///< finite, min < max
+  double resolution_m = 0;                          ///< side of a cell; finite, positive
+  Eigen::Vector2d min_m = Eigen::Vector2d::Zero();  ///< corner of cell (0, 0)
+  int width = 0, height = 0;                        ///< cells along x and y
+  double free_share = 0.3;                          ///< within 0 and 1
+  std::int8_t unknown = kUnknownCell;               ///< what nobody has seen: not known, free or occupied
+  double max_distance_m = 3;                        ///< so far behind a surface what nobody has seen may be inside
+  bool with_objects = false;
+  QueryScope scope;
+};
+
+}  // namespace dhpmap

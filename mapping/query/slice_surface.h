@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "mapping/query/query_world.h"
+#include "mapping/query/slice_options.h"
+#include "mapping/query/triangle_packet.h"
+
+namespace dhpmap {
+
+/// Which cells of a slice hold any of a surface within its band, and whose most of it is, by area: that of the very
+/// triangles that checks of bodies meet, cut to the band and the cell. Works some rows at a time, in whichever order
+/// rows are asked for. Belongs to one thread.
+class SliceSurface {
+ public:
+  /// Both outlive this.
+  SliceSurface(const QueryWorld& world, const SliceOptions& options);
+
+  static constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
+  /// By cell of a row: of the submap, by its number in MapSurfaces; kNobody: there is no surface. Valid until the next
+  /// call. After `stop` is requested it means nothing.
+  [[nodiscard]] const std::uint32_t* Row(int y, const std::stop_token& stop);
+
+ private:
+  struct Part {
+    std::uint32_t cell;  ///< of the strip
+    std::uint32_t number;
+    double area_m2;
+  };
+  void FillStrip(int first_row, const std::stop_token& stop);
+  void Visit(int first_column, int end_column);
+  /// A triangle of the slice's frame, for cells of some columns.
+  void Add(const std::array<Eigen::Vector3d, 3>& triangle, std::uint32_t number, int first_column, int end_column);
+  void Conclude();
+
+  const QueryWorld& world_;
+  const SliceOptions& options_;
+  const Transform T_query_map_;
+  int strip_ = -1;                     ///< that is filled; -1: none
+  std::vector<Part> parts_;            ///< of the strip
+  std::vector<std::uint32_t> owners_;  ///< by cell of the strip
+};
+
+}  // namespace dhpmap
