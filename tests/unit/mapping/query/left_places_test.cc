@@ -69,7 +69,7 @@ TEST(LeftPlaces, AreWhereItWasAndItsInsideAndNothingElseInAllAnswers) {
   for (QueryScope scope : WithoutTheCup()) {
     scope.vacated_is_free = true;
     const QueryWorld world(surfaces, scope);
-    VoxelStates states(surfaces, scope, false);
+    VoxelStates states(surfaces, {.scope = scope}, false);
     const DistanceQuery distances(surfaces, {.max_distance_m = 5, .scope = scope});
     int num_left = 0, num_unknown = 0;
     for (int z = -14; z < 14; ++z) {
@@ -111,7 +111,8 @@ TEST(LeftPlaces, WhatIsSeenThereOfOthersIsThere) {
   const BodyAnswer answer = BodyQuery(surfaces, {.scope = scope}).Check(Capsule{kCupAt, kCupAt, 0.15});
   ASSERT_EQ(answer.contacts.size(), 1u);
   EXPECT_EQ(answer.contacts[0].submap->id, SubmapId(3));
-  EXPECT_EQ(VoxelStates(surfaces, {.scope = scope}, false).At(kCupAt + Eigen::Vector3d(0.1, 0, 0)).state, VoxelState::kInside);
+  EXPECT_EQ(VoxelStates(surfaces, {.scope = scope}, false).At(kCupAt + Eigen::Vector3d(0.1, 0, 0)).state,
+            VoxelState::kInside);
 }
 
 }  // namespace
