@@ -154,7 +154,7 @@ FreeMask QueryWorld::LeftVoxels(BlockIndex block) const {
 bool QueryWorld::IsInsideThing(const Eigen::Vector3d& p_map) const {
   const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
   return std::any_of(surfaces_->things().begin(), surfaces_->things().end(), [&](const MapSurfaces::Thing& thing) {
-    if (!thing.around_m.contains(p_map) || !Holds(thing.number)) return false;
+    if (!thing.around_m.contains(p_map) || !IsInTheWay(thing.number)) return false;
     const SubmapIndex::Entry& entry = entries[thing.number];
     const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
     const Eigen::AlignedBox3d& surface_m =

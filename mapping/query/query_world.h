@@ -104,7 +104,7 @@ class QueryWorld {
   /// Of a place within the reach of the grid. `nearest`: of the surfaces; asked first, as its submap mostly knows. What
   /// may be touched says where a place is in front, not where it is inside.
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
-  /// Whether a place that nobody has seen is inside of a thing that is there: see thing_inside.h. Goes through all
+  /// Whether a place that nobody has seen is inside of a thing that is in the way: see thing_inside.h. Goes through all
   /// things, and for those near by looks for the nearest of their surface.
   [[nodiscard]] bool IsInsideThing(const Eigen::Vector3d& p_map) const;
 

@@ -111,7 +111,7 @@ TEST(LeftPlaces, WhatIsSeenThereOfOthersIsThere) {
   const BodyAnswer answer = BodyQuery(surfaces, {.scope = scope}).Check(Capsule{kCupAt, kCupAt, 0.15});
   ASSERT_EQ(answer.contacts.size(), 1u);
   EXPECT_EQ(answer.contacts[0].submap->id, SubmapId(3));
-  EXPECT_EQ(VoxelStates(surfaces, {.scope = scope}, false).At(kCupAt + Eigen::Vector3d(0.1, 0, 0)).state,
+  EXPECT_EQ(VoxelStates(surfaces, {.scope = scope}, false).At(kCupAt + Eigen::Vector3d(0.05, 0, 0)).state,
             VoxelState::kInside);
 }
 
