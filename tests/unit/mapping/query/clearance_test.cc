@@ -158,6 +158,23 @@ TEST(ClearanceQuery, LooksRarelyWhereSurfacesAreFar) {
   EXPECT_LT(work.spent(), 64 * 400) << "4 m by what a millimetre would need is 4,000 looks";
 }
 
+TEST(ClearanceQuery, LooksAtNothingForSomebodyWhoIsGone) {
+  Map map = ThreeThings();
+  std::mt19937 random(6);
+  const Way knots = RandomWay(random);
+  const ClearanceQuery query(SurfacesOf(map), kIgnoringUnknown);
+  std::stop_source caller;
+  WorkBudget work;
+  LeastClearance least{.distance_m = 3};
+  EXPECT_TRUE(query.Lower(knots, least, caller.get_token(), &work));
+  const std::int64_t spent = work.spent();
+  EXPECT_GT(spent, 0);
+  caller.request_stop();
+  LeastClearance none{.distance_m = 3};
+  EXPECT_FALSE(query.Lower(knots, none, caller.get_token(), &work));
+  EXPECT_EQ(work.spent(), spent);
+}
+
 TrajectoryAnswer Ask(Map& map, TrajectoryOptions options, const RobotMotion& motion) {
   options.with_clearance = true;
   const auto query = TrajectoryQuery::Make(SurfacesOf(map), std::move(options));

@@ -15,7 +15,7 @@ TEST(RpcStatus, CarriesReasonAndViolationsAsAnRpcWould) {
   const RpcStatus status = ToRpcStatus(error);
   EXPECT_FALSE(status.ok());
   EXPECT_EQ(status.code, 3);
-  EXPECT_EQ(status.message, "the class is wrong");
+  EXPECT_EQ(status.message, "the class is wrong: submap.class_id: no such class");
   const ErrorDetails details = ReadErrorDetails(status.details);
   EXPECT_EQ(details.reason, "BAD_EDIT");
   ASSERT_EQ(details.violations.size(), 1u);
