@@ -159,8 +159,7 @@ std::vector<MapSurfaces::Thing> MapSurfaces::ThingsOf(const SubmapIndex& index) 
     const SubmapIndex::Entry& entry = index.entries()[number];
     const SubmapInfo& info = entry.submap().info();
     if (info.panoptic != Panoptic::kThing) continue;
-    things.push_back(
-        {static_cast<std::uint32_t>(number), MayBeInside(entry.box_m()).transformed(info.T_map_submap)});
+    things.push_back({static_cast<std::uint32_t>(number), MayBeInside(entry.box_m()).transformed(info.T_map_submap)});
   }
   return things;
 }

@@ -40,8 +40,8 @@ class VoxelStates {
  private:
   struct Block {
     FreeMask inside{}, free{};
-    std::vector<std::uint32_t> numbers;  ///< of the submaps; empty: not wanted, or nothing is inside
-    std::vector<const SubmapInfo*> behind;  ///< of what is unknown, whose inside it is; null: nobody's; empty: not asked
+    std::vector<std::uint32_t> numbers;     ///< of the submaps; empty: not wanted, or nothing is inside
+    std::vector<const SubmapInfo*> behind;  ///< of what is unknown, whose inside it is, or null; empty: not asked
   };
   class Maker;
 

@@ -66,7 +66,7 @@ TEST(TouchOf, BoxesTouchWhatHasAPointInThem) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> size(0.05, 0.5);
   int num_touching = 0, num_padded = 0;
-  for (int round = 0; round < 1200; ++round) {
+  for (int round = 0; round < 1500; ++round) {
     const TriangleCorners t = RandomTriangle(random);
     OrientedBox box{testing::RandomPose(random, 0.7), {size(random), size(random), size(random)}};
     const double padding_m = round % 2 == 0 ? 0 : 0.15;
