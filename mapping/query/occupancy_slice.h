@@ -31,6 +31,8 @@ namespace dhpmap {
 class OccupancySlice {
  public:
   OccupancySlice(const std::shared_ptr<const MapSurfaces>& surfaces, SliceOptions options);
+  OccupancySlice(const OccupancySlice&) = delete;
+  OccupancySlice& operator=(const OccupancySlice&) = delete;
 
   /// Row y, `width` cells from x = 0 on. `objects`, if they are wanted, are as many: whose most of the cell's surface
   /// is, or else of its inside; null where there is neither. They last as long as the surfaces. Gives up soon after
