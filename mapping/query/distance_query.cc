@@ -294,8 +294,8 @@ bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell
     if (!sight.is_seen || (sight.is_front && distance_m <= band_m)) return false;
   }
   double side = 1;
-  Tell(p_map, found, distance_m, padding_m, answer, side);
   const Eigen::Vector3d away = nearest.away.cast<double>();
+  Tell(p_map, found, {nearest.normal.cast<double>(), away}, padding_m, answer, side);
   answer.nearest_m = p_map - away;
   answer.gradient = distance_m > kLeast_m ? Eigen::Vector3d(side / distance_m * away)
                                           : Eigen::Vector3d(nearest.normal.stableNormalized().cast<double>());
@@ -309,7 +309,7 @@ SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, double lim
   if (!found.is_any || distance_m - padding_m > limit_m) return Clamped(limit_m);
   SurfaceDistance answer;
   double side = 1;
-  Tell(p_map, found, distance_m, padding_m, answer, side);
+  Tell(p_map, found, {found.normal_submap, away}, padding_m, answer, side);
   const Transform& T_map_submap = answer.submap->T_map_submap;
   answer.nearest_m = T_map_submap * found.point_submap;
   const Eigen::Vector3d direction =
@@ -319,8 +319,9 @@ SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, double lim
 }
 
 /// Whose surface it is, on which side of it the point is, and whether that was seen.
-void DistanceQuery::Tell(const Eigen::Vector3d& p_map, const NearestSurface& found, double distance_m, double padding_m,
+void DistanceQuery::Tell(const Eigen::Vector3d& p_map, const NearestSurface& found, const Way& way, double padding_m,
                          SurfaceDistance& answer, double& side) const {
+  const double distance_m = way.away_m.norm();
   const SubmapInfo& submap = world_.surfaces().index().entries()[found.number].submap().info();
   answer.submap = &submap;
   const bool is_in_band = distance_m <= submap.truncation_m;
@@ -336,7 +337,7 @@ void DistanceQuery::Tell(const Eigen::Vector3d& p_map, const NearestSurface& fou
   bool is_inside =
       found.is_behind && (found.is_beside ? sight.is_seen && !sight.is_front : is_in_band || !sight.is_front);
   if (!is_inside && !(is_looked_at ? sight.is_seen : world_.IsSeenAt(p_map, found))) {
-    is_inside = world_.IsInsideThing(p_map);
+    is_inside = world_.IsInsideThing(p_map, way.IsAcross());
   }
   side = is_inside ? -1 : 1;
   answer.distance_m = side * distance_m - padding_m;

@@ -70,6 +70,15 @@ class DistanceQuery {
   class Limit;
   void AtOrdered(std::span<const Eigen::Vector3d> points_m, std::vector<std::uint32_t> order,
                  std::span<SurfaceDistance> answers) const;
+  /// From a surface, whose normal may be of any length, to a point.
+  struct Way {
+    Eigen::Vector3d normal, away_m;
+    /// Straight off the front, to a degree.
+    [[nodiscard]] bool IsAcross() const {
+      constexpr double kCosine = 0.9998;
+      return normal.dot(away_m) >= kCosine * normal.norm() * away_m.norm();
+    }
+  };
   /// A point that has yet to be searched for, and how far it is to something, if that is known.
   struct Open {
     std::uint32_t point;
@@ -82,7 +91,7 @@ class DistanceQuery {
                                std::span<SurfaceDistance> answers) const;
   bool TryField(const Eigen::Vector3d& p_map, const FieldCell& cell, const Eigen::Vector3f& p,
                 const NearField::List& list, SurfaceDistance& answer, double& within_m) const;
-  void Tell(const Eigen::Vector3d& p_map, const NearestSurface& found, double distance_m, double padding_m,
+  void Tell(const Eigen::Vector3d& p_map, const NearestSurface& found, const Way& way, double padding_m,
             SurfaceDistance& answer, double& side) const;
   [[nodiscard]] SurfaceDistance Describe(const Eigen::Vector3d& p_map, double limit_m, const NearestSurface& found,
                                          double padding_m) const;

@@ -100,9 +100,10 @@ std::vector<GridSharers::Change> GridSharers::TakeSubmaps(const GridSharers* bef
     std::vector<TilePart> parts = PartsOf(*submap);
     AddChanges(submap->id(), is_known ? *was->parts : kNothing, parts, changes);
     const bool is_same = is_known && *was->parts == parts;
-    submaps_.push_back({.id = submap->id(),
-                        .submap = submap,
-                        .parts = is_same ? was->parts : std::make_shared<const std::vector<TilePart>>(std::move(parts))});
+    submaps_.push_back(
+        {.id = submap->id(),
+         .submap = submap,
+         .parts = is_same ? was->parts : std::make_shared<const std::vector<TilePart>>(std::move(parts))});
     if (is_known) ++was;
   }
   for (; was != then.end(); ++was) AddChanges(was->id, *was->parts, kNothing, changes);
@@ -111,9 +112,8 @@ std::vector<GridSharers::Change> GridSharers::TakeSubmaps(const GridSharers* bef
 
 /// What is around a tile changes if anything in the 27 does.
 void GridSharers::Apply(std::vector<Change> changes, Tiles& all) {
-  std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
-    return std::tie(a.tile, a.submap) < std::tie(b.tile, b.submap);
-  });
+  std::sort(changes.begin(), changes.end(),
+            [](const Change& a, const Change& b) { return std::tie(a.tile, a.submap) < std::tie(b.tile, b.submap); });
   std::vector<TileIndex> touched;
   for (std::size_t first = 0, end = 0; first < changes.size(); first = end) {
     const TileIndex index = changes[first].tile;
@@ -123,7 +123,8 @@ void GridSharers::Apply(std::vector<Change> changes, Tiles& all) {
     if (number == IndexMap<TileIndex>::kNone) {
       number = static_cast<std::uint32_t>(all.tiles.size());
       all.numbers.Set(index, number);
-      all.tiles.push_back({.index = index, .here = std::make_shared<const std::vector<Around::Holder>>(), .around = {}});
+      all.tiles.push_back(
+          {.index = index, .here = std::make_shared<const std::vector<Around::Holder>>(), .around = {}});
     }
     auto here = std::make_shared<std::vector<Around::Holder>>();
     const auto is_changed = [&](SubmapId id) {

@@ -62,8 +62,8 @@ class GridSharers {
     std::shared_ptr<const Around> around;
   };
   struct Tiles {
-    std::vector<Tile> tiles;        ///< those that nobody has anything in any longer are left empty
-    IndexMap<TileIndex> numbers;    ///< position in tiles
+    std::vector<Tile> tiles;      ///< those that nobody has anything in any longer are left empty
+    IndexMap<TileIndex> numbers;  ///< position in tiles
     [[nodiscard]] const Tile* Find(TileIndex tile) const {
       const std::uint32_t number = numbers.Find(tile);
       return number == IndexMap<TileIndex>::kNone ? nullptr : &tiles[number];

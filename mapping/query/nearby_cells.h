@@ -46,8 +46,8 @@ class NearbyCells : public CellGrid<NearbyCell> {
   struct Earlier {
     static constexpr std::uint32_t kGone = 0xFFFFFFFFu;
     struct Part {
-      std::uint32_t number = kGone;     ///< what a submap's number is now; kGone: it is not there, or elsewhere
-      bool is_same = false;             ///< all tiles are where they were
+      std::uint32_t number = kGone;      ///< what a submap's number is now; kGone: it is not there, or elsewhere
+      bool is_same = false;              ///< all tiles are where they were
       std::vector<std::uint32_t> tiles;  ///< else by position then, that now; kGone: another surface, or none
     };
     std::shared_ptr<const NearbyCells> cells;  ///< of the same voxel size

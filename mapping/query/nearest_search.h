@@ -19,8 +19,8 @@ struct NearestSurface {
   Eigen::Vector3d point_submap = Eigen::Vector3d::Zero();   ///< on the surface, in the submap's frame
   Eigen::Vector3d normal_submap = Eigen::Vector3d::Zero();  ///< unit, to the front
   bool is_behind = false;                                   ///< the place is behind the surface
-  /// It is behind (or in front, if that is asked for), but aside: the surface ends at its nearest point, so that it says
-  /// nothing of what is at the place.
+  /// It is behind (or in front, if that is asked for), but aside: the surface ends at its nearest point, so that it
+  /// says nothing of what is at the place.
   bool is_beside = false;
   const CellSight* sight = nullptr;  ///< what is known of the voxels around the place; null: nothing
 };
@@ -139,8 +139,8 @@ class NearestSearch {
   bool stops_at_any_ = false;
   bool sees_all_ = false;  ///< also what is not held
   bool tells_all_beside_ = false;
-  float best2_ = 0;        ///< squared distance of the nearest triangle, or of the limit
-  float limit2_ = 0;       ///< within which a triangle is as near: an edge or a corner belongs to several
+  float best2_ = 0;   ///< squared distance of the nearest triangle, or of the limit
+  float limit2_ = 0;  ///< within which a triangle is as near: an edge or a corner belongs to several
   NearbyCells::Slot* slot_ = nullptr;
   const NearbyCell* cell_ = nullptr;
   float way_m_ = 0;  ///< from the cell's centre

@@ -51,8 +51,8 @@ void OccupancySlice::Row(int y, std::span<std::int8_t> cells, std::span<const Su
   const std::span<const SubmapIndex::Entry> entries = world_.surfaces().index().entries();
   for (std::size_t x = 0; x < cells.size() && !has_given_up_; ++x) {
     const bool has_surface = owners[x] != SliceSurface::kNobody;
-    const Cell cell = has_surface ? Cell{kOccupiedCell, &entries[owners[x]].submap().info()}
-                                  : CellAt(static_cast<int>(x), y, stop);
+    const Cell cell =
+        has_surface ? Cell{kOccupiedCell, &entries[owners[x]].submap().info()} : CellAt(static_cast<int>(x), y, stop);
     cells[x] = cell.value;
     if (!objects.empty()) objects[x] = cell.object;
   }
@@ -100,8 +100,8 @@ OccupancySlice::Cell OccupancySlice::CellAt(int x, int y, const std::stop_token&
 }
 
 void OccupancySlice::CountInside(const VoxelStates::Voxel& voxel) {
-  const auto known = std::find_if(counts_.begin(), counts_.end(),
-                                  [&voxel](const auto& count) { return count.first == voxel.submap; });
+  const auto known =
+      std::find_if(counts_.begin(), counts_.end(), [&voxel](const auto& count) { return count.first == voxel.submap; });
   if (known != counts_.end()) ++known->second;
   else counts_.emplace_back(voxel.submap, 1);
 }

@@ -31,10 +31,12 @@ namespace dhpmap {
 class OccupancySlice {
  public:
   OccupancySlice(const std::shared_ptr<const MapSurfaces>& surfaces, SliceOptions options);
+  OccupancySlice(const OccupancySlice&) = delete;
+  OccupancySlice& operator=(const OccupancySlice&) = delete;
 
   /// Row y, `width` cells from x = 0 on. `objects`, if they are wanted, are as many: whose most of the cell's surface
-  /// is, or else of its inside; null where there is neither. They last as long as the surfaces. Gives up soon after `stop` is
-  /// requested: then the row means nothing, and a cell may be of many millions of points.
+  /// is, or else of its inside; null where there is neither. They last as long as the surfaces. Gives up soon after
+  /// `stop` is requested: then the row means nothing, and a cell may be of many millions of points.
   void Row(int y, std::span<std::int8_t> cells, std::span<const SubmapInfo*> objects, const std::stop_token& stop = {});
 
   /// How many points a cell is looked at in.
@@ -57,10 +59,10 @@ class OccupancySlice {
   VoxelStates states_;
   SliceSurface surface_;
   int num_side_, num_up_;
-  Eigen::Vector3d side_x_m_, side_y_m_, up_m_;  ///< from one point to the next, map frame
+  Eigen::Vector3d side_x_m_, side_y_m_, up_m_;             ///< from one point to the next, map frame
   std::vector<std::pair<const SubmapInfo*, int>> counts_;  ///< of points inside, by whose inside it is
   std::vector<Eigen::Vector3d> unknown_;                   ///< points of the cell that nobody has seen
-  std::uint32_t num_points_ = 0;  ///< looked at so far, modulo 2^32
+  std::uint32_t num_points_ = 0;                           ///< looked at so far, modulo 2^32
   bool has_given_up_ = false;
 };
 

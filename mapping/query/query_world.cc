@@ -151,7 +151,7 @@ FreeMask QueryWorld::LeftVoxels(BlockIndex block) const {
   return left;
 }
 
-bool QueryWorld::IsInsideThing(const Eigen::Vector3d& p_map) const {
+bool QueryWorld::IsInsideThing(const Eigen::Vector3d& p_map, bool is_across) const {
   const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
   return std::any_of(surfaces_->things().begin(), surfaces_->things().end(), [&](const MapSurfaces::Thing& thing) {
     if (!thing.around_m.contains(p_map) || !IsInTheWay(thing.number)) return false;
@@ -159,13 +159,14 @@ bool QueryWorld::IsInsideThing(const Eigen::Vector3d& p_map) const {
     const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
     const Eigen::AlignedBox3d& surface_m =
         surfaces_->surface(thing.number).BoxOfSurface(surfaces_->state(), entry.submap());
-    if (!AsDeepAsWide(surface_m).contains(p_submap)) return false;
+    const bool is_in_box = surface_m.contains(p_submap);
+    if (!is_in_box && (is_across || !AsDeepAsWide(surface_m).contains(p_submap))) return false;
     const double limit_m = 3 * surface_m.diagonal().norm();
     std::vector<bool> is_held(entries.size());
     is_held[thing.number] = true;
     const NearestSurface own = NearestSearch(*surfaces_, is_held, is_held_).Find(p_map, limit_m);
     if (!own.is_any || !own.is_behind) return false;
-    return surface_m.contains(p_submap) || !IsStraightInFront(p_map, limit_m);
+    return is_in_box || !IsStraightInFront(p_map, limit_m);
   });
 }
 

@@ -105,8 +105,9 @@ class QueryWorld {
   /// may be touched says where a place is in front, not where it is inside.
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
   /// Whether a place that nobody has seen is inside of a thing that is in the way: see thing_inside.h. Goes through all
-  /// things, and for those near by looks for the nearest of their surface.
-  [[nodiscard]] bool IsInsideThing(const Eigen::Vector3d& p_map) const;
+  /// things, and for those near by looks for the nearest of their surface. `is_across`: it is known to be straight in
+  /// front of what is nearest to it.
+  [[nodiscard]] bool IsInsideThing(const Eigen::Vector3d& p_map, bool is_across) const;
 
  private:
   /// What is known of a place in a cell, if all submaps are there and all that was looked through counts.

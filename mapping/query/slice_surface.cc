@@ -111,8 +111,7 @@ void SliceSurface::Add(const std::array<Eigen::Vector3d, 3>& triangle, std::uint
   for (std::size_t i = 0; i < whole.count; ++i) {
     whole.corners[i].head<2>() = (whole.corners[i].head<2>() - options_.min_m) / options_.resolution_m;
   }
-  const auto [row, end_row] =
-      CellsOf(whole.RangeOn(1), first_row, std::min(first_row + kStripRows, options_.height));
+  const auto [row, end_row] = CellsOf(whole.RangeOn(1), first_row, std::min(first_row + kStripRows, options_.height));
   for (int y = row; y < end_row; ++y) {
     const CutTriangle in_row = whole.Between(1, y, y + 1);
     if (in_row.count == 0) continue;

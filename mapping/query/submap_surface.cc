@@ -83,7 +83,8 @@ bool SubmapSurface::IsOf(const Submap& submap, const GridSharers* grid) const {
 bool SubmapSurface::IsSameAs(const SubmapSurface& other) const {
   return std::equal(tiles_.begin(), tiles_.end(), other.tiles_.begin(), other.tiles_.end(),
                     [](const Tile& a, const Tile& b) {
-                      return a.index == b.index && a.slot == b.slot && a.around == b.around && a.box_m.min() == b.box_m.min() && a.box_m.max() == b.box_m.max();
+                      return a.index == b.index && a.slot == b.slot && a.around == b.around &&
+                             a.box_m.min() == b.box_m.min() && a.box_m.max() == b.box_m.max();
                     });
 }
 

@@ -60,7 +60,7 @@ void MapSurfaces::GoOnFrom(const MapSurfaces* before, const std::shared_ptr<Surf
   fields_ = std::make_unique<const DistanceFields>(index_.box_m(), voxel_size_m_, std::move(store), field_state);
 }
 
-/// What has become of those of an earlier state, of which only what this has copies of counts.
+/// What has become of those of an earlier state, of which only what this has copies of counts. Null: too much is new.
 std::shared_ptr<const NearbyCells::Earlier> MapSurfaces::CellsOf(const MapSurfaces& before,
                                                                  std::span<const SurfaceChange> changes) const {
   auto earlier = std::make_shared<NearbyCells::Earlier>();
@@ -77,8 +77,10 @@ std::shared_ptr<const NearbyCells::Earlier> MapSurfaces::CellsOf(const MapSurfac
     part.is_same = before.parts_[number].surface == parts_[now].surface;
     if (!part.is_same) part.tiles = before.surface(number).PositionsIn(surface(now));
   }
+  constexpr std::size_t kMostNew = 256;  // boxes: to look at more would cost what a new cell does
   for (const SurfaceChange& change : changes) {
     if (change.is_gone) continue;
+    if (earlier->new_m.size() + change.boxes_m.size() > kMostNew) return nullptr;
     const Transform T_map_submap = change.T_submap_map.inverse();
     for (const Eigen::AlignedBox3d& box_m : change.boxes_m) earlier->new_m.push_back(box_m.transformed(T_map_submap));
   }
@@ -159,8 +161,7 @@ std::vector<MapSurfaces::Thing> MapSurfaces::ThingsOf(const SubmapIndex& index) 
     const SubmapIndex::Entry& entry = index.entries()[number];
     const SubmapInfo& info = entry.submap().info();
     if (info.panoptic != Panoptic::kThing) continue;
-    things.push_back(
-        {static_cast<std::uint32_t>(number), MayBeInside(entry.box_m()).transformed(info.T_map_submap)});
+    things.push_back({static_cast<std::uint32_t>(number), MayBeInside(entry.box_m()).transformed(info.T_map_submap)});
   }
   return things;
 }

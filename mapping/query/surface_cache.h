@@ -39,8 +39,8 @@ class MapSurfaces {
     Eigen::AlignedBox3d around_m;
   };
   /// `state` outlives this; `grid`: of it; `ledger`: see CellSlots. With those of an earlier state of the map, though
-  /// that be gone, the index costs little more than what has changed since, and cells and near fields go on where nothing
-  /// has.
+  /// that be gone, the index costs little more than what has changed since, and cells and near fields go on where
+  /// nothing has.
   MapSurfaces(const MapSnapshot& state, std::unique_ptr<const GridSharers> grid, std::vector<Part> parts,
               const std::shared_ptr<SurfaceLedger>& ledger, const MapSurfaces* before = nullptr);
 
@@ -136,7 +136,8 @@ class SurfaceCache {
       DHPMAP_EXCLUDES(mutex_);
   /// `grid`: null, if it shares it with nobody. `before`: of an earlier state of the submap; null: there was none.
   std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap, const GridSharers* grid,
-                                                 const std::shared_ptr<const SubmapSurface>& before) DHPMAP_EXCLUDES(mutex_);
+                                                 const std::shared_ptr<const SubmapSurface>& before)
+      DHPMAP_EXCLUDES(mutex_);
   SubmapSurface::Slots SlotsOf(std::span<const TilePlace> places, double voxel_size_m, const SubmapSurface* before)
       DHPMAP_EXCLUDES(mutex_);
   struct States;

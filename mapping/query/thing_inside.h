@@ -8,9 +8,9 @@ namespace dhpmap {
 
 // What nobody has seen is inside of a thing if it lies behind the thing's own surface, also where that ends at the
 // nearest point, and within the box around its surface, in its own frame. Of a thing that was seen from one side only,
-// such as a fridge between cupboards or a picture on a wall, nobody knows how deep it is: it is taken to be as deep as it
-// is wide or high, whichever is less, but for places straight in front of what is nearest to them. Whatever else is known
-// of a place goes first: what was looked through, or observed, is what it was seen to be.
+// such as a fridge between cupboards or a picture on a wall, nobody knows how deep it is: it is taken to be as deep as
+// it is wide or high, whichever is less, but for places straight in front of what is nearest to them. Whatever else is
+// known of a place goes first: what was looked through, or observed, is what it was seen to be.
 
 /// The box in which the inside of a thing may lie, from the box around its surface: as deep as it is taken to be, to
 /// either side.

@@ -122,23 +122,31 @@ VoxelStates::Voxel VoxelStates::UnseenAt(const Eigen::Vector3d& p_map) {
   int linear = 0;
   Block* block = BlockOfPoint(p_map, linear);
   if (block == nullptr) return {};
-  if (block->behind.empty()) {
-    block->behind.resize(kBlockVoxels);
-    std::vector<Eigen::Vector3d> centres;
-    std::vector<std::size_t> voxels;
-    for (int i = 0; i < kBlockVoxels; ++i) {
-      if (HasVoxel(block->free, i) || HasVoxel(block->inside, i)) continue;
-      voxels.push_back(static_cast<std::size_t>(i));
-      centres.push_back(VoxelCentre(VoxelIn(last_index_, i), voxel_size_m_));
-    }
-    std::vector<SurfaceDistance> distances(centres.size());
-    distances_.AtInOrder(centres, distances);
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
-      if (distances[i].distance_m < 0) block->behind[voxels[i]] = distances[i].submap;
-    }
+  if (!block->is_behind_known) LookBehind(*block);
+  if (!HasVoxel(block->behind, linear)) return {};
+  const auto& whom = block->behind_whom;
+  return {.state = VoxelState::kInside, .submap = whom.empty() ? nullptr : whom[static_cast<std::size_t>(linear)]};
+}
+
+/// Of the block that was asked for last.
+void VoxelStates::LookBehind(Block& block) {
+  std::vector<Eigen::Vector3d> centres;
+  std::vector<int> voxels;
+  for (int i = 0; i < kBlockVoxels; ++i) {
+    if (HasVoxel(block.free, i) || HasVoxel(block.inside, i)) continue;
+    voxels.push_back(i);
+    centres.push_back(VoxelCentre(VoxelIn(last_index_, i), voxel_size_m_));
   }
-  const SubmapInfo* submap = block->behind[static_cast<std::size_t>(linear)];
-  return {.state = submap != nullptr ? VoxelState::kInside : VoxelState::kUnknown, .submap = submap};
+  std::vector<SurfaceDistance> distances(centres.size());
+  distances_.AtInOrder(centres, distances);
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    if (!(distances[i].distance_m < 0)) continue;
+    Set(block.behind, voxels[i]);
+    if (!with_objects_) continue;
+    block.behind_whom.resize(kBlockVoxels);
+    block.behind_whom[static_cast<std::size_t>(voxels[i])] = distances[i].submap;
+  }
+  block.is_behind_known = true;
 }
 
 VoxelStates::Block& VoxelStates::BlockAt(BlockIndex index) {

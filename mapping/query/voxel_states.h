@@ -40,12 +40,15 @@ class VoxelStates {
  private:
   struct Block {
     FreeMask inside{}, free{};
-    std::vector<std::uint32_t> numbers;  ///< of the submaps; empty: not wanted, or nothing is inside
-    std::vector<const SubmapInfo*> behind;  ///< of what is unknown, whose inside it is; null: nobody's; empty: not asked
+    FreeMask behind{};  ///< of what is unknown; once somebody has asked
+    bool is_behind_known = false;
+    std::vector<std::uint32_t> numbers;          ///< of the submaps; empty: not wanted, or nothing is inside
+    std::vector<const SubmapInfo*> behind_whom;  ///< likewise of what is unknown
   };
   class Maker;
 
   Block& BlockAt(BlockIndex index);
+  void LookBehind(Block& block);
   /// Null: out of reach.
   Block* BlockOfPoint(const Eigen::Vector3d& p_map, int& linear);
 

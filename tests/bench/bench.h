@@ -66,7 +66,8 @@ struct InsideCheckOptions {
   double depth_m = 0.12;  ///< so deep inside solids
   unsigned seed = 1;
 };
-/// What answers say of the inside of things, which nobody has seen, if what is unknown is free: by the simulator's truth.
+/// What answers say of the inside of things, which nobody has seen, if what is unknown is free: by the simulator's
+/// truth.
 Status RunInsideCheck(const InsideCheckOptions& options);
 
 struct CrfBenchOptions {

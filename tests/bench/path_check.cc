@@ -113,13 +113,15 @@ class PathJudge {
     if (!bad_cells.empty()) std::printf("; deepest %.1f cm", 100 * bad_cells.front().first);
     std::printf("\n");
     for (std::size_t i = 0; i < std::min<std::size_t>(bad_cells.size(), options_.num_listed); ++i) {
-      const Eigen::Vector3d& p = bad_cells[i * bad_cells.size() / std::min(bad_cells.size(), options_.num_listed)].second;
+      const Eigen::Vector3d& p =
+          bad_cells[i * bad_cells.size() / std::min(bad_cells.size(), options_.num_listed)].second;
       const BodyAnswer answer = bodies_.Check(Capsule{p, p, options_.radius_m});
       if (answer.contacts.empty()) continue;
       const BodyContact& contact = answer.contacts.front();
       std::printf("  at %.3f %.3f %.3f: %.3f deep at %.3f %.3f %.3f, %s %u\n", p.x(), p.y(), p.z(), contact.depth_m,
                   contact.point_m.x(), contact.point_m.y(), contact.point_m.z(),
-                  contact.submap == nullptr ? "unseen" : "submap", contact.submap == nullptr ? 0 : contact.submap->id.value);
+                  contact.submap == nullptr ? "unseen" : "submap",
+                  contact.submap == nullptr ? 0 : contact.submap->id.value);
     }
   }
 

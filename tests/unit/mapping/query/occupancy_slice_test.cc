@@ -145,9 +145,9 @@ std::map<std::int8_t, int> ExpectSliceEqualsBruteForce(Map& map, SliceOptions op
     for (int x = 0; x < options.width; ++x) {
       const Eigen::Vector2d low = options.min_m + options.resolution_m * Eigen::Vector2d(x, y);
       const Eigen::Vector2d high = options.min_m + options.resolution_m * Eigen::Vector2d(x + 1, y + 1);
-      const SurfaceInBox surface = SurfaceIn({Eigen::Vector3d(low.x(), low.y(), options.min_z_m),
-                                              Eigen::Vector3d(high.x(), high.y(), options.max_z_m)},
-                                             triangles);
+      const SurfaceInBox surface = SurfaceIn(
+          {Eigen::Vector3d(low.x(), low.y(), options.min_z_m), Eigen::Vector3d(high.x(), high.y(), options.max_z_m)},
+          triangles);
       if (surface.is_close && ++num_close > 0) continue;
       std::vector<SubmapId> owners = surface.submaps;
       int num_free = 0, num_unknown = 0;
@@ -247,7 +247,7 @@ TEST(OccupancySlice, AnythingInTheBandOccupiesACellAndAShareFreesIt) {
   const Eigen::Vector3d block(0.525, 0.525, 0.525);
   testing::ObserveBand(testing::AddThing(map), testing::Block(block, {0.2, 0.2, 0.2}), testing::CubeAt(block, 0.6));
   testing::LookThrough(map, {Eigen::Vector3d(2.01, 0.01, 0.01), Eigen::Vector3d(2.99, 0.99, 0.29)},
-              [](const Eigen::Vector3d&) { return true; });
+                       [](const Eigen::Vector3d&) { return true; });
   SliceOptions options{.min_z_m = 0, .max_z_m = 1, .resolution_m = 0.05, .width = 60, .height = 20};
   const auto at = [&](double x_m) { return SliceOf(map, options).cells[static_cast<std::size_t>(10 * 60 + x_m * 20)]; };
   EXPECT_EQ(at(0.525), kOccupiedCell);

@@ -55,7 +55,8 @@ inline void ObserveBand(Submap& submap, const SolidDistance& distance, const Eig
 }
 
 /// Marks the voxels whose centres `is_free` as looked through.
-inline void LookThrough(Map& map, const Eigen::AlignedBox3d& box, const std::function<bool(const Eigen::Vector3d&)>& is_free) {
+inline void LookThrough(Map& map, const Eigen::AlignedBox3d& box,
+                        const std::function<bool(const Eigen::Vector3d&)>& is_free) {
   std::map<TileIndex, FreeBlocks> tiles;
   const VoxelIndex low = VoxelAt(box.min(), kSceneVoxel_m), high = VoxelAt(box.max(), kSceneVoxel_m);
   for (int z = low.z; z <= high.z; ++z) {

@@ -71,8 +71,7 @@ TEST(ThingInside, OfACupboardAtAWallIsSolidToEverybody) {
   const auto surfaces = testing::SurfacesOf(map);
   const DistanceQuery distances(surfaces, {.unknown_is_free = true}), reported(surfaces, {});
   const BodyQuery bodies(surfaces, testing::kIgnoringUnknown);
-  const auto motions =
-      TrajectoryQuery::Make(surfaces, {.bodies = testing::kIgnoringUnknown, .attached = {}});
+  const auto motions = TrajectoryQuery::Make(surfaces, {.bodies = testing::kIgnoringUnknown, .attached = {}});
   const PointLookup lookup(map.published());
   // Of the box that its surface spans: nobody has seen more of it.
   const auto points = PointsWhere([](const Eigen::Vector3d& p) {
@@ -95,9 +94,8 @@ TEST(ThingInside, OfACupboardAtAWallIsSolidToEverybody) {
 TEST(ThingInside, EndsWhereTheThingDoes) {
   Map map = CupboardAtAWall();
   const DistanceQuery distances(testing::SurfacesOf(map), {.unknown_is_free = true});
-  const auto above = PointsWhere([](const Eigen::Vector3d& p) {
-    return std::abs(p.x()) < 0.3 && p.y() > -0.2 && p.y() < 0.25 && p.z() > 1.25;
-  });
+  const auto above = PointsWhere(
+      [](const Eigen::Vector3d& p) { return std::abs(p.x()) < 0.3 && p.y() > -0.2 && p.y() < 0.25 && p.z() > 1.25; });
   ASSERT_GT(above.size(), 5u);
   for (const Eigen::Vector3d& p : above) EXPECT_GT(distances.At(p).distance_m, 0) << p.transpose();
 }
