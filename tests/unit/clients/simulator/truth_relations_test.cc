@@ -15,7 +15,7 @@
 namespace dhpmap::simulator {
 namespace {
 
-constexpr Material kWood{Pattern::kPlain, 0x806040};
+constexpr Material kTestWood{Material::Pattern::kPlain, 0x806040};
 constexpr ObjectClass kThing = ObjectClass::kBox;
 
 /// Each as text: "box_001 ON floor_001".
@@ -34,15 +34,15 @@ class TruthRelations : public ::testing::Test {
  protected:
   void SetUp() override {
     scene.BeginStuff(ObjectClass::kFloor);
-    scene.Box({0, 0, -0.1}, {8, 8, 0.2}, kWood);
+    scene.Box({0, 0, -0.1}, {8, 8, 0.2}, kTestWood);
   }
   void AddBlock(const Eigen::Vector3d& center_m, const Eigen::Vector3d& size_m) {
     scene.BeginThing(kThing, {});
-    scene.Box(center_m, size_m, kWood);
+    scene.Box(center_m, size_m, kTestWood);
   }
   void AddWall(double x_m) {
     scene.BeginStuff(ObjectClass::kWall);
-    scene.Box({x_m, 0, 1}, {0.1, 8, 2}, kWood);
+    scene.Box({x_m, 0, 1}, {0.1, 8, 2}, kTestWood);
   }
   SceneBuilder scene;
 };
@@ -66,10 +66,10 @@ TEST_F(TruthRelations, WhatHangsAtAWallIsOnNothing) {
 TEST_F(TruthRelations, AThingIsInAShelfOrACrateAndOfTwoInTheInnerOne) {
   AddBookshelf(scene, {0, 0, 0, 0}, 1.2, 1.9, 5);  // as the apartment's
   scene.BeginThing(ObjectClass::kBin, {});         // a crate in its lowest compartment: bottom and four sides
-  scene.Box({0, 0, 0.04}, {0.24, 0.2, 0.02}, kWood);
+  scene.Box({0, 0, 0.04}, {0.24, 0.2, 0.02}, kTestWood);
   for (const double side : {-1.0, 1.0}) {
-    scene.Box({side * 0.115, 0, 0.12}, {0.01, 0.2, 0.16}, kWood);
-    scene.Box({0, side * 0.095, 0.12}, {0.24, 0.01, 0.16}, kWood);
+    scene.Box({side * 0.115, 0, 0.12}, {0.01, 0.2, 0.16}, kTestWood);
+    scene.Box({0, side * 0.095, 0.12}, {0.24, 0.01, 0.16}, kTestWood);
   }
   AddBlock({0, 0, 0.1}, {0.1, 0.1, 0.1});
   AddBlock({0.3, 0, 2.0}, {0.2, 0.2, 0.2});  // on top of it
@@ -87,7 +87,7 @@ TEST_F(TruthRelations, NothingIsNextToWhatIsBehindAWallOrSomethingElse) {
   EXPECT_TRUE(TextsOf(scene).contains("box_001 NEXT_TO box_002"));
   SceneBuilder with_thing = scene;
   with_thing.BeginThing(ObjectClass::kPouf, {});
-  with_thing.Box({0, 0, 0.6}, {0.1, 1.2, 1.2}, kWood);
+  with_thing.Box({0, 0, 0.6}, {0.1, 1.2, 1.2}, kTestWood);
   EXPECT_FALSE(TextsOf(with_thing).contains("box_001 NEXT_TO box_002"));
   EXPECT_TRUE(TextsOf(with_thing).contains("box_001 NEXT_TO pouf_001"));
   AddWall(0);
