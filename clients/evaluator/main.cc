@@ -6,6 +6,7 @@
 #include "clients/command_line/typos.h"
 #include "clients/command_line/version.h"
 #include "clients/evaluator/paper_command.h"
+#include "clients/evaluator/relations_command.h"
 #include "clients/evaluator/run_command.h"
 
 int main(int argc, char** argv) {
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   dhpmap::evaluator::AddRunCommand(app, status);
   dhpmap::evaluator::AddPaperCommand(app, status);
+  dhpmap::evaluator::AddRelationsCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
