@@ -42,7 +42,8 @@ Json JsonOf(const TruthRelation& relation) {
 }
 
 /// Those of one instance to others that were seen.
-Json JsonOfSeen(const std::vector<TruthRelation>& relations, std::uint8_t subject, std::span<const InstanceView> views) {
+Json JsonOfSeen(const std::vector<TruthRelation>& relations, std::uint8_t subject,
+                std::span<const InstanceView> views) {
   Json json = Json::array();
   for (const TruthRelation& relation : relations) {
     if (relation.subject == subject && IsSeen(views[relation.object])) json.push_back(JsonOf(relation));

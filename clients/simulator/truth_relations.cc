@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 constexpr double kColumn_m = 0.01;
 constexpr double kFoot_m = 0.02, kSoft_m = 0.05, kBelowFeet_m = 0.02, kLeastSupport = 0.3;
 constexpr int kDirections = 16, kLeastAroundShelf = 8, kLeastAroundCrate = 14;
-constexpr double kHangs_m = 0.05;
+constexpr double kHangs_m = 0.05, kTouch_m = 0.002;
 constexpr double kMostGap_m = 0.5, kLeastHeightShare = 0.5;
 
 /// One thing, and the solids that it may have to do with.
@@ -29,7 +29,6 @@ struct Furniture {
   Eigen::AlignedBox3d box_m;
   std::vector<Vector3d> points_m;  ///< on its surface
   SolidList others;                ///< near it
-  SolidList stuff;                 ///< likewise, those of stuff
 };
 
 class RelationFinder {
@@ -53,6 +52,7 @@ class RelationFinder {
         if (a.id < b.id && !IsOnOrIn(a.id, b.id) && !IsOnOrIn(b.id, a.id)) AddNextTo(a, b);
       }
     }
+    KeepInnermost();
     std::sort(found_.begin(), found_.end(), [](const TruthRelation& a, const TruthRelation& b) {
       return std::tie(a.subject, a.object, a.kind) < std::tie(b.subject, b.object, b.kind);
     });
@@ -63,7 +63,7 @@ class RelationFinder {
   [[nodiscard]] bool IsThing(std::uint8_t id) const { return id != 0 && InfoOf(instances_[id].object_class).is_thing; }
 
   [[nodiscard]] Furniture Gather(std::uint8_t id, std::span<const Solid> solids) const {
-    Furniture thing{.id = id, .own = solids_of_[id], .box_m = {}, .points_m = {}, .others = {}, .stuff = {}};
+    Furniture thing{.id = id, .own = solids_of_[id], .box_m = {}, .points_m = {}, .others = {}};
     thing.points_m = PointsOn(thing.own, kColumn_m);
     for (const Vector3d& p : thing.points_m) thing.box_m.extend(p);
     Eigen::AlignedBox3d around = thing.box_m;
@@ -72,7 +72,6 @@ class RelationFinder {
     for (const Solid& solid : solids) {
       if (solid.instance == id || !around.intersects(solid.Bounds())) continue;
       thing.others.push_back(&solid);
-      if (!IsThing(solid.instance)) thing.stuff.push_back(&solid);
     }
     return thing;
   }
@@ -124,6 +123,20 @@ class RelationFinder {
     }
   }
 
+  void KeepInnermost() {
+    const std::vector<TruthRelation> all = found_;
+    const auto is_in = [&all](std::uint8_t subject, std::uint8_t object) {
+      return std::any_of(all.begin(), all.end(), [&](const TruthRelation& r) {
+        return r.kind == TruthRelationKind::kIn && r.subject == subject && r.object == object;
+      });
+    };
+    std::erase_if(found_, [&](const TruthRelation& outer) {
+      return outer.kind == TruthRelationKind::kIn && std::any_of(all.begin(), all.end(), [&](const TruthRelation& r) {
+               return is_in(outer.subject, r.object) && is_in(r.object, outer.object);
+             });
+    });
+  }
+
   void AddHangsOn(const Furniture& thing) {
     std::map<std::uint8_t, int> num_near;
     for (const Vector3d& p : thing.points_m) {
@@ -155,7 +168,7 @@ class RelationFinder {
                       .height_share = height_share});
   }
 
-  /// The shortest straight line from points of `a` to what of `b` is nearest to them that meets no stuff.
+  /// The shortest straight line from points of `a` to what of `b` is nearest to them that meets nothing else.
   static std::optional<double> FreeWay(const Furniture& a, const Furniture& b) {
     std::vector<std::pair<double, Vector3d>> starts;
     for (const Vector3d& p : a.points_m) {
@@ -164,19 +177,27 @@ class RelationFinder {
       if (distance_m <= kMostGap_m) starts.emplace_back(distance_m, p);
     }
     std::sort(starts.begin(), starts.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+    SolidList others;
+    for (const Solid* solid : a.others) {
+      if (solid->instance != b.id) others.push_back(solid);
+    }
     for (const auto& [distance_m, p] : starts) {
       if (distance_m <= kColumn_m) return std::max(distance_m, 0.0);
-      if (IsFree(a.stuff, p, p - distance_m * Slope(b.own, p))) return distance_m;
+      const Vector3d nearest = p - distance_m * Slope(b.own, p);
+      const bool is_on_it = DistanceTo(b.own, nearest) < kTouch_m;  // not if two solids are as near
+      if (is_on_it && IsFree(others, p, nearest)) return distance_m;
     }
     return std::nullopt;
   }
 
-  /// Both ends may touch the solids: what hangs at a wall does.
+  /// Near both ends it may touch them, as what hangs at a wall does; elsewhere it may not run along a face of theirs.
   static bool IsFree(const SolidList& solids, const Vector3d& from, const Vector3d& to) {
-    constexpr double kStep_m = 0.005, kTouch_m = 0.002;
-    const int num_steps = static_cast<int>((to - from).norm() / kStep_m) + 1;
-    for (int i = 0; i <= num_steps; ++i) {
-      if (DistanceTo(solids, from + (to - from) * i / num_steps) < -kTouch_m) return false;
+    constexpr double kStep_m = 0.005, kEnd_m = 0.02, kClear_m = 0.001;
+    const double length_m = (to - from).norm();
+    for (double at_m = 0; at_m < length_m; at_m += kStep_m) {
+      const double distance_m = DistanceTo(solids, from + at_m / length_m * (to - from));
+      const bool is_at_end = at_m < kEnd_m || at_m > length_m - kEnd_m;
+      if (distance_m < (is_at_end ? -kTouch_m : kClear_m)) return false;
     }
     return true;
   }

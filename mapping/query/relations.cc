@@ -2,192 +2,36 @@
 #include "mapping/query/relations.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
-#include "mapping/query/nearest_search.h"
+#include "mapping/query/enclosure.h"
+#include "mapping/query/free_way.h"
 #include "mapping/query/object_shape.h"
-#include "mapping/query/ray_query.h"
+#include "mapping/query/resting.h"
 
 namespace dhpmap {
 namespace {
 
-constexpr double kContact_vox = 2;
-/// Between surfaces of objects that touch, each of which ends up to a voxel before the other.
-constexpr double kHold_vox = 3;
-constexpr double kLeastUp = 0.70710678;  // cosine of 45 degrees
-/// Stray voxels below an object are not what it stands on.
-constexpr double kStrayShare = 0.02;
-constexpr std::size_t kMostPoints = 4096;  // of a surface, for what it touches
-constexpr std::size_t kMostEnclosed = 48;  // of a surface, for rays
-constexpr std::size_t kFewEnclosed = 8;    // one point of so many of them is asked first
-constexpr double kLeastInBox = 0.5;        // of the subject's box, for rays to be cast at all
-
-/// A thing or stuff, in the asker's frame.
-struct RelatedBody {
-  std::size_t number = 0;
-  const Submap* submap = nullptr;
-  Eigen::AlignedBox3d box_m;
-
-  [[nodiscard]] bool IsThing() const { return submap->info().panoptic == Panoptic::kThing; }
-  [[nodiscard]] SubmapId id() const { return submap->id(); }
-};
-
-/// A thing with points of its surface: of a few at a time.
-struct Subject {
-  const RelatedBody& body;
-  std::vector<Eigen::Vector3d> points_m;
-};
-
-double Volume(const Eigen::AlignedBox3d& box) { return box.isEmpty() ? 0 : box.sizes().prod(); }
-
-/// The 26 directions to the cells around a cell, as unit vectors.
-std::vector<Eigen::Vector3d> AllAround() {
-  std::vector<Eigen::Vector3d> directions;
-  for (int n = 0; n < 27; ++n) {
-    const Eigen::Vector3d cell(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-    if (!cell.isZero()) directions.push_back(cell.normalized());
-  }
-  return directions;
-}
-
-/// How the surface of one object lies to points: asks that object alone. After `stop` it ends soon, and what it says
-/// means nothing.
-class Judge {
- public:
-  Judge(const MapSurfaces& surfaces, const RelationQuestion& question, const std::stop_token& stop)
-      : surfaces_(surfaces),
-        question_(question),
-        stop_(stop),
-        T_query_map_(question.T_map_query.inverse()),
-        is_held_(surfaces.index().entries().size()),
-        is_there_(surfaces.index().entries().size(), true),
-        search_(surfaces, is_held_, is_there_) {}
-
-  struct Support {
-    double share = 0;
-    double gap_m = 0;
-  };
-  Support SupportOf(const Subject& subject, const RelatedBody& object) {
-    std::vector<double> heights_m;
-    for (const Eigen::Vector3d& p : subject.points_m) heights_m.push_back(p.z());
-    const auto lowest =
-        heights_m.begin() + static_cast<std::ptrdiff_t>(kStrayShare * static_cast<double>(heights_m.size()));
-    std::nth_element(heights_m.begin(), lowest, heights_m.end());
-    const double reach_m = kContact_vox * subject.body.submap->info().voxel_size_m, bottom_m = *lowest;
-    const double hold_m = kHold_vox * subject.body.submap->info().voxel_size_m;
-    const FlagSet held(is_held_, object.number, true);
-    const FlagSet absent(is_there_, subject.body.number, false);  // what holds it up is there without it
-    int num_bottom = 0, num_held = 0;
-    double gap_m = hold_m;
-    for (const Eigen::Vector3d& p : subject.points_m) {
-      if (stop_.stop_requested()) break;
-      if (p.z() > bottom_m + reach_m) continue;
-      ++num_bottom;
-      const auto found = Nearest(p, hold_m);
-      if (!found || found->up < kLeastUp || found->point_m.z() > p.z() + reach_m / 2) continue;
-      ++num_held;
-      gap_m = std::min(gap_m, found->distance_m);
-    }
-    if (num_held == 0) return {};
-    return {static_cast<double>(num_held) / num_bottom, gap_m};
-  }
-
-  /// The least distance, infinity if it is more than the limit.
-  double GapOf(const Subject& subject, const RelatedBody& object, double limit_m) {
-    const FlagSet held(is_held_, object.number, true);
-    double gap_m = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3d& p : subject.points_m) {
-      if (stop_.stop_requested()) break;
-      if (object.box_m.exteriorDistance(p) > std::min(limit_m, gap_m)) continue;
-      if (const auto found = Nearest(p, std::min(limit_m, gap_m))) gap_m = std::min(gap_m, found->distance_m);
-    }
-    return gap_m;
-  }
-
-  double EnclosureOf(const Subject& subject, const RelatedBody& object) {
-    static const std::vector<Eigen::Vector3d> directions = AllAround();
-    const double limit_m = object.box_m.diagonal().norm();
-    // Ends with a share below `least` once that is all it can be.
-    const auto share_met_from = [&](std::size_t first, std::size_t step, double least) {
-      const std::size_t num_points = (subject.points_m.size() - first + step - 1) / step;
-      const auto num_rays = static_cast<double>(num_points * directions.size());
-      double num_met = num_rays;  // at most
-      for (std::size_t i = first; i < subject.points_m.size(); i += step) {
-        if (stop_.stop_requested()) return 0.0;
-        for (const Eigen::Vector3d& direction : directions) {
-          const Ray ray{question_.T_map_query * subject.points_m[i], question_.T_map_query.linear() * direction};
-          if (MeetsSubmap(surfaces_, object.number, ray, limit_m)) continue;
-          if (--num_met < least * num_rays) return num_met / num_rays;
-        }
-      }
-      return num_met / num_rays;
-    };
-    if (subject.points_m.empty()) return 0;
-    // A wall's box holds all that stands in the room. A few points tell that it is far from being around them.
-    const std::size_t step = std::max<std::size_t>(1, subject.points_m.size() / kMostEnclosed);
-    const double least = question_.rules.least_enclosure;
-    const double of_few = share_met_from(step / 2, kFewEnclosed * step, 0.75 * least);
-    return of_few < 0.75 * least ? of_few : share_met_from(0, step, least);
-  }
-
- private:
-  /// Sets the flag of one submap for its life.
-  class FlagSet {
-   public:
-    FlagSet(std::vector<bool>& flags, std::size_t number, bool value) : flags_(flags), number_(number), value_(value) {
-      flags_[number_] = value_;
-    }
-    ~FlagSet() { flags_[number_] = !value_; }
-    FlagSet(const FlagSet&) = delete;
-    FlagSet& operator=(const FlagSet&) = delete;
-
-   private:
-    std::vector<bool>& flags_;
-    std::size_t number_;
-    bool value_;
-  };
-  struct Found {
-    double distance_m;
-    double up;                ///< of the normal
-    Eigen::Vector3d point_m;  ///< asker's frame
-  };
-  std::optional<Found> Nearest(const Eigen::Vector3d& p, double limit_m) {
-    const NearestSurface found = search_.Find(question_.T_map_query * p, limit_m);
-    if (!found.is_any) return std::nullopt;
-    const double distance_m = (found.p_submap - found.point_submap).norm();
-    if (distance_m > limit_m) return std::nullopt;
-    const Transform T_query_submap =
-        T_query_map_ * surfaces_.index().entries()[found.number].submap().info().T_map_submap;
-    return Found{distance_m, (T_query_submap.linear() * found.normal_submap).z(), T_query_submap * found.point_submap};
-  }
-
-  const MapSurfaces& surfaces_;
-  const RelationQuestion& question_;
-  const std::stop_token& stop_;
-  const Transform T_query_map_;
-  std::vector<bool> is_held_, is_there_;
-  NearestSearch search_;
-};
+constexpr std::size_t kMostPoints = 4096;  // of a surface
+constexpr double kLeastInside = 0.2;       // of what is below a thing, is the one that it is in
+constexpr double kReach_m = 0.5;           // of feet, or 4 voxels
 
 class Finder {
  public:
   Finder(const MapSurfaces& surfaces, const RelationQuestion& question, const std::stop_token& stop)
-      : surfaces_(surfaces), question_(question), stop_(stop), judge_(surfaces, question, stop) {}
+      : surfaces_(surfaces),
+        question_(question),
+        stop_(stop),
+        world_(std::shared_ptr<const MapSurfaces>(std::shared_ptr<void>(), &surfaces), question.scope),
+        surface_(surfaces, question.T_map_query) {}
 
   std::vector<Relation> Run() {
     Gather();
     for (std::size_t a = 0; a < bodies_.size() && !IsEnough(); ++a) {
       if (!bodies_[a].IsThing()) continue;
-      std::optional<Subject> subject;
-      for (const std::uint32_t b : Around(a)) {
-        if (stop_.stop_requested()) return std::move(found_);
-        if (b == a || !IsAskedFor(bodies_[a], bodies_[b])) continue;
-        if (!subject) subject.emplace(SubjectOf(bodies_[a]));
-        Compare(*subject, bodies_[b]);
-      }
+      RelateThing(a);
+      if (stop_.stop_requested()) break;
     }
     if (found_.size() > question_.most) found_.resize(question_.most);
     return std::move(found_);
@@ -212,7 +56,7 @@ class Finder {
     tree_ = BoxTree(boxes);
   }
 
-  [[nodiscard]] Subject SubjectOf(const RelatedBody& body) const {
+  [[nodiscard]] RelatedThing ThingOf(const RelatedBody& body) const {
     return {body, SurfacePoints(surfaces_, body.number, question_.T_map_query.inverse(), kMostPoints)};
   }
 
@@ -223,9 +67,8 @@ class Finder {
   }
 
   /// Those that may have to do with it, by ascending id.
-  std::vector<std::uint32_t> Around(std::size_t a) {
-    const RelatedBody& body = bodies_[a];
-    const double reach_m = std::max(question_.rules.most_gap_m, kHold_vox * body.submap->info().voxel_size_m);
+  std::vector<std::uint32_t> Around(const RelatedBody& body) {
+    const double reach_m = std::max({question_.rules.most_gap_m, kReach_m, 4 * body.submap->info().voxel_size_m});
     std::vector<std::uint32_t> around;
     tree_.VisitOverlapping(InTree(body.box_m, reach_m),
                            [&](std::size_t position) { around.push_back(tree_.items()[position]); });
@@ -242,71 +85,163 @@ class Finder {
            std::find(question_.kinds->begin(), question_.kinds->end(), kind) != question_.kinds->end();
   }
 
-  void Compare(const Subject& subject, const RelatedBody& object) {
-    const Relation on = On(subject, object), in = In(subject, object);
-    if (stop_.stop_requested()) return;
-    if (on.subject != nullptr && IsWanted(RelationKind::kOn)) found_.push_back(on);
-    if (in.subject != nullptr && IsWanted(RelationKind::kIn)) found_.push_back(in);
-    const bool is_related = on.subject != nullptr || in.subject != nullptr;
-    if (is_related || !object.IsThing() || object.id() < subject.body.id()) return;
+  /// Bodies around one, and what it is on and in: positions among them.
+  struct Surroundings {
+    std::vector<const RelatedBody*> bodies;  ///< by ascending id
+    std::vector<SupportShare> held_by;
+    std::map<std::size_t, double> enclosure;  ///< of those that it is in
+  };
+  const Surroundings& SurroundingsOf(const RelatedThing& thing) {
+    const auto known = surroundings_.find(thing.body.number);
+    if (known != surroundings_.end()) return known->second;
+    return surroundings_.emplace(thing.body.number, LookAround(thing)).first->second;
+  }
+  Surroundings LookAround(const RelatedThing& thing) {
+    Surroundings around;
+    for (const std::uint32_t b : Around(thing.body)) {
+      if (&bodies_[b] != &thing.body) around.bodies.push_back(&bodies_[b]);
+    }
+    const RelationRules& rules = question_.rules;
+    // What encloses a thing is below it: so no wall encloses what stands in the room.
+    const double least = std::min(kLeastInside, rules.least_support);
+    around.held_by = WhatTouches(thing, around.bodies, least, world_, surface_, stop_);
+    for (std::size_t i = 0; i < around.bodies.size() && !stop_.stop_requested(); ++i) {
+      const bool is_below = IsHeldBy(around, i);
+      if (!is_below && !around.bodies[i]->IsThing()) continue;  // a picture lies close to a wall all around
+      const double enclosure = EnclosureOf(thing, *around.bodies[i], is_below, world_, surface_, stop_);
+      if (enclosure >= rules.least_enclosure) around.enclosure.emplace(i, enclosure);
+    }
+    KeepHolders(rules.least_support, around);
+    if (around.held_by.empty()) {
+      around.held_by = WhatIsBelow(thing, around.bodies, rules.least_support, world_, surface_, stop_);
+    }
+    return around;
+  }
+
+  /// What is in something rests on that alone; all else on what holds enough of it.
+  static void KeepHolders(double least_support, Surroundings& around) {
+    double inside = 0;
+    for (const SupportShare& held : around.held_by) inside += around.enclosure.contains(held.body) ? held.share : 0;
+    std::erase_if(around.held_by, [&](const SupportShare& held) {
+      return inside > 0 ? !around.enclosure.contains(held.body) : held.share < least_support;
+    });
+    if (inside > 0) {
+      for (SupportShare& held : around.held_by) held.share /= inside;
+    }
+  }
+
+  void RelateThing(std::size_t a) {
+    const std::vector<std::uint32_t> around = Around(bodies_[a]);
+    const auto is_asked = [&](std::uint32_t b) { return b != a && IsAskedFor(bodies_[a], bodies_[b]); };
+    if (std::none_of(around.begin(), around.end(), is_asked)) return;
+    const RelatedThing thing = ThingOf(bodies_[a]);
+    const Surroundings& surroundings = SurroundingsOf(thing);
+    std::vector<Relation> found;
+    for (std::size_t i = 0; i < surroundings.bodies.size() && !stop_.stop_requested(); ++i) {
+      if (IsAskedFor(bodies_[a], *surroundings.bodies[i])) Compare(thing, surroundings, i, found);
+    }
+    // What was found with a stop under way may be wrong.
+    if (!stop_.stop_requested()) found_.insert(found_.end(), found.begin(), found.end());
+  }
+
+  void Compare(const RelatedThing& thing, const Surroundings& around, std::size_t i, std::vector<Relation>& found) {
+    const RelatedBody& object = *around.bodies[i];
+    const Relation on = On(thing, around, i), in = In(thing, around, i);
+    if (on.subject != nullptr && IsWanted(RelationKind::kOn)) found.push_back(on);
+    if (in.subject != nullptr && IsWanted(RelationKind::kIn)) found.push_back(in);
+    const bool is_related = IsHeldBy(around, i) || around.enclosure.contains(i);
+    if (is_related || !object.IsThing() || object.id() < thing.body.id()) return;
     if (!IsWanted(RelationKind::kNextTo)) return;
-    const Relation next = NextTo(subject, object);
-    if (next.subject == nullptr) return;
-    const Subject other = SubjectOf(object);
-    const bool is_reverse = On(other, subject.body).subject != nullptr || In(other, subject.body).subject != nullptr;
-    if (!is_reverse && !stop_.stop_requested()) found_.push_back(next);
+    const Relation next = NextTo(thing, around, object);
+    if (next.subject != nullptr && !IsOnOrIn(object, thing.body)) found.push_back(next);
+  }
+
+  [[nodiscard]] bool IsOnOrIn(const RelatedBody& subject, const RelatedBody& object) {
+    const Surroundings& around = SurroundingsOf(ThingOf(subject));
+    const auto found = std::find(around.bodies.begin(), around.bodies.end(), &object);
+    if (found == around.bodies.end()) return false;
+    const auto i = static_cast<std::size_t>(found - around.bodies.begin());
+    return IsHeldBy(around, i) || around.enclosure.contains(i);
+  }
+
+  static bool IsHeldBy(const Surroundings& around, std::size_t i) {
+    return std::any_of(around.held_by.begin(), around.held_by.end(),
+                       [i](const SupportShare& held) { return held.body == i; });
+  }
+
+  /// Of what a thing is in, whether nothing else is between: a cup in a box in a shelf is in the box.
+  [[nodiscard]] bool IsInnermost(const Surroundings& around, std::size_t i) {
+    return std::none_of(around.enclosure.begin(), around.enclosure.end(), [&](const auto& container) {
+      const RelatedBody& inner = *around.bodies[container.first];
+      return container.first != i && inner.IsThing() && IsIn(inner, *around.bodies[i]);
+    });
+  }
+  [[nodiscard]] bool IsIn(const RelatedBody& subject, const RelatedBody& object) {
+    const Surroundings& around = SurroundingsOf(ThingOf(subject));
+    return std::any_of(around.enclosure.begin(), around.enclosure.end(),
+                       [&](const auto& container) { return around.bodies[container.first] == &object; });
   }
 
   // Each is without a subject if it does not hold.
 
-  Relation On(const Subject& subject, const RelatedBody& object) {
-    const double reach_m = kHold_vox * subject.body.submap->info().voxel_size_m;
-    Eigen::AlignedBox3d bottom_m = subject.body.box_m;
-    bottom_m.min().array() -= reach_m;
-    if (!bottom_m.intersects(object.box_m)) return {};
-    const Judge::Support support = judge_.SupportOf(subject, object);
-    if (support.share < question_.rules.least_support) return {};
-    return {.kind = RelationKind::kOn,
-            .subject = subject.body.submap,
-            .object = object.submap,
-            .support = support.share,
-            .gap_m = support.gap_m};
+  static Relation On(const RelatedThing& thing, const Surroundings& around, std::size_t i) {
+    for (const SupportShare& held : around.held_by) {
+      if (held.body != i) continue;
+      return {.kind = RelationKind::kOn,
+              .subject = thing.body.submap,
+              .object = around.bodies[i]->submap,
+              .support = held.share,
+              .gap_m = held.gap_m};
+    }
+    return {};
   }
 
-  Relation In(const Subject& subject, const RelatedBody& object) {
-    const double in_box = Volume(subject.body.box_m.intersection(object.box_m));
-    if (in_box < kLeastInBox * Volume(subject.body.box_m) || !object.box_m.contains(subject.body.box_m.center()))
-      return {};
-    const double enclosure = judge_.EnclosureOf(subject, object);
-    if (enclosure < question_.rules.least_enclosure) return {};
+  Relation In(const RelatedThing& thing, const Surroundings& around, std::size_t i) {
+    const auto found = around.enclosure.find(i);
+    if (found == around.enclosure.end() || !IsInnermost(around, i)) return {};
     return {.kind = RelationKind::kIn,
-            .subject = subject.body.submap,
-            .object = object.submap,
-            .enclosure = enclosure,
-            .gap_m = judge_.GapOf(subject, object, object.box_m.diagonal().norm())};
+            .subject = thing.body.submap,
+            .object = around.bodies[i]->submap,
+            .enclosure = found->second,
+            .gap_m = GapOf(thing, *around.bodies[i])};
   }
 
-  Relation NextTo(const Subject& subject, const RelatedBody& object) {
-    const double shared_m = std::min(subject.body.box_m.max().z(), object.box_m.max().z()) -
-                            std::max(subject.body.box_m.min().z(), object.box_m.min().z());
-    const double height_share = shared_m / std::min(subject.body.box_m.sizes().z(), object.box_m.sizes().z());
+  /// The least distance between a thing and what is around it.
+  double GapOf(const RelatedThing& thing, const RelatedBody& object) {
+    double gap_m = object.box_m.diagonal().norm();
+    for (const Eigen::Vector3d& p : thing.points_m) {
+      if (stop_.stop_requested()) break;
+      const auto found = surface_.Nearest(object.number, thing.body.number, p, gap_m);
+      if (found) gap_m = std::min(gap_m, found->distance_m);
+    }
+    return gap_m;
+  }
+
+  Relation NextTo(const RelatedThing& thing, const Surroundings& around, const RelatedBody& object) {
+    const Eigen::AlignedBox3d &a = thing.body.box_m, &b = object.box_m;
+    const double shared_m = std::min(a.max().z(), b.max().z()) - std::max(a.min().z(), b.min().z());
+    const double height_share = shared_m / std::min(a.sizes().z(), b.sizes().z());
     if (!(height_share >= question_.rules.least_height_share)) return {};
-    const double gap_m = judge_.GapOf(subject, object, question_.rules.most_gap_m);
-    if (gap_m > question_.rules.most_gap_m) return {};
+    std::vector<const RelatedBody*> others = around.bodies;
+    std::erase(others, &object);
+    const auto gap_m = FreeWay(thing, object, others, question_.rules.most_gap_m, world_, surface_, stop_);
+    if (!gap_m) return {};
     return {.kind = RelationKind::kNextTo,
-            .subject = subject.body.submap,
+            .subject = thing.body.submap,
             .object = object.submap,
-            .gap_m = gap_m,
+            .gap_m = *gap_m,
             .height_share = height_share};
   }
 
   const MapSurfaces& surfaces_;
   const RelationQuestion& question_;
   const std::stop_token& stop_;
-  Judge judge_;
+  const QueryWorld world_;
+  OneSurface surface_;
   std::vector<RelatedBody> bodies_;  // by ascending id
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();
-  BoxTree tree_;  // of their boxes
+  BoxTree tree_;                                      // of their boxes
+  std::map<std::size_t, Surroundings> surroundings_;  // of those that were looked at, by number
   std::vector<Relation> found_;
 };
 

@@ -14,19 +14,20 @@ namespace dhpmap {
 
 enum class RelationKind : std::uint8_t {
   kOn,      ///< the subject rests on the object
-  kIn,      ///< the object encloses the subject
+  kIn,      ///< the object encloses the subject; of several in each other the innermost
   kNextTo,  ///< beside each other, at one height; told once, the one of less id as the subject
 };
 
-/// What makes a relation. Up is z of the asker's frame; a voxel is the subject's.
+/// What makes a relation; see resting.h, enclosure.h and free_way.h for how it is measured. Up is z of the asker's
+/// frame.
 struct RelationRules {
-  // On: of the points of the subject's surface within two voxels of its lowest, the share that has a surface of the
-  // object within two voxels, not above, that faces up by 45 degrees or more.
+  // On: of the columns of the subject that anything holds up, the share that the object does.
   double least_support = 0.3;
-  // In: of 26 directions around points of the subject's surface, the share in which its object's surface is met. A
-  // table top under a cup is met in less than half of them, a shelf's board, sides and back in some 0.7 to 0.8.
+  // In: what is below and above the subject counts a quarter each, what is around it half. A table under a cup has a
+  // quarter, a shelf's boards, sides and back some 0.7 to 0.8.
   double least_enclosure = 0.65;
-  // Next to: neither on nor in each other, surfaces no farther apart, and heights that share so much of the lower one.
+  // Next to: neither on nor in each other, nothing between, surfaces no farther apart, and heights that share so much
+  // of the lower one.
   double most_gap_m = 0.5;
   double least_height_share = 0.5;
 };
@@ -38,7 +39,7 @@ struct Relation {
   const Submap* object = nullptr;
   double support = 0;       ///< on: see RelationRules
   double enclosure = 0;     ///< in: likewise
-  double gap_m = 0;         ///< between the surfaces, at the nearest of the subject's points: to half a voxel or so
+  double gap_m = 0;         ///< between the surfaces, to half a voxel or so: of next to along a way with nothing on it
   double height_share = 0;  ///< next to: likewise
 };
 
