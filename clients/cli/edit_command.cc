@@ -22,7 +22,7 @@ namespace dhpmap {
 namespace {
 
 struct EditOptions : EditFlags {
-  std::string map, text;
+  std::string map, text, class_name;
   std::int64_t id = 0;
   PoseChange pose;
   std::vector<std::int64_t> others;
@@ -205,6 +205,7 @@ ExitCode RunSplit(const Session& session, const EditOptions& options) {
   v1::Edit* edit = nullptr;
   v1::ApplyEditsRequest request = One(options, edit);
   v1::SplitEdit& split = *edit->mutable_split();
+  split.set_class_name(options.class_name);
   if (!options.box_m.empty()) SetBox(*split.mutable_box(), options.box_m);
   else if (options.plane.empty()) split.mutable_parts()->set_min_voxels(options.min_voxels);
   else {
@@ -352,6 +353,8 @@ void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& optio
       ->expected(6)
       ->excludes(box);
   split->add_option("--min-voxels", options->min_voxels, "Smaller connected parts stay [16]");
+  split->add_option("--class", options->class_name,
+                    "Class of things that the parts become: of a background you have to say it");
   CLI::App* clear = AddMapEdit(edit, "clear", "Forget what was observed within a region", options, session, RunClear);
   clear->add_option("--id", options->id, "Of this object only");
   clear->add_option("--class", options->classes, "Of objects of this class only; may be repeated")

@@ -139,4 +139,12 @@ std::vector<SubmapId> SplitIntoConnectedParts(SubmapId id, std::size_t least_vox
   return made;
 }
 
+void MakeThingOfClass(ClassId class_id, Submap& part) {
+  SubmapInfo& info = part.mutable_info();
+  if (info.panoptic != Panoptic::kThing) info.activity = Activity::kInactive;
+  info.panoptic = Panoptic::kThing;
+  info.class_id = class_id;
+  info.class_is_fixed = true;
+}
+
 }  // namespace dhpmap

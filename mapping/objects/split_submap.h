@@ -28,4 +28,7 @@ std::optional<SubmapId> SplitSubmap(SubmapId id, const VoxelChoice& goes, Map& m
 /// alone and contradicted ones stay. Returns the new objects, largest first.
 std::vector<SubmapId> SplitIntoConnectedParts(SubmapId id, std::size_t least_voxels, std::size_t most_parts, Map& map);
 
+/// Makes a part of whatever kind a thing of a class, against later votes: settled, as frames may not show it again.
+void MakeThingOfClass(ClassId class_id, Submap& part);
+
 }  // namespace dhpmap

@@ -9,6 +9,7 @@
 
 #include "mapping/fusion/band_size.h"
 #include "mapping/map/map_grid.h"
+#include "mapping/tracking/find_stuff.h"
 #include "mapping/tracking/find_track.h"
 #include "mapping/tracking/things_in_view.h"
 
@@ -18,6 +19,10 @@ namespace {
 /// Of a thing that it takes for a segment to show it, or that share of the segment where that is fewer: what a mask
 /// bleeds onto a neighbour is no sight of it. The first as for the evidence of pairs.
 constexpr std::int64_t kLeastPointsShown = 60, kLeastPercentShown = 5;
+
+/// A piece of a background's segment is a thing's if one in so many of its points lies on that: the others are sides
+/// that were not seen before. What else lies on things is less (above).
+constexpr std::int64_t kLeastShareOfPiece = 5;
 
 /// Ids that last tell things apart themselves: against them only people have a say.
 bool AreTwo(const ObjectPair& pair, bool has_persistent_ids) {
@@ -48,6 +53,22 @@ struct FrameHits {
   std::vector<std::vector<std::int64_t>> of_segment;  ///< points, by segment, then thing
   std::vector<std::int64_t> of_frame;                 ///< by thing
 };
+
+/// Whether a segment is of the class of a background that somebody has split things from: null, or that background.
+const Submap* SplitBackgroundOf(const PanopticFrame& frame, int row, const Map& map) {
+  if (row < 0) return nullptr;
+  const auto& class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
+  const LabelClass* label_class = class_id ? map.info().label_set->Find(*class_id) : nullptr;
+  if (label_class == nullptr || label_class->panoptic != Panoptic::kStuff) return nullptr;
+  const Submap* background = FindStuff(map, *class_id);
+  if (background == nullptr) return nullptr;
+  const auto pairs = map.info().pairs.pairs();
+  const bool is_split = std::any_of(pairs.begin(), pairs.end(), [background](const ObjectPair& pair) {
+    return pair.verdict == PairVerdict::kMustBeTwo &&
+           (pair.first == background->id() || pair.second == background->id());
+  });
+  return is_split ? background : nullptr;
+}
 
 /// Where the segment as a whole goes. Nothing: it is not to be cut.
 std::optional<SubmapId> WholeOf(const PanopticFrame& frame, const SegmentBundles& segment, const ThingsInView& things,
@@ -120,13 +141,29 @@ void SpreadPieces(const SegmentBundles& segment, std::vector<std::uint32_t>& pie
   }
 }
 
-/// Pieces with points, the one with most of them first. `hit_by`: see ThingsInView::HitsOf.
+/// What lies on the background itself is of the rest.
+void KeepBackground(const SegmentBundles& segment, const Submap& background,
+                    std::vector<std::uint32_t>& piece_of_bundle) {
+  for (const BundleCell& cell : segment.cells) {
+    const BlockEntry* entry = background.blocks().Find(cell.block);
+    if (entry == nullptr || entry->tsdf == nullptr) continue;
+    for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
+      const bool is_open = piece_of_bundle[b] == ThingsInView::kNone;
+      if (is_open && entry->tsdf->IsObserved(segment.bundles[b].linear)) piece_of_bundle[b] = 0;
+    }
+  }
+}
+
+/// Pieces with points, the one with most of them first. `hit_by`: see ThingsInView::HitsOf; `background`: that the
+/// segment is of, or null.
 std::vector<SegmentBundles> CutSegment(const SegmentBundles& segment, const std::vector<std::uint32_t>& hit_by,
-                                       const std::vector<std::uint32_t>& piece_of, std::uint32_t num_pieces) {
+                                       const std::vector<std::uint32_t>& piece_of, std::uint32_t num_pieces,
+                                       const Submap* background) {
   std::vector<std::uint32_t> piece_of_bundle(hit_by.size(), ThingsInView::kNone);
   for (std::size_t b = 0; b < hit_by.size(); ++b) {
     if (hit_by[b] != ThingsInView::kNone) piece_of_bundle[b] = piece_of[hit_by[b]];
   }
+  if (background != nullptr) KeepBackground(segment, *background, piece_of_bundle);
   SpreadPieces(segment, piece_of_bundle);
   std::vector<SegmentBundles> pieces(num_pieces);
   for (const BundleCell& cell : segment.cells) {
@@ -152,7 +189,9 @@ bool IsOfThing(const PanopticFrame& frame, const SegmentBundles& segment, const 
 
 /// Whether frames may show as one two things that are in view.
 bool HasTwo(const ThingsInView& things, bool has_persistent_ids, const Map& map) {
-  const auto is_in_view = [&things](SubmapId id) {
+  const auto is_in_view = [&](SubmapId id) {
+    const Submap* submap = map.Find(id);
+    if (submap != nullptr && submap->info().panoptic == Panoptic::kStuff) return true;  // it may be anywhere
     return std::any_of(things.list().begin(), things.list().end(),
                        [id](const ThingInView& thing) { return thing.submap->id() == id; });
   };
@@ -179,8 +218,10 @@ void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool&
   for (std::size_t s = 0; s < segments.size(); ++s) {
     std::uint32_t num_pieces = 1;
     std::vector<std::uint32_t> piece_of;
-    const auto whole = IsOfThing(frame, segments[s], map) ? WholeOf(frame, segments[s], things, hits.of_segment[s], map)
-                                                          : std::optional<SubmapId>();
+    const Submap* background = segments[s].is_cut_short ? nullptr : SplitBackgroundOf(frame, segments[s].row, map);
+    std::optional<SubmapId> whole;
+    if (background != nullptr) whole = background->id();
+    else if (IsOfThing(frame, segments[s], map)) whole = WholeOf(frame, segments[s], things, hits.of_segment[s], map);
     if (whole) {
       piece_of = PiecesOf(*whole, frame.has_persistent_ids, things, segments[s].num_points, hits.of_segment[s],
                           hits.of_frame, map, num_pieces);
@@ -191,7 +232,7 @@ void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool&
       continue;
     }
     num_cells += most_added;
-    std::vector<SegmentBundles> pieces = CutSegment(segments[s], hits.hit_by[s], piece_of, num_pieces);
+    std::vector<SegmentBundles> pieces = CutSegment(segments[s], hits.hit_by[s], piece_of, num_pieces, background);
     std::move(pieces.begin(), pieces.end(), std::back_inserter(result));
   }
   segments = std::move(result);
@@ -203,6 +244,7 @@ void HandToSplitParts(const PanopticFrame& frame, const std::vector<SegmentBundl
   for (std::size_t begin = 0, end = 0; begin < segments.size(); begin = end) {
     for (end = begin + 1; is_of_row(end, segments[begin].row);) ++end;
     if (segments[begin].row < 0) continue;
+    const bool is_of_background = SplitBackgroundOf(frame, segments[begin].row, map) != nullptr;
     const bool is_whole = end == begin + 1;  // then what it lies on must be clear
     const std::vector<Assignment> of_row(assignments.begin() + static_cast<std::ptrdiff_t>(begin),
                                          assignments.begin() + static_cast<std::ptrdiff_t>(end));
@@ -210,6 +252,7 @@ void HandToSplitParts(const PanopticFrame& frame, const std::vector<SegmentBundl
       const auto most = std::max_element(overlaps.hits[s].begin(), overlaps.hits[s].end());
       if (most == overlaps.hits[s].end() || *most == 0) continue;
       if (is_whole && 2 * *most <= segments[s].num_points) continue;
+      if (is_of_background && kLeastShareOfPiece * *most <= segments[s].num_points) continue;
       const auto c = static_cast<std::size_t>(most - overlaps.hits[s].begin());
       if (!IsOnGridOf(map, overlaps.candidates[c])) continue;  // it would get the other parts, too
       const bool was_split = std::any_of(of_row.begin(), of_row.end(), [&](const Assignment& whole) {
@@ -220,6 +263,17 @@ void HandToSplitParts(const PanopticFrame& frame, const std::vector<SegmentBundl
       assignments[s] = {overlaps.candidates[c], false, static_cast<float>(overlaps.Iou(s, c, segments[s].num_points))};
     }
   }
+}
+
+bool HasSplitBackground(const Map& map) {
+  const auto pairs = map.info().pairs.pairs();
+  const auto is_stuff = [&map](SubmapId id) {
+    const Submap* submap = map.Find(id);
+    return submap != nullptr && submap->info().panoptic == Panoptic::kStuff;
+  };
+  return std::any_of(pairs.begin(), pairs.end(), [&](const ObjectPair& pair) {
+    return pair.verdict == PairVerdict::kMustBeTwo && (is_stuff(pair.first) || is_stuff(pair.second));
+  });
 }
 
 }  // namespace dhpmap

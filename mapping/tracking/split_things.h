@@ -13,7 +13,8 @@
 namespace dhpmap {
 
 // Things that are two (ObjectPair::AreTwo), as somebody has split them or other frames show, and that a frame shows as
-// one. To frames with persistent ids only those are two of which somebody has said so.
+// one; likewise things that somebody has split from a background, in segments of its class. To frames with persistent
+// ids only those are two of which somebody has said so.
 
 /// See Tracker::CutAtSplits.
 void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool& pool,
@@ -24,5 +25,8 @@ void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool&
 /// a grid of its own. Segments and overlaps are those of Tracker::Assign.
 void HandToSplitParts(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                       const OverlapTable& overlaps, const Map& map, std::vector<Assignment>& assignments);
+
+/// Whether somebody has split things from a background.
+bool HasSplitBackground(const Map& map);
 
 }  // namespace dhpmap

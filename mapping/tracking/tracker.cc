@@ -287,7 +287,8 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     }
   }
   overlaps_ = {};
-  if (has_locked || has_split || std::find(is_open.begin(), is_open.end(), true) != is_open.end()) {
+  if (has_locked || has_split || HasSplitBackground(map) ||
+      std::find(is_open.begin(), is_open.end(), true) != is_open.end()) {
     overlaps_ = CountOverlaps(frame, segments, map, pool_);
     MatchThings(segments, is_open, frame, overlaps_, map, assignments);
     if (has_locked) MatchLocked(segments, classes, map, assignments);

@@ -169,9 +169,7 @@ class Application {
 
   Result<EditResult> Split(SubmapId id, const SplitEdit& edit) {
     const Submap& submap = *map_.Find(id);
-    if (submap.info().panoptic != Panoptic::kThing) {
-      return FailedPrecondition(Named(id) + " is a background: there is one of each class").WithReason("NOT_A_THING");
-    }
+    DHPMAP_RETURN_IF_ERROR(CheckClassOfParts(submap, edit.class_id));
     EditResult result{.changed = {id}, .created = {}, .removed = {}};
     const Transform T_map_submap = submap.info().T_map_submap;
     if (const auto* parts = std::get_if<SplitByParts>(&edit.by)) {
@@ -190,8 +188,27 @@ class Application {
       return FailedPrecondition(Named(id) + " would stay as it is: there are no two parts of it")
           .WithReason("NOTHING_TO_SPLIT");
     }
-    for (const SubmapId part : result.created) result.num_voxels += NumObserved(*map_.Find(part));
+    for (const SubmapId part : result.created) {
+      if (edit.class_id) MakeThingOfClass(*edit.class_id, *map_.FindMutable(part));
+      result.num_voxels += NumObserved(*map_.Find(part));
+    }
     return result;
+  }
+
+  [[nodiscard]] Status CheckClassOfParts(const Submap& submap, const std::optional<ClassId>& class_id) const {
+    if (!class_id) {
+      if (submap.info().panoptic == Panoptic::kThing) return Status::Ok();
+      return FailedPrecondition(Named(submap.id()) +
+                                " is a background, of which there is one of each class: say which class of things its "
+                                "parts become (class_name)")
+          .WithReason("NOT_A_THING");
+    }
+    const LabelClass* wanted = map_.info().label_set->Find(*class_id);
+    if (wanted != nullptr && wanted->panoptic == Panoptic::kThing) return Status::Ok();
+    Status bad = InvalidArgument("parts cannot be of this class").WithReason("BAD_EDIT");
+    const std::string name = wanted != nullptr ? "'" + wanted->name + "'" : std::to_string(class_id->value);
+    bad.AddViolation("split.class_name", name + " is no class of things");
+    return bad;
   }
 
   static std::int64_t NumObserved(const Submap& submap) {

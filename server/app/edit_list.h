@@ -60,6 +60,9 @@ struct SplitByParts {
 };
 struct SplitEdit {
   std::variant<SplitByBox, SplitByPlane, SplitByParts> by;
+  /// Of things, that the parts become, against later votes. A background's parts must have one; a thing's are by
+  /// default of the thing's.
+  std::optional<ClassId> class_id = {};
 };
 /// Without a target: of all submaps of these classes, or of all if there are none.
 struct ClearEdit {
@@ -111,8 +114,9 @@ struct EditResult {
 /// (submap_edits.h); INVALID_ARGUMENT for an empty list, for more than kMaxEdits, and for what makes no sense;
 /// ALREADY_EXISTS, RESOURCE_EXHAUSTED and NOT_FOUND of regions that are kept clear (kept_clear.h;
 /// KEPT_CLEAR_NOT_FOUND); FAILED_PRECONDITION, by reason: NOT_MERGEABLE (not things, or not on one grid),
-/// NOTHING_TO_SPLIT, NOT_A_THING. An edit that sets what is so already changes nothing. Moves, clones, names and
-/// classes touch rows only, all else the blocks of the objects named.
+/// NOTHING_TO_SPLIT, NOT_A_THING (a background that is to be absent, or to be split into no class of things). An edit
+/// that sets what is so already changes nothing. Moves, clones, names and classes touch rows only, all else the blocks
+/// of the objects named.
 Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map);
 
 /// A list of one edit that is asked for by itself: the same, but an error names no edit of a list.

@@ -130,25 +130,29 @@ class Reader {
   }
 
   SplitEdit Split(const v1::SplitEdit& proto) {
+    SplitEdit split;
+    if (!proto.class_name().empty()) split.class_id = ClassOf(proto.class_name(), "split.class_name");
     switch (proto.by_case()) {
-      case v1::SplitEdit::kBox: return {SplitByBox{BoxOf(proto.box(), "split.box")}};
-      case v1::SplitEdit::kPlane: {
-        const SplitByPlane plane{VectorFromProto(proto.plane().point_m()), VectorFromProto(proto.plane().normal())};
-        if (!plane.point_m.allFinite()) Bad("split.plane.point_m", "is not finite");
-        if (!plane.normal.allFinite() || plane.normal.isZero(0))
-          Bad("split.plane.normal", "must be finite and not zero");
-        return {plane};
-      }
+      case v1::SplitEdit::kBox: split.by = SplitByBox{BoxOf(proto.box(), "split.box")}; break;
+      case v1::SplitEdit::kPlane: split.by = SplitPlane(proto.plane()); break;
       case v1::SplitEdit::kParts: {
         SplitByParts parts;
         if (proto.parts().min_voxels() < 0) Bad("split.parts.min_voxels", "is negative");
         else if (proto.parts().min_voxels() > 0)
           parts.least_voxels = static_cast<std::size_t>(proto.parts().min_voxels());
-        return {parts};
+        split.by = parts;
+        break;
       }
       case v1::SplitEdit::BY_NOT_SET: Bad("split", "says nothing to split by"); break;
     }
-    return {};
+    return split;
+  }
+
+  SplitByPlane SplitPlane(const v1::Plane& proto) {
+    const SplitByPlane plane{VectorFromProto(proto.point_m()), VectorFromProto(proto.normal())};
+    if (!plane.point_m.allFinite()) Bad("split.plane.point_m", "is not finite");
+    if (!plane.normal.allFinite() || plane.normal.isZero(0)) Bad("split.plane.normal", "must be finite and not zero");
+    return plane;
   }
 
   ClearEdit Clear(const v1::ClearEdit& proto) {

@@ -284,5 +284,37 @@ TEST_F(ApplyEditsTest, TooManyEditsAreRefused) {
   EXPECT_OK(status);
 }
 
+TEST_F(ApplyEditsTest, ABackgroundIsSplitIntoThingsAndUndoPutsItBack) {
+  v1::ApplyEditsRequest request;
+  v1::SplitEdit& split = *Add(request, floor).mutable_split();
+  split.mutable_plane()->mutable_normal()->set_x(1);
+  Apply(request);
+  EXPECT_EQ(status.error_code(), grpc::FAILED_PRECONDITION);
+  EXPECT_EQ(ReasonOf(status), "NOT_A_THING");
+  ASSERT_OK_AND_ASSIGN(const auto background, server.Call(&SubmapStub::GetSubmap, floor));
+  split.set_class_name(background.submap().class_name());
+  Apply(request);
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT) << "a class of stuff";
+  split.set_class_name("no such class");
+  Apply(request);
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+
+  ASSERT_OK_AND_ASSIGN(const auto of_ball, server.Call(&SubmapStub::GetSubmap, ball));
+  const std::size_t num_submaps = List().size();
+  split.set_class_name(of_ball.submap().class_name());
+  const v1::ApplyEditsResponse response = Apply(request);
+  ASSERT_OK(status);
+  ASSERT_EQ(response.results(0).created_size(), 1);
+  ASSERT_OK_AND_ASSIGN(const auto part, server.Call(&SubmapStub::GetSubmap, response.results(0).created(0)));
+  EXPECT_EQ(part.submap().kind(), v1::THING);
+  EXPECT_EQ(part.submap().class_name(), of_ball.submap().class_name());
+  EXPECT_EQ(List().size(), num_submaps + 1);
+
+  ASSERT_OK(server.Call(&EditStub::UndoEdits, "maps/room").status());
+  EXPECT_EQ(List().size(), num_submaps);
+  ASSERT_OK_AND_ASSIGN(const auto again, server.Call(&SubmapStub::GetSubmap, floor));
+  EXPECT_EQ(again.submap().num_blocks(), background.submap().num_blocks());
+}
+
 }  // namespace
 }  // namespace dhpmap::testing

@@ -229,7 +229,7 @@ TEST_F(EditListTest, WhatMakesNoSenseIsRefused) {
   EXPECT_EQ(reason_of(On(things_[0], SplitEdit{SplitByParts{}})), "NOTHING_TO_SPLIT");
 }
 
-TEST_F(EditListTest, ABackgroundIsNeitherSplitNorAbsent) {
+TEST_F(EditListTest, ABackgroundIsNeitherAbsentNorSplitIntoNoClass) {
   SubmapInfo info;
   info.panoptic = Panoptic::kStuff;
   info.class_id = ClassId(4);
@@ -240,6 +240,55 @@ TEST_F(EditListTest, ABackgroundIsNeitherSplitNorAbsent) {
     list.edits.push_back(On(floor, action));
     EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "NOT_A_THING");
   }
+}
+
+TEST_F(EditListTest, ABackgroundIsSplitIntoThingsOfTheClassThatIsNamed) {
+  const SubmapId door = things_[0];
+  SubmapInfo& info = map_.FindMutable(door)->mutable_info();
+  info.panoptic = Panoptic::kStuff;
+  info.class_id = ClassId(4);
+  const auto apply = [&](const std::optional<ClassId>& class_id) {
+    SplitEdit split = SplitAfterBlocks(1);
+    split.class_id = class_id;
+    EditList list;
+    list.edits.push_back(On(door, split));
+    return ApplyEdits(list, map_);
+  };
+  EXPECT_EQ(NameOfReason(apply(std::nullopt).status()), "NOT_A_THING");
+  EXPECT_NE(apply(std::nullopt).status().message().find("class_name"), std::string::npos);
+  for (const ClassId bad : {ClassId(4), ClassId(99)}) {
+    const Status status = apply(bad).status();
+    EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+    ASSERT_EQ(status.violations().size(), 1u);
+    EXPECT_EQ(status.violations()[0].field, "edits[0].split.class_name");
+  }
+  EXPECT_EQ(map_.submaps().size(), things_.size() + 1) << "and the unknown submap: nothing was done";
+
+  const auto results = apply(ClassId(2));
+  ASSERT_TRUE(results.ok()) << results.status().ToString();
+  EXPECT_EQ(results->at(0).changed, std::vector<SubmapId>{door});
+  EXPECT_EQ(results->at(0).num_voxels, 2 * kBlockVoxels);
+  const SubmapInfo& part = map_.Find(results->at(0).created.at(0))->info();
+  EXPECT_EQ(part.panoptic, Panoptic::kThing);
+  EXPECT_EQ(part.class_id, ClassId(2));
+  EXPECT_TRUE(part.class_is_fixed);
+  EXPECT_EQ(map_.Find(door)->info().panoptic, Panoptic::kStuff);
+  EXPECT_EQ(map_.Find(door)->info().class_id, ClassId(4));
+  EXPECT_TRUE(map_.info().pairs.Of(door, part.id).AreTwo());
+}
+
+TEST_F(EditListTest, PartsOfAThingHaveItsClassUnlessAnotherIsNamed) {
+  EditList list;
+  list.edits.push_back(On(things_[0], SplitAfterBlocks(1)));
+  SplitEdit other = SplitAfterBlocks(1);
+  other.class_id = ClassId(3);
+  list.edits.push_back(On(things_[1], other));
+  const auto results = ApplyEdits(list, map_);
+  ASSERT_TRUE(results.ok()) << results.status().ToString();
+  EXPECT_EQ(map_.Find(results->at(0).created.at(0))->info().class_id, ClassId(1));
+  EXPECT_FALSE(map_.Find(results->at(0).created.at(0))->info().class_is_fixed);
+  EXPECT_EQ(map_.Find(results->at(1).created.at(0))->info().class_id, ClassId(3));
+  EXPECT_TRUE(map_.Find(results->at(1).created.at(0))->info().class_is_fixed);
 }
 
 TEST_F(EditListTest, AnObjectIsAbsentUntilSomebodySaysOtherwise) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,20 @@ std::vector<SubmapId> ThingsIn(const MapSnapshot& map) {
     if (submap->info().panoptic == Panoptic::kThing) things.push_back(submap->id());
   }
   return things;
+}
+
+std::set<VoxelIndex> VoxelsOf(const Submap& submap) {
+  std::set<VoxelIndex> voxels;
+  for (const BlockEntry& entry : submap.blocks().entries()) {
+    for (int i = 0; entry.tsdf != nullptr && i < kBlockVoxels; ++i) {
+      if (entry.tsdf->IsObserved(i)) voxels.insert(VoxelIn(entry.index, i));
+    }
+  }
+  return voxels;
+}
+
+std::size_t NumShared(const std::set<VoxelIndex>& a, const std::set<VoxelIndex>& b) {
+  return static_cast<std::size_t>(std::count_if(a.begin(), a.end(), [&b](VoxelIndex v) { return b.contains(v); }));
 }
 
 void RenameSegment(PanopticFrame& frame, std::uint32_t from, std::uint32_t to) {
@@ -110,6 +125,51 @@ TEST_P(SeenAgain, TheOldPlaceOfAMovedObjectFillsWithWhatIsSeenThereNow) {
   EXPECT_GT(ShareWithSurface(Now(), PointsOf(Chair(1.7, -0.5))), 0.5);
   EXPECT_EQ(ThingsIn(*Now()), std::vector<SubmapId>{chair}) << "where it was put it is the same one";
   EXPECT_GT(NumFramesOf(chair), num_frames);
+}
+
+/// Frames show them as one background, of which one stays in it.
+testing::Scene ThreeDoors() {
+  const auto door = [](double x_m, double y_m) { return Box(testing::kDoor, {x_m, y_m, 0.5}, {0.06, 0.2, 0.5}); };
+  return With(With(With(EmptyRoom(), door(1.7, -0.6)), door(1.7, 0.2)), door(1.7, 1.0));
+}
+
+TEST_P(SeenAgain, DoorsThatAreSplitFromTheirBackgroundTakeWhatIsSeenOfThem) {
+  Walk(ThreeDoors(), 12);
+  const Submap* background = nullptr;
+  for (const auto& submap : Now()->submaps()) {
+    if (submap->info().panoptic == Panoptic::kStuff && submap->info().class_id == testing::kDoor) {
+      background = submap.get();
+    }
+  }
+  ASSERT_NE(background, nullptr);
+  const SubmapId rest = background->id();
+  SplitEdit split{SplitByParts{}};
+  split.class_id = kPerson;
+  const std::vector<SubmapId> parts = Make(rest, split)[0].created;
+  ASSERT_EQ(parts.size(), 2u);
+  const auto voxels_of = [&](SubmapId id) { return VoxelsOf(*Now()->Find(id)); };
+  const std::int64_t frames_of_part = NumFramesOf(parts[0]);
+  std::vector<std::set<VoxelIndex>> before;
+  for (const SubmapId id : parts) before.push_back(voxels_of(id));
+  const std::set<VoxelIndex> rest_before = voxels_of(rest);
+
+  Walk(ThreeDoors(), 14);
+  EXPECT_EQ(ThingsIn(*Now()), parts) << "nothing new, and nothing merged";
+  EXPECT_GE(NumFramesOf(parts[0]), frames_of_part + 10) << "frames call it a door, and mean the part";
+  const std::set<VoxelIndex> rest_after = voxels_of(rest);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    EXPECT_EQ(Now()->Find(parts[i])->info().class_id, kPerson);
+    EXPECT_EQ(Now()->Find(parts[i])->info().presence, Presence::kPresent);
+    EXPECT_EQ(NumShared(before[i], rest_after), NumShared(before[i], rest_before))
+        << "the background does not grow back";
+    EXPECT_EQ(NumShared(before[i], voxels_of(parts[i])), before[i].size()) << "and it keeps what it had";
+  }
+  session_.builder().Finish();
+  EXPECT_EQ(ThingsIn(*Now()), parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    EXPECT_GT(static_cast<double>(NumShared(before[i], voxels_of(parts[i]))),
+              0.9 * static_cast<double>(before[i].size()));
+  }
 }
 
 TEST_P(SeenAgain, ADeletedObjectThatIsStillThereComesBackAsANewOne) {
