@@ -11,7 +11,7 @@ namespace dhpmap {
 namespace {
 
 constexpr std::size_t kMostPoints = 48;
-constexpr double kLeastInBox = 0.5;                      // of the thing's box, in the body's
+constexpr double kLeastInBox = 0.5;                     // of the thing's box, in the body's
 constexpr double kLeastBelow = 0.5, kLeastAbove = 0.1;  // of the thing's points
 constexpr double kBelowShare = 0.25, kAboveShare = 0.25, kAroundShare = 0.5;
 constexpr int kDirections = 8;

@@ -13,7 +13,7 @@ namespace {
 constexpr RelationKind kOn = RelationKind::kOn, kNextTo = RelationKind::kNextTo;
 
 TEST(RelationTruth, IsReadFromTruthJsonWithoutWhatMapsDoNotTell) {
-  const testing::TempDir folder;
+  const dhpmap::testing::TempDir folder;
   const std::string path = folder.path() / "truth.json";
   std::ofstream(path) << R"([{"id": 2, "name": "floor_001", "relations": []},
     {"id": 5, "name": "chair_001", "relations": [{"kind": "ON", "object": 2, "support": 1.0},
@@ -26,7 +26,7 @@ TEST(RelationTruth, IsReadFromTruthJsonWithoutWhatMapsDoNotTell) {
 }
 
 TEST(RelationTruth, SaysWhatIsWrongWithAFile) {
-  const testing::TempDir folder;
+  const dhpmap::testing::TempDir folder;
   const std::string path = folder.path() / "truth.json";
   EXPECT_EQ(ReadRelationTruth(path).status().code(), StatusCode::kNotFound);
   for (const char* text : {"", "[", "[{\"id\": 1, \"name\": \"old\"}]", "[]"}) {

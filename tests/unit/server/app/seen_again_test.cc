@@ -172,6 +172,26 @@ TEST_P(SeenAgain, DoorsThatAreSplitFromTheirBackgroundTakeWhatIsSeenOfThem) {
   }
 }
 
+TEST_P(SeenAgain, WhereABackgroundWasCutInTwoEachSideKeepsItsOwn) {
+  const testing::Scene scene = With(EmptyRoom(), Box(testing::kDoor, {1.7, 0.2, 0.5}, {0.06, 0.5, 0.5}));
+  Walk(scene, 12);
+  SubmapId rest;
+  for (const auto& submap : Now()->submaps()) {
+    if (submap->info().panoptic == Panoptic::kStuff && submap->info().class_id == testing::kDoor) rest = submap->id();
+  }
+  SplitEdit split{SplitByPlane{{0, 0.2, 0}, {0, 1, 0}}};
+  split.class_id = kPerson;
+  const std::vector<SubmapId> parts = Make(rest, split)[0].created;
+  ASSERT_EQ(parts.size(), 1u);
+  const std::set<VoxelIndex> of_rest = VoxelsOf(*Now()->Find(rest)), of_part = VoxelsOf(*Now()->Find(parts[0]));
+  Walk(scene, 14);
+  session_.builder().Finish();
+  const std::set<VoxelIndex> rest_after = VoxelsOf(*Now()->Find(rest)), part_after = VoxelsOf(*Now()->Find(parts[0]));
+  EXPECT_GT(static_cast<double>(NumShared(of_rest, rest_after)), 0.9 * static_cast<double>(of_rest.size()));
+  EXPECT_GT(static_cast<double>(NumShared(of_part, part_after)), 0.9 * static_cast<double>(of_part.size()));
+  EXPECT_EQ(ThingsIn(*Now()), parts);
+}
+
 TEST_P(SeenAgain, ADeletedObjectThatIsStillThereComesBackAsANewOne) {
   const SubmapId chair = ChairOf(With(EmptyRoom(), Chair()));
   Make(chair, DeleteEdit{});
