@@ -64,6 +64,12 @@ int main(int argc, char** argv) {
   surfaces_command->add_option("--things", surfaces.num_things, "To exclude and move")->capture_default_str();
   surfaces_command->add_option("--seed", surfaces.seed, "Of the points")->capture_default_str();
 
+  dhpmap::bench::BoxCheckOptions boxes;
+  CLI::App* boxes_command =
+      app.add_subcommand("boxes", "Boxes of a map's things against those of the parts that were seen");
+  boxes_command->add_option("directories", boxes.directories, "Recordings of dhpmap-simulate")->required();
+  boxes_command->add_flag("--list", boxes.list, "List the things");
+
   dhpmap::bench::GeometryCheckOptions geometry;
   CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against frames that were held out");
   geometry_command->add_option("directory", geometry.directory, "Data set with ground truth")->required();
@@ -176,6 +182,7 @@ int main(int argc, char** argv) {
   paging.scratch = store.scratch;
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
+                                : boxes_command->parsed()    ? dhpmap::bench::RunBoxCheck(boxes)
                                 : surfaces_command->parsed() ? dhpmap::bench::RunSurfaceCheck(surfaces)
                                 : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
                                 : change_command->parsed()   ? dhpmap::bench::RunChangeBench(change)
