@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap edit
-// move|clone|delete|relabel|rename|merge|split|clear|absent|present|lock|unlock|keep-clear|lift|kept-clear|apply.
+// move|turn|shift|place|clone|delete|relabel|rename|merge|split|clear|absent|present|lock|unlock|keep-clear|lift|kept-clear|apply.
 #include <google/protobuf/util/json_util.h>
 
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
+#include <numbers>
 #include <sstream>
 
 #include "clients/cli/class_names.h"
@@ -31,6 +32,10 @@ struct EditOptions : EditFlags {
   std::string keep_clear;
   int min_voxels = 0;
   std::int64_t read_revision = 0;  ///< of `kept-clear`
+  double angle_deg = 0;
+  std::vector<double> offset_m, at_m;
+  std::int64_t support = 0;
+  bool with_supported = false;
   [[nodiscard]] std::string name() const { return SubmapName(map, id); }
 };
 
@@ -70,6 +75,8 @@ ExitCode Update(const Session& session, const EditOptions& options, v1::SubmapSe
   return Done(session, options, status, response, text);
 }
 
+ExitCode MoveWithSupported(const Session& session, const EditOptions& options, const v1::Submap& submap);
+
 ExitCode RunMove(const Session& session, const EditOptions& options) {
   if (!options.pose.is_given()) {
     return ReportLocalError("say where: --to, --by, --yaw or --rotation", ExitCode::kUsage);
@@ -81,6 +88,7 @@ ExitCode RunMove(const Session& session, const EditOptions& options) {
   if (const Status changed = ChangePose(options.pose, submap); !changed.ok()) {
     return ReportLocalError(changed.message(), ExitCode::kBadRequest);
   }
+  if (options.with_supported) return MoveWithSupported(session, options, submap);
   return Update(session, options, *stub, submap, "map_from_submap", "moved " + options.name());
 }
 
@@ -192,6 +200,43 @@ v1::ApplyEditsRequest One(const EditOptions& options, v1::Edit*& edit) {
   edit->set_submap(options.name());
   edit->set_etag(options.etag);
   return request;
+}
+
+ExitCode MoveWithSupported(const Session& session, const EditOptions& options, const v1::Submap& submap) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  if (options.etag.empty()) edit->set_etag(submap.etag());
+  *edit->mutable_move()->mutable_map_from_submap() = submap.map_from_submap();
+  edit->mutable_move()->set_include_supported(true);
+  return RunEdits(session, std::move(request), options);
+}
+
+ExitCode RunTurn(const Session& session, const EditOptions& options) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  edit->mutable_turn()->set_angle_rad(options.angle_deg * std::numbers::pi / 180);
+  edit->mutable_turn()->set_include_supported(options.with_supported);
+  return RunEdits(session, std::move(request), options);
+}
+
+ExitCode RunShift(const Session& session, const EditOptions& options) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  SetVector(options.offset_m.data(), *edit->mutable_translate()->mutable_offset_m());
+  edit->mutable_translate()->set_include_supported(options.with_supported);
+  return RunEdits(session, std::move(request), options);
+}
+
+ExitCode RunPlace(const Session& session, const EditOptions& options) {
+  v1::Edit* edit = nullptr;
+  v1::ApplyEditsRequest request = One(options, edit);
+  edit->mutable_place()->set_support(SubmapName(options.map, options.support));
+  if (!options.at_m.empty()) {
+    edit->mutable_place()->mutable_point_m()->set_x(options.at_m[0]);
+    edit->mutable_place()->mutable_point_m()->set_y(options.at_m[1]);
+  }
+  edit->mutable_place()->set_include_supported(options.with_supported);
+  return RunEdits(session, std::move(request), options);
 }
 
 ExitCode RunMerge(const Session& session, const EditOptions& options) {
@@ -363,6 +408,22 @@ void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& optio
   clear->add_option("--keep-clear", options->keep_clear, "Keep the region clear from now on, under this name");
 }
 
+/// What moves an object, all in the map frame.
+void AddMotionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
+  CLI::App* move = AddEdit(edit, "move", "Give it another pose", options, session, RunMove);
+  AddPoseFlags(*move, options->pose);
+  CLI::App* turn = AddEdit(edit, "turn", "Turn it about the vertical through its middle", options, session, RunTurn);
+  turn->add_option("degrees", options->angle_deg, "Counterclockwise from above")->required();
+  CLI::App* shift = AddEdit(edit, "shift", "Shift it", options, session, RunShift);
+  shift->add_option("offset", options->offset_m, "X Y Z (metres)")->required()->expected(3);
+  CLI::App* place = AddEdit(edit, "place", "Put it on another object", options, session, RunPlace);
+  place->add_option("on", options->support, "Instance id of the other")->required();
+  place->add_option("--at", options->at_m, "There, X Y (metres) [the middle of its upper side]")->expected(2);
+  for (CLI::App* command : {move, turn, shift, place}) {
+    command->add_flag("--with-supported", options->with_supported, "With what stands on it, and on that");
+  }
+}
+
 }  // namespace
 
 void AddEditCommands(CLI::App& app, Session& session) {
@@ -371,7 +432,7 @@ void AddEditCommands(CLI::App& app, Session& session) {
   auto options = std::make_shared<EditOptions>();
   edit->fallthrough();
   AddEditFlags(*edit, *options, "the object, or of the map where none is named");
-  AddPoseFlags(*AddEdit(*edit, "move", "Move or turn it", options, session, RunMove), options->pose);
+  AddMotionCommands(*edit, options, session);
   CLI::App* clone = AddEdit(*edit, "clone", "Copy it under a new instance id", options, session, RunClone);
   AddPoseFlags(*clone, options->pose);
   clone->add_option("--name", options->text, "Display name of the copy");

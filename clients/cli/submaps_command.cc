@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap submaps: the objects of a map.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
@@ -29,9 +31,22 @@ std::string StateName(const v1::Submap& submap) {
   return submap.locked() ? name + ", locked" : name;
 }
 
+/// Of its box; "-": none is told.
+std::string SizeOf(const v1::Submap& submap) {
+  if (!submap.has_oriented_box()) return "-";
+  const v1::Vector3& size = submap.oriented_box().size_m();
+  return Fixed(size.x(), 2) + " x " + Fixed(size.y(), 2) + " x " + Fixed(size.z(), 2);
+}
+
+std::string YawOf(const v1::Submap& submap) {
+  if (!submap.has_oriented_box()) return "-";
+  const v1::Quaternion& rotation = submap.oriented_box().pose().rotation();
+  return Fixed(2 * std::atan2(rotation.z(), rotation.w()) * 180 / std::numbers::pi, 0);
+}
+
 void PrintTable(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {
-  TextTable table(
-      {"ID", "KIND", "CLASS", "NAME", "CONFIDENCE", "STATE", "FRAMES", "BLOCKS", "X_M", "Y_M", "Z_M", "RADIUS_M"});
+  TextTable table({"ID", "KIND", "CLASS", "NAME", "CONFIDENCE", "STATE", "FRAMES", "BLOCKS", "X_M", "Y_M", "Z_M",
+                   "RADIUS_M", "SIZE_M", "YAW_DEG"});
   for (const v1::Submap& submap : submaps) {
     const v1::Sphere& sphere = submap.bounding_sphere();
     const auto metres = [&](double value) { return submap.has_bounding_sphere() ? Fixed(value, 2) : "-"; };
@@ -39,7 +54,7 @@ void PrintTable(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {
                submap.display_name(), Fixed(submap.class_confidence(), 2), StateName(submap),
                std::to_string(submap.num_frames_observed()), std::to_string(submap.num_blocks()),
                metres(sphere.center_m().x()), metres(sphere.center_m().y()), metres(sphere.center_m().z()),
-               metres(sphere.radius_m())});
+               metres(sphere.radius_m()), SizeOf(submap), YawOf(submap)});
   }
   table.Print(std::cout);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dhpmap::simulator {
 namespace {
@@ -43,6 +44,7 @@ std::vector<int> Margins(const RenderedFrame& frame) {
 void InstanceView::Join(const InstanceView& other) {
   num_pixels = std::max(num_pixels, other.num_pixels);
   num_frames += other.num_frames;
+  seen.Join(other.seen);
   if (other.margin_px <= margin_px) return;
   margin_px = other.margin_px;
   point_m = other.point_m;
@@ -64,6 +66,8 @@ std::vector<InstanceView> ViewsOfInstances(const RenderedFrame& frame, std::size
       view.point_m = frame.T_map_camera * (static_cast<double>(z) * looking);
     }
   }
+  std::vector<SeenPart> parts = SeenParts(frame, num_instances);
+  for (std::size_t id = 0; id < num_instances; ++id) views[id].seen = std::move(parts[id]);
   const double scale = camera.width_px / 640.0;
   for (InstanceView& view : views) view.num_frames = view.num_pixels >= kSeen_px * scale * scale ? 1 : 0;
   return views;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clients/simulator/renderer.h"
+#include "clients/simulator/seen_part.h"
 
 namespace dhpmap::simulator {
 
@@ -16,6 +17,7 @@ struct InstanceView {
   /// Middle of the widest smooth patch of its surface in any frame, map frame; how far it is to the patch's border.
   Eigen::Vector3d point_m = Eigen::Vector3d::Zero();
   int margin_px = 0;
+  SeenPart seen;  ///< of all frames
 
   void Join(const InstanceView& other);
 };

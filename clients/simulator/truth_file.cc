@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <vector>
 
 #include "clients/simulator/rounded_point.h"
@@ -16,6 +17,13 @@ using Json = nlohmann::ordered_json;
 
 bool IsSeen(const InstanceView& view) { return view.margin_px > 0; }
 
+/// The yaw to a hundredth of a degree: 1 mm at 6 m.
+Json SeenBox(const UprightBox& box) {
+  return {{"center", RoundedPoint(box.center_m)},
+          {"size", RoundedPoint(box.size_m)},
+          {"yaw_deg", std::round(box.yaw_rad * 180 / std::numbers::pi * 1e2) / 1e2}};
+}
+
 Json TruthOf(const Instance& instance, const Eigen::AlignedBox3d& box, const InstanceView& view) {
   const ObjectClassInfo& info = InfoOf(instance.object_class);
   return {{"id", instance.id},
@@ -24,6 +32,7 @@ Json TruthOf(const Instance& instance, const Eigen::AlignedBox3d& box, const Ins
           {"kind", info.is_thing ? "thing" : "stuff"},
           {"size", std::string(1, info.size)},
           {"box_m", {{"min", RoundedPoint(box.min())}, {"max", RoundedPoint(box.max())}}},
+          {"seen_box_m", SeenBox(view.seen.Box())},
           {"point_m", RoundedPoint(view.point_m)},
           {"margin_px", view.margin_px},
           {"num_frames", view.num_frames}};

@@ -8,6 +8,7 @@
 
 #include "mapping/base/status_error.h"
 #include "mapping/map/observed_sphere.h"
+#include "mapping/map/submap_outline.h"
 
 namespace dhpmap {
 namespace {
@@ -118,6 +119,17 @@ std::int64_t NumBlocksIfKnown(const Submap& submap) {
   }
 }
 
+/// Likewise.
+std::optional<PoseBoxes> PoseBoxesIfKnown(const Transform& T_map_before, const Submap& submap) {
+  try {
+    const auto before = OutlineAt(T_map_before, submap), after = OutlineInMap(submap);
+    if (!before || !after) return std::nullopt;
+    return PoseBoxes{BoxAround(*before), BoxAround(*after)};
+  } catch (const StatusError&) {
+    return std::nullopt;
+  }
+}
+
 SubmapEvent EventOfPresent(const SubmapMarks* before, const SubmapTileChange& change) {
   const Submap& submap = *change.after;
   SubmapEvent event{.kind = before == nullptr ? ChangeKind::kCreated : ChangeKind::kChanged,
@@ -127,6 +139,9 @@ SubmapEvent EventOfPresent(const SubmapMarks* before, const SubmapTileChange& ch
   if (before == nullptr) return event;
   event.before = PlaceOf(*before);
   event.parts = PartsOf(before->info(), submap.info());
+  if (event.parts.Has(SubmapPart::kPose)) {
+    event.pose_boxes = PoseBoxesIfKnown(before->info().T_map_submap, submap);
+  }
   event.tiles = TilesOfGeometry(change);
   if (!event.tiles.empty()) event.parts.Add(SubmapPart::kGeometry);
   const bool has_new_labels = std::any_of(change.tiles.begin(), change.tiles.end(),

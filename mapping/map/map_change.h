@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -66,6 +67,12 @@ struct SubmapPlace {
   BoundingSphere sphere;  ///< in the map frame
 };
 
+/// Where an object was put: boxes along the axes of the map frame around its outline (OutlineInMap).
+struct PoseBoxes {
+  Eigen::AlignedBox3d before_m;  ///< around its present surface at its pose before
+  Eigen::AlignedBox3d after_m;
+};
+
 /// What became of one submap.
 struct SubmapEvent {
   ChangeKind kind = ChangeKind::kChanged;
@@ -76,6 +83,7 @@ struct SubmapEvent {
   std::vector<TileBox> tiles;         ///< that hold all changes of kGeometry, in its own grid; none of kCreated
   SubmapId into;                      ///< of kMerged: what it is a part of now
   std::optional<SubmapPlace> before;  ///< with the sphere around its blocks; none of what was not in the state before
+  std::optional<PoseBoxes> pose_boxes = std::nullopt;  ///< of kPose, if it has a surface that can be read
 };
 
 enum class RegionEventKind : std::uint8_t { kCleared = 1, kKeptClear = 2, kLifted = 3 };

@@ -8,6 +8,7 @@
 #include "mapping/objects/merge_submaps.h"
 #include "mapping/objects/split_submap.h"
 #include "server/app/etag.h"
+#include "server/app/object_motion.h"
 
 namespace dhpmap {
 namespace {
@@ -112,6 +113,9 @@ class Application {
       Application& self;
       SubmapId id;
       Result<EditResult> operator()(const PatchEdit& patch) const { return self.Patch(id, patch); }
+      Result<EditResult> operator()(const TurnEdit& turn) const { return self.Turn(id, turn); }
+      Result<EditResult> operator()(const TranslateEdit& shift) const { return self.Translate(id, shift); }
+      Result<EditResult> operator()(const PlaceEdit& place) const { return self.Place(id, place); }
       Result<EditResult> operator()(const CloneEdit& clone) const { return self.Clone(id, clone); }
       Result<EditResult> operator()(const DeleteEdit&) const { return self.Delete(id); }
       Result<EditResult> operator()(const MergeEdit& merge) const { return self.Merge(id, merge); }
@@ -126,8 +130,58 @@ class Application {
   }
 
   Result<EditResult> Patch(SubmapId id, const PatchEdit& edit) {
+    const Transform T_map_before = map_.Find(id)->info().T_map_submap;
+    const auto supported = edit.include_supported ? SupportedBy(id, map_) : std::vector<SubmapId>();
     DHPMAP_ASSIGN_OR_RETURN(const bool is_changed, PatchSubmap(map_, id, edit.patch));
-    return is_changed ? EditResult{.changed = {id}, .created = {}, .removed = {}} : EditResult();
+    EditResult result;
+    if (!is_changed) return result;
+    result.changed.push_back(id);
+    const Transform& T_map_now = map_.Find(id)->info().T_map_submap;
+    if (T_map_now.matrix() == T_map_before.matrix()) return result;  // it was there
+    const Transform motion = T_map_now * T_map_before.inverse();
+    DHPMAP_RETURN_IF_ERROR(Carry(supported, motion, result));
+    return result;
+  }
+
+  Result<EditResult> Turn(SubmapId id, const TurnEdit& edit) {
+    DHPMAP_ASSIGN_OR_RETURN(const Transform motion, TurnOf(*map_.Find(id), edit.angle_rad));
+    return MoveBy(id, motion, edit.include_supported ? SupportedBy(id, map_) : std::vector<SubmapId>());
+  }
+
+  Result<EditResult> Translate(SubmapId id, const TranslateEdit& edit) {
+    const Transform motion(Eigen::Translation3d(edit.offset_m));
+    return MoveBy(id, motion, edit.include_supported ? SupportedBy(id, map_) : std::vector<SubmapId>());
+  }
+
+  Result<EditResult> Place(SubmapId id, const PlaceEdit& edit) {
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId support, Editable(edit.support, {}));
+    const auto supported = edit.include_supported ? SupportedBy(id, map_) : std::vector<SubmapId>();
+    if (support == id || std::binary_search(supported.begin(), supported.end(), support)) {
+      return FailedPrecondition(Named(id) + " cannot be placed on " + Named(support) +
+                                (support == id ? ": it is itself" : ", which goes along"))
+          .WithViolation("place.support", "moves, too");
+    }
+    DHPMAP_ASSIGN_OR_RETURN(const Transform motion, PlacingOf(*map_.Find(id), *map_.Find(support), edit.point_m));
+    return MoveBy(id, motion, supported);
+  }
+
+  Result<EditResult> MoveBy(SubmapId id, const Transform& motion, const std::vector<SubmapId>& supported) {
+    EditResult result;
+    std::vector<SubmapId> all = supported;
+    all.insert(all.begin(), id);
+    DHPMAP_RETURN_IF_ERROR(Carry(all, motion, result));
+    return result;
+  }
+
+  /// Moves all of them alike.
+  Status Carry(const std::vector<SubmapId>& ids, const Transform& motion, EditResult& result) {
+    for (const SubmapId id : ids) {
+      if (!result.changed.empty()) map_.SettleVacated();  // only what one object has left may wait
+      const SubmapPatch patch{.T_map_submap = motion * map_.Find(id)->info().T_map_submap};
+      DHPMAP_ASSIGN_OR_RETURN(const bool is_changed, PatchSubmap(map_, id, patch));
+      if (is_changed) result.changed.push_back(id);
+    }
+    return Status::Ok();
   }
 
   Result<EditResult> Clone(SubmapId id, const CloneEdit& edit) {

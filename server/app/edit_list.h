@@ -32,6 +32,22 @@ using EditTarget = std::variant<SubmapId, EarlierResult>;
 /// Pose, class, name or lock.
 struct PatchEdit {
   SubmapPatch patch;
+  bool include_supported = false;  ///< with a pose: what stands on it goes along (SupportedBy)
+};
+/// About the vertical through the middle of its box.
+struct TurnEdit {
+  double angle_rad = 0;  ///< counterclockwise from above; finite
+  bool include_supported = false;
+};
+struct TranslateEdit {
+  Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();  ///< map frame; finite
+  bool include_supported = false;
+};
+/// On another object: see PlacingOf.
+struct PlaceEdit {
+  EditTarget support;
+  std::optional<Eigen::Vector2d> point_m;  ///< map frame; finite
+  bool include_supported = false;
 };
 /// A copy, at the place and with the name given, or those of the original.
 struct CloneEdit {
@@ -85,7 +101,7 @@ struct Edit {
   std::optional<EditTarget> target;  ///< a ClearEdit may be without; KeepClearEdit and LiftEdit are
   std::string etag;                  ///< of the target before the list (see CheckEtag); empty: whatever it is
   std::variant<PatchEdit, CloneEdit, DeleteEdit, MergeEdit, SplitEdit, ClearEdit, PresenceEdit, KeepClearEdit, LiftEdit,
-               UndeleteEdit>
+               UndeleteEdit, TurnEdit, TranslateEdit, PlaceEdit>
       action;
 };
 
@@ -114,9 +130,10 @@ struct EditResult {
 /// (submap_edits.h); INVALID_ARGUMENT for an empty list, for more than kMaxEdits, and for what makes no sense;
 /// ALREADY_EXISTS, RESOURCE_EXHAUSTED and NOT_FOUND of regions that are kept clear (kept_clear.h;
 /// KEPT_CLEAR_NOT_FOUND); FAILED_PRECONDITION, by reason: NOT_MERGEABLE (not things, or not on one grid),
-/// NOTHING_TO_SPLIT, NOT_A_THING (a background that is to be absent, or to be split into no class of things). An edit
-/// that sets what is so already changes nothing. Moves, clones, names and classes touch rows only, all else the blocks
-/// of the objects named.
+/// NOTHING_TO_SPLIT, NOT_A_THING (a background that is to be absent, or to be split into no class of things); without
+/// one for what object_motion.h says, and where an object is to be placed on itself or on what goes along. An edit that
+/// sets what is so already changes nothing. Moves, clones, names and classes touch rows only (turns, placing and
+/// include_supported look at surfaces first), all else the blocks of the objects named.
 Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map);
 
 /// A list of one edit that is asked for by itself: the same, but an error names no edit of a list.

@@ -28,6 +28,9 @@ struct StepsOf {
   void operator()(const PresenceEdit&) const { steps.push_back({EditAction::kSetPresence, id}); }
   void operator()(const KeepClearEdit&) const { steps.push_back({EditAction::kKeepClear, kUnknownSubmap}); }
   void operator()(const UndeleteEdit&) const { steps.push_back({EditAction::kUndelete, id}); }
+  void operator()(const TurnEdit&) const { steps.push_back({EditAction::kMove, id}); }
+  void operator()(const TranslateEdit&) const { steps.push_back({EditAction::kMove, id}); }
+  void operator()(const PlaceEdit&) const { steps.push_back({EditAction::kMove, id}); }
   void operator()(const LiftEdit&) const { steps.push_back({EditAction::kLift, kUnknownSubmap}); }
 };
 

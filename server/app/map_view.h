@@ -9,6 +9,7 @@
 #include "mapping/map/map.h"
 #include "mapping/map/observed_sphere.h"
 #include "mapping/query/point_lookup.h"
+#include "server/app/outline_cache.h"
 
 namespace dhpmap {
 
@@ -18,7 +19,9 @@ class MapView {
  public:
   /// `before`: of another state of the map, whose index for point queries the one of this is made from; null: none.
   explicit MapView(std::shared_ptr<const MapSnapshot> snapshot, const MapView* before = nullptr)
-      : snapshot_(std::move(snapshot)), trail_(before == nullptr ? std::make_shared<IndexTrail>() : before->trail_) {}
+      : snapshot_(std::move(snapshot)),
+        trail_(before == nullptr ? std::make_shared<IndexTrail>() : before->trail_),
+        outlines_(before == nullptr ? std::make_shared<OutlineCache>() : before->outlines_) {}
 
   [[nodiscard]] const MapSnapshot& snapshot() const { return *snapshot_; }
   [[nodiscard]] const std::shared_ptr<const MapSnapshot>& shared_snapshot() const { return snapshot_; }
@@ -45,9 +48,15 @@ class MapView {
     return spheres_.emplace(submap.id(), sphere).first->second;
   }
 
+  /// OutlineInMap of one of the snapshot's submaps, found once for all states in which its voxels are the same.
+  [[nodiscard]] std::optional<SubmapOutline> OutlineInMap(const Submap& submap, OutlineCache::Reading reading) const {
+    return outlines_->Find(submap, reading);
+  }
+
  private:
   std::shared_ptr<const MapSnapshot> snapshot_;
   std::shared_ptr<IndexTrail> trail_;
+  std::shared_ptr<OutlineCache> outlines_;  ///< of all views that were made from one another
   mutable Mutex mutex_;
   mutable std::optional<PointLookup> lookup_ DHPMAP_GUARDED_BY(mutex_);
   mutable Mutex sphere_mutex_;  // never held for long

@@ -65,7 +65,7 @@ class SubmapService final : public CountedService<v1::SubmapService> {
       const Submap* submap = view->snapshot().Find(name.submap);
       if (submap == nullptr) return NoSuchSubmap(view->snapshot().info(), name.submap);
       response->set_revision(view->snapshot().revision());
-      *response->mutable_submap() = ToProto(*submap, *view);
+      *response->mutable_submap() = ToProto(*submap, *view, OutlineCache::Reading::kAllowed);
       return Status::Ok();
     });
   }

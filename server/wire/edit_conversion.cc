@@ -26,7 +26,10 @@ class Reader {
     if (!proto.submap().empty() && IsOfMap(proto)) Bad("submap", "is not asked for: the edit is one of the map");
     edit.etag = proto.etag();
     switch (proto.edit_case()) {
-      case v1::Edit::kMove: edit.action = PatchEdit{Move(proto.move())}; break;
+      case v1::Edit::kMove: edit.action = PatchEdit{Move(proto.move()), proto.move().include_supported()}; break;
+      case v1::Edit::kTurn: edit.action = Turn(proto.turn()); break;
+      case v1::Edit::kTranslate: edit.action = Translate(proto.translate()); break;
+      case v1::Edit::kPlace: edit.action = Place(proto.place()); break;
       case v1::Edit::kClone: edit.action = CloneEdit{Clone(proto.clone())}; break;
       case v1::Edit::kDelete: edit.action = DeleteEdit{}; break;
       case v1::Edit::kRelabel: edit.action = PatchEdit{Relabel(proto.relabel())}; break;
@@ -86,6 +89,28 @@ class Reader {
     if (proto.has_map_from_submap()) patch.T_map_submap = PoseOf(proto.map_from_submap(), "move.map_from_submap");
     else Bad("move.map_from_submap", "is missing");
     return patch;
+  }
+
+  TurnEdit Turn(const v1::TurnEdit& proto) {
+    if (!std::isfinite(proto.angle_rad())) Bad("turn.angle_rad", "is not finite");
+    return {proto.angle_rad(), proto.include_supported()};
+  }
+
+  TranslateEdit Translate(const v1::TranslateEdit& proto) {
+    const TranslateEdit translate{VectorFromProto(proto.offset_m()), proto.include_supported()};
+    if (!proto.has_offset_m()) Bad("translate.offset_m", "is missing");
+    else if (!translate.offset_m.allFinite()) Bad("translate.offset_m", "is not finite");
+    return translate;
+  }
+
+  PlaceEdit Place(const v1::PlaceEdit& proto) {
+    PlaceEdit place{.support = {}, .point_m = std::nullopt, .include_supported = proto.include_supported()};
+    if (proto.support().empty()) Bad("place.support", "is missing");
+    else place.support = Target(proto.support(), "place.support");
+    if (!proto.has_point_m()) return place;
+    place.point_m = Eigen::Vector2d(proto.point_m().x(), proto.point_m().y());
+    if (!place.point_m->allFinite()) Bad("place.point_m", "is not finite");
+    return place;
   }
 
   SubmapPatch Clone(const v1::CloneEdit& proto) {

@@ -168,7 +168,7 @@ void ToProto(std::span<const Relation> relations, const MapInfo& map, v1::ListRe
 }
 
 std::size_t BytesOfAnswers(const v1::SearchSubmapsRequest& request) {
-  constexpr std::size_t kMatch = 1200 + 600;  // with its names; and as bytes
+  constexpr std::size_t kMatch = 1200 + 600 + 1500;  // with its names; as bytes; both of a footprint of 30 corners
   const int most = request.most() > 0 ? std::min(request.most(), kMostMatches) : kDefaultMatches;
   return static_cast<std::size_t>(most) * kMatch;
 }

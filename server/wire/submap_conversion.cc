@@ -78,11 +78,26 @@ bool TouchesPose(const FieldMask& mask) {
   });
 }
 
+void SetOutline(const SubmapOutline& outline, v1::Submap& proto) {
+  const UprightBox& box = outline.box;
+  Transform T_map_box(Eigen::AngleAxisd(box.yaw_rad, Eigen::Vector3d::UnitZ()));
+  T_map_box.translation() = box.center_m;
+  *proto.mutable_oriented_box()->mutable_pose() = ToProto(T_map_box);
+  *proto.mutable_oriented_box()->mutable_size_m() = ToProto(box.size_m);
+  for (const Eigen::Vector2d& corner : outline.footprint_m) {
+    proto.mutable_footprint()->add_xy_m(corner.x());
+    proto.mutable_footprint()->add_xy_m(corner.y());
+  }
+  if (outline.support_height_m) proto.set_support_height_m(*outline.support_height_m);
+}
+
 }  // namespace
 
-v1::Submap ToProto(const Submap& submap, const MapView& view) {
-  return ToProto(submap.info(), view.ObservedSphereInMap(submap), static_cast<std::int64_t>(submap.blocks().size()),
-                 view.snapshot().info());
+v1::Submap ToProto(const Submap& submap, const MapView& view, OutlineCache::Reading reading) {
+  v1::Submap proto = ToProto(submap.info(), view.ObservedSphereInMap(submap),
+                             static_cast<std::int64_t>(submap.blocks().size()), view.snapshot().info());
+  if (const auto outline = view.OutlineInMap(submap, reading)) SetOutline(*outline, proto);
+  return proto;
 }
 
 v1::Submap ToProto(const SubmapInfo& info, const BoundingSphere& observed, std::int64_t num_blocks,

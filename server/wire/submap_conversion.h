@@ -9,8 +9,10 @@
 
 namespace dhpmap {
 
-/// One of the view's submaps.
-v1::Submap ToProto(const Submap& submap, const MapView& view);
+/// One of the view's submaps. `reading`: whether voxels may be read from the disk for its outline, which is else left
+/// out where they would have to be.
+v1::Submap ToProto(const Submap& submap, const MapView& view,
+                   OutlineCache::Reading reading = OutlineCache::Reading::kNever);
 
 /// One of `map`'s, of which the name, history and label set count. `observed`: SphereOfObservedInMap.
 v1::Submap ToProto(const SubmapInfo& info, const BoundingSphere& observed, std::int64_t num_blocks, const MapInfo& map);

@@ -88,6 +88,13 @@ v1::Box BoxInMap(const TileBox& box, const SubmapInfo& info) {
   return proto;
 }
 
+v1::Box BoxToProto(const Eigen::AlignedBox3d& box) {
+  v1::Box proto;
+  *proto.mutable_min_m() = ToProto(Eigen::Vector3d(box.min()));
+  *proto.mutable_max_m() = ToProto(Eigen::Vector3d(box.max()));
+  return proto;
+}
+
 /// What is left to say of a submap that is gone.
 v1::Submap ToProtoOfGone(const SubmapInfo& info, const MapInfo& map) {
   v1::Submap proto;
@@ -181,6 +188,10 @@ v1::SubmapEvent ToProto(const SubmapEvent& event, const MapInfo& map) {
     if (event.parts.Has(part)) proto.add_parts(value);
   }
   for (const TileBox& box : event.tiles) *proto.add_boxes() = BoxInMap(box, event.info);
+  if (event.pose_boxes) {
+    *proto.mutable_previous_box() = BoxToProto(event.pose_boxes->before_m);
+    *proto.mutable_current_box() = BoxToProto(event.pose_boxes->after_m);
+  }
   return proto;
 }
 

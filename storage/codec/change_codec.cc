@@ -24,6 +24,14 @@ void DoBox(Coder& coder, Box& box) {
   }
 }
 
+/// Of a box in metres.
+template <typename Coder, typename Box>
+void DoExtents(Coder& coder, Box& box) {
+  for (auto* corner : {&box.min(), &box.max()}) {
+    for (int axis = 0; axis < 3; ++axis) coder.Do((*corner)[axis]);
+  }
+}
+
 template <typename Coder, typename Event>
 void DoEvent(Coder& coder, BlobKind kind, Event& event) {
   coder.Do(event.kind);
@@ -42,6 +50,12 @@ void DoEvent(Coder& coder, BlobKind kind, Event& event) {
     DoSphere(coder, before.sphere);
   });
   if (kind >= BlobKind::kChangeV2) coder.Do(event.info.is_locked);
+  if (kind >= BlobKind::kChangeV4) {
+    DoOptional(coder, event.pose_boxes, [&coder](auto& boxes) {
+      DoExtents(coder, boxes.before_m);
+      DoExtents(coder, boxes.after_m);
+    });
+  }
 }
 
 template <typename Coder, typename Event>
@@ -67,10 +81,18 @@ void DoChange(Coder& coder, BlobKind kind, Change& change) {
 
 /// Of a blob; what is of another kind is taken for the newest, and refused as that.
 BlobKind KindOfChange(ByteView blob) {
-  for (const BlobKind older : {BlobKind::kChangeV1, BlobKind::kChangeV2}) {
+  for (const BlobKind older : {BlobKind::kChangeV1, BlobKind::kChangeV2, BlobKind::kChangeV3}) {
     if (KindByte(blob) == static_cast<std::uint8_t>(older)) return older;
   }
-  return BlobKind::kChangeV3;
+  return BlobKind::kChangeV4;
+}
+
+/// Of a blob with a change: as old as it may be, so that versions before this one can read it, too.
+BlobKind KindFor(const MapChange& change) {
+  for (const SubmapEvent& event : change.submaps) {
+    if (event.pose_boxes) return BlobKind::kChangeV4;
+  }
+  return change.regions.empty() ? BlobKind::kChangeV2 : BlobKind::kChangeV3;
 }
 
 }  // namespace
@@ -78,8 +100,7 @@ BlobKind KindOfChange(ByteView blob) {
 Bytes EncodeChange(const MapChange& change) {
   Payload payload;
   FieldWriter writer(payload.packable);
-  // Without regions as versions before this one can read it, too.
-  const BlobKind kind = change.regions.empty() ? BlobKind::kChangeV2 : BlobKind::kChangeV3;
+  const BlobKind kind = KindFor(change);
   DoChange(writer, kind, change);
   return Seal(kind, SealIndexOf(change.last_revision), payload);
 }

@@ -28,6 +28,7 @@ enum class BlobKind : std::uint8_t {
   kChangeV1 = 0x61,       // what a commit changed
   kChangeV2 = 0x62,       // with which submaps are locked
   kChangeV3 = 0x63,       // with regions; written only where there are any
+  kChangeV4 = 0x64,       // with boxes of what was moved; written only where there are any
   kEditSummaryV1 = 0x71,  // what an edit did
   kEditSummaryV2 = 0x72,  // with the revision that it went back to; written only where there is one
   kEditRowsV1 = 0x81,     // rows before and after an edit

@@ -103,6 +103,14 @@ struct FrayBenchOptions {
 /// How many things a map lists for how many true ones, and how well they fit, after one or more recordings of a place.
 Status RunFrayBench(const FrayBenchOptions& options);
 
+struct BoxCheckOptions {
+  std::vector<std::string> directories;
+  bool list = false;  ///< every thing
+};
+/// How well the boxes of a map's things (OutlineInMap) fit those of what images show of them, by the truth.json of
+/// simulated recordings, with predicted and with true labels. Which object a thing is follows from its point_m.
+Status RunBoxCheck(const BoxCheckOptions& options);
+
 struct QueryBenchOptions {
   std::string directory;
   std::size_t num_frames = 0;

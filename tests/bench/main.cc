@@ -84,6 +84,12 @@ int main(int argc, char** argv) {
   inside_command->add_option("--depth", inside.depth_m, "So deep inside, in m")->capture_default_str();
   inside_command->add_option("--seed", inside.seed, "Of the places")->capture_default_str();
 
+  dhpmap::bench::BoxCheckOptions boxes;
+  CLI::App* boxes_command =
+      app.add_subcommand("boxes", "Boxes of a map's things against those of the parts that were seen");
+  boxes_command->add_option("directories", boxes.directories, "Recordings of dhpmap-simulate")->required();
+  boxes_command->add_flag("--list", boxes.list, "List the things");
+
   dhpmap::bench::GeometryCheckOptions geometry;
   CLI::App* geometry_command = app.add_subcommand("geometry", "Surface error against frames that were held out");
   geometry_command->add_option("directory", geometry.directory, "Data set with ground truth")->required();
@@ -197,6 +203,7 @@ int main(int argc, char** argv) {
   paging.scratch = store.scratch;
   const dhpmap::Status status = fusion_command->parsed()     ? dhpmap::bench::RunFusionBench(fusion)
                                 : geometry_command->parsed() ? dhpmap::bench::RunGeometryCheck(geometry)
+                                : boxes_command->parsed()    ? dhpmap::bench::RunBoxCheck(boxes)
                                 : surfaces_command->parsed() ? dhpmap::bench::RunSurfaceCheck(surfaces)
                                 : paths_command->parsed()    ? dhpmap::bench::RunPathCheck(paths)
                                 : inside_command->parsed()   ? dhpmap::bench::RunInsideCheck(inside)

@@ -76,6 +76,19 @@ class EditCommands : public ::testing::Test {
   std::string ball_, box_;
 };
 
+TEST_F(EditCommands, AnObjectIsTurnedShiftedAndPlacedOnAnother) {
+  EXPECT_NE(Edit("turn", {box_, "30"}).find("changed " + box_), std::string::npos);
+  EXPECT_NE(Edit("shift", {box_, "0.5", "-0.25", "1"}).find("changed " + box_), std::string::npos);
+  EXPECT_NE(Edit("place", {ball_, box_, "--try"}).find("would be: changed " + ball_), std::string::npos);
+  EXPECT_NE(Edit("place", {ball_, box_, "--with-supported"}).find("changed " + ball_), std::string::npos);
+  EXPECT_NE(Edit("shift", {box_, "0", "0", "1", "--with-supported"}).find("changed"), std::string::npos);
+  EXPECT_EQ(ExitCodeOfEdit("place", {ball_, ball_}), 2) << "on itself";
+  EXPECT_EQ(ExitCodeOfEdit("place", {ball_, box_, "--at", "90", "90"}), 2) << "there is no surface";
+  EXPECT_EQ(ExitCodeOfEdit("turn", {ball_}), 1) << "by how much";
+  const std::string table = Run({"submaps", "room", "--class", "box"}).out;
+  EXPECT_TRUE(std::regex_search(table, std::regex("[0-9.]+ x [0-9.]+ x [0-9.]+"))) << table;
+}
+
 TEST_F(EditCommands, EachIsTriedAndMadeOnlyOnAStateThatIsAsExpected) {
   constexpr int kConflict = 4;
   const std::string before = Run({"submaps", "room"}).out;

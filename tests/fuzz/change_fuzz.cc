@@ -56,6 +56,9 @@ std::vector<std::string> fuzz::Seeds() {
                     {.kind = RegionEventKind::kKeptClear, .region = box, .name = "door"},
                     {.kind = RegionEventKind::kLifted, .region = sphere, .name = "hall"}};
   add();
+  change.submaps[1].pose_boxes = PoseBoxes{std::get<Eigen::AlignedBox3d>(box), std::get<Eigen::AlignedBox3d>(box)};
+  const Bytes moved = EncodeChange(change);
+  seeds.push_back(kBlob + std::string(moved.begin(), moved.end()));
   return seeds;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -178,6 +179,74 @@ TEST_F(ApplyEditsTest, WhatIsLockedOnlyTellsWhenItWasSeen) {
   ASSERT_EQ(logged.edits_size(), 2);
   EXPECT_EQ(logged.edits(0).steps(0).action(), v1::LoggedEdit::UNLOCK);
   EXPECT_EQ(logged.edits(1).steps(0).action(), v1::LoggedEdit::LOCK);
+}
+
+v1::Vector3 MiddleOf(const v1::Submap& submap) { return submap.oriented_box().pose().translation_m(); }
+double LowSideOf(const v1::Submap& submap) { return MiddleOf(submap).z() - submap.oriented_box().size_m().z() / 2; }
+
+TEST_F(ApplyEditsTest, AnObjectIsTurnedShiftedAndPlacedInTheMapsFrameAndBackAgain) {
+  const auto get = [this](const std::string& name) {
+    return server.Call(&SubmapStub::GetSubmap, name).value().submap();
+  };
+  const v1::Submap before = get(box), ball_before = get(ball);
+  ASSERT_TRUE(before.has_oriented_box());
+  v1::ApplyEditsRequest request;
+  Add(request, box).mutable_turn()->set_angle_rad(0.5);
+  Add(request, box).mutable_translate()->mutable_offset_m()->set_z(1);
+  Apply(request);
+  ASSERT_OK(status);
+  const v1::Submap after = get(box);
+  EXPECT_NEAR(MiddleOf(after).x(), MiddleOf(before).x(), 1e-6);
+  EXPECT_NEAR(MiddleOf(after).y(), MiddleOf(before).y(), 1e-6);
+  EXPECT_NEAR(MiddleOf(after).z(), MiddleOf(before).z() + 1, 1e-6);
+  EXPECT_NEAR(after.support_height_m(), before.support_height_m() + 1, 1e-6);
+
+  v1::ApplyEditsRequest place;
+  Add(place, ball).mutable_place()->set_support(box);
+  Apply(place);
+  ASSERT_OK(status);
+  EXPECT_NEAR(LowSideOf(get(ball)), after.support_height_m(), 1e-6);
+
+  ASSERT_OK_AND_ASSIGN(const auto logged, server.Call(&EditStub::ListEdits, "maps/room"));
+  ASSERT_EQ(logged.edits_size(), 2);
+  ASSERT_EQ(logged.edits(1).steps_size(), 2);
+  EXPECT_EQ(logged.edits(1).steps(1).action(), v1::LoggedEdit::MOVE);
+  EXPECT_EQ(logged.edits(1).steps(1).submap(), box);
+  v1::UndoEditsRequest undo;
+  undo.set_map("maps/room");
+  undo.set_count(2);
+  ASSERT_OK(server.Call(&EditStub::UndoEdits, undo));
+  EXPECT_EQ(get(box).oriented_box().SerializeAsString(), before.oriented_box().SerializeAsString());
+  EXPECT_EQ(get(ball).oriented_box().SerializeAsString(), ball_before.oriented_box().SerializeAsString());
+}
+
+TEST_F(ApplyEditsTest, WhatSaysNotHowItMovesIsRefusedWithEveryField) {
+  v1::ApplyEditsRequest request;
+  Add(request, box).mutable_turn()->set_angle_rad(std::nan(""));
+  Add(request, box).mutable_translate();
+  Add(request, box).mutable_place();
+  v1::PlaceEdit& place = *Add(request, box).mutable_place();
+  place.set_support("maps/other/submaps/1");
+  place.mutable_point_m()->set_x(std::numeric_limits<double>::infinity());
+  Apply(request);
+  EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
+  for (const char* field : {"edits[0].turn.angle_rad", "edits[1].translate.offset_m", "edits[2].place.support",
+                            "edits[3].place.support", "edits[3].place.point_m"}) {
+    EXPECT_NE(status.error_details().find(field), std::string::npos) << field;
+  }
+}
+
+TEST_F(ApplyEditsTest, WhatWouldBePlacedIsToldAndChangesNothing) {
+  const std::int64_t before = Revision();
+  v1::ApplyEditsRequest request;
+  Add(request, ball).mutable_clone();
+  Add(request, "#0").mutable_place()->set_support(box);
+  request.set_validate_only(true);
+  const v1::ApplyEditsResponse tried = Apply(request);
+  ASSERT_OK(status);
+  ASSERT_EQ(tried.results_size(), 2);
+  EXPECT_EQ(tried.results(1).changed(0), tried.results(0).created(0));
+  EXPECT_EQ(Revision(), before);
 }
 
 TEST_F(ApplyEditsTest, WhatIsClearedAndKeptClearStaysEmptyUntilItIsLifted) {

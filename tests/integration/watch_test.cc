@@ -88,6 +88,38 @@ TEST_F(WatchTest, WhoListsAndWatchesFromThereHoldsWhatAFreshListSays) {
   EXPECT_EQ(watcher.position(), history + "-" + std::to_string(now.revision()));
 }
 
+TEST_F(WatchTest, AMoveTellsTheBoxesBeforeAndAfterAlsoToWhoComesLater) {
+  Begin();
+  ASSERT_OK(Feed(*server, "room", 0, 6));
+  const std::string name = "maps/room/submaps/" + std::to_string(AnyThing());
+  v1::ApplyEditsRequest request;
+  request.set_map("maps/room");
+  v1::Edit& edit = *request.add_edits();
+  edit.set_submap(name);
+  edit.mutable_translate()->mutable_offset_m()->set_x(1.5);
+  Watcher at_once(*server->watches, Silent(From(0)));
+  v1::WatchMapResponse message;
+  ASSERT_TRUE(at_once.Read(message));
+  ASSERT_OK_AND_ASSIGN(const auto edited, server->Call(&EditStub::ApplyEdits, request));
+  Watcher later(*server->watches, Silent(From(edited.revision())));
+  ASSERT_TRUE(later.Read(message));
+  for (Watcher* watcher : {&at_once, &later}) {
+    ASSERT_TRUE(watcher->Read(message));
+    ASSERT_EQ(message.change().submaps_size(), 1);
+    const v1::SubmapEvent& event = message.change().submaps(0);
+    EXPECT_EQ(event.submap().name(), name);
+    EXPECT_EQ(event.parts(0), v1::SubmapEvent::POSE);
+    ASSERT_TRUE(event.has_previous_box() && event.has_current_box());
+    EXPECT_NEAR(event.current_box().min_m().x(), event.previous_box().min_m().x() + 1.5, 1e-6);
+    EXPECT_NEAR(event.current_box().max_m().x(), event.previous_box().max_m().x() + 1.5, 1e-6);
+    EXPECT_NEAR(event.current_box().max_m().z(), event.previous_box().max_m().z(), 1e-6);
+    EXPECT_GT(event.current_box().max_m().z(), event.current_box().min_m().z());
+  }
+  ASSERT_GT(Rename(AnyThing(), "it"), edited.revision());
+  ASSERT_TRUE(at_once.Read(message));
+  EXPECT_FALSE(message.change().submaps(0).has_previous_box()) << "it has not moved";
+}
+
 TEST_F(WatchTest, TheFirstMessageSaysWhereItBegins) {
   Begin();
   ASSERT_OK(Feed(*server, "room", 0, 4));

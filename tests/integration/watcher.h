@@ -15,18 +15,26 @@
 
 namespace dhpmap::testing {
 
+/// Without what lists tell and events do not: its box, footprint and support.
+inline std::string AsTold(v1::Submap submap) {
+  submap.clear_oriented_box();
+  submap.clear_footprint();
+  submap.clear_support_height_m();
+  return submap.SerializeAsString();
+}
+
 /// The submaps of a map, by instance id, as one holds them who listed them and follows.
 class HeldSubmaps {
  public:
   explicit HeldSubmaps(const v1::ListSubmapsResponse& list) : revision_(list.revision()) {
-    for (const v1::Submap& submap : list.submaps()) submaps_[submap.instance_id()] = submap.SerializeAsString();
+    for (const v1::Submap& submap : list.submaps()) submaps_[submap.instance_id()] = AsTold(submap);
   }
 
   void Apply(const v1::MapChange& change) {
     for (const v1::SubmapEvent& event : change.submaps()) {
       const bool is_gone = event.kind() == v1::SubmapEvent::REMOVED || event.kind() == v1::SubmapEvent::MERGED;
       if (is_gone) submaps_.erase(event.submap().instance_id());
-      else submaps_[event.submap().instance_id()] = event.submap().SerializeAsString();
+      else submaps_[event.submap().instance_id()] = AsTold(event.submap());
     }
   }
 

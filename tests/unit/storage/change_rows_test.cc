@@ -170,6 +170,26 @@ TEST(ChangeCodec, GivesBackWhatItWasGivenAndNothingElse) {
   EXPECT_EQ(DecodeChange(blob, read).code(), StatusCode::kDataLoss) << "of another revision";
 }
 
+TEST(ChangeCodec, BoxesOfWhatWasMovedComeBackInABlobOfTheirOwnKind) {
+  MapChange change;
+  change.last_revision = 5;
+  change.submaps.resize(2);
+  EXPECT_EQ(EncodeChange(change)[0], 0x62);
+  const Eigen::Vector3d low(-1, 0.25, 3), high(2, 4, 8);
+  change.submaps[1].pose_boxes = PoseBoxes{{low, high}, {high, 2 * high}};
+  const Bytes blob = EncodeChange(change);
+  EXPECT_EQ(blob[0], 0x64);
+  MapChange read;
+  read.last_revision = 5;
+  ASSERT_TRUE(DecodeChange(blob, read).ok());
+  ASSERT_EQ(read.submaps.size(), 2u);
+  EXPECT_FALSE(read.submaps[0].pose_boxes);
+  ASSERT_TRUE(read.submaps[1].pose_boxes);
+  EXPECT_EQ(read.submaps[1].pose_boxes->before_m.min(), low);
+  EXPECT_EQ(read.submaps[1].pose_boxes->before_m.max(), high);
+  EXPECT_EQ(read.submaps[1].pose_boxes->after_m.max(), 2 * high);
+}
+
 TEST(ChangeCodec, OnlyRegionsMakeABlobThatVersionsBeforeThemCannotRead) {
   MapChange change;
   change.first_revision = 4;

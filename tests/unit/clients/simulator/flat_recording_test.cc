@@ -8,7 +8,9 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
+#include <vector>
 
 #include "clients/datasets/dataset.h"
 #include "clients/simulator/camera_path.h"
@@ -158,6 +160,42 @@ TEST(FlatRecording, TruthTellsPointsOnThingsInView) {
       EXPECT_GE(p[axis], entry["box_m"]["min"][static_cast<std::size_t>(axis)].get<double>() - 1e-3);
       EXPECT_LE(p[axis], entry["box_m"]["max"][static_cast<std::size_t>(axis)].get<double>() + 1e-3);
     }
+  }
+}
+
+TEST(FlatRecording, TruthTellsTheBoxAroundWhatPixelsShow) {
+  testing::TempDir folder;
+  RecordingOptions options = SmallRecording(folder.path());
+  options.num_frames = 10;
+  ASSERT_TRUE(Record(options).ok());
+  std::map<std::size_t, std::vector<Eigen::Vector3d>> points_m;
+  for (int i = 0; i < 10; ++i) {
+    const PinholeCamera camera = FlatLayoutCamera(96, 72);
+    const RenderedFrame frame = Renderer(Apartment()).Render(camera, CameraPath().PoseOfFrame(i, 10));
+    for (int v = 0; v < 72; ++v) {
+      for (int u = 0; u < 96; ++u) {
+        const auto pixel = static_cast<std::size_t>(96 * v + u);
+        const Eigen::Vector3d looking((u - camera.cx_px) / camera.fx_px, (v - camera.cy_px) / camera.fy_px, 1);
+        points_m[frame.instances[pixel]].push_back(frame.T_map_camera *
+                                                   (static_cast<double>(frame.depth_m[pixel]) * looking));
+      }
+    }
+  }
+  const auto truth = nlohmann::json::parse(BytesOfFile(folder.path() / "truth.json"));
+  ASSERT_GT(truth.size(), 30u);
+  for (const auto& entry : truth) {
+    const auto& box = entry["seen_box_m"];
+    const double yaw_rad = box["yaw_deg"].get<double>() * std::numbers::pi / 180;
+    const Eigen::Matrix3d back = Eigen::AngleAxisd(-yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    Eigen::Vector3d reach = Eigen::Vector3d::Zero(), center, size;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      center[static_cast<int>(axis)] = box["center"][axis].get<double>();
+      size[static_cast<int>(axis)] = box["size"][axis].get<double>();
+    }
+    for (const Eigen::Vector3d& p : points_m[entry["id"].get<std::size_t>()]) {
+      reach = reach.cwiseMax((back * (p - center)).cwiseAbs());
+    }
+    EXPECT_LT((2 * reach - size).cwiseAbs().maxCoeff(), 4e-3) << entry["name"];
   }
 }
 

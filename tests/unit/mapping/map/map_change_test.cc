@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 #include <random>
 #include <set>
 
 #include "mapping/map/observed_sphere.h"
+#include "tests/unit/mapping/query/surface_scene.h"
 
 namespace dhpmap {
 namespace {
@@ -83,6 +85,27 @@ TEST_F(MapChangeTest, SaysHowTheSubmapIsNowAndWhereItWas) {
   ASSERT_TRUE(event.before.has_value());
   EXPECT_EQ(event.before->sphere.center_m, before.center_m);
   EXPECT_EQ(event.parts, SubmapParts({SubmapPart::kPose, SubmapPart::kGeometry}));
+}
+
+TEST_F(MapChangeTest, AMoveTellsTheBoxesBeforeAndAfterAndOtherEventsNone) {
+  const Eigen::Vector3d center(3, 1, 2);
+  const testing::SolidDistance block = testing::Block(center, {0.4, 0.2, 0.3});
+  EXPECT_FALSE(EventOf([&] {
+                 Submap& submap = *map_.FindMutable(id_);
+                 submap.EraseBlock({0, 0, 0});
+                 submap.mutable_info().voxel_size_m = testing::kSceneVoxel_m;
+                 testing::ObserveBand(submap, block, testing::CubeAt(center, 0.7));
+               }).pose_boxes);
+  const SubmapEvent event = EventOf([this] {
+    map_.FindMutable(id_)->mutable_info().T_map_submap =
+        Transform(Eigen::Translation3d(10, 0, 0.5) * Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()));
+  });
+  ASSERT_TRUE(event.pose_boxes);
+  EXPECT_LT((event.pose_boxes->before_m.center() - center).norm(), 0.03);
+  EXPECT_LT((event.pose_boxes->before_m.sizes() - Eigen::Vector3d(0.8, 0.4, 0.6)).cwiseAbs().maxCoeff(), 0.05);
+  EXPECT_LT((event.pose_boxes->after_m.center() - Eigen::Vector3d(9, 3, 2.5)).norm(), 0.03);
+  EXPECT_LT((event.pose_boxes->after_m.sizes() - Eigen::Vector3d(0.4, 0.8, 0.6)).cwiseAbs().maxCoeff(), 0.05);
+  EXPECT_FALSE(EventOf([this] { map_.FindMutable(id_)->mutable_info().display_name = "crate"; }).pose_boxes);
 }
 
 }  // namespace
