@@ -70,6 +70,8 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"KEPT_CLEAR_NOT_FOUND", StatusCode::kNotFound, "no region of this name is kept clear"},
     {"NOTHING_TO_SPLIT", StatusCode::kFailedPrecondition, "a split would leave one of its parts without a voxel"},
     {"NOT_A_THING", StatusCode::kFailedPrecondition, "what is asked for can be done to things only"},
+    {"NO_SURFACE", StatusCode::kFailedPrecondition, "an object has no surface, or none where another is to be placed"},
+    {"SUPPORT_MOVES", StatusCode::kFailedPrecondition, "an object cannot be placed on itself, or on what moves with it"},
     {"BAD_REQUEST_ID", StatusCode::kInvalidArgument, "the id of a request is no UUID"},
     {"REQUEST_ID_REUSED", StatusCode::kInvalidArgument, "another request had this id before: nothing was done"},
     {"BAD_AUTHOR", StatusCode::kInvalidArgument, "the name of an author is too long"},

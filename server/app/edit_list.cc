@@ -159,6 +159,7 @@ class Application {
     if (support == id || std::binary_search(supported.begin(), supported.end(), support)) {
       return FailedPrecondition(Named(id) + " cannot be placed on " + Named(support) +
                                 (support == id ? ": it is itself" : ", which goes along"))
+          .WithReason("SUPPORT_MOVES")
           .WithViolation("place.support", "moves, too");
     }
     DHPMAP_ASSIGN_OR_RETURN(const Transform motion, PlacingOf(*map_.Find(id), *map_.Find(support), edit.point_m));

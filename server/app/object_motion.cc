@@ -15,6 +15,7 @@ namespace {
 
 Status NoSurface(SubmapId id) {
   return FailedPrecondition("submap " + std::to_string(id.value) + " has no surface")
+      .WithReason("NO_SURFACE")
       .WithViolation("submap", "has no surface");
 }
 
@@ -50,6 +51,7 @@ Result<Transform> PlacingOf(const Submap& submap, const Submap& support,
   if (!there_m) {
     return FailedPrecondition("submap " + std::to_string(support.id().value) +
                               (point_m ? " has no surface there" : " has no level upper side: name a point on it"))
+        .WithReason("NO_SURFACE")
         .WithViolation("place.support", point_m ? "has no surface there" : "has no level upper side");
   }
   Eigen::Vector3d lowest_m = outline->box.center_m;
