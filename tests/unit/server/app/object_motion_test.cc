@@ -132,23 +132,23 @@ TEST_F(ObjectMotionTest, LaterEditsOfAListStandOnWhatEarlierOnesMade) {
 }
 
 TEST_F(ObjectMotionTest, NothingIsPlacedOnItselfOrOnWhatGoesAlong) {
-  EXPECT_EQ(NameOfReason(Make(table_, PlaceEdit{.support = table_}).status()), "SUPPORT_MOVES");
+  EXPECT_EQ(Make(table_, PlaceEdit{.support = table_}).status().reason().name(), "SUPPORT_MOVES");
   const PlaceEdit on_crate{.support = crate_, .point_m = std::nullopt, .include_supported = true};
-  EXPECT_EQ(NameOfReason(Make(table_, on_crate).status()), "SUPPORT_MOVES");
+  EXPECT_EQ(Make(table_, on_crate).status().reason().name(), "SUPPORT_MOVES");
   EXPECT_EQ(Make(table_, PlaceEdit{.support = SubmapId(99)}).status().code(), StatusCode::kNotFound);
 }
 
 TEST_F(ObjectMotionTest, WhereTheSupportHasNoSurfaceNothingIsPlaced) {
   const auto made = Make(crate_, PlaceEdit{.support = beside_, .point_m = Eigen::Vector2d(7, 7)});
-  EXPECT_EQ(NameOfReason(made.status()), "NO_SURFACE");
+  EXPECT_EQ(made.status().reason().name(), "NO_SURFACE");
   ASSERT_EQ(made.status().violations().size(), 1u);
   EXPECT_EQ(made.status().violations()[0].field, "edits[0].place.support");
 }
 
 TEST_F(ObjectMotionTest, WhatHasNoSurfaceIsNeitherTurnedNorPlaced) {
   const SubmapId empty = testing::AddThing(map_).id();
-  EXPECT_EQ(NameOfReason(Make(empty, TurnEdit{1}).status()), "NO_SURFACE");
-  EXPECT_EQ(NameOfReason(Make(empty, PlaceEdit{.support = table_}).status()), "NO_SURFACE");
+  EXPECT_EQ(Make(empty, TurnEdit{1}).status().reason().name(), "NO_SURFACE");
+  EXPECT_EQ(Make(empty, PlaceEdit{.support = table_}).status().reason().name(), "NO_SURFACE");
   EXPECT_TRUE(Make(empty, TranslateEdit{{1, 0, 0}}).ok());
 }
 
