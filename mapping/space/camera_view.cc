@@ -137,8 +137,9 @@ void CameraView::Classify(const CellBatch& cells, CellSights& sights) const {
 }
 
 bool CameraView::AllSeeFartherThan(float far_vox, int u0, int v0, int u1, int v1) const {
-  // Of few pixels the pyramid would take too many around.
-  constexpr int kFew = 64;
+  // Of few pixels the pyramid would take too many around, up to twice as many each way: of a ball of a voxel at 1.5 m
+  // some ten by ten.
+  constexpr int kFew = 256;
   if ((u1 - u0 + 1) * (v1 - v0 + 1) > kFew) return pyramid_.Over(u0, v0, u1, v1).least > far_vox;
   for (int v = v0; v <= v1; ++v) {
     const float* row = image_.limit_vox.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width);
