@@ -78,12 +78,12 @@ void SliceSurface::FillStrip(int first_row, const std::stop_token& stop) {
   owners_.assign(static_cast<std::size_t>(kStripRows) * static_cast<std::size_t>(options_.width), kNobody);
   parts_.clear();
   for (int column = 0; column < options_.width && !stop.stop_requested(); column += kChunkColumns) {
-    Visit(column, std::min(column + kChunkColumns, options_.width));
+    Visit(column, std::min(column + kChunkColumns, options_.width), stop);
   }
-  Conclude();
+  if (!stop.stop_requested()) Conclude();
 }
 
-void SliceSurface::Visit(int first_column, int end_column) {
+void SliceSurface::Visit(int first_column, int end_column, const std::stop_token& stop) {
   constexpr double kMargin_m = 1e-5;  // against rounding: what is cut is cut exactly
   const double side_m = options_.resolution_m;
   const Eigen::Vector3d low(options_.min_m.x() + first_column * side_m,
@@ -92,7 +92,10 @@ void SliceSurface::Visit(int first_column, int end_column) {
                              options_.min_m.y() + (strip_ + 1) * kStripRows * side_m, options_.max_z_m);
   OrientedBox box{options_.T_map_query, (high - low) / 2 + Eigen::Vector3d::Constant(kMargin_m)};
   box.T_world_box.translate((low + high) / 2);
+  constexpr std::uint32_t kTrianglesALook = 256;
+  std::uint32_t num_triangles = 0;
   VisitNear(world_, box, [&](const NearTriangle<OrientedBox>& near) {
+    if (++num_triangles % kTrianglesALook == 0 && stop.stop_requested()) return false;
     std::array<Eigen::Vector3d, 3> triangle;
     for (std::size_t i = 0; i < 3; ++i) triangle[i] = T_query_map_ * near.InMap(near.triangle[i].cast<double>());
     Add(triangle, static_cast<std::uint32_t>(near.number), first_column, end_column);

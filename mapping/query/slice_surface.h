@@ -32,7 +32,7 @@ class SliceSurface {
     double area_m2;
   };
   void FillStrip(int first_row, const std::stop_token& stop);
-  void Visit(int first_column, int end_column);
+  void Visit(int first_column, int end_column, const std::stop_token& stop);
   /// A triangle of the slice's frame, for cells of some columns.
   void Add(const std::array<Eigen::Vector3d, 3>& triangle, std::uint32_t number, int first_column, int end_column);
   void Conclude();

@@ -82,9 +82,7 @@ void GoneFinder::LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo
 void GoneFinder::AddJob(const Submap& submap, const TileEntry& entry, Role role, std::uint64_t turn) {
   const BlockTile& tile = *entry.tile;
   const bool has_counts = HasCounts(tile);
-  const bool takes_turns = role == Role::kStays || (role == Role::kNameless && !things_.Has(entry.index));
-  if (takes_turns && !has_counts && !IsItsTurn(entry.index, turn)) return;
-  if (role == Role::kMayHaveLeft) things_.Add(entry.index);
+  if (role == Role::kStays && !has_counts && !IsItsTurn(entry.index, turn)) return;
   if (num_jobs_ == jobs_.size()) jobs_.emplace_back();
   jobs_[num_jobs_].id = submap.id();
   jobs_[num_jobs_].submap = &submap;
@@ -109,7 +107,6 @@ void GoneFinder::AddJobs(const Submap& submap, Role role, std::uint64_t turn) {
 
 void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map) {
   num_jobs_ = 0;
-  things_ = {};
   in_view_ = {};
   in_view_.Reserve(tiles_.size());
   for (std::size_t i = 0; i < tiles_.size(); ++i) in_view_.Set(tiles_[i].index, static_cast<std::uint32_t>(i));
@@ -185,7 +182,7 @@ std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
     Submap& submap = *map.FindMutable(jobs_[i].id);
     int num_became = 0;
     for (const ContradictedBlock& block : jobs_[i].found) {
-      const bool counts_twice = jobs_[i].role == Role::kNameless && IsByWhatLeaves(block.index);
+      const bool counts_twice = block.is_much || (jobs_[i].role == Role::kNameless && IsByWhatLeaves(block.index));
       for (int n = counts_twice ? 2 : 1; n > 0; --n) {
         num_became += submap.MutableGone(block.index).Raise(block.voxels, from);
       }

@@ -20,12 +20,13 @@
 namespace dhpmap {
 
 /// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number of
-/// the frame, until something of them is counted, but for those of things that the same frame has not observed: of what
-/// may have left there may be few views. What no prediction named of such a thing is in the unknown submap: in these
-/// tiles it takes no turns either, and where the same look goes through such things, in a block or right beside it, one
-/// look at what is nameless counts as two. Submaps that somebody has put where they are or has locked, and those on
-/// another grid than the map's, which were moved, are left alone, and so are voxels in regions that are kept clear, of
-/// which no point is seen. Keeps its buffers but for a few maps of indices. Thread-compatible.
+/// the frame, until something of them is counted, but for those of things that the same frame has not observed, and of
+/// the unknown submap, which has what no prediction has named of anything: of what may have left there may be few
+/// views. A look through much of what a block says of a surface counts as two, and so does one at what is nameless
+/// where the same look goes through such things, in the block or right beside it. Submaps that somebody has put where
+/// they are or has locked, and those on another grid than the map's, which were moved, are left alone, and so are
+/// voxels in regions that are kept clear, of which no point is seen. Keeps its buffers but for a map of indices.
+/// Thread-compatible.
 class GoneFinder {
  public:
   /// Returns the submaps of which voxels were counted, by ascending id. The outcome does not depend on the number of
@@ -73,16 +74,6 @@ class GoneFinder {
     std::vector<ContradictedBlock> found;
   };
 
-  /// Tiles, of any submap.
-  class TileSet {
-   public:
-    void Add(TileIndex tile) { tiles_.Set(tile, 0); }
-    [[nodiscard]] bool Has(TileIndex tile) const { return tiles_.Find(tile) != IndexMap<TileIndex>::kNone; }
-
-   private:
-    IndexMap<TileIndex> tiles_;
-  };
-
   /// Takes the voxels of the submap that are kept clear out of what was found.
   static void LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo& info,
                                 std::vector<ContradictedBlock>& found);
@@ -101,7 +92,6 @@ class GoneFinder {
 
   std::vector<TileToLook> tiles_;  ///< in view
   IndexMap<TileIndex> in_view_;    ///< the same
-  TileSet things_;                 ///< of things that may have left
   std::vector<Job> jobs_;          ///< beyond num_jobs_ they are kept for their memory
   std::size_t num_jobs_ = 0;
   LeftBlocks left_;      ///< before the look

@@ -52,9 +52,10 @@ class LeftBlocks {
 /// What a look says of a block of a submap.
 struct ContradictedBlock {
   BlockIndex index;
-  VoxelMask voxels{};  ///< that it contradicts
-  int num_voxels = 0;  ///< of them
-  int num_in_all = 0;  ///< and those that were contradicted before
+  VoxelMask voxels{};    ///< that it contradicts
+  int num_voxels = 0;    ///< of them
+  int num_in_all = 0;    ///< and those that were contradicted before
+  bool is_much = false;  ///< they are much of what the block says of a surface
 };
 
 /// Looks at one tile of a submap for surfaces that the view looks through.
@@ -122,6 +123,19 @@ class GoneLook {
   /// what left that went to the wall behind it, need not be seen past by whole balls.
   static constexpr int kLeastLeft = 12;
 
+  /// A look past so much of what a block says of a surface counts twice: there, errors at edges are few.
+  static constexpr int kLeastMuch = 8;
+  static constexpr float kMuchShare = 0.3f;
+
+  /// How many voxels of the block say that there is a surface.
+  [[nodiscard]] float CountSaying(const BlockEntry& entry) const {
+    int count = 0;
+    for (int linear = 0; linear < kBlockVoxels; ++linear) {
+      count += entry.Shows(linear) && std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) < most_m_;
+    }
+    return static_cast<float>(count);
+  }
+
   /// `x`, `y`, `z`: the block's centre.
   void LookAtBlock(const BlockEntry& entry, float x, float y, float z) {
     const CellBatch octants = ChildrenOf(CellSize::kBlock, x, y, z);
@@ -137,6 +151,8 @@ class GoneLook {
     if (num_balls_ > 0) Decide();
     contradicted_.num_voxels = NumIn(contradicted_.voxels);
     contradicted_.num_in_all = contradicted_.num_voxels + num_before;
+    contradicted_.is_much = contradicted_.num_voxels >= kLeastMuch &&
+                            static_cast<float>(contradicted_.num_voxels) >= kMuchShare * CountSaying(entry);
     if (contradicted_.num_in_all > 0) found_.push_back(contradicted_);
   }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "mapping/space/leaving_parts.h"
+
 namespace dhpmap {
 namespace {
 
@@ -18,10 +20,14 @@ void AddVoxelsOf(const BlockEntry& entry, const SubmapInfo& info, SurfaceVoxels&
     if (std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) >= near_m) continue;
     ++voxels.all;
     voxels.contradicted += entry.IsContradicted(linear);
+    voxels.doubted += entry.gone != nullptr && entry.gone->Count(linear) >= 2;
     voxels.settled += is_settled && entry.IsContradicted(linear);
     voxels.doubted_unseen += is_unseen && entry.gone->Count(linear) >= 2;
   }
 }
+
+/// So little is neither a part nor a thing: a block of which a look says anything has as many.
+constexpr std::int64_t kLeastDoubted = 8;
 
 bool IsMostGone(const SurfaceVoxels& voxels) {
   const auto all = static_cast<double>(voxels.all), settled = static_cast<double>(voxels.settled);
@@ -30,9 +36,8 @@ bool IsMostGone(const SurfaceVoxels& voxels) {
   return contradicted > kAbsentShare * all || static_cast<double>(voxels.doubted_unseen) > kAbsentShareUnseen * all;
 }
 
-/// Blocks against which nothing was counted can only add to what is there: they are looked at if the others alone would
-/// make it absent.
-bool IsMostGone(const Submap& submap) {
+/// Of the blocks against which something was counted. The others can only add to what is there.
+SurfaceVoxels CountDoubtedBlocks(const Submap& submap) {
   SurfaceVoxels voxels;
   for (const TileEntry& tile : submap.blocks().tiles()) {
     if (!tile.tile->IsRead() && tile.tile->CellsWith(BlockLayer::kGone) == 0) continue;  // known without reading
@@ -40,7 +45,15 @@ bool IsMostGone(const Submap& submap) {
       if (entry.gone != nullptr) AddVoxelsOf(entry, submap.info(), voxels);
     }
   }
-  return IsMostGone(voxels) && IsMostGone(CountSurfaceVoxels(submap));
+  return voxels;
+}
+
+SurfaceVoxels CountIn(const std::vector<SurfacePart>& parts, const Submap& submap) {
+  SurfaceVoxels voxels;
+  for (const SurfacePart& part : parts) {
+    for (const BlockIndex block : part.blocks) AddVoxelsOf(*submap.blocks().Find(block), submap.info(), voxels);
+  }
+  return voxels;
 }
 
 void LeaveIfGone(SubmapId id, Map& map) {
@@ -49,7 +62,9 @@ void LeaveIfGone(SubmapId id, Map& map) {
   const SubmapInfo& info = submap->info();
   const bool is_settled = info.panoptic == Panoptic::kThing && info.activity == Activity::kInactive;
   if (!is_settled || info.is_placed || info.is_locked) return;
-  if (!IsMostGone(*submap)) return;
+  if (CountDoubtedBlocks(*submap).doubted < kLeastDoubted) return;
+  const std::vector<SurfacePart> staying = LetPartsLeave(id, map);
+  if (!IsMostGone(CountIn(staying, *map.Find(id)))) return;
   map.FindMutable(id)->mutable_info().presence = Presence::kAbsent;
 }
 

@@ -24,7 +24,8 @@ struct SurfaceVoxels {
   /// Of the contradicted, those of blocks against which nothing was counted after the submap was last observed, nor
   /// with it: it was seen all the same, such as where it was moved to.
   std::int64_t settled = 0;
-  /// Looked through at least twice, in blocks that were so after the submap was last observed.
+  std::int64_t doubted = 0;  ///< looked through at least twice, the contradicted among them
+  /// The same in blocks that were so after the submap was last observed.
   std::int64_t doubted_unseen = 0;
 };
 SurfaceVoxels CountSurfaceVoxels(const Submap& submap);

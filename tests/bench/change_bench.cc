@@ -14,6 +14,7 @@
 #include "mapping/space/presence.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/frames.h"
+#include "tests/bench/gone_causes.h"
 
 namespace dhpmap::bench {
 namespace {
@@ -39,7 +40,9 @@ Result<Changes> ReadChanges(const std::string& directory) {
 class PointSet {
  public:
   explicit PointSet(double cell_m) : cell_m_(cell_m) {}
-  void Add(const Eigen::Vector3d& p) { points_.try_emplace(VoxelAt(p, cell_m_), p); }
+  void Add(const Eigen::Vector3d& p, std::uint32_t instance) {
+    points_.try_emplace(VoxelAt(p, cell_m_), GonePoint{p, instance});
+  }
   /// Within two cells along each axis.
   [[nodiscard]] bool HasNear(const Eigen::Vector3d& p) const {
     const VoxelIndex v = VoxelAt(p, cell_m_);
@@ -50,7 +53,13 @@ class PointSet {
   }
   [[nodiscard]] std::vector<Eigen::Vector3d> List() const {
     std::vector<Eigen::Vector3d> list;
-    for (const auto& [voxel, p] : points_) list.push_back(p);
+    for (const auto& [voxel, point] : points_) list.push_back(point.p_map_m);
+    return list;
+  }
+  /// In the same order.
+  [[nodiscard]] std::vector<GonePoint> ListWithInstances() const {
+    std::vector<GonePoint> list;
+    for (const auto& [voxel, point] : points_) list.push_back(point);
     return list;
   }
 
@@ -59,7 +68,7 @@ class PointSet {
     std::size_t operator()(VoxelIndex v) const { return BlockIndexHash()({v.x, v.y, v.z}); }
   };
   double cell_m_;
-  std::unordered_map<VoxelIndex, Eigen::Vector3d, Hash> points_;
+  std::unordered_map<VoxelIndex, GonePoint, Hash> points_;
 };
 
 /// What the frames measured of what is gone, of what was moved, at its new place, and of all else in the second walk.
@@ -82,27 +91,50 @@ struct Measured {
                                                  (v - camera.cy_px) / camera.fy_px * depth_m, depth_m);
         const auto change = changes.is_gone.find(data.segments[pixel]);
         if (change == changes.is_gone.end()) {
-          if (is_after) still.Add(p);
+          if (is_after) still.Add(p, data.segments[pixel]);
         } else if (is_after) {
-          moved.Add(p);
+          moved.Add(p, data.segments[pixel]);
         } else {
-          gone.Add(p);  // from where it was moved away, too
+          gone.Add(p, data.segments[pixel]);  // from where it was moved away, too
         }
       }
     }
   }
 };
 
-std::vector<bool> HaveSurface(const std::shared_ptr<const MapSnapshot>& map,
-                              const std::vector<Eigen::Vector3d>& points) {
+std::vector<SurfaceDistance> NearestSurfaces(const std::shared_ptr<const MapSnapshot>& map,
+                                             const std::vector<Eigen::Vector3d>& points) {
   SurfaceCache cache(std::size_t{1} << 30);
   std::vector<SurfaceDistance> answers(points.size());
   DistanceQuery(cache.Of(map), {.max_distance_m = 0.5}).At(points, answers);
+  return answers;
+}
+
+bool HasSurface(const SurfaceDistance& answer, const MapSnapshot& map) {
+  return answer.submap != nullptr && std::abs(answer.distance_m) <= map.info().config.voxel_size_m;
+}
+
+std::vector<bool> HaveSurface(const std::shared_ptr<const MapSnapshot>& map,
+                              const std::vector<Eigen::Vector3d>& points) {
   std::vector<bool> have;
-  for (const SurfaceDistance& answer : answers) {
-    have.push_back(answer.submap != nullptr && std::abs(answer.distance_m) <= map->info().config.voxel_size_m);
-  }
+  for (const SurfaceDistance& answer : NearestSurfaces(map, points)) have.push_back(HasSurface(answer, *map));
   return have;
+}
+
+/// Why points of what is gone have a surface.
+void PrintCauses(const std::shared_ptr<const MapSnapshot>& after, const SecondWalk& walk,
+                 const std::vector<GonePoint>& gone) {
+  std::vector<Eigen::Vector3d> points;
+  for (const GonePoint& point : gone) points.push_back(point.p_map_m);
+  const std::vector<SurfaceDistance> answers = NearestSurfaces(after, points);
+  std::vector<GonePoint> left;
+  std::vector<SurfaceDistance> nearest;
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    if (!HasSurface(answers[i], *after)) continue;
+    left.push_back(gone[i]);
+    nearest.push_back(answers[i]);
+  }
+  PrintGoneCauses(*after, walk, left, nearest, gone.size());
 }
 
 void Print(const char* what, const std::vector<bool>& has) {
@@ -129,6 +161,7 @@ Status RunChangeBench(const ChangeBenchOptions& options) {
 
   MapBuilder builder(info, 0);
   Measured measured(0.5 * info.config.voxel_size_m);
+  SecondWalk walk;
   std::shared_ptr<const MapSnapshot> between;
   for (std::size_t i = 0; i < dataset->num_frames(); ++i) {
     DHPMAP_ASSIGN_OR_RETURN(const DatasetFrame read, dataset->Read(i));
@@ -138,6 +171,7 @@ Status RunChangeBench(const ChangeBenchOptions& options) {
     DHPMAP_ASSIGN_OR_RETURN(const PanopticFrame true_frame, DecodeFrame(read_truth, true));
     if (i == changes.first_frame_after) between = builder.map().Freeze();
     measured.Add(true_frame, i >= changes.first_frame_after, changes);
+    if (i >= changes.first_frame_after) walk.Add(true_frame);
     DHPMAP_RETURN_IF_ERROR(builder.Integrate(frame).status());
   }
   builder.Finish();
@@ -146,10 +180,15 @@ Status RunChangeBench(const ChangeBenchOptions& options) {
 
   // Of what is gone, what had a surface, and where there is nothing else now: else that has one within a voxel.
   std::vector<Eigen::Vector3d> gone;
+  std::vector<GonePoint> gone_points;
+  const std::vector<GonePoint> all_gone = measured.gone.ListWithInstances();
   const std::vector<Eigen::Vector3d> once = measured.gone.List();
   const std::vector<bool> had = HaveSurface(between, once);
   for (std::size_t i = 0; i < once.size(); ++i) {
-    if (had[i] && !measured.still.HasNear(once[i]) && !measured.moved.HasNear(once[i])) gone.push_back(once[i]);
+    if (had[i] && !measured.still.HasNear(once[i]) && !measured.moved.HasNear(once[i])) {
+      gone.push_back(once[i]);
+      gone_points.push_back(all_gone[i]);
+    }
   }
   std::vector<Eigen::Vector3d> still;
   const std::vector<Eigen::Vector3d> all_still = measured.still.List();
@@ -161,6 +200,7 @@ Status RunChangeBench(const ChangeBenchOptions& options) {
               options.labels.c_str(), options.framewise ? " without persistent ids" : "", options.gone ? "on" : "off",
               options.carving ? "on" : "off");
   Print("of what is gone, or was moved away", HaveSurface(after, gone));
+  PrintCauses(after, walk, gone_points);
   Print("of what was moved, at its new place", HaveSurface(after, measured.moved.List()));
   Print("of all else that had one before", HaveSurface(after, still));
   int num_absent = 0;

@@ -144,9 +144,37 @@ class RestartAnswers : public ServerOnFile {
             {"trajectories", Trajectories().SerializeAsString()},
             {"slice", Slice().SerializeAsString()},
             {"grid", Grid()},
-            {"search", Search().SerializeAsString()},
+            {"search", WithoutBoxes(Search())},
             {"relations", Relations().SerializeAsString()},
-            {"submaps", Submaps().SerializeAsString()}};
+            {"submaps", WithoutBoxes(Submaps())},
+            {"submaps with their boxes", SubmapsOneByOne()}};
+  }
+
+ private:
+  /// A list tells boxes as far as it need not read voxels from the disk for them.
+  static void ClearBox(v1::Submap& submap) {
+    submap.clear_oriented_box();
+    submap.clear_footprint();
+    submap.clear_support_height_m();
+  }
+  static std::string WithoutBoxes(v1::ListSubmapsResponse list) {
+    for (v1::Submap& submap : *list.mutable_submaps()) ClearBox(submap);
+    return list.SerializeAsString();
+  }
+  static std::string WithoutBoxes(v1::SearchSubmapsResponse found) {
+    for (auto& match : *found.mutable_matches()) ClearBox(*match.mutable_submap());
+    return found.SerializeAsString();
+  }
+  std::string SubmapsOneByOne() {
+    std::string bytes;
+    int num_boxes = 0;
+    for (const v1::Submap& listed : Submaps().submaps()) {
+      const v1::GetSubmapResponse one = server->Call(&SubmapStub::GetSubmap, listed.name()).value();
+      num_boxes += one.submap().has_oriented_box();
+      bytes += one.SerializeAsString();
+    }
+    EXPECT_GT(num_boxes, 2);
+    return bytes;
   }
 };
 
@@ -258,7 +286,8 @@ TEST_F(RestartAnswers, OfAMapThatWasJustMadeAreThoseOfTheStoreButForItsRounding)
   ASSERT_EQ(slice_after.cells().size(), slice.cells().size());
   int num_cells = 0;
   for (std::size_t i = 0; i < slice.cells().size(); ++i) num_cells += slice.cells()[i] != slice_after.cells()[i];
-  EXPECT_LE(num_cells, allowed(static_cast<int>(slice.cells().size())));
+  // A triangle that ends at a cell's border may be rounded into the next cell.
+  EXPECT_LE(num_cells, 2 * allowed(static_cast<int>(slice.cells().size())));
   ASSERT_EQ(Relations().relations_size(), relations.relations_size());
 }
 
