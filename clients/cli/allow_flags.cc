@@ -18,8 +18,7 @@ bool IsId(const std::string& text) {
 void AddAllowFlags(CLI::App& command, const std::string& parts, AllowFlags& flags) {
   command.add_option(
       "--allow", flags.allowed,
-      "PART:WHAT [...]: what may touch what. PART: a link, or the id of something attached; none: all of "
-      "the robot. WHAT: a class, or the id of an object");
+      "PART:WHAT [...]: link or attached id (empty: all of the robot), and the class or id it may touch");
   command.add_option("--links", flags.links, "To which link each " + parts + " belongs, a name each");
 }
 

@@ -41,15 +41,12 @@ void AddPoseFlags(CLI::App& command, PoseChange& change) {
   command.add_option("--by", change.by_m, "Shift by X Y Z (metres)")->expected(3)->excludes(to);
   CLI::Option* rotation =
       command
-          .add_option(
-              "--rotation", change.rotation,
-              "New rotation of the object's pose as quaternion X Y Z W: it turns about the origin of its frame, "
-              "which is the map's until it is moved, so that an object elsewhere goes round it")
+          .add_option("--rotation", change.rotation,
+                      "New rotation of the pose as quaternion X Y Z W, about the origin of its frame; see edit turn")
           ->expected(4);
   command
       .add_option("--yaw", change.yaw_deg,
-                  "Turn on the spot by so many degrees, counter-clockwise from above: about the vertical through the "
-                  "centre of its bounding sphere; may go with --by")
+                  "Turn on the spot by so many degrees, counter-clockwise from above; may go with --by")
       ->excludes(to)
       ->excludes(rotation);
 }
