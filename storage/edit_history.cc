@@ -173,6 +173,12 @@ Result<EditTileRecorder> EditTileRecorder::Prepare(Database& database, std::int6
        "INSERT INTO shared_blobs (blob_key, num_more) SELECT blob_key, 1 FROM tiles WHERE owner_key = ? ON CONFLICT "
        "(blob_key) DO UPDATE SET num_more = num_more + 1"},
       {&recorder.rows_, "SELECT x, y, z, layer, blob_key FROM tiles WHERE owner_key = ?"},
+      {&recorder.find_,
+       "SELECT before_key, after_key FROM edit_tiles WHERE edit_key = ? AND submap_id = ? AND x = ? AND y = ? AND z = "
+       "? "
+       "AND layer = ?"},
+      {&recorder.erase_,
+       "DELETE FROM edit_tiles WHERE edit_key = ? AND submap_id = ? AND x = ? AND y = ? AND z = ? AND layer = ?"},
   };
   for (const Text& text : texts) {
     DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(text.sql, kWriteHistoryTask));
@@ -184,6 +190,12 @@ Result<EditTileRecorder> EditTileRecorder::Prepare(Database& database, std::int6
 Status EditTileRecorder::Note(std::int64_t submap_id, TileIndex index, std::int64_t layer, const StoredBlob& before,
                               const StoredBlob& after) {
   if (before.key == after.key) return Status::Ok();
+  if (goes_on_) {
+    find_->Bind(edit_key_).Bind(submap_id).Bind(index.x).Bind(index.y).Bind(index.z).Bind(layer);
+    DHPMAP_ASSIGN_OR_RETURN(const bool is_noted, find_->Step());
+    if (is_noted) return NoteFurther(submap_id, index, layer, before, after);
+    find_->Reset();
+  }
   insert_->Bind(edit_key_).Bind(submap_id).Bind(index.x).Bind(index.y).Bind(index.z).Bind(layer);
   DHPMAP_RETURN_IF_ERROR(insert_->Bind(before.key).Bind(after.key).Run());
   for (const StoredBlob& blob : {before, after}) {
@@ -191,6 +203,28 @@ Status EditTileRecorder::Note(std::int64_t submap_id, TileIndex index, std::int6
   }
   AddEditTile(totals_, submap_id, index, layer, before.key, after.key);
   totals_.bytes += before.bytes + after.bytes + kRowBytes;
+  return Status::Ok();
+}
+
+/// The row that is there is of before the edit to somewhere between; from now on it is to `after`.
+Status EditTileRecorder::NoteFurther(std::int64_t submap_id, TileIndex index, std::int64_t layer,
+                                     const StoredBlob& between, const StoredBlob& after) {
+  const std::int64_t before_key = find_->Int(0), between_key = find_->Int(1);
+  find_->Reset();
+  // Counted before the old row goes, so that no blob is taken for one that nothing refers to.
+  for (const std::int64_t key : {before_key, after.key}) {
+    if (key != 0) DHPMAP_RETURN_IF_ERROR(share_->Bind(key).Run());
+  }
+  erase_->Bind(edit_key_).Bind(submap_id).Bind(index.x).Bind(index.y).Bind(index.z).Bind(layer);
+  DHPMAP_RETURN_IF_ERROR(erase_->Run());
+  insert_->Bind(edit_key_).Bind(submap_id).Bind(index.x).Bind(index.y).Bind(index.z).Bind(layer);
+  DHPMAP_RETURN_IF_ERROR(insert_->Bind(before_key).Bind(after.key).Run());
+  TileTotals old;
+  AddEditTile(old, submap_id, index, layer, before_key, between_key);
+  AddEditTile(totals_, submap_id, index, layer, before_key, after.key);
+  totals_.sum =
+      static_cast<std::int64_t>(static_cast<std::uint64_t>(totals_.sum) - static_cast<std::uint64_t>(old.sum));
+  totals_.bytes += after.bytes - between.bytes;
   return Status::Ok();
 }
 
@@ -248,6 +282,7 @@ Result<std::optional<EditTileRecorder>> RecorderOfLeft(Database& database, const
   DHPMAP_ASSIGN_OR_RETURN(const bool is_kept, find.Bind(map.key).Step());
   if (!is_kept) return std::optional<EditTileRecorder>();
   DHPMAP_ASSIGN_OR_RETURN(EditTileRecorder recorder, EditTileRecorder::Prepare(database, find.Int(0)));
+  recorder.goes_on_ = true;
   return std::optional(std::move(recorder));
 }
 

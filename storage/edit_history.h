@@ -38,10 +38,14 @@ class EditTileRecorder {
  private:
   explicit EditTileRecorder(std::int64_t edit_key) : edit_key_(edit_key) {}
   enum class Side { kBefore, kAfter };
+  Status NoteFurther(std::int64_t submap_id, TileIndex index, std::int64_t layer, const StoredBlob& between,
+                     const StoredBlob& after);
+  friend Result<std::optional<EditTileRecorder>> RecorderOfLeft(sqlite::Database& database, const MapRow& map);
   Status NoteAll(Side side, SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes);
   using OptionalStatement = std::optional<sqlite::Statement>;
   std::int64_t edit_key_;
-  OptionalStatement insert_, share_, note_new_, note_removed_, share_all_, rows_;
+  OptionalStatement insert_, share_, note_new_, note_removed_, share_all_, rows_, find_, erase_;
+  bool goes_on_ = false;  ///< some rows of the edit may be there: several of its objects may have left the same tile
   TileTotals totals_;
 };
 

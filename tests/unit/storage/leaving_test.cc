@@ -107,6 +107,33 @@ TEST_F(LeavingTest, AMoveIsStoredWithoutWhatItLeftAndTheNextCommitWritesThat) {
   ExpectAllIsWritten(*moved);
 }
 
+TEST_F(LeavingTest, WhatSeveralObjectsOfOneEditLeaveInTheSameTilesIsWrittenAndUndone) {
+  Open();
+  Create();
+  const auto before = map_->published();
+  for (const std::uint32_t id : {1u, 2u}) {
+    Submap& submap = *map_->FindMutable(SubmapId(id));
+    submap.mutable_info().T_map_submap.translation().x() += 3;
+    submap.mutable_info().is_placed = true;
+    map_->NoteLeaving(SubmapId(id));
+  }
+  const auto moved = map_->Publish(2);
+  EXPECT_EQ(moved->leaving(), SubmapId(2));
+  EXPECT_FALSE(moved->noted_vacated()->empty()) << "what the first has left is known";
+  ASSERT_TRUE(CommitEdit(*before, before, moved).ok());
+  const Status done = store_->Commit(Lacking(*moved), *moved, Durability::kNormal);
+  ASSERT_TRUE(done.ok()) << done.ToString();
+  ExpectAllIsWritten(*moved);
+  ExpectKeptFor(moved->revision(), *moved->vacated());
+  EXPECT_EQ(Query("SELECT count(*) FROM shared_blobs WHERE num_more <> (SELECT count(*) FROM blob_references r WHERE "
+                  "r.blob_key = shared_blobs.blob_key) - 1"),
+            0);
+  EXPECT_EQ(Query("SELECT count(*) FROM dead_blobs WHERE blob_key IN (SELECT blob_key FROM blob_references)"), 0);
+  map_->FindMutable(SubmapId(1))->mutable_info().display_name = "another";
+  const auto renamed = map_->Publish(3);
+  EXPECT_TRUE(CommitEdit(*moved, moved, renamed).ok());
+}
+
 TEST_F(LeavingTest, ACommitOfALaterStateWritesItToo) {
   Open();
   Create();
