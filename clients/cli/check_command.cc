@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,10 +42,7 @@ struct TrajectoryFlags {
 
 void AddCheckFlags(CLI::App& command, CheckFlags& flags) {
   AddQueryFlags(command, flags.query);
-  static const std::map<std::string, v1::QueryOptions::UnknownPolicy> kPolicies = {
-      {"occupied", v1::QueryOptions::OCCUPIED}, {"report", v1::QueryOptions::REPORT}, {"free", v1::QueryOptions::FREE}};
-  command.add_option("--unknown", flags.unknown, "What space that nobody has seen is: occupied, report, free")
-      ->transform(CLI::CheckedTransformer(kPolicies, CLI::ignore_case));
+  AddUnknownFlag(command, flags.unknown);
   AddPaddingFlag(command, flags.padding_m);
   command.add_flag("--all", flags.all_contacts, "Tell all contacts");
 }

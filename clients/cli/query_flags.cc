@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <map>
 
 #include "clients/cli/connection.h"
 
@@ -37,6 +38,13 @@ void AddWorldFlags(CLI::App& command, WorldFlags& flags) {
 void AddQueryFlags(CLI::App& command, QueryFlags& flags) {
   command.add_option("--max-distance", flags.max_distance_m, "How far to look, in m")->capture_default_str();
   AddWorldFlags(command, flags.world);
+}
+
+void AddUnknownFlag(CLI::App& command, v1::QueryOptions::UnknownPolicy& policy) {
+  static const std::map<std::string, v1::QueryOptions::UnknownPolicy> kPolicies = {
+      {"occupied", v1::QueryOptions::OCCUPIED}, {"report", v1::QueryOptions::REPORT}, {"free", v1::QueryOptions::FREE}};
+  command.add_option("--unknown", policy, "What space that nobody has seen is: occupied, report, free")
+      ->transform(CLI::CheckedTransformer(kPolicies, CLI::ignore_case));
 }
 
 void SetVector(const double* xyz, v1::Vector3& vector) {

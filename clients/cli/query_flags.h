@@ -43,6 +43,8 @@ void AddAskerFlags(CLI::App& command, AskerFlags& flags);
 void AddWorldFlags(CLI::App& command, WorldFlags& flags);
 void AddPaddingFlag(CLI::App& command, double& padding_m);
 void AddQueryFlags(CLI::App& command, QueryFlags& flags);
+/// --unknown: occupied, report or free.
+void AddUnknownFlag(CLI::App& command, v1::QueryOptions::UnknownPolicy& policy);
 /// From three numbers.
 void SetVector(const double* xyz, v1::Vector3& vector);
 v1::QueryOptions ToProto(const AskerFlags& flags);

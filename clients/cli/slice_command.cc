@@ -17,6 +17,7 @@ struct SliceCommand {
   std::string map, file;
   double min_z_m = 0.1, max_z_m = 1.5, resolution_m = 0, free_share = 0.3;
   std::vector<double> area_m;
+  v1::QueryOptions::UnknownPolicy unknown = v1::QueryOptions::UNKNOWN_POLICY_UNSPECIFIED;
   WorldFlags world;
 };
 
@@ -34,6 +35,7 @@ v1::GetOccupancySliceRequest SliceRequest(const SliceCommand& command) {
     request.mutable_area()->set_max_y_m(command.area_m[3]);
   }
   *request.mutable_options() = ToProto(command.world, command.map);
+  request.mutable_options()->set_unknown_policy(command.unknown);
   request.set_read_revision(command.world.asker.read_revision);
   return request;
 }
@@ -88,6 +90,7 @@ void AddSliceCommand(CLI::App& query, Session& session) {
   slice->add_option("--resolution", options->resolution_m, "Side of a cell, in m; default: the voxels'");
   slice->add_option("--free-share", options->free_share, "Share of free voxels that makes a cell free")
       ->capture_default_str();
+  AddUnknownFlag(*slice, options->unknown);
   AddWorldFlags(*slice, options->world);
   slice->callback([options, &session] { session.exit_code = RunSlice(session, *options); });
 }

@@ -164,8 +164,8 @@ KeyValues KeysFromEnvironment(const std::vector<std::string>& environment) {
 
   KeyValues values;
   for (const std::string& variable : environment) {
-    if (!variable.starts_with("DHPMAP_") || variable.starts_with("DHPMAP_SERVER="))
-      continue;  // that one is the client's
+    const bool is_of_clients = variable.starts_with("DHPMAP_SERVER=") || variable.starts_with("DHPMAP_AUTHOR=");
+    if (!variable.starts_with("DHPMAP_") || is_of_clients) continue;
     const std::size_t equals = variable.find('=');
     const std::string name = variable.substr(0, equals);
     std::string key = name;

@@ -134,6 +134,14 @@ TEST_F(CommandLine, WritesSlicesAsMapsForNav2) {
     EXPECT_NE(yaml.find("origin: ["), std::string::npos) << yaml;
   }
   EXPECT_TRUE(FileBytes(File("floor.pgm")).starts_with("P5\n"));
+  std::set<std::string> pictures;  // what nobody has seen is grey, white or black
+  for (const char* policy : {"report", "free", "occupied"}) {
+    std::vector<std::string> arguments = query;
+    arguments.insert(arguments.end(), {File("policy.pgm").string(), "--unknown", policy});
+    ASSERT_EQ(Run(arguments).exit_code, 0);
+    pictures.insert(FileBytes(File("policy.pgm")));
+  }
+  EXPECT_EQ(pictures.size(), 3u);
   EXPECT_EQ(Run({"query", "slice", "room", "--out", "floor.jpg"}).exit_code, 1);
   EXPECT_EQ(Run({"query", "slice", "room", "--from", "2", "--to", "1", "--out", File("no.pgm").string()}).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(File("no.pgm")));

@@ -183,7 +183,9 @@ TEST(CommandLine, MistakesAreErrors) {
   EXPECT_EQ(ParseCommandLine({"--db", "x", "--nope"}, {}).status().code(), StatusCode::kInvalidArgument);
   EXPECT_NE(ParseCommandLine({"--bd=x"}, {}).status().message().find("did you mean '--db'?"), std::string::npos);
   EXPECT_EQ(ParseCommandLine({"--db", "x", "--config", "/no/such/file"}, {}).status().code(), StatusCode::kNotFound);
-  EXPECT_TRUE(ParseCommandLine({"--db", "x"}, {"DHPMAP_SERVER=127.0.0.1:1"}).ok()) << "the client's variable";
+  for (const char* of_clients : {"DHPMAP_SERVER=127.0.0.1:1", "DHPMAP_AUTHOR=anna"}) {
+    EXPECT_TRUE(ParseCommandLine({"--db", "x"}, {of_clients}).ok()) << of_clients;
+  }
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x"}, {"DHPMAP_NOPE=1"}).status()), std::set<std::string>{"DHPMAP_NOPE"});
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x", "--set", "nope"}, {}).status()), std::set<std::string>{"nope"});
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x", "--grpc", "0.0.0.0:1"}, {}).status()),
