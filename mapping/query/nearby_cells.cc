@@ -7,8 +7,21 @@
 
 namespace dhpmap {
 
+void NearbyCells::LeaveEarlier() const {
+  std::shared_ptr<const Earlier> left;  // goes without the mutex
+  const MutexLock lock(mutex_);
+  has_earlier_.store(false, std::memory_order_relaxed);
+  left.swap(earlier_);
+}
+
+std::shared_ptr<const NearbyCells::Earlier> NearbyCells::FindEarlier() const {
+  if (!has_earlier_.load(std::memory_order_relaxed)) return nullptr;
+  const MutexLock lock(mutex_);
+  return earlier_;
+}
+
 const NearbyCell* NearbyCells::TakeOver(const MapSurfaces& surfaces, Slot& slot, const Eigen::Vector3d& p_map) const {
-  const std::shared_ptr<const Earlier> earlier = earlier_.load();
+  const std::shared_ptr<const Earlier> earlier = FindEarlier();
   if (earlier == nullptr) return nullptr;
   Slot* const slot_then = earlier->cells->SlotAt(p_map);
   std::uintptr_t num_asked = 0;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/base/mutex.h"
 #include "mapping/query/cell_sight.h"
 #include "mapping/query/cell_slots.h"
 #include "mapping/query/triangle_tree.h"
@@ -58,13 +59,15 @@ class NearbyCells : public CellGrid<NearbyCell> {
   /// `earlier`: null, if there is none.
   NearbyCells(const Eigen::AlignedBox3d& box_m, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger,
               std::shared_ptr<const Earlier> earlier = nullptr)
-      : CellGrid(box_m, voxel_size_m, std::move(ledger), kEnough), earlier_(std::move(earlier)) {}
+      : CellGrid(box_m, voxel_size_m, std::move(ledger), kEnough),
+        has_earlier_(earlier != nullptr),
+        earlier_(std::move(earlier)) {}
 
   /// The cell at a point that is kept in the slot, from the state before, if it had one and nothing near it has changed
   /// since; else null. `surfaces`: of this state.
   const NearbyCell* TakeOver(const MapSurfaces& surfaces, Slot& slot, const Eigen::Vector3d& p_map) const;
   /// From here on nothing is taken over: a later state comes after this one.
-  void LeaveEarlier() const { earlier_.store(nullptr); }
+  void LeaveEarlier() const DHPMAP_EXCLUDES(mutex_);
 
   /// Whether, by the ledger's clock, it is time to say again that what the cell refers to is used.
   [[nodiscard]] bool IsMarkDue(const NearbyCell& cell) const {
@@ -78,7 +81,11 @@ class NearbyCells : public CellGrid<NearbyCell> {
  private:
   static constexpr std::uintptr_t kEnough = 3;  // times asked for: then to make it costs no more than was spent
 
-  mutable std::atomic<std::shared_ptr<const Earlier>> earlier_;
+  [[nodiscard]] std::shared_ptr<const Earlier> FindEarlier() const DHPMAP_EXCLUDES(mutex_);
+
+  mutable std::atomic<bool> has_earlier_;
+  mutable Mutex mutex_;  // not std::atomic<std::shared_ptr>: GCC 12's does not order its loads before later stores
+  mutable std::shared_ptr<const Earlier> earlier_ DHPMAP_GUARDED_BY(mutex_);
 };
 
 }  // namespace dhpmap
