@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "mapping/map/submap_outline.h"
-#include "mapping/pipeline/map_builder.h"
 #include "mapping/query/point_lookup.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/cpu_time.h"
 #include "tests/bench/frames.h"
+#include "tests/bench/recording.h"
 
 namespace dhpmap::bench {
 namespace {
@@ -47,19 +47,6 @@ Result<std::vector<TrueThing>> ReadTrueThings(const std::string& directory) {
                                .size_m = PointOf(box.at("size"))}});
   }
   return things;
-}
-
-Result<std::shared_ptr<const MapSnapshot>> MapForBoxes(const std::string& directory, LabelSource labels) {
-  DHPMAP_ASSIGN_OR_RETURN(LoadedFrames loaded, LoadFrames(directory, labels, 0));
-  MapInfo info;
-  info.name = "boxes";
-  DHPMAP_RETURN_IF_ERROR(ApplyPreset(loaded.dataset->preset(), info.config));
-  DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(loaded.dataset->label_classes()));
-  info.label_set = std::make_shared<LabelSet>(std::move(label_set));
-  MapBuilder builder(info, 0);
-  for (const PanopticFrame& frame : loaded.frames) DHPMAP_RETURN_IF_ERROR(builder.Integrate(frame).status());
-  (void)builder.Finish();
-  return builder.map().Publish(0);
 }
 
 /// Around a submap's blocks.
@@ -98,7 +85,8 @@ using Shares = std::map<std::string, std::vector<double>>;
 
 Status CheckBoxes(const std::string& directory, LabelSource labels, bool list) {
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<TrueThing> things, ReadTrueThings(directory));
-  DHPMAP_ASSIGN_OR_RETURN(const auto state, MapForBoxes(directory, labels));
+  DHPMAP_ASSIGN_OR_RETURN(const Recording recording, MapRecording(directory, 0, labels));
+  const auto state = recording.builder->map().Publish(0);
   const PointLookup lookup(state);
   Shares of_outlines, of_blocks;
   int num_without = 0;

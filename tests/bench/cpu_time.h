@@ -16,4 +16,12 @@ inline double CpuTimeOf_s(clockid_t clock) {
 inline double ThreadCpu_s() { return CpuTimeOf_s(CLOCK_THREAD_CPUTIME_ID); }
 inline double ProcessCpu_s() { return CpuTimeOf_s(CLOCK_PROCESS_CPUTIME_ID); }
 
+/// What this thread has of the cores for it.
+template <typename Work>
+double CpuOf_s(const Work& work) {
+  const double start_s = ThreadCpu_s();
+  work();
+  return ThreadCpu_s() - start_s;
+}
+
 }  // namespace dhpmap::bench

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "mapping/mesh/map_mesh.h"
-#include "mapping/pipeline/map_builder.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/point_lookup.h"
 #include "mapping/query/point_order.h"
@@ -19,6 +18,7 @@
 #include "tests/bench/cpu_time.h"
 #include "tests/bench/frames.h"
 #include "tests/bench/quiet_edits.h"
+#include "tests/bench/recording.h"
 #include "tests/support/tsdf_sampler.h"
 
 namespace dhpmap::bench {
@@ -32,26 +32,6 @@ double NanosecondsACycle() {
   const double start_s = ThreadCpu_s();
   for (int i = 0; i < kCount; ++i) asm volatile("" : "+r"(i));
   return 1e9 * (ThreadCpu_s() - start_s) / kCount;
-}
-
-double Seconds(const std::function<void()>& work) {
-  const double start_s = ThreadCpu_s();
-  work();
-  return ThreadCpu_s() - start_s;
-}
-
-Result<std::shared_ptr<const MapSnapshot>> BuildMap(const QueryBenchOptions& options) {
-  DHPMAP_ASSIGN_OR_RETURN(const LoadedFrames loaded,
-                          LoadFrames(options.directory, LabelSource::kPredicted, options.num_frames));
-  MapInfo info;
-  info.name = "bench";
-  DHPMAP_RETURN_IF_ERROR(ApplyPreset(loaded.dataset->preset(), info.config));
-  DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(loaded.dataset->label_classes()));
-  info.label_set = std::make_shared<LabelSet>(std::move(label_set));
-  MapBuilder builder(info, 0);
-  for (const PanopticFrame& frame : loaded.frames) DHPMAP_RETURN_IF_ERROR(builder.Integrate(frame).status());
-  (void)builder.Finish();
-  return builder.map().Publish(0);
 }
 
 /// Some things of the map, moved and turned by up to a metre.
@@ -183,7 +163,7 @@ void Measure(const char* what, const std::vector<Kind>& kinds,
   for (const Kind& kind : kinds) {
     double best_s = std::numeric_limits<double>::infinity();
     for (int repetition = 0; repetition < repetitions; ++repetition) {
-      best_s = std::min(best_s, Seconds([&] {
+      best_s = std::min(best_s, CpuOf_s([&] {
                           const std::span<const Eigen::Vector3d> all(kind.points);
                           for (std::size_t i = 0; i < all.size(); i += kBatch)
                             ask(all.subspan(i, std::min(kBatch, all.size() - i)));
@@ -301,7 +281,7 @@ void MeasureMove(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& ca
   const DistanceOptions options{.tolerance_vox = 0.5};
   std::vector<SurfaceDistance> answers(kBatch);
   const auto pass = [&](const DistanceQuery& query) {
-    return Seconds([&] {
+    return CpuOf_s([&] {
       for (std::size_t i = 0; i < points.size(); i += kBatch) {
         const auto batch = std::span(points).subspan(i, std::min(kBatch, points.size() - i));
         query.At(batch, std::span(answers).first(batch.size()));
@@ -315,7 +295,7 @@ void MeasureMove(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& ca
   next.FindMutable(thing->id())->mutable_info().T_map_submap.pretranslate(Eigen::Vector3d(0.3, 0, 0));
   const auto moved = next.Publish(1);
   std::shared_ptr<const MapSurfaces> surfaces;
-  const double first_s = Seconds([&] {
+  const double first_s = CpuOf_s([&] {
     surfaces = cache.Of(moved);
     DistanceQuery(surfaces, options).At(std::span(points).first(100), std::span(answers).first(100));
   });
@@ -333,14 +313,14 @@ void MeasureState(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& c
                   const QueryBenchOptions& options) {
   std::mt19937 random(1);
   std::shared_ptr<const MapSurfaces> surfaces;
-  const double index_s = Seconds([&] { surfaces = cache.Of(map); });
+  const double index_s = CpuOf_s([&] { surfaces = cache.Of(map); });
   const DistanceQuery query(surfaces, {});
   const Soup soup(*map);
   const std::vector<Kind> kinds = Points(*map, soup, options.num_points, random), coherent = InOrder(kinds);
   std::vector<SurfaceDistance> answers(kBatch);
   const std::size_t num_first = std::min(kBatch, options.num_points);
-  const double first_s = Seconds([&] { query.At(std::span(kinds[0].points).first(10), answers); });
-  const double cold_s = Seconds([&] {
+  const double first_s = CpuOf_s([&] { query.At(std::span(kinds[0].points).first(10), answers); });
+  const double cold_s = CpuOf_s([&] {
     for (const Kind& kind : kinds) query.At(std::span(kind.points).first(num_first), answers);
   });
   std::printf("%zu submaps, %zu tiles, %zu triangles; index %.2f ms, first 10 points %.2f ms, first %zu %.1f ms\n",
@@ -419,7 +399,7 @@ void MeasureGrowth(const MapSnapshot& map, std::size_t num_points) {
     const auto state = Copies(map, count, random);
     SurfaceCache cache(std::size_t{4} << 30);
     std::shared_ptr<const MapSurfaces> surfaces;
-    index_ms.push_back(1e3 * Seconds([&] { surfaces = cache.Of(state); }));
+    index_ms.push_back(1e3 * CpuOf_s([&] { surfaces = cache.Of(state); }));
     const Eigen::AlignedBox3d& box = surfaces->index().box_m();
     std::uniform_real_distribution<double> unit(0, 1);
     std::vector<Eigen::Vector3d> points;
@@ -430,7 +410,7 @@ void MeasureGrowth(const MapSnapshot& map, std::size_t num_points) {
     std::vector<SurfaceDistance> answers(kBatch);
     double best_s = std::numeric_limits<double>::infinity();
     for (int repetition = 0; repetition < 3; ++repetition) {
-      best_s = std::min(best_s, Seconds([&] {
+      best_s = std::min(best_s, CpuOf_s([&] {
                           for (std::size_t i = 0; i < points.size(); i += kBatch) {
                             const auto batch = std::span(points).subspan(i, std::min(kBatch, points.size() - i));
                             query.At(batch, std::span(answers).first(batch.size()));
@@ -440,7 +420,7 @@ void MeasureGrowth(const MapSnapshot& map, std::size_t num_points) {
     M_a_s.push_back(1e-6 * static_cast<double>(points.size()) / best_s);
     const std::size_t num_linear = std::min<std::size_t>(points.size(), 1 + 2000000 / count);
     double least_m2 = 0;
-    const double linear_s = Seconds([&] {
+    const double linear_s = CpuOf_s([&] {
       for (std::size_t i = 0; i < num_linear; ++i) {
         double best2 = std::numeric_limits<double>::infinity();
         for (const SubmapIndex::Entry& entry : surfaces->index().entries()) {
@@ -453,7 +433,7 @@ void MeasureGrowth(const MapSnapshot& map, std::size_t num_points) {
     Map next(state);
     next.FindMutable(next.submaps().back()->id())->mutable_info().T_map_submap.translation().x() += 0.1;
     const auto moved = next.Publish(1);
-    moved_ms.push_back(1e3 * Seconds([&] { (void)cache.Of(moved); }));
+    moved_ms.push_back(1e3 * CpuOf_s([&] { (void)cache.Of(moved); }));
   }
   const auto row = [](const char* name, const std::vector<double>& values) {
     std::printf("  %-20s", name);
@@ -469,7 +449,8 @@ void MeasureGrowth(const MapSnapshot& map, std::size_t num_points) {
 }  // namespace
 
 Status RunQueryBench(const QueryBenchOptions& options) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto built, BuildMap(options));
+  DHPMAP_ASSIGN_OR_RETURN(const Recording recording, MapRecording(options.directory, options.num_frames));
+  const auto built = recording.builder->map().Publish(0);
   std::mt19937 random(7);
   Map map(built);
   SurfaceCache cache(std::size_t{4} << 30);

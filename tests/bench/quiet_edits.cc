@@ -3,23 +3,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <vector>
 
 #include "mapping/query/distance_query.h"
 #include "tests/bench/cpu_time.h"
 
 namespace dhpmap::bench {
-namespace {
-
-double QuietSeconds(const std::function<void()>& work) {
-  const double start_s = ThreadCpu_s();
-  work();
-  return ThreadCpu_s() - start_s;
-}
-
-}  // namespace
-
 void MeasureQuietEdits(const std::shared_ptr<const MapSnapshot>& map, SurfaceCache& cache, std::mt19937& random) {
   const Submap *named = nullptr, *moved = nullptr;
   for (const auto& submap : map->submaps()) {
@@ -39,7 +28,7 @@ void MeasureQuietEdits(const std::shared_ptr<const MapSnapshot>& map, SurfaceCac
   double sum_m = 0;
   const auto ask = [&](const std::shared_ptr<const MapSurfaces>& surfaces) {
     const DistanceQuery query(surfaces, {});
-    return QuietSeconds([&] {
+    return CpuOf_s([&] {
       for (const Eigen::Vector3d& p : points) sum_m += query.At(p).distance_m;
     });
   };
@@ -49,7 +38,7 @@ void MeasureQuietEdits(const std::shared_ptr<const MapSnapshot>& map, SurfaceCac
   const auto after = [&](const char* what) {
     const auto state = next.Publish(1);
     std::shared_ptr<const MapSurfaces> surfaces;
-    const double made_s = QuietSeconds([&] { surfaces = cache.Of(state); });
+    const double made_s = CpuOf_s([&] { surfaces = cache.Of(state); });
     const double first_s = ask(surfaces);
     std::printf("after %-24s the state %.2f ms, its first 10,000 distances %.1f ms, before %.1f\n", what, 1e3 * made_s,
                 1e3 * first_s, 1e3 * steady_s);

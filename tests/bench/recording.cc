@@ -5,9 +5,9 @@
 
 namespace dhpmap::bench {
 
-Result<Recording> MapRecording(const std::string& directory, std::size_t num_frames) {
+Result<Recording> MapRecording(const std::string& directory, std::size_t num_frames, LabelSource labels) {
   Recording made;
-  DHPMAP_ASSIGN_OR_RETURN(made.loaded, LoadFrames(directory, LabelSource::kPredicted, num_frames));
+  DHPMAP_ASSIGN_OR_RETURN(made.loaded, LoadFrames(directory, labels, num_frames));
   made.info.name = "recording";
   DHPMAP_RETURN_IF_ERROR(ApplyPreset(made.loaded.dataset->preset(), made.info.config));
   DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(made.loaded.dataset->label_classes()));

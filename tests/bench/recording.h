@@ -18,7 +18,8 @@ struct Recording {
   [[nodiscard]] double voxel_m() const { return info.config.voxel_size_m; }
 };
 
-/// Maps the first `num_frames` (0: all) of a data set with predicted labels, as its preset says.
-Result<Recording> MapRecording(const std::string& directory, std::size_t num_frames);
+/// Maps the first `num_frames` (0: all) of a data set, as its preset says.
+Result<Recording> MapRecording(const std::string& directory, std::size_t num_frames,
+                               LabelSource labels = LabelSource::kPredicted);
 
 }  // namespace dhpmap::bench

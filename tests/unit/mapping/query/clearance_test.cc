@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mapping/query/trajectory_query.h"
+#include "tests/unit/mapping/query/knots.h"
 #include "tests/unit/mapping/query/scene_surfaces.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
@@ -67,13 +68,6 @@ class AllSurfaces {
 
 using Way = std::vector<SphereKnot>;
 
-SphereKnot Then(const Way& knots, double at) {
-  const auto i = std::min(static_cast<std::size_t>(at), knots.size() - 2);
-  const double share = at - static_cast<double>(i);
-  return {at, knots[i].center_m + share * (knots[i + 1].center_m - knots[i].center_m),
-          knots[i].radius_m + share * (knots[i + 1].radius_m - knots[i].radius_m)};
-}
-
 Way RandomWay(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   Way knots;
@@ -86,7 +80,7 @@ Way RandomWay(std::mt19937& random) {
 }
 
 void ExpectLeast(const Way& knots, const LeastClearance& least, const AllSurfaces& all) {
-  const SphereKnot nearest = Then(knots, least.at);
+  const SphereKnot nearest = testing::KnotAt(knots, least.at);
   SubmapId whose;
   EXPECT_NEAR(all.Distance(nearest.center_m, &whose) - nearest.radius_m, least.distance_m, kClearRounding_m)
       << least.at;
@@ -94,12 +88,13 @@ void ExpectLeast(const Way& knots, const LeastClearance& least, const AllSurface
   EXPECT_EQ(least.submap->id, whose);
   constexpr int kMoments = 250;
   for (int i = 0; i <= kMoments; ++i) {
-    const SphereKnot knot = Then(knots, static_cast<double>(knots.size() - 1) * i / kMoments);
+    const SphereKnot knot = testing::KnotAt(knots, static_cast<double>(knots.size() - 1) * i / kMoments);
     EXPECT_GE(all.Distance(knot.center_m) - knot.radius_m, least.distance_m - kClearTolerance_m) << knot.at;
   }
   // And as many around it.
   for (int i = -50; i <= 50; ++i) {
-    const SphereKnot knot = Then(knots, std::clamp(least.at + 4e-4 * i, 0.0, static_cast<double>(knots.size() - 1)));
+    const SphereKnot knot =
+        testing::KnotAt(knots, std::clamp(least.at + 4e-4 * i, 0.0, static_cast<double>(knots.size() - 1)));
     EXPECT_GE(all.Distance(knot.center_m) - knot.radius_m, least.distance_m - kClearTolerance_m) << knot.at;
   }
 }
@@ -202,10 +197,11 @@ TEST(TrajectoryClearance, IsThatOfTheNearestSphereAndBelowZeroIfTheMotionIsNotVa
     if (!answer.is_valid || round >= 12) continue;
     for (const Way& way : motion.spheres) {
       for (double at = 0; at <= 3; at += 0.02) {
-        EXPECT_GE(all.Distance(Then(way, at).center_m) - Then(way, at).radius_m, least.distance_m - kClearTolerance_m);
+        EXPECT_GE(all.Distance(testing::KnotAt(way, at).center_m) - testing::KnotAt(way, at).radius_m,
+                  least.distance_m - kClearTolerance_m);
       }
     }
-    const SphereKnot nearest = Then(motion.spheres.at(answer.clearance->sphere.value()), least.at);
+    const SphereKnot nearest = testing::KnotAt(motion.spheres.at(answer.clearance->sphere.value()), least.at);
     EXPECT_NEAR(all.Distance(nearest.center_m) - nearest.radius_m, least.distance_m, kClearRounding_m);
   }
   EXPECT_GT(num_valid, 10);

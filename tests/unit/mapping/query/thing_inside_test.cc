@@ -100,8 +100,9 @@ TEST(ThingInside, EndsWhereTheThingDoes) {
   for (const Eigen::Vector3d& p : above) EXPECT_GT(distances.At(p).distance_m, 0) << p.transpose();
 }
 
-/// A face of 0.75 x 0.75 m at x = 0 that looks to +x, of which nobody has seen any other side; and 0.9 m behind it one
-/// of something else, seen beside it only, to which places between the two are nearer.
+/// A face of 0.75 x 0.75 m at x = 0 that looks to +x; no sensor has seen its other sides. 0.9 m behind it is the face
+/// of another object, which sensors saw only where the first does not hide it. Some places between them are nearer to
+/// it.
 Map FaceBeforeAnother(Panoptic panoptic) {
   Map map(testing::SceneInfo());
   Submap& thing = testing::AddThing(map);

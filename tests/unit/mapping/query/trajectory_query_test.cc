@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/unit/mapping/query/knots.h"
 #include "tests/unit/mapping/query/scene_surfaces.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
@@ -18,24 +19,17 @@ using testing::SurfacesOf;
 
 using Knots = std::vector<SphereKnot>;
 
-SphereKnot Between(const Knots& knots, double at) {
-  const auto i = std::min(static_cast<std::size_t>(at), knots.size() - 2);
-  const double share = at - static_cast<double>(i);
-  return {at, knots[i].center_m + share * (knots[i + 1].center_m - knots[i].center_m),
-          knots[i].radius_m + share * (knots[i + 1].radius_m - knots[i].radius_m)};
-}
-
 /// Nothing in the way before `first`, by looking at very many moments; a touch at it.
 void ExpectFirstContact(const Knots& knots, const std::optional<SweepContact>& first, const DistanceQuery& distances) {
   constexpr int kSteps = 300;
   const double end = static_cast<double>(knots.size() - 1);
   for (double at = 0; at <= (first ? first->at : end); at += 1.0 / kSteps) {
-    const SphereKnot knot = Between(knots, at);
+    const SphereKnot knot = testing::KnotAt(knots, at);
     EXPECT_GT(distances.At(knot.center_m).distance_m, knot.radius_m - 1e-4)
         << at << " of " << (first ? first->at : end);
   }
   if (!first) return;
-  const SphereKnot knot = Between(knots, first->at);
+  const SphereKnot knot = testing::KnotAt(knots, first->at);
   const SurfaceDistance touched = distances.At(knot.center_m);
   EXPECT_NEAR(std::abs(touched.distance_m), knot.radius_m, 1e-4);
   EXPECT_NEAR((first->contact.point_m - touched.nearest_m).norm(), 0, 2e-2) << "one of those that are as near";
