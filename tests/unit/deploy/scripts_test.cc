@@ -47,6 +47,13 @@ step unsteady)");
   EXPECT_TRUE(run.Says("unstable, to be cured:\n  unit/a/A.One\n1 passed, 0 failed")) << run.output;
 }
 
+TEST_F(CiRunTest, RepeatsAtItsEndWhatFailedAndWhy) {
+  const Run run = RunSteps(
+      "finds() { echo 'a.cc:1: error: x'; echo '-- tidy failed'; return 1; }\n"
+      "step finds\nstep echo '1 passed, 0 failed'\n");
+  EXPECT_TRUE(run.Says("-- failed: finds\na.cc:1: error: x\n-- tidy failed\n1 passed, 1 failed")) << run.output;
+}
+
 /// deploy/setup.sh where dpkg-query, apt-get, sudo and dpkg write down how they are called, and install the protos.
 class SetupTest : public ScriptTest {
  protected:
