@@ -110,6 +110,7 @@ Scores Evaluate(const Truth& truth, const LabelledSurface& surface, bool has_ins
     MeasureToTriangles(predicted.positions_m, truth.mesh(), truth.samples(), from_predicted);
   }
   scores.geometry = ScoreGeometry(from_predicted, from_truth, protocol.geometry);
+  scores.geometry.covered = ShareCovered(from_truth, truth.labels(), protocol.d_match_m);
   if (labels != nullptr) *labels = std::move(predicted_labels);
   return scores;
 }

@@ -79,6 +79,7 @@ json JsonOf(const Scores& s, const ClassMap& classes) {
              {"chamfer_l1_m", s.geometry.chamfer_l1_m()},
              {"precision", s.geometry.precision},
              {"recall", s.geometry.recall},
+             {"covered", s.geometry.covered},
              {"f_score", s.geometry.f_score()}}},
            {"times",
             {{"num_frames", s.times.num_frames},

@@ -2,6 +2,7 @@
 #include "clients/evaluator/geometry_score.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace dhpmap::evaluator {
 namespace {
@@ -22,6 +23,14 @@ double GeometryLimits::reach_m() const {
 
 double GeometryScore::f_score() const {
   return precision + recall == 0 ? 0.0 : 2 * precision * recall / (precision + recall);
+}
+
+double ShareCovered(std::span<const Neighbour> from_truth, std::span<const ElementLabel> truth, double within_m) {
+  std::vector<Neighbour> judged;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth[i].class_index != ClassMap::kNone) judged.push_back(from_truth[i]);
+  }
+  return ShareBelow(judged, within_m);
 }
 
 GeometryScore ScoreGeometry(std::span<const Neighbour> from_predicted, std::span<const Neighbour> from_truth,

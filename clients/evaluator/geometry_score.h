@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "clients/evaluator/elements.h"
 #include "clients/evaluator/nearest_sample.h"
 
 namespace dhpmap::evaluator {
@@ -21,10 +22,16 @@ struct GeometryScore {
   double completion_m = 0;  ///< mean distance of the ground truth's samples to the prediction
   double precision = 0;     ///< share of predicted samples nearer than the threshold
   double recall = 0;        ///< share of the ground truth's samples nearer than the threshold
+  double covered = 0;       ///< see ShareCovered
   [[nodiscard]] double chamfer_l1_m() const { return 0.5 * (accuracy_m + completion_m); }
   [[nodiscard]] double f_score() const;  ///< harmonic mean of precision and recall, 0..1
 };
 
+/// The share of the judged samples of the ground truth that have a surface nearer than `within_m`. What moves is not
+/// judged: what has gone has no surface any more.
+double ShareCovered(std::span<const Neighbour> from_truth, std::span<const ElementLabel> truth, double within_m);
+
+/// Does not tell what is covered.
 GeometryScore ScoreGeometry(std::span<const Neighbour> from_predicted, std::span<const Neighbour> from_truth,
                             const GeometryLimits& limits);
 

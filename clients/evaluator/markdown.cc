@@ -89,7 +89,8 @@ std::string ProtocolText(const Experiment& experiment) {
          "nearest element, gaps between points included, in the last table to the nearest triangle; F-score at "
       << Decimals(p.geometry.threshold_m, 3) << " m; accuracy ignores distances above "
       << Decimals(p.geometry.accuracy_truncation_m, 2) << " m, completion clips them at "
-      << Decimals(p.geometry.completion_truncation_m, 2) << " m.\n"
+      << Decimals(p.geometry.completion_truncation_m, 2) << " m; one with a label is covered by a surface within "
+      << Decimals(p.d_match_m, 2) << " m.\n"
       << "- Classes (ground truth ids = predicted ids):";
   bool first = true;
   for (const std::size_t c : PresentClasses(experiment)) {
@@ -132,8 +133,8 @@ std::vector<std::string> LabelCells(const Scores& s, const Protocol& protocol) {
 std::string TableOf(const std::vector<Scores>& systems, const Protocol& protocol, bool has_all_surface) {
   std::vector<std::string> header = LabelHeader(protocol);
   if (has_all_surface) header.insert(header.end(), {"PQ, all surface", "mIoU, all surface"});
-  for (const char* name : {"Acc. m", "Comp. m", "C-L1 m", "precision %", "recall %", "F-score %", "ms/frame",
-                           "refine ms/frame", "finish s"}) {
+  for (const char* name : {"Acc. m", "Comp. m", "C-L1 m", "precision %", "recall %", "F-score %", "covered %",
+                           "ms/frame", "refine ms/frame", "finish s"}) {
     header.emplace_back(name);
   }
   MarkdownTable table(header);
@@ -146,7 +147,7 @@ std::string TableOf(const std::vector<Scores>& systems, const Protocol& protocol
     for (const double metres : {s.geometry.accuracy_m, s.geometry.completion_m, s.geometry.chamfer_l1_m()}) {
       row.push_back(Decimals(metres, 4));
     }
-    for (const double share : {s.geometry.precision, s.geometry.recall, s.geometry.f_score()}) {
+    for (const double share : {s.geometry.precision, s.geometry.recall, s.geometry.f_score(), s.geometry.covered}) {
       row.push_back(Decimals(100 * share, 2));
     }
     row.push_back(MeanPerFrame_ms(s.times, s.times.integrate_s));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <unordered_set>
 
+#include "mapping/fusion/grazed_columns.h"
 #include "mapping/fusion/ray_band.h"
 
 namespace dhpmap {
@@ -22,15 +23,16 @@ BlockIndex NeighbourOf(BlockIndex center, std::size_t i) {
   return {center.x + n % 3 - 1, center.y + n / 3 % 3 - 1, center.z + n / 9 - 1};
 }
 
-/// First and last block along one axis, counted from the cell's own, that holds a voxel between two positions.
+/// First and last block along one axis, counted from the cell's own, that holds a voxel between two positions or not
+/// farther than `margin_vox` from these.
 struct BlockRange {
   int first, last;
-  BlockRange(float a_vox, float b_vox, std::int32_t base, std::int32_t center) {
+  BlockRange(float a_vox, float b_vox, float margin_vox, std::int32_t base, std::int32_t center) {
     const auto block = [&](float vox) {
       return ((base + static_cast<std::int32_t>(std::floor(vox))) >> kBlockSideLog2) - center;
     };
-    first = std::clamp(block(std::min(a_vox, b_vox)), -1, 1);
-    last = std::clamp(block(std::max(a_vox, b_vox)), -1, 1);
+    first = std::clamp(block(std::min(a_vox, b_vox) - margin_vox), -1, 1);
+    last = std::clamp(block(std::max(a_vox, b_vox) + margin_vox), -1, 1);
   }
 };
 
@@ -44,9 +46,11 @@ Mask BlocksAround(const BundleCell& cell, const SegmentBundles& segment, const R
     const RayBand band(segment.bundles[b].plane, direction, range_m, truncation_m, 1 / voxels_per_m);
     const Eigen::Vector3f from_vox = origin.offset_vox + direction * (band.from_m * voxels_per_m);
     const Eigen::Vector3f to_vox = origin.offset_vox + direction * (band.to_m * voxels_per_m);
-    const BlockRange x(from_vox.x(), to_vox.x(), origin.voxel.x, cell.block.x);
-    const BlockRange y(from_vox.y(), to_vox.y(), origin.voxel.y, cell.block.y);
-    const BlockRange z(from_vox.z(), to_vox.z(), origin.voxel.z, cell.block.z);
+    const float margin_vox =
+        GrazedColumns::AreNeeded(segment.bundles[b].plane, direction) ? GrazedColumns::kReach_vox : 0;
+    const BlockRange x(from_vox.x(), to_vox.x(), margin_vox, origin.voxel.x, cell.block.x);
+    const BlockRange y(from_vox.y(), to_vox.y(), margin_vox, origin.voxel.y, cell.block.y);
+    const BlockRange z(from_vox.z(), to_vox.z(), margin_vox, origin.voxel.z, cell.block.z);
     for (int k = z.first; k <= z.last; ++k) {
       for (int j = y.first; j <= y.last; ++j) {
         for (int i = x.first; i <= x.last; ++i) mask.set(static_cast<std::size_t>(i + 1 + 3 * (j + 1) + 9 * (k + 1)));

@@ -43,7 +43,7 @@ void Bundler::BundleSegments(const PanopticFrame& frame, double voxel_size_m, Fr
   if (tally.is_too_large()) return;
   const PointSpacing spacing = frame.lidar ? PointSpacing::kScan : PointSpacing::kDense;
   ParallelForWithScratch(pool_, segments_.size(), rooms_, [&](std::size_t i, Room& room) {
-    FitTangentPlanes(voxel_size_m, spacing, room.pyramid, segments_[by_size[i]]);
+    FitTangentPlanes(voxel_size_m, spacing, room.planes, segments_[by_size[i]]);
   });
 }
 
@@ -75,7 +75,7 @@ std::size_t Bundler::BufferBytes() const {
                       CapacityBytes(segments_) + CapacityBytes(rooms_);
   for (const std::vector<PointRun>& runs : bands_) bytes += CapacityBytes(runs);
   for (const SegmentBundles& segment : segments_) bytes += segment.BufferBytes();
-  for (const Room& room : rooms_) bytes += CapacityBytes(room.cell_of) + room.pyramid.BufferBytes();
+  for (const Room& room : rooms_) bytes += CapacityBytes(room.cell_of) + room.planes.BufferBytes();
   return bytes;
 }
 

@@ -10,8 +10,8 @@
 #include "mapping/base/memory_count.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/base/transform.h"
-#include "mapping/fusion/moment_pyramid.h"
 #include "mapping/fusion/segment_bundles.h"
+#include "mapping/fusion/tangent_planes.h"
 #include "mapping/map/map_config.h"
 #include "mapping/sensor/frame.h"
 
@@ -41,7 +41,7 @@ class Bundler {
   /// What a thread works on a segment with.
   struct alignas(kCacheLineBytes) Room {
     std::vector<std::uint32_t> cell_of;
-    MomentPyramid pyramid;
+    TangentPlaneRoom planes;
   };
 
   void BundleSegments(const PanopticFrame& frame, double voxel_size_m, FrameTally& tally);

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "mapping/base/stopped.h"
+#include "mapping/fusion/grazed_columns.h"
 #include "mapping/fusion/grid_ray.h"
 #include "mapping/fusion/ray_kernel.h"
 #include "mapping/map/voxel_average.h"
@@ -222,6 +223,35 @@ class SegmentUpdate {
       ++num_updates_;
       if (has_votes_ && (code & WalkedVoxels::kLabelled) != 0) AddVotes(linear, *here.labels);
     }
+    const Eigen::Vector3f end_m = bundle.weighted_sum_m / bundle.weight;
+    if (GrazedColumns::AreNeeded(bundle.plane, end_m.normalized())) AddColumns(bundle, end_m, color, lane);
+  }
+
+  /// What the ray has not crossed of the columns about its end; without labels, as its band beyond the truncation.
+  [[gnu::noinline]] void AddColumns(const Bundle& bundle, const Eigen::Vector3f& end_m, const Eigen::Vector3f& color,
+                                    std::size_t lane) {
+    constexpr int kSideAround = 3 * kBlockSide;
+    const Eigen::Vector3f offset_vox(grid_.offset_x_vox, grid_.offset_y_vox, grid_.offset_z_vox);
+    for (const GrazedColumns::Voxel& v : GrazedColumns(bundle.plane, end_m, offset_vox, voxel_size_m_)) {
+      const VoxelIndex at{v.offset.x + rays_.from_corner_x[lane], v.offset.y + rays_.from_corner_y[lane],
+                          v.offset.z + rays_.from_corner_z[lane]};
+      if (std::min({at.x, at.y, at.z}) < 0 || std::max({at.x, at.y, at.z}) >= kSideAround) continue;
+      const BlockIndex block = BlockOf(at);
+      const int linear = LinearIndex(at), voxel = (block.x + 3 * (block.y + 3 * block.z)) * kBlockVoxels + linear;
+      if (IsCrossed(voxel, lane)) continue;
+      Neighbour& here = neighbourhood_.At(voxel / kBlockVoxels);
+      if (here.clear != nullptr && IsIn(*here.clear, linear)) continue;
+      if (anti_grazing_ && here.ends != nullptr && IsIn(here.ends->ends, linear)) continue;
+      if (Update(v.distance_m, bundle.weight, color, voxel, here)) ++num_updates_;
+    }
+  }
+
+  [[nodiscard]] bool IsCrossed(int voxel, std::size_t lane) const {
+    for (std::size_t step = 0; step < static_cast<std::size_t>(walked_.num_steps[lane]); ++step) {
+      const std::int32_t code = walked_.voxel[step][lane];
+      if (code != WalkedVoxels::kNone && (code & (WalkedVoxels::kLabelled - 1)) == voxel) return true;
+    }
+    return false;
   }
 
   bool Update(float sdf_m, float weight, const Eigen::Vector3f& color, int voxel, Neighbour& here) {

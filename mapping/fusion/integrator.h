@@ -23,9 +23,10 @@ struct RayOrigin {
 /// the TSDF and, by `votes` (what a sighting counts at a voxel, in classes and in instances; empty: nothing), the
 /// labels of the submap. A voxel's distance is that to the bundle's plane (see FitTangentPlanes); one whose centre lies
 /// beyond the end of the band is left as it is. Rays that graze it are walked on, as far as there are others in the
-/// plane, so that the cells around it are complete; labels are only written within +-truncation along the ray, where it
-/// is the object's own space, and in the voxel in which that begins. A voxel that was looked through (GoneBlock) begins
-/// at 0 again, and where it was contradicted so does its TSDF. Bundles must be on the submap's grid. Writes to `submap`
+/// plane, so that the cells around it are complete, and where they do not come to its other side so are the voxels
+/// about their ends (GrazedColumns); labels are only written within +-truncation along the ray, where it is the
+/// object's own space, and in the voxel in which that begins. A voxel that was looked through (GoneBlock) begins at 0
+/// again, and where it was contradicted so does its TSDF. Bundles must be on the submap's grid. Writes to `submap`
 /// alone, so segments of different submaps may run at once; those of one submap one after the other. Nothing is written
 /// to voxels of `kept_clear`, which may be null. Returns the number of voxel updates. Throws Stopped soon after `stop`
 /// is requested, with a part done, and std::bad_alloc for a segment that was cut short.

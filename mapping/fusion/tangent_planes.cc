@@ -159,15 +159,20 @@ TangentPlane PlaneFor(const Eigen::Vector3f& end_m, const PlaneFit& fit, PointSp
 
 }  // namespace
 
-void FitTangentPlanes(double voxel_size_m, PointSpacing spacing, MomentPyramid& pyramid, SegmentBundles& segment) {
+void FitTangentPlanes(double voxel_size_m, PointSpacing spacing, TangentPlaneRoom& room, SegmentBundles& segment) {
   const auto size_m = static_cast<float>(voxel_size_m);
-  BlockPlanes planes(segment, size_m, pyramid);
+  BlockPlanes planes(segment, size_m, room.pyramid);
+  room.wide.Reset();
   for (std::size_t c = 0; c < segment.cells.size(); ++c) {
     const BundleCell& cell = segment.cells[c];
     planes.MoveTo(c);
     for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
       Bundle& bundle = segment.bundles[b];
-      bundle.plane = PlaneFor(bundle.weighted_sum_m / bundle.weight, planes.At(bundle.linear), spacing, size_m);
+      const PlaneFit* fit = &planes.At(bundle.linear);
+      if (spacing == PointSpacing::kScan && fit->outcome == PlaneFit::Outcome::kTooFew) {
+        fit = &room.wide.At(VoxelIn(cell.block, bundle.linear), segment, room.pyramid, size_m);
+      }
+      bundle.plane = PlaneFor(bundle.weighted_sum_m / bundle.weight, *fit, spacing, size_m);
     }
   }
 }

@@ -18,7 +18,7 @@ constexpr double kExplainedAgreement = 0.9;  ///< of what is seen, once a mistak
 constexpr double kExplainedSeen = 0.5;
 constexpr double kGain = 0.25;           ///< of agreement over the frame as it is
 constexpr double kLead = 0.1;            ///< over the next best explanation
-constexpr double kWrongAgreement = 0.5;  ///< with the map: the frame alone is wrong
+constexpr double kWrongAgreement = 0.6;  ///< with the map: the frame alone is wrong; a road agrees wherever it is
 constexpr std::size_t kFewPoints = 40;   ///< with fewer, no mistake is reported
 // Where no mistake explains it. What comes before a camera hides surfaces, and shows none behind; floors and ceilings
 // agree wherever the camera is.

@@ -15,13 +15,19 @@ std::vector<Neighbour> At(const std::vector<float>& distances_m) {
 }
 
 TEST(GeometryScore, AgreesWithACountByHand) {
-  const GeometryScore score = ScoreGeometry(At({0, 0.04f, 0.08f, 1.0f, -1}), At({0, 0.1f, -1}), kLimits);
+  const GeometryScore score = ScoreGeometry(At({0, 0.04f, 0.08f, 1.0f, -1}), At({0, 0.09f, -1}), kLimits);
   EXPECT_NEAR(score.accuracy_m, 0.12 / 3, 1e-7) << "far samples do not count";
-  EXPECT_NEAR(score.completion_m, (0.1 + 2.0) / 3, 1e-7) << "missing ones count as the clip";
-  EXPECT_NEAR(score.chamfer_l1_m(), (0.04 + 0.7) / 2, 1e-7);
+  EXPECT_NEAR(score.completion_m, (0.09 + 2.0) / 3, 1e-7) << "missing ones count as the clip";
+  EXPECT_NEAR(score.chamfer_l1_m(), (0.04 + 2.09 / 3) / 2, 1e-7);
   EXPECT_DOUBLE_EQ(score.precision, 2.0 / 5);
   EXPECT_DOUBLE_EQ(score.recall, 1.0 / 3);
   EXPECT_DOUBLE_EQ(score.f_score(), 2 * 0.4 / 3 / (0.4 + 1.0 / 3));
+}
+
+TEST(GeometryScore, OnlyLabelledSamplesAreToBeCovered) {
+  const std::vector<ElementLabel> truth{{.class_index = 0}, {.class_index = 2}, {}, {.class_index = 1}};
+  EXPECT_DOUBLE_EQ(ShareCovered(At({0, 0.09f, 0, -1}), truth, 0.1), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(ShareCovered(At({0, 0.11f, 0, -1}), truth, 0.1), 1.0 / 3);
 }
 
 TEST(GeometryScore, IsPerfectForTheSameSurface) {

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "mapping/fusion/bundler.h"
+#include "mapping/fusion/grazed_columns.h"
 #include "mapping/fusion/integrator.h"
 #include "tests/support/scenes.h"
 
@@ -175,6 +176,87 @@ TEST(TangentPlanes, AverageNoiseAway) {
   const std::vector<double> before = RayErrors(frame, Floor(), Everywhere);
   EXPECT_LT(At(errors, 0.5), 0.7 * At(before, 0.5));
   EXPECT_LT(At(errors, 0.95), At(before, 0.95));
+}
+
+TEST(TangentPlanes, OfARoadAreTheRoadWhereItsRingsLieMetresApart) {
+  constexpr float kRoadVoxel_m = 0.1f;
+  int num_far = 0;
+  for (const SegmentBundles& segment : BundlesOf(ScanOfRoad(), kRoadVoxel_m)) {
+    for (const Bundle& bundle : segment.bundles) {
+      const float range_m = (bundle.weighted_sum_m / bundle.weight).norm();
+      if (range_m < 15 || range_m > 25) continue;
+      ++num_far;
+      ASSERT_GT(bundle.plane.normal.z(), 0.9999f);
+      ASSERT_NEAR(bundle.plane.offset_m, 1.73f, 0.01f);
+    }
+  }
+  EXPECT_GT(num_far, 1000);
+}
+
+/// The share of a road's measured voxels, 20 to 30 m ahead, that belong to a cell with all corners stored, four of them
+/// above the road and four below.
+double ShareWithASurface(const std::vector<SegmentBundles>& segments, const PanopticFrame& frame) {
+  constexpr double kRoadVoxel_m = 0.1, kRoadTruncation_m = 0.3;
+  const Submap submap = Fuse(segments, frame, kRoadVoxel_m, kRoadTruncation_m);
+  const auto stored = [&](VoxelIndex at) {
+    const BlockEntry* entry = submap.blocks().Find(BlockOf(at));
+    const int linear = LinearIndex(at);
+    return entry != nullptr && entry->tsdf->IsObserved(linear) ? entry->tsdf->distance_m[linear] : NAN;
+  };
+  const auto is_crossed = [&](int x, int y) { return stored({x, y, -1}) < 0 && stored({x, y, 0}) > 0; };
+  const auto is_cell = [&](int x, int y) {
+    return is_crossed(x, y) && is_crossed(x + 1, y) && is_crossed(x, y + 1) && is_crossed(x + 1, y + 1);
+  };
+  int num_ends = 0, num_with = 0;
+  for (const SegmentBundles& segment : segments) {
+    for (const Bundle& bundle : segment.bundles) {
+      const Eigen::Vector3f end_m = bundle.weighted_sum_m / bundle.weight;
+      if (end_m.norm() < 20 || end_m.norm() > 30) continue;
+      const VoxelIndex at = VoxelAt(end_m.cast<double>() + frame.T_map_sensor.translation(), kRoadVoxel_m);
+      ++num_ends;
+      num_with +=
+          is_cell(at.x, at.y) || is_cell(at.x - 1, at.y) || is_cell(at.x, at.y - 1) || is_cell(at.x - 1, at.y - 1);
+    }
+  }
+  EXPECT_GT(num_ends, 500);
+  return static_cast<double>(num_with) / num_ends;
+}
+
+TEST(GrazedColumns, GiveMeasuredVoxelsOfARoadASurfaceWhereRingsLieMetresApart) {
+  const PanopticFrame frame = ScanOfRoad();
+  std::vector<SegmentBundles> segments = BundlesOf(frame, 0.1);
+  EXPECT_GT(ShareWithASurface(segments, frame), 0.9);
+  AlongRays(segments);
+  EXPECT_LT(ShareWithASurface(segments, frame), 0.2) << "a ray stays on one side of the road";
+}
+
+TEST(GrazedColumns, StayWithinTheirReachAndWithinACellOfThePlane) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> part(-1, 1);
+  constexpr float kVoxel_m = 0.1f;
+  for (int round = 0; round < 200; ++round) {
+    const Eigen::Vector3f end_m = Eigen::Vector3f{20 * part(random), 20 * part(random), 20 * part(random)};
+    const Eigen::Vector3f towards = -end_m.normalized(), side = towards.unitOrthogonal();
+    const float cosine = 0.05f + 0.1f * std::abs(part(random));
+    const Eigen::Vector3f normal = cosine * towards + std::sqrt(1 - cosine * cosine) * side;
+    const TangentPlane plane{.normal = normal, .offset_m = -normal.dot(end_m), .before_m = 0.5f, .behind_m = 0.5f};
+    ASSERT_TRUE(GrazedColumns::AreNeeded(plane, -towards));
+    const Eigen::Vector3f offset_vox(0.3f, 0.9f, 0.1f);
+    const VoxelIndex end = VoxelAt((end_m / kVoxel_m + offset_vox).cast<double>(), 1.0);
+    int num = 0;
+    for (const GrazedColumns::Voxel& v : GrazedColumns(plane, end_m, offset_vox, kVoxel_m)) {
+      const Eigen::Vector3f centre_m =
+          (Eigen::Vector3f(v.offset.x, v.offset.y, v.offset.z) + Eigen::Vector3f::Constant(0.5f) - offset_vox) *
+          kVoxel_m;
+      EXPECT_NEAR(v.distance_m, normal.dot(centre_m - end_m), 1e-4f);
+      EXPECT_LE(std::abs(v.distance_m), 1.5f * kVoxel_m);
+      for (const int away : {v.offset.x - end.x, v.offset.y - end.y, v.offset.z - end.z}) {
+        EXPECT_LE(std::abs(away), GrazedColumns::kReach_vox);
+      }
+      ++num;
+    }
+    EXPECT_GE(num, 6);
+  }
 }
 
 TEST(TangentPlanes, LeaveNoHolesBetweenTheRingsOfAScan) {
