@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "mapping/map/page_reader.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/page_reader.h"
+#include "mapping/paging/tile_page.h"
 #include "server/app/map_stats.h"
 
 namespace dhpmap {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "mapping/changes/map_change.h"
 #include "mapping/map/map.h"
-#include "mapping/map/map_change.h"
 #include "storage/rows/change_rows.h"
 #include "storage/rows/map_rows.h"
 #include "storage/sqlite/database.h"

@@ -2,9 +2,11 @@
 #include "storage/imported_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "mapping/base/grid.h"
 #include "mapping/base/grid_reach.h"
@@ -12,8 +14,9 @@
 #include "mapping/base/transform.h"
 #include "mapping/base/utf8.h"
 #include "mapping/labels/class_names.h"
-#include "mapping/map/block_table.h"
-#include "mapping/map/display_name.h"
+#include "mapping/submap/display_name.h"
+#include "mapping/submap/submap_fields.h"
+#include "mapping/voxels/block_table.h"
 
 namespace dhpmap {
 namespace {
@@ -22,10 +25,8 @@ using sqlite::Database;
 
 constexpr char kReadImportTask[] = "read the file";
 
-/// Revisions, frames and times of up to this can be added to and subtracted from each other.
-constexpr std::int64_t kBeyondNumbers = std::int64_t{1} << 62;
-/// Of frames that are counted in 32 bits, and go on being counted: years of them.
-constexpr std::int32_t kMostMissed = 1 << 30;
+using field_range::kMostMissed;
+using field_range::kMostNumber;
 /// As many are left for the submaps to come: ids that run over would be given twice.
 constexpr std::uint32_t kMostNextId = std::uint32_t{1} << 31;
 /// Voxels have numbers of 32 bits, to either side.
@@ -47,8 +48,8 @@ std::string FirstOf(const Status& refused) {
   return refused.violations().empty() ? refused.message() : refused.violations().front().description;
 }
 
-bool IsCount(std::int64_t number) { return number >= 0 && number < kBeyondNumbers; }
-bool IsTime(std::int64_t time_ns) { return time_ns > -kBeyondNumbers && time_ns < kBeyondNumbers; }
+bool IsCount(std::int64_t number) { return number >= 0 && number <= kMostNumber; }
+bool IsTime(std::int64_t time_ns) { return time_ns >= -kMostNumber && time_ns <= kMostNumber; }
 bool IsMissed(std::int32_t num_frames) { return num_frames >= 0 && num_frames <= kMostMissed; }
 
 struct NamedNumber {
@@ -128,26 +129,27 @@ Status CheckSphere(const SubmapRow& row) {
   return is_good ? Status::Ok() : BadSubmap(row.info, "sphere", "is beyond what its grid reaches");
 }
 
+template <typename Value>
+constexpr bool kIsNumber = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
+
+/// Each number within the limits that the list of fields has.
 Status CheckSubmapNumbers(const MapInfo& map, const SubmapInfo& info) {
-  const NamedNumber numbers[] = {
-      {"id", info.id < map.next_submap_id},
-      {"panoptic", info.panoptic <= Panoptic::kStuff},
-      {"activity", info.activity <= Activity::kInactive},
-      {"presence", info.presence <= Presence::kAbsent},
-      {"instance_confidence", info.instance_confidence >= 0 && info.instance_confidence <= 1},
-      {"num_frames_observed", IsCount(info.num_frames_observed)},
-      {"num_frames_missed", IsMissed(info.num_frames_missed)},
-      {"num_frames_overlooked", IsMissed(info.num_frames_overlooked)},
-      {"first_observed_ns", IsTime(info.first_observed_ns)},
-      {"last_observed_ns", IsTime(info.last_observed_ns)},
-      {"last_contradicted_ns", IsTime(info.last_contradicted_ns)},
-      {"revision", info.revision >= 0 && info.revision <= map.revision},
-      {"edited_revision", IsCount(info.edited_revision)},
-  };
-  for (const NamedNumber& number : numbers) {
-    if (!number.is_good) return BadSubmap(info, number.field, "is out of range");
-  }
-  return Status::Ok();
+  if (!(info.id < map.next_submap_id)) return BadSubmap(info, "id", "is out of range");
+  if (info.revision < 0 || info.revision > map.revision) return BadSubmap(info, "revision", "is out of range");
+  Status status = Status::Ok();
+  VisitSubmapFields([&](const auto& field) {
+    const auto value = field.Of(info);
+    if constexpr (std::is_floating_point_v<std::remove_const_t<decltype(value)>>) {
+      if (field.most == FieldRules().most) return;  // see CheckGrid
+      const bool is_good = value >= static_cast<double>(field.least) && value <= static_cast<double>(field.most);
+      if (status.ok() && !is_good) status = BadSubmap(info, field.name, "is out of range");
+    } else if constexpr (kIsNumber<std::remove_const_t<decltype(value)>>) {
+      const auto number = static_cast<std::int64_t>(value);
+      const bool is_good = number >= field.least && number <= field.most;
+      if (status.ok() && !is_good) status = BadSubmap(info, field.name, "is out of range");
+    }
+  });
+  return status;
 }
 
 Status CheckSightings(const SubmapInfo& info) {
@@ -164,12 +166,26 @@ bool AreAscending(const std::vector<ClassTotal>& counts) {
                             [](const ClassTotal& a, const ClassTotal& b) { return !(a.id < b.id); }) == counts.end();
 }
 
+/// Around what is within its grid, by no more corners than any that was found has.
+Status CheckOutline(const SubmapRow& row) {
+  constexpr std::size_t kMostCorners = 4096;
+  if (row.outline == nullptr || !row.outline->outline) return Status::Ok();
+  const SubmapOutline& outline = *row.outline->outline;
+  const double most_m = 4 * kMostVoxels * row.info.voxel_size_m;
+  bool is_good = outline.footprint_m.size() <= kMostCorners && (outline.box.center_m.array().abs() <= most_m).all() &&
+                 (outline.box.size_m.array() >= 0).all() && (outline.box.size_m.array() <= most_m).all() &&
+                 std::abs(outline.support_height_m.value_or(0)) <= most_m;
+  for (const Eigen::Vector2d& corner : outline.footprint_m) is_good = is_good && corner.cwiseAbs().maxCoeff() <= most_m;
+  return is_good ? Status::Ok() : BadSubmap(row.info, "outline", "is beyond what its grid reaches");
+}
+
 Status CheckSubmap(const MapInfo& map, const SubmapRow& row) {
   const SubmapInfo& info = row.info;
   DHPMAP_RETURN_IF_ERROR(CheckSubmapNumbers(map, info));
   DHPMAP_RETURN_IF_ERROR(CheckGrid(map.config, info));
   DHPMAP_RETURN_IF_ERROR(CheckPose(info));
   DHPMAP_RETURN_IF_ERROR(CheckSphere(row));
+  DHPMAP_RETURN_IF_ERROR(CheckOutline(row));
   DHPMAP_RETURN_IF_ERROR(CheckSightings(info));
   if (!AreAscending(info.class_counts)) return BadSubmap(info, "class_counts", "are not ascending");
   const std::string problem = WhyNoName(info.display_name, kMaxDisplayNameBytes);

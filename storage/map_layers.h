@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "mapping/map/free_space.h"
+#include "mapping/changes/state_marks.h"
+#include "mapping/free/free_space.h"
 #include "mapping/map/map.h"
-#include "mapping/map/state_marks.h"
 #include "storage/edit_history.h"
 #include "storage/rows/map_rows.h"
 #include "storage/sqlite/database.h"

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mapping/map/block_table.h"
+#include "mapping/voxels/block_table.h"
 #include "storage/store.h"
 
 namespace dhpmap {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mapping/base/guarded.h"
+#include "mapping/paging/tile_directory.h"
 #include "storage/map_layers.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
@@ -74,6 +75,7 @@ Result<std::shared_ptr<const Submap>> Unread(const SubmapRow& row, std::uint16_t
   auto submap =
       std::make_shared<Submap>(row.info, kOlderThanAnyWriter, std::make_shared<const UnreadTiles>(std::move(stored)));
   submap->set_bounding_sphere(row.sphere);
+  submap->kept_outline().Keep(row.outline);
   if (!row.CoversTiles()) {  // nothing would tell later whether they are still the same
     Status read = Guarded<Status>([&submap] {
       (void)submap->blocks().tiles();
@@ -99,6 +101,7 @@ class SubmapReader {
     }));
     DHPMAP_RETURN_IF_ERROR(DecodeBatch(*submap));
     DHPMAP_RETURN_IF_ERROR(CheckStored(row, *submap, totals));
+    submap->kept_outline().Keep(row.outline);
     return std::shared_ptr<const Submap>(std::move(submap));
   }
 

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_set>
 #include <utility>
 
+#include "mapping/base/status_error.h"
+#include "mapping/submap/submap_outline.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/rows/tile_rows.h"
 #include "storage/tiles/object_layers.h"
@@ -35,6 +38,22 @@ struct EncodeJob {
   StoredBlob before;
 };
 
+/// Finds the outline of a thing that frames write to no longer, so that its row has it: once for each time that it
+/// comes out of sight. What is still being mapped has another one with each commit, which would cost more than the rest
+/// of it.
+void KeepOutlineOfSettled(const Submap& submap) {
+  const SubmapInfo& info = submap.info();
+  if (info.panoptic != Panoptic::kThing || info.activity != Activity::kInactive) return;
+  if (submap.blocks().unread() != nullptr) return;  // nobody has written to it
+  const std::span<const TileEntry> tiles = submap.blocks().tiles();
+  if (!std::all_of(tiles.begin(), tiles.end(), [](const TileEntry& tile) { return tile.tile->IsRead(); })) return;
+  try {
+    (void)FindLevelOutline(submap);
+  } catch (const StatusError&) {
+    return;  // let go of meanwhile
+  }
+}
+
 class SnapshotWriter {
  public:
   SnapshotWriter(SubmapRowWriter submaps, TileRows tiles, std::uint16_t store, ThreadPool& pool,
@@ -56,6 +75,7 @@ class SnapshotWriter {
       if (recorder_ != nullptr && target.is_new) {
         DHPMAP_RETURN_IF_ERROR(recorder_->NoteNew(target.submap->id(), target.key, counts.blob_bytes, target.is_copy));
       }
+      KeepOutlineOfSettled(*target.submap);
       DHPMAP_RETURN_IF_ERROR(submaps_.Write(map_key, *target.submap, counts, target.tiles.sum).status());
     }
     return std::move(written_);

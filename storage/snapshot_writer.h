@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mapping/base/thread_pool.h"
-#include "mapping/map/state_marks.h"
+#include "mapping/changes/state_marks.h"
 #include "storage/edit_history.h"
 #include "storage/sqlite/database.h"
 

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <utility>
 
+#include "mapping/paging/tile_page.h"
 #include "storage/codec/crc32c.h"
 #include "storage/store.h"
 #include "storage/tiles/object_layers.h"

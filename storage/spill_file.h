@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
-#include "mapping/map/tile_spill.h"
+#include "mapping/paging/tile_page.h"
+#include "mapping/paging/tile_spill.h"
 #include "storage/codec/bytes.h"
 
 namespace dhpmap {

@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "mapping/base/result.h"
+#include "mapping/changes/map_change.h"
+#include "mapping/changes/state_delta.h"
+#include "mapping/changes/state_marks.h"
 #include "mapping/map/edit_entry.h"
 #include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
-#include "mapping/map/map_change.h"
-#include "mapping/map/state_delta.h"
-#include "mapping/map/state_marks.h"
-#include "mapping/map/tile_spill.h"
+#include "mapping/paging/tile_spill.h"
 
 namespace dhpmap {
 

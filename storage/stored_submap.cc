@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "mapping/paging/tile_page.h"
 #include "storage/sqlite/transaction.h"
 #include "storage/tile_expiry.h"
 #include "storage/tiles/object_layers.h"

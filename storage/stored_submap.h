@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
-#include "mapping/map/tile_directory.h"
+#include "mapping/paging/tile_directory.h"
+#include "mapping/paging/tile_page.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/rows/tile_rows.h"
 #include "storage/tile_blobs.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/tile_page.h"
 #include "storage/connection.h"
 #include "storage/tile_expiry.h"
 

@@ -18,6 +18,7 @@
 #include "clients/cli/progress_bar.h"
 #include "clients/cli/text_table.h"
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 
 namespace dhpmap {

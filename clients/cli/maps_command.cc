@@ -15,6 +15,7 @@
 #include "clients/cli/printable.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
+#include "clients/datasets/open_dataset.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
 
 namespace dhpmap {

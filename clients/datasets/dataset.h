@@ -17,10 +17,8 @@ namespace dhpmap {
 
 enum class LabelSource { kPredicted, kGroundTruth, kNone };
 
-/// Told from the files there.
+/// A format that is told from the files there: see OpenDataset.
 inline constexpr const char* kAnyFormat = "auto";
-/// That, and the names of all others: "flat", "kitti", ...
-std::vector<std::string> DatasetFormats();
 
 struct DatasetOptions {
   /// LiDAR scans with SemanticKITTI labels beside them: leave out points that are not labelled or move.
@@ -74,12 +72,6 @@ class Dataset {
   /// BAD_LABELS, BAD_SCAN, BAD_IMAGE or NO_MATCH (nothing recorded near enough in time).
   virtual Result<DatasetFrame> Read(std::size_t index) = 0;
 };
-
-/// `directory` is the root of the data set or one of its recordings; of several the first by name is taken. `format` is
-/// one of DatasetFormats(). NOT_FOUND or INVALID_ARGUMENT say what is missing; FAILED_PRECONDITION with reason
-/// NO_LABELS: the data set has no labels of this kind.
-Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, const std::string& format,
-                                             LabelSource labels, const DatasetOptions& options = {});
 
 /// "predicted", "groundtruth" or "none"; INVALID_ARGUMENT for anything else.
 Result<LabelSource> ParseLabelSource(const std::string& name);

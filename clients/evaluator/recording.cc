@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "clients/datasets/open_dataset.h"
 #include "mapping/sensor/hidden_things.h"
 
 namespace dhpmap::evaluator {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "clients/command_line/terminal_line.h"
+#include "clients/datasets/open_dataset.h"
 #include "clients/evaluator/experiment.h"
 #include "clients/evaluator/experiment_json.h"
 #include "clients/evaluator/markdown.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clients/simulator/beam_grid.h"
-#include "clients/simulator/renderer.h"
+#include "clients/simulator/rendered_frame.h"
 
 namespace dhpmap::simulator {
 

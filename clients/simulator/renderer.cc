@@ -5,9 +5,6 @@
 #include "clients/simulator/picture.h"
 
 namespace dhpmap::simulator {
-Eigen::Vector3d PixelDirection(const PinholeCamera& camera, double u_px, double v_px) {
-  return Eigen::Vector3d((u_px - camera.cx_px) / camera.fx_px, (v_px - camera.cy_px) / camera.fy_px, 1).normalized();
-}
 
 PinholeCamera FlatLayoutCamera(int width_px, int height_px) {
   return {.width_px = width_px,

@@ -1,28 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "clients/simulator/apartment.h"
+#include "clients/simulator/rendered_frame.h"
 #include "clients/simulator/shading.h"
 #include "mapping/base/transform.h"
 #include "mapping/sensor/pinhole_camera.h"
 
 namespace dhpmap::simulator {
-
-/// Row-major images of one size, exact.
-struct RenderedFrame {
-  PinholeCamera camera;
-  Transform T_map_camera = Transform::Identity();  ///< camera: z forward, x right, y down
-  std::vector<float> depth_m;                      ///< along the optical axis; 0 = nothing
-  std::vector<std::uint8_t> instances;             ///< ground-truth ids; 0 = nothing
-  std::vector<Rgb> color;                          ///< empty unless asked for
-};
-
-/// Ray direction (unit, camera frame) of a pixel; integer coordinates are pixel centres.
-Eigen::Vector3d PixelDirection(const PinholeCamera& camera, double u_px, double v_px);
 
 /// The flat layout's camera for 640 x 480, scaled with the width: 90 degrees wide.
 PinholeCamera FlatLayoutCamera(int width_px, int height_px);

@@ -28,7 +28,7 @@ struct alignas(kCacheLineBytes) LatticeBuilder<D>::Lane {
   std::vector<GrowBuffer<Key>> blocks;
   std::size_t block_used = 0;
 
-  static_assert(Lattice::kChunkPoints * (D + 1) < std::numeric_limits<std::uint16_t>::max());
+  static_assert(kLatticeChunkPoints * (D + 1) < std::numeric_limits<std::uint16_t>::max());
   static constexpr std::uint16_t kFree = std::numeric_limits<std::uint16_t>::max();
 
   void Clear() {
@@ -80,8 +80,8 @@ template <int D>
 LatticeBuilder<D>::~LatticeBuilder() = default;
 
 template <int D>
-void LatticeBuilder<D>::FindCorners(std::span<const typename Lattice::Feature> features, std::size_t chunk_points,
-                                    typename Lattice::Corners* corners, LatticeGraph& graph) {
+void LatticeBuilder<D>::FindCorners(std::span<const LatticeFeature<D>> features, std::size_t chunk_points,
+                                    LatticeCorners<D>* corners, LatticeGraph& graph) {
   const LatticeEmbedding<D> embedding;
   const std::size_t num_chunks = (features.size() + chunk_points - 1) / chunk_points;
   chunks_.resize(num_chunks);
@@ -91,9 +91,9 @@ void LatticeBuilder<D>::FindCorners(std::span<const typename Lattice::Feature> f
     const std::size_t begin = chunk * chunk_points, end = std::min(features.size(), begin + chunk_points);
     for (std::size_t i = begin; i < end; ++i) {
       embedding.Embed(features[i], simplex);
-      corners[i].scale = 1.0f / Lattice::kWeightSum;
+      corners[i].scale = 1.0f / kCornerWeightSum;
       for (std::size_t k = 0; k <= D; ++k) {
-        const float weight = std::clamp(simplex.weights[k], 0.0f, 1.0f) * Lattice::kWeightSum + 0.5f;
+        const float weight = std::clamp(simplex.weights[k], 0.0f, 1.0f) * kCornerWeightSum + 0.5f;
         corners[i].weight[k] = static_cast<std::uint16_t>(weight);
         corners[i].row[k] = lane.NumberOf(simplex.keys[k]);
       }

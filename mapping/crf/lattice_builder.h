@@ -10,8 +10,9 @@
 #include "mapping/base/refinement_scratch.h"
 #include "mapping/base/thread_pool.h"
 #include "mapping/crf/grow_buffer.h"
+#include "mapping/crf/lattice_corners.h"
 #include "mapping/crf/lattice_embedding.h"
-#include "mapping/crf/permutohedral_lattice.h"
+#include "mapping/crf/lattice_graph.h"
 
 namespace dhpmap {
 
@@ -21,15 +22,14 @@ namespace dhpmap {
 template <int D>
 class LatticeBuilder {
  public:
-  using Lattice = PermutohedralLattice<D>;
   using Key = LatticeKey<D>;
 
   explicit LatticeBuilder(ThreadPool& pool);
   ~LatticeBuilder();
 
   /// Writes the corners of all points, and graph.chunk_row.
-  void FindCorners(std::span<const typename Lattice::Feature> features, std::size_t chunk_points,
-                   typename Lattice::Corners* corners, LatticeGraph& graph);
+  void FindCorners(std::span<const LatticeFeature<D>> features, std::size_t chunk_points, LatticeCorners<D>* corners,
+                   LatticeGraph& graph);
   /// Finds rows of different chunks that are one vertex.
   void JoinChunks(LatticeGraph& graph);
   void FindNeighbours(LatticeGraph& graph);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "mapping/base/thread_pool.h"
 #include "mapping/crf/grow_buffer.h"
+#include "mapping/crf/lattice_corners.h"
 #include "mapping/crf/lattice_graph.h"
 
 namespace dhpmap {
@@ -24,18 +23,9 @@ namespace dhpmap {
 template <int D>
 class PermutohedralLattice {
  public:
-  using Feature = std::array<float, D>;  ///< in kernel widths: divided by the standard deviations; within +-10^6
-
-  /// Where a point lies: the rows of its simplex' corners, counted from the first row of its chunk, and their weights,
-  /// scale * weight. Weights are whole numbers that add up to kWeightSum but for rounding.
-  struct Corners {
-    float scale;
-    std::array<std::uint16_t, D + 1> weight;
-    std::array<std::uint16_t, D + 1> row;
-  };
-  static constexpr float kWeightSum = 65535.0f;
-  /// Points [c * kChunkPoints, (c + 1) * kChunkPoints) are chunk c.
-  static constexpr std::size_t kChunkPoints = 4096;
+  using Feature = LatticeFeature<D>;
+  using Corners = LatticeCorners<D>;
+  static constexpr std::size_t kChunkPoints = kLatticeChunkPoints;
 
   void Build(std::span<const Feature> features, ThreadPool& pool);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

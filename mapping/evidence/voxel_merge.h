@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "mapping/base/ids.h"
-#include "mapping/map/block_table.h"
-#include "mapping/map/label_block.h"
-#include "mapping/map/voxel_average.h"
+#include "mapping/voxels/block_table.h"
+#include "mapping/voxels/label_block.h"
+#include "mapping/voxels/voxel_average.h"
 
 namespace dhpmap {
 

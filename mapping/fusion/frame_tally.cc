@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/fusion/frame_tally.h"
 
-#include "mapping/fusion/point_runs.h"
-
 namespace dhpmap {
 
 void FrameTally::NoteRuns(const std::vector<PointRun>& runs) {

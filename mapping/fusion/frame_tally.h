@@ -9,10 +9,9 @@
 #include "mapping/base/cache_line.h"
 #include "mapping/base/grid.h"
 #include "mapping/fusion/band_size.h"
+#include "mapping/fusion/point_run.h"
 
 namespace dhpmap {
-
-struct PointRun;
 
 /// How large a frame turns out to be while it is taken apart. Thread-safe. How much of a frame was seen when it is
 /// found too large depends on the threads; whether it is found too large does not.

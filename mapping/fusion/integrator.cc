@@ -11,7 +11,7 @@
 #include "mapping/fusion/grazed_columns.h"
 #include "mapping/fusion/grid_ray.h"
 #include "mapping/fusion/ray_kernel.h"
-#include "mapping/map/voxel_average.h"
+#include "mapping/voxels/voxel_average.h"
 
 namespace dhpmap {
 namespace {

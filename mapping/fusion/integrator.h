@@ -8,7 +8,7 @@
 #include "mapping/fusion/kept_clear_voxels.h"
 #include "mapping/fusion/segment_bundles.h"
 #include "mapping/map/map_config.h"
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "mapping/map/kept_clear.h"
-#include "mapping/map/submap.h"
-#include "mapping/map/voxel_mask.h"
+#include "mapping/submap/submap.h"
+#include "mapping/voxels/voxel_mask.h"
 
 namespace dhpmap {
 

@@ -10,7 +10,7 @@
 
 #include "mapping/base/cache_line.h"
 #include "mapping/base/grid.h"
-#include "mapping/map/voxel_mask.h"
+#include "mapping/voxels/voxel_mask.h"
 
 namespace dhpmap {
 

@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "mapping/base/status_error.h"
-#include "mapping/map/diff_submap.h"
-#include "mapping/map/page_reader.h"
-#include "mapping/map/vacated_space.h"
+#include "mapping/map/left_space.h"
+#include "mapping/paging/page_reader.h"
+#include "mapping/paging/tile_evictor.h"
+#include "mapping/paging/tile_spill.h"
 
 namespace dhpmap {
 namespace {
@@ -40,7 +41,7 @@ void ReadAll(const Submap& submap) {
     if (!is_lost(error.status().code())) throw;
   }
   for (const TileEntry& tile : tiles) {
-    if (tile.tile->page() != nullptr && tile.tile->page()->HasOwnNames()) continue;  // which goes with no submap
+    if (tile.tile->loader() != nullptr && tile.tile->loader()->HasOwnNames()) continue;  // which goes with no submap
     try {
       (void)tile.tile->entries();
     } catch (const StatusError&) {
@@ -242,11 +243,11 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
 std::shared_ptr<const MapSnapshot> Map::LetGoOfPages(bool even_used, TileSpill* spill) {
   if (changed_ || published_ == nullptr) return published_;
   std::unordered_map<const BlockTile*, std::shared_ptr<const BlockTile>> left;
-  const LettingGo rule{.even_used = even_used, .spill = spill, .written_lately = parts_before_, .left = &left};
+  const EvictionRule rule{.even_used = even_used, .spill = spill, .written_lately = parts_before_, .left = &left};
   SubmapList same = submaps_;  // of older generations, all of them: no writer's own
   bool has_any = false;
   for (auto& submap : same) {
-    auto without = submap->WithoutPages(rule);
+    auto without = submap->WithTiles(TileEvictor(rule));
     if (without == nullptr) continue;
     submap = std::move(without);
     has_any = true;
@@ -289,19 +290,6 @@ std::shared_ptr<const FreeSpace> Map::Frozen(const std::shared_ptr<const FreeSpa
   if (layer->generation() != generation_) return layer;  // copied before it is written to
   const_cast<FreeSpace&>(*layer).ShareTiles();           // made by this generation: no snapshot holds it
   return std::make_shared<const FreeSpace>(*layer);
-}
-
-std::vector<SubmapChange> DiffSnapshots(const MapSnapshot* before, const MapSnapshot& after) {
-  std::vector<SubmapChange> changes;
-  for (const auto& submap : after.submaps()) {
-    const Submap* old = before ? before->Find(submap->id()) : nullptr;
-    if (old == nullptr || old->part_id() != submap->part_id()) changes.push_back(DiffSubmap(old, *submap));
-  }
-  if (before == nullptr) return changes;
-  for (const auto& old : before->submaps()) {
-    if (after.Find(old->id()) == nullptr) changes.push_back({.id = old->id()});
-  }
-  return changes;
 }
 
 }  // namespace dhpmap

@@ -9,16 +9,18 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
+#include "mapping/free/free_space.h"
 #include "mapping/labels/label_set.h"
-#include "mapping/map/free_space.h"
 #include "mapping/map/kept_clear.h"
 #include "mapping/map/map_config.h"
 #include "mapping/map/merged_ids.h"
 #include "mapping/map/object_pairs.h"
 #include "mapping/map/session_marks.h"
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
+
+class TileSpill;
 
 /// All of a map but its submaps: one row of the store.
 struct MapInfo {
@@ -169,22 +171,5 @@ class Map {
   bool changed_ = true;
   std::uint64_t parts_before_ = 0, parts_now_ = 0;  ///< names of parts from the last revision on, and from this one
 };
-
-/// What a reader of `before` must be told to hold `after`: the store and the change feed work from this. The layers of
-/// space have a difference of their own, see DiffFreeSpace.
-struct SubmapChange {
-  SubmapId id;
-  const Submap* after = nullptr;  ///< null: the submap was removed
-  bool is_new = false;
-  std::vector<const BlockEntry*> written_tsdf;    ///< of `after`, TSDF layer not the same object as before
-  std::vector<const BlockEntry*> written_labels;  ///< of `after`, label layer not the same object as before
-  std::vector<const BlockEntry*> written_gone;    ///< of `after`, what was looked through not the same object as before
-  std::vector<BlockIndex> erased_tsdf;            ///< blocks whose TSDF layer is gone
-  std::vector<BlockIndex> erased_labels;
-  std::vector<BlockIndex> erased_gone;
-};
-
-/// Compares by identity of the shared parts: costs nothing for submaps that were not written. `before` may be null.
-std::vector<SubmapChange> DiffSnapshots(const MapSnapshot* before, const MapSnapshot& after);
 
 }  // namespace dhpmap

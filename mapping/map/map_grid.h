@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mapping/map/map_config.h"
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <variant>
 
-#include "mapping/map/bounding_sphere.h"
+#include "mapping/submap/bounding_sphere.h"
 
 namespace dhpmap {
 

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "mapping/base/cache_line.h"
-#include "mapping/map/voxel_answer.h"
 #include "mapping/mesh/cell_cases.h"
 #include "mapping/mesh/owner_halo.h"
 #include "mapping/mesh/tsdf_halo.h"
+#include "mapping/submap/voxel_answer.h"
 
 namespace dhpmap {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
-#include "mapping/map/voxel_answer.h"
-#include "mapping/map/voxel_average.h"
+#include "mapping/submap/voxel_answer.h"
+#include "mapping/voxels/voxel_average.h"
 
 namespace dhpmap {
 namespace {

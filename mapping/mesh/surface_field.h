@@ -7,7 +7,7 @@
 #include "mapping/base/index_map.h"
 #include "mapping/base/memory_count.h"
 #include "mapping/base/thread_pool.h"
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "mapping/map/shown_mask.h"
+#include "mapping/voxels/shown_mask.h"
 
 namespace dhpmap {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "mapping/base/memory_count.h"
-#include "mapping/mesh/tile_surface.h"
+#include "mapping/mesh/tile_blocks.h"
 
 namespace dhpmap {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <limits>
 
-#include "mapping/map/slope.h"
 #include "mapping/mesh/halo.h"
+#include "mapping/voxels/slope.h"
 
 namespace dhpmap {
 

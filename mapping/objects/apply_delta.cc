@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "mapping/submap/submap_fields.h"
+
 namespace dhpmap {
 namespace {
 
@@ -35,7 +37,7 @@ bool IsSameState(const BoundingSphere& a, const BoundingSphere& b) {
 
 template <typename T>
 void SetIfAsItWas(T& now, const T& from, const T& to) {
-  if (now == from) now = to;
+  if (IsSameValue(now, from)) now = to;
 }
 
 /// What edits set. Conflicts with later edits of the same.
@@ -89,17 +91,9 @@ void SetSeenFields(const Way<SubmapInfo>& way, SubmapInfo& now) {
   else now.class_counts = Shifted(now.class_counts, {from.class_counts, to.class_counts});
   now.num_frames_observed =
       std::max<std::int64_t>(0, now.num_frames_observed + to.num_frames_observed - from.num_frames_observed);
-  SetIfAsItWas(now.instance_confidence, from.instance_confidence, to.instance_confidence);
-  SetIfAsItWas(now.activity, from.activity, to.activity);
-  SetIfAsItWas(now.is_confirmed, from.is_confirmed, to.is_confirmed);
-  SetIfAsItWas(now.num_frames_missed, from.num_frames_missed, to.num_frames_missed);
-  SetIfAsItWas(now.num_frames_overlooked, from.num_frames_overlooked, to.num_frames_overlooked);
-  SetIfAsItWas(now.first_observed_ns, from.first_observed_ns, to.first_observed_ns);
-  SetIfAsItWas(now.last_observed_ns, from.last_observed_ns, to.last_observed_ns);
-  SetIfAsItWas(now.presence, from.presence, to.presence);
-  SetIfAsItWas(now.last_contradicted_ns, from.last_contradicted_ns, to.last_contradicted_ns);
-  SetIfAsItWas(now.track_id, from.track_id, to.track_id);
-  SetIfAsItWas(now.sightings, from.sightings, to.sightings);
+  VisitSubmapFields([&](const auto& field) {
+    if (field.undo == UndoRule::kUnlessChanged) SetIfAsItWas(field.Of(now), field.Of(from), field.Of(to));
+  });
 }
 
 /// What its front ends have found again since, as other things, is theirs.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mapping/changes/state_delta.h"
 #include "mapping/map/map.h"
-#include "mapping/map/state_delta.h"
 
 namespace dhpmap {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mapping/evidence/submap_labels.h"
-#include "mapping/map/voxel_average.h"
+#include "mapping/voxels/voxel_average.h"
 
 namespace dhpmap {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

@@ -4,7 +4,7 @@
 #include <bitset>
 #include <map>
 
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

@@ -19,6 +19,7 @@
 #include "mapping/objects/apart_things.h"
 #include "mapping/objects/object_care.h"
 #include "mapping/objects/pair_evidence.h"
+#include "mapping/paging/tile_page.h"
 #include "mapping/pipeline/background_refinement.h"
 #include "mapping/pipeline/frame_fusion.h"
 #include "mapping/pipeline/stage_clock.h"

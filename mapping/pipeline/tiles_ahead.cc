@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "mapping/base/index_map.h"
-#include "mapping/map/bounding_sphere.h"
 #include "mapping/map/map_grid.h"
-#include "mapping/map/read_tiles.h"
+#include "mapping/paging/read_tiles.h"
+#include "mapping/submap/bounding_sphere.h"
 
 namespace dhpmap {
 namespace {

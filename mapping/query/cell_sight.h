@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "mapping/base/grid.h"
-#include "mapping/map/free_tile.h"
+#include "mapping/free/free_tile.h"
 
 namespace dhpmap {
-
-class MapSurfaces;
 
 /// What is known of the voxels of one block of a map's grid, so that nobody need ask every submap. A bit a voxel.
 struct CellSight {
@@ -23,7 +21,5 @@ struct CellSight {
     return (mask[static_cast<std::size_t>(linear >> 6)] >> (linear & 63) & 1u) != 0;
   }
 };
-
-CellSight LookIntoCell(const MapSurfaces& surfaces, BlockIndex block);
 
 }  // namespace dhpmap

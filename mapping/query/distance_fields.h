@@ -26,7 +26,8 @@ struct FieldCell {
   }
 };
 
-/// The near fields of one state of a map, where enough was asked to pay for them. Thread-safe; nobody waits.
+/// The near fields of one state of a map, where enough was asked to pay for them (FindFieldCell). Thread-safe; nobody
+/// waits.
 class DistanceFields : public CellGrid<FieldCell> {
  public:
   /// `state`: the state's number in the store.
@@ -34,17 +35,11 @@ class DistanceFields : public CellGrid<FieldCell> {
                  std::uint64_t state)
       : CellGrid(box_m, voxel_size_m, store->ledger(), kEnough), store_(std::move(store)), state_(state) {}
 
-  /// Of the cell at a point, whose slot that is; made if it pays or another state has it. Null: there is none, or not
-  /// yet. `surfaces`: those of the state. Valid as long as this.
-  [[nodiscard]] const FieldCell* Find(const MapSurfaces& surfaces, Slot& slot, const Eigen::Vector3d& p_map) const;
-
   [[nodiscard]] const std::shared_ptr<FieldStore>& store() const { return store_; }
   [[nodiscard]] std::uint64_t state() const { return state_; }
 
  private:
   static constexpr std::uintptr_t kEnough = 64;  // points: then to make a field costs about what was spent
-  const FieldCell* Keep(const MapSurfaces& surfaces, Slot& slot, BlockIndex block,
-                        std::shared_ptr<const NearField> field) const;
 
   const std::shared_ptr<FieldStore> store_;
   const std::uint64_t state_;

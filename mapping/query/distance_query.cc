@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mapping/query/find_field_cell.h"
 #include "mapping/query/point_order.h"
 
 namespace dhpmap {
@@ -69,9 +70,8 @@ DistanceQuery::DistanceQuery(std::shared_ptr<const MapSurfaces> surfaces, Distan
 
 SurfaceDistance DistanceQuery::At(const Eigen::Vector3d& p_map) const {
   if (takes_fields_) {
-    const DistanceFields& fields = world_.surfaces().fields();
-    DistanceFields::Slot* slot = fields.SlotAt(p_map);
-    const FieldCell* cell = slot == nullptr ? nullptr : fields.Find(world_.surfaces(), *slot, p_map);
+    DistanceFields::Slot* slot = world_.surfaces().fields().SlotAt(p_map);
+    const FieldCell* cell = slot == nullptr ? nullptr : FindFieldCell(world_.surfaces(), *slot, p_map);
     if (cell != nullptr) {
       const Eigen::Vector3f p = (p_map - cell->field->centre_m()).cast<float>();
       SurfaceDistance answer;
@@ -219,7 +219,8 @@ std::vector<DistanceQuery::Open> DistanceQuery::AtByFields(std::span<const Eigen
     }
     for (std::size_t i = 0; i < some.size(); ++i) {
       Lookup& lookup = lookups[i];
-      lookup.cell = lookup.slot == nullptr ? nullptr : fields.Find(world_.surfaces(), *lookup.slot, points_m[some[i]]);
+      lookup.cell =
+          lookup.slot == nullptr ? nullptr : FindFieldCell(world_.surfaces(), *lookup.slot, points_m[some[i]]);
       __builtin_prefetch(lookup.cell);
     }
     for (std::size_t i = 0; i < some.size(); ++i) {

@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "mapping/map/submap.h"
 #include "mapping/query/field_reach.h"
 #include "mapping/query/surface_ledger.h"
 #include "mapping/query/triangle_packet.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "mapping/query/surface_cache.h"
-
 namespace dhpmap {
 
 void NearbyCells::LeaveEarlier() const {
@@ -20,7 +18,7 @@ std::shared_ptr<const NearbyCells::Earlier> NearbyCells::FindEarlier() const {
   return earlier_;
 }
 
-const NearbyCell* NearbyCells::TakeOver(const MapSurfaces& surfaces, Slot& slot, const Eigen::Vector3d& p_map) const {
+const NearbyCell* NearbyCells::TakeOver(const SightOf& sight_of, Slot& slot, const Eigen::Vector3d& p_map) const {
   const std::shared_ptr<const Earlier> earlier = FindEarlier();
   if (earlier == nullptr) return nullptr;
   Slot* const slot_then = earlier->cells->SlotAt(p_map);
@@ -45,7 +43,7 @@ const NearbyCell* NearbyCells::TakeOver(const MapSurfaces& surfaces, Slot& slot,
   }
   const auto is_gone = [](const NearbyTile& tile) { return tile.number == Earlier::kGone; };
   if (std::any_of(now->tiles.begin(), now->tiles.end(), is_gone)) return nullptr;
-  now->sight = LookIntoCell(surfaces, BlockAt(p_map));
+  now->sight = sight_of(BlockAt(p_map));
   return &Put(slot, std::move(now));
 }
 

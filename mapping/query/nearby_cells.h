@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -64,8 +65,9 @@ class NearbyCells : public CellGrid<NearbyCell> {
         earlier_(std::move(earlier)) {}
 
   /// The cell at a point that is kept in the slot, from the state before, if it had one and nothing near it has changed
-  /// since; else null. `surfaces`: of this state.
-  const NearbyCell* TakeOver(const MapSurfaces& surfaces, Slot& slot, const Eigen::Vector3d& p_map) const;
+  /// since; else null. `sight_of`: LookIntoCell of this state.
+  using SightOf = std::function<CellSight(BlockIndex)>;
+  const NearbyCell* TakeOver(const SightOf& sight_of, Slot& slot, const Eigen::Vector3d& p_map) const;
   /// From here on nothing is taken over: a later state comes after this one.
   void LeaveEarlier() const DHPMAP_EXCLUDES(mutex_);
 

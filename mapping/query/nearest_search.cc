@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "mapping/base/vector_clones.h"
+#include "mapping/query/look_into_cell.h"
 #include "mapping/query/surface_rim.h"
 
 namespace dhpmap {
@@ -95,7 +96,10 @@ bool NearestSearch::Step() {
       if (slot_ != nullptr) {
         std::uintptr_t num_asked = 0;
         cell_ = surfaces_.cells().Find(*slot_, num_asked);
-        if (cell_ == nullptr && num_asked == 0) cell_ = surfaces_.cells().TakeOver(surfaces_, *slot_, p_map_);
+        if (cell_ == nullptr && num_asked == 0) {
+          const auto look = [this](BlockIndex block) { return LookIntoCell(surfaces_, block); };
+          cell_ = surfaces_.cells().TakeOver(look, *slot_, p_map_);
+        }
         is_wanted = cell_ == nullptr && num_asked == surfaces_.cells().num_enough();
       }
       if (is_wanted) cell_ = &MakeCell();

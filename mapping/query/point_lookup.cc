@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "mapping/base/grid_reach.h"
-#include "mapping/map/voxel_answer.h"
 #include "mapping/query/voxel_sampler.h"
+#include "mapping/submap/voxel_answer.h"
 
 namespace dhpmap {
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "mapping/map/submap.h"
 #include "mapping/query/box_tree.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "mapping/map/display_name.h"
 #include "mapping/query/nearest_search.h"
 #include "mapping/query/object_shape.h"
+#include "mapping/submap/display_name.h"
 
 namespace dhpmap {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "mapping/map/bounding_sphere.h"
 #include "mapping/query/query_scope.h"
 #include "mapping/query/surface_cache.h"
+#include "mapping/submap/bounding_sphere.h"
 
 namespace dhpmap {
 

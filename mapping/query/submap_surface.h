@@ -11,10 +11,10 @@
 #include <stop_token>
 #include <vector>
 
-#include "mapping/map/submap.h"
 #include "mapping/query/box_tree.h"
 #include "mapping/query/grid_sharers.h"
 #include "mapping/query/tile_surface_slot.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap {
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mapping/map/free_tile.h"
+#include "mapping/free/free_tile.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/query_world.h"
 #include "mapping/query/surface_cache.h"

@@ -10,6 +10,7 @@
 
 #include "mapping/evidence/submap_labels.h"
 #include "mapping/refinement/refine_map.h"
+#include "mapping/voxels/tile_marks.h"
 
 namespace dhpmap {
 namespace {

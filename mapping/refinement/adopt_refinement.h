@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "mapping/changes/state_marks.h"
 #include "mapping/map/map.h"
-#include "mapping/map/state_marks.h"
 #include "mapping/refinement/region_part.h"
 
 namespace dhpmap {

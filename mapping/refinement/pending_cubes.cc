@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mapping/refinement/refine_map.h"
+#include "mapping/voxels/tile_marks.h"
 
 namespace dhpmap {
 namespace {

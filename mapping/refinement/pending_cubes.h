@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "mapping/changes/state_marks.h"
 #include "mapping/evidence/refinement_region.h"
 #include "mapping/map/map.h"
-#include "mapping/map/state_marks.h"
 #include "mapping/refinement/region_part.h"
 
 namespace dhpmap {

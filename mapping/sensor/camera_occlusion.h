@@ -5,13 +5,9 @@
 #include <span>
 #include <vector>
 
-namespace dhpmap {
+#include "mapping/sensor/projected_point.h"
 
-/// Where a point is in a camera's image, whether or not the camera sees it.
-struct ProjectedPoint {
-  float u_px = 0, v_px = 0;  ///< within the image
-  float depth_m = 0;         ///< along the camera's axis, positive
-};
+namespace dhpmap {
 
 /// Which points of a scan the camera beside the scanner does not see, because others of the scan are before them: 1 for
 /// these, one a point. A point counts as hidden if its pixel lies amid those of points nearer by half a metre and a

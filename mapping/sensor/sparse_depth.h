@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mapping/sensor/camera_occlusion.h"
+#include "mapping/sensor/projected_point.h"
 
 namespace dhpmap {
 

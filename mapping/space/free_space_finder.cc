@@ -6,10 +6,11 @@
 
 #include "mapping/base/cache_line.h"
 #include "mapping/base/stopped.h"
-#include "mapping/map/free_space.h"
+#include "mapping/free/free_space.h"
 #include "mapping/space/camera_view.h"
 #include "mapping/space/gone_finder.h"
 #include "mapping/space/lidar_view.h"
+#include "mapping/space/look_options.h"
 #include "mapping/space/look_tiles.h"
 #include "mapping/space/tile_look.h"
 

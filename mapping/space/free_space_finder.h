@@ -11,9 +11,6 @@
 
 namespace dhpmap {
 
-/// No voxel farther from the sensor than this is called free, whatever the range limit: bounds what a frame may cost.
-inline constexpr int kMaxSight_vox = 512;
-
 /// Finds what a frame looks through, adds it to the map's free space, and counts it against the surfaces that are said
 /// to be there (GoneBlock, GoneLook): what the map's config asks for of both. Whole cells of voxels are told by the
 /// least and greatest range of the pixels before which they lie, so the cost goes with the surfaces in view, not with

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "mapping/map/read_tiles.h"
 #include "mapping/map/region.h"
-#include "mapping/map/voxel_mask.h"
+#include "mapping/paging/read_tiles.h"
+#include "mapping/voxels/voxel_mask.h"
 
 namespace dhpmap {
 namespace {

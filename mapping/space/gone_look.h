@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "mapping/base/index_map.h"
-#include "mapping/map/block_table.h"
 #include "mapping/space/cell.h"
 #include "mapping/space/grid_origin.h"
+#include "mapping/voxels/block_table.h"
 
 namespace dhpmap {
 

@@ -5,6 +5,9 @@
 
 namespace dhpmap {
 
+/// No voxel farther from the sensor than this is called free, whatever the range limit: bounds what a frame may cost.
+inline constexpr int kMaxSight_vox = 512;
+
 /// How a frame is looked through.
 struct LookOptions {
   double voxel_size_m = 0;

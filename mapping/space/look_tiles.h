@@ -6,11 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "mapping/map/block_table.h"
 #include "mapping/space/cell.h"
-#include "mapping/space/free_space_finder.h"
 #include "mapping/space/grid_origin.h"
 #include "mapping/space/look_options.h"
+#include "mapping/voxels/block_table.h"
 
 namespace dhpmap {
 

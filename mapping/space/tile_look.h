@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "mapping/map/free_tile.h"
+#include "mapping/free/free_tile.h"
 #include "mapping/space/cell.h"
 
 namespace dhpmap {

@@ -8,8 +8,8 @@
 #include "mapping/map/kept_clear.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/map/region.h"
-#include "mapping/map/voxel_average.h"
 #include "mapping/tracking/visibility.h"
+#include "mapping/voxels/voxel_average.h"
 
 namespace dhpmap {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <map>
 
-#include "mapping/map/label_block.h"
 #include "mapping/map/map.h"
 #include "mapping/sensor/frame.h"
+#include "mapping/voxels/label_block.h"
 
 namespace dhpmap {
 

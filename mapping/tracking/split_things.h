@@ -7,8 +7,8 @@
 #include "mapping/fusion/segment_bundles.h"
 #include "mapping/map/map.h"
 #include "mapping/sensor/frame.h"
+#include "mapping/tracking/assignment.h"
 #include "mapping/tracking/overlap_table.h"
-#include "mapping/tracking/tracker.h"
 
 namespace dhpmap {
 

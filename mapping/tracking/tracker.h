@@ -8,16 +8,10 @@
 #include "mapping/fusion/segment_bundles.h"
 #include "mapping/map/map.h"
 #include "mapping/sensor/frame.h"
+#include "mapping/tracking/assignment.h"
 #include "mapping/tracking/overlap_table.h"
 
 namespace dhpmap {
-
-/// Where a segment of a frame goes.
-struct Assignment {
-  SubmapId submap;      ///< kUnknownSubmap: geometry only
-  bool is_new = false;  ///< the submap was made for it
-  float iou = 0;        ///< of the match; 0 where none was computed
-};
 
 /// Spatial submap id tracker (paper II-B): finds the submap of every segment of a frame, or makes one.
 ///   - persistent ids: the thing with that track id of the frame's session; if there is none, of the things that only

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "mapping/map/bounding_sphere.h"
 #include "mapping/sensor/frame.h"
+#include "mapping/submap/bounding_sphere.h"
 
 namespace dhpmap {
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "mapping/map/map_change.h"
+#include "mapping/changes/map_change.h"
 #include "server/app/submap_filter.h"
 
 namespace dhpmap {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
-#include "mapping/map/state_marks.h"
+#include "mapping/changes/state_marks.h"
 #include "server/app/lazy_thread.h"
 #include "storage/store.h"
 

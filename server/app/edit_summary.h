@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "mapping/changes/map_change.h"
 #include "mapping/map/edit_entry.h"
-#include "mapping/map/map_change.h"
 #include "server/app/edit_list.h"
 
 namespace dhpmap {

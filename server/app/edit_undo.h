@@ -8,9 +8,9 @@
 #include <string>
 
 #include "mapping/base/result.h"
+#include "mapping/changes/state_delta.h"
 #include "mapping/map/edit_entry.h"
 #include "mapping/map/map.h"
-#include "mapping/map/state_delta.h"
 #include "server/app/etag.h"
 #include "storage/store.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/map/tile_directory.h"
+#include "mapping/paging/tile_directory.h"
 #include "server/app/etag.h"
 #include "server/app/state_bytes.h"
 
@@ -75,7 +75,7 @@ bool KeptStates::HoldBlocks(bool even_written) const {
       if (!looked_at.insert(submap.get()).second) continue;
       const auto tiles = submap->blocks().tiles_if_read();
       const bool holds_any = std::any_of(tiles.begin(), tiles.end(), [even_written](const TileEntry& tile) {
-        return tile.tile->page() != nullptr ? tile.tile->page()->IsRead() : even_written && tile.tile->CanBeLeft();
+        return tile.tile->loader() != nullptr ? tile.tile->loader()->IsRead() : even_written && tile.tile->CanBeLeft();
       });
       const auto& unread = submap->blocks().unread();
       if (holds_any || (unread != nullptr && unread->HoldsBlocks())) return true;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "mapping/map/display_name.h"
 #include "mapping/map/map.h"
+#include "mapping/submap/display_name.h"
 #include "storage/store.h"
 
 namespace dhpmap {

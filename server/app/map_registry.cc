@@ -7,8 +7,8 @@
 #include "mapping/base/guarded.h"
 #include "mapping/base/near_name.h"
 #include "mapping/map/history_id.h"
-#include "mapping/map/page_reader.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/page_reader.h"
+#include "mapping/paging/tile_page.h"
 #include "server/app/etag.h"
 
 namespace dhpmap {

@@ -6,7 +6,7 @@
 #include "mapping/base/free_memory.h"
 #include "mapping/base/guarded.h"
 #include "mapping/base/memory_count.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/tile_page.h"
 #include "server/app/map_session.h"
 
 namespace dhpmap {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <vector>
 
-#include "mapping/map/scanned_tile.h"
+#include "mapping/voxels/block_tile.h"
 
 namespace dhpmap {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/map/map.h"
-#include "mapping/map/observed_sphere.h"
 #include "mapping/query/point_lookup.h"
+#include "mapping/submap/observed_sphere.h"
 #include "server/app/outline_cache.h"
 
 namespace dhpmap {

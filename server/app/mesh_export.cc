@@ -7,7 +7,7 @@
 
 #include "mapping/io/pcd.h"
 #include "mapping/io/ply.h"
-#include "mapping/map/read_tiles.h"
+#include "mapping/paging/read_tiles.h"
 #include "server/app/submap_edits.h"
 
 namespace dhpmap {

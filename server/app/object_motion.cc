@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
-#include "mapping/map/submap_outline.h"
-#include "mapping/map/upper_side.h"
 #include "mapping/query/relations.h"
 #include "mapping/query/surface_cache.h"
+#include "mapping/submap/submap_outline.h"
+#include "mapping/submap/upper_side.h"
 
 namespace dhpmap {
 namespace {

@@ -55,8 +55,10 @@ std::optional<SubmapOutline> OutlineCache::Find(const Submap& submap, Reading re
       return in_map(known->second->outline);
     }
   }
-  if (reading == Reading::kNever && !IsInMemory(submap)) return std::nullopt;
-  Kept found{key, FindOutline(submap, R_level_submap)};  // nobody waits for it; twice is no harm
+  const auto kept = submap.kept_outline().Find(T_map_submap);  // as it was stored
+  if (kept == nullptr && reading == Reading::kNever && !IsInMemory(submap)) return std::nullopt;
+  // Nobody waits for it; twice is no harm.
+  Kept found{key, kept != nullptr ? kept->outline : FindOutline(submap, R_level_submap)};
   std::optional<SubmapOutline> answer = in_map(found.outline);
   const MutexLock lock(mutex_);
   if (by_key_.contains(key)) return answer;

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "mapping/base/mutex.h"
-#include "mapping/map/submap_outline.h"
+#include "mapping/submap/submap_outline.h"
 
 namespace dhpmap {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/map/state_delta.h"
+#include "mapping/changes/state_delta.h"
 #include "mapping/map/vacated_space.h"
 #include "mapping/objects/apply_delta.h"
 #include "server/app/edit_undo.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mapping/map/observed_sphere.h"
+#include "mapping/submap/observed_sphere.h"
 
 namespace dhpmap {
 namespace {

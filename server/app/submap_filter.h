@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "mapping/changes/map_change.h"
 #include "mapping/map/map.h"
-#include "mapping/map/map_change.h"
 
 namespace dhpmap {
 

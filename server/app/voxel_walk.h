@@ -11,7 +11,7 @@
 #include "mapping/base/result.h"
 #include "mapping/base/spread.h"
 #include "mapping/map/map.h"
-#include "mapping/map/scanned_tile.h"
+#include "mapping/voxels/block_tile.h"
 
 namespace dhpmap {
 

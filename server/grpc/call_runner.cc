@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "mapping/base/guarded.h"
-#include "mapping/map/page_reader.h"
+#include "mapping/paging/page_reader.h"
 #include "server/log/log.h"
 #include "server/wire/types/resource_names.h"
 

@@ -21,10 +21,10 @@
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
 #include "mapping/base/spread.h"
-#include "mapping/map/page_reader.h"
+#include "mapping/paging/page_reader.h"
 #include "server/app/held_states.h"
 #include "server/app/map_registry.h"
-#include "server/grpc/grpc_server.h"
+#include "server/grpc/grpc_options.h"
 #include "server/grpc/lanes.h"
 #include "server/grpc/status_conversion.h"
 

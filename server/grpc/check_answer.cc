@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mapping/base/guarded.h"
-#include "mapping/map/page_reader.h"
+#include "mapping/paging/page_reader.h"
 #include "server/app/body_check.h"
 #include "server/app/trajectory_check.h"
 #include "server/grpc/query_answers.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "mapping/map/display_name.h"
+#include "mapping/submap/display_name.h"
 #include "server/app/submap_edits.h"
 #include "server/wire/query_options.h"
 #include "server/wire/submap_conversion.h"

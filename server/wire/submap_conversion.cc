@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "mapping/labels/class_names.h"
-#include "mapping/map/display_name.h"
+#include "mapping/submap/display_name.h"
 #include "server/app/etag.h"
 #include "server/wire/types/label_conversion.h"
 #include "server/wire/types/pose_conversion.h"

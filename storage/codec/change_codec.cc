@@ -49,7 +49,7 @@ void DoEvent(Coder& coder, BlobKind kind, Event& event) {
     coder.Do(before.class_id);
     DoSphere(coder, before.sphere);
   });
-  if (kind >= BlobKind::kChangeV2) coder.Do(event.info.is_locked);
+  if (kind >= BlobKind::kChangeV2) DoFields(coder, 5, 5, event.info);  // whether it is locked
   if (kind >= BlobKind::kChangeV4) {
     DoOptional(coder, event.pose_boxes, [&coder](auto& boxes) {
       DoExtents(coder, boxes.before_m);

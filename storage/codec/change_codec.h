@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mapping/base/status.h"
-#include "mapping/map/map_change.h"
+#include "mapping/changes/map_change.h"
 #include "storage/codec/bytes.h"
 
 namespace dhpmap {

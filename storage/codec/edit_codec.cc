@@ -35,8 +35,8 @@ template <typename Coder, typename Row>
 void DoRow(Coder& coder, BlobKind kind, Row& row) {
   DoOptional(coder, row, [&coder, kind](auto& state) {
     DoInfo(coder, state.info);
-    if (kind >= BlobKind::kEditRowsV2) DoSightings(coder, state.info.sightings);
-    if (kind >= BlobKind::kEditRowsV3) coder.Do(state.info.is_locked);
+    if (kind >= BlobKind::kEditRowsV2) DoFields(coder, 4, 4, state.info);  // sightings
+    if (kind >= BlobKind::kEditRowsV3) DoFields(coder, 5, 5, state.info);  // whether it is locked
     DoSphere(coder, state.sphere);
   });
 }

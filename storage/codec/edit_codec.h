@@ -2,8 +2,8 @@
 #pragma once
 
 #include "mapping/base/status.h"
+#include "mapping/changes/state_delta.h"
 #include "mapping/map/edit_entry.h"
-#include "mapping/map/state_delta.h"
 #include "storage/codec/bytes.h"
 
 namespace dhpmap {

@@ -3,7 +3,7 @@
 
 #include "mapping/base/grid.h"
 #include "mapping/base/status.h"
-#include "mapping/map/block_table.h"
+#include "mapping/voxels/block_table.h"
 #include "storage/codec/bytes.h"
 
 namespace dhpmap {

@@ -10,7 +10,7 @@
 
 #include "mapping/base/ids.h"
 #include "mapping/map/region.h"
-#include "mapping/map/sightings.h"
+#include "mapping/submap/submap_fields.h"
 #include "storage/codec/bytes.h"
 
 namespace dhpmap {
@@ -101,25 +101,6 @@ void DoSphere(Coder& coder, Sphere& sphere) {
   coder.Do(sphere.radius_m);
 }
 
-/// No part of DoInfo: changes do not tell of them.
-template <typename Coder, typename AllSightings>
-void DoSightings(Coder& coder, AllSightings& sightings) {
-  std::vector<Sighting> all = sightings.all();
-  coder.DoSize(all, 5);
-  for (Sighting& sighting : all) {
-    coder.Do(sighting.session);
-    coder.Do(sighting.track_id);
-    coder.Do(sighting.has_in_sight);
-    coder.Do(sighting.num_frames_missed);
-    coder.Do(sighting.last_frame);
-  }
-  if constexpr (std::is_same_v<Coder, FieldReader>) {
-    Result<Sightings> created = Sightings::Create(std::move(all));
-    if (created.ok()) sightings = *std::move(created);
-    else coder.Refuse();
-  }
-}
-
 /// A region, as its kind and its numbers.
 template <typename Coder, typename AnyRegion>
 void DoRegion(Coder& coder, AnyRegion& region) {
@@ -142,39 +123,61 @@ void DoRegion(Coder& coder, AnyRegion& region) {
 /// Of the doubles of a row alone: pose, voxel size, truncation.
 inline constexpr std::size_t kLeastInfo_bytes = sizeof(double) * (12 + 2);
 
-/// A SubmapInfo as schema 7 had it. What is new in a row comes after it, with a kind of blob that has it.
-template <typename Coder, typename Info>
-void DoInfo(Coder& coder, Info& info) {
-  coder.Do(info.id);
-  coder.Do(info.panoptic);
-  coder.Do(info.class_id);
-  coder.Do(info.class_is_fixed);
-  coder.Do(info.display_name);
-  auto& matrix = info.T_map_submap.matrix();
+template <typename Coder, typename Value>
+requires requires(Coder coder, Value& value) { coder.Do(value); }
+void DoField(Coder& coder, Value& value) { coder.Do(value); }
+
+template <typename Coder, typename Pose>
+requires std::is_same_v<std::remove_const_t<Pose>, Transform>
+void DoField(Coder& coder, Pose& pose) {
+  auto& matrix = pose.matrix();
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) coder.Do(matrix(row, column));
   }
-  coder.Do(info.voxel_size_m);
-  coder.Do(info.truncation_m);
-  coder.DoSize(info.class_counts, 2);
-  for (auto& entry : info.class_counts) {
+}
+
+template <typename Coder, typename Counts>
+requires std::is_same_v<std::remove_const_t<Counts>, std::vector<ClassTotal>>
+void DoField(Coder& coder, Counts& counts) {
+  coder.DoSize(counts, 2);
+  for (auto& entry : counts) {
     coder.Do(entry.id);
     coder.Do(entry.count);
   }
-  coder.Do(info.instance_confidence);
-  coder.Do(info.activity);
-  coder.Do(info.is_confirmed);
-  coder.Do(info.num_frames_observed);
-  coder.Do(info.num_frames_missed);
-  coder.Do(info.num_frames_overlooked);
-  coder.Do(info.first_observed_ns);
-  coder.Do(info.last_observed_ns);
-  coder.Do(info.presence);
-  coder.Do(info.last_contradicted_ns);
-  coder.Do(info.is_placed);
-  coder.Do(info.track_id);
-  coder.Do(info.revision);
-  coder.Do(info.edited_revision);
+}
+
+template <typename Coder, typename AllSightings>
+requires std::is_same_v<std::remove_const_t<AllSightings>, Sightings>
+void DoField(Coder& coder, AllSightings& sightings) {
+  std::vector<Sighting> all = sightings.all();
+  coder.DoSize(all, 5);
+  for (Sighting& sighting : all) {
+    coder.Do(sighting.session);
+    coder.Do(sighting.track_id);
+    coder.Do(sighting.has_in_sight);
+    coder.Do(sighting.num_frames_missed);
+    coder.Do(sighting.last_frame);
+  }
+  if constexpr (std::is_same_v<Coder, FieldReader>) {
+    Result<Sightings> created = Sightings::Create(std::move(all));
+    if (created.ok()) sightings = *std::move(created);
+    else coder.Refuse();
+  }
+}
+
+/// The fields of a SubmapInfo that rows have since one of these versions of their checksum, both of them included.
+template <typename Coder, typename Info>
+void DoFields(Coder& coder, int first, int last, Info& info) {
+  VisitSubmapFields([&](const auto& field) {
+    if (field.since >= first && field.since <= last) DoField(coder, field.Of(info));
+  });
+}
+
+/// A SubmapInfo as schema 7 had it. What is new in a row comes after it (DoFields), with a kind of blob that has it.
+template <typename Coder, typename Info>
+void DoInfo(Coder& coder, Info& info) {
+  constexpr int kVersionOfSchema7 = 3;
+  DoFields(coder, 1, kVersionOfSchema7, info);
 }
 
 }  // namespace dhpmap

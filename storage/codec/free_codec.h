@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mapping/map/free_tile.h"
+#include "mapping/free/free_tile.h"
 #include "storage/codec/bytes.h"
 #include "storage/codec/envelope.h"
 

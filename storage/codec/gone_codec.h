@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mapping/base/status.h"
-#include "mapping/map/gone_block.h"
+#include "mapping/voxels/gone_block.h"
 #include "storage/codec/bytes.h"
 #include "storage/codec/tile_blocks.h"
 

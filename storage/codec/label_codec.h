@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mapping/base/status.h"
-#include "mapping/map/label_block.h"
+#include "mapping/voxels/label_block.h"
 #include "storage/codec/bytes.h"
 #include "storage/codec/tile_blocks.h"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "mapping/map/block_table.h"
+#include "mapping/voxels/block_table.h"
 
 namespace dhpmap {
 

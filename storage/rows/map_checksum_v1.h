@@ -6,7 +6,7 @@
 
 #include "storage/rows/class_rows.h"
 #include "storage/rows/config_rows.h"
-#include "storage/rows/map_rows.h"
+#include "storage/rows/map_row.h"
 
 namespace dhpmap {
 

@@ -195,11 +195,6 @@ MapRow RowOf(const MapSnapshot& snapshot) {
 
 }  // namespace
 
-const Table<MapRow>& Maps() {
-  static const Table<MapRow> table("maps", MapColumns());
-  return table;
-}
-
 Result<MapRow> ReadMapHead(Database& database, const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Maps().Select("WHERE name = ?"), kReadMapTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Bind(name).Step());

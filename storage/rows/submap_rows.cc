@@ -80,6 +80,7 @@ Result<std::int64_t> SubmapRowWriter::Write(std::int64_t map_key, const Submap& 
   return Write({.map_key = map_key,
                 .info = submap.info(),
                 .sphere = submap.bounding_sphere(),
+                .outline = submap.kept_outline().Find(submap.info().T_map_submap),
                 .counts = counts,
                 .tiles_sum = tiles_sum,
                 .seal = {}});

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
+#include "mapping/submap/submap_fields.h"
 #include "storage/rows/table.h"
 #include "storage/sqlite/database.h"
 #include "storage/tiles/object_layers.h"
@@ -16,6 +22,7 @@ struct SubmapRow {
   std::int64_t map_key = 0;
   SubmapInfo info;
   BoundingSphere sphere;
+  std::shared_ptr<const LevelOutline> outline;  ///< null: not known
   SubmapCounts counts;
   std::int64_t tiles_sum = 0;  ///< see TileTotals
   RowSeal seal;
@@ -24,48 +31,48 @@ struct SubmapRow {
   [[nodiscard]] bool CoversTiles() const { return seal.version >= 3; }
 };
 
+/// A column, and its place among those that the checksum covers.
+template <typename Row>
+struct PlacedColumn {
+  int place;
+  Column<Row> column;
+};
+
+/// The columns of fields of SubmapInfo.
+template <typename Row>
+std::vector<PlacedColumn<Row>> InfoColumns() {
+  std::vector<PlacedColumn<Row>> columns;
+  VisitSubmapFields([&columns]<typename Field>(const Field& field) {
+    const bool is_key = std::is_same_v<std::remove_cvref_t<decltype(Field::Of(std::declval<SubmapInfo&>()))>, SubmapId>;
+    const auto access = [](auto& row) -> auto& { return Field::Of(row.info); };
+    columns.push_back(
+        {field.place, MakeColumn<Row>(field.name, is_key ? Written::kOnce : Written::kAlways, field.since, access)});
+  });
+  return columns;
+}
+
 /// The columns of table submaps. `Row` is a SubmapRow, or derived from it. Version 1 of the checksum covers the columns
-/// in this very order, so it is never changed: new ones go to the end.
+/// in the order of their places, so these are never changed: new ones, and new fields of SubmapInfo, take the next.
 template <typename Row = SubmapRow>
 std::vector<Column<Row>> SubmapColumns() {
   using enum Written;
-  return {
-      MakeColumn<Row>("submap_key", kElsewhere, 0, DHPMAP_MEMBER(key)),
-      MakeColumn<Row>("blob_bytes", kAlways, 0, DHPMAP_MEMBER(counts.blob_bytes)),
-      MakeColumn<Row>("checksum_version", kAlways, 0, DHPMAP_MEMBER(seal.version)),
-      MakeColumn<Row>("checksum", kAlways, 0, DHPMAP_MEMBER(seal.checksum)),
-      MakeColumn<Row>("map_key", kOnce, 1, DHPMAP_MEMBER(map_key)),
-      MakeColumn<Row>("submap_id", kOnce, 1, DHPMAP_MEMBER(info.id)),
-      MakeColumn<Row>("panoptic", kAlways, 1, DHPMAP_MEMBER(info.panoptic)),
-      MakeColumn<Row>("class_id", kAlways, 1, DHPMAP_MEMBER(info.class_id)),
-      MakeColumn<Row>("class_is_fixed", kAlways, 1, DHPMAP_MEMBER(info.class_is_fixed)),
-      MakeColumn<Row>("activity", kAlways, 1, DHPMAP_MEMBER(info.activity)),
-      MakeColumn<Row>("is_confirmed", kAlways, 1, DHPMAP_MEMBER(info.is_confirmed)),
-      MakeColumn<Row>("num_frames_observed", kAlways, 1, DHPMAP_MEMBER(info.num_frames_observed)),
-      MakeColumn<Row>("num_frames_missed", kAlways, 1, DHPMAP_MEMBER(info.num_frames_missed)),
-      MakeColumn<Row>("num_frames_overlooked", kAlways, 1, DHPMAP_MEMBER(info.num_frames_overlooked)),
-      MakeColumn<Row>("first_observed_ns", kAlways, 1, DHPMAP_MEMBER(info.first_observed_ns)),
-      MakeColumn<Row>("last_observed_ns", kAlways, 1, DHPMAP_MEMBER(info.last_observed_ns)),
-      MakeColumn<Row>("track_id", kAlways, 1, DHPMAP_MEMBER(info.track_id)),
-      MakeColumn<Row>("revision", kAlways, 1, DHPMAP_MEMBER(info.revision)),
-      MakeColumn<Row>("num_tsdf_blocks", kAlways, 1, DHPMAP_MEMBER(counts.num_tsdf_blocks)),
-      MakeColumn<Row>("num_label_blocks", kAlways, 1, DHPMAP_MEMBER(counts.num_label_blocks)),
-      MakeColumn<Row>("display_name", kAlways, 1, DHPMAP_MEMBER(info.display_name)),
-      MakeColumn<Row>("pose", kAlways, 1, DHPMAP_MEMBER(info.T_map_submap)),
-      MakeColumn<Row>("sphere", kAlways, 1, DHPMAP_MEMBER(sphere)),
-      MakeColumn<Row>("voxel_size_m", kAlways, 1, DHPMAP_MEMBER(info.voxel_size_m)),
-      MakeColumn<Row>("truncation_m", kAlways, 1, DHPMAP_MEMBER(info.truncation_m)),
-      MakeColumn<Row>("instance_confidence", kAlways, 1, DHPMAP_MEMBER(info.instance_confidence)),
-      MakeColumn<Row>("class_counts", kAlways, 1, DHPMAP_MEMBER(info.class_counts)),
-      MakeColumn<Row>("num_gone_blocks", kAlways, 2, DHPMAP_MEMBER(counts.num_gone_blocks)),
-      MakeColumn<Row>("presence", kAlways, 2, DHPMAP_MEMBER(info.presence)),
-      MakeColumn<Row>("last_contradicted_ns", kAlways, 2, DHPMAP_MEMBER(info.last_contradicted_ns)),
-      MakeColumn<Row>("is_placed", kAlways, 2, DHPMAP_MEMBER(info.is_placed)),
-      MakeColumn<Row>("tiles_sum", kAlways, 3, DHPMAP_MEMBER(tiles_sum)),
-      MakeColumn<Row>("edited_revision", kAlways, 3, DHPMAP_MEMBER(info.edited_revision)),
-      MakeColumn<Row>("sightings", kAlways, 4, DHPMAP_MEMBER(info.sightings)),
-      MakeColumn<Row>("is_locked", kAlways, 5, DHPMAP_MEMBER(info.is_locked)),
-  };
+  std::vector<PlacedColumn<Row>> placed = InfoColumns<Row>();
+  const auto add = [&placed](int place, Column<Row> column) { placed.push_back({place, column}); };
+  add(-4, MakeColumn<Row>("submap_key", kElsewhere, 0, DHPMAP_MEMBER(key)));
+  add(-3, MakeColumn<Row>("blob_bytes", kAlways, 0, DHPMAP_MEMBER(counts.blob_bytes)));
+  add(-2, MakeColumn<Row>("checksum_version", kAlways, 0, DHPMAP_MEMBER(seal.version)));
+  add(-1, MakeColumn<Row>("checksum", kAlways, 0, DHPMAP_MEMBER(seal.checksum)));
+  add(0, MakeColumn<Row>("map_key", kOnce, 1, DHPMAP_MEMBER(map_key)));
+  add(14, MakeColumn<Row>("num_tsdf_blocks", kAlways, 1, DHPMAP_MEMBER(counts.num_tsdf_blocks)));
+  add(15, MakeColumn<Row>("num_label_blocks", kAlways, 1, DHPMAP_MEMBER(counts.num_label_blocks)));
+  add(18, MakeColumn<Row>("sphere", kAlways, 1, DHPMAP_MEMBER(sphere)));
+  add(23, MakeColumn<Row>("num_gone_blocks", kAlways, 2, DHPMAP_MEMBER(counts.num_gone_blocks)));
+  add(27, MakeColumn<Row>("tiles_sum", kAlways, 3, DHPMAP_MEMBER(tiles_sum)));
+  add(31, MakeColumn<Row>("outline", kAlways, 6, DHPMAP_MEMBER(outline)));
+  std::sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
+  std::vector<Column<Row>> columns;
+  for (const PlacedColumn<Row>& one : placed) columns.push_back(one.column);
+  return columns;
 }
 const Table<SubmapRow>& Submaps();
 

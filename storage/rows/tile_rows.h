@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "mapping/map/block_table.h"
+#include "mapping/voxels/block_table.h"
 #include "storage/codec/bytes.h"
 #include "storage/rows/kept_blobs.h"
 #include "storage/sqlite/database.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/rows/value.h"
 
+#include <cmath>
 #include <utility>
 
 namespace dhpmap {
@@ -54,6 +55,74 @@ bool FromBytes(ByteView bytes, BoundingSphere& sphere) {
     *value = reader.GetF64();
   }
   return reader.ok() && reader.remaining() == 0;
+}
+
+Bytes ToBytes(const std::shared_ptr<const LevelOutline>& outline) {
+  Bytes bytes;
+  if (outline == nullptr) return bytes;
+  ByteWriter writer(bytes);
+  for (int axis = 0; axis < 3; ++axis) writer.PutF64(outline->up[axis]);
+  writer.PutU8(outline->outline.has_value());
+  if (!outline->outline) return bytes;
+  const UprightBox& box = outline->outline->box;
+  for (int axis = 0; axis < 3; ++axis) writer.PutF64(box.center_m[axis]);
+  writer.PutF64(box.yaw_rad);
+  for (int axis = 0; axis < 3; ++axis) writer.PutF64(box.size_m[axis]);
+  writer.PutU8(outline->outline->support_height_m.has_value());
+  if (outline->outline->support_height_m) writer.PutF64(*outline->outline->support_height_m);
+  writer.PutVarint(outline->outline->footprint_m.size());
+  for (const Eigen::Vector2d& corner : outline->outline->footprint_m) {
+    writer.PutF64(corner.x());
+    writer.PutF64(corner.y());
+  }
+  return bytes;
+}
+
+namespace {
+
+/// Reads doubles, and notes whether all are finite.
+struct FiniteReader {
+  ByteReader& in;
+  bool good = true;
+  double Get() {
+    const double value = in.GetF64();
+    good = good && std::isfinite(value);
+    return value;
+  }
+};
+
+SubmapOutline ReadOutline(ByteReader& in, FiniteReader& numbers) {
+  SubmapOutline outline;
+  for (int axis = 0; axis < 3; ++axis) outline.box.center_m[axis] = numbers.Get();
+  outline.box.yaw_rad = numbers.Get();
+  for (int axis = 0; axis < 3; ++axis) outline.box.size_m[axis] = numbers.Get();
+  if (in.GetU8() != 0) outline.support_height_m = numbers.Get();
+  const std::uint64_t num_corners = in.GetVarint();
+  if (num_corners > in.remaining() / (2 * sizeof(double))) {
+    numbers.good = false;
+    return outline;
+  }
+  outline.footprint_m.resize(num_corners);
+  for (Eigen::Vector2d& corner : outline.footprint_m) {
+    corner.x() = numbers.Get();
+    corner.y() = numbers.Get();
+  }
+  return outline;
+}
+
+}  // namespace
+
+bool FromBytes(ByteView bytes, std::shared_ptr<const LevelOutline>& outline) {
+  outline = nullptr;
+  if (bytes.empty()) return true;
+  ByteReader reader(bytes);
+  FiniteReader numbers{reader};
+  LevelOutline read;
+  for (int axis = 0; axis < 3; ++axis) read.up[axis] = numbers.Get();
+  if (reader.GetU8() != 0) read.outline = ReadOutline(reader, numbers);
+  if (!numbers.good || !reader.ok() || reader.remaining() != 0) return false;
+  outline = std::make_shared<const LevelOutline>(std::move(read));
+  return true;
 }
 
 Bytes ToBytes(const Region& region) {

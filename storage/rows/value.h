@@ -3,16 +3,18 @@
 
 #include <concepts>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "mapping/base/ids.h"
 #include "mapping/base/transform.h"
-#include "mapping/map/bounding_sphere.h"
 #include "mapping/map/region.h"
-#include "mapping/map/sightings.h"
-#include "mapping/map/submap.h"
+#include "mapping/submap/bounding_sphere.h"
+#include "mapping/submap/kept_outline.h"
+#include "mapping/submap/sightings.h"
+#include "mapping/submap/submap.h"
 #include "storage/codec/bytes.h"
 #include "storage/sqlite/statement.h"
 
@@ -109,6 +111,12 @@ bool FromBytes(ByteView bytes, Transform& T);
 /// 4 doubles: centre, radius.
 Bytes ToBytes(const BoundingSphere& sphere);
 bool FromBytes(ByteView bytes, BoundingSphere& sphere);
+/// Nothing of one that is not known (null). Else 3 doubles: the map's vertical; u8: whether there is an outline. Of one
+/// 7 doubles: the box' centre, yaw and size; u8: whether it has a support height; that as double; the number of corners
+/// of the footprint as varint, and 2 doubles for each.
+Bytes ToBytes(const std::shared_ptr<const LevelOutline>& outline);
+/// False, too, for numbers that are not finite.
+bool FromBytes(ByteView bytes, std::shared_ptr<const LevelOutline>& outline);
 /// u8: 0 = a box, then 6 doubles: its low and high corner; 1 = a sphere, then as above. Metres, map frame.
 Bytes ToBytes(const Region& region);
 bool FromBytes(ByteView bytes, Region& region);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "storage/schema/steps.h"
+#include "storage/schema/schema_step.h"
 
 namespace dhpmap {
 

@@ -21,6 +21,7 @@ SchemaSteps ReleasedSteps() {
       {.sql = SchemaSql()[11]},                         // 0012_leaving.sql
       {.sql = SchemaSql()[12]},                         // 0013_tile_extents.sql
       {.sql = SchemaSql()[13]},                         // 0014_seen_time.sql
+      {.sql = SchemaSql()[14]},                         // 0015_outlines.sql
   };
   return steps;
 }

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "mapping/base/status.h"
-#include "mapping/map/block_table.h"
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
+#include "mapping/voxels/block_table.h"
 #include "storage/codec/bytes.h"
 
 namespace dhpmap {

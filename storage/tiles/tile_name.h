@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mapping/map/block_table.h"
+#include "mapping/voxels/block_table.h"
 
 namespace dhpmap {
 

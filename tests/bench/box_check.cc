@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "mapping/map/submap_outline.h"
 #include "mapping/query/point_lookup.h"
+#include "mapping/submap/submap_outline.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/cpu_time.h"
 #include "tests/bench/frames.h"

@@ -14,10 +14,12 @@
 #include <vector>
 
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "clients/evaluator/experiment.h"
 #include "mapping/base/memory_count.h"
 #include "mapping/map/history_id.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/tile_page.h"
+#include "mapping/paging/tile_spill.h"
 #include "server/app/map_registry.h"
 #include "storage/store.h"
 #include "tests/bench/bench.h"

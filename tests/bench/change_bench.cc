@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "clients/datasets/open_dataset.h"
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/space/presence.h"

@@ -11,6 +11,7 @@
 #include <unordered_set>
 
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "tests/bench/point_score.h"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "clients/datasets/open_dataset.h"
+
 namespace dhpmap::bench {
 
 Result<LoadedFrames> LoadFrames(const std::string& directory, LabelSource labels, std::size_t num_frames) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "clients/datasets/open_dataset.h"
 #include "clients/evaluator/evaluation.h"
 #include "clients/evaluator/experiment.h"
 #include "clients/evaluator/map_surface.h"

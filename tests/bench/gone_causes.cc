@@ -9,7 +9,7 @@
 #include <string>
 
 #include "mapping/base/grid.h"
-#include "mapping/map/gone_block.h"
+#include "mapping/voxels/gone_block.h"
 
 namespace dhpmap::bench {
 namespace {

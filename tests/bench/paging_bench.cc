@@ -16,7 +16,8 @@
 #include <vector>
 
 #include "mapping/map/history_id.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/tile_page.h"
+#include "mapping/paging/tile_spill.h"
 #include "server/app/map_registry.h"
 #include "storage/store.h"
 #include "tests/bench/bench.h"

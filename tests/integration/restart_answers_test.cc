@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "mapping/map/page_reader.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/page_reader.h"
+#include "mapping/paging/tile_page.h"
 #include "tests/integration/server_on_file.h"
 #include "tests/integration/walked_room.h"
 #include "tests/support/eventually.h"

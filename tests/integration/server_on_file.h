@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "mapping/paging/tile_spill.h"
 #include "storage/store.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/scenes.h"

@@ -8,6 +8,7 @@
 #include "clients/cli/frame_message.h"
 #include "clients/cli/new_map.h"
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
 
 namespace dhpmap::rig {

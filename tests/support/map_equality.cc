@@ -2,6 +2,10 @@
 #include "tests/support/map_equality.h"
 
 #include <cmath>
+#include <string>
+#include <string_view>
+
+#include "mapping/submap/submap_fields.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -36,18 +40,15 @@ AssertionResult BlocksAreEqual(const BlockEntry& a, const BlockEntry& b, double 
   return AssertionSuccess();
 }
 
+/// But for when it last changed, and its confidence.
 AssertionResult InfosAreEqual(const SubmapInfo& a, const SubmapInfo& b) {
-  const bool same = a.id == b.id && a.panoptic == b.panoptic && a.class_id == b.class_id &&
-                    a.class_is_fixed == b.class_is_fixed && a.display_name == b.display_name &&
-                    a.T_map_submap.matrix() == b.T_map_submap.matrix() && a.voxel_size_m == b.voxel_size_m &&
-                    a.truncation_m == b.truncation_m && a.class_counts == b.class_counts && a.activity == b.activity &&
-                    a.is_confirmed == b.is_confirmed && a.num_frames_observed == b.num_frames_observed &&
-                    a.num_frames_missed == b.num_frames_missed && a.num_frames_overlooked == b.num_frames_overlooked &&
-                    a.first_observed_ns == b.first_observed_ns && a.last_observed_ns == b.last_observed_ns &&
-                    a.track_id == b.track_id && a.sightings == b.sightings && a.presence == b.presence &&
-                    a.last_contradicted_ns == b.last_contradicted_ns && a.is_placed == b.is_placed &&
-                    a.is_locked == b.is_locked && a.edited_revision == b.edited_revision;
-  return same ? AssertionSuccess() : AssertionFailure() << "rows differ";
+  std::string differing;
+  VisitSubmapFields([&](const auto& field) {
+    const std::string_view name = field.name;
+    if (name == "revision" || name == "instance_confidence") return;
+    if (!IsSameValue(field.Of(a), field.Of(b))) differing.append(" ").append(name);
+  });
+  return differing.empty() ? AssertionSuccess() : AssertionFailure() << "rows differ:" << differing;
 }
 
 AssertionResult FreeSpacesAreEqual(const FreeSpace& a, const FreeSpace& b) {

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap::evaluator {
 

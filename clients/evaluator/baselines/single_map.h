@@ -7,7 +7,7 @@
 #include "clients/evaluator/baselines/merged_rays.h"
 #include "clients/evaluator/baselines/semantic_layer.h"
 #include "clients/evaluator/mapping_system.h"
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap::evaluator {
 

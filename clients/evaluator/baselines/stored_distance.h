@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap::evaluator {
 

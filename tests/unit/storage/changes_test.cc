@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mapping/map/observed_sphere.h"
+#include "mapping/submap/observed_sphere.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/storage/map_fixtures.h"

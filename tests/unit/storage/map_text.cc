@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <vector>
 
+#include "mapping/submap/submap_fields.h"
 #include "storage/codec/bytes.h"
 #include "storage/codec/crc32c.h"
+#include "storage/rows/value.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -117,6 +119,15 @@ std::string RowText(const Submap& submap) {
     text += Line("  session '%s' track %u%s missed %d last frame %" PRId64, sighting.session.c_str(), sighting.track_id,
                  sighting.has_in_sight ? " in sight" : "", sighting.num_frames_missed, sighting.last_frame);
   }
+  VisitSubmapFields([&](const auto& field) {  // from later schemas on
+    constexpr int kAllAbove = 5;
+    static const SubmapInfo kDefaults;
+    if (field.since <= kAllAbove || IsSameValue(field.Of(info), field.Of(kDefaults))) return;
+    Bytes bytes;
+    ByteWriter writer(bytes);
+    ColumnValue<std::remove_cvref_t<decltype(field.Of(info))>>::Cover(field.Of(info), writer);
+    text += Line("  %s %08x", field.name, Crc32c(bytes));
+  });
   text += "  class_counts";
   for (const ClassTotal& entry : info.class_counts) {
     Append(text, entry.id.value, entry.count);

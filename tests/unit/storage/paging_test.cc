@@ -4,7 +4,8 @@
 #include <string>
 
 #include "mapping/base/status_error.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/tile_page.h"
+#include "tests/support/diff_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/storage/sqlite_fixture.h"

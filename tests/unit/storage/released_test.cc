@@ -4,7 +4,7 @@
 #include <map>
 #include <sstream>
 
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/tile_page.h"
 #include "storage/rows/config_rows.h"
 #include "storage/schema/bundle_blocks.h"
 #include "storage/schema/migrate.h"

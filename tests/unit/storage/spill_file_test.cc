@@ -11,7 +11,10 @@
 #include <vector>
 
 #include "mapping/base/status_error.h"
-#include "mapping/map/state_marks.h"
+#include "mapping/changes/state_marks.h"
+#include "mapping/paging/tile_page.h"
+#include "mapping/paging/tile_spill.h"
+#include "tests/support/diff_snapshots.h"
 #include "tests/unit/storage/sqlite_fixture.h"
 
 namespace dhpmap {

@@ -17,11 +17,13 @@
 #include <vector>
 
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "mapping/pipeline/map_builder.h"
 #include "storage/sqlite/database.h"
 #include "storage/store.h"
 #include "storage/tiles/object_layers.h"
 #include "tests/bench/cpu_time.h"
+#include "tests/support/diff_snapshots.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {

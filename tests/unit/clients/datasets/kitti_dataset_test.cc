@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "clients/datasets/semantic_kitti_classes.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/clients/datasets/dataset_files.h"

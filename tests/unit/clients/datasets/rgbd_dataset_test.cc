@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/clients/datasets/dataset_files.h"
 

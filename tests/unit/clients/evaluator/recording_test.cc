@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/datasets/open_dataset.h"
 #include "clients/evaluator/class_map.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/clients/datasets/dataset_files.h"

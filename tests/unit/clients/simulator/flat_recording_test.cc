@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "clients/simulator/camera_path.h"
 #include "clients/simulator/renderer.h"
 #include "tests/support/scenes.h"

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "mapping/map/block_table.h"
-#include "mapping/map/tsdf_block.h"
+#include "mapping/voxels/block_table.h"
+#include "mapping/voxels/tsdf_block.h"
 
 namespace dhpmap {
 namespace {

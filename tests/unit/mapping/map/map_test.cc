@@ -10,6 +10,8 @@
 #include <random>
 #include <set>
 
+#include "tests/support/diff_snapshots.h"
+
 namespace dhpmap {
 namespace {
 

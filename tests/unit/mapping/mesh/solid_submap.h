@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "mapping/map/submap.h"
+#include "mapping/submap/submap.h"
 
 namespace dhpmap::testing {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/map/tile_page.h"
 #include "mapping/objects/merge_submaps.h"
+#include "mapping/paging/tile_page.h"
 #include "tests/support/map_infos.h"
 
 namespace dhpmap {

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
-#include "mapping/map/tile_directory.h"
+#include "mapping/paging/tile_directory.h"
+#include "mapping/paging/tile_page.h"
 #include "mapping/pipeline/map_builder.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/mapping/pipeline/ball_scene.h"

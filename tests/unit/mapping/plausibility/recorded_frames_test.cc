@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "clients/datasets/dataset.h"
+#include "clients/datasets/open_dataset.h"
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/plausibility/frame_judge.h"
 #include "tests/unit/mapping/plausibility/mistakes.h"

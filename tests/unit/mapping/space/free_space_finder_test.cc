@@ -10,6 +10,7 @@
 
 #include "mapping/space/camera_view.h"
 #include "mapping/space/lidar_view.h"
+#include "mapping/space/look_options.h"
 #include "tests/unit/mapping/space/looked_through_scene.h"
 
 namespace dhpmap {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/paging/tile_spill.h"
 #include "server/app/edit_list.h"
 #include "server/app/edit_summary.h"
 #include "server/app/map_registry.h"

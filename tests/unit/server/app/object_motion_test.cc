@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "mapping/map/submap_outline.h"
+#include "mapping/submap/submap_outline.h"
 #include "server/app/edit_list.h"
 #include "server/app/edit_summary.h"
 #include "tests/unit/mapping/query/surface_scene.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mapping/base/status_error.h"
+#include "mapping/paging/tile_page.h"
 #include "server/app/map_view.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
@@ -99,6 +100,17 @@ TEST_F(OutlineCacheTest, ReadsNothingFromTheDiskThatItMustNot) {
   EXPECT_FALSE(cache_.Find(submap, Reading::kNever));
   EXPECT_EQ(cache_.size(), 0u);
   EXPECT_THROW((void)cache_.Find(submap, Reading::kAllowed), StatusError);
+}
+
+TEST_F(OutlineCacheTest, TellsWhatIsStoredOfAnObjectThatIsLeftOnTheDisk) {
+  const SubmapId id = AddBlock({0.1, 0.2, 0.3});
+  const auto known = FindLevelOutline(*map_.Find(id));
+  Submap submap({.id = SubmapId(1), .panoptic = Panoptic::kThing, .voxel_size_m = 0.05}, 1);
+  const TileOnDisk there{.index = {0, 0, 0}, .cells = {1, 0, 0}, .keys = {1, 0, 0}};
+  submap.PutTile({0, 0, 0}, std::make_shared<BlockTile>(
+                                std::make_shared<const TilePage>(there, std::make_shared<UnreadableSource>())));
+  submap.kept_outline().Keep(known);
+  ExpectAlike(cache_.Find(submap, Reading::kNever), known->outline);
 }
 
 }  // namespace

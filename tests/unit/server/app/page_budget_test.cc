@@ -14,7 +14,8 @@
 
 #include "mapping/base/memory_count.h"
 #include "mapping/base/status_error.h"
-#include "mapping/map/tile_page.h"
+#include "mapping/paging/tile_page.h"
+#include "mapping/paging/tile_spill.h"
 #include "server/app/map_registry.h"
 #include "server/app/map_stats.h"
 #include "server/app/mesh_export.h"
@@ -92,7 +93,7 @@ class PageBudgetTest : public ::testing::Test {
     try {
       for (const auto& submap : state.submaps()) {
         for (const TileEntry& tile : submap->blocks().tiles()) {
-          if (tile.tile->page() != nullptr) (void)TilePage(*tile.tile->page()).blocks();
+          if (tile.tile->loader() != nullptr) (void)tile.tile->loader()->LetGo()->blocks();
         }
       }
       return Status::Ok();

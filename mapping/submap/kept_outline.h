@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "mapping/base/mutex.h"
+#include "mapping/base/transform.h"
+#include "mapping/submap/outline.h"
+
+namespace dhpmap {
+
+/// The outline of a submap in its own frame, levelled (LevellingOf) for one vertical: it stays the same wherever the
+/// submap is put upright.
+struct LevelOutline {
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();        ///< the map's vertical in the submap's frame
+  std::optional<SubmapOutline> outline = std::nullopt;  ///< nothing: it has no surface
+
+  /// Whether the vertical is that of a submap at this pose, to a billionth.
+  [[nodiscard]] bool IsFor(const Transform& T_map_submap) const {
+    constexpr double kRounding = 1e-9;
+    return (up - T_map_submap.linear().row(2).transpose()).cwiseAbs().maxCoeff() < kRounding;
+  }
+};
+
+/// What was found of a submap's outline, until its voxels are next written to: by whoever looked first, in this process
+/// or in the one that stored it. Copies have it, too. Thread-safe but for Forget and assignment, which are for who
+/// writes.
+class KeptOutline {
+ public:
+  KeptOutline() = default;
+  KeptOutline(const KeptOutline& other) : kept_(other.Get()) {}
+  KeptOutline& operator=(const KeptOutline& other) {
+    Set(other.Get());
+    return *this;
+  }
+
+  /// Null: nobody has found it for this pose.
+  [[nodiscard]] std::shared_ptr<const LevelOutline> Find(const Transform& T_map_submap) const {
+    auto kept = Get();
+    return kept != nullptr && kept->IsFor(T_map_submap) ? kept : nullptr;
+  }
+  /// May be null: it is not known.
+  void Keep(std::shared_ptr<const LevelOutline> outline) const { Set(std::move(outline)); }
+  void Forget() { Set(nullptr); }
+
+ private:
+  [[nodiscard]] std::shared_ptr<const LevelOutline> Get() const DHPMAP_EXCLUDES(mutex_) {
+    const MutexLock lock(mutex_);
+    return kept_;
+  }
+  void Set(std::shared_ptr<const LevelOutline> kept) const DHPMAP_EXCLUDES(mutex_) {
+    const MutexLock lock(mutex_);
+    kept_.swap(kept);
+  }
+
+  mutable Mutex mutex_;
+  mutable std::shared_ptr<const LevelOutline> kept_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+}  // namespace dhpmap

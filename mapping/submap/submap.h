@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "mapping/submap/bounding_sphere.h"
+#include "mapping/submap/kept_outline.h"
+#include "mapping/submap/submap_info.h"
+#include "mapping/voxels/block_table.h"
+#include "mapping/voxels/part_id.h"
+
+namespace dhpmap {
+
+/// One object or background class: a grid of TSDF and label blocks with its own pose, panoptic label and bounding
+/// sphere (paper II-A). Copying shares the blocks; the copy's owner clones a block before it first writes to it.
+/// Thread-compatible.
+class Submap {
+ public:
+  /// `generation` is the writer's current one; see BlockTable.
+  Submap(SubmapInfo info, std::uint64_t generation) : info_(std::move(info)), generation_(generation) {}
+  /// Of a loaded map, whose tiles are read when somebody asks for them; not null.
+  Submap(SubmapInfo info, std::uint64_t generation, std::shared_ptr<const TableLoader> unread)
+      : info_(std::move(info)), blocks_(std::move(unread)), generation_(generation) {}
+
+  [[nodiscard]] const SubmapInfo& info() const { return info_; }
+  [[nodiscard]] SubmapInfo& mutable_info() { return info_; }
+  [[nodiscard]] SubmapId id() const { return info_.id; }
+  [[nodiscard]] const BlockTable& blocks() const { return blocks_; }
+  /// See PartId.
+  [[nodiscard]] std::uint64_t part_id() const { return part_id_.value(); }
+
+  [[nodiscard]] bool IsAbsent() const { return info_.presence == Presence::kAbsent; }
+
+  /// In the submap frame. Tight as of the last UpdateBoundingSphere.
+  [[nodiscard]] const BoundingSphere& bounding_sphere() const { return sphere_; }
+  /// The same in the map frame.
+  [[nodiscard]] BoundingSphere BoundingSphereInMap() const;
+
+  /// What is known of its outline (FindLevelOutline), which costs a look at all blocks.
+  [[nodiscard]] const KeptOutline& kept_outline() const { return outline_; }
+
+  // Writing: the returned layer belongs to this copy alone, and is allocated if it was not there.
+  TsdfBlock& MutableTsdf(BlockIndex index);
+  LabelBlock& MutableLabels(BlockIndex index);
+  GoneBlock& MutableGone(BlockIndex index);
+  /// Puts layers in place as they are (a loaded map). Either may be null. What was looked through stays.
+  void PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf, std::shared_ptr<const LabelBlock> labels);
+  /// Null: nothing of the block was looked through. Only where there is a block.
+  void PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone);
+  /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
+  void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) {
+    WritableBlocks().PutTile(index, std::move(tile));
+  }
+  /// See BlockTable.
+  void PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers) {
+    WritableBlocks().PutLayers(index, from, layers);
+  }
+  /// Puts the layers that `block` has in place, beside those that are there.
+  void AddLayers(const BlockEntry& block);
+  /// Begins anew: nothing of it was looked through.
+  void DropGone();
+  bool EraseBlock(BlockIndex index) { return WritableBlocks().Erase(index, generation_); }
+  /// Removes blocks without an observed voxel and without labels. Returns how many.
+  int PruneBlocks();
+  void DropLabels();
+  /// Makes every present layer count as shared: the next write to one copies it first. For clones.
+  void ShareBlocks() { blocks_.ShareTiles(); }
+
+  /// The same submap (see part_id) with other objects of the same tiles: see BlockTable::Replace. Null if there are
+  /// none.
+  [[nodiscard]] std::shared_ptr<const Submap> WithTiles(const OtherTile& other) const;
+
+  /// Recomputes the sphere from the blocks: centre of their box, radius to the farthest corner of a block.
+  void UpdateBoundingSphere();
+  /// For a loaded map, whose sphere is in its row.
+  void set_bounding_sphere(const BoundingSphere& sphere) { sphere_ = sphere; }
+
+  /// Adds observations of a class and re-elects the class_id of a thing (ties: the smaller id), unless it is fixed. A
+  /// background keeps the class that it was made for, whatever it is given: there is one for each.
+  void AddClassObservations(ClassId c, std::uint64_t count);
+
+  /// Called by Map when this copy starts to be written in a new generation.
+  void set_generation(std::uint64_t generation) { generation_ = generation; }
+  [[nodiscard]] std::uint64_t generation() const { return generation_; }
+
+  [[nodiscard]] std::size_t MemoryBytes() const { return sizeof(*this) + blocks_.MemoryBytes(); }
+
+ private:
+  /// To write geometry to.
+  BlockTable& WritableBlocks() {
+    outline_.Forget();
+    return blocks_;
+  }
+
+  PartId part_id_;
+  SubmapInfo info_;
+  BlockTable blocks_;
+  KeptOutline outline_;
+  BoundingSphere sphere_;
+  std::uint64_t generation_;
+};
+
+}  // namespace dhpmap

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "mapping/base/grid.h"
+#include "mapping/voxels/gone_block.h"
+#include "mapping/voxels/label_block.h"
+#include "mapping/voxels/tsdf_block.h"
+
+namespace dhpmap {
+
+/// One block of a submap: its layers, shared with every snapshot that holds the same state. `labels` is null where
+/// nothing was ever labelled (the unknown submap, dropped labels), `gone` where nothing was looked through.
+struct BlockEntry {
+  BlockIndex index;
+  // Set by the writer on what it has made since it took over the tile: nobody else holds it.
+  bool owns_tsdf = false;
+  bool owns_labels = false;
+  bool owns_gone = false;
+  std::shared_ptr<const TsdfBlock> tsdf;
+  std::shared_ptr<const LabelBlock> labels;
+  std::shared_ptr<const GoneBlock> gone;
+
+  /// Whether a voxel was looked through so often that what it says of a surface no longer holds.
+  [[nodiscard]] bool IsContradicted(int linear) const { return gone != nullptr && gone->IsContradicted(linear); }
+  /// Whether a voxel says something of a surface: it was observed, and not contradicted since. Needs a TSDF.
+  [[nodiscard]] bool Shows(int linear) const { return tsdf->IsObserved(linear) && !IsContradicted(linear); }
+};
+
+/// What LabelBlock::CountedBytes counts, of some blocks.
+template <typename Blocks>
+std::size_t LabelPlaneBytesOf(const Blocks& blocks) {
+  std::size_t bytes = 0;
+  for (const BlockEntry& block : blocks) bytes += block.labels != nullptr ? block.labels->CountedBytes() : 0;
+  return bytes;
+}
+
+/// The layers of a block.
+enum class BlockLayer : std::uint8_t { kTsdf, kLabels, kGone };
+inline constexpr std::size_t kNumBlockLayers = 3;
+/// Some of them, by number.
+using BlockLayers = std::array<bool, kNumBlockLayers>;
+
+/// The one list of them: calls visit(layer, part...) for each layer, with what each of `blocks` has of it: a
+/// BlockEntry, or anything else with members of these names.
+template <typename Visitor, typename... Blocks>
+void ForEachLayer(Visitor&& visit, Blocks&... blocks) {
+  visit(BlockLayer::kTsdf, blocks.tsdf...);
+  visit(BlockLayer::kLabels, blocks.labels...);
+  visit(BlockLayer::kGone, blocks.gone...);
+}
+
+// A tile is a cube of 4 x 4 x 4 blocks: what is copied when a writer goes on from a published state. Surfaces fill some
+// 10 to 20 blocks of one.
+inline constexpr int kTileSideLog2 = 2;
+inline constexpr int kTileSide = 1 << kTileSideLog2;
+inline constexpr int kTileBlocks = kTileSide * kTileSide * kTileSide;
+
+struct TileIndex {
+  std::int32_t x = 0, y = 0, z = 0;
+  constexpr auto operator<=>(const TileIndex&) const = default;
+};
+
+constexpr TileIndex TileOf(BlockIndex b) { return {b.x >> kTileSideLog2, b.y >> kTileSideLog2, b.z >> kTileSideLog2}; }
+
+/// Position of a block in its tile: x fastest, then y, then z.
+constexpr int CellOf(BlockIndex b) {
+  constexpr int mask = kTileSide - 1;
+  return (b.x & mask) | ((b.y & mask) << kTileSideLog2) | ((b.z & mask) << (2 * kTileSideLog2));
+}
+
+/// Inverse of TileOf and CellOf taken together.
+constexpr BlockIndex BlockIn(TileIndex t, int cell) {
+  constexpr int mask = kTileSide - 1;
+  return {(t.x << kTileSideLog2) + (cell & mask), (t.y << kTileSideLog2) + ((cell >> kTileSideLog2) & mask),
+          (t.z << kTileSideLog2) + (cell >> (2 * kTileSideLog2))};
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mapping/base/grid.h"
+#include "mapping/base/ids.h"
+#include "mapping/labels/seen_instance.h"
+#include "mapping/voxels/part_id.h"
+#include "mapping/voxels/voxel_mask.h"
+#include "mapping/voxels/voxel_plane.h"
+
+namespace dhpmap {
+
+/// How often something was seen at a voxel: a class, an instance as the voxel names it, or that of a submap.
+template <typename Id>
+struct SeenCount {
+  Id id{};
+  std::uint32_t count = 0;
+  constexpr bool operator==(const SeenCount&) const = default;
+};
+using LabelCount = SeenCount<std::uint32_t>;
+using InstanceCount = SeenCount<SeenInstance>;
+using SubmapCount = SeenCount<SubmapId>;
+
+/// Everything a voxel has seen, each list by ascending id.
+struct LabelHistograms {
+  std::vector<LabelCount> classes;
+  std::vector<InstanceCount> instances;
+  /// A class, seen so often as the own instance's.
+  static LabelHistograms OfClass(ClassId c, std::uint32_t count = 1) {
+    return {{{c.value, count}}, {{kOwnInstance, count}}};
+  }
+  bool operator==(const LabelHistograms&) const = default;
+};
+
+/// The id with the largest count, and that count's share of all counts. Ties go to the smaller id, which for instances
+/// means: to the submap that holds the voxel. `count` and `share` are 0 for an empty list.
+template <typename Id>
+struct BestSeen {
+  Id id{};
+  std::uint32_t count = 0;
+  float share = 0.0f;
+};
+using BestLabel = BestSeen<std::uint32_t>;
+
+/// What two counts are together: no more than 2^32 - 1, so that what was seen most stays that.
+constexpr std::uint32_t SumOfCounts(std::uint32_t a, std::uint32_t b) { return a > ~b ? ~std::uint32_t{0} : a + b; }
+
+/// Sums two lists that are sorted by id.
+template <typename Id>
+std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const std::vector<SeenCount<Id>>& b);
+
+/// What voxels have seen, summed up.
+struct LabelTotals {
+  std::vector<std::uint64_t> classes;    ///< by id, of voxels of which nothing is concluded
+  std::vector<std::uint32_t> seen;       ///< the ids of those that are not 0, in any order
+  std::uint64_t own = 0, instances = 0;  ///< counts of the own instance, and of all
+
+  void AddClass(std::uint32_t id, std::uint64_t count) {
+    if (count == 0) return;
+    if (id >= classes.size()) classes.resize(std::size_t{id} + 1);
+    if (classes[id] == 0) seen.push_back(id);
+    classes[id] += count;
+  }
+};
+
+/// Exact label counts of one block (paper II-A, II-C). In most blocks, all voxels have seen one class and their own
+/// submap, if anything: a count of 2 bytes each. Once one has seen more, each voxel takes 8 bytes for good, in which
+/// counts of one or two classes of the own instance are inline. Anything else (a third class, another instance, a count
+/// of one of two classes above 65,535) moves the voxel to an overflow list. A count ends at 2^32 - 1.
+/// Thread-compatible.
+///
+/// Counts are what was seen, and nothing but more of it changes them. What refinement concludes from them is apart: a
+/// voxel that the submap holds although it has seen another instance more often, or none at all, has a bit for it, and
+/// dropping the bits (see ForgetConclusions) leaves what was seen.
+class LabelBlock {
+ public:
+  PartId part_id;  ///< of this block; no part of what it says
+
+  LabelBlock() = default;
+  LabelBlock(const LabelBlock& other) = default;
+  /// As a whole or, where memory does not suffice, not at all.
+  LabelBlock& operator=(const LabelBlock& other);
+  ~LabelBlock() = default;
+
+  /// Adds one observation of class `c` that also counts for the own instance (paper II-C). `count` is what it counts,
+  /// 1 to 65,535 (see TrackingConfig::SightingUnit).
+  void AddObservation(int linear, ClassId c, std::uint32_t count = 1) {
+    const auto i = static_cast<std::size_t>(linear);
+    if (counts_) {
+      std::uint16_t& seen = counts_[i];
+      if (class_ == c.value && seen + count <= kMaxInlineCount) {  // nearly always
+        seen = static_cast<std::uint16_t>(seen + count);
+        return;
+      }
+    } else {
+      // The lower half of a wide count, too, if that does not carry.
+      Cell& cell = cells_[i];
+      if (cell.class_a == c.value && cell.count_a != 0 && cell.count_a + count <= kMaxInlineCount) {
+        cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
+        return;
+      }
+    }
+    AddObservationSlowly(linear, c, count);
+  }
+
+  /// Adds an observation that counts so much, which may be for several classes and for other instances, too. Lists
+  /// sorted by id; of the same sum.
+  void AddVotes(int linear, const LabelHistograms& votes);
+
+  /// Adds whole histograms, such as those of a voxel of another submap; lists sorted by id, ids of classes below
+  /// 65,535.
+  void Add(int linear, const LabelHistograms& histograms);
+
+  /// Whether the submap holds the voxel by conclusion, against what was seen most.
+  [[nodiscard]] bool IsConcluded(int linear) const { return IsIn(concluded_, linear); }
+  void SetConcluded(int linear, bool is_concluded) { SetIn(concluded_, linear, is_concluded); }
+  [[nodiscard]] const VoxelMask& concluded() const { return concluded_; }
+  void set_concluded(const VoxelMask& concluded) { concluded_ = concluded; }
+
+  /// Replaces a voxel's counts; empty lists clear it. Nothing is concluded of it.
+  void Set(int linear, const LabelHistograms& histograms);
+  void Clear(int linear) { Set(linear, {}); }
+  /// Of a voxel that has no counts: `count` observations of a class, which count for the own instance, too. The class
+  /// is below 65,535, the count 1 to 65,535.
+  void SetFirst(int linear, LabelCount of_class) {
+    if (SetNarrow(linear, of_class)) return;
+    cells_[static_cast<std::size_t>(linear)] =
+        Cell::OfOneClass(static_cast<std::uint16_t>(of_class.id), of_class.count);
+  }
+
+  /// Makes room for so many voxels that have seen more than a cell holds.
+  void ReserveOverflow(std::size_t num_voxels) { overflow_.reserve(num_voxels); }
+
+  /// Gives back what of it was not needed.
+  void ShrinkOverflow() {
+    if (overflow_.size() < overflow_.capacity()) overflow_.shrink_to_fit();
+  }
+
+  /// Whether some voxel has seen the instance of `other`, as one that is not its own. Quick: few voxels have seen such.
+  [[nodiscard]] bool HasSeenInstance(SubmapId other) const;
+  /// What was seen of the instance of `from`, as one that is not the own, was `to`: their counts are added up.
+  void RenameInstance(SubmapId from, SeenInstance to);
+
+  [[nodiscard]] bool IsEmpty(int linear) const;
+  [[nodiscard]] LabelHistograms Get(int linear) const;
+
+  /// Without building lists: the most seen class, the most seen instance, and the number of observations.
+  [[nodiscard]] BestLabel BestClass(int linear) const;
+  [[nodiscard]] BestSeen<SeenInstance> BestInstance(int linear) const;
+  /// Sum of the instance counts.
+  [[nodiscard]] std::uint64_t NumObservations(int linear) const;
+  /// Adds what all voxels have seen.
+  void AddTo(LabelTotals& totals) const;
+
+  /// Calls visit(LabelCount) for each class that the voxel has seen, in no fixed order.
+  template <typename Visitor>
+  void VisitClasses(int linear, Visitor&& visit) const;
+  /// Calls visit(InstanceCount), likewise.
+  template <typename Visitor>
+  void VisitInstances(int linear, Visitor&& visit) const;
+
+  [[nodiscard]] std::size_t NumOverflowVoxels() const;
+  [[nodiscard]] std::size_t MemoryBytes() const;
+  /// Of them, what is counted as MemoryKind::kBlocks.
+  [[nodiscard]] std::size_t CountedBytes() const { return counts_ ? Counts::kBytes : Cells::kBytes; }
+  bool operator==(const LabelBlock& other) const;
+
+ private:
+  // Inline: classes a and b with their counts, the own instance with count_a + count_b. count_a == 0 means empty.
+  // Wide: class_b == kWide, class a alone, and count_b is the upper half of its count.
+  // Overflow: class_a == kOverflow and the entry number in the other three fields.
+  struct Cell {
+    std::uint16_t class_a = 0, count_a = 0, class_b = 0, count_b = 0;
+    // Of a cell that is not kOverflow.
+    [[nodiscard]] bool IsWide() const { return class_b == kWide; }
+    [[nodiscard]] bool IsEmpty() const { return count_a == 0 && !IsWide(); }
+    [[nodiscard]] std::uint32_t CountA() const {
+      return IsWide() ? count_a | static_cast<std::uint32_t>(count_b) << 16 : std::uint32_t{count_a};
+    }
+    [[nodiscard]] std::uint32_t CountB() const { return IsWide() ? 0u : std::uint32_t{count_b}; }
+    [[nodiscard]] std::uint32_t Total() const { return CountA() + CountB(); }
+    static Cell OfOneClass(std::uint16_t id, std::uint32_t count);
+  };
+  static constexpr std::uint16_t kOverflow = 0xFFFF;
+  static constexpr std::uint16_t kWide = 0xFFFF;
+  static constexpr std::uint16_t kNoClass = 0xFFFF;
+
+  static constexpr std::uint32_t kMaxInlineCount = 0xFFFF;
+
+  /// What a cell says, or would: of any block.
+  [[nodiscard]] Cell CellAt(int linear) const {
+    const auto i = static_cast<std::size_t>(linear);
+    if (!counts_) return cells_[i];
+    const std::uint16_t count = counts_[i];
+    return count != 0 ? Cell{class_, count, 0, 0} : Cell{};
+  }
+  /// The cell to write to: makes cells of counts.
+  Cell& Widen(int linear);
+  /// Of the own instance and one class alone, 0 to 65,535 times, where a count says all of it; else false, and there
+  /// are cells.
+  bool SetNarrow(int linear, LabelCount of_class);
+  /// Of a block of counts, which then may be of any class.
+  [[nodiscard]] bool HasNoCount() const;
+  void AddCountsTo(LabelTotals& totals) const;
+  void AddObservationSlowly(int linear, ClassId c, std::uint32_t count);
+  [[nodiscard]] const LabelHistograms& Overflow(const Cell& cell) const;
+  LabelHistograms& MoveToOverflow(int linear);
+
+  using Counts = VoxelPlane<std::uint16_t>;
+  using Cells = VoxelPlane<Cell>;
+  static_assert(Cells::kBytes == 4096, "a page");
+  // One of both.
+  Counts counts_;
+  Cells cells_ = Cells::None();
+  std::uint16_t class_ = kNoClass;  ///< of the counts, from the first on
+  std::vector<LabelHistograms> overflow_;
+  std::vector<std::uint32_t> free_overflow_;
+  VoxelMask concluded_{};
+};
+
+template <typename Id>
+std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const std::vector<SeenCount<Id>>& b) {
+  std::vector<SeenCount<Id>> sum;
+  sum.reserve(a.size() + b.size());
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    if (j == b.size() || (i < a.size() && a[i].id < b[j].id)) {
+      sum.push_back(a[i++]);
+    } else if (i == a.size() || b[j].id < a[i].id) {
+      sum.push_back(b[j++]);
+    } else {
+      sum.push_back({a[i].id, SumOfCounts(a[i].count, b[j].count)});
+      ++i, ++j;
+    }
+  }
+  return sum;
+}
+
+template <typename Visitor>
+void LabelBlock::VisitClasses(int linear, Visitor&& visit) const {
+  const Cell cell = CellAt(linear);
+  if (cell.class_a == kOverflow) {
+    for (const LabelCount& entry : Overflow(cell).classes) visit(entry);
+    return;
+  }
+  if (const std::uint32_t count = cell.CountA(); count != 0) visit(LabelCount{cell.class_a, count});
+  if (const std::uint32_t count = cell.CountB(); count != 0) visit(LabelCount{cell.class_b, count});
+}
+
+template <typename Visitor>
+void LabelBlock::VisitInstances(int linear, Visitor&& visit) const {
+  const Cell cell = CellAt(linear);
+  if (cell.class_a == kOverflow) {
+    for (const InstanceCount& entry : Overflow(cell).instances) visit(entry);
+    return;
+  }
+  if (const std::uint32_t own = cell.Total(); own != 0) visit(InstanceCount{kOwnInstance, own});
+}
+
+}  // namespace dhpmap
