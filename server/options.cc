@@ -69,7 +69,7 @@ Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config) {
 SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records,
                                 std::shared_ptr<TileSpill> spill) {
   const bool is_reproducible = config.mapping.reproducible;
-  std::function<std::unique_ptr<FrameRecorder>(const MapInfo&)> make_recorder;
+  MakeRecorder make_recorder;
   if (records != nullptr) {
     make_recorder = [records, is_reproducible](const MapInfo& map) {
       return RecordMap(
@@ -78,33 +78,35 @@ SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, Re
     };
   }
   return {
-      .num_threads = config.mapping.num_threads,
-      .publish_frames = config.mapping.publish_frames,
-      .publish_s = config.mapping.publish_s,
-      .commit_frames = config.store.commit_frames,
-      .commit_s = config.store.commit_s,
-      .commit_retry_s = config.store.retry_s,
-      .max_behind_s = config.store.max_behind_s,
-      .idle_close_s = config.maps.idle_close_s,
-      .page_bytes = std::int64_t{config.store.memory_budget_mib} << 20,
-      .spill = std::move(spill),
-      .feed_idle_s = config.mapping.feed_idle_s,
-      .max_feeds = static_cast<std::size_t>(config.mapping.max_feeds),
-      .refinement_timing = is_reproducible ? RefinementTiming::kReproducible : RefinementTiming::kNeverWait,
-      .surface_bytes = static_cast<std::size_t>(config.limits.surface_mib) << 20,
+      .mapping = {.num_threads = config.mapping.num_threads,
+                  .refinement_timing = is_reproducible ? RefinementTiming::kReproducible : RefinementTiming::kNeverWait,
+                  .on_refinement =
+                      [&metrics](const RefinementReport& report) {
+                        metrics.RecordRefinement(report.management_s, report.crf_s);
+                      }},
+      .publish = {.frames = config.mapping.publish_frames, .delay_s = config.mapping.publish_s},
+      .commit = {.frames = config.store.commit_frames,
+                 .delay_s = config.store.commit_s,
+                 .retry_s = config.store.retry_s,
+                 .max_behind_s = config.store.max_behind_s,
+                 .on_commit =
+                     [&metrics](double seconds, const Status& status) {
+                       metrics.RecordCommit(status.code(), seconds);
+                       if (!status.ok()) LogError("commit failed, will be tried again: " + status.ToString());
+                     }},
+      .pages = {.budget_bytes = std::int64_t{config.store.memory_budget_mib} << 20, .spill = std::move(spill)},
+      .feeds = {.idle_s = config.mapping.feed_idle_s, .max_feeds = static_cast<std::size_t>(config.mapping.max_feeds)},
+      .history = {.max_states = static_cast<std::size_t>(config.history.kept_states),
+                  .bytes = static_cast<std::size_t>(config.history.kept_states_mib) << 20},
       .max_pending_edits = static_cast<std::size_t>(config.limits.pending_edits),
-      .on_commit =
-          [&metrics](double seconds, const Status& status) {
-            metrics.RecordCommit(status.code(), seconds);
-            if (!status.ok()) LogError("commit failed, will be tried again: " + status.ToString());
-          },
-      .on_refinement =
-          [&metrics](const RefinementReport& report) { metrics.RecordRefinement(report.management_s, report.crf_s); },
-      .make_recorder = std::move(make_recorder),
-      .max_watchers = static_cast<std::size_t>(config.watch.max_watchers),
-      .max_import_bytes = std::int64_t{config.limits.import_mib} << 20,
-      .max_kept_states = static_cast<std::size_t>(config.history.kept_states),
-      .kept_states_bytes = static_cast<std::size_t>(config.history.kept_states_mib) << 20};
+      .make_recorder = std::move(make_recorder)};
+}
+
+RegistryOptions RegistryOptionsOf(const ServerConfig& config) {
+  return {.idle_close_s = config.maps.idle_close_s,
+          .surface_bytes = static_cast<std::size_t>(config.limits.surface_mib) << 20,
+          .max_watchers = static_cast<std::size_t>(config.watch.max_watchers),
+          .max_import_bytes = std::int64_t{config.limits.import_mib} << 20};
 }
 
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config) {

@@ -24,6 +24,7 @@ Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config);
 /// `records` may be null, and outlives the sessions.
 SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records,
                                 std::shared_ptr<TileSpill> spill);
+RegistryOptions RegistryOptionsOf(const ServerConfig& config);
 /// Beside the database; null where memory has no budget.
 Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config);
 /// For both doors together.

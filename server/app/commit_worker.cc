@@ -8,6 +8,7 @@
 
 #include "mapping/base/guarded.h"
 #include "mapping/base/this_thread.h"
+#include "server/app/shutting_down.h"
 
 namespace dhpmap {
 namespace {
@@ -72,7 +73,7 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
     if (deleted_) {
       refused = MapIsDeleted(*committed_);
     } else if (stopping_) {
-      refused = Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN");
+      refused = ShuttingDown();
     } else if (refused = thread_.Start([this] { Loop(); }); refused.ok()) {
       waiters_.push_back(std::move(waiter));  // first: without a waiter an unseen state must not stay
       newest_ = std::move(snapshot);
@@ -96,8 +97,7 @@ void CommitWorker::DeleteMap(Done done) {
   Status refused;
   {
     const MutexLock lock(mutex_);
-    refused = stopping_ ? Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN")
-                        : thread_.Start([this] { Loop(); });
+    refused = stopping_ ? ShuttingDown() : thread_.Start([this] { Loop(); });
     if (refused.ok()) {
       deletions_.push_back(std::move(done));
       wake_.NotifyOne();

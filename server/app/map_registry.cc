@@ -10,6 +10,7 @@
 #include "mapping/paging/page_reader.h"
 #include "mapping/paging/tile_page.h"
 #include "server/app/etag.h"
+#include "server/app/shutting_down.h"
 
 namespace dhpmap {
 namespace {
@@ -29,14 +30,16 @@ std::int64_t Now(const SessionOptions& options) {
 }
 
 /// One pool, one set of slots, and one budget of past states, for all maps.
-SessionOptions WithPool(SessionOptions options) {
+SessionOptions WithShared(SessionOptions options) {
   // Nicer than who answers what is quick, and less so than who makes bulk answers.
   constexpr int kFusionNiceness = 5;
-  if (options.pool == nullptr) options.pool = std::make_shared<ThreadPool>(options.num_threads, kFusionNiceness);
-  if (options.refinement_slots == nullptr) {
-    options.refinement_slots = std::make_shared<RefinementSlots>(options.pool->num_threads());
+  MappingOptions& mapping = options.mapping;
+  if (mapping.pool == nullptr) mapping.pool = std::make_shared<ThreadPool>(mapping.num_threads, kFusionNiceness);
+  if (mapping.refinement_slots == nullptr) {
+    mapping.refinement_slots = std::make_shared<RefinementSlots>(mapping.pool->num_threads());
   }
-  if (options.kept_budget == nullptr) options.kept_budget = std::make_shared<ByteBudget>(options.kept_states_bytes);
+  HistoryOptions& history = options.history;
+  if (history.budget == nullptr) history.budget = std::make_shared<ByteBudget>(history.bytes);
   return options;
 }
 
@@ -46,16 +49,18 @@ MapSummary SummaryOf(const MapSnapshot& snapshot) {
   return {.info = snapshot.info(), .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size())};
 }
 
-MapRegistry::MapRegistry(MapStore& store, SessionOptions options)
+MapRegistry::MapRegistry(MapStore& store, SessionOptions session, const RegistryOptions& options)
     : store_(store),
-      options_(WithPool(std::move(options))),
+      session_options_(WithShared(std::move(session))),
+      options_(options),
       changes_(store, options_.max_watchers),
       surfaces_(options_.surface_bytes) {}
 
-Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionOptions options) {
+Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, SessionOptions session,
+                                                       const RegistryOptions& options) {
   DHPMAP_ASSIGN_OR_RETURN(std::vector<StoredMap> maps, store.ListMaps());
-  SetPageReaderLimit({.bytes = BytesOfReaders(options)});
-  std::unique_ptr<MapRegistry> registry(new MapRegistry(store, std::move(options)));
+  SetPageReaderLimit({.bytes = BytesOfReaders(session.pages)});
+  std::unique_ptr<MapRegistry> registry(new MapRegistry(store, std::move(session), options));
   const MutexLock lock(registry->mutex_);
   for (StoredMap& map : maps) {
     auto entry = std::make_shared<Entry>();
@@ -76,7 +81,7 @@ MapRegistry::~MapRegistry() { (void)Shutdown(); }
 Result<MapSummary> MapRegistry::Create(MapInfo info) {
   DHPMAP_RETURN_IF_ERROR(ValidateMapName(info.name));
   const std::string name = info.name;
-  info.create_time_ns = Now(options_);
+  info.create_time_ns = Now(session_options_);
   info.history_id = DrawHistoryId();
   DHPMAP_ASSIGN_OR_RETURN(HeldName held, HoldName(name));
   Map map(std::move(info));
@@ -96,7 +101,7 @@ Status MapRegistry::CheckIsFree(const std::string& name) const {
 
 Result<HeldName> MapRegistry::HoldName(const std::string& name) {
   const MutexLock lock(mutex_);
-  if (is_shut_down_) return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN");
+  if (is_shut_down_) return ShuttingDown();
   if (!entries_.emplace(name, std::make_shared<Entry>()).second) return NameIsTaken(name);
   return HeldName(*this, name);
 }
@@ -209,7 +214,7 @@ Result<std::shared_ptr<MapSession>> MapRegistry::OpenSession(const std::string& 
   }
   DHPMAP_ASSIGN_OR_RETURN(std::shared_ptr<const MapSnapshot> snapshot, store_.LoadMap(name));
   auto session = Install(*entry, std::move(snapshot));
-  if (session == nullptr) return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN");
+  if (session == nullptr) return ShuttingDown();
   return session;
 }
 
@@ -226,7 +231,8 @@ Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& na
 }
 
 void MapRegistry::KeepPagesInBounds() {
-  if (options_.page_bytes == 0 || ResidentBytes(options_) <= BytesToKeep(options_)) return;
+  const PageOptions& pages = session_options_.pages;
+  if (pages.budget_bytes == 0 || ResidentBytes(pages) <= BytesToKeep(pages)) return;
   for (const auto& session : OpenSessions()) session->KeepPagesInBounds();
 }
 
@@ -301,7 +307,7 @@ Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, c
   }
   if (!repair) return store_.VerifyMap(name, !kRepair, stop);
   // That a map is open says nothing of voxels that nobody has read yet.
-  if (options_.page_bytes > 0 && IsOpen(*entry)) {
+  if (session_options_.pages.budget_bytes > 0 && IsOpen(*entry)) {
     auto looked_at = store_.VerifyMap(name, !kRepair, stop);
     if (!looked_at.ok() || looked_at->num_faults == 0) return looked_at;
     CloseIfAtRest(*entry, Clock::time_point::max(), Closing::kEvenViewed);
@@ -413,7 +419,8 @@ void MapRegistry::CloseIfAtRest(Entry& entry, Clock::time_point used_until, Clos
     if (is_shut_down_ || !entry.session || is_held || entry.last_used > used_until) return;
     if (!entry.session->IsAtRest()) return;
     // What was not read yet of a state that is held goes with the next change unless that is made in this session.
-    if (closing == Closing::kIfNotViewed && options_.page_bytes > 0 && entry.session->IsViewed()) return;
+    if (closing == Closing::kIfNotViewed && session_options_.pages.budget_bytes > 0 && entry.session->IsViewed())
+      return;
     entry.stored = Summarise(entry);
     session = std::exchange(entry.session, nullptr);
   }
@@ -445,12 +452,12 @@ MapSummary MapRegistry::Summarise(const Entry& entry) const {
 }
 
 std::shared_ptr<MapSession> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot) {
-  SessionOptions options = options_;
-  options.prepare = [this](const ShownView::State& state, std::function<void()> ready) {
+  SessionOptions options = session_options_;
+  options.publish.prepare = [this](const ShownView::State& state, std::function<void()> ready) {
     return keeper_.Note(state, std::move(ready));
   };
-  options.on_stored = [this, name = snapshot->info().name] { changes_.Notify(name); };
-  options.on_finishing = options.on_stored;
+  options.commit.on_stored = [this, name = snapshot->info().name] { changes_.Notify(name); };
+  options.on_finishing = options.commit.on_stored;
   auto session = std::make_shared<MapSession>(std::move(snapshot), store_, std::move(options));
   const MutexLock lock(mutex_);
   if (is_shut_down_) return nullptr;

@@ -28,6 +28,15 @@
 
 namespace dhpmap {
 
+/// Of all maps together.
+struct RegistryOptions {
+  double idle_close_s = 600;               ///< a map that nobody uses for so long is closed; 0: never
+  std::size_t surface_bytes = 512u << 20;  ///< of surfaces that are kept for distances
+  std::size_t max_watchers = 1000;
+  std::int64_t max_import_bytes = std::int64_t{16} << 30;  ///< of the file of a map that comes in
+  int max_imports = 2;                                     ///< maps that come in at once
+};
+
 struct MapSummary {
   MapInfo info;
   std::int64_t num_submaps = 0;  ///< the unknown submap included
@@ -68,14 +77,15 @@ class HeldName {
 };
 
 /// All maps of a store. A map is loaded when somebody first asks for more than its summary, and closed when nobody has
-/// asked for SessionOptions::idle_close_s.
+/// asked for RegistryOptions::idle_close_s.
 /// Thread-safe; no call on one map waits for another map.
 class MapRegistry {
  public:
   using Clock = std::chrono::steady_clock;
 
   /// Reads the list of maps. The store outlives the registry, and nobody else writes to it.
-  static Result<std::unique_ptr<MapRegistry>> Open(MapStore& store, SessionOptions options);
+  static Result<std::unique_ptr<MapRegistry>> Open(MapStore& store, SessionOptions session,
+                                                   const RegistryOptions& options = {});
   /// Shutdown().
   ~MapRegistry();
 
@@ -180,7 +190,7 @@ class MapRegistry {
     Clock::time_point last_used DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
   };
 
-  MapRegistry(MapStore& store, SessionOptions options);
+  MapRegistry(MapStore& store, SessionOptions session, const RegistryOptions& options);
   [[nodiscard]] std::shared_ptr<Entry> FindEntry(const std::string& name) const;
   [[nodiscard]] MapSummary Summarise(const Entry& entry) const DHPMAP_REQUIRES(mutex_);
   /// NOT_FOUND, with what is near among the maps that are there.
@@ -206,7 +216,8 @@ class MapRegistry {
   static constexpr std::chrono::seconds kOutgoingIdle{30};
 
   MapStore& store_;
-  const SessionOptions options_;
+  const SessionOptions session_options_;
+  const RegistryOptions options_;
   ChangeFeed changes_;
   SurfaceCache surfaces_;
   SurfaceKeeper keeper_{surfaces_};

@@ -8,7 +8,7 @@
 #include "mapping/io/pcd.h"
 #include "mapping/io/ply.h"
 #include "mapping/paging/read_tiles.h"
-#include "server/app/submap_edits.h"
+#include "server/app/no_such_submap.h"
 
 namespace dhpmap {
 

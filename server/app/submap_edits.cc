@@ -105,14 +105,6 @@ void Apply(const SubmapPatch& patch, const MapInfo& map, Submap& submap) {
 
 }  // namespace
 
-Status NoSuchSubmap(const MapInfo& map, SubmapId id) {
-  const std::string which = "submap " + std::to_string(id.value);
-  const std::optional<SubmapId> into = map.merged.Into(id);
-  if (!into) return NotFound(which + " does not exist").WithReason("SUBMAP_NOT_FOUND");
-  const std::string other = "maps/" + map.name + "/submaps/" + std::to_string(into->value);
-  return NotFound(which + " is a part of " + other + " now").WithReason("MERGED_INTO").WithMetadata("into", other);
-}
-
 Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag, const LostRevisions& lost) {
   const Submap* submap = map.Find(id);
   if (submap == nullptr) return NoSuchSubmap(map.info(), id);

@@ -9,11 +9,9 @@
 #include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
 #include "server/app/map_edits.h"
+#include "server/app/no_such_submap.h"
 
 namespace dhpmap {
-
-/// NOT_FOUND, with reason MERGED_INTO and the other's name if the submap is a part of another now.
-Status NoSuchSubmap(const MapInfo& map, SubmapId id);
 
 /// Single numbers of a pose; what is empty stays.
 struct PoseChange {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "server/app/submap_edits.h"
+#include "server/app/no_such_submap.h"
 
 namespace dhpmap {
 

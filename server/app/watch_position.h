@@ -7,7 +7,8 @@
 #include <string_view>
 
 #include "mapping/base/result.h"
-#include "server/app/map_registry.h"
+#include "mapping/map/lost_revisions.h"
+#include "mapping/map/map.h"
 
 namespace dhpmap {
 

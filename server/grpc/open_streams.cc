@@ -3,8 +3,6 @@
 
 namespace dhpmap {
 
-Status ShuttingDown() { return Unavailable("the server is shutting down").WithReason("SHUTTING_DOWN"); }
-
 void OpenStreams::StopAll() {
   const MutexLock lock(mutex_);
   is_stopped_ = true;

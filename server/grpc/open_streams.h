@@ -5,6 +5,7 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/base/status.h"
+#include "server/app/shutting_down.h"
 
 namespace dhpmap {
 
@@ -17,9 +18,6 @@ class OpenStream {
  protected:
   ~OpenStream() = default;
 };
-
-/// UNAVAILABLE, reason SHUTTING_DOWN.
-Status ShuttingDown();
 
 /// The streams of one kind that are open, so that a shutdown can end them. Thread-safe.
 class OpenStreams {

@@ -94,14 +94,14 @@ Result<std::string> MapWithin(const BudgetBenchOptions& options, const std::stri
   const std::string path = folder + "/" + std::to_string(budget_mib) + ".db";
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(path, {.pages_tiles = budget_mib > 0}));
   SessionOptions session_options;
-  session_options.refinement_timing = RefinementTiming::kReproducible;
-  session_options.idle_close_s = 0;
-  session_options.max_behind_s = 1e9;
-  session_options.page_bytes = budget_mib << 20;
+  session_options.mapping.refinement_timing = RefinementTiming::kReproducible;
+  session_options.commit.max_behind_s = 1e9;
+  session_options.pages.budget_bytes = budget_mib << 20;
   if (budget_mib > 0) {
-    DHPMAP_ASSIGN_OR_RETURN(session_options.spill, OpenTileSpill(folder));
+    DHPMAP_ASSIGN_OR_RETURN(session_options.pages.spill, OpenTileSpill(folder));
   }
-  DHPMAP_ASSIGN_OR_RETURN(const auto registry, MapRegistry::Open(*store, std::move(session_options)));
+  DHPMAP_ASSIGN_OR_RETURN(const auto registry,
+                          MapRegistry::Open(*store, std::move(session_options), {.idle_close_s = 0}));
   DHPMAP_RETURN_IF_ERROR(registry->Create(std::move(info)).status());
   DHPMAP_ASSIGN_OR_RETURN(const auto session, registry->OpenSession(kMapName));
   double fused_s = 0;

@@ -176,9 +176,7 @@ class EditedMap {
     SqliteStoreOptions store_options;
     store_options.edits.max_history_bytes = std::int64_t{4} << 30;
     DHPMAP_ASSIGN_OR_RETURN(store_, OpenSqliteStore(path_, store_options));
-    SessionOptions options;
-    options.idle_close_s = 0;
-    DHPMAP_ASSIGN_OR_RETURN(registry_, MapRegistry::Open(*store_, std::move(options)));
+    DHPMAP_ASSIGN_OR_RETURN(registry_, MapRegistry::Open(*store_, SessionOptions{}, {.idle_close_s = 0}));
     MapInfo info;
     info.name = kMapOfEdits;
     info.config.voxel_size_m = kVoxel_m;

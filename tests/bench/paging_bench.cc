@@ -165,13 +165,12 @@ Result<std::string> MeasureBudget(const std::string& path, std::int64_t budget_m
   const auto begin = PagingClock::now();
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(path, {.pages_tiles = budget_mib > 0}));
   SessionOptions options;
-  options.num_threads = 1;
-  options.page_bytes = budget_mib << 20;
+  options.mapping.num_threads = 1;
+  options.pages.budget_bytes = budget_mib << 20;
   if (budget_mib > 0) {
-    DHPMAP_ASSIGN_OR_RETURN(options.spill, OpenTileSpill(std::filesystem::path(path).parent_path().string()));
+    DHPMAP_ASSIGN_OR_RETURN(options.pages.spill, OpenTileSpill(std::filesystem::path(path).parent_path().string()));
   }
-  options.idle_close_s = 0;
-  DHPMAP_ASSIGN_OR_RETURN(const auto registry, MapRegistry::Open(*store, std::move(options)));
+  DHPMAP_ASSIGN_OR_RETURN(const auto registry, MapRegistry::Open(*store, std::move(options), {.idle_close_s = 0}));
   nlohmann::json told = {{"budget_mib", budget_mib}, {"open_s", PagingSecondsSince(begin)}};
   LargeMapReader reader(*registry, num_rooms);
   for (const PagingPhase& phase : kPhases) {

@@ -28,7 +28,7 @@ class InflightBytes : public ::testing::Test {
   /// So that what is of an old state is of nobody but who holds it.
   static SessionOptions KeepsNoPast() {
     SessionOptions options;
-    options.max_kept_states = 0;
+    options.history.max_states = 0;
     return options;
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 TEST(Concurrency, QueriesAndEditsDuringMappingSeeWholeStatesOfRisingRevision) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.publish_frames = 2, .commit_frames = 3});
+  TestServer server(*store, {.publish = {.frames = 2}, .commit = {.frames = 3}});
   ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
 
   std::atomic<bool> is_mapping = true;

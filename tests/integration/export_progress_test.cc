@@ -18,19 +18,22 @@ namespace {
 
 constexpr int kNumParts = 50;
 constexpr std::int64_t kPart_bytes = 1000;
+/// More than fit in all windows and buffers on the way to a client that does not read.
+constexpr int kEndless = 1'000'000;
 
 /// Each part waits until it may go.
 class GatedFile final : public StoreBackup {
  public:
-  explicit GatedFile(std::counting_semaphore<>& gate) : gate_(gate) {}
-  [[nodiscard]] std::int64_t size_bytes() const override { return kNumParts * kPart_bytes; }
+  GatedFile(std::counting_semaphore<>& gate, int num_parts) : gate_(gate), num_parts_(num_parts) {}
+  [[nodiscard]] std::int64_t size_bytes() const override { return num_parts_ * kPart_bytes; }
   Result<std::string> Read(std::size_t) override {
     if (!gate_.try_acquire_for(kPatience)) return Unavailable("nobody opens the gate");
-    return num_read_++ < kNumParts ? std::string(kPart_bytes, 'x') : std::string();
+    return num_read_++ < num_parts_ ? std::string(kPart_bytes, 'x') : std::string();
   }
 
  private:
   std::counting_semaphore<>& gate_;
+  const int num_parts_;
   int num_read_ = 0;
 };
 
@@ -39,6 +42,8 @@ class GatedStore final : public MapStore {
  public:
   /// So many parts more may be read.
   void Let(int num_parts) { gate_.release(num_parts); }
+  /// Of files that are made from now on.
+  void set_num_parts(int num_parts) { num_parts_ = num_parts; }
   /// Files are never made: whoever asks for one waits until they go away.
   void set_never_made() { is_never_made_ = true; }
 
@@ -61,7 +66,7 @@ class GatedStore final : public MapStore {
 
  private:
   Result<std::unique_ptr<StoreBackup>> Make(const std::stop_token& stop) {
-    if (!is_never_made_) return std::unique_ptr<StoreBackup>(std::make_unique<GatedFile>(gate_));
+    if (!is_never_made_) return std::unique_ptr<StoreBackup>(std::make_unique<GatedFile>(gate_, num_parts_));
     std::binary_semaphore gone(0);
     const std::stop_callback on_stop(stop, [&gone] { gone.release(); });
     if (!gone.try_acquire_for(kPatience)) return Unavailable("nobody goes away");
@@ -70,6 +75,7 @@ class GatedStore final : public MapStore {
 
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
   std::counting_semaphore<> gate_{0};
+  std::atomic<int> num_parts_ = kNumParts;
   std::atomic<bool> is_never_made_ = false;
 };
 
@@ -153,6 +159,7 @@ TEST_F(ExportProgressTest, AWatcherIsToldThatAFileGoesOutHowFarItIsAndItsEnd) {
 }
 
 TEST_F(ExportProgressTest, OneWhoseCallerHangsUpIsOver) {
+  store.set_num_parts(kEndless);
   const auto watcher = Watch("room");
   grpc::ClientContext context;
   const auto reader = Export(context);
@@ -162,11 +169,24 @@ TEST_F(ExportProgressTest, OneWhoseCallerHangsUpIsOver) {
   const std::int64_t id = Await(*watcher, Stage::SENDING, kPart_bytes).id();
   context.TryCancel();
   EXPECT_EQ(reader->Finish().error_code(), grpc::CANCELLED);
-  store.Let(kNumParts - 2);  // the server waits for one, and may for more before it hears of it; but never gets all
+  store.Let(kEndless / 2);  // until the server hears of it, it reads on: nothing says how far
   const v1::ExportProgress left = Await(*watcher, Stage::LEFT);
   EXPECT_EQ(left.id(), id);
   EXPECT_LT(left.done_bytes(), left.total_bytes());
   EXPECT_EQ(last.progress().num_exports(), 0);
+}
+
+TEST_F(ExportProgressTest, OneWhoseCallerHangsUpWhileTheServerHasReadFarAheadIsOver) {
+  store.set_num_parts(kEndless);
+  const auto watcher = Watch("room");
+  grpc::ClientContext context;
+  const auto reader = Export(context);
+  store.Let(kNumParts);  // which fit on the way: nobody reads them
+  (void)Await(*watcher, Stage::SENDING, kNumParts * kPart_bytes);
+  context.TryCancel();
+  EXPECT_EQ(reader->Finish().error_code(), grpc::CANCELLED);
+  store.Let(kEndless / 2);
+  EXPECT_LT(Await(*watcher, Stage::LEFT).done_bytes(), kEndless * kPart_bytes);
 }
 
 TEST_F(ExportProgressTest, OneWhoseCallerHangsUpBeforeThereIsAFileIsOver) {

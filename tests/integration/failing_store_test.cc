@@ -22,7 +22,7 @@ class FailingStoreTest : public ::testing::Test {
 
   FailingStore store;
   // Every frame is committed, and retries come at once: the test need not wait.
-  TestServer server{store, {.publish_frames = 1, .commit_frames = 1, .commit_retry_s = 0.01}};
+  TestServer server{store, {.publish = {.frames = 1}, .commit = {.frames = 1, .retry_s = 0.01}}};
 };
 
 TEST_F(FailingStoreTest, AFullDiskIsReportedAndLosesNothing) {

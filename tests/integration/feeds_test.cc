@@ -24,11 +24,11 @@ grpc::Status Delete(TestServer& server, const std::string& map_id) {
 }
 
 /// Nothing is stored but by a full sync at a stream's end.
-const SessionOptions kLazy{.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000};
+const SessionOptions kLazy{.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}};
 
 TEST(Feeds, NoAcknowledgementSaysMoreThanTheStoreHolds) {
   FailingStore store;
-  TestServer server(store, {.publish_frames = 1, .commit_frames = 2, .commit_retry_s = 0.01});
+  TestServer server(store, {.publish = {.frames = 1}, .commit = {.frames = 2, .retry_s = 0.01}});
   Create(server, "room");
   Feeder feeder(server, "room");
   std::int64_t told = -1;
@@ -189,7 +189,7 @@ TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
 
 TEST(Feeds, WhatIsTakenButNotStoredIsADuplicateAndToldAsStoredOnlyLater) {
   FailingStore store;
-  TestServer server(store, {.publish_frames = 1, .commit_frames = 1, .commit_retry_s = 0.01});
+  TestServer server(store, {.publish = {.frames = 1}, .commit = {.frames = 1, .retry_s = 0.01}});
   Create(server, "room");
   store.set_full(true);
   {
@@ -246,7 +246,7 @@ TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
 
 TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.feed_idle_s = 1000}, {.max_frames_in_flight = 8});
+  TestServer server(*store, {.feeds = {.idle_s = 1000}}, {.max_frames_in_flight = 8});
   Create(server, "room");
   Feeder first(server, "room", {.session = "first"});
   ASSERT_EQ(first.Feed(0)->outcome(), v1::FUSED);
@@ -287,7 +287,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
 
 TEST(Feeds, AnIdleFeederMakesPlaceForAnother) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.feed_idle_s = 0});
+  TestServer server(*store, {.feeds = {.idle_s = 0}});
   Create(server, "room");
   Feeder first(server, "room");
   ASSERT_TRUE(first.Feed(0));
@@ -303,7 +303,7 @@ TEST(Feeds, AnIdleFeederMakesPlaceForAnother) {
 
 TEST(Feeds, AMapWhoseFeederIsIdleCanBeDeleted) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.feed_idle_s = 0});
+  TestServer server(*store, {.feeds = {.idle_s = 0}});
   Create(server, "room");
   Feeder feeder(server, "room");
   ASSERT_TRUE(feeder.Feed(0));
@@ -318,7 +318,7 @@ TEST(Feeds, AMapWhoseFeederIsIdleCanBeDeleted) {
 /// gRPC gives a peer up that has not answered within the second: this asks for a machine that has one to spare.
 TEST(FeedsClock, APeerThatIsDeadEndsAlthoughItsConnectionIsOpen) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.feed_idle_s = 86'400}, {.keepalive_s = 1});
+  TestServer server(*store, {.feeds = {.idle_s = 86'400}}, {.keepalive_s = 1});
   Create(server, "room");
   TcpProxy proxy(server.grpc().port());
   const auto channel = grpc::CreateChannel(proxy.address(), grpc::InsecureChannelCredentials());

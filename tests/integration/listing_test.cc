@@ -95,7 +95,7 @@ TEST(ListingAfterACrash, ATokenOfAStateThatWasNotStoredIsRefused) {
   const TempDir folder;
   const std::string path = (folder.path() / "maps.db").string(), crashed = (folder.path() / "crashed.db").string();
   const auto store = std::move(OpenSqliteStore(path)).value();
-  TestServer server(*store, {.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000});
+  TestServer server(*store, {.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}});
   v1::ListSubmapsRequest request;
   request.set_parent("maps/room");
   request.set_page_size(1);

@@ -28,9 +28,9 @@ class MapFileCalls : public ::testing::Test {
     ASSERT_GT(bytes_.size(), 50'000u);
     num_files_ = NumFiles();
   }
-  void Start(SessionOptions session = {}, GrpcOptions grpc = {}) {
+  void Start(const RegistryOptions& options = {}, GrpcOptions grpc = {}) {
     server_ = nullptr;
-    server_ = std::make_unique<TestServer>(*store_, std::move(session), std::move(grpc));
+    server_ = std::make_unique<TestServer>(*store_, SessionOptions{}, std::move(grpc), GrpcObserver{}, options);
   }
 
   grpc::Status Export(const std::string& map, std::string& bytes) {

@@ -92,7 +92,7 @@ class PreconditionTest : public ::testing::Test {
 
   /// Frames that are seen and never stored, then a crash. What was read of the room meanwhile.
   v1::ListSubmapsResponse FeedAndCrash() {
-    Start("maps.db", {.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000});
+    Start("maps.db", {.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}});
     Feeder feeder(*server_, "room");
     EXPECT_TRUE(feeder.Feed(12) && feeder.Feed(13));
     v1::ListSubmapsResponse seen = List(*server_);

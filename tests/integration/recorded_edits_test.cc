@@ -23,7 +23,8 @@ class RecordedEdits : public ::testing::Test {
  protected:
   /// A server whose every frame is a revision, and whose refinements are taken over at their turn.
   std::unique_ptr<TestServer> MakeServer(MapStore& store, const std::string& map_id, bool records) {
-    SessionOptions options{.num_threads = 1, .publish_frames = 1, .refinement_timing = RefinementTiming::kReproducible};
+    SessionOptions options{.mapping = {.num_threads = 1, .refinement_timing = RefinementTiming::kReproducible},
+                           .publish = {.frames = 1}};
     if (records) {
       options.make_recorder = [this](const MapInfo& map) {
         return RecordMap(map, *records_, {.is_reproducible = true, .now_ns = {}, .on_stopped = {}});

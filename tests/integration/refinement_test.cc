@@ -51,7 +51,7 @@ v1::FinishMappingResponse FinishMapping(TestServer& server) {
 TEST(Refinement, FinishMappingSaysWhatItDid) {
   const auto store = MakeMemoryStore();
   std::atomic<int> num_observed = 0;
-  TestServer server(*store, {.on_refinement = [&](const RefinementReport&) { ++num_observed; }});
+  TestServer server(*store, {.mapping = {.on_refinement = [&](const RefinementReport&) { ++num_observed; }}});
   CreateMapFrom(server, CreateRequest("room"));
   FeedNoisyFrames(server, 0, kNumNoisyFrames);
   const v1::Refinement refinement = FinishMapping(server).refinement();
@@ -94,7 +94,7 @@ TEST(Refinement, DroppedVoxelLabelsAreReportedAndSurviveARestart) {
 
 TEST(Refinement, OnTheSideQueriesGoOnAndEachSeesOneRevision) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.publish_frames = 1});
+  TestServer server(*store, {.publish = {.frames = 1}});
   v1::CreateMapRequest request = CreateRequest("room");
   request.mutable_config()->mutable_refinement()->set_every_frames(1);
   CreateMapFrom(server, request);

@@ -22,7 +22,7 @@ class RestoreRevisionTest : public ::testing::Test {
   }
   static SessionOptions KeepsFew() {
     SessionOptions options;
-    options.max_kept_states = 6;
+    options.history.max_states = 6;
     return options;
   }
 

@@ -25,7 +25,8 @@ class ServerOnFile : public ::testing::Test {
     ASSERT_OK(opened);
     store = std::move(*opened);
     auto spill = page_bytes > 0 ? OpenTileSpill(dir.path().string()).value() : nullptr;
-    server = std::make_unique<TestServer>(*store, SessionOptions{.page_bytes = page_bytes, .spill = std::move(spill)});
+    server = std::make_unique<TestServer>(
+        *store, SessionOptions{.pages = {.budget_bytes = page_bytes, .spill = std::move(spill)}});
   }
   void Restart() {
     ASSERT_OK(server->Stop());

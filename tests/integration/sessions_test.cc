@@ -78,7 +78,7 @@ TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
 TEST(Sessions, OneRobotCannotStarveAnother) {
   constexpr int kInFlight = 3, kFlood = 24;
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.publish_frames = 1}, {.max_frames_in_flight = kInFlight});
+  TestServer server(*store, {.publish = {.frames = 1}}, {.max_frames_in_flight = kInFlight});
   CreateMap(server, CreateRequest("room"));
   Feeder flood(server, "room", {.session = "flood"}), other(server, "room", {.session = "other"});
   ASSERT_TRUE(flood.Feed(0) && other.Feed(0));
@@ -114,7 +114,8 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   const auto store = MakeMemoryStore();
   constexpr std::int64_t kTick_ns = 1'000'000, kBegin_ns = std::int64_t{1} << 60;
   std::atomic<std::int64_t> now_ns = kBegin_ns;  // else frames of more than 10 s ago would count for no rate
-  TestServer server(*store, {.commit_frames = 1, .feed_idle_s = 1e6, .now_ns = [&] { return now_ns += kTick_ns; }});
+  TestServer server(*store,
+                    {.commit = {.frames = 1}, .feeds = {.idle_s = 1e6}, .now_ns = [&] { return now_ns += kTick_ns; }});
   CreateMap(server, CreateRequest("room"));
   EXPECT_TRUE(SessionsOf(server, "room").empty());
   Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
@@ -150,7 +151,7 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
 
 TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.publish_frames = 1, .feed_idle_s = 1000}, {.max_frames_in_flight = 8});
+  TestServer server(*store, {.publish = {.frames = 1}, .feeds = {.idle_s = 1000}}, {.max_frames_in_flight = 8});
   CreateMap(server, CreateRequest("room"));
   Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
   ASSERT_TRUE(a.Feed(0) && b.Feed(0));
@@ -178,7 +179,7 @@ TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
 TEST(Sessions, TwoRobotsMakeTheMapThatOneMakes) {
   constexpr int kNumFrames = 16;
   const auto store = MakeMemoryStore();
-  TestServer server(*store, {.refinement_timing = RefinementTiming::kReproducible});
+  TestServer server(*store, {.mapping = {.refinement_timing = RefinementTiming::kReproducible}});
   for (const char* name : {"one", "two"}) CreateMap(server, CreateRequest(name));
   {
     Feeder only(server, "one", {.session = "a"});
@@ -259,14 +260,14 @@ class RecordedSessions : public ::testing::Test {
   std::shared_ptr<const MapSnapshot> Record(int num_threads, Use&& use, std::int64_t max_bytes = 1 << 30) {
     const auto store = MakeMemoryStore();
     records_ = RecordDir::Open((dir_.path() / "records").string(), max_bytes).value();
-    TestServer server(*store, {.num_threads = num_threads,
-                               .publish_frames = 1,
-                               .refinement_timing = RefinementTiming::kReproducible,
-                               .make_recorder = [this](const MapInfo& map) {
-                                 return RecordMap(map, *records_,
-                                                  {.is_reproducible = true,
-                                                   .on_stopped = [this](auto why) { stopped_.push_back(why); }});
-                               }});
+    TestServer server(*store,
+                      {.mapping = {.num_threads = num_threads, .refinement_timing = RefinementTiming::kReproducible},
+                       .publish = {.frames = 1},
+                       .make_recorder = [this](const MapInfo& map) {
+                         return RecordMap(map, *records_, {.is_reproducible = true, .on_stopped = [this](auto why) {
+                                                             stopped_.push_back(why);
+                                                           }});
+                       }});
     auto request = CreateRequest("room");
     request.mutable_config()->mutable_refinement()->set_every_frames(5);
     CreateMap(server, request);
@@ -334,7 +335,8 @@ TEST_F(RecordedSessions, TheRecordMakesTheSameMapForAnyNumberOfThreads) {
   EXPECT_TRUE(stopped_.empty());
   for (const int num_threads : {1, 3}) {
     const auto store = MakeMemoryStore();
-    TestServer server(*store, {.num_threads = num_threads, .refinement_timing = RefinementTiming::kReproducible});
+    TestServer server(*store,
+                      {.mapping = {.num_threads = num_threads, .refinement_timing = RefinementTiming::kReproducible}});
     EXPECT_TRUE(MapsAreEqual(*original, *ReplayInto(server), 0, 0)) << num_threads;
   }
 }

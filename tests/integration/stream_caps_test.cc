@@ -25,7 +25,7 @@ class StreamCaps : public ::testing::Test {
 };
 
 TEST_F(StreamCaps, AFeederBeyondThemIsRefusedAtOnceAndTheOthersGoOn) {
-  Begin({.feed_idle_s = 1000, .max_feeds = 2});
+  Begin({.feeds = {.idle_s = 1000, .max_feeds = 2}});
   Feeder a(*server, "room", {.session = "a"}), b(*server, "room", {.session = "b"});
   ASSERT_TRUE(a.Feed(0) && b.Feed(0));
   {

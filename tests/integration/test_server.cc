@@ -36,9 +36,9 @@ GrpcOptions OnFreePort(GrpcOptions options) {
 }
 
 SessionOptions WithOneThread(SessionOptions options) {
-  options.num_threads = 1;
-  BePatient(options.max_behind_s, SessionOptions().max_behind_s);
-  BePatient(options.feed_idle_s, SessionOptions().feed_idle_s);
+  options.mapping.num_threads = 1;
+  BePatient(options.commit.max_behind_s, SessionOptions().commit.max_behind_s);
+  BePatient(options.feeds.idle_s, SessionOptions().feeds.idle_s);
   return options;
 }
 
@@ -52,15 +52,17 @@ std::shared_ptr<grpc::Channel> OwnChannel(int port) {
 
 }  // namespace
 
-TestServer::Doors TestServer::Open(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer) {
-  auto registry = ValueOrDie(MapRegistry::Open(store, WithOneThread(std::move(session))));
+TestServer::Doors TestServer::Open(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer,
+                                   const RegistryOptions& registry_options) {
+  auto registry = ValueOrDie(MapRegistry::Open(store, WithOneThread(std::move(session)), registry_options));
   auto door = ValueOrDie(GrpcServer::Start(OnFreePort(std::move(grpc)), *registry, std::move(observer)));
   door->SetServing(true);
   return {.registry = std::move(registry), .grpc = std::move(door)};
 }
 
-TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer)
-    : TestServer(Open(store, std::move(session), std::move(grpc), std::move(observer))) {}
+TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer,
+                       const RegistryOptions& registry)
+    : TestServer(Open(store, std::move(session), std::move(grpc), std::move(observer), registry)) {}
 
 TestServer::TestServer(Doors doors) : Client(OwnChannel(doors.grpc->port())), doors_(std::move(doors)) {}
 

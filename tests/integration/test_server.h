@@ -20,7 +20,8 @@ namespace dhpmap::testing {
 /// with one thread, and gives nobody up for being slow, unless the options say when.
 class TestServer : public Client {
  public:
-  explicit TestServer(MapStore& store, SessionOptions session = {}, GrpcOptions grpc = {}, GrpcObserver observer = {});
+  explicit TestServer(MapStore& store, SessionOptions session = {}, GrpcOptions grpc = {}, GrpcObserver observer = {},
+                      const RegistryOptions& registry = {});
   /// Waits for no call.
   ~TestServer();
 
@@ -42,7 +43,8 @@ class TestServer : public Client {
     std::unique_ptr<MapRegistry> registry;
     std::unique_ptr<GrpcServer> grpc;
   };
-  static Doors Open(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer);
+  static Doors Open(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer,
+                    const RegistryOptions& registry);
   explicit TestServer(Doors doors);
 
   const Doors doors_;

@@ -14,9 +14,9 @@ namespace {
 /// An empty map over the classes of TestScene, in a store whose history has limits.
 class WatchTest : public ::testing::Test {
  protected:
-  void Begin(const ChangeHistoryLimits& limits = {}, SessionOptions session = {}) {
+  void Begin(const ChangeHistoryLimits& limits = {}, const RegistryOptions& options = {}) {
     store = MakeMemoryStore(limits);
-    server = std::make_unique<TestServer>(*store, std::move(session));
+    server = std::make_unique<TestServer>(*store, SessionOptions{}, GrpcOptions{}, GrpcObserver{}, options);
     CreateMap();
   }
   void CreateMap() {

@@ -191,16 +191,15 @@ class EditedRoom {
     }
     constexpr int kNever = 1'000'000'000;
     SessionOptions options;
-    options.num_threads = 1;
-    options.publish_frames = 1;
-    options.publish_s = 0.01;  // so long a frame may wait for surfaces
-    options.commit_s = options.max_behind_s = kNever;
-    options.idle_close_s = 0;
-    options.page_bytes = kind_ == Store::kPaged ? 1 : 0;
-    if (kind_ == Store::kPaged) options.spill = OpenTileSpill(folder_.path().string()).value();
-    options.refinement_timing = RefinementTiming::kReproducible;
+    options.mapping.num_threads = 1;
+    options.publish.frames = 1;
+    options.publish.delay_s = 0.01;  // so long a frame may wait for surfaces
+    options.commit.delay_s = options.commit.max_behind_s = kNever;
+    options.pages.budget_bytes = kind_ == Store::kPaged ? 1 : 0;
+    if (kind_ == Store::kPaged) options.pages.spill = OpenTileSpill(folder_.path().string()).value();
+    options.mapping.refinement_timing = RefinementTiming::kReproducible;
     options.now_ns = [this] { return ++now_ns_; };
-    auto registry = MapRegistry::Open(*store_, std::move(options));
+    auto registry = MapRegistry::Open(*store_, std::move(options), {.idle_close_s = 0});
     ASSERT_TRUE(registry.ok()) << registry.status().ToString();
     registry_ = std::move(registry).value();
     if (!store_->GetMap("room").ok()) return;

@@ -66,7 +66,8 @@ class MoodyStore final : public MapStore {
 class MapRegistryTest : public ::testing::Test {
  protected:
   std::unique_ptr<MapRegistry> Open() {
-    SessionOptions options{.num_threads = 1, .now_ns = [] { return std::int64_t{1'600'000'000'000'000'000}; }};
+    SessionOptions options{.mapping = {.num_threads = 1},
+                           .now_ns = [] { return std::int64_t{1'600'000'000'000'000'000}; }};
     return std::move(MapRegistry::Open(store_, std::move(options))).value();
   }
 
@@ -131,7 +132,7 @@ void EditOnce(MapSession& session) {
 }
 
 TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileNobodyWrites) {
-  SessionOptions options{.num_threads = 5, .now_ns = [] { return std::int64_t{1}; }};
+  SessionOptions options{.mapping = {.num_threads = 5}, .now_ns = [] { return std::int64_t{1}; }};
   const auto registry = std::move(MapRegistry::Open(store_, std::move(options))).value();
   constexpr std::size_t kMaps = 12, kThreadsAMap = 2;  // its writer, and what commits
   std::thread([] {}).join();                           // with the first of all, a sanitizer starts a thread of its own
@@ -222,8 +223,8 @@ TEST_F(MapRegistryTest, AMapThatIsHeldOrFedStaysOpen) {
 }
 
 TEST_F(MapRegistryTest, ClosesIdleMapsByItself) {
-  SessionOptions options{.num_threads = 1, .idle_close_s = 0.02};
-  const auto registry = std::move(MapRegistry::Open(store_, std::move(options))).value();
+  const auto registry =
+      std::move(MapRegistry::Open(store_, {.mapping = {.num_threads = 1}}, {.idle_close_s = 0.02})).value();
   ASSERT_TRUE(registry->Create(InfoOf("room")).ok());
   ASSERT_TRUE(registry->ViewOf("room").ok());
   EXPECT_TRUE(testing::Eventually([&] { return registry->OpenSessions().empty(); }));

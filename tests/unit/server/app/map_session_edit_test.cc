@@ -81,7 +81,7 @@ TEST_F(MapSessionTest, AnEditThatCannotBeStoredDidNotHappen) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);
-  Open({.publish_frames = 1000, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000, .commit_retry_s = 0.005});
+  Open({.publish = {.frames = 1000, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 1000, .retry_s = 0.005}});
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(Integrate(i).report.ok());
   const auto clone = [&] {
     return Wait<Result<EditOutcome>>(
@@ -240,7 +240,7 @@ TEST_F(MapSessionTest, AMoveThatIsAskedForAgainTakesNoFrameItsTime) {
   auto waiting = std::make_unique<WaitingStore>();
   WaitingStore& disk = *waiting;
   store = std::move(waiting);
-  Open({.publish_frames = 1000, .publish_s = 1000, .commit_frames = 2, .commit_s = 1000});
+  Open({.publish = {.frames = 1000, .delay_s = 1000}, .commit = {.frames = 2, .delay_s = 1000}});
   for (int i = 0; i < 2; ++i) ASSERT_TRUE(Integrate(i).report.ok());
   ASSERT_TRUE(testing::Eventually([&] { return store->GetMap("room")->info.num_frames == 2; }));
   const auto move = [&] {
@@ -266,7 +266,7 @@ TEST_F(MapSessionTest, NoEditComesBeforeWhatAMoveHasLeftIsStored) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);
-  Open({.commit_retry_s = 0.005});
+  Open({.commit = {.retry_s = 0.005}});
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(Integrate(i).report.ok());
   ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
   std::atomic<int> num_commits = 0;
@@ -288,7 +288,7 @@ TEST_F(MapSessionTest, RefusesFramesWhileTheStoreIsTooFarBehind) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);
-  Open({.commit_frames = 1, .commit_s = 0.01, .commit_retry_s = 0.01, .max_behind_s = 0.05});
+  Open({.commit = {.frames = 1, .delay_s = 0.01, .retry_s = 0.01, .max_behind_s = 0.05}});
   ASSERT_TRUE(Integrate(0).report.ok());
   disk.set_full(true);
   const auto integrate_until = [&](bool wanted_ok) {

@@ -48,7 +48,7 @@ Answer Wait(Call&& call) {
 class MapSessionTest : public ::testing::Test {
  protected:
   void Open(SessionOptions options) {
-    options.num_threads = 2;
+    options.mapping.num_threads = 2;
     registry = std::move(MapRegistry::Open(*store, std::move(options))).value();
     ASSERT_TRUE(registry->Create(RoomInfo("room")).ok());
     session = *registry->OpenSession("room");

@@ -22,7 +22,7 @@ namespace {
 using testing::FailingStore;
 
 TEST_F(MapSessionTest, FramesAreSeenWithTheirBatch) {
-  Open({.publish_frames = 3, .publish_s = 1000, .commit_s = 1000});
+  Open({.publish = {.frames = 3, .delay_s = 1000}, .commit = {.delay_s = 1000}});
   for (int i = 0; i < 2; ++i) EXPECT_EQ(Integrate(i).revision, 1);
   EXPECT_EQ(session->View()->snapshot().info().num_frames, 0);
   EXPECT_EQ(Integrate(2).revision, 2);
@@ -37,7 +37,7 @@ TEST_F(MapSessionTest, FramesAreSeenWithTheirBatch) {
 class PreparedSessionTest : public MapSessionTest {
  protected:
   void Open(SessionOptions options) {
-    options.prepare = [this](const ShownView::State&, std::function<void()> ready) {
+    options.publish.prepare = [this](const ShownView::State&, std::function<void()> ready) {
       if (ready) ready_ = std::move(ready);
       return true;
     };
@@ -54,7 +54,7 @@ class PreparedSessionTest : public MapSessionTest {
 };
 
 TEST_F(PreparedSessionTest, FramesAreSeenOncePreparedAndStoredOnceSeen) {
-  Open({.publish_frames = 1, .publish_s = 1000, .commit_frames = 1, .commit_s = 1000});
+  Open({.publish = {.frames = 1, .delay_s = 1000}, .commit = {.frames = 1, .delay_s = 1000}});
   ASSERT_TRUE(Integrate(0).report.ok());
   EXPECT_EQ(NumSeen(), 0);
   EXPECT_EQ(NumStored(), 0) << "who follows the map is told of what is stored, and wants to see it";
@@ -69,21 +69,21 @@ TEST_F(PreparedSessionTest, FramesAreSeenOncePreparedAndStoredOnceSeen) {
 }
 
 TEST_F(PreparedSessionTest, WhatIsNeverPreparedIsSeenAndStoredAfterAWhile) {
-  Open({.publish_frames = 1000, .publish_s = 0.01, .commit_frames = 1000, .commit_s = 0.02});
+  Open({.publish = {.frames = 1000, .delay_s = 0.01}, .commit = {.frames = 1000, .delay_s = 0.02}});
   ASSERT_TRUE(Integrate(0).report.ok());
   EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 1; }));
   EXPECT_EQ(NumSeen(), 1);
 }
 
 TEST_F(PreparedSessionTest, WhatIsToBeStoredSoonIsNotKeptForThatWhichIsSeldomSeen) {
-  Open({.publish_frames = 1, .publish_s = 1000, .commit_frames = 1000, .commit_s = 0.02});
+  Open({.publish = {.frames = 1, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 0.02}});
   ASSERT_TRUE(Integrate(0).report.ok());
   EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 1; }));
   EXPECT_EQ(NumSeen(), 1);
 }
 
 TEST_F(PreparedSessionTest, AFlushAndAnEditWaitForNobody) {
-  Open({.publish_frames = 1, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000});
+  Open({.publish = {.frames = 1, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 1000}});
   ASSERT_TRUE(Integrate(0).report.ok());
   EXPECT_EQ(NumSeen(), 0);
   ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
@@ -102,7 +102,7 @@ TEST_F(PreparedSessionTest, AFlushAndAnEditWaitForNobody) {
 }
 
 TEST_F(MapSessionTest, FramesAreSeenAndStoredAfterAWhileEvenIfNoMoreCome) {
-  Open({.publish_frames = 1000, .publish_s = 0.01, .commit_frames = 1000, .commit_s = 0.02});
+  Open({.publish = {.frames = 1000, .delay_s = 0.01}, .commit = {.frames = 1000, .delay_s = 0.02}});
   Integrate(0);
   EXPECT_TRUE(testing::Eventually([&] { return store->GetMap("room")->info.num_frames == 1; }));
   EXPECT_EQ(session->View()->snapshot().info().num_frames, 1);
@@ -119,7 +119,7 @@ TEST_F(MapSessionTest, ABadFrameChangesNothing) {
 }
 
 TEST_F(MapSessionTest, StopStoresWhatIsFusedAndRefusesTheRest) {
-  Open({.publish_frames = 1000, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000});
+  Open({.publish = {.frames = 1000, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 1000}});
   Integrate(0);
   EXPECT_TRUE(registry->Shutdown().ok());
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 1);
@@ -132,7 +132,7 @@ TEST_F(MapSessionTest, AFeedIsToldWhatIsStoredAndNoMore) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);
-  Open({.publish_frames = 1, .commit_frames = 1, .commit_retry_s = 0.005});
+  Open({.publish = {.frames = 1}, .commit = {.frames = 1, .retry_s = 0.005}});
   const auto feed = *session->BeginFeed();
   const auto integrate = [&](std::int64_t sequence) {
     return Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, sequence, FrameOf(0), done); });
@@ -157,7 +157,7 @@ TEST_F(MapSessionTest, AFeedIsToldWhatIsStoredAndNoMore) {
 }
 
 TEST_F(MapSessionTest, ASessionIsRememberedWithItsFrames) {
-  Open({.publish_frames = 1000, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000});
+  Open({.publish = {.frames = 1000, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 1000}});
   auto feed = *session->BeginFeed({.session = "robot"});
   const auto integrate = [&](std::int64_t sequence) {
     return Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, sequence, FrameOf(0), done); });
@@ -196,7 +196,7 @@ TEST_F(MapSessionTest, ASessionIsRememberedWithItsFrames) {
 }
 
 TEST_F(MapSessionTest, FinishingEndsWhenNobodyWaitsForIt) {
-  Open({.publish_s = 1000, .commit_s = 1000});
+  Open({.publish = {.delay_s = 1000}, .commit = {.delay_s = 1000}});
   Integrate(0);
   std::stop_source gone;
   gone.request_stop();
@@ -207,7 +207,7 @@ TEST_F(MapSessionTest, FinishingEndsWhenNobodyWaitsForIt) {
 }
 
 TEST_F(MapSessionTest, FinishingThatWaitsForItsTurnEndsAtOnceWhenNobodyWaitsForIt) {
-  Open({.publish_s = 1000, .commit_s = 1000});
+  Open({.publish = {.delay_s = 1000}, .commit = {.delay_s = 1000}});
   Integrate(0);
   auto busy = std::make_unique<testing::BusyWriter>(*session);
   std::stop_source gone;
@@ -264,7 +264,7 @@ TEST_F(MapSessionTest, TheEndKeepsNobodyWaitingWhileAFinishingIsCancelled) {
 
 TEST_F(MapSessionTest, TheEndDoesNotWaitForARefinement) {
   const auto slots = std::make_shared<RefinementSlots>(1);
-  Open({.refinement_slots = slots});
+  Open({.mapping = {.refinement_slots = slots}});
   Integrate(0);
   auto held = RefinementSlots::TryTake(slots);  // finishing waits for it
   std::promise<Status> finished;
@@ -297,7 +297,7 @@ TEST_F(MapSessionTest, FramesThatWaitWhenAnotherTakesOverAreRefused) {
 }
 
 TEST_F(MapSessionTest, AMapWhoseFeederIsIdleCanBeDeleted) {
-  Open({.feed_idle_s = 0});
+  Open({.feeds = {.idle_s = 0}});
   Status told;
   const auto feed = *session->BeginFeed({.on_evicted = [&told](const Status& why) { told = why; }});
   ASSERT_TRUE(Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, 0, FrameOf(0), done); }).report.ok());
@@ -310,7 +310,7 @@ TEST_F(MapSessionTest, NumbersThatWereSeenBeforeACrashAreNotGivenOutAgain) {
   const testing::TempDir folder;
   const std::string path = (folder.path() / "maps.db").string(), crashed = (folder.path() / "crashed.db").string();
   store = std::move(OpenSqliteStore(path)).value();
-  Open({.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000});
+  Open({.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}});
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(Integrate(i).report.ok());
   const MapInfo seen = session->View()->snapshot().info();
   ASSERT_GT(seen.revision, 3);
@@ -337,7 +337,7 @@ TEST_F(MapSessionTest, NumbersThatCannotBeReservedAreNotShown) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);
-  Open({.publish_frames = 1, .commit_frames = 1000, .commit_s = 1000});
+  Open({.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}});
   disk.set_full(true);
   EXPECT_EQ(Integrate(0).revision, 1);
   EXPECT_EQ(session->View()->snapshot().info().num_frames, 0);
@@ -347,7 +347,7 @@ TEST_F(MapSessionTest, NumbersThatCannotBeReservedAreNotShown) {
 }
 
 TEST_F(MapSessionTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
-  Open({.publish_frames = 1, .commit_frames = 2});
+  Open({.publish = {.frames = 1}, .commit = {.frames = 2}});
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(Integrate(i).report.ok());
   std::atomic<bool> is_running = true;
   const auto look = [&] {
@@ -411,7 +411,8 @@ class SyncStore final : public MapStore {
 
 TEST(MapSession, AFlushIsSyncedInFullEvenIfAllWasCommittedBefore) {
   SyncStore store;
-  const auto registry = std::move(MapRegistry::Open(store, {.num_threads = 1, .commit_frames = 1})).value();
+  const auto registry =
+      std::move(MapRegistry::Open(store, {.mapping = {.num_threads = 1}, .commit = {.frames = 1}})).value();
   ASSERT_TRUE(registry->Create(RoomInfo("room")).ok());
   const auto session = *registry->OpenSession("room");
   (void)Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(0), done); });
@@ -442,7 +443,7 @@ class DamagedStore final : public MapStore {
 
 TEST(MapRegistry, ADamagedMapIsListedRefusedAndCanBeDeletedBesideTheOthers) {
   DamagedStore store;
-  const auto registry = std::move(MapRegistry::Open(store, {.num_threads = 1})).value();
+  const auto registry = std::move(MapRegistry::Open(store, {.mapping = {.num_threads = 1}})).value();
   ASSERT_EQ(registry->List().size(), 1u);
   EXPECT_EQ(registry->List()[0].damage.code(), StatusCode::kDataLoss);
   EXPECT_EQ(registry->Get("ruin").status().code(), StatusCode::kDataLoss);

@@ -67,7 +67,7 @@ class ShortStore final : public MapStore {
 
 /// Nothing happens by itself but where a test says so.
 SessionOptions Patient() {
-  return {.publish_frames = 1000, .publish_s = 1000, .commit_frames = 1000, .commit_s = 1000, .commit_retry_s = 1000};
+  return {.publish = {.frames = 1000, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 1000, .retry_s = 1000}};
 }
 
 class MapSessionThrowTest : public MapSessionTest {
@@ -127,8 +127,8 @@ TEST_F(MapSessionThrowTest, AFlushWhoseCommitThrowsIsAnsweredAndLosesNothing) {
 
 TEST_F(MapSessionThrowTest, ABatchThatThrowsIsTriedAgainWithoutMoreFrames) {
   SessionOptions options = Patient();
-  options.publish_frames = options.commit_frames = 2;
-  options.commit_retry_s = 0.005;
+  options.publish.frames = options.commit.frames = 2;
+  options.commit.retry_s = 0.005;
   OpenShort(std::move(options));
   ASSERT_TRUE(Integrate(0).report.ok());
   disk->in_reserve.Set(3);
@@ -211,7 +211,7 @@ TEST_F(MapSessionThrowTest, WhateverThrowsBeforeAnEditItDidNotHappen) {
 
 TEST_F(MapSessionThrowTest, FinishingWhosePublishThrowsIsAnsweredAndStoredLater) {
   SessionOptions options = Patient();
-  options.commit_s = options.commit_retry_s = 0.005;
+  options.commit.delay_s = options.commit.retry_s = 0.005;
   OpenShort(std::move(options));
   const auto is_settled = [](const MapSnapshot& state) {
     for (const auto& submap : state.submaps()) {
@@ -243,8 +243,8 @@ TEST_F(MapSessionThrowTest, FinishingWhoseCommitThrowsIsAnswered) {
 
 TEST_F(MapSessionThrowTest, WhoThrowsWhenToldDoesNoHarm) {
   SessionOptions options = Patient();
-  options.on_commit = [](double, const Status&) { throw std::bad_alloc(); };
-  options.on_refinement = [](const RefinementReport&) { throw std::bad_alloc(); };
+  options.commit.on_commit = [](double, const Status&) { throw std::bad_alloc(); };
+  options.mapping.on_refinement = [](const RefinementReport&) { throw std::bad_alloc(); };
   OpenShort(std::move(options));
   session->Integrate(FrameOf(0), [](const FrameOutcome&) { throw std::runtime_error("of the feeder"); });
   session->Edit([](Map&) -> Result<SubmapId> { return SubmapId(0); },

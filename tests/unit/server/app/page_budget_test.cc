@@ -39,10 +39,8 @@ class PageBudgetTest : public ::testing::Test {
   void TearDown() override { Close(); }
 
   [[nodiscard]] SessionOptions Options(std::int64_t page_bytes) const {
-    return {.num_threads = 2,
-            .page_bytes = page_bytes,
-            .spill = page_bytes > 0 ? spill_ : nullptr,
-            .refinement_timing = RefinementTiming::kReproducible};
+    return {.mapping = {.num_threads = 2, .refinement_timing = RefinementTiming::kReproducible},
+            .pages = {.budget_bytes = page_bytes, .spill = page_bytes > 0 ? spill_ : nullptr}};
   }
   /// 0: maps are read as a whole.
   void Open(std::int64_t page_bytes) {
@@ -153,8 +151,8 @@ TEST_F(PageBudgetTest, WhatFramesReadGoesOnceTheyArePublishedAndStored) {
   Close();
   store_ = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = true}).value();
   SessionOptions options = Options(1);
-  options.publish_frames = options.commit_frames = 1000;
-  options.publish_s = options.commit_s = 1000;
+  options.publish.frames = options.commit.frames = 1000;
+  options.publish.delay_s = options.commit.delay_s = 1000;
   {
     MapSession session(store_->LoadMap("room").value(), *store_, options);
     for (int i = 4; i < 7; ++i) {
@@ -373,7 +371,7 @@ TEST_F(PageBudgetTest, ADamagedTileIsToldToWhoNeedsItAndTheMapGoesOn) {
   const Submap& unread = *snapshot->submaps().back();
   EXPECT_THROW((void)unread.blocks().entries().front(), StatusError);
   const auto memory = MakeMemoryStore();
-  MapSession session(snapshot, *memory, {.num_threads = 1});
+  MapSession session(snapshot, *memory, {.mapping = {.num_threads = 1}});
   const auto frame = Wait<FrameOutcome>([&](auto done) { session.Integrate(FrameOf(4), done); });
   EXPECT_EQ(frame.report.status().code(), StatusCode::kUnavailable) << frame.report.status().ToString();
   const auto renamed = Wait<Result<EditOutcome>>([&](auto done) {

@@ -56,7 +56,7 @@ class LargeStoreClock : public ::testing::Test {
     ASSERT_TRUE(store.ok());
     store_ = std::move(*store);
     ASSERT_TRUE(store_->CreateMap(*NoisyMap()).ok());
-    auto registry = MapRegistry::Open(*store_, {.num_threads = 1});
+    auto registry = MapRegistry::Open(*store_, {.mapping = {.num_threads = 1}});
     ASSERT_TRUE(registry.ok());
     registry_ = std::move(*registry);
   }
