@@ -7,7 +7,7 @@
 
 #include "mapping/paging/page_reader.h"
 #include "mapping/paging/tile_page.h"
-#include "server/app/map_stats.h"
+#include "server/app/maps/map_stats.h"
 
 namespace dhpmap {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "server/app/map_registry.h"
+#include "server/app/maps/map_registry.h"
 #include "server/config/server_config.h"
 #include "server/gateway/gateway.h"
 #include "server/grpc/grpc_server.h"

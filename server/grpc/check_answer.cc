@@ -7,8 +7,8 @@
 
 #include "mapping/base/guarded.h"
 #include "mapping/paging/page_reader.h"
-#include "server/app/body_check.h"
-#include "server/app/trajectory_check.h"
+#include "server/app/queries/body_check.h"
+#include "server/app/queries/trajectory_check.h"
 #include "server/grpc/query_answers.h"
 #include "server/wire/body_conversion.h"
 #include "server/wire/query_options.h"

@@ -6,8 +6,8 @@
 #include <stop_token>
 
 #include "dhpmap/v1/query_service.pb.h"
-#include "server/app/check_piece.h"
-#include "server/app/map_view.h"
+#include "server/app/queries/check_piece.h"
+#include "server/app/states/map_view.h"
 #include "server/grpc/call_runner.h"
 
 namespace dhpmap {

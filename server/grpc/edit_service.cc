@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "dhpmap/v1/edit_service.grpc.pb.h"
-#include "server/app/edit_list.h"
-#include "server/app/edit_summary.h"
+#include "server/app/edits/edit_list.h"
+#include "server/app/edits/edit_summary.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/edit_call.h"
 #include "server/grpc/read_view.h"

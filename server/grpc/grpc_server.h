@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "mapping/base/result.h"
-#include "server/app/map_registry.h"
+#include "server/app/maps/map_registry.h"
 #include "server/grpc/grpc_options.h"
 
 namespace grpc {

@@ -10,7 +10,7 @@
 #include "dhpmap/v1/map_service.pb.h"
 #include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
-#include "server/app/map_import.h"
+#include "server/app/maps/map_import.h"
 #include "server/grpc/call_runner.h"
 #include "server/grpc/client_lag.h"
 

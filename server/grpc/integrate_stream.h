@@ -13,7 +13,7 @@
 #include "mapping/base/byte_budget.h"
 #include "mapping/base/lane.h"
 #include "mapping/base/mutex.h"
-#include "server/app/map_session.h"
+#include "server/app/session/map_session.h"
 #include "server/grpc/call_runner.h"
 #include "server/grpc/open_streams.h"
 #include "server/grpc/stream_turns.h"

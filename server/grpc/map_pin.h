@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mapping/base/result.h"
-#include "server/app/map_view.h"
+#include "server/app/states/map_view.h"
 
 namespace dhpmap {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
-#include "server/app/map_stats.h"
+#include "server/app/maps/map_stats.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/edit_call.h"
 #include "server/grpc/import_stream.h"

@@ -4,11 +4,11 @@
 #include <string>
 #include <utility>
 
-#include "server/app/distance_lookup.h"
-#include "server/app/object_queries.h"
-#include "server/app/point_query.h"
-#include "server/app/ray_cast.h"
-#include "server/app/slice_export.h"
+#include "server/app/queries/distance_lookup.h"
+#include "server/app/queries/object_queries.h"
+#include "server/app/queries/point_query.h"
+#include "server/app/queries/ray_cast.h"
+#include "server/app/queries/slice_export.h"
 #include "server/wire/body_conversion.h"
 #include "server/wire/distance_conversion.h"
 #include "server/wire/object_conversion.h"

@@ -8,7 +8,7 @@
 #include "dhpmap/v1/query_service.pb.h"
 #include "mapping/base/spread.h"
 #include "mapping/paging/page_reader.h"
-#include "server/app/map_view.h"
+#include "server/app/states/map_view.h"
 #include "server/grpc/call_runner.h"
 
 namespace dhpmap {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "dhpmap/v1/query_service.grpc.pb.h"
-#include "server/app/distance_grid.h"
+#include "server/app/queries/distance_grid.h"
 #include "server/grpc/check_answer.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/passing_time.h"

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-#include "server/app/etag.h"
+#include "server/app/states/etag.h"
 #include "server/grpc/check_answer.h"
 #include "server/grpc/passing_time.h"
 #include "server/grpc/query_answers.h"

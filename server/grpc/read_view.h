@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "mapping/base/result.h"
-#include "server/app/map_view.h"
+#include "server/app/states/map_view.h"
 #include "server/grpc/call_runner.h"
 
 namespace dhpmap {

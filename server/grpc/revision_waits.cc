@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/app/etag.h"
+#include "server/app/states/etag.h"
 #include "server/grpc/passing_time.h"
 
 namespace dhpmap {

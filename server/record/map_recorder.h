@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mapping/map/map.h"
-#include "server/app/frame_recorder.h"
+#include "server/app/feeds/frame_recorder.h"
 #include "server/record/record_dir.h"
 
 namespace dhpmap {

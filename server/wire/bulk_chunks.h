@@ -5,9 +5,9 @@
 
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/submap_service.pb.h"
-#include "server/app/map_registry.h"
-#include "server/app/mesh_export.h"
-#include "server/app/voxel_walk.h"
+#include "server/app/maps/map_registry.h"
+#include "server/app/queries/mesh_export.h"
+#include "server/app/queries/voxel_walk.h"
 
 namespace dhpmap {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "dhpmap/v1/edit_service.pb.h"
-#include "server/app/edit_list.h"
+#include "server/app/edits/edit_list.h"
 
 namespace dhpmap {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "dhpmap/v1/edit_service.pb.h"
-#include "server/app/edit_undo.h"
-#include "server/app/map_session.h"
-#include "server/app/revision_restore.h"
+#include "server/app/edits/edit_undo.h"
+#include "server/app/edits/revision_restore.h"
+#include "server/app/session/map_session.h"
 #include "server/wire/paging.h"
 
 namespace dhpmap {

@@ -4,7 +4,7 @@
 #include <stop_token>
 
 #include "dhpmap/v1/occupancy.pb.h"
-#include "server/app/distance_grid.h"
+#include "server/app/queries/distance_grid.h"
 
 namespace dhpmap {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "server/app/etag.h"
+#include "server/app/states/etag.h"
 #include "server/wire/types/label_conversion.h"
 #include "server/wire/types/resource_names.h"
 

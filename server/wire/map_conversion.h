@@ -3,9 +3,9 @@
 
 #include "dhpmap/v1/map_service.pb.h"
 #include "mapping/map/map_config.h"
-#include "server/app/map_edits.h"
-#include "server/app/map_registry.h"
-#include "server/app/map_stats.h"
+#include "server/app/edits/map_edits.h"
+#include "server/app/maps/map_registry.h"
+#include "server/app/maps/map_stats.h"
 
 namespace dhpmap {
 

@@ -5,7 +5,7 @@
 
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/watch_service.pb.h"
-#include "server/app/map_session.h"
+#include "server/app/session/map_session.h"
 
 namespace dhpmap {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mapping/submap/display_name.h"
-#include "server/app/no_such_submap.h"
+#include "server/app/states/no_such_submap.h"
 #include "server/wire/query_options.h"
 #include "server/wire/submap_conversion.h"
 #include "server/wire/types/pose_conversion.h"

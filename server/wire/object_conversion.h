@@ -7,7 +7,7 @@
 #include "dhpmap/v1/search.pb.h"
 #include "mapping/query/relations.h"
 #include "mapping/query/submap_search.h"
-#include "server/app/map_view.h"
+#include "server/app/states/map_view.h"
 
 namespace dhpmap {
 

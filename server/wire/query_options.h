@@ -3,8 +3,8 @@
 
 #include "dhpmap/v1/query_options.pb.h"
 #include "mapping/map/map.h"
-#include "server/app/body_check.h"
-#include "server/app/distance_lookup.h"
+#include "server/app/queries/body_check.h"
+#include "server/app/queries/distance_lookup.h"
 #include "server/wire/allowed_collisions.h"
 
 namespace dhpmap {

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "dhpmap/v1/occupancy.pb.h"
-#include "server/app/slice_export.h"
+#include "server/app/queries/slice_export.h"
 
 namespace dhpmap {
 

@@ -12,7 +12,7 @@
 
 #include "mapping/labels/class_names.h"
 #include "mapping/submap/display_name.h"
-#include "server/app/etag.h"
+#include "server/app/states/etag.h"
 #include "server/wire/types/label_conversion.h"
 #include "server/wire/types/pose_conversion.h"
 #include "server/wire/types/resource_names.h"

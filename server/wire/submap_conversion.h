@@ -3,9 +3,9 @@
 
 #include "dhpmap/v1/submap_service.pb.h"
 #include "mapping/map/map.h"
-#include "server/app/map_view.h"
-#include "server/app/submap_edits.h"
-#include "server/app/submap_filter.h"
+#include "server/app/edits/submap_edits.h"
+#include "server/app/queries/submap_filter.h"
+#include "server/app/states/map_view.h"
 
 namespace dhpmap {
 

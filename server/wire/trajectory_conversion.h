@@ -8,7 +8,7 @@
 #include "dhpmap/v1/collision.pb.h"
 #include "mapping/map/map.h"
 #include "mapping/query/trajectory_query.h"
-#include "server/app/body_check.h"
+#include "server/app/queries/body_check.h"
 #include "server/wire/allowed_collisions.h"
 
 namespace dhpmap {

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "dhpmap/v1/watch_service.pb.h"
-#include "server/app/change_filter.h"
-#include "server/app/running_exports.h"
-#include "server/app/watch_position.h"
+#include "server/app/maps/running_exports.h"
+#include "server/app/watch/change_filter.h"
+#include "server/app/watch/watch_position.h"
 
 namespace dhpmap {
 

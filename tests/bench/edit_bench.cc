@@ -17,9 +17,9 @@
 
 #include "mapping/base/guarded.h"
 #include "mapping/map/history_id.h"
-#include "server/app/edit_list.h"
-#include "server/app/edit_summary.h"
-#include "server/app/map_registry.h"
+#include "server/app/edits/edit_list.h"
+#include "server/app/edits/edit_summary.h"
+#include "server/app/maps/map_registry.h"
 #include "storage/store.h"
 #include "tests/bench/bench.h"
 

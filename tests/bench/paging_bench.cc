@@ -18,7 +18,7 @@
 #include "mapping/map/history_id.h"
 #include "mapping/paging/tile_page.h"
 #include "mapping/paging/tile_spill.h"
-#include "server/app/map_registry.h"
+#include "server/app/maps/map_registry.h"
 #include "storage/store.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/large_map.h"

@@ -4,7 +4,7 @@
 #include <future>
 #include <memory>
 
-#include "server/app/map_session.h"
+#include "server/app/session/map_session.h"
 
 namespace dhpmap::testing {
 

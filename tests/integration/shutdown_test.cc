@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "mapping/pipeline/map_builder.h"
-#include "server/app/frame_recorder.h"
+#include "server/app/feeds/frame_recorder.h"
 #include "server/wire/frame_conversion.h"
 #include "tests/integration/feeder.h"
 #include "tests/support/eventually.h"

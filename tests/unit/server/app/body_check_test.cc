@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/body_check.h"
+#include "server/app/queries/body_check.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
 
-#include "server/app/trajectory_check.h"
+#include "server/app/queries/trajectory_check.h"
 #include "tests/unit/mapping/query/stopped_work.h"
 #include "tests/unit/server/app/plane_map.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/change_feed.h"
+#include "server/app/watch/change_feed.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "server/app/watch_position.h"
+#include "server/app/watch/watch_position.h"
 
 namespace dhpmap {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/commit_worker.h"
+#include "server/app/session/commit_worker.h"
 
 #include <gtest/gtest.h>
 

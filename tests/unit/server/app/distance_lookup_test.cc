@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/distance_lookup.h"
+#include "server/app/queries/distance_lookup.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/edit_list.h"
+#include "server/app/edits/edit_list.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "server/app/etag.h"
+#include "server/app/states/etag.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/edit_list.h"
-#include "server/app/edit_summary.h"
-#include "server/app/edit_undo.h"
+#include "server/app/edits/edit_list.h"
+#include "server/app/edits/edit_summary.h"
+#include "server/app/edits/edit_undo.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/storage/map_text.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/edit_undo.h"
+#include "server/app/edits/edit_undo.h"
 
 #include <gtest/gtest.h>
 

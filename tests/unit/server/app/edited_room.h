@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "mapping/paging/tile_spill.h"
-#include "server/app/edit_list.h"
-#include "server/app/edit_summary.h"
-#include "server/app/map_registry.h"
+#include "server/app/edits/edit_list.h"
+#include "server/app/edits/edit_summary.h"
+#include "server/app/maps/map_registry.h"
 #include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/server/app/map_session_fixture.h"

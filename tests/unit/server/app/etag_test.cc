@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/etag.h"
+#include "server/app/states/etag.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/feed_seats.h"
+#include "server/app/feeds/feed_seats.h"
 
 #include <gtest/gtest.h>
 

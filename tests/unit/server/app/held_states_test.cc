@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/held_states.h"
+#include "server/app/states/held_states.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/kept_states.h"
+#include "server/app/states/kept_states.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "server/app/state_bytes.h"
+#include "server/app/states/state_bytes.h"
 
 namespace dhpmap {
 namespace {

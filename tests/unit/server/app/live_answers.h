@@ -14,7 +14,7 @@
 
 #include "mapping/mesh/mesh.h"
 #include "mapping/query/distance_query.h"
-#include "server/app/map_view.h"
+#include "server/app/states/map_view.h"
 
 // What a server answers whose index, surfaces and near fields go from state to state, against one that has just begun.
 

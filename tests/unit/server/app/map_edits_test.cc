@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/map_edits.h"
+#include "server/app/edits/map_edits.h"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 #include <vector>
 
-#include "server/app/etag.h"
+#include "server/app/states/etag.h"
 
 namespace dhpmap {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/map_registry.h"
+#include "server/app/maps/map_registry.h"
 
 #include <gtest/gtest.h>
 

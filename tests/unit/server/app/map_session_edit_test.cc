@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/edit_list.h"
-#include "server/app/edit_summary.h"
-#include "server/app/submap_edits.h"
+#include "server/app/edits/edit_list.h"
+#include "server/app/edits/edit_summary.h"
+#include "server/app/edits/submap_edits.h"
 #include "tests/integration/failing_store.h"
 #include "tests/support/eventually.h"
 #include "tests/unit/server/app/map_session_fixture.h"

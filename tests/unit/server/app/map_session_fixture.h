@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "server/app/map_registry.h"
-#include "server/app/map_session.h"
+#include "server/app/maps/map_registry.h"
+#include "server/app/session/map_session.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
 

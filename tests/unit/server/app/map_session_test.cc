@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/map_session.h"
+#include "server/app/session/map_session.h"
 
 #include <atomic>
 #include <chrono>
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/app/submap_edits.h"
+#include "server/app/edits/submap_edits.h"
 #include "tests/integration/busy_writer.h"
 #include "tests/integration/failing_store.h"
 #include "tests/support/eventually.h"

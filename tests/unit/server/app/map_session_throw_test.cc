@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/submap_edits.h"
+#include "server/app/edits/submap_edits.h"
 #include "tests/support/eventually.h"
 #include "tests/unit/server/app/map_session_fixture.h"
 

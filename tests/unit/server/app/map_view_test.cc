@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/map_view.h"
+#include "server/app/states/map_view.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/shown_view.h"
+#include "server/app/states/shown_view.h"
 
 namespace dhpmap {
 namespace {

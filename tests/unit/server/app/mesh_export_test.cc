@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/mesh_export.h"
+#include "server/app/queries/mesh_export.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/object_motion.h"
+#include "server/app/edits/object_motion.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "mapping/submap/submap_outline.h"
-#include "server/app/edit_list.h"
-#include "server/app/edit_summary.h"
+#include "server/app/edits/edit_list.h"
+#include "server/app/edits/edit_summary.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 namespace dhpmap {

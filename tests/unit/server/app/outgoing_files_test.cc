@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/outgoing_files.h"
+#include "server/app/maps/outgoing_files.h"
 
 #include <gtest/gtest.h>
 

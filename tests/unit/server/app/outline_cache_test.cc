@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/outline_cache.h"
+#include "server/app/states/outline_cache.h"
 
 #include <gtest/gtest.h>
 
 #include "mapping/base/status_error.h"
 #include "mapping/paging/tile_page.h"
-#include "server/app/map_view.h"
+#include "server/app/states/map_view.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 namespace dhpmap {

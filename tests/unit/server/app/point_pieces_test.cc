@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/point_pieces.h"
+#include "server/app/queries/point_pieces.h"
 
 #include <gtest/gtest.h>
 

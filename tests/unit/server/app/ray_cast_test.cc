@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/ray_cast.h"
+#include "server/app/queries/ray_cast.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A map, or one of its objects, goes back to what it was.
-#include "server/app/revision_restore.h"
+#include "server/app/edits/revision_restore.h"
 
 #include <gtest/gtest.h>
 

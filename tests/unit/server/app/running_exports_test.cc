@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/running_exports.h"
+#include "server/app/maps/running_exports.h"
 
 #include <gtest/gtest.h>
 

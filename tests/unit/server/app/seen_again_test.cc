@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/edit_list.h"
+#include "server/app/edits/edit_list.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/mapping/pipeline/gone_scene.h"
 

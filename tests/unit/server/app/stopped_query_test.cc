@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "server/app/body_check.h"
-#include "server/app/distance_grid.h"
-#include "server/app/distance_lookup.h"
-#include "server/app/mesh_export.h"
-#include "server/app/object_queries.h"
-#include "server/app/point_query.h"
-#include "server/app/ray_cast.h"
-#include "server/app/slice_export.h"
-#include "server/app/trajectory_check.h"
-#include "server/app/voxel_walk.h"
+#include "server/app/queries/body_check.h"
+#include "server/app/queries/distance_grid.h"
+#include "server/app/queries/distance_lookup.h"
+#include "server/app/queries/mesh_export.h"
+#include "server/app/queries/object_queries.h"
+#include "server/app/queries/point_query.h"
+#include "server/app/queries/ray_cast.h"
+#include "server/app/queries/slice_export.h"
+#include "server/app/queries/trajectory_check.h"
+#include "server/app/queries/voxel_walk.h"
 #include "tests/unit/mapping/query/stopped_work.h"
 
 // What the server is asked for in bulk ends soon after nobody waits for it any longer.

@@ -13,8 +13,8 @@
 #include <thread>
 #include <utility>
 
-#include "server/app/map_import.h"
-#include "server/app/map_registry.h"
+#include "server/app/maps/map_import.h"
+#include "server/app/maps/map_registry.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/mapping/query/stopped_work.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/submap_edits.h"
+#include "server/app/edits/submap_edits.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "server/app/etag.h"
-#include "server/app/map_stats.h"
-#include "server/app/submap_filter.h"
+#include "server/app/maps/map_stats.h"
+#include "server/app/queries/submap_filter.h"
+#include "server/app/states/etag.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/surface_keeper.h"
+#include "server/app/maps/surface_keeper.h"
 
 #include <gtest/gtest.h>
 

@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "server/app/body_check.h"
-#include "server/app/distance_grid.h"
-#include "server/app/distance_lookup.h"
-#include "server/app/point_query.h"
-#include "server/app/ray_cast.h"
-#include "server/app/slice_export.h"
-#include "server/app/trajectory_check.h"
+#include "server/app/queries/body_check.h"
+#include "server/app/queries/distance_grid.h"
+#include "server/app/queries/distance_lookup.h"
+#include "server/app/queries/point_query.h"
+#include "server/app/queries/ray_cast.h"
+#include "server/app/queries/slice_export.h"
+#include "server/app/queries/trajectory_check.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 // What the server says of a map without a layer of free space.

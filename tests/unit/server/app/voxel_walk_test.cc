@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/voxel_walk.h"
+#include "server/app/queries/voxel_walk.h"
 
 #include <gtest/gtest.h>
 
