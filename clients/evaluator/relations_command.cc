@@ -14,7 +14,7 @@
 #include "clients/evaluator/truth_points.h"
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/query/point_lookup.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap::evaluator {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "mapping/query/body_triangle.h"
+#include "mapping/geometry/body_triangle.h"
 #include "mapping/query/near_triangles.h"
 #include "mapping/query/unseen_voxels.h"
 

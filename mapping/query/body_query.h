@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "mapping/query/body.h"
+#include "mapping/geometry/body.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/query_scope.h"
 #include "mapping/query/query_world.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <utility>
 
-#include "mapping/query/find_field_cell.h"
-#include "mapping/query/point_order.h"
+#include "mapping/geometry/point_order.h"
+#include "mapping/surfaces/find_field_cell.h"
 
 namespace dhpmap {
 namespace {

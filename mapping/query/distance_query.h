@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "mapping/query/nearest_search.h"
 #include "mapping/query/query_scope.h"
 #include "mapping/query/query_world.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/nearest_search.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 

@@ -14,8 +14,8 @@
 #include "mapping/query/query_world.h"
 #include "mapping/query/slice_options.h"
 #include "mapping/query/slice_surface.h"
-#include "mapping/query/surface_cache.h"
 #include "mapping/query/voxel_states.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 

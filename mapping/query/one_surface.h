@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "mapping/query/nearest_search.h"
+#include "mapping/surfaces/nearest_search.h"
 
 namespace dhpmap {
 

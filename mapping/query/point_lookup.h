@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "mapping/map/map.h"
-#include "mapping/query/index_trail.h"
-#include "mapping/query/submap_index.h"
+#include "mapping/surfaces/index_trail.h"
+#include "mapping/surfaces/submap_index.h"
 
 namespace dhpmap {
 

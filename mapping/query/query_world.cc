@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "mapping/query/thing_inside.h"
 #include "mapping/query/voxel_sampler.h"
+#include "mapping/surfaces/thing_inside.h"
 
 namespace dhpmap {
 namespace {

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "mapping/query/nearest_search.h"
 #include "mapping/query/query_scope.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/nearest_search.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 

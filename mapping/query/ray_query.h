@@ -6,7 +6,7 @@
 
 #include "mapping/query/query_scope.h"
 #include "mapping/query/query_world.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 

@@ -7,15 +7,15 @@
 
 #include "mapping/query/enclosure.h"
 #include "mapping/query/free_way.h"
-#include "mapping/query/object_shape.h"
 #include "mapping/query/resting.h"
+#include "mapping/surfaces/object_shape.h"
 
 namespace dhpmap {
 namespace {
 
-constexpr std::size_t kMostPoints = 4096;  // of a surface
-constexpr double kLeastInside = 0.2;       // of what is below a thing, is the one that it is in
-constexpr double kReach_m = 0.5;           // of feet, or 4 voxels
+constexpr std::size_t kMostSurfacePoints = 4096;
+constexpr double kLeastInside = 0.2;  // of what is below a thing, is the one that it is in
+constexpr double kReach_m = 0.5;      // of feet, or 4 voxels
 
 class Finder {
  public:
@@ -57,7 +57,7 @@ class Finder {
   }
 
   [[nodiscard]] RelatedThing ThingOf(const RelatedBody& body) const {
-    return {body, SurfacePoints(surfaces_, body.number, question_.T_map_query.inverse(), kMostPoints)};
+    return {body, SurfacePoints(surfaces_, body.number, question_.T_map_query.inverse(), kMostSurfacePoints)};
   }
 
   /// Rounded outwards by a millimetre.

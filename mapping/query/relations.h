@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mapping/query/query_scope.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 

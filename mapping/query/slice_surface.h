@@ -6,9 +6,9 @@
 #include <stop_token>
 #include <vector>
 
+#include "mapping/geometry/triangle_packet.h"
 #include "mapping/query/query_world.h"
 #include "mapping/query/slice_options.h"
-#include "mapping/query/triangle_packet.h"
 
 namespace dhpmap {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "mapping/query/nearest_search.h"
-#include "mapping/query/object_shape.h"
 #include "mapping/submap/display_name.h"
+#include "mapping/surfaces/nearest_search.h"
+#include "mapping/surfaces/object_shape.h"
 
 namespace dhpmap {
 namespace {

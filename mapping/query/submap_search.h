@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "mapping/query/query_scope.h"
-#include "mapping/query/surface_cache.h"
 #include "mapping/submap/bounding_sphere.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <stop_token>
 
+#include "mapping/geometry/moving_sphere.h"
 #include "mapping/query/body_query.h"
-#include "mapping/query/moving_sphere.h"
 
 namespace dhpmap {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "mapping/base/result.h"
+#include "mapping/geometry/moving_sphere.h"
 #include "mapping/query/carried_body.h"
 #include "mapping/query/clearance_query.h"
-#include "mapping/query/moving_sphere.h"
 #include "mapping/query/sweep_query.h"
 #include "mapping/query/touch_lists.h"
 

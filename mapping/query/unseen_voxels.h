@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "mapping/query/body.h"
+#include "mapping/geometry/body.h"
 #include "mapping/query/query_world.h"
 #include "mapping/query/work_budget.h"
 

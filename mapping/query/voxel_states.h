@@ -10,7 +10,7 @@
 #include "mapping/free/free_tile.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/query_world.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap::bench {
 

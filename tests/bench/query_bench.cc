@@ -8,10 +8,10 @@
 #include <random>
 #include <vector>
 
+#include "mapping/geometry/point_order.h"
 #include "mapping/mesh/map_mesh.h"
 #include "mapping/query/distance_query.h"
 #include "mapping/query/point_lookup.h"
-#include "mapping/query/point_order.h"
 #include "mapping/query/ray_query.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/check_bench.h"

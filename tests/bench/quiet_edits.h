@@ -5,7 +5,7 @@
 #include <random>
 
 #include "mapping/map/map.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap::bench {
 

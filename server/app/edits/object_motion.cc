@@ -6,9 +6,9 @@
 #include <string>
 
 #include "mapping/query/relations.h"
-#include "mapping/query/surface_cache.h"
 #include "mapping/submap/submap_outline.h"
 #include "mapping/submap/upper_side.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 #include "server/app/edits/edit_undo.h"
 #include "server/app/edits/map_edits.h"
 #include "server/app/edits/revision_restore.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "mapping/base/mutex.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 #include "server/app/session/lazy_thread.h"
 
 namespace dhpmap {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mapping/query/point_order.h"
+#include "mapping/geometry/point_order.h"
 
 namespace dhpmap {
 

@@ -11,7 +11,7 @@
 
 #include "mapping/pipeline/map_builder.h"
 #include "mapping/query/distance_query.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 #include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
 

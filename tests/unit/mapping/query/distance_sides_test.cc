@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "mapping/geometry/surface_rim.h"
 #include "mapping/query/distance_query.h"
-#include "mapping/query/surface_rim.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
 // On which side of a surface that is seen in part only a place is.

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mapping/query/moving_sphere.h"
+#include "mapping/geometry/moving_sphere.h"
 
 namespace dhpmap::testing {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "mapping/query/body_query.h"
-#include "mapping/query/surface_cache.h"
+#include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap::testing {
 

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
+#include "mapping/geometry/triangle_tree.h"
 #include "mapping/map/map.h"
 #include "mapping/mesh/tile_surface.h"
-#include "mapping/query/triangle_tree.h"
 #include "tests/support/scenes.h"
 
 // Maps of analytic solids, and all triangles of their surfaces, to compare queries with.

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mapping/surfaces/surface_cache.h"
+
+namespace dhpmap {
+
+/// The point of a map's surfaces that is nearest to a place.
+struct NearestSurface {
+  bool is_any = false;     ///< false: none within the limit, and nothing else means anything
+  std::size_t number = 0;  ///< of the submap, in MapSurfaces
+  Eigen::Vector3d p_submap = Eigen::Vector3d::Zero();       ///< the place, in the submap's frame
+  Eigen::Vector3d point_submap = Eigen::Vector3d::Zero();   ///< on the surface, in the submap's frame
+  Eigen::Vector3d normal_submap = Eigen::Vector3d::Zero();  ///< unit, to the front
+  bool is_behind = false;                                   ///< the place is behind the surface
+  /// It is behind (or in front, if that is asked for), but aside: the surface ends at its nearest point, so that it
+  /// says nothing of what is at the place.
+  bool is_beside = false;
+  const CellSight* sight = nullptr;  ///< what is known of the voxels around the place; null: nothing
+};
+
+/// Looks for it. In a cell whose nearby tiles are known (NearbyCells) these are gone through; elsewhere, of submaps and
+/// their tiles, always what may be nearest comes next. The answer is the same to the bit. Keeps its scratch memory from
+/// one search to the next: belongs to one thread.
+class NearestSearch {
+ public:
+  /// `is_held` says by number whose surfaces count, `is_there` which submaps are there, without which others may have
+  /// less of a surface; empty: all. All outlive this.
+  NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held, const std::vector<bool>& is_there);
+  /// All are there.
+  NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held)
+      : NearestSearch(surfaces, is_held, Everybody()) {}
+
+  /// `p_map`: finite, metres of the map frame; `limit_m`: finite. Exact to 1e-5 of the distance and 1e-4 voxels, by
+  /// rounding.
+  [[nodiscard]] NearestSurface Find(const Eigen::Vector3d& p_map, double limit_m);
+
+  /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that and 1e-4 voxels may count, too. Ends
+  /// at the first.
+  [[nodiscard]] bool IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m);
+
+  /// From here on is_beside is told of what is in front, too.
+  void TellWhereInFrontToo() { tells_all_beside_ = true; }
+
+  // Find in steps. What a step will look at has been fetched by the one before, so who has several searches, and goes
+  // from one to the next, does not wait for memory.
+
+  void Start(const Eigen::Vector3d& p_map, double limit_m);
+  /// Whether this was the last one.
+  bool Step();
+  /// After the last step.
+  [[nodiscard]] NearestSurface Found();
+
+ private:
+  enum class Stage { kSlot, kCell, kTiles, kTile, kDone };
+  /// The place in the frame of a tree's boxes.
+  struct Scope {
+    const BoxTree* tree;          ///< of submaps or tiles
+    const SubmapSurface* submap;  ///< of tiles; null: of submaps
+    Eigen::Vector3f p;
+    std::uint32_t number;  ///< of the submap
+  };
+  /// A node of a scope's tree, or one of its items, that has yet to be looked at.
+  struct Pending {
+    float distance2;
+    std::uint32_t scope;
+    std::uint32_t node;
+    std::uint32_t height;  ///< 0: an item; a node's children are one lower
+  };
+  /// A tile's surface, and the place in its frame.
+  struct Tile {
+    const TriangleTree* triangles = nullptr;
+    std::uint32_t number = 0;  ///< of the submap
+    std::uint32_t tile = 0;    ///< position in the submap's surface
+    Eigen::Vector3f p = Eigen::Vector3f::Zero();
+  };
+  /// A node of the tile's tree, or a packet of triangles, that has yet to be looked at.
+  struct Node {
+    float distance2;
+    std::uint32_t node;
+    std::uint32_t height;  ///< 0: a packet
+  };
+  /// A triangle that is as near as any.
+  struct Touch {
+    Tile tile;
+    std::uint32_t position;
+  };
+
+  /// Of a squared distance, that within which another may be the same one.
+  [[nodiscard]] float WithRounding(float distance2) const;
+  static const std::vector<bool>& Everybody() {
+    static const std::vector<bool> everybody;
+    return everybody;
+  }
+  void Begin(const Eigen::Vector3d& p_map, double limit_m);
+  /// Of a triangle of the tile.
+  [[nodiscard]] bool IsThere(std::uint32_t position) const {
+    return is_there_.empty() || sees_all_ || surfaces_.Holds(tile_.triangles->NeededBy(position), is_there_);
+  }
+  [[nodiscard]] bool Holds(std::size_t number) const { return sees_all_ || is_held_.empty() || is_held_[number]; }
+
+  // In a cell.
+  const NearbyCell& MakeCell();
+  void EnterCell();
+  void GoToNextTile();
+  void LeaveCell();
+
+  // In the whole map.
+  void SearchMap();
+  /// Calls visit(tile) for tiles within the limit, which it may lower, the nearest box first.
+  template <typename Visitor>
+  void VisitTiles(Visitor&& visit);
+  void Push(const Pending& pending);
+  Pending Pop();
+  void PushChildren(const Pending& node);
+  void OpenSubmap(const Pending& item);
+
+  // In a tile.
+  void EnterTile(const Tile& tile);
+  /// Depth first, the nearest child first. Returns whether that was the last one.
+  bool VisitNode();
+  void SearchTile(const Tile& tile);
+
+  /// Of the touch that is nearest.
+  [[nodiscard]] bool IsBeside(const Touch& nearest);
+
+  const MapSurfaces& surfaces_;
+  const std::vector<bool>&is_held_, &is_there_;
+  float rounding_m_;  ///< of coordinates
+  Eigen::Vector3d p_map_ = Eigen::Vector3d::Zero();
+  double limit_m_ = 0;
+  Stage stage_ = Stage::kDone;
+  bool stops_at_any_ = false;
+  bool sees_all_ = false;  ///< also what is not held
+  bool tells_all_beside_ = false;
+  float best2_ = 0;   ///< squared distance of the nearest triangle, or of the limit
+  float limit2_ = 0;  ///< within which a triangle is as near: an edge or a corner belongs to several
+  NearbyCells::Slot* slot_ = nullptr;
+  const NearbyCell* cell_ = nullptr;
+  float way_m_ = 0;  ///< from the cell's centre
+  std::size_t next_tile_ = 0;
+  Tile tile_;
+  std::size_t num_nodes_ = 0;
+  std::vector<Scope> scopes_;
+  std::vector<Pending> heap_;  ///< the nearest on top
+  std::vector<Touch> touches_;
+  std::vector<TriangleCorners> around_;            ///< a point of a surface
+  std::array<Node, BoxTree::kMostPending> nodes_;  ///< of the tile, the nearest last
+};
+
+}  // namespace dhpmap
