@@ -2,6 +2,7 @@
 #include "server/options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -41,7 +42,7 @@ LogOptions LogOptionsOf(const ServerConfig& config) {
 }
 
 SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
-  return {.busy_timeout_ms = config.store.busy_timeout_ms,
+  return {.busy_timeout_ms = static_cast<int>(std::lround(1000 * config.store.busy_timeout_s)),
           .on_progress = [](const std::string& message) { LogInfo(message); },
           .changes = {.max_changes = config.watch.history_changes,
                       .max_bytes = std::int64_t{config.watch.history_mib} << 20,
@@ -147,7 +148,7 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
           .allowed_hosts = SplitByComma(config.http.allowed_hosts),
           .max_connections = config.http.max_connections,
           .idle_timeout_s = config.http.idle_timeout_s,
-          .head_timeout_s = config.http.head_timeout_s};
+          .head_timeout_s = config.http.header_timeout_s};
 }
 
 Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const GrpcServer& grpc,

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clients/cli/text_table.h"
+#include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
 
@@ -31,25 +32,28 @@ bool AckSummary::AddAck(const v1::IntegrateFramesResponse& ack) {
   const MutexLock lock(mutex_);
   revision_ = std::max(revision_, ack.revision());
   if (ack.has_committed_sequence()) committed_ = ack.committed_sequence();
-  if (ack.error_code() != 0) {
+  if (ack.has_error()) {
     ++num_refused_;
-    const std::string code(StatusCodeName(static_cast<StatusCode>(ack.error_code())));
-    return Count(refused_, ack.error_reason().empty() ? code : ack.error_reason(), ack.error_message());
+    const std::string code(StatusCodeName(static_cast<StatusCode>(ack.error().code())));
+    const std::string reason = ReadErrorDetails(ack.error().SerializeAsString()).reason;
+    return Count(refused_, reason.empty() ? code : reason, ack.error().message());
   }
   const bool is_new = taken_.insert(ack.sequence()).second;
-  if (ack.outcome() == v1::DUPLICATE && is_new) ++num_duplicates_;
-  if (ack.outcome() == v1::DUPLICATE || (ack.outcome() == v1::FUSED && !is_new)) return false;
+  if (ack.outcome() == v1::IntegrateFramesResponse::DUPLICATE && is_new) ++num_duplicates_;
+  if (ack.outcome() == v1::IntegrateFramesResponse::DUPLICATE ||
+      (ack.outcome() == v1::IntegrateFramesResponse::FUSED && !is_new))
+    return false;
   ++num_fused_;
   num_created_ += static_cast<std::size_t>(ack.num_created());
   num_points_ += ack.num_points();
   num_unknown_points_ += ack.num_unknown_points();
-  fuse_s_ += ack.fuse_s();
+  fuse_s_ += ack.fusion_s();
   return false;
 }
 
 std::vector<std::string> AckSummary::AddWarnings(const v1::IntegrateFramesResponse& ack) {
   std::vector<std::string> fresh;
-  if (ack.outcome() != v1::FUSED || ack.warnings().empty()) return fresh;
+  if (ack.outcome() != v1::IntegrateFramesResponse::FUSED || ack.warnings().empty()) return fresh;
   const MutexLock lock(mutex_);
   ++num_doubtful_;
   for (const v1::FrameWarning& warning : ack.warnings()) {

@@ -17,7 +17,7 @@ bool IsId(const std::string& text) {
 
 void AddAllowFlags(CLI::App& command, const std::string& parts, AllowFlags& flags) {
   command.add_option(
-      "--allow", flags.allowed,
+      "--allow-collision", flags.allowed,
       "PART:WHAT [...]: link or attached id (empty: all of the robot), and the class or id it may touch");
   command.add_option("--links", flags.links, "To which link each " + parts + " belongs, a name each");
 }
@@ -27,7 +27,7 @@ Status AddAllowed(const AllowFlags& flags, const std::string& map, v1::QueryOpti
     const std::size_t colon = text.rfind(':');
     const std::string part = colon == std::string::npos ? "" : text.substr(0, colon);
     const std::string what = colon == std::string::npos ? text : text.substr(colon + 1);
-    if (what.empty()) return InvalidArgument("--allow '" + text + "' does not say what may be touched");
+    if (what.empty()) return InvalidArgument("--allow-collision '" + text + "' does not say what may be touched");
     v1::AllowedCollision& allowed = *options.add_allowed_collisions();
     if (IsId(part)) allowed.set_attached(MapName(map) + "/submaps/" + part);
     else allowed.set_link(part);

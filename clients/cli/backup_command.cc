@@ -20,8 +20,8 @@ ExitCode RunBackup(const Session& session, const std::string& path, bool replace
   if (!file.ok()) return ReportLocalError(file.status().message());
   grpc::ClientContext context;
   const auto stub = v1::MapService::NewStub(Connect(session));
-  const auto stream = stub->BackupMap(&context, {});
-  const ExitCode code = Download(session, *stream, "backup", *file, [](const v1::BackupMapResponse&) {});
+  const auto stream = stub->BackupMaps(&context, {});
+  const ExitCode code = Download(session, *stream, "backup", *file, [](const v1::BackupMapsResponse&) {});
   if (code != ExitCode::kOk || path == "-") return code;
   if (session.json) std::cout << "{\n  \"bytes\": " << file->num_bytes() << "\n}\n";
   else std::cout << path << ": " << Bytes(static_cast<double>(file->num_bytes())) << ", all maps as committed\n";

@@ -36,7 +36,7 @@ struct CollisionFlags {
 struct TrajectoryFlags {
   CheckFlags check;
   std::vector<double> waypoints, robot;
-  std::vector<std::int64_t> attached, may_touch;
+  std::vector<std::int64_t> attached;
   bool with_clearance = false;
 };
 
@@ -50,7 +50,7 @@ void AddCheckFlags(CLI::App& command, CheckFlags& flags) {
 Result<v1::QueryOptions> OptionsToProto(const CheckFlags& flags) {
   v1::QueryOptions options = ToProto(flags.query, flags.map);
   options.set_unknown_policy(flags.unknown);
-  options.mutable_padding()->set_default_m(flags.padding_m);
+  options.mutable_padding()->set_default_padding_m(flags.padding_m);
   DHPMAP_RETURN_IF_ERROR(AddAllowed(flags.allow, flags.map, options));
   return options;
 }
@@ -83,7 +83,7 @@ void PrintTable(const v1::CheckCollisionsResponse& response) {
   TextTable table({"BODY", "STATUS", "COLLIDING", "DEPTH_M", "POINT_M", "NORMAL", "INSTANCE", "CLASS"});
   for (int i = 0; i < response.results_size(); ++i) {
     const v1::CollisionResult& result = response.results(i);
-    const std::vector<std::string> row = {std::to_string(i), v1::QueryStatus_Name(result.status()),
+    const std::vector<std::string> row = {std::to_string(i), v1::QueryStatus::Code_Name(result.status()),
                                           result.colliding() ? "yes" : "no"};
     if (result.contacts().empty()) Add(row, nullptr, table);
     for (const v1::Contact& contact : result.contacts()) Add(row, &contact, table);
@@ -99,7 +99,7 @@ ExitCode RunCollisions(const Session& session, const CollisionFlags& flags) {
   }
   v1::CheckCollisionsRequest request;
   request.set_map(MapName(flags.check.map));
-  request.mutable_spheres()->Assign(flags.spheres.begin(), flags.spheres.end());
+  request.mutable_packed_spheres_m()->Assign(flags.spheres.begin(), flags.spheres.end());
   for (std::size_t i = 0; i < flags.boxes.size(); i += 6) {
     v1::OrientedBox& box = *request.add_bodies()->mutable_box();
     *box.mutable_pose()->mutable_translation_m() = Vector(&flags.boxes[i]);
@@ -150,7 +150,7 @@ void PrintTable(const v1::CheckTrajectoryResponse& response) {
   TextTable table(
       {"STATUS", "VALID", "WAYPOINT", "FRACTION", "PART", "DEPTH_M", "POINT_M", "NORMAL", "INSTANCE", "CLASS"});
   for (const v1::TrajectoryResult& result : response.results()) {
-    const std::vector<std::string> row = {v1::QueryStatus_Name(result.status()), result.valid() ? "yes" : "no"};
+    const std::vector<std::string> row = {v1::QueryStatus::Code_Name(result.status()), result.valid() ? "yes" : "no"};
     if (result.contacts().empty()) {
       std::vector<std::string> none = row;
       none.insert(none.end(), {"-", "-", "-"});
@@ -179,7 +179,7 @@ Result<v1::AttachedSubmap> TakeUp(const Session& session, const v1::GetSubmapReq
                           TransformFromProto(response.submap().map_from_submap(), "map_from_submap"));
   DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_asker, TransformFromProto(frame, "frame"));
   DHPMAP_ASSIGN_OR_RETURN(const Transform T_asker_robot, TransformFromProto(first_waypoint, "waypoint"));
-  *attached.mutable_pose() = ToProto((T_map_asker * T_asker_robot).inverse() * T_map_submap);
+  *attached.mutable_robot_from_submap() = ToProto((T_map_asker * T_asker_robot).inverse() * T_map_submap);
   return attached;
 }
 
@@ -212,15 +212,10 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
     v1::GetSubmapRequest taken;
     taken.set_name(SubmapName(flags.check.map, id));
     taken.set_read_revision(flags.check.query.world.asker.read_revision);
-    const auto attached = TakeUp(session, taken, options.frame(), trajectory.waypoints(0), status);
+    const auto attached = TakeUp(session, taken, options.map_from_query(), trajectory.waypoints(0), status);
     if (!status.ok()) return ReportError(session, status);
     if (!attached.ok()) return ReportLocalError(attached.status().message(), ExitCode::kUsage);
     *options.add_attached() = *attached;
-    for (const std::int64_t other : flags.may_touch) {
-      v1::AllowedCollision& pair = *options.add_allowed_collisions();
-      pair.set_attached(SubmapName(flags.check.map, id));
-      pair.set_submap(SubmapName(flags.check.map, other));
-    }
   }
   request.set_read_revision(flags.check.query.world.asker.read_revision);
   request.set_all_contacts(flags.check.all_contacts);
@@ -255,7 +250,6 @@ void AddCheckCommands(CLI::App& query, Session& session) {
   trajectory->add_option("waypoints", motion->waypoints, "X Y Z YAW_DEG [X Y Z YAW_DEG ...]")->required();
   trajectory->add_option("--robot", motion->robot, "X Y Z RADIUS [...]: its spheres, in its own frame");
   trajectory->add_option("--attached", motion->attached, "Ids of objects that it takes up at the first");
-  trajectory->add_option("--may-touch", motion->may_touch, "Ids of objects that these may touch");
   trajectory->add_flag("--clearance", motion->with_clearance, "Tell how near it comes to surfaces, where and whose");
   AddAllowFlags(*trajectory, "sphere of the robot", motion->check.allow);
   AddCheckFlags(*trajectory, motion->check);

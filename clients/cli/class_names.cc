@@ -27,9 +27,9 @@ v1::LabelClass WithId(const v1::Map& map, ClassId id) {
 
 }  // namespace
 
-std::string KindName(v1::PanopticKind kind) {
-  if (kind == v1::THING) return "thing";
-  return kind == v1::STUFF ? "stuff" : "unknown";
+std::string KindName(v1::LabelClass::Kind kind) {
+  if (kind == v1::LabelClass::THING) return "thing";
+  return kind == v1::LabelClass::STUFF ? "stuff" : "unknown";
 }
 
 Result<v1::LabelClass> FindClass(const v1::Map& map, const std::string& name_or_id) {

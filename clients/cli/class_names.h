@@ -9,7 +9,7 @@
 namespace dhpmap {
 
 /// "thing", "stuff" or "unknown".
-std::string KindName(v1::PanopticKind kind);
+std::string KindName(v1::LabelClass::Kind kind);
 
 /// The class of a map that a user means by its name (as the server takes it, see FindClassByName) or its id. NOT_FOUND
 /// says which name is near, and lists the classes there are.

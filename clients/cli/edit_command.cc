@@ -29,13 +29,13 @@ struct EditOptions : EditFlags {
   std::vector<std::int64_t> others;
   std::vector<double> box_m, sphere_m, plane;
   std::vector<std::string> classes;
-  std::string keep_clear;
+  std::string region_name;
   int min_voxels = 0;
   std::int64_t read_revision = 0;  ///< of `kept-clear`
   double angle_deg = 0;
   std::vector<double> offset_m, at_m;
   std::int64_t support = 0;
-  bool with_supported = false;
+  bool include_supported = false;
   [[nodiscard]] std::string name() const { return SubmapName(map, id); }
 };
 
@@ -88,7 +88,7 @@ ExitCode RunMove(const Session& session, const EditOptions& options) {
   if (const Status changed = ChangePose(options.pose, submap); !changed.ok()) {
     return ReportLocalError(changed.message(), ExitCode::kBadRequest);
   }
-  if (options.with_supported) return MoveWithSupported(session, options, submap);
+  if (options.include_supported) return MoveWithSupported(session, options, submap);
   return Update(session, options, *stub, submap, "map_from_submap", "moved " + options.name());
 }
 
@@ -145,7 +145,7 @@ ExitCode RunRename(const Session& session, const EditOptions& options) {
   return Update(session, options, *Submaps(session), submap, "display_name", "renamed " + options.name());
 }
 
-void SetBox(v1::Box& out, const std::vector<double>& values) {
+void SetBox(v1::AxisAlignedBox& out, const std::vector<double>& values) {
   SetVector(values.data(), *out.mutable_min_m());
   SetVector(values.data() + 3, *out.mutable_max_m());
 }
@@ -182,9 +182,9 @@ ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const E
   }
   for (const v1::EditResult& result : response.results()) {
     std::cout << (request.validate_only() ? "would be:" : "done:");
-    PrintNames("changed", result.changed());
-    PrintNames("created", result.created());
-    PrintNames("removed", result.removed());
+    PrintNames("changed", result.changed_submaps());
+    PrintNames("created", result.created_submaps());
+    PrintNames("removed", result.removed_submaps());
     if (result.num_voxels() > 0) std::cout << ", " << result.num_voxels() << " voxels";
     std::cout << "\n";
   }
@@ -215,7 +215,7 @@ ExitCode RunTurn(const Session& session, const EditOptions& options) {
   v1::Edit* edit = nullptr;
   v1::ApplyEditsRequest request = One(options, edit);
   edit->mutable_turn()->set_angle_rad(options.angle_deg * std::numbers::pi / 180);
-  edit->mutable_turn()->set_include_supported(options.with_supported);
+  edit->mutable_turn()->set_include_supported(options.include_supported);
   return RunEdits(session, std::move(request), options);
 }
 
@@ -223,7 +223,7 @@ ExitCode RunShift(const Session& session, const EditOptions& options) {
   v1::Edit* edit = nullptr;
   v1::ApplyEditsRequest request = One(options, edit);
   SetVector(options.offset_m.data(), *edit->mutable_translate()->mutable_offset_m());
-  edit->mutable_translate()->set_include_supported(options.with_supported);
+  edit->mutable_translate()->set_include_supported(options.include_supported);
   return RunEdits(session, std::move(request), options);
 }
 
@@ -235,14 +235,15 @@ ExitCode RunPlace(const Session& session, const EditOptions& options) {
     edit->mutable_place()->mutable_point_m()->set_x(options.at_m[0]);
     edit->mutable_place()->mutable_point_m()->set_y(options.at_m[1]);
   }
-  edit->mutable_place()->set_include_supported(options.with_supported);
+  edit->mutable_place()->set_include_supported(options.include_supported);
   return RunEdits(session, std::move(request), options);
 }
 
 ExitCode RunMerge(const Session& session, const EditOptions& options) {
   v1::Edit* edit = nullptr;
   v1::ApplyEditsRequest request = One(options, edit);
-  for (const std::int64_t other : options.others) edit->mutable_merge()->add_others(SubmapName(options.map, other));
+  for (const std::int64_t other : options.others)
+    edit->mutable_merge()->add_merged_submaps(SubmapName(options.map, other));
   return RunEdits(session, std::move(request), options);
 }
 
@@ -268,16 +269,16 @@ ExitCode RunClear(const Session& session, const EditOptions& options) {
   v1::ApplyEditsRequest request = One(options, edit);
   v1::ClearEdit& clear = *edit->mutable_clear();
   SetRegion(clear, options);
-  clear.set_keep_clear(options.keep_clear);
+  clear.set_ignored_region_name(options.region_name);
   for (const std::string& name : options.classes) clear.add_class_names(name);
   return RunEdits(session, std::move(request), options);
 }
 
-template <v1::Presence presence>
+template <v1::Submap::Presence presence>
 ExitCode RunSetPresence(const Session& session, const EditOptions& options) {
   v1::Edit* edit = nullptr;
   v1::ApplyEditsRequest request = One(options, edit);
-  edit->mutable_set_presence()->set_presence(presence);
+  edit->mutable_presence()->set_presence(presence);
   return RunEdits(session, std::move(request), options);
 }
 
@@ -290,41 +291,42 @@ ExitCode RunLock(const Session& session, const EditOptions& options) {
   return RunEdits(session, std::move(request), options);
 }
 
-ExitCode RunKeepClear(const Session& session, const EditOptions& options) {
+ExitCode RunIgnoreRegion(const Session& session, const EditOptions& options) {
   if (options.box_m.empty() == options.sphere_m.empty()) {
     return ReportLocalError("say where: --box or --sphere", ExitCode::kUsage);
   }
   v1::Edit* edit = nullptr;
   v1::ApplyEditsRequest request = One(options, edit);
-  edit->mutable_keep_clear()->set_name(options.keep_clear);
-  SetRegion(*edit->mutable_keep_clear(), options);
+  edit->mutable_ignore_region()->set_name(options.region_name);
+  SetRegion(*edit->mutable_ignore_region(), options);
   return RunEdits(session, std::move(request), options);
 }
 
-ExitCode RunLift(const Session& session, const EditOptions& options) {
+ExitCode RunUnignoreRegion(const Session& session, const EditOptions& options) {
   v1::Edit* edit = nullptr;
   v1::ApplyEditsRequest request = One(options, edit);
-  edit->mutable_lift()->set_name(options.keep_clear);
+  edit->mutable_unignore_region()->set_name(options.region_name);
   return RunEdits(session, std::move(request), options);
 }
 
 std::string Numbers(const v1::Vector3& v) { return Fixed(v.x(), 2) + " " + Fixed(v.y(), 2) + " " + Fixed(v.z(), 2); }
 
-ExitCode RunListKeptClear(const Session& session, const EditOptions& options) {
+ExitCode RunListIgnoredRegions(const Session& session, const EditOptions& options) {
   grpc::ClientContext context;
-  v1::ListKeptClearRequest request;
+  v1::ListIgnoredRegionsRequest request;
   request.set_parent(MapName(options.map));
   request.set_read_revision(options.read_revision);
-  v1::ListKeptClearResponse response;
-  const grpc::Status status = v1::EditService::NewStub(Connect(session))->ListKeptClear(&context, request, &response);
+  v1::ListIgnoredRegionsResponse response;
+  const grpc::Status status =
+      v1::EditService::NewStub(Connect(session))->ListIgnoredRegions(&context, request, &response);
   if (!status.ok()) return ReportError(session, status);
   if (session.json) {
     PrintJson(response);
     return ExitCode::kOk;
   }
   TextTable table({"NAME", "SHAPE", "METRES"});
-  for (const v1::KeptClearRegion& region : response.regions()) {
-    const v1::Box& box = region.box();
+  for (const v1::IgnoredRegion& region : response.ignored_regions()) {
+    const v1::AxisAlignedBox& box = region.box();
     const v1::Sphere& sphere = region.sphere();
     if (region.has_box()) table.Add({region.name(), "box", Numbers(box.min_m()) + " to " + Numbers(box.max_m())});
     else table.Add({region.name(), "sphere", Numbers(sphere.center_m()) + " radius " + Fixed(sphere.radius_m(), 2)});
@@ -373,16 +375,17 @@ CLI::App* AddMapEdit(CLI::App& edit, const char* name, const char* what, const s
   return command;
 }
 
-void AddKeepClearCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
-  CLI::App* keep =
-      AddMapEdit(edit, "keep-clear", "Let mapping put nothing into a region", options, session, RunKeepClear);
-  AddRegionOptions(*keep, *options);
-  CLI::App* lift = AddMapEdit(edit, "lift", "Keep a region clear no longer", options, session, RunLift);
-  for (CLI::App* command : {keep, lift}) {
-    command->add_option("name", options->keep_clear, "Name of the region")->required();
+void AddIgnoredRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
+  CLI::App* ignore =
+      AddMapEdit(edit, "ignore-region", "Let mapping put nothing into a region", options, session, RunIgnoreRegion);
+  AddRegionOptions(*ignore, *options);
+  CLI::App* unignore =
+      AddMapEdit(edit, "unignore-region", "Let mapping fill a region again", options, session, RunUnignoreRegion);
+  for (CLI::App* command : {ignore, unignore}) {
+    command->add_option("name", options->region_name, "Name of the region")->required();
   }
-  CLI::App* list =
-      AddMapEdit(edit, "kept-clear", "List the regions that are kept clear", options, session, RunListKeptClear);
+  CLI::App* list = AddMapEdit(edit, "ignored-regions", "List the regions that mapping leaves empty", options, session,
+                              RunListIgnoredRegions);
   AddRevisionFlag(*list, options->read_revision);
 }
 
@@ -405,7 +408,8 @@ void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& optio
   clear->add_option("--class", options->classes, "Of objects of this class only; may be repeated")
       ->allow_extra_args(false);
   AddRegionOptions(*clear, *options);
-  clear->add_option("--keep-clear", options->keep_clear, "Keep the region clear from now on, under this name");
+  clear->add_option("--ignore-region", options->region_name,
+                    "Let mapping put nothing there from now on, under this name");
 }
 
 /// What moves an object, all in the map frame.
@@ -420,7 +424,7 @@ void AddMotionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& optio
   place->add_option("on", options->support, "Instance id of the other")->required();
   place->add_option("--at", options->at_m, "There, X Y (metres) [the middle of its upper side]")->expected(2);
   for (CLI::App* command : {move, turn, shift, place}) {
-    command->add_flag("--with-supported", options->with_supported, "With what stands on it, and on that");
+    command->add_flag("--include-supported", options->include_supported, "With what stands on it, and on that");
   }
 }
 
@@ -444,11 +448,11 @@ void AddEditCommands(CLI::App& app, Session& session) {
       ->add_option("name", options->text, "The new display name")
       ->required();
   AddRegionCommands(*edit, options, session);
-  AddEdit(*edit, "absent", "It is no longer there", options, session, RunSetPresence<v1::ABSENT>);
-  AddEdit(*edit, "present", "It is there again", options, session, RunSetPresence<v1::PRESENT>);
+  AddEdit(*edit, "absent", "It is no longer there", options, session, RunSetPresence<v1::Submap::ABSENT>);
+  AddEdit(*edit, "present", "It is there again", options, session, RunSetPresence<v1::Submap::PRESENT>);
   AddEdit(*edit, "lock", "Mapping and refinement leave it alone from now on", options, session, RunLock<true>);
   AddEdit(*edit, "unlock", "It lives again", options, session, RunLock<false>);
-  AddKeepClearCommands(*edit, options, session);
+  AddIgnoredRegionCommands(*edit, options, session);
   CLI::App* apply = edit->add_subcommand("apply", "Apply a list of edits as one: all of them or none");
   apply->add_option("map", options->map, "Name of the map")->required();
   apply->add_option("file", options->text, "JSON as of :applyEdits over REST; - reads standard input")->required();

@@ -16,14 +16,14 @@ namespace {
 struct ExportOptions {
   std::string map, file, coloring = "sensor";
   std::int64_t id = -1;  ///< -1: all objects
-  v1::MeshFormat format = v1::PLY;
-  double max_abs_distance_m = 0;
+  v1::GetSubmapMeshRequest::Format format = v1::GetSubmapMeshRequest::PLY;
+  double max_abs_tsdf_m = 0;
   std::int64_t read_revision = 0;
 };
 
-v1::MeshColoring ColoringOf(const std::string& name) {
-  if (name == "class") return v1::BY_CLASS;
-  return name == "instance" ? v1::BY_INSTANCE : v1::SENSOR;
+v1::GetSubmapMeshRequest::Coloring ColoringOf(const std::string& name) {
+  if (name == "class") return v1::GetSubmapMeshRequest::BY_CLASS;
+  return name == "instance" ? v1::GetSubmapMeshRequest::BY_INSTANCE : v1::GetSubmapMeshRequest::SENSOR;
 }
 
 ExitCode Report(const Session& session, const ExportOptions& options, std::int64_t num_bytes, std::int64_t revision) {
@@ -55,9 +55,9 @@ ExitCode RunMesh(const Session& session, const ExportOptions& options) {
 
 std::string Rows(const v1::StreamSubmapVoxelsResponse& part) {
   std::string rows;
-  for (int i = 0; i < part.distance_m_size(); ++i) {
+  for (int i = 0; i < part.tsdf_m_size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) rows += Fixed(part.xyz_m(3 * i + axis), 4) + ",";
-    rows += Fixed(part.distance_m(i), 5) + "," + Fixed(part.weight(i), 3);
+    rows += Fixed(part.tsdf_m(i), 5) + "," + Fixed(part.weight(i), 3);
     for (int channel = 0; channel < 3; ++channel) {
       rows += ',';
       rows += std::to_string(static_cast<unsigned char>(part.rgb()[static_cast<std::size_t>(3 * i + channel)]));
@@ -71,11 +71,11 @@ std::string Rows(const v1::StreamSubmapVoxelsResponse& part) {
 ExitCode RunVoxels(const Session& session, const ExportOptions& options) {
   v1::StreamSubmapVoxelsRequest request;
   request.set_name(SubmapName(options.map, options.id));
-  request.set_max_abs_distance_m(options.max_abs_distance_m);
+  request.set_max_abs_tsdf_m(options.max_abs_tsdf_m);
   request.set_read_revision(options.read_revision);
   auto file = OutputFile::Open(options.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
-  file->Write("x_m,y_m,z_m,distance_m,weight,r,g,b,class_id,class_confidence\n");
+  file->Write("x_m,y_m,z_m,tsdf_m,weight,r,g,b,class_id,class_confidence\n");
   grpc::ClientContext context;
   const auto stub = v1::SubmapService::NewStub(Connect(session));
   const auto stream = stub->StreamSubmapVoxels(&context, request);
@@ -83,7 +83,7 @@ ExitCode RunVoxels(const Session& session, const ExportOptions& options) {
   std::int64_t revision = 0;
   while (stream->Read(&part)) {
     revision = part.revision();
-    const int n = part.distance_m_size();
+    const int n = part.tsdf_m_size();
     if (part.xyz_m_size() != 3 * n || part.weight_size() != n || part.rgb().size() != 3 * static_cast<std::size_t>(n) ||
         part.class_id_size() != n || part.class_confidence_size() != n) {
       context.TryCancel();
@@ -98,7 +98,8 @@ ExitCode RunVoxels(const Session& session, const ExportOptions& options) {
   return Report(session, options, num_bytes, revision);
 }
 
-void AddMesh(CLI::App& parent, const char* name, const char* what, v1::MeshFormat format, Session& session) {
+void AddMesh(CLI::App& parent, const char* name, const char* what, v1::GetSubmapMeshRequest::Format format,
+             Session& session) {
   auto options = std::make_shared<ExportOptions>();
   options->format = format;
   CLI::App* command = parent.add_subcommand(name, what);
@@ -117,14 +118,14 @@ void AddMesh(CLI::App& parent, const char* name, const char* what, v1::MeshForma
 void AddExportCommands(CLI::App& app, Session& session) {
   CLI::App* parent = app.add_subcommand("export", "Write geometry to a file");
   parent->require_subcommand(1);
-  AddMesh(*parent, "ply", "The surface as a PLY mesh with class and instance", v1::PLY, session);
-  AddMesh(*parent, "pcd", "The surface's vertices as a PCD cloud", v1::PCD, session);
+  AddMesh(*parent, "ply", "The surface as a PLY mesh with class and instance", v1::GetSubmapMeshRequest::PLY, session);
+  AddMesh(*parent, "pcd", "The surface's vertices as a PCD cloud", v1::GetSubmapMeshRequest::PCD, session);
   auto options = std::make_shared<ExportOptions>();
   CLI::App* voxels = parent->add_subcommand("voxels", "The observed voxels of one object as CSV");
   voxels->add_option("map", options->map, "Name of the map")->required();
   voxels->add_option("id", options->id, "Instance id of the object")->required();
   voxels->add_option("-o,--output", options->file, "File to write, - for stdout")->required();
-  voxels->add_option("--max-distance", options->max_abs_distance_m, "Only voxels so near the surface (metres)");
+  voxels->add_option("--max-abs-tsdf", options->max_abs_tsdf_m, "Only voxels so near the surface (metres)");
   AddRevisionFlag(*voxels, options->read_revision);
   voxels->callback([options, &session] { session.exit_code = RunVoxels(session, *options); });
 }

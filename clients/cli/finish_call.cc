@@ -37,7 +37,7 @@ class FinishWatch {
               std::function<void(const v1::FinishProgress&)> on_progress)
       : stub_(v1::WatchService::NewStub(channel)), on_progress_(std::move(on_progress)) {
     request_.set_map(map);
-    request_.set_progress_s(0.5);
+    request_.set_progress_interval_s(0.5);
     thread_ = std::thread([this] { Read(); });
     begun_.get_future().wait_for(kWatchBegins);
   }

@@ -5,7 +5,7 @@ namespace dhpmap {
 namespace {
 
 void Fill(const ImageFile& file, v1::Image& out) {
-  out.set_encoding(v1::FILE);
+  out.set_encoding(v1::Image::FILE);
   out.set_data(file.bytes.data(), file.bytes.size());
   out.set_scale_m(file.scale_m);
 }
@@ -24,9 +24,9 @@ void Fill(const DatasetFrame::DepthCamera& in, v1::DepthCameraFrame& out) {
 }
 
 void Fill(const DatasetFrame::Lidar& in, v1::LidarFrame& out) {
-  out.mutable_xyz_m()->Reserve(static_cast<int>(3 * in.points_m.size()));
+  out.mutable_packed_points_m()->Reserve(static_cast<int>(3 * in.points_m.size()));
   for (const Eigen::Vector3f& point : in.points_m) {
-    for (int axis = 0; axis < 3; ++axis) out.add_xyz_m(point[axis]);
+    for (int axis = 0; axis < 3; ++axis) out.add_packed_points_m(point[axis]);
   }
   out.mutable_segment_ids()->Assign(in.segments.begin(), in.segments.end());
   if (in.image_width_px == 0) return;
@@ -54,15 +54,15 @@ v1::Frame ToMessage(const DatasetFrame& frame, bool has_persistent_ids) {
     v1::Segment& row = *out.add_segments();
     row.set_id(segment.id.value);
     if (segment.class_id) row.set_class_id(segment.class_id->value);
-    row.set_score(segment.score);
+    if (segment.score) row.set_score(*segment.score);
     for (const ClassScore& entry : segment.class_scores) {
       v1::ClassScore& score = *row.add_class_scores();
       score.set_class_id(entry.class_id.value);
       score.set_score(entry.score);
     }
   }
-  out.set_has_persistent_ids(has_persistent_ids);
-  out.set_unlisted_ids_are_unknown(true);
+  out.set_persistent_ids(has_persistent_ids);
+  out.set_allow_unlisted_ids(true);
   return out;
 }
 

@@ -70,16 +70,16 @@ grpc::Status StreamOnce(v1::MappingService::Stub& stub, const FrameSession& sess
   greeting.set_take_over(session.take_over && is_first);  // what took over from us since may keep it
   v1::IntegrateFramesResponse answer;
   if (!stream->Write(greeting) || !stream->Read(&answer)) return stream->Finish();
-  if (answer.error_code() != 0) {
-    return {static_cast<grpc::StatusCode>(answer.error_code()),
-            "the server knows no sessions: " + answer.error_message()};
+  if (answer.has_error()) {
+    return {static_cast<grpc::StatusCode>(answer.error().code()),
+            "the server knows no sessions: " + answer.error().message()};
   }
   const std::vector<std::size_t> left = Unstored(indices, answer);
   if (std::exchange(is_first, false)) hooks.on_stored_before(indices.size() - left.size());
   hooks.on_progress(answer);
   const auto queue = hooks.read(left);
   return Exchange(*stream, {}, *queue, [&](const v1::IntegrateFramesResponse& heard) {
-    if (heard.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) hooks.on_progress(heard);
+    if (heard.outcome() == v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) hooks.on_progress(heard);
     else hooks.on_ack(heard);
   });
 }

@@ -35,7 +35,7 @@ std::string NumpyHead(int num_z, int num_y, int num_x) {
 }
 
 ExitCode RunGrid(const Session& session, const GridCommand& command) {
-  v1::GetDistanceGridRequest request;
+  v1::QueryDistanceGridRequest request;
   request.set_map(MapName(command.map));
   v1::Vector3 &low = *request.mutable_box()->mutable_min_m(), &high = *request.mutable_box()->mutable_max_m();
   low.set_x(command.box_m[0]);
@@ -47,15 +47,15 @@ ExitCode RunGrid(const Session& session, const GridCommand& command) {
   request.set_resolution_m(command.resolution_m);
   *request.mutable_options() = ToProto(command.query, command.map);
   request.set_read_revision(command.query.world.asker.read_revision);
-  if (command.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_m(command.padding_m);
+  if (command.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_padding_m(command.padding_m);
   auto file = OutputFile::Open(command.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
   grpc::ClientContext context;
   const auto stub = v1::QueryService::NewStub(Connect(session));
-  const auto stream = stub->GetDistanceGrid(&context, request);
-  v1::GetDistanceGridResponse part, first;
+  const auto stream = stub->QueryDistanceGrid(&context, request);
+  v1::QueryDistanceGridResponse part, first;
   while (stream->Read(&part)) {
-    if (part.first() == 0) {
+    if (part.first_node() == 0) {
       first = part;
       file->Write(NumpyHead(part.num_z(), part.num_y(), part.num_x()));
     }

@@ -16,7 +16,7 @@ namespace {
 
 struct LogOptions {
   std::string map, author;
-  int most = 50;
+  int limit = 50;
 };
 
 std::string Id(const std::string& name) { return name.substr(name.rfind('/') + 1); }
@@ -29,7 +29,7 @@ void PrintIds(const char* what, const google::protobuf::RepeatedPtrField<std::st
 
 /// "17  2026-11-24T15:45:37Z  anna  move 7, rename 7, changed 7 (undone)".
 void Print(const v1::LoggedEdit& edit) {
-  std::cout << edit.revision() << "  " << google::protobuf::util::TimeUtil::ToString(edit.time()) << "  "
+  std::cout << edit.revision() << "  " << google::protobuf::util::TimeUtil::ToString(edit.create_time()) << "  "
             << (edit.author().empty() ? "-" : Printable(edit.author())) << "  ";
   if (edit.kind() != v1::LoggedEdit::EDIT) std::cout << Lower(v1::LoggedEdit::Kind_Name(edit.kind()));
   for (const std::string& target : edit.targets()) std::cout << " " << Id(target);
@@ -42,9 +42,9 @@ void Print(const v1::LoggedEdit& edit) {
     }
     separator = ", ";
   }
-  PrintIds("changed", edit.changed());
-  PrintIds("created", edit.created());
-  PrintIds("removed", edit.removed());
+  PrintIds("changed", edit.changed_submaps());
+  PrintIds("created", edit.created_submaps());
+  PrintIds("removed", edit.removed_submaps());
   if (edit.num_voxels() > 0) std::cout << ", " << edit.num_voxels() << " voxels";
   std::cout << (edit.undone() ? " (undone)" : "") << "\n";
 }
@@ -55,7 +55,7 @@ ExitCode RunLog(const Session& session, const LogOptions& options) {
   v1::ListEditsRequest request;
   request.set_parent(MapName(options.map));
   request.set_author(options.author);
-  request.set_page_size(std::min(options.most, 1000));
+  request.set_page_size(std::min(options.limit, 1000));
   v1::ListEditsResponse all;
   do {
     grpc::ClientContext context;
@@ -63,10 +63,10 @@ ExitCode RunLog(const Session& session, const LogOptions& options) {
     const grpc::Status status = stub->ListEdits(&context, request, &page);
     if (!status.ok()) return ReportError(session, status);
     for (v1::LoggedEdit& edit : *page.mutable_edits()) {
-      if (all.edits_size() < options.most) *all.add_edits() = std::move(edit);
+      if (all.edits_size() < options.limit) *all.add_edits() = std::move(edit);
     }
     request.set_page_token(page.next_page_token());
-  } while (!request.page_token().empty() && all.edits_size() < options.most);
+  } while (!request.page_token().empty() && all.edits_size() < options.limit);
   if (session.json) PrintJson(all);
   else std::for_each(all.edits().begin(), all.edits().end(), Print);
   return ExitCode::kOk;
@@ -79,7 +79,7 @@ void AddLogCommand(CLI::App& app, Session& session) {
   auto options = std::make_shared<LogOptions>();
   log->add_option("map", options->map, "Name of the map")->required();
   log->add_option("--author", options->author, "Edits of this author only");
-  log->add_option("-n,--number", options->most, "So many at most [50]")->check(CLI::PositiveNumber);
+  log->add_option("-n,--limit", options->limit, "So many at most [50]")->check(CLI::PositiveNumber);
   log->callback([options, &session] { session.exit_code = RunLog(session, *options); });
 }
 

@@ -109,7 +109,7 @@ class Run {
   }
 
   void Hear(const v1::IntegrateFramesResponse& ack, FrameQueue& queue) {
-    if (summary_.AddAck(ack)) Warn(static_cast<std::size_t>(ack.sequence()), "refused", ack.error_message());
+    if (summary_.AddAck(ack)) Warn(static_cast<std::size_t>(ack.sequence()), "refused", ack.error().message());
     for (const std::string& warning : summary_.AddWarnings(ack)) {
       Warn(static_cast<std::size_t>(ack.sequence()), "doubtful", warning);
     }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dhpmap query search, relations: which objects are there, and what is on, in or next to what?
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <utility>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/pages.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
@@ -16,7 +19,7 @@ struct SearchCommand {
   std::vector<std::string> class_names;
   std::vector<double> near_m, box_m;
   double max_distance_m = 0;
-  int most = 100;
+  int limit = 100;
   AskerFlags asker;
 };
 
@@ -35,13 +38,13 @@ v1::SearchSubmapsRequest SearchRequest(const SearchCommand& command) {
   *request.mutable_options() = ToProto(command.asker);
   request.set_read_revision(command.asker.read_revision);
   request.mutable_options()->mutable_class_names()->Assign(command.class_names.begin(), command.class_names.end());
-  if (!command.near_m.empty()) SetVector(command.near_m.data(), *request.mutable_near_m());
+  if (!command.near_m.empty()) SetVector(command.near_m.data(), *request.mutable_near_point_m());
   if (command.max_distance_m != 0) request.mutable_options()->set_max_distance_m(command.max_distance_m);
   if (!command.box_m.empty()) {
     SetVector(command.box_m.data(), *request.mutable_region()->mutable_min_m());
     SetVector(command.box_m.data() + 3, *request.mutable_region()->mutable_max_m());
   }
-  request.set_most(command.most);
+  request.set_page_size(std::min(command.limit, 1000));
   return request;
 }
 
@@ -52,20 +55,29 @@ std::string Coordinates(const v1::Vector3& v) {
 void PrintTable(const v1::SearchSubmapsResponse& response) {
   TextTable table({"ID", "NAME", "DISTANCE_M", "NEAREST_M", "BOX_MIN_M", "BOX_MAX_M"});
   for (const v1::SubmapMatch& match : response.matches()) {
-    const bool is_near = match.has_nearest_m();
+    const bool is_near = match.has_nearest_point_m();
     table.Add({std::to_string(match.submap().instance_id()), match.submap().display_name(),
-               is_near ? Fixed(match.distance_m(), 3) : "-", is_near ? Coordinates(match.nearest_m()) : "-",
+               is_near ? Fixed(match.distance_m(), 3) : "-", is_near ? Coordinates(match.nearest_point_m()) : "-",
                Coordinates(match.box().min_m()), Coordinates(match.box().max_m())});
   }
   table.Print(std::cout);
 }
 
 ExitCode RunSearch(const Session& session, const SearchCommand& command) {
-  grpc::ClientContext context;
+  const auto stub = v1::QueryService::NewStub(Connect(session));
+  v1::SearchSubmapsRequest request = SearchRequest(command);
   v1::SearchSubmapsResponse response;
-  const grpc::Status status =
-      v1::QueryService::NewStub(Connect(session))->SearchSubmaps(&context, SearchRequest(command), &response);
-  if (!status.ok()) return ReportError(session, status);
+  do {
+    grpc::ClientContext context;
+    v1::SearchSubmapsResponse page;
+    const grpc::Status status = stub->SearchSubmaps(&context, request, &page);
+    if (!status.ok()) return ReportError(session, status);
+    response.set_revision(page.revision());
+    for (v1::SubmapMatch& match : *page.mutable_matches()) {
+      if (response.matches_size() < command.limit) *response.add_matches() = std::move(match);
+    }
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty() && response.matches_size() < command.limit);
   if (session.json) PrintJson(response);
   else PrintTable(response);
   return ExitCode::kOk;
@@ -76,7 +88,7 @@ v1::Relation::Kind KindOf(const std::string& name) {
   return name == "in" ? v1::Relation::IN : v1::Relation::NEXT_TO;
 }
 
-void PrintTable(const v1::ListRelationsResponse& response) {
+void PrintTable(const v1::QueryRelationsResponse& response) {
   TextTable table({"SUBJECT", "RELATION", "OBJECT", "SUPPORT", "ENCLOSURE", "GAP_M"});
   for (const v1::Relation& relation : response.relations()) {
     const bool is_on = relation.kind() == v1::Relation::ON, is_in = relation.kind() == v1::Relation::IN;
@@ -91,16 +103,18 @@ void PrintTable(const v1::ListRelationsResponse& response) {
 }
 
 ExitCode RunRelations(const Session& session, const RelationsCommand& command) {
-  v1::ListRelationsRequest request;
+  v1::QueryRelationsRequest request;
   request.set_map(MapName(command.map));
   if (command.id >= 0) request.set_submap(SubmapName(command.map, command.id));
   for (const std::string& kind : command.kinds) request.add_kinds(KindOf(kind));
   request.set_max_gap_m(command.max_gap_m);
   *request.mutable_options() = ToProto(command.asker);
   request.set_read_revision(command.asker.read_revision);
-  grpc::ClientContext context;
-  v1::ListRelationsResponse response;
-  const grpc::Status status = v1::QueryService::NewStub(Connect(session))->ListRelations(&context, request, &response);
+  const auto stub = v1::QueryService::NewStub(Connect(session));
+  v1::QueryRelationsResponse response;
+  const grpc::Status status = ReadAllPages(request, response, [&stub](auto* context, const auto& page, auto* answer) {
+    return stub->QueryRelations(context, page, answer);
+  });
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
   else PrintTable(response);
@@ -119,7 +133,7 @@ void AddObjectCommands(CLI::App& query, Session& session) {
   search->add_option("--max-distance", wanted->max_distance_m, "From there, in m; default: any");
   search->add_option("--box", wanted->box_m, "MIN_X MIN_Y MIN_Z MAX_X MAX_Y MAX_Z in m: some of the surface is in it")
       ->expected(6);
-  search->add_option("--most", wanted->most, "So many at most")->capture_default_str();
+  search->add_option("--limit", wanted->limit, "So many at most")->check(CLI::PositiveNumber)->capture_default_str();
   AddAskerFlags(*search, wanted->asker);
   search->callback([wanted, &session] { session.exit_code = RunSearch(session, *wanted); });
 

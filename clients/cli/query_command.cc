@@ -24,7 +24,7 @@ constexpr std::size_t kMostColumns = 10;
 struct PointOptions {
   std::string map, file;
   std::vector<float> xyz_m;
-  std::int64_t read_revision = 0;  ///< of `query point`; the others have it in their flags
+  AskerFlags asker;  ///< of `query point`; the others have it in their flags
 };
 
 struct DistancesOptions {
@@ -62,18 +62,17 @@ std::optional<std::vector<float>> Points(const PointOptions& options, ExitCode& 
 
 void PrintTable(const v1::QueryPointsRequest& request, const v1::QueryPointsResponse& response) {
   TextTable table(
-      {"X_M", "Y_M", "Z_M", "INSTANCE", "KIND", "CLASS", "DISTANCE_M", "WEIGHT", "CLASS_CONF", "INSTANCE_CONF"});
+      {"X_M", "Y_M", "Z_M", "INSTANCE", "KIND", "CLASS", "TSDF_M", "WEIGHT", "CLASS_CONF", "INSTANCE_CONF"});
   for (int i = 0; i < response.results_size(); ++i) {
     const v1::PointResult& result = response.results(i);
     std::vector<std::string> row;
     row.reserve(kMostColumns);
-    for (int axis = 0; axis < 3; ++axis) row.push_back(Fixed(request.xyz_m(3 * i + axis), 3));
-    if (result.observed()) {
+    for (int axis = 0; axis < 3; ++axis) row.push_back(Fixed(request.packed_points_m(3 * i + axis), 3));
+    if (result.near_surface()) {
       const bool is_known = result.instance_id() != 0;
-      row.insert(row.end(),
-                 {std::to_string(result.instance_id()), KindName(result.kind()), is_known ? result.class_name() : "-",
-                  Fixed(result.distance_m(), 4), Fixed(result.weight(), 1), Fixed(result.class_confidence(), 2),
-                  Fixed(result.instance_confidence(), 2)});
+      row.insert(row.end(), {std::to_string(result.instance_id()), KindName(result.kind()),
+                             is_known ? result.class_name() : "-", Fixed(result.tsdf_m(), 4), Fixed(result.weight(), 1),
+                             Fixed(result.class_confidence(), 2), Fixed(result.instance_confidence(), 2)});
     } else {
       row.insert(row.end(), {"-", result.free() ? "free" : "unknown", "-", "-", "-", "-", "-"});
     }
@@ -88,8 +87,9 @@ ExitCode RunPoint(const Session& session, const PointOptions& options) {
   if (!xyz_m) return exit_code;
   v1::QueryPointsRequest request;
   request.set_map(MapName(options.map));
-  request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
-  request.set_read_revision(options.read_revision);
+  request.mutable_packed_points_m()->Assign(xyz_m->begin(), xyz_m->end());
+  *request.mutable_options() = ToProto(options.asker);
+  request.set_read_revision(options.asker.read_revision);
   grpc::ClientContext context;
   v1::QueryPointsResponse response;
   const grpc::Status status = v1::QueryService::NewStub(Connect(session))->QueryPoints(&context, request, &response);
@@ -108,13 +108,13 @@ void PrintTable(const v1::QueryDistancesRequest& request, const v1::QueryDistanc
     const v1::DistanceResult& result = response.results(i);
     std::vector<std::string> row;
     row.reserve(kMostColumns);
-    for (int axis = 0; axis < 3; ++axis) row.push_back(Fixed(request.xyz_m(3 * i + axis), 3));
-    row.push_back(v1::QueryStatus_Name(result.status()));
+    for (int axis = 0; axis < 3; ++axis) row.push_back(Fixed(request.packed_points_m(3 * i + axis), 3));
+    row.push_back(v1::QueryStatus::Code_Name(result.status()));
     row.push_back(Fixed(result.distance_m(), 4));
-    if (result.has_nearest_m()) {
+    if (result.has_nearest_point_m()) {
       row.insert(row.end(),
-                 {vector(result.gradient(), 3), vector(result.nearest_m(), 3), std::to_string(result.instance_id()),
-                  result.class_name().empty() ? "-" : result.class_name()});
+                 {vector(result.gradient(), 3), vector(result.nearest_point_m(), 3),
+                  std::to_string(result.instance_id()), result.class_name().empty() ? "-" : result.class_name()});
     } else {
       row.insert(row.end(), {"-", "-", "-", "-"});
     }
@@ -129,10 +129,10 @@ ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   if (!xyz_m) return exit_code;
   v1::QueryDistancesRequest request;
   request.set_map(MapName(options.points.map));
-  request.mutable_xyz_m()->Assign(xyz_m->begin(), xyz_m->end());
+  request.mutable_packed_points_m()->Assign(xyz_m->begin(), xyz_m->end());
   *request.mutable_options() = ToProto(options.flags, options.points.map);
   request.set_read_revision(options.flags.world.asker.read_revision);
-  if (options.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_m(options.padding_m);
+  if (options.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_padding_m(options.padding_m);
   if (options.tolerance_vox != 0) request.mutable_options()->set_tolerance_vox(options.tolerance_vox);
   grpc::ClientContext context;
   v1::QueryDistancesResponse response;
@@ -147,8 +147,8 @@ void PrintTable(const v1::CastRaysResponse& response) {
   TextTable table({"RAY", "STATUS", "DISTANCE_M", "FREE_M", "POINT_M", "INSTANCE", "CLASS"});
   for (int i = 0; i < response.results_size(); ++i) {
     const v1::RayResult& result = response.results(i);
-    std::vector<std::string> row = {std::to_string(i), v1::QueryStatus_Name(result.status()),
-                                    Fixed(result.distance_m(), 4), Fixed(result.free_m(), 4)};
+    std::vector<std::string> row = {std::to_string(i), v1::QueryStatus::Code_Name(result.status()),
+                                    Fixed(result.distance_m(), 4), Fixed(result.free_distance_m(), 4)};
     if (result.has_point_m()) {
       const v1::Vector3& p = result.point_m();
       row.insert(row.end(),
@@ -170,7 +170,7 @@ ExitCode RunRays(const Session& session, const DistancesOptions& options) {
   v1::CastRaysRequest request;
   request.set_map(MapName(options.points.map));
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    (i % 6 < 3 ? request.mutable_origin_xyz_m() : request.mutable_direction_xyz())->Add(numbers[i]);
+    (i % 6 < 3 ? request.mutable_packed_origins_m() : request.mutable_packed_directions())->Add(numbers[i]);
   }
   *request.mutable_options() = ToProto(options.flags, options.points.map);
   request.set_read_revision(options.flags.world.asker.read_revision);
@@ -217,9 +217,9 @@ void AddQueryCommands(CLI::App& app, Session& session) {
   CLI::App* query = app.add_subcommand("query", "Ask a map");
   query->require_subcommand(1);
   auto options = std::make_shared<PointOptions>();
-  CLI::App* point = query->add_subcommand("point", "What is at these points (metres, in the map's frame)?");
+  CLI::App* point = query->add_subcommand("point", "What is at these points (metres)?");
   AddPointOptions(*point, *options);
-  AddRevisionFlag(*point, options->read_revision);
+  AddAskerFlags(*point, options->asker);
   point->callback([options, &session] { session.exit_code = RunPoint(session, *options); });
   AddDistances(*query, session);
   AddRays(*query, session);

@@ -10,11 +10,11 @@
 namespace dhpmap {
 
 void AddRevisionFlag(CLI::App& command, std::int64_t& read_revision) {
-  command.add_option("--at-revision", read_revision, "As it was at this revision, of the recent past");
+  command.add_option("--read-revision", read_revision, "As it was at this revision, of the recent past");
 }
 
 void AddAskerFlags(CLI::App& command, AskerFlags& flags) {
-  command.add_option("--frame", flags.frame, "X Y Z YAW_DEG of the frame in which is asked and answered, in the map's")
+  command.add_option("--map-from-query", flags.frame, "X Y Z YAW_DEG of the frame of the query, in the map frame")
       ->expected(4);
   command.add_option("--min-revision", flags.min_revision, "Wait until the map is at this revision");
   AddRevisionFlag(command, flags.read_revision);
@@ -29,8 +29,8 @@ void AddWorldFlags(CLI::App& command, WorldFlags& flags) {
   command.add_option("--exclude-submap", flags.excluded_submaps, "Ids of objects to leave out");
   command.add_option("--exclude-class", flags.excluded_class_names, "Names of classes to leave out");
   command.add_option("--class", flags.class_names, "Names of the only classes to look at");
-  command.add_option("--max-age-s", flags.max_age_s,
-                     "Space that was looked through so long before the newest look is no longer known to be free");
+  command.add_option("--max-free-age-s", flags.max_free_age_s,
+                     "Free space last seen more than this before the newest frame counts as unknown");
   command.add_flag("--vacated-free", flags.vacated_is_free, "What moved and deleted objects have left is free");
   command.add_flag("--include-absent", flags.include_absent, "Objects that are absent are there, too");
 }
@@ -57,7 +57,7 @@ v1::QueryOptions ToProto(const AskerFlags& flags) {
   v1::QueryOptions options;
   options.set_min_revision(flags.min_revision);
   if (flags.frame.empty()) return options;
-  v1::Pose& frame = *options.mutable_frame();
+  v1::Pose& frame = *options.mutable_map_from_query();
   SetVector(flags.frame.data(), *frame.mutable_translation_m());
   const double half_rad = flags.frame[3] * M_PI / 360;
   frame.mutable_rotation()->set_z(std::sin(half_rad));
@@ -70,8 +70,8 @@ v1::QueryOptions ToProto(const WorldFlags& flags, const std::string& map) {
   for (const std::int64_t id : flags.excluded_submaps) options.add_excluded_submaps(SubmapName(map, id));
   options.mutable_excluded_class_names()->Assign(flags.excluded_class_names.begin(), flags.excluded_class_names.end());
   options.mutable_class_names()->Assign(flags.class_names.begin(), flags.class_names.end());
-  if (flags.max_age_s) options.set_max_age_s(*flags.max_age_s);
-  if (flags.vacated_is_free) options.set_vacated(v1::Vacated::FREE);
+  if (flags.max_free_age_s) options.set_max_free_age_s(*flags.max_free_age_s);
+  if (flags.vacated_is_free) options.set_vacated_policy(v1::Vacated::FREE);
   if (flags.include_absent) options.set_include_absent(true);
   return options;
 }

@@ -27,7 +27,7 @@ struct WorldFlags {
   AskerFlags asker;
   std::vector<std::int64_t> excluded_submaps;
   std::vector<std::string> excluded_class_names, class_names;
-  std::optional<double> max_age_s;
+  std::optional<double> max_free_age_s;
   bool vacated_is_free = false;
   bool include_absent = false;
 };
@@ -37,7 +37,7 @@ struct QueryFlags {
   double max_distance_m = 3;
 };
 
-/// --at-revision, which everything has that reads a map.
+/// --read-revision, which everything has that reads a map.
 void AddRevisionFlag(CLI::App& command, std::int64_t& read_revision);
 void AddAskerFlags(CLI::App& command, AskerFlags& flags);
 void AddWorldFlags(CLI::App& command, WorldFlags& flags);

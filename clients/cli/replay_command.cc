@@ -134,10 +134,11 @@ class Replay {
   }
 
   void Hear(const v1::IntegrateFramesResponse& answer) {
-    if (answer.outcome() == v1::FUSED) ++counts_.num_fused;
+    if (answer.outcome() == v1::IntegrateFramesResponse::FUSED) ++counts_.num_fused;
     else if (counts_.num_refused++ == 0)
-      counts_.first_refusal =
-          answer.outcome() == v1::DUPLICATE ? "its sequence was taken before" : answer.error_message();
+      counts_.first_refusal = answer.outcome() == v1::IntegrateFramesResponse::DUPLICATE
+                                  ? "its sequence was taken before"
+                                  : answer.error().message();
   }
 
   RecordReader& reader_;

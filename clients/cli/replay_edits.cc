@@ -18,7 +18,7 @@ using google::protobuf::Reflection;
 
 /// Fields with names of maps, objects and edits, in all requests that edit.
 bool NamesSomething(const FieldDescriptor& field) {
-  static const std::set<std::string> names = {"map", "name", "submap", "others", "edit"};
+  static const std::set<std::string> names = {"map", "name", "submap", "merged_submaps", "support", "edit"};
   return field.cpp_type() == FieldDescriptor::CPPTYPE_STRING && names.contains(field.name());
 }
 
@@ -90,11 +90,11 @@ grpc::Status ReplayEdits::Make(const v1::RecordedEdit& edit) {
 }
 
 grpc::Status ReplayEdits::KeepClear(const v1::RecordStart& start) {
-  if (start.kept_clear().empty()) return grpc::Status::OK;
+  if (start.ignored_regions().empty()) return grpc::Status::OK;
   v1::ApplyEditsRequest request;
   request.set_map(map_);
-  for (const v1::KeptClearRegion& region : start.kept_clear()) {
-    v1::KeepClearEdit& keep = *request.add_edits()->mutable_keep_clear();
+  for (const v1::IgnoredRegion& region : start.ignored_regions()) {
+    v1::IgnoreRegionEdit& keep = *request.add_edits()->mutable_ignore_region();
     keep.set_name(region.name());
     if (region.has_box()) *keep.mutable_box() = region.box();
     else *keep.mutable_sphere() = region.sphere();

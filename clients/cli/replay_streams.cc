@@ -56,7 +56,7 @@ grpc::Status ReplayStreams::Send(const std::string& session, std::int64_t sequen
 grpc::Status ReplayStreams::Hear(Stream& stream) {
   v1::IntegrateFramesResponse answer;
   while (stream.calls->Read(&answer)) {
-    if (answer.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) continue;
+    if (answer.outcome() == v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) continue;
     --stream.num_unanswered;
     on_answer_(answer);
     return grpc::Status::OK;
@@ -100,7 +100,7 @@ grpc::Status ReplayStreams::CloseOne(const std::string& session) {
   stream->calls->WritesDone();
   v1::IntegrateFramesResponse answer;
   while (stream->calls->Read(&answer)) {
-    if (answer.outcome() != v1::FRAME_OUTCOME_UNSPECIFIED) on_answer_(answer);
+    if (answer.outcome() != v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) on_answer_(answer);
   }
   return stream->calls->Finish();
 }

@@ -40,9 +40,9 @@ ExitCode RunRestore(const Session& session, const RestoreFlags& flags) {
     return ExitCode::kOk;
   }
   std::cout << (flags.only_try ? "would be" : "is") << " as in revision " << flags.revision;
-  PrintRestored("changed", response.changed());
-  PrintRestored("created", response.created());
-  PrintRestored("removed", response.removed());
+  PrintRestored("changed", response.changed_submaps());
+  PrintRestored("created", response.created_submaps());
+  PrintRestored("removed", response.removed_submaps());
   std::cout << ", revision " << response.revision() << "\n";
   return ExitCode::kOk;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/pages.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 
@@ -28,11 +29,13 @@ void PrintTable(const v1::ListSessionsResponse& response) {
 }
 
 ExitCode RunList(const Session& session, const std::string& map) {
-  grpc::ClientContext context;
+  const auto stub = v1::MappingService::NewStub(Connect(session));
   v1::ListSessionsRequest request;
-  request.set_map(MapName(map));
+  request.set_parent(MapName(map));
   v1::ListSessionsResponse response;
-  const grpc::Status status = v1::MappingService::NewStub(Connect(session))->ListSessions(&context, request, &response);
+  const grpc::Status status = ReadAllPages(request, response, [&stub](auto* context, const auto& page, auto* answer) {
+    return stub->ListSessions(context, page, answer);
+  });
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
   else PrintTable(response);

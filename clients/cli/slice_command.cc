@@ -15,19 +15,19 @@ namespace {
 
 struct SliceCommand {
   std::string map, file;
-  double min_z_m = 0.1, max_z_m = 1.5, resolution_m = 0, free_share = 0.3;
+  double min_z_m = 0.1, max_z_m = 1.5, resolution_m = 0, min_free_fraction = 0.3;
   std::vector<double> area_m;
   v1::QueryOptions::UnknownPolicy unknown = v1::QueryOptions::UNKNOWN_POLICY_UNSPECIFIED;
   WorldFlags world;
 };
 
-v1::GetOccupancySliceRequest SliceRequest(const SliceCommand& command) {
-  v1::GetOccupancySliceRequest request;
+v1::QueryOccupancySliceRequest SliceRequest(const SliceCommand& command) {
+  v1::QueryOccupancySliceRequest request;
   request.set_map(MapName(command.map));
   request.set_min_z_m(command.min_z_m);
   request.set_max_z_m(command.max_z_m);
   if (command.resolution_m != 0) request.set_resolution_m(command.resolution_m);
-  request.set_free_share(command.free_share);
+  request.set_min_free_fraction(command.min_free_fraction);
   if (!command.area_m.empty()) {
     request.mutable_area()->set_min_x_m(command.area_m[0]);
     request.mutable_area()->set_min_y_m(command.area_m[1]);
@@ -52,12 +52,13 @@ ExitCode RunSlice(const Session& session, const SliceCommand& command) {
   if (!is_png && picture.extension() != ".pgm") {
     return ReportLocalError("--out is FILE.pgm or FILE.png; its YAML is written beside it", ExitCode::kUsage);
   }
-  v1::GetOccupancySliceRequest request = SliceRequest(command);
-  request.set_format(is_png ? v1::PNG : v1::PGM);
-  request.set_image(picture.filename().string());
+  v1::QueryOccupancySliceRequest request = SliceRequest(command);
+  request.set_format(is_png ? v1::QueryOccupancySliceRequest::PNG : v1::QueryOccupancySliceRequest::PGM);
+  request.set_yaml_image_path(picture.filename().string());
   grpc::ClientContext context;
-  v1::GetOccupancySliceResponse slice;
-  const grpc::Status status = v1::QueryService::NewStub(Connect(session))->GetOccupancySlice(&context, request, &slice);
+  v1::QueryOccupancySliceResponse slice;
+  const grpc::Status status =
+      v1::QueryService::NewStub(Connect(session))->QueryOccupancySlice(&context, request, &slice);
   if (!status.ok()) return ReportError(session, status);
   std::filesystem::path yaml = picture;
   yaml.replace_extension(".yaml");
@@ -88,7 +89,7 @@ void AddSliceCommand(CLI::App& query, Session& session) {
   slice->add_option("--to", options->max_z_m, "Top of the band, in m")->capture_default_str();
   slice->add_option("--area", options->area_m, "MIN_X MIN_Y MAX_X MAX_Y in m; default: all that is known")->expected(4);
   slice->add_option("--resolution", options->resolution_m, "Side of a cell, in m; default: the voxels'");
-  slice->add_option("--free-share", options->free_share, "Share of free voxels that makes a cell free")
+  slice->add_option("--min-free-fraction", options->min_free_fraction, "Fraction of free voxels that makes a cell free")
       ->capture_default_str();
   AddUnknownFlag(*slice, options->unknown);
   AddWorldFlags(*slice, options->world);

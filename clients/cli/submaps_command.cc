@@ -21,13 +21,13 @@ struct SubmapsOptions {
   std::int64_t id = -1;
   std::vector<std::string> classes;
   std::string kind;
-  std::vector<double> near, box;
+  std::vector<double> sphere, box;
   std::int64_t read_revision = 0;
 };
 
 std::string StateName(const v1::Submap& submap) {
-  std::string name = submap.activity() == v1::ACTIVE ? "active" : "settled";
-  if (submap.presence() == v1::ABSENT) name = "absent";
+  std::string name = submap.activity() == v1::Submap::ACTIVE ? "active" : "settled";
+  if (submap.presence() == v1::Submap::ABSENT) name = "absent";
   return submap.locked() ? name + ", locked" : name;
 }
 
@@ -87,10 +87,10 @@ ExitCode RunList(const Session& session, const SubmapsOptions& options) {
       request.add_class_ids(static_cast<std::int32_t>(label_class->id()));
     }
   }
-  if (!options.kind.empty()) request.set_kind(options.kind == "thing" ? v1::THING : v1::STUFF);
-  if (!options.near.empty()) {
-    SetVector(options.near.data(), *request.mutable_near()->mutable_center_m());
-    request.mutable_near()->set_radius_m(options.near[3]);
+  if (!options.kind.empty()) request.set_kind(options.kind == "thing" ? v1::LabelClass::THING : v1::LabelClass::STUFF);
+  if (!options.sphere.empty()) {
+    SetVector(options.sphere.data(), *request.mutable_sphere()->mutable_center_m());
+    request.mutable_sphere()->set_radius_m(options.sphere[3]);
   }
   if (!options.box.empty()) {
     SetVector(options.box.data(), *request.mutable_region()->mutable_min_m());
@@ -118,7 +118,8 @@ void AddSubmapsCommand(CLI::App& app, Session& session) {
   command->add_option("--class", options->classes, "Of this class only, by name or id; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--kind", options->kind, "Of this kind only")->check(CLI::IsMember({"thing", "stuff"}));
-  command->add_option("--near", options->near, "Bounding sphere touches the sphere X Y Z RADIUS (metres)")->expected(4);
+  command->add_option("--sphere", options->sphere, "Bounding sphere touches the sphere X Y Z RADIUS (metres)")
+      ->expected(4);
   command->add_option("--box", options->box, "Bounding sphere touches the box X Y Z to X Y Z (metres)")->expected(6);
   AddRevisionFlag(*command, options->read_revision);
   command->callback([options, &session] {

@@ -42,9 +42,9 @@ ExitCode RunReversal(const Session& session, const UndoOptions& options, const c
     return ExitCode::kOk;
   }
   PrintObjectIds(options.only_try ? "would be:" : done, response.edits());
-  PrintObjectIds(", changed", response.changed());
-  PrintObjectIds(", created", response.created());
-  PrintObjectIds(", removed", response.removed());
+  PrintObjectIds(", changed", response.changed_submaps());
+  PrintObjectIds(", created", response.created_submaps());
+  PrintObjectIds(", removed", response.removed_submaps());
   std::cout << ", revision " << response.revision() << "\n";
   return ExitCode::kOk;
 }

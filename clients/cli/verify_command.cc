@@ -17,14 +17,14 @@ void PrintReport(const std::string& map, const v1::VerifyMapResponse& report) {
   if (report.num_shared_voxels() > 0) {
     std::cout << report.num_shared_voxels() << " voxels are held by several settled objects: not refined since\n";
   }
-  for (const v1::VerifyMapResponse::SharedPlace& place : report.shared_places()) {
+  for (const v1::VerifyMapResponse::SharedBlock& place : report.shared_blocks()) {
     std::cout << "  " << place.num_voxels() << " of block (" << place.block_x() << ", " << place.block_y() << ", "
               << place.block_z() << ") by " << place.first_instance_id() << " and " << place.second_instance_id()
               << "\n";
   }
   for (const v1::VerifyMapResponse::Fault& fault : report.faults()) {
-    std::cout << v1::VerifyMapResponse::Fault::Kind_Name(fault.kind()) << "  " << fault.place() << " " << fault.what()
-              << "\n";
+    std::cout << v1::VerifyMapResponse::Fault::Kind_Name(fault.kind()) << "  " << fault.location() << " "
+              << fault.description() << "\n";
   }
   if (report.num_faults() > report.faults_size()) {
     std::cout << "and " << report.num_faults() - report.faults_size() << " more\n";

@@ -50,7 +50,7 @@ void PrintEvent(const v1::SubmapEvent& event) {
   std::cout << "  " << Lower(v1::SubmapEvent::Kind_Name(event.kind())) << " " << submap.instance_id();
   if (!submap.class_name().empty()) std::cout << " " << Printable(submap.class_name());
   if (!submap.display_name().empty()) std::cout << " '" << Printable(submap.display_name()) << "'";
-  if (!event.into().empty()) std::cout << " into " << event.into();
+  if (!event.merged_into().empty()) std::cout << " into " << event.merged_into();
   const char* separator = ": ";
   for (const int part : event.parts()) {
     std::cout << separator << Lower(v1::SubmapEvent::Part_Name(static_cast<v1::SubmapEvent::Part>(part)));
@@ -71,8 +71,8 @@ std::string RegionText(const v1::RegionEvent& event) {
 /// "cleared box 0 0 0 to 1 1 1 m of chair: 120 voxels", "kept clear 'door': ...", "lifted 'door': ...".
 void PrintRegion(const v1::RegionEvent& event) {
   switch (event.kind()) {
-    case v1::RegionEvent::KEPT_CLEAR: std::cout << "  kept clear '" << Printable(event.name()) << "': "; break;
-    case v1::RegionEvent::LIFTED: std::cout << "  lifted '" << Printable(event.name()) << "': "; break;
+    case v1::RegionEvent::IGNORED: std::cout << "  ignored '" << Printable(event.name()) << "': "; break;
+    case v1::RegionEvent::UNIGNORED: std::cout << "  unignored '" << Printable(event.name()) << "': "; break;
     default: std::cout << "  cleared ";
   }
   std::cout << RegionText(event);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "clients/datasets/file_reader.h"
@@ -19,9 +20,10 @@ std::int64_t WholeNumber(const Json& object, const char* key) {
   return it != object.end() && it->is_number_unsigned() ? it->get<std::int64_t>() : -1;
 }
 
-float ScoreOf(const Json& object) {
+std::optional<float> ScoreOf(const Json& object) {
   const auto it = object.find("score");
-  return it != object.end() && it->is_number() ? std::clamp(it->get<float>(), 0.0f, 1.0f) : 0.0f;
+  if (it == object.end() || !it->is_number()) return std::nullopt;
+  return std::clamp(it->get<float>(), 0.0f, 1.0f);
 }
 
 /// The most that a frame may say, the likeliest ones.

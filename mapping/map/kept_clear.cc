@@ -50,11 +50,11 @@ Status KeptClear::Add(KeptClearRegion region) {
   if (!bad.violations().empty()) return bad;
   const auto at = std::lower_bound(list_.begin(), list_.end(), region.name, RegionComesBefore);
   if (at != list_.end() && at->name == region.name) {
-    return AlreadyExists("a region '" + region.name + "' is kept clear already").WithReason("KEPT_CLEAR_EXISTS");
+    return AlreadyExists("a region '" + region.name + "' is kept clear already").WithReason("IGNORED_REGION_EXISTS");
   }
   if (list_.size() >= kMost) {
     return ResourceExhausted("as many as " + std::to_string(kMost) + " regions of the map are kept clear already")
-        .WithReason("TOO_MANY_KEPT_CLEAR");
+        .WithReason("TOO_MANY_IGNORED_REGIONS");
   }
   list_.insert(at, std::move(region));
   return Status::Ok();

@@ -31,9 +31,9 @@ class KeptClear {
   /// DATA_LOSS unless Add would take them all.
   static Result<KeptClear> Create(std::vector<KeptClearRegion> regions);
 
-  /// ALREADY_EXISTS, reason KEPT_CLEAR_EXISTS, for a name that is taken; RESOURCE_EXHAUSTED, TOO_MANY_KEPT_CLEAR,
-  /// beyond kMost; INVALID_ARGUMENT, BAD_EDIT, for another name than those above, or a region that is empty or beyond
-  /// 1e9 m.
+  /// ALREADY_EXISTS, reason IGNORED_REGION_EXISTS, for a name that is taken; RESOURCE_EXHAUSTED,
+  /// TOO_MANY_IGNORED_REGIONS, beyond kMost; INVALID_ARGUMENT, BAD_EDIT, for another name than those above, or a region
+  /// that is empty or beyond 1e9 m.
   Status Add(KeptClearRegion region);
   /// Returns whether there was one of this name.
   bool Lift(std::string_view name);

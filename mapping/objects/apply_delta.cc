@@ -408,7 +408,7 @@ class Application {
     const auto conflict = [](const std::string& name, const std::string& what) {
       return Aborted("the region '" + name + "' " + what)
           .WithReason("UNDO_CONFLICT")
-          .WithMetadata("field", "kept_clear");
+          .WithMetadata("field", "ignored_regions");
     };
     for (const KeptClearRegion& region : from) {
       const KeptClearRegion* present = now.Find(region.name);

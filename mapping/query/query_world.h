@@ -85,8 +85,8 @@ class QueryWorld {
   [[nodiscard]] FreeMask LeftVoxels(BlockIndex block) const;
   /// Whether there is a voxel for a place.
   [[nodiscard]] bool IsInReach(const Eigen::Vector3d& p_map) const {
-    constexpr double kGridReach_vox = 1 << 30;
-    return p_map.cwiseAbs().maxCoeff() < kGridReach_vox * voxel_size_m();
+    constexpr double kIndexReach_vox = 1 << 30;
+    return p_map.cwiseAbs().maxCoeff() < kIndexReach_vox * voxel_size_m();
   }
   /// The same of all voxels of a block.
   [[nodiscard]] FreeMask FreeVoxels(BlockIndex block) const {

@@ -29,7 +29,7 @@ class Finder {
   std::vector<Relation> Run() {
     Gather();
     for (std::size_t a = 0; a < bodies_.size() && !IsEnough(); ++a) {
-      if (!bodies_[a].IsThing()) continue;
+      if (!bodies_[a].IsThing() || IsBefore(bodies_[a])) continue;
       RelateThing(a);
       if (stop_.stop_requested()) break;
     }
@@ -77,6 +77,14 @@ class Finder {
   }
 
   [[nodiscard]] bool IsEnough() const { return found_.size() >= question_.most; }
+  /// Whether all of its relations were told before.
+  [[nodiscard]] bool IsBefore(const RelatedBody& subject) const {
+    return question_.after && subject.id() < question_.after->subject;
+  }
+  [[nodiscard]] bool IsAfter(const Relation& relation) const {
+    return !question_.after ||
+           *question_.after < RelationPlace{relation.subject->id(), relation.object->id(), relation.kind};
+  }
   [[nodiscard]] bool IsAskedFor(const RelatedBody& a, const RelatedBody& b) const {
     return !question_.submap || a.id() == *question_.submap || b.id() == *question_.submap;
   }
@@ -140,6 +148,7 @@ class Finder {
     for (std::size_t i = 0; i < surroundings.bodies.size() && !stop_.stop_requested(); ++i) {
       if (IsAskedFor(bodies_[a], *surroundings.bodies[i])) Compare(thing, surroundings, i, found);
     }
+    std::erase_if(found, [this](const Relation& relation) { return !IsAfter(relation); });
     // What was found with a stop under way may be wrong.
     if (!stop_.stop_requested()) found_.insert(found_.end(), found.begin(), found.end());
   }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
+#include "mapping/base/ids.h"
 #include "mapping/query/query_scope.h"
 #include "mapping/surfaces/surface_cache.h"
 
@@ -43,12 +45,20 @@ struct Relation {
   double height_share = 0;  ///< next to: likewise
 };
 
+/// Where a relation stands among others.
+struct RelationPlace {
+  SubmapId subject, object;
+  RelationKind kind = RelationKind::kOn;
+  auto operator<=>(const RelationPlace&) const = default;
+};
+
 struct RelationQuestion {
   Transform T_map_query = Transform::Identity();  ///< from the asker's frame
   QueryScope scope;
   RelationRules rules;
   std::optional<SubmapId> submap;                  ///< only those with it as the subject or object
   std::optional<std::vector<RelationKind>> kinds;  ///< only these
+  std::optional<RelationPlace> after;              ///< only those that come after it
   std::size_t most = 1000;                         ///< so many at most, those of least ids
 };
 

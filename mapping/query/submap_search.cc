@@ -80,7 +80,7 @@ class Search {
     std::vector<SubmapMatch> matches;
     for (std::size_t number = 0; number < surfaces_.index().entries().size(); ++number) {
       if (matches.size() == question_.most || stop_.stop_requested()) break;
-      if (!Passes(number)) continue;
+      if (!IsAfter(0, number) || !Passes(number)) continue;
       SubmapMatch& match = matches.emplace_back();
       match.submap = &surfaces_.index().entries()[number].submap();
       match.nearest_m.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -107,9 +107,11 @@ class Search {
       if (!Passes(number)) continue;
       const auto found = nearness_.Of(number, p_map, limit_m);
       if (!found) continue;
+      const double distance_m = (found->p_submap - found->point_submap).norm();
+      if (!IsAfter(distance_m, number)) continue;
       const Submap& submap = surfaces_.index().entries()[number].submap();
       best.push_back({.submap = &submap,
-                      .distance_m = (found->p_submap - found->point_submap).norm(),
+                      .distance_m = distance_m,
                       .nearest_m = T_query_map_ * (submap.info().T_map_submap * found->point_submap)});
       std::push_heap(best.begin(), best.end(), is_before);
       if (best.size() > question_.most) {
@@ -120,6 +122,11 @@ class Search {
     }
     std::sort_heap(best.begin(), best.end(), is_before);
     return best;
+  }
+
+  [[nodiscard]] bool IsAfter(double distance_m, std::size_t number) const {
+    return !question_.after ||
+           *question_.after < MatchPlace{distance_m, surfaces_.index().entries()[number].submap().id()};
   }
 
   bool Passes(std::size_t number) {

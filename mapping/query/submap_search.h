@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <compare>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -10,11 +11,19 @@
 #include <string>
 #include <vector>
 
+#include "mapping/base/ids.h"
 #include "mapping/query/query_scope.h"
 #include "mapping/submap/bounding_sphere.h"
 #include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {
+
+/// Where a submap stands among what was found.
+struct MatchPlace {
+  double distance_m = 0;  ///< from near_m; 0 without that
+  SubmapId id;
+  auto operator<=>(const MatchPlace&) const = default;
+};
 
 /// Which submaps: those that pass all that is given. Places are in the asker's frame. Who asks for classes looks for
 /// things of these, not for obstacles: the unknown submap, which stays in the way of other queries, is none.
@@ -26,6 +35,7 @@ struct SubmapQuestion {
   std::optional<BoundingSphere> sphere_m;    ///< likewise
   std::optional<Eigen::Vector3d> near_m;     ///< the nearest to it come first, else those of least id
   std::optional<double> max_distance_m;      ///< from there
+  std::optional<MatchPlace> after;           ///< only those that come after it
   std::size_t most = 100;                    ///< so many at most
 };
 

@@ -27,10 +27,10 @@ bool IsFreeThroughout(const QueryWorld& world, const Eigen::AlignedBox3d& box);
 template <typename Shape, typename Visitor>
 void VisitUnseen(const QueryWorld& world, const Shape& thin, Visitor&& visit, WorkBudget* work = nullptr) {
   const double size_m = world.voxel_size_m();
-  constexpr double kGridReach_vox = 1 << 30;
+  constexpr double kIndexReach_vox = 1 << 30;
   const Shape body = AtLeast(kHalfDiagonal_vox * size_m, thin);
   const Eigen::AlignedBox3d box = BoundsOf(body);
-  const double reach_m = kGridReach_vox * size_m;
+  const double reach_m = kIndexReach_vox * size_m;
   if (!(box.min().minCoeff() > -reach_m && box.max().maxCoeff() < reach_m)) {
     visit(VoxelAt(CentreOf(body).cwiseMax(-reach_m).cwiseMin(reach_m), size_m));
     return;

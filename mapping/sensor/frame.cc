@@ -50,8 +50,8 @@ void CheckSegmentTable(const PanopticFrame& frame, const LabelSet& label_set, St
     if (segment.class_id && label_set.Find(*segment.class_id) == nullptr) {
       bad.AddViolation(field + ".class_id", std::to_string(segment.class_id->value) + " is not in the label set");
     }
-    if (!(segment.score >= 0.0f && segment.score <= 1.0f)) {
-      bad.AddViolation(field + ".score", std::to_string(segment.score) + " is not within 0 and 1");
+    if (segment.score && !(*segment.score >= 0.0f && *segment.score <= 1.0f)) {
+      bad.AddViolation(field + ".score", std::to_string(*segment.score) + " is not within 0 and 1");
     }
     CheckClassScores(segment, field, label_set, bad);
     ids.push_back(segment.id.value);
@@ -135,7 +135,7 @@ void CheckLidar(const PanopticFrame& frame, const LidarData& data, Status& bad) 
 }  // namespace
 
 std::optional<float> SegmentInfo::Sureness() const {
-  if (score > 0) return score;
+  if (score) return score;
   if (class_scores.empty() || !class_id) return std::nullopt;
   const auto own = std::find_if(class_scores.begin(), class_scores.end(),
                                 [this](const ClassScore& entry) { return entry.class_id == *class_id; });

@@ -31,7 +31,7 @@ struct SegmentInfo {
   SegmentId id;  ///< not 0, unique in its frame
   /// Empty: the object is not known; its points go to the unknown submap.
   std::optional<ClassId> class_id;
-  float score = 0.0f;  ///< 0..1, 0 where the network gives none
+  std::optional<float> score;  ///< 0..1; nothing where the network gives none
   /// How likely each class is; empty where the network does not say. At most kMostClassScores, of different classes, in
   /// sum at most 1.
   std::vector<ClassScore> class_scores;

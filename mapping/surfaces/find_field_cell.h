@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "mapping/surfaces/distance_fields.h"
+#include "mapping/surfaces/find_field_cell.h"
 #include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {

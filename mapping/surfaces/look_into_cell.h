@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mapping/surfaces/cell_sight.h"
+#include "mapping/surfaces/look_into_cell.h"
 #include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {

@@ -104,7 +104,7 @@ LabelHistograms FrameVotes::Of(const SegmentInfo& segment, const Submap& holder)
   const TrackingConfig& config = map_.info().config.tracking;
   if (!config.weigh_scores) return LabelHistograms::OfClass(*segment.class_id);
   if (!segment.class_scores.empty()) return ByClassScores(segment, holder.info());
-  const float score = segment.score > 0 ? segment.score : unscored_;
+  const float score = segment.score.value_or(unscored_);
   return LabelHistograms::OfClass(*segment.class_id, std::max(1u, Weight(score, config.SightingUnit())));
 }
 

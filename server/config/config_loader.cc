@@ -76,6 +76,13 @@ bool Parse(const std::string& text, Number& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
+/// What keys of version 0.1 are called now.
+std::string_view RenamedTo(std::string_view key) {
+  if (key == "http.head_timeout_s") return "http.header_timeout_s";
+  if (key == "store.busy_timeout_ms") return "store.busy_timeout_s, in seconds";
+  return {};
+}
+
 void SetOne(const std::string& wanted, const std::string& text, ServerConfig& config, Status& bad) {
   if (wanted.starts_with(kMapDefaults)) {
     const Status status = SetField(config.map_defaults, std::string_view(wanted).substr(kMapDefaults.size()), text);
@@ -90,7 +97,9 @@ void SetOne(const std::string& wanted, const std::string& text, ServerConfig& co
     if (Parse(text, candidate)) value = std::move(candidate);
     else bad.AddViolation(wanted, "cannot be '" + text + "'");
   });
-  if (!is_known) bad.AddViolation(wanted, "unknown key");
+  if (is_known) return;
+  const std::string_view renamed = RenamedTo(wanted);
+  bad.AddViolation(wanted, renamed.empty() ? "unknown key" : "is now called " + std::string(renamed));
 }
 
 std::string Format(const std::string& value) {

@@ -28,7 +28,7 @@ struct ServerConfig {
     std::string allowed_hosts;
     int max_connections = 1000;
     double idle_timeout_s = 60;
-    double head_timeout_s = 10;
+    double header_timeout_s = 10;
   } http;
   struct Log {
     std::string level = "info";
@@ -53,7 +53,7 @@ struct ServerConfig {
     double commit_s = 2.0;
     double max_behind_s = 30;
     double retry_s = 5.0;
-    int busy_timeout_ms = 5000;
+    double busy_timeout_s = 5;
     int memory_budget_mib = 0;
   } store;
   struct Watch {
@@ -116,7 +116,7 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "beyond it the longest idle connection is closed; if none is idle, 503");
   visit("http.idle_timeout_s", c.http.idle_timeout_s, 0.1, 86400,
         "s; a connection without a request is closed after this");
-  visit("http.head_timeout_s", c.http.head_timeout_s, 0.1, 3600, "s that a request's header may take to arrive");
+  visit("http.header_timeout_s", c.http.header_timeout_s, 0.1, 3600, "s that a request's header may take to arrive");
   visit("log.level", c.log.level, 0, 0, "debug, info, warning, error or off");
   visit("log.json", c.log.json, 0, 0, "write one JSON object per line");
   visit("mapping.num_threads", c.mapping.num_threads, 0, 256,
@@ -142,8 +142,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("store.retry_s", c.store.retry_s, 0.01, 3600, "s between attempts while the store fails");
   visit("store.max_behind_s", c.store.max_behind_s, 0, 86400,
         "s that fused frames may stay unstored; then new frames are refused and /readyz fails");
-  visit("store.busy_timeout_ms", c.store.busy_timeout_ms, 0, 600000,
-        "ms to wait for another process that has the file locked");
+  visit("store.busy_timeout_s", c.store.busy_timeout_s, 0, 600,
+        "s to wait for another process that has the file locked");
   visit("store.memory_budget_mib", c.store.memory_budget_mib, 0, 1e8,
         "MiB of voxels in memory, of all maps together, read on demand; 0 = whole maps are read");
   visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "watchers of all maps together; more are refused");

@@ -10,7 +10,7 @@ namespace dhpmap::gateway {
 /// OpenAPI 3.0 of everything the router finds: each binding an operation, each message and enum a schema.
 std::string OpenApiDocument(const HttpRuleRouter& router);
 
-/// A template as OpenAPI writes it: "/v1/{name=maps/*/submaps/*}:mesh" -> "/v1/maps/{map}/submaps/{submap}:mesh", a
+/// A template as OpenAPI writes it: "/v1/{name=maps/*/submaps/*}/mesh" -> "/v1/maps/{map}/submaps/{submap}/mesh", a
 /// wild card being named after the literal before it.
 struct OpenApiPath {
   struct Parameter {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +15,7 @@
 #include "server/grpc/services.h"
 #include "server/wire/edit_conversion.h"
 #include "server/wire/edit_log_conversion.h"
+#include "server/wire/paging.h"
 #include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
@@ -27,16 +31,31 @@ constexpr auto kFillUndone = [](const MapView& view, const EditMade& made, auto&
   if constexpr (requires { response.add_edits(std::string()); }) {
     for (const std::int64_t edit : made.summary.targets) response.add_edits(EditResourceName(map, edit));
   }
-  for (const SubmapId id : made.summary.changed) response.add_changed(SubmapResourceName(map, id));
-  for (const SubmapId id : made.summary.created) response.add_created(SubmapResourceName(map, id));
-  for (const SubmapId id : made.summary.removed) response.add_removed(SubmapResourceName(map, id));
+  for (const SubmapId id : made.summary.changed) response.add_changed_submaps(SubmapResourceName(map, id));
+  for (const SubmapId id : made.summary.created) response.add_created_submaps(SubmapResourceName(map, id));
+  for (const SubmapId id : made.summary.removed) response.add_removed_submaps(SubmapResourceName(map, id));
 };
+
+bool Changes(const EditSummary& edit, SubmapId submap) {
+  const auto has = [submap](const std::vector<SubmapId>& ids) {
+    return std::find(ids.begin(), ids.end(), submap) != ids.end();
+  };
+  return has(edit.changed) || has(edit.created) || has(edit.removed);
+}
+
+Result<SubmapId> SubmapOfMap(const std::string& name, const std::string& map) {
+  DHPMAP_ASSIGN_OR_RETURN(const SubmapName parsed, ParseSubmapName(name, "submap"));
+  if (parsed.map == map) return parsed.submap;
+  return InvalidArgument("the filter is not usable")
+      .WithReason("BAD_FILTER")
+      .WithViolation("submap", "is a submap of another map");
+}
 
 class EditService final : public CountedService<v1::EditService> {
  public:
   explicit EditService(const ServiceContext& context) : CountedService(context), context_(context) {
     Take(&EditService::ApplyEdits, &EditService::UndoEdits, &EditService::RedoEdits, &EditService::RestoreRevision,
-         &EditService::ListEdits, &EditService::ListKeptClear);
+         &EditService::ListEdits, &EditService::ListIgnoredRegions);
   }
 
   grpc::ServerUnaryReactor* ApplyEdits(grpc::CallbackServerContext*, const v1::ApplyEditsRequest* request,
@@ -80,32 +99,60 @@ class EditService final : public CountedService<v1::EditService> {
       DHPMAP_ASSIGN_OR_RETURN(const MapSummary summary, context_.registry.Get(map));
       const PageMark now{.history_id = summary.info.history_id, .revision = summary.info.revision};
       DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, now, *context_.registry.LostRevisionsOf(map)));
-      DHPMAP_ASSIGN_OR_RETURN(const EditQuery query, EditQueryFromProto(*request, pager));
-      DHPMAP_ASSIGN_OR_RETURN(const auto edits, context_.registry.ListEdits(map, query));
-      for (const LoggedEdit& edit : edits) {
-        v1::LoggedEdit proto = ToProto(edit, map);
-        if (!pager.Takes(proto, std::to_string(edit.entry.revision))) break;
-        *response->add_edits() = std::move(proto);
+      DHPMAP_ASSIGN_OR_RETURN(EditQuery query, EditQueryFromProto(*request, pager));
+      std::optional<SubmapId> submap;
+      if (!request->submap().empty()) {
+        DHPMAP_ASSIGN_OR_RETURN(submap, SubmapOfMap(request->submap(), map));
+      }
+      DHPMAP_RETURN_IF_ERROR(AddEdits(map, submap, query, pager, *response));
+      response->set_next_page_token(pager.NextToken());
+      return Status::Ok();
+    });
+  }
+
+  grpc::ServerUnaryReactor* ListIgnoredRegions(grpc::CallbackServerContext*,
+                                               const v1::ListIgnoredRegionsRequest* request,
+                                               v1::ListIgnoredRegionsResponse* response) override {
+    const CallMessages call{"EditService/ListIgnoredRegions", request, response, request->parent()};
+    return Run(context_, call, [=, this]() -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->parent(), "parent"));
+      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, *request));
+      const MapInfo& info = view->snapshot().info();
+      const PageMark now{.history_id = info.history_id, .revision = view->snapshot().revision()};
+      DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, now, *context_.registry.LostRevisionsOf(map)));
+      response->set_revision(view->snapshot().revision());
+      for (const KeptClearRegion& region : info.kept_clear.list()) {
+        if (region.name <= pager.after()) continue;
+        v1::IgnoredRegion proto = ToProto(region);
+        if (!pager.Takes(proto, region.name)) break;
+        *response->add_ignored_regions() = std::move(proto);
       }
       response->set_next_page_token(pager.NextToken());
       return Status::Ok();
     });
   }
 
-  grpc::ServerUnaryReactor* ListKeptClear(grpc::CallbackServerContext*, const v1::ListKeptClearRequest* request,
-                                          v1::ListKeptClearResponse* response) override {
-    return Run(context_, {"EditService/ListKeptClear", request, response, request->parent()}, [=, this]() -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->parent(), "parent"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, *request));
-      response->set_revision(view->snapshot().revision());
-      for (const KeptClearRegion& region : view->snapshot().info().kept_clear.list()) {
-        *response->add_regions() = ToProto(region);
+ private:
+  /// A page of the log, or of what in it changed one object: for that so many edits are looked through at most.
+  Status AddEdits(const std::string& map, const std::optional<SubmapId>& submap, EditQuery query, Pager& pager,
+                  v1::ListEditsResponse& response) const {
+    constexpr std::size_t kMostLookedThrough = 10'000;
+    for (std::size_t num_seen = 0; num_seen < kMostLookedThrough;) {
+      DHPMAP_ASSIGN_OR_RETURN(const auto edits, context_.registry.ListEdits(map, query));
+      for (const LoggedEdit& edit : edits) {
+        if (submap && !Changes(edit.entry.summary, *submap)) continue;
+        v1::LoggedEdit proto = ToProto(edit, map);
+        if (!pager.Takes(proto, std::to_string(edit.entry.revision))) return Status::Ok();
+        *response.add_edits() = std::move(proto);
       }
-      return Status::Ok();
-    });
+      if (edits.size() < query.max_edits) return Status::Ok();
+      num_seen += edits.size();
+      query.before_revision = edits.back().entry.revision;
+    }
+    pager.EndBehind(std::to_string(*query.before_revision));
+    return Status::Ok();
   }
 
- private:
   Result<PlannedEdit> PlanList(const v1::ApplyEditsRequest& request, const std::shared_ptr<Results>& results) const {
     DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request.map(), "map"));
     DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));

@@ -34,6 +34,14 @@ void WriteTo(grpc::ByteBuffer& bytes, const v1::IntegrateFramesResponse& answer)
   bytes.Swap(&written);
 }
 
+/// A map may have names with colons, which version 0.1 took: as parts of paths they would be ambiguous.
+Status CheckSessionName(const std::string& session) {
+  if (session.find(':') == std::string::npos) return Status::Ok();
+  return InvalidArgument("the name of the session is not usable")
+      .WithReason("BAD_SESSION")
+      .WithViolation("session", "1 to 64 of A-Z a-z 0-9 . _ -");
+}
+
 Status Differs(const char* field, const std::string& first, const std::string& now) {
   const std::string wanted = first.empty() ? "empty" : "'" + first + "' or empty";
   return InvalidArgument("one stream feeds one map in one session: " + std::string(field) + " is now '" +
@@ -251,6 +259,7 @@ Status IntegrateStream::CheckSamePlace() const {
 
 Result<IntegrateStream::Place> IntegrateStream::TakePlace() {
   DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request_.map(), "map"));
+  DHPMAP_RETURN_IF_ERROR(CheckSessionName(request_.session()));
   DHPMAP_ASSIGN_OR_RETURN(auto map, context_.registry.OpenSession(name));
   DHPMAP_ASSIGN_OR_RETURN(auto feed,
                           map->BeginFeed({.session = request_.session(),
@@ -272,9 +281,12 @@ void IntegrateStream::OnFrameDone(std::int64_t sequence, const FrameOutcome& out
   }
   Ack ack;
   TellSafely([&] { ack = AckOf(sequence, outcome); });
-  if (ack.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) {  // no memory for its words: the feeder counts by the answers
+  if (ack.outcome() == v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) {  // no memory for its words: the feeder
+                                                                                  // counts by the answers
     ack.set_sequence(sequence);
-    ack.set_outcome(!outcome.report.ok() ? v1::REFUSED : outcome.is_duplicate ? v1::DUPLICATE : v1::FUSED);
+    ack.set_outcome(!outcome.report.ok()   ? v1::IntegrateFramesResponse::REFUSED
+                    : outcome.is_duplicate ? v1::IntegrateFramesResponse::DUPLICATE
+                                           : v1::IntegrateFramesResponse::FUSED);
   }
   Answer(std::move(ack));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "server/app/maps/map_stats.h"
@@ -21,8 +22,8 @@ class MapService final : public CountedService<v1::MapService> {
  public:
   explicit MapService(const ServiceContext& context) : CountedService(context), context_(context) {
     Take(&MapService::CreateMap, &MapService::GetMap, &MapService::ListMaps, &MapService::UpdateMap,
-         &MapService::DeleteMap, &MapService::BackupMap, &MapService::ExportMap, &MapService::VerifyMap,
-         &MapService::GetMapStats);
+         &MapService::DeleteMap, &MapService::BackupMaps, &MapService::ExportMap, &MapService::VerifyMap,
+         &MapService::GetMapStats, &MapService::ListMapRevisions);
     TakeStream<v1::ImportMapRequest>(&MapService::BeginImport);
   }
 
@@ -92,14 +93,14 @@ class MapService final : public CountedService<v1::MapService> {
     });
   }
 
-  grpc::ServerWriteReactor<v1::BackupMapResponse>* BackupMap(grpc::CallbackServerContext* call,
-                                                             const v1::BackupMapRequest* request) override {
-    using Stream = ChunkStream<v1::BackupMapResponse>;
+  grpc::ServerWriteReactor<v1::BackupMapsResponse>* BackupMaps(grpc::CallbackServerContext* call,
+                                                               const v1::BackupMapsRequest* request) override {
+    using Stream = ChunkStream<v1::BackupMapsResponse>;
     return Stream::Start(
-        context_, call, {"MapService/BackupMap", request},
+        context_, call, {"MapService/BackupMaps", request},
         [this](const std::stop_token& stop, const StreamKeeps&) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(std::unique_ptr<StoreBackup> backup, context_.registry.Backup(stop));
-          return Stream::Next([chunks = FileChunks(std::move(backup))](v1::BackupMapResponse& message) mutable {
+          return Stream::Next([chunks = FileChunks(std::move(backup))](v1::BackupMapsResponse& message) mutable {
             return chunks.Next(message);
           });
         });
@@ -133,6 +134,29 @@ class MapService final : public CountedService<v1::MapService> {
           *response = ToProto(report);
           return Status::Ok();
         });
+  }
+
+  grpc::ServerUnaryReactor* ListMapRevisions(grpc::CallbackServerContext*, const v1::ListMapRevisionsRequest* request,
+                                             v1::ListMapRevisionsResponse* response) override {
+    return Run(context_, {"MapService/ListMapRevisions", request, response, request->parent()}, [=, this]() -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->parent(), "parent"));
+      DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
+      std::vector<KeptStates::State> states = session->kept_states()->All();
+      const KeptStates::State present = session->View()->shared_snapshot();
+      if (states.empty() || states.back()->revision() < present->revision()) states.push_back(present);
+      const PageMark now{.history_id = present->info().history_id, .revision = present->revision()};
+      DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, now, *context_.registry.LostRevisionsOf(name)));
+      DHPMAP_ASSIGN_OR_RETURN(const auto before, RevisionFromPage(pager));
+      for (auto state = states.rbegin(); state != states.rend(); ++state) {
+        const std::int64_t revision = (*state)->revision();
+        if (before && revision >= *before) continue;
+        v1::MapRevision proto = RevisionToProto((*state)->info());
+        if (!pager.Takes(proto, std::to_string(revision))) break;
+        *response->add_revisions() = std::move(proto);
+      }
+      response->set_next_page_token(pager.NextToken());
+      return Status::Ok();
+    });
   }
 
   grpc::ServerUnaryReactor* GetMapStats(grpc::CallbackServerContext*, const v1::GetMapStatsRequest* request,

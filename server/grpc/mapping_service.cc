@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
+#include <utility>
 
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/services.h"
 #include "server/wire/mapping_conversion.h"
+#include "server/wire/paging.h"
 #include "server/wire/types/metadata_keys.h"
 #include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {
+
+constexpr char kSessionKey[] = "s";
 
 class MappingService final : public CountedService<v1::MappingService> {
  public:
@@ -27,11 +31,21 @@ class MappingService final : public CountedService<v1::MappingService> {
 
   grpc::ServerUnaryReactor* ListSessions(grpc::CallbackServerContext*, const v1::ListSessionsRequest* request,
                                          v1::ListSessionsResponse* response) override {
-    return Run(context_, {"MappingService/ListSessions", request, response, request->map()}, [=, this]() -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->map(), "map"));
+    return Run(context_, {"MappingService/ListSessions", request, response, request->parent()}, [=, this]() -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->parent(), "parent"));
       DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
-      response->set_revision(session->View()->snapshot().revision());
-      for (const SessionStatus& status : session->Sessions()) *response->add_sessions() = ToProto(status);
+      const auto view = session->View();
+      const PageMark now{.history_id = view->snapshot().info().history_id, .revision = view->snapshot().revision()};
+      DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, now, *context_.registry.LostRevisionsOf(name)));
+      response->set_revision(view->snapshot().revision());
+      for (const SessionStatus& status : session->Sessions()) {
+        const std::string key = kSessionKey + status.session;  // not empty, as that of streams that name none would be
+        if (key <= pager.after()) continue;
+        v1::FeedSession proto = ToProto(status, name);
+        if (!pager.Takes(proto, key)) break;
+        *response->add_sessions() = std::move(proto);
+      }
+      response->set_next_page_token(pager.NextToken());
       return Status::Ok();
     });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/query_answers.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -27,7 +28,7 @@ constexpr std::size_t kMostQuickPoints = 2048, kMostQuickDistances = 256, kMostQ
 
 template <typename Request>
 std::size_t NumPoints(const Request& request) {
-  return static_cast<std::size_t>(request.xyz_m_size() / 3 + request.points_m_size());
+  return static_cast<std::size_t>(request.packed_points_m_size() / 3 + request.points_m_size());
 }
 
 template <typename Request>
@@ -37,6 +38,13 @@ QueryEffort EffortOfItems(const Request& request, std::size_t num_items, std::si
 
 const MapInfo& InfoOf(const QueryPlace& place) { return place.view.snapshot().info(); }
 SurfaceCache& SurfacesOf(const QueryPlace& place) { return place.context.registry.surfaces(); }
+
+template <typename Request>
+Result<Pager> PagerFor(const QueryPlace& place, const Request& request, PageSizes sizes) {
+  const MapInfo& map = InfoOf(place);
+  const PageMark now{.history_id = map.history_id, .revision = place.view.snapshot().revision()};
+  return Pager::Begin(request, now, *place.context.registry.LostRevisionsOf(map.name), sizes);
+}
 
 }  // namespace
 
@@ -52,7 +60,17 @@ QueryEffort EffortOf(const v1::QueryPointsRequest& request) {
 }
 
 Status AnswerQuery(const QueryPlace& place, const v1::QueryPointsRequest& request, v1::QueryPointsResponse& response) {
-  DHPMAP_ASSIGN_OR_RETURN(const auto points_m, PointsFromProto(request, place.context.options.max_query_points));
+  DHPMAP_ASSIGN_OR_RETURN(auto points_m, PointsFromProto(request, place.context.options.max_query_points));
+  DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_query, FrameOptionsFromProto(request.options()));
+  if (request.options().has_map_from_query()) {
+    for (Eigen::Vector3d& p : points_m) p = T_map_query * p;
+    const bool is_finite = std::all_of(points_m.begin(), points_m.end(), [](const auto& p) { return p.allFinite(); });
+    if (!is_finite) {
+      return InvalidArgument("the points cannot be looked up")
+          .WithReason("BAD_POINTS")
+          .WithViolation("options.map_from_query", "takes points to where no number goes");
+    }
+  }
   DHPMAP_RETURN_IF_ERROR(place.fits);
   PointAnswers answers(request, InfoOf(place), points_m.size(), response);
   return LookUpPoints(place.view, points_m, place.stop, place.spread,
@@ -88,10 +106,12 @@ Status AnswerQuery(const QueryPlace& place, const v1::CastRaysRequest& request, 
                   [&](const RayHit& hit) { answers.Append(hit); });
 }
 
-QueryEffort EffortOf(const v1::GetOccupancySliceRequest& request) { return {.answer_bytes = BytesOfAnswers(request)}; }
+QueryEffort EffortOf(const v1::QueryOccupancySliceRequest& request) {
+  return {.answer_bytes = BytesOfAnswers(request)};
+}
 
-Status AnswerQuery(const QueryPlace& place, const v1::GetOccupancySliceRequest& request,
-                   v1::GetOccupancySliceResponse& response) {
+Status AnswerQuery(const QueryPlace& place, const v1::QueryOccupancySliceRequest& request,
+                   v1::QueryOccupancySliceResponse& response) {
   DHPMAP_ASSIGN_OR_RETURN(const SliceRequest wanted, SliceRequestFromProto(request, place.view.snapshot()));
   DHPMAP_RETURN_IF_ERROR(place.fits);
   DHPMAP_ASSIGN_OR_RETURN(SliceAnswer slice, ExportSlice(place.view, SurfacesOf(place), wanted, place.stop));
@@ -103,21 +123,25 @@ QueryEffort EffortOf(const v1::SearchSubmapsRequest& request) { return {.answer_
 
 Status AnswerQuery(const QueryPlace& place, const v1::SearchSubmapsRequest& request,
                    v1::SearchSubmapsResponse& response) {
-  DHPMAP_ASSIGN_OR_RETURN(const SubmapQuestion question, SubmapQuestionFromProto(request, place.view.snapshot()));
+  DHPMAP_ASSIGN_OR_RETURN(Pager pager, PagerFor(place, request, kMatchPages));
+  DHPMAP_ASSIGN_OR_RETURN(const SubmapQuestion question,
+                          SubmapQuestionFromProto(request, place.view.snapshot(), pager));
   DHPMAP_RETURN_IF_ERROR(place.fits);
   DHPMAP_ASSIGN_OR_RETURN(const auto matches, FindSubmaps(place.view, SurfacesOf(place), question, place.stop));
-  ToProto(question, matches, place.view, response);
+  ToProto(question, matches, place.view, pager, response);
   return Status::Ok();
 }
 
-QueryEffort EffortOf(const v1::ListRelationsRequest& request) { return {.answer_bytes = BytesOfAnswers(request)}; }
+QueryEffort EffortOf(const v1::QueryRelationsRequest& request) { return {.answer_bytes = BytesOfAnswers(request)}; }
 
-Status AnswerQuery(const QueryPlace& place, const v1::ListRelationsRequest& request,
-                   v1::ListRelationsResponse& response) {
-  DHPMAP_ASSIGN_OR_RETURN(const RelationQuestion question, RelationQuestionFromProto(request, place.view.snapshot()));
+Status AnswerQuery(const QueryPlace& place, const v1::QueryRelationsRequest& request,
+                   v1::QueryRelationsResponse& response) {
+  DHPMAP_ASSIGN_OR_RETURN(Pager pager, PagerFor(place, request, kRelationPages));
+  DHPMAP_ASSIGN_OR_RETURN(const RelationQuestion question,
+                          RelationQuestionFromProto(request, place.view.snapshot(), pager));
   DHPMAP_RETURN_IF_ERROR(place.fits);
   DHPMAP_ASSIGN_OR_RETURN(const auto relations, ListRelations(place.view, SurfacesOf(place), question, place.stop));
-  ToProto(relations, InfoOf(place), response);
+  ToProto(relations, InfoOf(place), pager, response);
   return Status::Ok();
 }
 

@@ -42,17 +42,17 @@ Status AnswerQuery(const QueryPlace& place, const v1::QueryDistancesRequest& req
 QueryEffort EffortOf(const v1::CastRaysRequest& request);
 Status AnswerQuery(const QueryPlace& place, const v1::CastRaysRequest& request, v1::CastRaysResponse& response);
 
-QueryEffort EffortOf(const v1::GetOccupancySliceRequest& request);
-Status AnswerQuery(const QueryPlace& place, const v1::GetOccupancySliceRequest& request,
-                   v1::GetOccupancySliceResponse& response);
+QueryEffort EffortOf(const v1::QueryOccupancySliceRequest& request);
+Status AnswerQuery(const QueryPlace& place, const v1::QueryOccupancySliceRequest& request,
+                   v1::QueryOccupancySliceResponse& response);
 
 QueryEffort EffortOf(const v1::SearchSubmapsRequest& request);
 Status AnswerQuery(const QueryPlace& place, const v1::SearchSubmapsRequest& request,
                    v1::SearchSubmapsResponse& response);
 
-QueryEffort EffortOf(const v1::ListRelationsRequest& request);
-Status AnswerQuery(const QueryPlace& place, const v1::ListRelationsRequest& request,
-                   v1::ListRelationsResponse& response);
+QueryEffort EffortOf(const v1::QueryRelationsRequest& request);
+Status AnswerQuery(const QueryPlace& place, const v1::QueryRelationsRequest& request,
+                   v1::QueryRelationsResponse& response);
 
 // Those that are answered in pieces: see CheckAnswer.
 QueryEffort EffortOf(const v1::CheckCollisionsRequest& request);

@@ -26,9 +26,9 @@ class QueryService final : public CountedService<v1::QueryService> {
   QueryService(const ServiceContext& context, OpenStreams& streams)
       : CountedService(context), context_(context), streams_(streams) {
     Take(&QueryService::QueryPoints, &QueryService::QueryDistances, &QueryService::CastRays,
-         &QueryService::CheckCollisions, &QueryService::CheckTrajectory, &QueryService::GetOccupancySlice,
-         &QueryService::GetDistanceGrid, &QueryService::SearchSubmaps, &QueryService::ListRelations);
-    TakeStream<v1::QueryStreamRequest>(&QueryService::BeginStream);
+         &QueryService::CheckCollisions, &QueryService::CheckTrajectory, &QueryService::QueryOccupancySlice,
+         &QueryService::QueryDistanceGrid, &QueryService::SearchSubmaps, &QueryService::QueryRelations);
+    TakeStream<v1::StreamQueriesRequest>(&QueryService::BeginStream);
   }
 
   using Reactor = grpc::ServerUnaryReactor;
@@ -44,24 +44,24 @@ class QueryService final : public CountedService<v1::QueryService> {
   Reactor* CastRays(Context* call, const v1::CastRaysRequest* request, v1::CastRaysResponse* response) override {
     return Answer(call, "QueryService/CastRays", request, response);
   }
-  Reactor* GetOccupancySlice(Context* call, const v1::GetOccupancySliceRequest* request,
-                             v1::GetOccupancySliceResponse* response) override {
-    return Answer(call, "QueryService/GetOccupancySlice", request, response);
+  Reactor* QueryOccupancySlice(Context* call, const v1::QueryOccupancySliceRequest* request,
+                               v1::QueryOccupancySliceResponse* response) override {
+    return Answer(call, "QueryService/QueryOccupancySlice", request, response);
   }
   Reactor* SearchSubmaps(Context* call, const v1::SearchSubmapsRequest* request,
                          v1::SearchSubmapsResponse* response) override {
     return Answer(call, "QueryService/SearchSubmaps", request, response);
   }
-  Reactor* ListRelations(Context* call, const v1::ListRelationsRequest* request,
-                         v1::ListRelationsResponse* response) override {
-    return Answer(call, "QueryService/ListRelations", request, response);
+  Reactor* QueryRelations(Context* call, const v1::QueryRelationsRequest* request,
+                          v1::QueryRelationsResponse* response) override {
+    return Answer(call, "QueryService/QueryRelations", request, response);
   }
 
-  grpc::ServerWriteReactor<v1::GetDistanceGridResponse>* GetDistanceGrid(
-      Context* call, const v1::GetDistanceGridRequest* request) override {
-    using Stream = ChunkStream<v1::GetDistanceGridResponse>;
+  grpc::ServerWriteReactor<v1::QueryDistanceGridResponse>* QueryDistanceGrid(
+      Context* call, const v1::QueryDistanceGridRequest* request) override {
+    using Stream = ChunkStream<v1::QueryDistanceGridResponse>;
     return Stream::Start(
-        context_, call, {"QueryService/GetDistanceGrid", request},
+        context_, call, {"QueryService/QueryDistanceGrid", request},
         [=, this](const std::stop_token& stop, const StreamKeeps& keeps) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
           DHPMAP_ASSIGN_OR_RETURN(auto view, ViewFor(context_, map, *request));
@@ -69,11 +69,11 @@ class QueryService final : public CountedService<v1::QueryService> {
           DHPMAP_RETURN_IF_ERROR(keeps.hold(view->shared_snapshot()));
           DistanceGrid grid(std::move(view), context_.registry.surfaces(), question);
           return Stream::Next([chunks = std::make_shared<GridChunks>(std::move(grid), *request),
-                               stop](v1::GetDistanceGridResponse& message) { return chunks->Next(message, stop); });
+                               stop](v1::QueryDistanceGridResponse& message) { return chunks->Next(message, stop); });
         });
   }
 
-  grpc::ServerBidiReactor<grpc::ByteBuffer, v1::QueryStreamResponse>* BeginStream(Context*) {
+  grpc::ServerBidiReactor<grpc::ByteBuffer, v1::StreamQueriesResponse>* BeginStream(Context*) {
     return dhpmap::QueryStream::Start(context_, streams_);
   }
 

@@ -25,19 +25,20 @@ using WireFormat = google::protobuf::internal::WireFormatLite;
 
 /// While an answer is written it is there as a message and as bytes. What is small is counted by its bytes alone: lists
 /// of messages take several times that.
-std::size_t BytesOfAnswer(const v1::QueryStreamResponse& response, const ByteBudget& budget) {
+std::size_t BytesOfAnswer(const v1::StreamQueriesResponse& response, const ByteBudget& budget) {
   const std::size_t num_bytes = response.ByteSizeLong();
   return 2 * num_bytes <= budget.free_bytes() ? 2 * num_bytes : num_bytes + response.SpaceUsedLong();
 }
 
 /// Of a message that may be too large to be parsed: 0 if it has none.
-std::int64_t NumberOf(const grpc::ByteBuffer& bytes) {
+std::int64_t SequenceOf(const grpc::ByteBuffer& bytes) {
   grpc::ByteBuffer shared = bytes;
   grpc::ProtoBufferReader reader(&shared);
   google::protobuf::io::CodedInputStream input(&reader);
   std::uint64_t number = 0;
   while (const std::uint32_t tag = input.ReadTag()) {
-    constexpr auto kTag = WireFormat::MakeTag(v1::QueryStreamRequest::kNumberFieldNumber, WireFormat::WIRETYPE_VARINT);
+    constexpr auto kTag =
+        WireFormat::MakeTag(v1::StreamQueriesRequest::kSequenceFieldNumber, WireFormat::WIRETYPE_VARINT);
     if (!(tag == kTag ? input.ReadVarint64(&number) : WireFormat::SkipField(&input, tag))) break;
   }
   return static_cast<std::int64_t>(number);
@@ -135,10 +136,10 @@ void QueryStream::OnReadDone(bool ok) {
 }
 
 Status QueryStream::TakeMessage() {
-  response_.set_number(NumberOf(incoming_));
+  response_.set_sequence(SequenceOf(incoming_));
   num_pauses_ = 0;
   wanted_bytes_ = question_bytes_ = incoming_.Length();
-  DHPMAP_RETURN_IF_ERROR(ParseWithin(*context_.options.inflight, LayoutOf<v1::QueryStreamRequest>(), incoming_,
+  DHPMAP_RETURN_IF_ERROR(ParseWithin(*context_.options.inflight, LayoutOf<v1::StreamQueriesRequest>(), incoming_,
                                      request_, [this](std::size_t num_bytes) {
                                        wanted_bytes_ = num_bytes;
                                        return room_->Use(num_bytes);
@@ -149,23 +150,24 @@ Status QueryStream::TakeMessage() {
 
 void QueryStream::Handle() {
   switch (request_.query_case()) {
-    case v1::QueryStreamRequest::kQueryPoints:
+    case v1::StreamQueriesRequest::kQueryPoints:
       return Handle(request_.query_points(), *response_.mutable_query_points());
-    case v1::QueryStreamRequest::kQueryDistances:
+    case v1::StreamQueriesRequest::kQueryDistances:
       return Handle(request_.query_distances(), *response_.mutable_query_distances());
-    case v1::QueryStreamRequest::kCastRays: return Handle(request_.cast_rays(), *response_.mutable_cast_rays());
-    case v1::QueryStreamRequest::kGetOccupancySlice:
-      return Handle(request_.get_occupancy_slice(), *response_.mutable_get_occupancy_slice());
-    case v1::QueryStreamRequest::kSearchSubmaps:
+    case v1::StreamQueriesRequest::kCastRays: return Handle(request_.cast_rays(), *response_.mutable_cast_rays());
+    case v1::StreamQueriesRequest::kQueryOccupancySlice:
+      return Handle(request_.query_occupancy_slice(), *response_.mutable_query_occupancy_slice());
+    case v1::StreamQueriesRequest::kSearchSubmaps:
       return Handle(request_.search_submaps(), *response_.mutable_search_submaps());
-    case v1::QueryStreamRequest::kListRelations:
-      return Handle(request_.list_relations(), *response_.mutable_list_relations());
-    case v1::QueryStreamRequest::kCheckCollisions:
+    case v1::StreamQueriesRequest::kQueryRelations:
+      return Handle(request_.query_relations(), *response_.mutable_query_relations());
+    case v1::StreamQueriesRequest::kCheckCollisions:
       return HandleCheck(request_.check_collisions(), *response_.mutable_check_collisions());
-    case v1::QueryStreamRequest::kCheckTrajectory:
+    case v1::StreamQueriesRequest::kCheckTrajectory:
       return HandleCheck(request_.check_trajectory(), *response_.mutable_check_trajectory());
-    case v1::QueryStreamRequest::kPin: return AnswerInLane(true, request_.pin().map(), [this] { return HandlePin(); });
-    case v1::QueryStreamRequest::QUERY_NOT_SET: return Answer(NoQuery());
+    case v1::StreamQueriesRequest::kPin:
+      return AnswerInLane(true, request_.pin().map(), [this] { return HandlePin(); });
+    case v1::StreamQueriesRequest::QUERY_NOT_SET: return Answer(NoQuery());
   }
   Answer(NoQuery());
 }
@@ -254,7 +256,8 @@ Status QueryStream::HandlePin() {
 
 void QueryStream::Answer(const Status& status) {
   incoming_.Clear();
-  request_ = v1::QueryStreamRequest();  // it is answered, and may be large; Clear() would keep what nobody knows of it
+  request_ =
+      v1::StreamQueriesRequest();  // it is answered, and may be large; Clear() would keep what nobody knows of it
   const bool has_room = !status.ok() || room_->Use(BytesOfAnswer(response_, *context_.options.inflight));
   const Status outcome = has_room ? status : TooManyBytes();
   if (!outcome.ok()) {

@@ -23,7 +23,8 @@ namespace dhpmap {
 /// holds the client back. Messages come as bytes, and are parsed once there is room for them. After an answer that
 /// there was no room for it is read with room in hand. Bytes that are no message end the stream. Deletes itself when
 /// the call is over.
-class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::QueryStreamResponse>, public OpenStream {
+class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::StreamQueriesResponse>,
+                          public OpenStream {
  public:
   static QueryStream* Start(const ServiceContext& context, OpenStreams& streams);
 
@@ -39,7 +40,7 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::Q
   QueryStream(const ServiceContext& context, OpenStreams& streams)
       : context_(context),
         streams_(streams),
-        record_(context, "QueryService/QueryStream"),
+        record_(context, "QueryService/StreamQueries"),
         room_(std::make_shared<RoomAhead>(context.options.inflight)) {}
 
   void Read() DHPMAP_EXCLUDES(mutex_);
@@ -76,8 +77,8 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::Q
 
   // Of gRPC while it reads or writes, else of the one who answers.
   grpc::ByteBuffer incoming_;
-  v1::QueryStreamRequest request_;
-  v1::QueryStreamResponse response_;
+  v1::StreamQueriesRequest request_;
+  v1::StreamQueriesResponse response_;
   bool has_had_no_room_ = false;    ///< for the last answer
   std::size_t question_bytes_ = 0;  ///< of the last one
   std::size_t wanted_bytes_ = 0;    ///< for it and its answer

@@ -126,8 +126,8 @@ class SubmapService final : public CountedService<v1::SubmapService> {
           const auto state = OnlySubmap(view->snapshot(), name.submap);
           if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), name.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
-          DHPMAP_ASSIGN_OR_RETURN(VoxelWalk walk, VoxelWalk::Begin(state, name.submap, request->max_abs_distance_m(),
-                                                                   OnBulkLane(context_)));
+          DHPMAP_ASSIGN_OR_RETURN(
+              VoxelWalk walk, VoxelWalk::Begin(state, name.submap, request->max_abs_tsdf_m(), OnBulkLane(context_)));
           return Stream::Next([chunks = VoxelChunks(std::move(walk))](v1::StreamSubmapVoxelsResponse& message) mutable {
             return chunks.Next(message);
           });

@@ -60,7 +60,7 @@ class Handler {
   /// The exchange that takes the body and answers, or null if `responder` has its reply already.
   virtual std::shared_ptr<Exchange> Begin(const RequestHead& head,
                                           const std::shared_ptr<Responder>& responder) const = 0;
-  /// The answer to what is not HTTP, or more of it than is taken. Reasons: MALFORMED_HTTP, HEAD_TOO_LARGE.
+  /// The answer to what is not HTTP, or more of it than is taken. Reasons: MALFORMED_HTTP, HEADER_TOO_LARGE.
   [[nodiscard]] virtual Response ErrorAnswer(const Status& error) const = 0;
 };
 

@@ -86,7 +86,7 @@ void Session::RefuseHead(const HeadResult& head) {
   intake_.To(Intake::kDone);
   Status error = InvalidArgument("malformed HTTP: " + head.problem).WithReason("MALFORMED_HTTP");
   if (head.outcome == ReadOutcome::kTooLarge) {
-    error = ResourceExhausted("the request's head is too large").WithReason("HEAD_TOO_LARGE");
+    error = ResourceExhausted("the request's head is too large").WithReason("HEADER_TOO_LARGE");
   } else if (head.outcome == ReadOutcome::kUnknownCoding) {
     error = Status(StatusCode::kUnimplemented, "the only Transfer-Encoding taken is chunked")
                 .WithReason("UNKNOWN_TRANSFER_CODING");

@@ -28,7 +28,7 @@ class MapRecorder final : public FrameRecorder {
       *start.mutable_map() = ToProto(MapSummary{.info = map});
       start.set_server_version(DHPMAP_VERSION);
       start.set_is_reproducible(options_.is_reproducible);
-      for (const KeptClearRegion& region : map.kept_clear.list()) *start.add_kept_clear() = ToProto(region);
+      for (const KeptClearRegion& region : map.kept_clear.list()) *start.add_ignored_regions() = ToProto(region);
     });
   }
   void OnFrame(const std::string& session, std::int64_t sequence, ArrivedMessage message,

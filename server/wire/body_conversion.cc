@@ -50,7 +50,8 @@ Result<Body> BodyFromProto(const v1::Body& proto, const std::string& field) {
 }  // namespace
 
 std::size_t NumBodies(const v1::CheckCollisionsRequest& request) {
-  return static_cast<std::size_t>(request.spheres_size() / 4) + static_cast<std::size_t>(request.bodies_size());
+  return static_cast<std::size_t>(request.packed_spheres_m_size() / 4) +
+         static_cast<std::size_t>(request.bodies_size());
 }
 
 RequestedLinks LinksOf(const v1::CheckCollisionsRequest& request) {
@@ -58,20 +59,22 @@ RequestedLinks LinksOf(const v1::CheckCollisionsRequest& request) {
 }
 
 Result<std::vector<Body>> BodiesFromProto(const v1::CheckCollisionsRequest& request, std::int64_t max_bodies) {
-  if (request.spheres_size() % 4 != 0) {
-    return BadBodies("spheres", "has " + std::to_string(request.spheres_size()) + " values, not four a sphere");
+  if (request.packed_spheres_m_size() % 4 != 0) {
+    return BadBodies("packed_spheres_m",
+                     "has " + std::to_string(request.packed_spheres_m_size()) + " values, not four a sphere");
   }
   const std::size_t num_bodies = NumBodies(request);
   if (static_cast<std::int64_t>(num_bodies) > max_bodies) {
-    return BadBodies("spheres", std::to_string(num_bodies) + " bodies are more than " + std::to_string(max_bodies));
+    return BadBodies("packed_spheres_m",
+                     std::to_string(num_bodies) + " bodies are more than " + std::to_string(max_bodies));
   }
   std::vector<Body> bodies;
   bodies.reserve(num_bodies);
-  for (int i = 0; i + 4 <= request.spheres_size(); i += 4) {
-    const float* s = request.spheres().data() + i;
+  for (int i = 0; i + 4 <= request.packed_spheres_m_size(); i += 4) {
+    const float* s = request.packed_spheres_m().data() + i;
     const Eigen::Vector3d center_m(s[0], s[1], s[2]);
     if (!IsUsableSphere(center_m, s[3])) {
-      return BadBodies("spheres", "sphere " + std::to_string(i / 4) + " " + kBadSphere);
+      return BadBodies("packed_spheres_m", "sphere " + std::to_string(i / 4) + " " + kBadSphere);
     }
     bodies.emplace_back(Capsule{center_m, center_m, s[3]});
   }
@@ -85,19 +88,19 @@ Result<std::vector<Body>> BodiesFromProto(const v1::CheckCollisionsRequest& requ
 Result<std::size_t> MaxContactsFromProto(const v1::CheckCollisionsRequest& request) {
   DHPMAP_ASSIGN_OR_RETURN(const std::size_t max_contacts,
                           MaxContactsFromProto(request.all_contacts(), request.max_contacts(), request.packed()));
-  if (!request.whether_only()) return max_contacts;
-  if (request.all_contacts()) return BadBodies("all_contacts", "is none, with whether_only");
+  if (!request.skip_contacts()) return max_contacts;
+  if (request.all_contacts()) return BadBodies("all_contacts", "contradicts skip_contacts");
   return std::size_t{0};
 }
 
 std::size_t BytesOfAnswers(const v1::CheckCollisionsRequest& request) {
-  // Of a body: 144 for itself; 38 packed, arrays as they grow twice, and up to 45 as bytes; or a message and its bytes,
+  // Of a body: 144 for itself; 38 packed, arrays as they grow twice, and up to 52 as bytes; or a message and its bytes,
   // with contacts of two vectors and two names.
-  constexpr std::size_t kBody = 144, kPacked = 2 * 38 + 45, kMessage = 100, kContact = 620;
+  constexpr std::size_t kBody = 144, kPacked = 2 * 38 + 52, kMessage = 100, kContact = 620;
   const std::size_t num_bodies = NumBodies(request);
   if (request.packed()) return num_bodies * (kBody + kPacked);
   const int asked = request.max_contacts() > 0 ? std::min(request.max_contacts(), kMostContacts) : kDefaultContacts;
-  const int contacts = request.whether_only() ? 0 : request.all_contacts() ? asked : 1;
+  const int contacts = request.skip_contacts() ? 0 : request.all_contacts() ? asked : 1;
   return num_bodies * (kBody + kMessage + kContact * static_cast<std::size_t>(contacts));
 }
 
@@ -111,22 +114,22 @@ CollisionAnswers::CollisionAnswers(const v1::CheckCollisionsRequest& request, co
 void CollisionAnswers::Append(const BodyAnswer& answer) {
   if (request_.packed()) return AppendPacked(answer);
   v1::CollisionResult& result = *response_.add_results();
-  result.set_status(answer.is_unknown ? v1::UNKNOWN : v1::OK);
+  result.set_status(answer.is_unknown ? v1::QueryStatus::UNKNOWN : v1::QueryStatus::OK);
   result.set_colliding(answer.is_colliding);
   for (const BodyContact& contact : answer.contacts) *result.add_contacts() = ToProto(contact, map_);
 }
 
 void CollisionAnswers::AppendPacked(const BodyAnswer& answer) {
   v1::PackedCollisionResults& packed = *response_.mutable_packed();
-  packed.add_status(answer.is_unknown ? v1::UNKNOWN : v1::OK);
+  packed.add_status(answer.is_unknown ? v1::QueryStatus::UNKNOWN : v1::QueryStatus::OK);
   packed.add_colliding(answer.is_colliding);
-  if (request_.whether_only()) return;
+  if (request_.skip_contacts()) return;
   BodyContact none;
   none.point_m.setConstant(std::numeric_limits<double>::quiet_NaN());
   const BodyContact& contact = answer.contacts.empty() ? none : answer.contacts.front();
   packed.add_depth_m(static_cast<float>(contact.depth_m));
   for (int axis = 0; axis < 3; ++axis) {
-    packed.add_point_xyz_m(static_cast<float>(contact.point_m[axis]));
+    packed.add_point_m(static_cast<float>(contact.point_m[axis]));
     packed.add_normal(static_cast<float>(contact.normal[axis]));
   }
   packed.add_instance_id(InstanceOf(contact));

@@ -7,14 +7,14 @@ namespace dhpmap {
 namespace {
 
 constexpr std::size_t kMaxChunkBytes = 256 * 1024;
-constexpr std::size_t kBytesPerVoxel = 12 + 4 + 4 + 3 + 3 + 4;  // a class id is up to three bytes
+constexpr std::size_t kBytesPerVoxel = 12 + 4 + 4 + 3 + 10 + 4;  // a class id is up to three bytes, none takes ten
 constexpr int kVoxelsPerMessage =
     static_cast<int>((kMaxChunkBytes - 1024) / kBytesPerVoxel / kBlockVoxels) * kBlockVoxels;
 static_assert(kVoxelsPerMessage >= kBlockVoxels, "a message holds whole blocks");
 
 void Append(const ObservedVoxel& voxel, v1::StreamSubmapVoxelsResponse& message) {
   for (int axis = 0; axis < 3; ++axis) message.add_xyz_m(static_cast<float>(voxel.centre_m[axis]));
-  message.add_distance_m(voxel.distance_m);
+  message.add_tsdf_m(voxel.distance_m);
   message.add_weight(voxel.weight);
   for (const std::uint8_t channel : {voxel.color.r, voxel.color.g, voxel.color.b}) {
     message.mutable_rgb()->push_back(static_cast<char>(channel));
@@ -27,10 +27,10 @@ const char* ContentType(MeshFormat format) {
   return format == MeshFormat::kPcd ? "application/x-pcd" : "application/x-ply";
 }
 
-MeshColoring ColoringFromProto(v1::MeshColoring coloring) {
+MeshColoring ColoringFromProto(v1::GetSubmapMeshRequest::Coloring coloring) {
   switch (coloring) {
-    case v1::BY_CLASS: return MeshColoring::kClass;
-    case v1::BY_INSTANCE: return MeshColoring::kInstance;
+    case v1::GetSubmapMeshRequest::BY_CLASS: return MeshColoring::kClass;
+    case v1::GetSubmapMeshRequest::BY_INSTANCE: return MeshColoring::kInstance;
     default: return MeshColoring::kSensor;
   }
 }
@@ -39,11 +39,11 @@ MeshColoring ColoringFromProto(v1::MeshColoring coloring) {
 
 bool VoxelChunks::Next(v1::StreamSubmapVoxelsResponse& message) {
   const bool is_first = !std::exchange(has_begun_, true);
-  while (!walk_.is_done() && message.distance_m_size() + kBlockVoxels <= kVoxelsPerMessage) {
+  while (!walk_.is_done() && message.tsdf_m_size() + kBlockVoxels <= kVoxelsPerMessage) {
     for (const ObservedVoxel& voxel : walk_.NextBlock()) Append(voxel, message);
   }
   message.set_revision(walk_.revision());
-  return is_first || message.distance_m_size() > 0;
+  return is_first || message.tsdf_m_size() > 0;
 }
 
 bool MeshChunks::Next(v1::GetSubmapMeshResponse& message) {
@@ -68,19 +68,19 @@ Result<bool> FileChunks::NextOf(Message& message) {
   }
   return is_first || !message.data().empty();
 }
-template Result<bool> FileChunks::NextOf(v1::BackupMapResponse& message);
+template Result<bool> FileChunks::NextOf(v1::BackupMapsResponse& message);
 template Result<bool> FileChunks::NextOf(v1::ExportMapResponse& message);
 
 Result<MeshRequest> MeshRequestFromProto(const v1::GetSubmapMeshRequest& request, std::optional<SubmapId> submap) {
-  const bool is_format_known = v1::MeshFormat_IsValid(request.format());
-  if (!is_format_known || !v1::MeshColoring_IsValid(request.coloring())) {
+  const bool is_format_known = v1::GetSubmapMeshRequest::Format_IsValid(request.format());
+  if (!is_format_known || !v1::GetSubmapMeshRequest::Coloring_IsValid(request.coloring())) {
     return InvalidArgument("the mesh cannot be made like this")
         .WithReason("BAD_MESH_REQUEST")
         .WithViolation(is_format_known ? "coloring" : "format", "is not a known value");
   }
   return MeshRequest{.submap = submap,
                      .coloring = ColoringFromProto(request.coloring()),
-                     .format = request.format() == v1::PCD ? MeshFormat::kPcd : MeshFormat::kPly};
+                     .format = request.format() == v1::GetSubmapMeshRequest::PCD ? MeshFormat::kPcd : MeshFormat::kPly};
 }
 
 }  // namespace dhpmap

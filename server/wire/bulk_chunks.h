@@ -42,7 +42,7 @@ class FileChunks {
  public:
   explicit FileChunks(std::shared_ptr<StoreBackup> file) : file_(std::move(file)) {}
   /// Fills the next message, which is empty; false: there is none. Passes on what reading the file answers.
-  Result<bool> Next(v1::BackupMapResponse& message) { return NextOf(message); }
+  Result<bool> Next(v1::BackupMapsResponse& message) { return NextOf(message); }
   Result<bool> Next(v1::ExportMapResponse& message) { return NextOf(message); }
 
  private:

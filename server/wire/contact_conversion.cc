@@ -53,6 +53,8 @@ std::int64_t InstanceOf(const BodyContact& contact) {
   return contact.submap == nullptr ? kNobodysId : std::int64_t{contact.submap->id.value};
 }
 
-std::int32_t ClassOf(const BodyContact& contact) { return HasClass(contact) ? contact.submap->class_id.value : 0; }
+std::int32_t ClassOf(const BodyContact& contact) {
+  return HasClass(contact) ? std::int32_t{contact.submap->class_id.value} : kNoClass;
+}
 
 }  // namespace dhpmap

@@ -18,7 +18,7 @@ v1::DistanceResult ResultToProto(const SurfaceDistance& answer, const MapInfo& m
   result.set_instance_id(kNobodysId);
   if (answer.submap == nullptr) return result;
   *result.mutable_gradient() = ToProto(answer.gradient);
-  *result.mutable_nearest_m() = ToProto(answer.nearest_m);
+  *result.mutable_nearest_point_m() = ToProto(answer.nearest_m);
   result.set_instance_id(answer.submap->id.value);
   result.set_submap(SubmapResourceName(map.name, answer.submap->id));
   if (HasClass(answer)) {
@@ -31,7 +31,7 @@ v1::DistanceResult ResultToProto(const SurfaceDistance& answer, const MapInfo& m
 void Reserve(int num_points, v1::PackedDistanceResults& packed) {
   packed.mutable_distance_m()->Reserve(num_points);
   packed.mutable_gradient()->Reserve(3 * num_points);
-  packed.mutable_nearest_xyz_m()->Reserve(3 * num_points);
+  packed.mutable_nearest_point_m()->Reserve(3 * num_points);
   packed.mutable_instance_id()->Reserve(num_points);
   packed.mutable_class_id()->Reserve(num_points);
   packed.mutable_status()->Reserve(num_points);
@@ -41,28 +41,28 @@ void Append(const SurfaceDistance& answer, v1::PackedDistanceResults& packed) {
   packed.add_distance_m(static_cast<float>(answer.distance_m));
   for (int axis = 0; axis < 3; ++axis) {
     packed.add_gradient(static_cast<float>(answer.gradient[axis]));
-    packed.add_nearest_xyz_m(static_cast<float>(answer.nearest_m[axis]));
+    packed.add_nearest_point_m(static_cast<float>(answer.nearest_m[axis]));
   }
   packed.add_instance_id(answer.submap == nullptr ? kNobodysId : std::int64_t{answer.submap->id.value});
-  packed.add_class_id(HasClass(answer) ? answer.submap->class_id.value : 0);
+  packed.add_class_id(HasClass(answer) ? std::int32_t{answer.submap->class_id.value} : kNoClass);
   packed.add_status(StatusToProto(answer.status));
 }
 
 }  // namespace
 
-v1::QueryStatus StatusToProto(DistanceStatus status) {
+v1::QueryStatus::Code StatusToProto(DistanceStatus status) {
   switch (status) {
-    case DistanceStatus::kOk: return v1::OK;
-    case DistanceStatus::kClamped: return v1::CLAMPED;
-    case DistanceStatus::kUnknown: return v1::UNKNOWN;
+    case DistanceStatus::kOk: return v1::QueryStatus::OK;
+    case DistanceStatus::kClamped: return v1::QueryStatus::CLAMPED;
+    case DistanceStatus::kUnknown: return v1::QueryStatus::UNKNOWN;
   }
-  return v1::QUERY_STATUS_UNSPECIFIED;
+  return v1::QueryStatus::QUERY_STATUS_UNSPECIFIED;
 }
 
 std::size_t BytesOfAnswers(const v1::QueryDistancesRequest& request) {
-  // Of a point: 24 for where it is; 44 packed and up to 43 as bytes; or a message with two vectors and two names.
-  constexpr std::size_t kPacked = 24 + 44 + 43, kMessage = 24 + 420 + 200;
-  const auto num_points = static_cast<std::size_t>(request.xyz_m_size() / 3 + request.points_m_size());
+  // Of a point: 24 for where it is; 44 packed and up to 50 as bytes; or a message with two vectors and two names.
+  constexpr std::size_t kPacked = 24 + 44 + 50, kMessage = 24 + 420 + 200;
+  const auto num_points = static_cast<std::size_t>(request.packed_points_m_size() / 3 + request.points_m_size());
   return num_points * (request.packed() ? kPacked : kMessage);
 }
 

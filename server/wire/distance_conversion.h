@@ -9,7 +9,7 @@
 
 namespace dhpmap {
 
-v1::QueryStatus StatusToProto(DistanceStatus status);
+v1::QueryStatus::Code StatusToProto(DistanceStatus status);
 
 /// What answering takes of memory at most: the points, the answer, and the answer as bytes.
 std::size_t BytesOfAnswers(const v1::QueryDistancesRequest& request);

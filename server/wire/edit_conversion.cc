@@ -37,14 +37,14 @@ class Reader {
       case v1::Edit::kMerge: edit.action = Merge(proto.merge()); break;
       case v1::Edit::kSplit: edit.action = Split(proto.split()); break;
       case v1::Edit::kClear: edit.action = Clear(proto.clear()); break;
-      case v1::Edit::kSetPresence: edit.action = SetPresence(proto.set_presence()); break;
+      case v1::Edit::kPresence: edit.action = SetPresence(proto.presence()); break;
       case v1::Edit::kLock: edit.action = PatchEdit{Lock(true)}; break;
       case v1::Edit::kUnlock: edit.action = PatchEdit{Lock(false)}; break;
-      case v1::Edit::kKeepClear:
-        edit.action = KeepClearEdit{{proto.keep_clear().name(), RegionOf(proto.keep_clear(), "keep_clear")}};
+      case v1::Edit::kIgnoreRegion:
+        edit.action = KeepClearEdit{{proto.ignore_region().name(), RegionOf(proto.ignore_region(), "ignore_region")}};
         break;
       case v1::Edit::kUndelete: edit.action = UndeleteEdit{}; break;
-      case v1::Edit::kLift: edit.action = LiftEdit{proto.lift().name()}; break;
+      case v1::Edit::kUnignoreRegion: edit.action = LiftEdit{proto.unignore_region().name()}; break;
       case v1::Edit::EDIT_NOT_SET: Bad("edit", "says nothing to do"); break;
     }
     return edit;
@@ -55,7 +55,7 @@ class Reader {
  private:
   void Bad(const std::string& field, std::string what) { bad_.AddViolation(place_ + "." + field, std::move(what)); }
 
-  static bool IsOfMap(const v1::Edit& proto) { return proto.has_keep_clear() || proto.has_lift(); }
+  static bool IsOfMap(const v1::Edit& proto) { return proto.has_ignore_region() || proto.has_unignore_region(); }
 
   EditTarget Target(const std::string& name, const std::string& field) {
     if (name.starts_with('#')) {
@@ -149,8 +149,9 @@ class Reader {
 
   MergeEdit Merge(const v1::MergeEdit& proto) {
     MergeEdit merge;
-    if (proto.others().empty()) Bad("merge.others", "is empty");
-    for (const std::string& other : proto.others()) merge.others.push_back(Target(other, "merge.others"));
+    if (proto.merged_submaps().empty()) Bad("merge.merged_submaps", "is empty");
+    for (const std::string& other : proto.merged_submaps())
+      merge.others.push_back(Target(other, "merge.merged_submaps"));
     return merge;
   }
 
@@ -181,7 +182,7 @@ class Reader {
   }
 
   ClearEdit Clear(const v1::ClearEdit& proto) {
-    ClearEdit clear{.region = RegionOf(proto, "clear"), .classes = {}, .keep_clear = proto.keep_clear()};
+    ClearEdit clear{.region = RegionOf(proto, "clear"), .classes = {}, .keep_clear = proto.ignored_region_name()};
     for (const std::string& name : proto.class_names()) {
       if (const auto id = ClassOf(name, "clear.class_names")) clear.classes.push_back(*id);
     }
@@ -189,10 +190,10 @@ class Reader {
   }
 
   PresenceEdit SetPresence(const v1::PresenceEdit& proto) {
-    if (proto.presence() != v1::PRESENT && proto.presence() != v1::ABSENT) {
-      Bad("set_presence.presence", "must be PRESENT or ABSENT");
+    if (proto.presence() != v1::Submap::PRESENT && proto.presence() != v1::Submap::ABSENT) {
+      Bad("presence.presence", "must be PRESENT or ABSENT");
     }
-    return {proto.presence() == v1::ABSENT ? Presence::kAbsent : Presence::kPresent};
+    return {proto.presence() == v1::Submap::ABSENT ? Presence::kAbsent : Presence::kPresent};
   }
 
   /// Of a message that has a box or a sphere.
@@ -210,7 +211,7 @@ class Reader {
     return sphere;
   }
 
-  Eigen::AlignedBox3d BoxOf(const v1::Box& proto, const std::string& field) {
+  Eigen::AlignedBox3d BoxOf(const v1::AxisAlignedBox& proto, const std::string& field) {
     const Eigen::AlignedBox3d box(VectorFromProto(proto.min_m()), VectorFromProto(proto.max_m()));
     const bool is_finite = box.min().allFinite() && box.max().allFinite();
     if (!is_finite || (box.min().array() > box.max().array()).any()) {
@@ -247,15 +248,15 @@ Result<EditList> EditListFromProto(const v1::ApplyEditsRequest& request, const s
 
 v1::EditResult ToProto(const EditResult& result, const std::string& map) {
   v1::EditResult proto;
-  for (const SubmapId id : result.changed) proto.add_changed(SubmapResourceName(map, id));
-  for (const SubmapId id : result.created) proto.add_created(SubmapResourceName(map, id));
-  for (const SubmapId id : result.removed) proto.add_removed(SubmapResourceName(map, id));
+  for (const SubmapId id : result.changed) proto.add_changed_submaps(SubmapResourceName(map, id));
+  for (const SubmapId id : result.created) proto.add_created_submaps(SubmapResourceName(map, id));
+  for (const SubmapId id : result.removed) proto.add_removed_submaps(SubmapResourceName(map, id));
   proto.set_num_voxels(result.num_voxels);
   return proto;
 }
 
-v1::KeptClearRegion ToProto(const KeptClearRegion& region) {
-  v1::KeptClearRegion proto;
+v1::IgnoredRegion ToProto(const KeptClearRegion& region) {
+  v1::IgnoredRegion proto;
   proto.set_name(region.name);
   if (const auto* box = std::get_if<Eigen::AlignedBox3d>(&region.region)) {
     *proto.mutable_box()->mutable_min_m() = ToProto(Eigen::Vector3d(box->min()));

@@ -13,7 +13,7 @@ namespace dhpmap {
 Result<EditList> EditListFromProto(const v1::ApplyEditsRequest& request, const std::string& map,
                                    const LabelSet& label_set);
 
-v1::KeptClearRegion ToProto(const KeptClearRegion& region);
+v1::IgnoredRegion ToProto(const KeptClearRegion& region);
 
 v1::EditResult ToProto(const EditResult& result, const std::string& map);
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 
 #include "mapping/base/fingerprint.h"
 #include "server/wire/types/resource_names.h"
@@ -45,8 +44,8 @@ v1::LoggedEdit::Action ActionOf(EditAction action) {
     case EditAction::kUndelete: return v1::LoggedEdit::UNDELETE;
     case EditAction::kLock: return v1::LoggedEdit::LOCK;
     case EditAction::kUnlock: return v1::LoggedEdit::UNLOCK;
-    case EditAction::kKeepClear: return v1::LoggedEdit::KEEP_CLEAR;
-    case EditAction::kLift: return v1::LoggedEdit::LIFT;
+    case EditAction::kKeepClear: return v1::LoggedEdit::IGNORE_REGION;
+    case EditAction::kLift: return v1::LoggedEdit::UNIGNORE_REGION;
     case EditAction::kRestore: return v1::LoggedEdit::RESTORE;
   }
   return v1::LoggedEdit::ACTION_UNSPECIFIED;
@@ -79,14 +78,7 @@ Result<EditQuery> EditQueryFromProto(const v1::ListEditsRequest& request, const 
   EditQuery query;
   if (!request.author().empty()) query.author = request.author();
   query.max_edits = pager.num_wanted();
-  if (pager.after().empty()) return query;
-  const std::string& text = pager.after();
-  std::int64_t revision = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), revision);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    return InvalidArgument("the page token is not one of ours").WithReason("BAD_PAGE_TOKEN");
-  }
-  query.before_revision = revision;
+  DHPMAP_ASSIGN_OR_RETURN(query.before_revision, RevisionFromPage(pager));
   return query;
 }
 
@@ -141,7 +133,7 @@ v1::LoggedEdit ToProto(const LoggedEdit& edit, const std::string& map) {
   v1::LoggedEdit proto;
   proto.set_name(EditResourceName(map, edit.entry.revision));
   proto.set_revision(edit.entry.revision);
-  *proto.mutable_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(edit.entry.time_ns);
+  *proto.mutable_create_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(edit.entry.time_ns);
   proto.set_author(edit.entry.source.author);
   proto.set_request_id(edit.entry.source.request_id);
   proto.set_kind(KindOf(summary.kind));
@@ -151,13 +143,13 @@ v1::LoggedEdit ToProto(const LoggedEdit& edit, const std::string& map) {
     if (step.submap != kUnknownSubmap) out.set_submap(SubmapResourceName(map, step.submap));
   }
   for (const std::int64_t target : summary.targets) proto.add_targets(EditResourceName(map, target));
-  for (const SubmapId id : summary.changed) proto.add_changed(SubmapResourceName(map, id));
-  for (const SubmapId id : summary.created) proto.add_created(SubmapResourceName(map, id));
-  for (const SubmapId id : summary.removed) proto.add_removed(SubmapResourceName(map, id));
+  for (const SubmapId id : summary.changed) proto.add_changed_submaps(SubmapResourceName(map, id));
+  for (const SubmapId id : summary.created) proto.add_created_submaps(SubmapResourceName(map, id));
+  for (const SubmapId id : summary.removed) proto.add_removed_submaps(SubmapResourceName(map, id));
   proto.set_num_voxels(summary.num_voxels);
   proto.set_restored_revision(summary.restored_revision);
   proto.set_undone(edit.is_undone);
-  proto.set_kept(edit.is_kept);
+  proto.set_reversible(edit.is_kept);
   return proto;
 }
 

@@ -15,7 +15,6 @@
 namespace dhpmap {
 namespace {
 
-constexpr std::uint32_t kMaxClassId = 65534;
 constexpr int kMaxSide_px = 16384;
 /// Depth, colour and segment, and an image on its way from one form to another.
 constexpr std::size_t kBytesAPixel = 16, kBytesAPoint = 24;
@@ -32,7 +31,7 @@ constexpr Term kFrameTerms[] = {
     {"camera.depth_m", "depth_camera.depth"},
     {"camera.color", "depth_camera.color"},
     {"camera.segments", "depth_camera.segments"},
-    {"lidar.points_m", "lidar.xyz_m"},
+    {"lidar.points_m", "lidar.packed_points_m"},
     {"lidar.color", "lidar.rgb"},
     {"lidar.segments", "lidar.segment_ids"},
 };
@@ -139,9 +138,9 @@ std::vector<SegmentInfo> SegmentTableOf(const v1::Frame& frame, Status& bad) {
     const v1::Segment& segment = frame.segments(i);
     const std::string field = "segments[" + std::to_string(i) + "]";
     SegmentInfo info{.id = SegmentId(segment.id()),
-                     .score = segment.score(),
+                     .score = segment.has_score() ? std::optional(segment.score()) : std::nullopt,
                      .class_scores = ClassScoresOf(segment, field + ".class_scores", bad)};
-    if (segment.has_class_id() && segment.class_id() > kMaxClassId) {
+    if (segment.has_class_id() && !ClassIdFromProto(segment.class_id())) {
       bad.AddViolation(field + ".class_id", std::to_string(segment.class_id()) + " is not within 0 and 65534");
     } else {
       info.class_id = segment.has_class_id() ? ClassIdFromProto(segment.class_id()) : LikeliestClass(info.class_scores);
@@ -211,10 +210,10 @@ void UseLidarCamera(const v1::LidarFrame& frame, LidarData& data, Status& bad) {
 
 LidarData LidarDataOf(const v1::LidarFrame& frame, Status& bad) {
   LidarData data;
-  const auto num_values = static_cast<std::size_t>(frame.xyz_m_size());
+  const auto num_values = static_cast<std::size_t>(frame.packed_points_m_size());
   const std::size_t num_points = num_values / 3;
   if (num_values == 0 || num_values % 3 != 0) {
-    bad.AddViolation("lidar.xyz_m", "has " + std::to_string(num_values) + " values, not three a point");
+    bad.AddViolation("lidar.packed_points_m", "has " + std::to_string(num_values) + " values, not three a point");
   }
   if (frame.segment_ids_size() > 0 && static_cast<std::size_t>(frame.segment_ids_size()) != num_points) {
     bad.AddViolation("lidar.segment_ids", "has " + std::to_string(frame.segment_ids_size()) + " values for " +
@@ -227,7 +226,7 @@ LidarData LidarDataOf(const v1::LidarFrame& frame, Status& bad) {
   if (!bad.violations().empty()) return data;
   data.points_m.resize(num_points);
   for (std::size_t i = 0; i < num_points; ++i) {
-    const float* xyz = frame.xyz_m().data() + 3 * i;
+    const float* xyz = frame.packed_points_m().data() + 3 * i;
     data.points_m[i] = {xyz[0], xyz[1], xyz[2]};
   }
   data.segments.assign(frame.segment_ids().begin(), frame.segment_ids().end());
@@ -243,7 +242,7 @@ Status InWireTerms(const Status& status) { return Renamed(status, kFrameTerms); 
 
 std::size_t DecodedBytes(const v1::Frame& frame) {
   const v1::LidarFrame& lidar = frame.lidar();
-  const std::size_t points = kBytesAPoint * static_cast<std::size_t>(lidar.xyz_m_size()) / 3;
+  const std::size_t points = kBytesAPoint * static_cast<std::size_t>(lidar.packed_points_m_size()) / 3;
   const auto pixels = [](const auto& camera) -> std::size_t {
     const std::int64_t width_px = camera.width_px(), height_px = camera.height_px();
     if (width_px < 1 || width_px > kMaxSide_px || height_px < 1 || height_px > kMaxSide_px) return 0;
@@ -259,8 +258,8 @@ Result<PanopticFrame> FrameFromProto(const v1::Frame& frame) {
   result.stamp_ns = frame.stamp_ns();
   result.T_map_sensor = PoseOf(frame, bad);
   result.segments = SegmentTableOf(frame, bad);
-  result.has_persistent_ids = frame.has_persistent_ids();
-  result.unlisted_ids_are_unknown = frame.unlisted_ids_are_unknown();
+  result.has_persistent_ids = frame.persistent_ids();
+  result.unlisted_ids_are_unknown = frame.allow_unlisted_ids();
   switch (frame.sensor_case()) {
     case v1::Frame::kDepthCamera: result.camera = CameraDataOf(frame.depth_camera(), bad); break;
     case v1::Frame::kLidar: result.lidar = LidarDataOf(frame.lidar(), bad); break;

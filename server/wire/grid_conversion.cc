@@ -22,7 +22,7 @@ Status BadGrid(const std::string& field, const std::string& what) {
 
 }  // namespace
 
-Result<GridQuestion> GridQuestionFromProto(const v1::GetDistanceGridRequest& request, const MapSnapshot& map) {
+Result<GridQuestion> GridQuestionFromProto(const v1::QueryDistanceGridRequest& request, const MapSnapshot& map) {
   const Eigen::Vector3d low = VectorFromProto(request.box().min_m()), high = VectorFromProto(request.box().max_m());
   if (!(low.array().abs() <= kReach_m).all()) return BadGrid("box.min_m", "is not within 1,000,000 m");
   if (!(high.array().abs() <= kReach_m).all()) return BadGrid("box.max_m", "is not within 1,000,000 m");
@@ -42,10 +42,10 @@ Result<GridQuestion> GridQuestionFromProto(const v1::GetDistanceGridRequest& req
   return question;
 }
 
-Result<bool> GridChunks::Next(v1::GetDistanceGridResponse& message, const std::stop_token& stop) {
+Result<bool> GridChunks::Next(v1::QueryDistanceGridResponse& message, const std::stop_token& stop) {
   if (grid_.is_done()) return false;
   message.set_revision(grid_.view().snapshot().revision());
-  message.set_first(grid_.next());
+  message.set_first_node(grid_.next());
   if (grid_.next() == 0) {
     message.set_num_x(static_cast<int>(grid_.question().size.x()));
     message.set_num_y(static_cast<int>(grid_.question().size.y()));

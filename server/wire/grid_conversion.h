@@ -10,15 +10,17 @@ namespace dhpmap {
 
 /// INVALID_ARGUMENT, naming the field, for a box or resolution that is not usable, or more than 16,000,000 nodes;
 /// errors of QueryOptionsFromProto.
-Result<GridQuestion> GridQuestionFromProto(const v1::GetDistanceGridRequest& request, const MapSnapshot& map);
+Result<GridQuestion> GridQuestionFromProto(const v1::QueryDistanceGridRequest& request, const MapSnapshot& map);
 
 /// The nodes of a grid in messages of at most 256 KiB.
 class GridChunks {
  public:
-  GridChunks(DistanceGrid grid, const v1::GetDistanceGridRequest& request)
-      : grid_(std::move(grid)), with_gradients_(request.with_gradients()), with_objects_(request.with_objects()) {}
+  GridChunks(DistanceGrid grid, const v1::QueryDistanceGridRequest& request)
+      : grid_(std::move(grid)),
+        with_gradients_(request.include_gradients()),
+        with_objects_(request.include_objects()) {}
   /// Fills the next message, which is empty; false: there is none.
-  Result<bool> Next(v1::GetDistanceGridResponse& message, const std::stop_token& stop);
+  Result<bool> Next(v1::QueryDistanceGridResponse& message, const std::stop_token& stop);
 
  private:
   DistanceGrid grid_;

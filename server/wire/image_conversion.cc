@@ -22,7 +22,7 @@ Status BadImage(std::string_view field, const std::string& what) {
 }
 
 Status WrongEncoding(const v1::Image& image, std::string_view field, const char* allowed) {
-  const std::string name = v1::ImageEncoding_Name(image.encoding());
+  const std::string name = v1::Image::Encoding_Name(image.encoding());
   return BadImage(field, "cannot be " + (name.empty() ? std::to_string(image.encoding()) : name) + ", only " + allowed);
 }
 
@@ -36,7 +36,7 @@ Result<std::vector<Pixel>> RawPixels(const v1::Image& image, int width_px, int h
   if (image.data().size() != wanted_bytes) {
     return BadImage(field, "has " + std::to_string(image.data().size()) + " bytes, but " + std::to_string(width_px) +
                                " x " + std::to_string(height_px) + " pixels of " +
-                               v1::ImageEncoding_Name(image.encoding()) + " are " + std::to_string(wanted_bytes));
+                               v1::Image::Encoding_Name(image.encoding()) + " are " + std::to_string(wanted_bytes));
   }
   std::vector<Pixel> pixels(num_pixels);
   std::memcpy(static_cast<void*>(pixels.data()), image.data().data(), wanted_bytes);
@@ -84,9 +84,9 @@ Result<std::vector<float>> ScaledDepth(const v1::Image& image, int width_px, int
 
 Result<std::vector<float>> DepthFromProto(const v1::Image& image, int width_px, int height_px, std::string_view field) {
   switch (image.encoding()) {
-    case v1::RAW_F32: return RawPixels<float>(image, width_px, height_px, field);
-    case v1::RAW_U16: return ScaledDepth(image, width_px, height_px, field);
-    case v1::FILE: break;
+    case v1::Image::RAW_F32: return RawPixels<float>(image, width_px, height_px, field);
+    case v1::Image::RAW_U16: return ScaledDepth(image, width_px, height_px, field);
+    case v1::Image::FILE: break;
     default: return WrongEncoding(image, field, "FILE, RAW_F32 or RAW_U16");
   }
   const auto decode = [&image](std::span<const std::byte> file) { return DecodeDepth(file, image.scale_m()); };
@@ -97,8 +97,8 @@ Result<std::vector<float>> DepthFromProto(const v1::Image& image, int width_px, 
 Result<Image<Color>> ColorFromProto(const v1::Image& image, int width_px, int height_px, std::string_view field) {
   static_assert(sizeof(Color) == 3);
   switch (image.encoding()) {
-    case v1::RAW_RGB8: return RawImage<Color, Color>(image, width_px, height_px, field);
-    case v1::FILE: return DecodeFile(image, width_px, height_px, field, DecodeColor);
+    case v1::Image::RAW_RGB8: return RawImage<Color, Color>(image, width_px, height_px, field);
+    case v1::Image::FILE: return DecodeFile(image, width_px, height_px, field, DecodeColor);
     default: return WrongEncoding(image, field, "FILE or RAW_RGB8");
   }
 }
@@ -106,10 +106,10 @@ Result<Image<Color>> ColorFromProto(const v1::Image& image, int width_px, int he
 Result<Image<std::uint32_t>> SegmentsFromProto(const v1::Image& image, int width_px, int height_px,
                                                std::string_view field) {
   switch (image.encoding()) {
-    case v1::RAW_U8: return RawImage<std::uint8_t, std::uint32_t>(image, width_px, height_px, field);
-    case v1::RAW_U16: return RawImage<std::uint16_t, std::uint32_t>(image, width_px, height_px, field);
-    case v1::RAW_U32: return RawImage<std::uint32_t, std::uint32_t>(image, width_px, height_px, field);
-    case v1::FILE: return DecodeFile(image, width_px, height_px, field, DecodeSegments);
+    case v1::Image::RAW_U8: return RawImage<std::uint8_t, std::uint32_t>(image, width_px, height_px, field);
+    case v1::Image::RAW_U16: return RawImage<std::uint16_t, std::uint32_t>(image, width_px, height_px, field);
+    case v1::Image::RAW_U32: return RawImage<std::uint32_t, std::uint32_t>(image, width_px, height_px, field);
+    case v1::Image::FILE: return DecodeFile(image, width_px, height_px, field, DecodeSegments);
     default: return WrongEncoding(image, field, "FILE, RAW_U8, RAW_U16 or RAW_U32");
   }
 }

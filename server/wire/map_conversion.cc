@@ -3,6 +3,7 @@
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
+#include <google/protobuf/util/time_util.h>
 
 #include <memory>
 #include <string>
@@ -45,7 +46,7 @@ void Read(const Message& message, const FieldDescriptor* field, bool& value, Sta
 }
 void Read(const Message& message, const FieldDescriptor* field, Weighting& value, Status& bad) {
   const int number = message.GetReflection()->GetEnumValue(message, field);
-  if (number == v1::WEIGHTING_UNSPECIFIED) return;
+  if (number == v1::IntegrationConfig::WEIGHTING_UNSPECIFIED) return;
   for (const Weighting known :
        {Weighting::kConstant, Weighting::kInverseDepthSquared, Weighting::kInverseRangeSquared}) {
     const auto* name = field->enum_type()->FindValueByName(std::string(WeightingName(known)));
@@ -124,10 +125,17 @@ v1::Map ToProto(const MapSummary& map) {
   proto.set_revision(map.info.revision);
   proto.set_num_frames(map.info.num_frames);
   proto.set_num_submaps(map.num_submaps);
-  proto.set_create_time_ns(map.info.create_time_ns);
-  proto.set_update_time_ns(map.info.update_time_ns);
+  *proto.mutable_create_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(map.info.create_time_ns);
+  *proto.mutable_update_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(map.info.update_time_ns);
   proto.set_history_id(HistoryText(map.info.history_id));
   proto.set_etag(EtagOf(map.info));
+  return proto;
+}
+
+v1::MapRevision RevisionToProto(const MapInfo& map) {
+  v1::MapRevision proto;
+  proto.set_revision(map.revision);
+  *proto.mutable_update_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(map.update_time_ns);
   return proto;
 }
 
@@ -198,7 +206,7 @@ v1::VerifyMapResponse ToProto(const VerifyReport& report) {
   proto.set_num_faults(report.num_faults);
   proto.set_repaired(report.is_repaired);
   for (const SharedPlace& place : report.shared_places) {
-    v1::VerifyMapResponse::SharedPlace& added = *proto.add_shared_places();
+    v1::VerifyMapResponse::SharedBlock& added = *proto.add_shared_blocks();
     added.set_first_instance_id(place.first.value);
     added.set_second_instance_id(place.second.value);
     added.set_block_x(place.block.x);
@@ -209,8 +217,8 @@ v1::VerifyMapResponse ToProto(const VerifyReport& report) {
   for (const MapFault& fault : report.faults) {
     v1::VerifyMapResponse::Fault& added = *proto.add_faults();
     added.set_kind(KindOf(fault.kind));
-    added.set_place(fault.place);
-    added.set_what(fault.what);
+    added.set_location(fault.place);
+    added.set_description(fault.what);
   }
   return proto;
 }

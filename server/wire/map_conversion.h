@@ -24,6 +24,7 @@ Result<MapInfo> InfoFromProto(const v1::CreateMapRequest& request, const MapConf
 ImportRequest ImportRequestFromProto(const v1::ImportMapRequest& request);
 
 v1::Map ToProto(const MapSummary& map);
+v1::MapRevision RevisionToProto(const MapInfo& map);
 /// INVALID_ARGUMENT if the mask names another field than display_name, name and etag.
 Result<MapPatch> PatchFromProto(const v1::UpdateMapRequest& request);
 v1::GetMapStatsResponse ToProto(const MapReport& report);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/wire/mapping_conversion.h"
 
+#include <google/protobuf/util/time_util.h>
+
 #include <string>
 
 #include "mapping/base/utf8.h"
 #include "server/wire/frame_conversion.h"
+#include "server/wire/types/resource_names.h"
+#include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
 namespace {
@@ -50,8 +54,8 @@ void SetCheck(const FrameCheck& check, v1::IntegrateFramesResponse& ack) {
 
 void SetProgress(const FeedProgress& progress, v1::IntegrateFramesResponse& answer) {
   answer.set_revision(progress.revision);
-  answer.set_commit_error_code(static_cast<int>(progress.commit_status.code()));
-  answer.set_commit_error_message(ToValidUtf8(progress.commit_status.message()));
+  if (progress.commit_status.ok()) answer.clear_commit_error();
+  else *answer.mutable_commit_error() = ToProto(progress.commit_status);
   if (progress.committed_sequence) answer.set_committed_sequence(*progress.committed_sequence);
 }
 
@@ -69,30 +73,24 @@ v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& out
   ack.set_committed(outcome.is_committed);
   SetCheck(outcome.check, ack);
   if (!outcome.report.ok()) {
-    ack.set_outcome(v1::REFUSED);
-    const Status status = InWireTerms(outcome.report.status());
-    ack.set_error_code(static_cast<int>(status.code()));
-    std::string message = status.message();
-    for (const FieldViolation& violation : status.violations()) {
-      message += "; " + violation.field + ": " + violation.description;
-    }
-    ack.set_error_message(ToValidUtf8(message));
-    ack.set_error_reason(std::string(status.reason().name()));
+    ack.set_outcome(v1::IntegrateFramesResponse::REFUSED);
+    *ack.mutable_error() = ToProto(InWireTerms(outcome.report.status()));
     return ack;
   }
-  ack.set_outcome(outcome.is_duplicate ? v1::DUPLICATE : v1::FUSED);
+  ack.set_outcome(outcome.is_duplicate ? v1::IntegrateFramesResponse::DUPLICATE : v1::IntegrateFramesResponse::FUSED);
   const FrameReport& report = *outcome.report;
   ack.set_num_points(report.num_points);
   ack.set_num_unknown_points(report.num_unknown_points);
   ack.set_num_segments(report.num_segments);
   ack.set_num_matched(report.num_matched);
   ack.set_num_created(report.num_created);
-  ack.set_fuse_s(report.bundle_s + report.track_s + report.fuse_s);
+  ack.set_fusion_s(report.bundle_s + report.track_s + report.fuse_s);
   return ack;
 }
 
-v1::FeedSession ToProto(const SessionStatus& status) {
+v1::FeedSession ToProto(const SessionStatus& status, const std::string& map) {
   v1::FeedSession proto;
+  if (!status.session.empty()) proto.set_name(SessionResourceName(map, status.session));
   proto.set_session(status.session);
   proto.set_feeding(status.is_feeding);
   proto.set_lease_s(status.lease_left_s);
@@ -104,7 +102,8 @@ v1::FeedSession ToProto(const SessionStatus& status) {
   proto.set_num_duplicates(counts.num_duplicates);
   proto.set_num_points(counts.num_points);
   proto.set_num_bytes(counts.num_bytes);
-  proto.set_last_seen_ns(counts.last_seen_ns);
+  if (counts.last_seen_ns != 0)
+    *proto.mutable_last_message_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(counts.last_seen_ns);
   proto.set_frames_per_s(counts.frames_per_s);
   return proto;
 }

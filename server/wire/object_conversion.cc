@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "mapping/submap/display_name.h"
 #include "server/app/states/no_such_submap.h"
+#include "server/wire/object_pages.h"
 #include "server/wire/query_options.h"
 #include "server/wire/submap_conversion.h"
 #include "server/wire/types/pose_conversion.h"
@@ -15,8 +17,6 @@
 namespace dhpmap {
 namespace {
 
-constexpr int kDefaultMatches = 100, kMostMatches = 1000;
-constexpr int kDefaultRelations = 1000, kMostRelations = 10'000;
 constexpr double kMostGap_m = 10;
 constexpr std::size_t kMostName = 200;
 constexpr TakenOptions kObjectOptions{.attached = true};
@@ -31,13 +31,7 @@ Result<Eigen::Vector3d> PlaceFromProto(const v1::Vector3& place, const std::stri
   return p;
 }
 
-Result<std::size_t> MostFromProto(int most, int by_default, int at_most) {
-  if (most == 0) return static_cast<std::size_t>(by_default);
-  if (most < 0 || most > at_most) return BadQuestion("most", "is not from 1 to " + std::to_string(at_most));
-  return static_cast<std::size_t>(most);
-}
-
-Result<Eigen::AlignedBox3d> RegionFromProto(const v1::Box& region) {
+Result<Eigen::AlignedBox3d> RegionFromProto(const v1::AxisAlignedBox& region) {
   DHPMAP_ASSIGN_OR_RETURN(const Eigen::Vector3d low, PlaceFromProto(region.min_m(), "region.min_m"));
   DHPMAP_ASSIGN_OR_RETURN(const Eigen::Vector3d high, PlaceFromProto(region.max_m(), "region.max_m"));
   if (!(low.array() <= high.array()).all()) return BadQuestion("region.max_m", "is below min_m");
@@ -50,6 +44,10 @@ Result<BoundingSphere> SphereFromProto(const v1::Sphere& sphere) {
     return BadQuestion("sphere.radius_m", "is not from 0 to 1,000,000");
   }
   return BoundingSphere{center_m, sphere.radius_m()};
+}
+
+std::size_t NumAsked(int page_size, PageSizes sizes) {
+  return static_cast<std::size_t>(page_size > 0 ? std::min(page_size, sizes.at_most) : sizes.by_default);
 }
 
 /// One that may be left out.
@@ -87,9 +85,37 @@ Result<SubmapId> SubjectFromProto(const std::string& name, const MapSnapshot& ma
   return parsed.submap;
 }
 
+v1::SubmapMatch MatchToProto(const SubmapMatch& match, bool is_near_point, const MapView& view) {
+  v1::SubmapMatch proto;
+  *proto.mutable_submap() = ToProto(*match.submap, view);
+  if (!match.box_m.isEmpty()) {
+    *proto.mutable_box()->mutable_min_m() = ToProto(Eigen::Vector3d(match.box_m.min()));
+    *proto.mutable_box()->mutable_max_m() = ToProto(Eigen::Vector3d(match.box_m.max()));
+  }
+  if (!is_near_point) return proto;
+  proto.set_distance_m(match.distance_m);
+  *proto.mutable_nearest_point_m() = ToProto(match.nearest_m);
+  return proto;
+}
+
+v1::Relation RelationToProto(const Relation& relation, const MapInfo& map) {
+  v1::Relation proto;
+  proto.set_kind(KindToProto(relation.kind));
+  proto.set_subject(SubmapResourceName(map.name, relation.subject->id()));
+  proto.set_subject_display_name(DisplayNameOf(relation.subject->info(), *map.label_set));
+  proto.set_object(SubmapResourceName(map.name, relation.object->id()));
+  proto.set_object_display_name(DisplayNameOf(relation.object->info(), *map.label_set));
+  proto.set_support(relation.support);
+  proto.set_enclosure(relation.enclosure);
+  proto.set_gap_m(relation.gap_m);
+  proto.set_height_fraction(relation.height_share);
+  return proto;
+}
+
 }  // namespace
 
-Result<SubmapQuestion> SubmapQuestionFromProto(const v1::SearchSubmapsRequest& request, const MapSnapshot& map) {
+Result<SubmapQuestion> SubmapQuestionFromProto(const v1::SearchSubmapsRequest& request, const MapSnapshot& map,
+                                               const Pager& pager) {
   SubmapQuestion question;
   if (request.name_part().size() > kMostName) return BadQuestion("name_part", "is longer than 200 bytes");
   question.name_part = request.name_part();
@@ -99,10 +125,11 @@ Result<SubmapQuestion> SubmapQuestionFromProto(const v1::SearchSubmapsRequest& r
   if (request.has_sphere()) {
     DHPMAP_ASSIGN_OR_RETURN(question.sphere_m, SphereFromProto(request.sphere()));
   }
-  if (request.has_near_m()) {
-    DHPMAP_ASSIGN_OR_RETURN(question.near_m, PlaceFromProto(request.near_m(), "near_m"));
+  if (request.has_near_point_m()) {
+    DHPMAP_ASSIGN_OR_RETURN(question.near_m, PlaceFromProto(request.near_point_m(), "near_point_m"));
   }
-  DHPMAP_ASSIGN_OR_RETURN(question.most, MostFromProto(request.most(), kDefaultMatches, kMostMatches));
+  question.most = pager.num_wanted();
+  DHPMAP_ASSIGN_OR_RETURN(question.after, MatchFromPage(pager));
   DHPMAP_ASSIGN_OR_RETURN(const auto options, QueryOptionsFromProto(request.options(), map, kObjectOptions));
   question.T_map_query = options.T_map_query;
   question.scope = options.options.scope;
@@ -110,7 +137,8 @@ Result<SubmapQuestion> SubmapQuestionFromProto(const v1::SearchSubmapsRequest& r
   return question;
 }
 
-Result<RelationQuestion> RelationQuestionFromProto(const v1::ListRelationsRequest& request, const MapSnapshot& map) {
+Result<RelationQuestion> RelationQuestionFromProto(const v1::QueryRelationsRequest& request, const MapSnapshot& map,
+                                                   const Pager& pager) {
   RelationQuestion question;
   RelationRules& rules = question.rules;
   if (!request.submap().empty()) {
@@ -128,55 +156,44 @@ Result<RelationQuestion> RelationQuestionFromProto(const v1::ListRelationsReques
       TakeNumber(request.has_min_support(), request.min_support(), 1, "min_support", rules.least_support));
   DHPMAP_RETURN_IF_ERROR(
       TakeNumber(request.has_min_enclosure(), request.min_enclosure(), 1, "min_enclosure", rules.least_enclosure));
-  DHPMAP_ASSIGN_OR_RETURN(question.most, MostFromProto(request.most(), kDefaultRelations, kMostRelations));
+  question.most = pager.num_wanted();
+  DHPMAP_ASSIGN_OR_RETURN(question.after, RelationFromPage(pager));
   DHPMAP_ASSIGN_OR_RETURN(const auto options, QueryOptionsFromProto(request.options(), map, kObjectOptions));
   question.T_map_query = options.T_map_query;
   question.scope = options.options.scope;
   return question;
 }
 
-void ToProto(const SubmapQuestion& question, std::span<const SubmapMatch> matches, const MapView& view,
+void ToProto(const SubmapQuestion& question, std::span<const SubmapMatch> matches, const MapView& view, Pager& pager,
              v1::SearchSubmapsResponse& response) {
   response.set_revision(view.snapshot().revision());
   for (const SubmapMatch& match : matches) {
-    v1::SubmapMatch& proto = *response.add_matches();
-    *proto.mutable_submap() = ToProto(*match.submap, view);
-    if (!match.box_m.isEmpty()) {
-      *proto.mutable_box()->mutable_min_m() = ToProto(Eigen::Vector3d(match.box_m.min()));
-      *proto.mutable_box()->mutable_max_m() = ToProto(Eigen::Vector3d(match.box_m.max()));
-    }
-    if (!question.near_m) continue;
-    proto.set_distance_m(match.distance_m);
-    *proto.mutable_nearest_m() = ToProto(match.nearest_m);
+    v1::SubmapMatch proto = MatchToProto(match, question.near_m.has_value(), view);
+    if (!pager.Takes(proto, KeyOf(match))) break;
+    *response.add_matches() = std::move(proto);
   }
+  response.set_next_page_token(pager.NextToken());
 }
 
-void ToProto(std::span<const Relation> relations, const MapInfo& map, v1::ListRelationsResponse& response) {
+void ToProto(std::span<const Relation> relations, const MapInfo& map, Pager& pager,
+             v1::QueryRelationsResponse& response) {
   response.set_revision(map.revision);
   for (const Relation& relation : relations) {
-    v1::Relation& proto = *response.add_relations();
-    proto.set_kind(KindToProto(relation.kind));
-    proto.set_subject(SubmapResourceName(map.name, relation.subject->id()));
-    proto.set_subject_display_name(DisplayNameOf(relation.subject->info(), *map.label_set));
-    proto.set_object(SubmapResourceName(map.name, relation.object->id()));
-    proto.set_object_display_name(DisplayNameOf(relation.object->info(), *map.label_set));
-    proto.set_support(relation.support);
-    proto.set_enclosure(relation.enclosure);
-    proto.set_gap_m(relation.gap_m);
-    proto.set_height_share(relation.height_share);
+    v1::Relation proto = RelationToProto(relation, map);
+    if (!pager.Takes(proto, KeyOf(relation))) break;
+    *response.add_relations() = std::move(proto);
   }
+  response.set_next_page_token(pager.NextToken());
 }
 
 std::size_t BytesOfAnswers(const v1::SearchSubmapsRequest& request) {
   constexpr std::size_t kMatch = 1200 + 600 + 1500;  // with its names; as bytes; both of a footprint of 30 corners
-  const int most = request.most() > 0 ? std::min(request.most(), kMostMatches) : kDefaultMatches;
-  return static_cast<std::size_t>(most) * kMatch;
+  return NumAsked(request.page_size(), kMatchPages) * kMatch;
 }
 
-std::size_t BytesOfAnswers(const v1::ListRelationsRequest& request) {
+std::size_t BytesOfAnswers(const v1::QueryRelationsRequest& request) {
   constexpr std::size_t kRelation = 500 + 300;
-  const int most = request.most() > 0 ? std::min(request.most(), kMostRelations) : kDefaultRelations;
-  return static_cast<std::size_t>(most) * kRelation;
+  return NumAsked(request.page_size(), kRelationPages) * kRelation;
 }
 
 }  // namespace dhpmap

@@ -32,12 +32,6 @@ std::uint64_t FingerprintOf(const google::protobuf::Message& request) {
   return Fingerprint(request.GetDescriptor()->full_name() + '\n' + request.SerializeAsString());
 }
 
-Status BadToken() {
-  Status bad = InvalidArgument("this is no page token of this list").WithReason("BAD_PAGE_TOKEN");
-  bad.AddViolation("page_token", "must be next_page_token of an answer to the same request");
-  return bad;
-}
-
 Status HistoryLost() {
   return Status(StatusCode::kOutOfRange,
                 "the page token is of a state of the map that was lost with a crash, or is another map's of the same "
@@ -47,15 +41,21 @@ Status HistoryLost() {
 
 }  // namespace
 
+Status BadPageToken() {
+  Status bad = InvalidArgument("this is no page token of this list").WithReason("BAD_PAGE_TOKEN");
+  bad.AddViolation("page_token", "must be next_page_token of an answer to the same request");
+  return bad;
+}
+
 Result<Pager> Pager::Begin(int page_size, const std::string& token, const google::protobuf::Message& bound,
-                           const PageMark& now, const LostRevisions& lost) {
+                           const PageMark& now, const LostRevisions& lost, PageSizes sizes) {
   if (page_size < 0) {
     Status bad = InvalidArgument("the page size is negative").WithReason("BAD_PAGE_SIZE");
     bad.AddViolation("page_size", "must be 0 (as many as fit) or more");
     return bad;
   }
   Pager pager;
-  pager.max_items_ = page_size == 0 ? kMaxItems : std::min(page_size, kMaxItems);
+  pager.max_items_ = page_size == 0 ? sizes.by_default : std::min(page_size, sizes.at_most);
   pager.request_fingerprint_ = FingerprintOf(bound);
   pager.mark_ = now;
   if (token.empty()) return pager;
@@ -64,7 +64,7 @@ Result<Pager> Pager::Begin(int page_size, const std::string& token, const google
   PageMark& mark = pager.mark_;
   if (!TakeHex(text, mark.history_id) || !TakeHex(text, mark.revision) || !TakeHex(text, fingerprint) || text.empty() ||
       fingerprint != pager.request_fingerprint_) {
-    return BadToken();
+    return BadPageToken();
   }
   if (mark.history_id != now.history_id || mark.revision > now.revision || IsLost(lost, mark.revision)) {
     return HistoryLost();
@@ -78,8 +78,17 @@ Result<std::optional<SubmapId>> SubmapIdFromPage(const Pager& pager) {
   if (text.empty()) return std::optional<SubmapId>();
   std::uint32_t id = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error != std::errc() || end != text.data() + text.size()) return BadToken();
+  if (error != std::errc() || end != text.data() + text.size()) return BadPageToken();
   return std::optional(SubmapId(id));
+}
+
+Result<std::optional<std::int64_t>> RevisionFromPage(const Pager& pager) {
+  const std::string& text = pager.after();
+  if (text.empty()) return std::optional<std::int64_t>();
+  std::int64_t revision = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), revision);
+  if (error != std::errc() || end != text.data() + text.size()) return BadPageToken();
+  return std::optional(revision);
 }
 
 bool Pager::Takes(const google::protobuf::Message& item, std::string key) {
@@ -91,6 +100,11 @@ bool Pager::Takes(const google::protobuf::Message& item, std::string key) {
   num_bytes_ += bytes;
   mark_.after = std::move(key);
   return true;
+}
+
+void Pager::EndBehind(std::string key) {
+  is_full_ = true;
+  mark_.after = std::move(key);
 }
 
 std::string Pager::NextToken() const {

@@ -19,7 +19,7 @@ v1::PointResult ResultToProto(const PointInfo& point, const MapInfo& map) {
   v1::PointResult result;
   result.set_free(point.is_free);
   if (!point.is_observed) return result;
-  result.set_observed(true);
+  result.set_near_surface(true);
   result.set_instance_id(point.submap.value);
   result.set_submap(SubmapResourceName(map.name, point.submap));
   result.set_kind(ToProto(point.panoptic));
@@ -27,7 +27,7 @@ v1::PointResult ResultToProto(const PointInfo& point, const MapInfo& map) {
     result.set_class_id(point.class_id.value);
     if (const LabelClass* c = map.label_set->Find(point.class_id)) result.set_class_name(c->name);
   }
-  result.set_distance_m(point.distance_m);
+  result.set_tsdf_m(point.distance_m);
   result.set_weight(point.weight);
   *result.mutable_color() = ToProto(point.color);
   result.set_class_confidence(point.class_confidence);
@@ -36,10 +36,10 @@ v1::PointResult ResultToProto(const PointInfo& point, const MapInfo& map) {
 }
 
 void Reserve(int num_points, v1::PackedPointResults& packed) {
-  packed.mutable_observed()->Reserve(num_points);
+  packed.mutable_near_surface()->Reserve(num_points);
   packed.mutable_instance_id()->Reserve(num_points);
   packed.mutable_class_id()->Reserve(num_points);
-  packed.mutable_distance_m()->Reserve(num_points);
+  packed.mutable_tsdf_m()->Reserve(num_points);
   packed.mutable_free()->Reserve(num_points);
   packed.mutable_weight()->Reserve(num_points);
   packed.mutable_class_confidence()->Reserve(num_points);
@@ -50,10 +50,10 @@ void Reserve(int num_points, v1::PackedPointResults& packed) {
 
 void Append(const PointInfo& found, v1::PackedPointResults& packed) {
   const PointInfo point = found.is_observed ? found : PointInfo{};
-  packed.add_observed(point.is_observed);
+  packed.add_near_surface(point.is_observed);
   packed.add_instance_id(point.submap.value);
-  packed.add_class_id(point.panoptic == Panoptic::kUnknown ? 0 : point.class_id.value);
-  packed.add_distance_m(point.is_observed ? point.distance_m : std::numeric_limits<float>::quiet_NaN());
+  packed.add_class_id(point.panoptic == Panoptic::kUnknown ? kNoClass : std::int32_t{point.class_id.value});
+  packed.add_tsdf_m(point.is_observed ? point.distance_m : std::numeric_limits<float>::quiet_NaN());
   packed.add_free(found.is_free);
   packed.add_weight(point.weight);
   for (const std::uint8_t channel : {point.color.r, point.color.g, point.color.b}) {
@@ -66,23 +66,25 @@ void Append(const PointInfo& found, v1::PackedPointResults& packed) {
 
 }  // namespace
 
-Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::RepeatedField<float>& xyz_m,
+Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::RepeatedField<float>& packed_points_m,
                                                      const google::protobuf::RepeatedPtrField<v1::Vector3>& points_m,
                                                      std::int64_t max_points) {
-  if (xyz_m.size() % 3 != 0) {
-    return BadPoints("xyz_m", "has " + std::to_string(xyz_m.size()) + " values, not three a point");
+  if (packed_points_m.size() % 3 != 0) {
+    return BadPoints("packed_points_m", "has " + std::to_string(packed_points_m.size()) + " values, not three a point");
   }
-  const int num_packed = xyz_m.size() / 3;
+  const int num_packed = packed_points_m.size() / 3;
   const std::int64_t num_points = std::int64_t{num_packed} + points_m.size();
   if (num_points > max_points) {
-    return BadPoints("xyz_m", std::to_string(num_points) + " points are more than " + std::to_string(max_points));
+    return BadPoints("packed_points_m",
+                     std::to_string(num_points) + " points are more than " + std::to_string(max_points));
   }
   std::vector<Eigen::Vector3d> points;
   points.reserve(static_cast<std::size_t>(num_points));
   for (int i = 0; i < num_packed; ++i) {
-    const float* xyz = xyz_m.data() + 3 * std::ptrdiff_t{i};
+    const float* xyz = packed_points_m.data() + 3 * std::ptrdiff_t{i};
     points.emplace_back(xyz[0], xyz[1], xyz[2]);
-    if (!points.back().allFinite()) return BadPoints("xyz_m", "point " + std::to_string(i) + " is not finite");
+    if (!points.back().allFinite())
+      return BadPoints("packed_points_m", "point " + std::to_string(i) + " is not finite");
   }
   for (int i = 0; i < points_m.size(); ++i) {
     points.push_back(VectorFromProto(points_m[i]));
@@ -92,9 +94,9 @@ Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::Rep
 }
 
 std::size_t BytesOfAnswers(const v1::QueryPointsRequest& request) {
-  // Of a point: 24 for where it is; 34 packed and up to 41 as bytes; or a message with a name and a colour of its own.
-  constexpr std::size_t kPacked = 24 + 34 + 41, kMessage = 24 + 260 + 100;
-  const auto num_points = static_cast<std::size_t>(request.xyz_m_size() / 3 + request.points_m_size());
+  // Of a point: 24 for where it is; 34 packed and up to 48 as bytes; or a message with a name and a colour of its own.
+  constexpr std::size_t kPacked = 24 + 34 + 48, kMessage = 24 + 260 + 100;
+  const auto num_points = static_cast<std::size_t>(request.packed_points_m_size() / 3 + request.points_m_size());
   return num_points * (request.packed() ? kPacked : kMessage);
 }
 

@@ -14,12 +14,12 @@ namespace dhpmap {
 
 /// The points of a request, packed ones first. INVALID_ARGUMENT for a list that is cut off, more than `max_points`, or
 /// a point that is not finite.
-Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::RepeatedField<float>& xyz_m,
+Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::RepeatedField<float>& packed_points_m,
                                                      const google::protobuf::RepeatedPtrField<v1::Vector3>& points_m,
                                                      std::int64_t max_points);
 template <typename Request>
 Result<std::vector<Eigen::Vector3d>> PointsFromProto(const Request& request, std::int64_t max_points) {
-  return PointsFromProto(request.xyz_m(), request.points_m(), max_points);
+  return PointsFromProto(request.packed_points_m(), request.points_m(), max_points);
 }
 
 /// What answering takes of memory at most: the points, the answer, and the answer as bytes.

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "server/wire/option_fields.h"
 #include "server/wire/types/pose_conversion.h"
@@ -35,7 +36,8 @@ Result<double> PaddingFromProto(double padding_m, const std::string& field) {
 
 Result<SurfacePadding> PaddingFromProto(const v1::Padding& proto, const MapSnapshot& map) {
   SurfacePadding padding;
-  DHPMAP_ASSIGN_OR_RETURN(padding.default_m, PaddingFromProto(proto.default_m(), "options.padding.default_m"));
+  DHPMAP_ASSIGN_OR_RETURN(padding.default_m,
+                          PaddingFromProto(proto.default_padding_m(), "options.padding.default_padding_m"));
   std::set<double> different = {padding.default_m};
   const std::string classes = "options.padding.classes", submaps = "options.padding.submaps";
   DHPMAP_RETURN_IF_ERROR(CheckOptionLength(classes, proto.classes_size()));
@@ -98,12 +100,12 @@ Result<QueryScope> ScopeFromProto(const v1::QueryOptions& options, const MapSnap
   }
   DHPMAP_ASSIGN_OR_RETURN(scope.attached, AttachedFromProto(options, map));
   DHPMAP_ASSIGN_OR_RETURN(scope.padding, PaddingFromProto(options.padding(), map));
-  if (options.has_max_age_s()) {
-    if (!(options.max_age_s() >= 0)) return BadOption("BAD_FILTER", "options.max_age_s", "is not 0 or more");
-    scope.max_free_age_s = options.max_age_s();
+  if (options.has_max_free_age_s()) {
+    if (!(options.max_free_age_s() >= 0)) return BadOption("BAD_FILTER", "options.max_free_age_s", "is not 0 or more");
+    scope.max_free_age_s = options.max_free_age_s();
   }
-  scope.vacated_is_free = options.vacated() == v1::Vacated::FREE;
-  scope.keeps_attached_unknown = options.vacated() == v1::Vacated::UNKNOWN;
+  scope.vacated_is_free = options.vacated_policy() == v1::Vacated::FREE;
+  scope.keeps_attached_unknown = options.vacated_policy() == v1::Vacated::UNKNOWN;
   scope.with_absent = options.include_absent();
   return scope;
 }
@@ -119,14 +121,16 @@ Status CheckTaken(const v1::QueryOptions& options, TakenOptions taken) {
   if (options.has_padding() && !taken.padding) return NotTaken("options.padding");
   if (options.attached_size() > 0 && !taken.attached) return NotTaken("options.attached");
   for (int i = 0; i < options.attached_size() && !taken.carries; ++i) {
-    if (options.attached(i).has_pose()) return NotTaken(ItemOfOption("options.attached", i) + ".pose");
+    if (options.attached(i).has_robot_from_submap())
+      return NotTaken(ItemOfOption("options.attached", i) + ".robot_from_submap");
   }
   if (options.allowed_collisions_size() > 0 && !taken.allowed) return NotTaken("options.allowed_collisions");
-  if (options.has_max_age_s() && !taken.max_age) return NotTaken("options.max_age_s");
-  if (!v1::Vacated::Policy_IsValid(options.vacated())) {
-    return BadOption("BAD_FILTER", "options.vacated", "is none of those there are");
+  if (options.has_max_free_age_s() && !taken.max_age) return NotTaken("options.max_free_age_s");
+  if (!v1::Vacated::Policy_IsValid(options.vacated_policy())) {
+    return BadOption("BAD_FILTER", "options.vacated_policy", "is none of those there are");
   }
-  if (options.vacated() != v1::Vacated::POLICY_UNSPECIFIED && !taken.vacated) return NotTaken("options.vacated");
+  if (options.vacated_policy() != v1::Vacated::POLICY_UNSPECIFIED && !taken.vacated)
+    return NotTaken("options.vacated_policy");
   if (options.has_tolerance_vox() && !taken.tolerance) return NotTaken("options.tolerance_vox");
   return Status::Ok();
 }
@@ -150,8 +154,9 @@ Result<std::vector<CarriedSubmap>> CarriedFromProto(const v1::QueryOptions& opti
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const int item = static_cast<int>(i);
     CarriedSubmap& one = carried.emplace_back(CarriedSubmap{.submap = ids[i], .may_touch = {}});
-    DHPMAP_ASSIGN_OR_RETURN(one.T_robot_submap, TransformFromProto(options.attached(item).pose(),
-                                                                   ItemOfOption("options.attached", item) + ".pose"));
+    DHPMAP_ASSIGN_OR_RETURN(one.T_robot_submap,
+                            TransformFromProto(options.attached(item).robot_from_submap(),
+                                               ItemOfOption("options.attached", item) + ".robot_from_submap"));
   }
   return carried;
 }
@@ -167,8 +172,21 @@ Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, 
   if (!(options.tolerance_vox() >= 0)) return BadOption("BAD_FILTER", "options.tolerance_vox", "is not 0 or more");
   question.options.tolerance_vox = options.tolerance_vox();
   DHPMAP_ASSIGN_OR_RETURN(question.options.scope, ScopeFromProto(options, map));
-  DHPMAP_ASSIGN_OR_RETURN(question.T_map_query, TransformFromProto(options.frame(), "options.frame"));
+  DHPMAP_ASSIGN_OR_RETURN(question.T_map_query, TransformFromProto(options.map_from_query(), "options.map_from_query"));
   return question;
+}
+
+Result<Transform> FrameOptionsFromProto(const v1::QueryOptions& options) {
+  std::vector<const google::protobuf::FieldDescriptor*> given;
+  options.GetReflection()->ListFields(options, &given);
+  for (const google::protobuf::FieldDescriptor* field : given) {
+    const int number = field->number();
+    if (number != v1::QueryOptions::kMapFromQueryFieldNumber && number != v1::QueryOptions::kMinRevisionFieldNumber) {
+      return NotTaken("options." + field->name());
+    }
+  }
+  if (options.min_revision() < 0) return BadOption("BAD_FILTER", "options.min_revision", "is negative");
+  return TransformFromProto(options.map_from_query(), "options.map_from_query");
 }
 
 Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const RequestedLinks& links,
@@ -185,7 +203,7 @@ Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, con
       AllowedTouchesFromProto(options, links, taken.carries ? attached : std::vector<SubmapId>(), map));
   question.parts = std::move(allowed.parts);
   for (std::size_t i = 0; i < allowed.attached.size(); ++i) question.attached[i].may_touch = allowed.attached[i];
-  DHPMAP_ASSIGN_OR_RETURN(question.T_map_query, TransformFromProto(options.frame(), "options.frame"));
+  DHPMAP_ASSIGN_OR_RETURN(question.T_map_query, TransformFromProto(options.map_from_query(), "options.map_from_query"));
   return question;
 }
 

@@ -39,9 +39,11 @@ inline constexpr TakenOptions kTrajectoryOptions{.padding = true,
 
 /// What a request's options mean for a state of a map. INVALID_ARGUMENT for a distance, pose, name, policy or length of
 /// a list that is not usable, or an option that is not taken; NOT_FOUND for a submap that is not there; each names the
-/// field, "options.frame", and of a list the first item that is wrong.
+/// field, "options.map_from_query", and of a list the first item that is wrong.
 Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
                                                TakenOptions taken = {});
+/// Of queries that take the frame and min_revision alone: p_map = T_map_query * p_query.
+Result<Transform> FrameOptionsFromProto(const v1::QueryOptions& options);
 /// The same for checks of bodies or motions, for which unknown space is occupied unless they say otherwise.
 /// `links`: which its bodies or spheres belong to.
 Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const RequestedLinks& links,

@@ -29,9 +29,9 @@ bool MakeUnit(Ray& ray) {
   return true;
 }
 
-v1::QueryStatus StatusOf(const RayHit& hit) {
-  if (hit.is_unknown) return v1::UNKNOWN;
-  return hit.submap == nullptr ? v1::CLAMPED : v1::OK;
+v1::QueryStatus::Code StatusOf(const RayHit& hit) {
+  if (hit.is_unknown) return v1::QueryStatus::UNKNOWN;
+  return hit.submap == nullptr ? v1::QueryStatus::CLAMPED : v1::QueryStatus::OK;
 }
 
 bool HasClass(const RayHit& hit) { return hit.submap != nullptr && hit.submap->panoptic != Panoptic::kUnknown; }
@@ -40,7 +40,7 @@ v1::RayResult ResultToProto(const RayHit& hit, const MapInfo& map) {
   v1::RayResult result;
   result.set_status(StatusOf(hit));
   result.set_distance_m(static_cast<float>(hit.distance_m));
-  result.set_free_m(static_cast<float>(hit.free_m));
+  result.set_free_distance_m(static_cast<float>(hit.free_m));
   result.set_instance_id(kNobodysId);
   if (hit.submap == nullptr) return result;
   *result.mutable_point_m() = ToProto(hit.point_m);
@@ -56,41 +56,42 @@ v1::RayResult ResultToProto(const RayHit& hit, const MapInfo& map) {
 
 void AppendPacked(const RayHit& hit, v1::PackedRayResults& packed) {
   packed.add_distance_m(static_cast<float>(hit.distance_m));
-  packed.add_free_m(static_cast<float>(hit.free_m));
+  packed.add_free_distance_m(static_cast<float>(hit.free_m));
   for (int axis = 0; axis < 3; ++axis) {
-    packed.add_point_xyz_m(static_cast<float>(hit.point_m[axis]));
+    packed.add_point_m(static_cast<float>(hit.point_m[axis]));
     packed.add_normal(static_cast<float>(hit.normal[axis]));
   }
   packed.add_instance_id(hit.submap == nullptr ? kNobodysId : std::int64_t{hit.submap->id.value});
-  packed.add_class_id(HasClass(hit) ? hit.submap->class_id.value : 0);
+  packed.add_class_id(HasClass(hit) ? std::int32_t{hit.submap->class_id.value} : kNoClass);
   packed.add_status(StatusOf(hit));
 }
 
 }  // namespace
 
 std::size_t NumRays(const v1::CastRaysRequest& request) {
-  return static_cast<std::size_t>(request.direction_xyz_size() / 3) + static_cast<std::size_t>(request.rays_size());
+  return static_cast<std::size_t>(request.packed_directions_size() / 3) + static_cast<std::size_t>(request.rays_size());
 }
 
 Result<std::vector<Ray>> RaysFromProto(const v1::CastRaysRequest& request, std::int64_t max_rays) {
-  const auto& origins = request.origin_xyz_m();
-  const auto& directions = request.direction_xyz();
+  const auto& origins = request.packed_origins_m();
+  const auto& directions = request.packed_directions();
   if (directions.size() % 3 != 0) {
-    return BadRays("direction_xyz", "has " + std::to_string(directions.size()) + " values, not three a ray");
+    return BadRays("packed_directions", "has " + std::to_string(directions.size()) + " values, not three a ray");
   }
   if (origins.size() != directions.size() && !(origins.size() == 3 && !directions.empty())) {
-    return BadRays("origin_xyz_m", "has " + std::to_string(origins.size()) + " values, neither three nor three a ray");
+    return BadRays("packed_origins_m",
+                   "has " + std::to_string(origins.size()) + " values, neither three nor three a ray");
   }
   const std::size_t num_packed = static_cast<std::size_t>(directions.size() / 3), num_rays = NumRays(request);
   if (static_cast<std::int64_t>(num_rays) > max_rays) {
-    return BadRays("direction_xyz", std::to_string(num_rays) + " rays are more than " + std::to_string(max_rays));
+    return BadRays("packed_directions", std::to_string(num_rays) + " rays are more than " + std::to_string(max_rays));
   }
   std::vector<Ray> rays;
   rays.reserve(num_rays);
   for (std::size_t i = 0; i < num_packed; ++i) {
     rays.push_back({PackedVector(origins, origins.size() == 3 ? 0 : i), PackedVector(directions, i)});
     if (!MakeUnit(rays.back())) {
-      return BadRays("direction_xyz", "ray " + std::to_string(i) + " is not finite or has no direction");
+      return BadRays("packed_directions", "ray " + std::to_string(i) + " is not finite or has no direction");
     }
   }
   for (int i = 0; i < request.rays_size(); ++i) {
@@ -101,9 +102,9 @@ Result<std::vector<Ray>> RaysFromProto(const v1::CastRaysRequest& request, std::
 }
 
 std::size_t BytesOfAnswers(const v1::CastRaysRequest& request) {
-  // Of a ray: 48 for itself; 48 packed and up to 47 as bytes, arrays as they grow twice; or a message with two vectors
+  // Of a ray: 48 for itself; 48 packed and up to 54 as bytes, arrays as they grow twice; or a message with two vectors
   // and two names.
-  constexpr std::size_t kPacked = 48 + 2 * 48 + 47, kMessage = 48 + 430 + 210;
+  constexpr std::size_t kPacked = 48 + 2 * 48 + 54, kMessage = 48 + 430 + 210;
   return NumRays(request) * (request.packed() ? kPacked : kMessage);
 }
 

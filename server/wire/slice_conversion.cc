@@ -38,14 +38,14 @@ Result<Eigen::AlignedBox2d> AreaFromProto(const v1::SliceArea& area) {
 }
 
 Status CheckPath(const std::string& image) {
-  if (image.size() > kMostPath) return BadSlice("image", "is longer than 500 bytes");
+  if (image.size() > kMostPath) return BadSlice("yaml_image_path", "is longer than 500 bytes");
   const bool has_controls =
       std::any_of(image.begin(), image.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
-  if (has_controls) return BadSlice("image", "has control characters");
+  if (has_controls) return BadSlice("yaml_image_path", "has control characters");
   return Status::Ok();
 }
 
-Status CheckBand(const v1::GetOccupancySliceRequest& request) {
+Status CheckBand(const v1::QueryOccupancySliceRequest& request) {
   if (!IsInReach(request.min_z_m())) return BadSlice("min_z_m", "is not within 1,000,000 m");
   if (!IsInReach(request.max_z_m())) return BadSlice("max_z_m", "is not within 1,000,000 m");
   if (!(request.min_z_m() < request.max_z_m())) return BadSlice("max_z_m", "is not above min_z_m");
@@ -57,13 +57,13 @@ std::int8_t UnknownCellOf(v1::QueryOptions::UnknownPolicy policy) {
   return policy == v1::QueryOptions::OCCUPIED ? kOccupiedCell : kUnknownCell;
 }
 
-Result<SliceFormat> FormatFromProto(v1::SliceFormat format) {
+Result<SliceFormat> FormatFromProto(v1::QueryOccupancySliceRequest::Format format) {
   switch (format) {
-    case v1::SLICE_FORMAT_UNSPECIFIED:
-    case v1::CELLS: return SliceFormat::kCells;
-    case v1::PGM: return SliceFormat::kPgm;
-    case v1::PNG: return SliceFormat::kPng;
-    case v1::YAML: return SliceFormat::kYaml;
+    case v1::QueryOccupancySliceRequest::SLICE_FORMAT_UNSPECIFIED:
+    case v1::QueryOccupancySliceRequest::CELLS: return SliceFormat::kCells;
+    case v1::QueryOccupancySliceRequest::PGM: return SliceFormat::kPgm;
+    case v1::QueryOccupancySliceRequest::PNG: return SliceFormat::kPng;
+    case v1::QueryOccupancySliceRequest::YAML: return SliceFormat::kYaml;
     default: return BadSlice("format", "is none of those there are");
   }
 }
@@ -89,19 +89,19 @@ v1::SliceObject ObjectToProto(const SubmapInfo& object, const MapInfo& map) {
 }
 
 void AddObjects(const std::vector<const SubmapInfo*>& objects, const MapInfo& map,
-                v1::GetOccupancySliceResponse& response) {
+                v1::QueryOccupancySliceResponse& response) {
   std::unordered_map<const SubmapInfo*, std::uint32_t> numbers = {{nullptr, 0}};
-  response.mutable_object()->Reserve(static_cast<int>(objects.size()));
+  response.mutable_object_indices()->Reserve(static_cast<int>(objects.size()));
   for (const SubmapInfo* object : objects) {
     const auto [known, is_new] = numbers.emplace(object, static_cast<std::uint32_t>(numbers.size()));
     if (is_new) *response.add_objects() = ObjectToProto(*object, map);
-    response.add_object(known->second);
+    response.add_object_indices(known->second);
   }
 }
 
 }  // namespace
 
-Result<SliceRequest> SliceRequestFromProto(const v1::GetOccupancySliceRequest& request, const MapSnapshot& map) {
+Result<SliceRequest> SliceRequestFromProto(const v1::QueryOccupancySliceRequest& request, const MapSnapshot& map) {
   SliceRequest slice;
   DHPMAP_RETURN_IF_ERROR(CheckBand(request));
   slice.options.min_z_m = request.min_z_m();
@@ -115,16 +115,16 @@ Result<SliceRequest> SliceRequestFromProto(const v1::GetOccupancySliceRequest& r
       return BadSlice("resolution_m", "is not from 0.001 to 100");
     }
   }
-  if (request.has_free_share()) {
-    slice.options.free_share = request.free_share();
-    if (!(request.free_share() > 0 && request.free_share() <= 1)) {
-      return BadSlice("free_share", "is not above 0 and up to 1");
+  if (request.has_min_free_fraction()) {
+    slice.options.free_share = request.min_free_fraction();
+    if (!(request.min_free_fraction() > 0 && request.min_free_fraction() <= 1)) {
+      return BadSlice("min_free_fraction", "is not above 0 and up to 1");
     }
   }
-  slice.options.with_objects = request.with_objects();
+  slice.options.with_objects = request.include_objects();
   DHPMAP_ASSIGN_OR_RETURN(slice.format, FormatFromProto(request.format()));
-  DHPMAP_RETURN_IF_ERROR(CheckPath(request.image()));
-  slice.image = request.image();
+  DHPMAP_RETURN_IF_ERROR(CheckPath(request.yaml_image_path()));
+  slice.image = request.yaml_image_path();
   v1::QueryOptions options = request.options();
   if (options.unknown_policy() == v1::QueryOptions::OCCUPIED) options.clear_unknown_policy();
   DHPMAP_ASSIGN_OR_RETURN(const auto question, QueryOptionsFromProto(options, map, kRayOptions));
@@ -135,7 +135,7 @@ Result<SliceRequest> SliceRequestFromProto(const v1::GetOccupancySliceRequest& r
   return slice;
 }
 
-std::size_t BytesOfAnswers(const v1::GetOccupancySliceRequest& request) {
+std::size_t BytesOfAnswers(const v1::QueryOccupancySliceRequest& request) {
   double num_cells = static_cast<double>(kMostSliceCells);
   if (request.has_area() && request.has_resolution_m() && request.resolution_m() > 0) {
     const v1::SliceArea& area = request.area();
@@ -145,12 +145,12 @@ std::size_t BytesOfAnswers(const v1::GetOccupancySliceRequest& request) {
   }
   // A cell, its pixel and its byte in the file, in the message and on the way out; an object's address, number and
   // bytes.
-  const std::size_t each = 5 + (request.with_objects() ? 8 + 4 + 3 : 0);
+  const std::size_t each = 5 + (request.include_objects() ? 8 + 4 + 3 : 0);
   return static_cast<std::size_t>(num_cells) * each;
 }
 
 void ToProto(const SliceRequest& request, const MapInfo& map, SliceAnswer answer,
-             v1::GetOccupancySliceResponse& response) {
+             v1::QueryOccupancySliceResponse& response) {
   response.set_revision(map.revision);
   const SliceOptions& options = answer.options;
   response.set_width(options.width);

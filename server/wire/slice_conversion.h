@@ -10,12 +10,12 @@ namespace dhpmap {
 
 /// INVALID_ARGUMENT, naming the field, for a band, area, resolution, share, format or path that is not usable; errors
 /// of QueryOptionsFromProto.
-Result<SliceRequest> SliceRequestFromProto(const v1::GetOccupancySliceRequest& request, const MapSnapshot& map);
+Result<SliceRequest> SliceRequestFromProto(const v1::QueryOccupancySliceRequest& request, const MapSnapshot& map);
 
 /// What answering takes of memory at most, if the request says how many cells there are: else of the most there may be.
-std::size_t BytesOfAnswers(const v1::GetOccupancySliceRequest& request);
+std::size_t BytesOfAnswers(const v1::QueryOccupancySliceRequest& request);
 
 void ToProto(const SliceRequest& request, const MapInfo& map, SliceAnswer answer,
-             v1::GetOccupancySliceResponse& response);
+             v1::QueryOccupancySliceResponse& response);
 
 }  // namespace dhpmap

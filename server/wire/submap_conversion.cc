@@ -54,7 +54,7 @@ FieldMask MaskOf(const v1::UpdateSubmapRequest& request) {
   }
   if (!paths.empty()) return request.update_mask();
   if (request.submap().has_map_from_submap()) mask.add_paths("map_from_submap");
-  if (request.submap().class_id() != 0) mask.add_paths("class_id");
+  if (request.submap().has_class_id()) mask.add_paths("class_id");
   if (!request.submap().display_name().empty()) mask.add_paths("display_name");
   if (request.submap().locked()) mask.add_paths("locked");
   return mask;
@@ -121,13 +121,15 @@ v1::Submap ToProto(const SubmapInfo& info, const BoundingSphere& observed, std::
   proto.set_voxel_size_m(info.voxel_size_m);
   proto.set_truncation_m(info.truncation_m);
   proto.set_num_blocks(num_blocks);
-  proto.set_presence(info.presence == Presence::kAbsent ? v1::ABSENT : v1::PRESENT);
-  proto.set_last_contradicted_ns(info.last_contradicted_ns);
-  proto.set_activity(info.activity == Activity::kActive ? v1::ACTIVE : v1::INACTIVE);
+  proto.set_presence(info.presence == Presence::kAbsent ? v1::Submap::ABSENT : v1::Submap::PRESENT);
+  if (info.last_contradicted_ns != 0) proto.set_last_contradicted_stamp_ns(info.last_contradicted_ns);
+  proto.set_activity(info.activity == Activity::kActive ? v1::Submap::ACTIVE : v1::Submap::INACTIVE);
   proto.set_confirmed(info.is_confirmed);
   proto.set_num_frames_observed(info.num_frames_observed);
-  proto.set_first_observed_ns(info.first_observed_ns);
-  proto.set_last_observed_ns(info.last_observed_ns);
+  if (info.num_frames_observed > 0) {
+    proto.set_first_observed_stamp_ns(info.first_observed_ns);
+    proto.set_last_observed_stamp_ns(info.last_observed_ns);
+  }
   proto.set_locked(info.is_locked);
   proto.set_revision(info.revision);
   proto.set_etag(EtagOf(info, map));
@@ -138,9 +140,10 @@ Result<SubmapFilter> FilterFromProto(const v1::ListSubmapsRequest& request, cons
   Status bad = InvalidArgument("the filter is not usable").WithReason("BAD_FILTER");
   SubmapFilter filter;
   filter.classes = ClassesFromProto(request, label_set, bad);
-  if (request.kind() == v1::THING) filter.panoptic = Panoptic::kThing;
-  else if (request.kind() == v1::STUFF) filter.panoptic = Panoptic::kStuff;
-  else if (request.kind() != v1::PANOPTIC_KIND_UNSPECIFIED) bad.AddViolation("kind", "is not a known value");
+  if (request.kind() == v1::LabelClass::THING) filter.panoptic = Panoptic::kThing;
+  else if (request.kind() == v1::LabelClass::STUFF) filter.panoptic = Panoptic::kStuff;
+  else if (request.kind() != v1::LabelClass::PANOPTIC_KIND_UNSPECIFIED)
+    bad.AddViolation("kind", "is not a known value");
   if (request.has_region()) {
     filter.region = {.min_m = VectorFromProto(request.region().min_m()),
                      .max_m = VectorFromProto(request.region().max_m())};
@@ -149,10 +152,10 @@ Result<SubmapFilter> FilterFromProto(const v1::ListSubmapsRequest& request, cons
       bad.AddViolation("region", "must be finite, with min_m below max_m");
     }
   }
-  if (request.has_near()) {
-    filter.near = {.center_m = VectorFromProto(request.near().center_m()), .radius_m = request.near().radius_m()};
+  if (request.has_sphere()) {
+    filter.near = {.center_m = VectorFromProto(request.sphere().center_m()), .radius_m = request.sphere().radius_m()};
     if (!filter.near->center_m.allFinite() || !std::isfinite(filter.near->radius_m) || filter.near->radius_m < 0) {
-      bad.AddViolation("near", "must be finite, with a radius_m of 0 or more");
+      bad.AddViolation("sphere", "must be finite, with a radius_m of 0 or more");
     }
   }
   if (!bad.violations().empty()) return bad;

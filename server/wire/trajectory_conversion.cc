@@ -32,26 +32,26 @@ Result<Transform> PackedPose(const float* v, const std::string& name) {
 }
 
 Status CheckPacked(const v1::CheckTrajectoryRequest& request, std::size_t num_attached) {
-  if (request.robot_size() > 0) return BadMotion("robot", "does not go together with packed_spheres");
-  if (request.trajectories_size() > 0) return BadMotion("trajectories", "do not go together with packed_spheres");
+  if (request.robot_size() > 0) return BadMotion("robot", "does not go together with packed_spheres_m");
+  if (request.trajectories_size() > 0) return BadMotion("trajectories", "do not go together with packed_spheres_m");
   if (request.num_waypoints() < 1 || request.num_waypoints() > kMostWaypoints) {
     return BadMotion("num_waypoints", "is not from 1 to 10,000");
   }
   if (request.num_spheres() < 1) return BadMotion("num_spheres", "is not positive");
   const auto a_trajectory = std::int64_t{4} * request.num_waypoints() * request.num_spheres();
-  if (request.packed_spheres_size() % a_trajectory != 0) {
-    return BadMotion("packed_spheres", "has " + std::to_string(request.packed_spheres_size()) + " values, not " +
-                                           std::to_string(a_trajectory) + " a trajectory");
+  if (request.packed_spheres_m_size() % a_trajectory != 0) {
+    return BadMotion("packed_spheres_m", "has " + std::to_string(request.packed_spheres_m_size()) + " values, not " +
+                                             std::to_string(a_trajectory) + " a trajectory");
   }
-  for (int i = 0; i < request.packed_spheres_size(); i += 4) {
-    const float* s = request.packed_spheres().data() + i;
+  for (int i = 0; i < request.packed_spheres_m_size(); i += 4) {
+    const float* s = request.packed_spheres_m().data() + i;
     if (!IsUsableSphere({s[0], s[1], s[2]}, s[3])) {
-      return BadMotion("packed_spheres",
+      return BadMotion("packed_spheres_m",
                        "sphere " + std::to_string(i / 4) + " is not finite, or of a radius that is not from 0 to 10");
     }
   }
-  const std::int64_t num_poses =
-      request.packed_spheres_size() / a_trajectory * request.num_waypoints() * static_cast<std::int64_t>(num_attached);
+  const std::int64_t num_poses = request.packed_spheres_m_size() / a_trajectory * request.num_waypoints() *
+                                 static_cast<std::int64_t>(num_attached);
   if (request.packed_attached_poses_size() != 7 * num_poses) {
     return BadMotion("packed_attached_poses", "has " + std::to_string(request.packed_attached_poses_size()) +
                                                   " values, not seven for each attached object at each waypoint");
@@ -66,10 +66,10 @@ Status CheckPacked(const v1::CheckTrajectoryRequest& request, std::size_t num_at
 }
 
 Status CheckRigid(const v1::CheckTrajectoryRequest& request, std::size_t num_attached) {
-  if (request.num_waypoints() != 0) return BadMotion("num_waypoints", "has no meaning without packed_spheres");
-  if (request.num_spheres() != 0) return BadMotion("num_spheres", "has no meaning without packed_spheres");
+  if (request.num_waypoints() != 0) return BadMotion("num_waypoints", "has no meaning without packed_spheres_m");
+  if (request.num_spheres() != 0) return BadMotion("num_spheres", "has no meaning without packed_spheres_m");
   if (request.packed_attached_poses_size() > 0) {
-    return BadMotion("packed_attached_poses", "have no meaning without packed_spheres");
+    return BadMotion("packed_attached_poses", "have no meaning without packed_spheres_m");
   }
   if (request.robot_size() == 0 && num_attached == 0) return BadMotion("robot", "has no spheres");
   for (int i = 0; i < request.robot_size(); ++i) {
@@ -100,12 +100,13 @@ std::size_t NumSpheres(const v1::CheckTrajectoryRequest& request) {
   for (const v1::Trajectory& trajectory : request.trajectories()) {
     num_waypoints += static_cast<std::size_t>(trajectory.waypoints_size());
   }
-  return static_cast<std::size_t>(request.packed_spheres_size() / 4) +
+  return static_cast<std::size_t>(request.packed_spheres_m_size() / 4) +
          num_waypoints * static_cast<std::size_t>(std::max(request.robot_size(), 1));
 }
 
 RequestedLinks LinksOf(const v1::CheckTrajectoryRequest& request) {
-  const int num_spheres = request.packed_spheres_size() > 0 ? std::max(request.num_spheres(), 0) : request.robot_size();
+  const int num_spheres =
+      request.packed_spheres_m_size() > 0 ? std::max(request.num_spheres(), 0) : request.robot_size();
   return {request.sphere_links(), "sphere_links", static_cast<std::size_t>(num_spheres)};
 }
 
@@ -113,20 +114,20 @@ Result<RequestedMotions> RequestedMotions::Make(const v1::CheckTrajectoryRequest
                                                 const std::vector<CarriedSubmap>& attached, std::int64_t max_spheres) {
   if (const auto num_spheres = static_cast<std::int64_t>(NumSpheres(request)); num_spheres > max_spheres) {
     return BadMotion(
-        request.packed_spheres_size() > 0 ? "packed_spheres" : "trajectories",
+        request.packed_spheres_m_size() > 0 ? "packed_spheres_m" : "trajectories",
         std::to_string(num_spheres) + " spheres at waypoints are more than " + std::to_string(max_spheres));
   }
-  if (request.packed_spheres_size() == 0) {
+  if (request.packed_spheres_m_size() == 0) {
     DHPMAP_RETURN_IF_ERROR(CheckRigid(request, attached.size()));
     return RequestedMotions(request, attached, static_cast<std::size_t>(request.trajectories_size()));
   }
   DHPMAP_RETURN_IF_ERROR(CheckPacked(request, attached.size()));
   return RequestedMotions(request, attached,
-                          static_cast<std::size_t>(request.packed_spheres_size()) / 4 / Position(request, 1, 0, 0));
+                          static_cast<std::size_t>(request.packed_spheres_m_size()) / 4 / Position(request, 1, 0, 0));
 }
 
 RobotMotion RequestedMotions::operator[](std::size_t number) const {
-  return request_.packed_spheres_size() > 0 ? Packed(number) : Rigid(number);
+  return request_.packed_spheres_m_size() > 0 ? Packed(number) : Rigid(number);
 }
 
 RobotMotion RequestedMotions::Packed(std::size_t number) const {
@@ -136,7 +137,7 @@ RobotMotion RequestedMotions::Packed(std::size_t number) const {
   for (std::size_t s = 0; s < motion.spheres.size(); ++s) {
     motion.spheres[s].reserve(num_waypoints);
     for (std::size_t h = 0; h < num_waypoints; ++h) {
-      const float* v = request_.packed_spheres().data() + 4 * Position(request_, number, h, s);
+      const float* v = request_.packed_spheres_m().data() + 4 * Position(request_, number, h, s);
       motion.spheres[s].push_back({static_cast<double>(h), {v[0], v[1], v[2]}, v[3]});
     }
   }
@@ -177,13 +178,13 @@ std::size_t BytesOfAnswers(const v1::CheckTrajectoryRequest& request) {
   }
   const auto num_attached = static_cast<std::size_t>(request.options().attached_size());
   const auto num_trajectories = static_cast<std::size_t>(
-      request.packed_spheres_size() / 4 / std::max(1, request.num_waypoints()) + request.trajectories_size());
+      request.packed_spheres_m_size() / 4 / std::max(1, request.num_waypoints()) + request.trajectories_size());
   const int asked = request.max_contacts() > 0 ? std::min(request.max_contacts(), kMostContacts) : kDefaultContacts;
   // One motion at a time, with its cuts and knots; then an answer of messages and bytes with contacts of two vectors
   // and names.
   constexpr std::size_t kCuts = 32 * (136 + 40), kPose = 128, kKnot = 40, kMessage = 150, kContact = 700;
   const std::size_t motion = most_waypoints * (kCuts + kPose * (1 + num_attached)) +
-                             kKnot * static_cast<std::size_t>(request.packed_spheres_size() / 4);
+                             kKnot * static_cast<std::size_t>(request.packed_spheres_m_size() / 4);
   constexpr std::size_t kClearance = 500;
   return motion + (request.include_clearance() ? num_trajectories * kClearance : 0) +
          num_trajectories * (kMessage + kContact * static_cast<std::size_t>(request.all_contacts() ? asked : 1));
@@ -199,7 +200,7 @@ TrajectoryAnswers::TrajectoryAnswers(const v1::CheckTrajectoryRequest& request, 
 void TrajectoryAnswers::Append(const TrajectoryAnswer& answer) {
   if (request_.packed()) return AppendPacked(answer);
   v1::TrajectoryResult& result = *response_.add_results();
-  result.set_status(answer.is_unknown ? v1::UNKNOWN : v1::OK);
+  result.set_status(answer.is_unknown ? v1::QueryStatus::UNKNOWN : v1::QueryStatus::OK);
   result.set_valid(answer.is_valid);
   for (const TrajectoryContact& contact : answer.contacts) {
     v1::TrajectoryContact& proto = *result.add_contacts();
@@ -226,14 +227,14 @@ void TrajectoryAnswers::WriteClearance(const TrajectoryClearance& clearance, v1:
   v1::Contact whose = ToProto(BodyContact{.submap = least.submap, .point_m = least.point_m}, map_);
   *proto.mutable_point_m() = whose.point_m();
   proto.set_instance_id(whose.instance_id());
-  proto.set_class_id(whose.class_id());
+  if (whose.has_class_id()) proto.set_class_id(whose.class_id());
   proto.set_submap(std::move(*whose.mutable_submap()));
   proto.set_class_name(std::move(*whose.mutable_class_name()));
 }
 
 void TrajectoryAnswers::AppendPacked(const TrajectoryAnswer& answer) {
   v1::PackedTrajectoryResults& packed = *response_.mutable_packed();
-  packed.add_status(answer.is_unknown ? v1::UNKNOWN : v1::OK);
+  packed.add_status(answer.is_unknown ? v1::QueryStatus::UNKNOWN : v1::QueryStatus::OK);
   packed.add_valid(answer.is_valid);
   TrajectoryContact contact{.at = -1, .sphere = {}, .attached = {}, .contact = {}};
   contact.contact.point_m.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -245,7 +246,7 @@ void TrajectoryAnswers::AppendPacked(const TrajectoryAnswer& answer) {
   packed.add_attached(contact.attached ? static_cast<std::int32_t>(*contact.attached) : -1);
   packed.add_depth_m(static_cast<float>(contact.contact.depth_m));
   for (int axis = 0; axis < 3; ++axis) {
-    packed.add_point_xyz_m(static_cast<float>(contact.contact.point_m[axis]));
+    packed.add_point_m(static_cast<float>(contact.contact.point_m[axis]));
     packed.add_normal(static_cast<float>(contact.contact.normal[axis]));
   }
   packed.add_instance_id(InstanceOf(contact.contact));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/wire/watch_conversion.h"
 
+#include <google/protobuf/util/time_util.h>
+
 #include <algorithm>
 #include <charconv>
 #include <iterator>
@@ -45,7 +47,7 @@ v1::ExportProgress::Stage StageOf(ExportStage stage) {
     case ExportStage::kPreparing: return v1::ExportProgress::PREPARING;
     case ExportStage::kSending: return v1::ExportProgress::SENDING;
     case ExportStage::kSent: return v1::ExportProgress::SENT;
-    case ExportStage::kLeft: return v1::ExportProgress::LEFT;
+    case ExportStage::kLeft: return v1::ExportProgress::CANCELLED;
     case ExportStage::kFailed: return v1::ExportProgress::FAILED;
   }
   return v1::ExportProgress::STAGE_UNSPECIFIED;
@@ -75,21 +77,21 @@ constexpr std::pair<SubmapPart, v1::SubmapEvent::Part> kParts[] = {
 constexpr ChangeKind kKinds[] = {ChangeKind::kCreated, ChangeKind::kChanged, ChangeKind::kRemoved, ChangeKind::kMerged};
 
 /// Around the tiles of a submap's grid, in the map frame.
-v1::Box BoxInMap(const TileBox& box, const SubmapInfo& info) {
+v1::AxisAlignedBox BoxInMap(const TileBox& box, const SubmapInfo& info) {
   const double side_m = kTileSide * kBlockSide * info.voxel_size_m;
   const Eigen::Vector3d low(box.low.x, box.low.y, box.low.z),
       high(box.high.x + 1.0, box.high.y + 1.0, box.high.z + 1.0);
   const Eigen::Vector3d half_m = (high - low) * (side_m / 2);
   const Eigen::Vector3d center_m = info.T_map_submap * Eigen::Vector3d((low + high) * (side_m / 2));
   const Eigen::Vector3d reach_m = info.T_map_submap.linear().cwiseAbs() * half_m;
-  v1::Box proto;
+  v1::AxisAlignedBox proto;
   *proto.mutable_min_m() = ToProto(Eigen::Vector3d(center_m - reach_m));
   *proto.mutable_max_m() = ToProto(Eigen::Vector3d(center_m + reach_m));
   return proto;
 }
 
-v1::Box BoxToProto(const Eigen::AlignedBox3d& box) {
-  v1::Box proto;
+v1::AxisAlignedBox BoxToProto(const Eigen::AlignedBox3d& box) {
+  v1::AxisAlignedBox proto;
   *proto.mutable_min_m() = ToProto(Eigen::Vector3d(box.min()));
   *proto.mutable_max_m() = ToProto(Eigen::Vector3d(box.max()));
   return proto;
@@ -170,9 +172,11 @@ void SetExports(const ExportNews& news, v1::WatchProgress& progress) {
 }
 
 Result<double> ProgressSecondsFromProto(const v1::WatchMapRequest& request) {
-  if (request.progress_s() == 0) return kDefaultProgress_s;
-  if (request.progress_s() >= kLeastProgress_s && request.progress_s() <= kMostProgress_s) return request.progress_s();
-  return InvalidArgument("progress_s is not usable").WithViolation("progress_s", "must be 0.5 to 300, or 0 for 15");
+  if (request.progress_interval_s() == 0) return kDefaultProgress_s;
+  if (request.progress_interval_s() >= kLeastProgress_s && request.progress_interval_s() <= kMostProgress_s)
+    return request.progress_interval_s();
+  return InvalidArgument("progress_interval_s is not usable")
+      .WithViolation("progress_interval_s", "must be 0.5 to 300, or 0 for 15");
 }
 
 v1::SubmapEvent ToProto(const SubmapEvent& event, const MapInfo& map) {
@@ -180,7 +184,7 @@ v1::SubmapEvent ToProto(const SubmapEvent& event, const MapInfo& map) {
   proto.set_kind(KindOf(event.kind));
   if (event.kind == ChangeKind::kRemoved || event.kind == ChangeKind::kMerged) {
     *proto.mutable_submap() = ToProtoOfGone(event.info, map);
-    if (event.kind == ChangeKind::kMerged) proto.set_into(SubmapResourceName(map.name, event.into));
+    if (event.kind == ChangeKind::kMerged) proto.set_merged_into(SubmapResourceName(map.name, event.into));
     return proto;
   }
   *proto.mutable_submap() = ToProto(event.info, event.observed, event.num_blocks, map);
@@ -199,11 +203,11 @@ v1::RegionEvent ToProto(const RegionEvent& event, const MapInfo& map) {
   v1::RegionEvent proto;
   switch (event.kind) {
     case RegionEventKind::kCleared: proto.set_kind(v1::RegionEvent::CLEARED); break;
-    case RegionEventKind::kKeptClear: proto.set_kind(v1::RegionEvent::KEPT_CLEAR); break;
-    case RegionEventKind::kLifted: proto.set_kind(v1::RegionEvent::LIFTED); break;
+    case RegionEventKind::kKeptClear: proto.set_kind(v1::RegionEvent::IGNORED); break;
+    case RegionEventKind::kLifted: proto.set_kind(v1::RegionEvent::UNIGNORED); break;
   }
   proto.set_name(event.name);
-  const v1::KeptClearRegion region = ToProto(KeptClearRegion{.name = {}, .region = event.region});
+  const v1::IgnoredRegion region = ToProto(KeptClearRegion{.name = {}, .region = event.region});
   if (region.has_box()) *proto.mutable_box() = region.box();
   else *proto.mutable_sphere() = region.sphere();
   if (event.submap != kUnknownSubmap) proto.set_submap(SubmapResourceName(map.name, event.submap));
@@ -241,7 +245,7 @@ std::size_t ChangeMessages::AddNext(const MapInfo& map, v1::MapChange& message) 
 void ChangeMessages::Next(const ChangeFilter& filter, const MapInfo& map, v1::MapChange& message) {
   message.set_first_revision(change_->first_revision);
   message.set_last_revision(change_->last_revision);
-  message.set_time_ns(change_->time_ns);
+  *message.mutable_commit_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(change_->time_ns);
   if (!has_begun_ && change_->display_name) message.set_display_name(*change_->display_name);
   for (std::size_t num_bytes = 0; IsBeforeEnd() && num_bytes < kMessage_bytes;) {
     num_bytes += AddNext(map, message);

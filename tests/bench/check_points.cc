@@ -92,15 +92,15 @@ Result<std::vector<PointAnswer>> Ask(const std::shared_ptr<grpc::Channel>& chann
     request.set_map("maps/" + map);
     request.set_packed(true);
     for (std::size_t i = begin; i < end; ++i) {
-      for (int axis = 0; axis < 3; ++axis) request.add_xyz_m(samples[i].p_map_m[axis]);
+      for (int axis = 0; axis < 3; ++axis) request.add_packed_points_m(samples[i].p_map_m[axis]);
     }
     grpc::ClientContext context;
     v1::QueryPointsResponse response;
     DHPMAP_RETURN_IF_ERROR(ToStatus(stub->QueryPoints(&context, request, &response)));
     const v1::PackedPointResults& packed = response.packed();
-    if (packed.observed_size() != static_cast<int>(end - begin)) return Internal("the answer has another length");
-    for (int i = 0; i < packed.observed_size(); ++i) {
-      answers.push_back({packed.observed(i), static_cast<Panoptic>(packed.kind()[static_cast<std::size_t>(i)]),
+    if (packed.near_surface_size() != static_cast<int>(end - begin)) return Internal("the answer has another length");
+    for (int i = 0; i < packed.near_surface_size(); ++i) {
+      answers.push_back({packed.near_surface(i), static_cast<Panoptic>(packed.kind()[static_cast<std::size_t>(i)]),
                          static_cast<std::uint32_t>(packed.instance_id(i)),
                          static_cast<std::uint32_t>(packed.class_id(i))});
     }

@@ -93,7 +93,9 @@ TEST_F(CommandHelp, ClassesAreNamedAlikeEverywhere) {
     EXPECT_NE(Run(only).out.find("Ball"), std::string::npos);
     const Outcome found = Run({"query", "search", "room", "--class", name});
     EXPECT_NE(found.out.find("Ball"), std::string::npos) << found.err;
-    EXPECT_EQ(Run({"edit", "clear", "room", "--class", name, "--sphere", "50", "50", "50", "1", "--try"}).exit_code, 0);
+    EXPECT_EQ(
+        Run({"edit", "clear", "room", "--class", name, "--sphere", "50", "50", "50", "1", "--validate-only"}).exit_code,
+        0);
   }
 }
 

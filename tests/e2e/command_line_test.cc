@@ -81,8 +81,8 @@ TEST_F(CommandLine, QueriesDistancesWithAndWithoutObjects) {
   EXPECT_EQ(with({"--exclude-submap", "99999"}).exit_code, 3);
   EXPECT_EQ(with({"--exclude-class", "spoon"}).exit_code, 2);
   EXPECT_EQ(with({"--max-distance", "-1"}).exit_code, 2);
-  EXPECT_NE(with({"--max-age-s", "3600", "--vacated-free"}).out.find("Ball"), std::string::npos);
-  EXPECT_EQ(with({"--max-age-s", "-1"}).exit_code, 2) << "the flag reaches the server";
+  EXPECT_NE(with({"--max-free-age-s", "3600", "--vacated-free"}).out.find("Ball"), std::string::npos);
+  EXPECT_EQ(with({"--max-free-age-s", "-1"}).exit_code, 2) << "the flag reaches the server";
   EXPECT_NE(with({"--tolerance-vox", "0.5"}).out.find("Ball"), std::string::npos);
   EXPECT_EQ(with({"--tolerance-vox", "-1"}).exit_code, 2);
 }
@@ -148,7 +148,7 @@ TEST_F(CommandLine, WritesSlicesAsMapsForNav2) {
 }
 
 TEST_F(CommandLine, FindsAndRelatesObjectsAndWritesGrids) {
-  const Outcome nearest = Run({"query", "search", "room", "--near", "1.16", "-.5", ".6", "--most", "1"});
+  const Outcome nearest = Run({"query", "search", "room", "--near", "1.16", "-.5", ".6", "--limit", "1"});
   EXPECT_NE(nearest.out.find("Ball"), std::string::npos) << nearest.out << nearest.err;
   EXPECT_EQ(nearest.out.find("Floor"), std::string::npos) << nearest.out;
   EXPECT_EQ(Run({"query", "search", "room", "--class", "spoon"}).exit_code, 2);
@@ -184,14 +184,14 @@ TEST_F(CommandLine, EditsObjects) {
   EXPECT_EQ(Run({"edit", "lock", "room", copy}).exit_code, 0);
   EXPECT_NE(Run({"submaps", "room"}).out.find(", locked"), std::string::npos);
   EXPECT_EQ(Run({"edit", "unlock", "room", copy}).exit_code, 0);
-  EXPECT_EQ(Run({"edit", "keep-clear", "room", "door", "--box", "0", "0", "0", "1", "1", "2"}).exit_code, 0);
-  EXPECT_EQ(Run({"edit", "keep-clear", "room", "door", "--sphere", "0", "0", "9", "1"}).exit_code, 4) << "is taken";
-  EXPECT_EQ(Run({"edit", "clear", "room", "--sphere", "0", "0", "9", "1", "--keep-clear", "roof"}).exit_code, 0);
-  const Outcome kept = Run({"edit", "kept-clear", "room"});
+  EXPECT_EQ(Run({"edit", "ignore-region", "room", "door", "--box", "0", "0", "0", "1", "1", "2"}).exit_code, 0);
+  EXPECT_EQ(Run({"edit", "ignore-region", "room", "door", "--sphere", "0", "0", "9", "1"}).exit_code, 4) << "is taken";
+  EXPECT_EQ(Run({"edit", "clear", "room", "--sphere", "0", "0", "9", "1", "--ignore-region", "roof"}).exit_code, 0);
+  const Outcome kept = Run({"edit", "ignored-regions", "room"});
   EXPECT_NE(kept.out.find("0.00 0.00 0.00 to 1.00 1.00 2.00"), std::string::npos) << kept.out;
   EXPECT_NE(kept.out.find("roof"), std::string::npos) << kept.out;
-  EXPECT_EQ(Run({"edit", "lift", "room", "door"}).exit_code, 0);
-  EXPECT_EQ(Run({"edit", "lift", "room", "door"}).exit_code, 3);
+  EXPECT_EQ(Run({"edit", "unignore-region", "room", "door"}).exit_code, 0);
+  EXPECT_EQ(Run({"edit", "unignore-region", "room", "door"}).exit_code, 3);
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 0);
   EXPECT_EQ(Run({"edit", "delete", "room", copy}).exit_code, 3);
 }
@@ -203,7 +203,7 @@ TEST_F(CommandLine, LogsUndoesAndRedoesEdits) {
   EXPECT_NE(log.out.find("anna  rename 1, changed 1"), std::string::npos) << log.out << log.err;
   EXPECT_EQ(std::count(log.out.begin(), log.out.end(), '\n'), 2);
   const auto name = [] { return Run({"submaps", "room", "1", "--json"}).out; };
-  EXPECT_EQ(Run({"undo", "room", "--author", "anna", "--try"}).exit_code, 0);
+  EXPECT_EQ(Run({"undo", "room", "--author", "anna", "--validate-only"}).exit_code, 0);
   EXPECT_NE(name().find("\"second\""), std::string::npos) << "only tried";
   EXPECT_EQ(Run({"undo", "room", "--author", "anna"}).exit_code, 0);
   EXPECT_NE(name().find("\"first\""), std::string::npos);
@@ -232,15 +232,16 @@ TEST_F(CommandLine, ReadsThePastAndGoesBackToIt) {
   ASSERT_EQ(Run({"edit", "rename", "room", "1", "past-lamp", "--author", "carl"}).exit_code, 0);
   ASSERT_EQ(Run({"maps", "rename", "room", "Past title"}).exit_code, 0);
   EXPECT_NE(Run({"submaps", "room"}).out, all.out);
-  EXPECT_EQ(Run({"submaps", "room", "--at-revision", past}).out, all.out);
-  EXPECT_EQ(Run({"submaps", "room", "1", "--json", "--at-revision", past}).out, one.out);
-  EXPECT_EQ(Run({"maps", "show", "room", "--at-revision", past}).out, map.out);
-  EXPECT_NE(Run({"stats", "room", "--at-revision", past}).out.find("revision " + past), std::string::npos);
-  const Outcome mesh = Run({"export", "ply", "room", "-o", File("past.ply").string(), "--at-revision", past});
+  EXPECT_EQ(Run({"submaps", "room", "--read-revision", past}).out, all.out);
+  EXPECT_EQ(Run({"submaps", "room", "1", "--json", "--read-revision", past}).out, one.out);
+  EXPECT_EQ(Run({"maps", "show", "room", "--read-revision", past}).out, map.out);
+  EXPECT_NE(Run({"stats", "room", "--read-revision", past}).out.find("revision " + past), std::string::npos);
+  const Outcome mesh = Run({"export", "ply", "room", "-o", File("past.ply").string(), "--read-revision", past});
   EXPECT_NE(mesh.out.find("of revision " + past), std::string::npos) << mesh.out << mesh.err;
-  const Outcome voxels = Run({"export", "voxels", "room", "1", "-o", File("past.csv").string(), "--at-revision", past});
+  const Outcome voxels =
+      Run({"export", "voxels", "room", "1", "-o", File("past.csv").string(), "--read-revision", past});
   EXPECT_NE(voxels.out.find("of revision " + past), std::string::npos) << voxels.out << voxels.err;
-  const Outcome future = Run({"submaps", "room", "--at-revision", "99999999"});
+  const Outcome future = Run({"submaps", "room", "--read-revision", "99999999"});
   EXPECT_EQ(future.exit_code, 2) << future.out << future.err;
 
   const std::vector<std::string> restore = {"restore", "room", "--revision", past, "--author", "carl"};
@@ -248,7 +249,7 @@ TEST_F(CommandLine, ReadsThePastAndGoesBackToIt) {
     more.insert(more.begin(), restore.begin(), restore.end());
     return Run(more);
   };
-  EXPECT_NE(with({"--try"}).out.find("would be as in revision " + past + ", changed 1"), std::string::npos);
+  EXPECT_NE(with({"--validate-only"}).out.find("would be as in revision " + past + ", changed 1"), std::string::npos);
   EXPECT_NE(Run({"submaps", "room"}).out, all.out) << "only tried";
   EXPECT_EQ(with({"--submap", "1", "--expected-revision", past}).exit_code, 4) << "it was edited since";
   EXPECT_EQ(with({"--submap", "1"}).exit_code, 0);
@@ -272,7 +273,7 @@ TEST_F(CommandLine, RenamesAMapAsEveryEditIsMade) {
     return Run(more);
   };
   const std::string before = Run({"maps", "show", "room"}).out;
-  EXPECT_NE(rename("tried", {"--try"}).out.find("would be called 'tried'"), std::string::npos);
+  EXPECT_NE(rename("tried", {"--validate-only"}).out.find("would be called 'tried'"), std::string::npos);
   EXPECT_EQ(Run({"maps", "show", "room"}).out, before);
   const std::vector<std::string> once = {"--request-id", "00000000-0000-4000-8000-0000000000d0"};
   EXPECT_EQ(rename("of dora", once).exit_code, 0);

@@ -79,9 +79,9 @@ class EditCommands : public ::testing::Test {
 TEST_F(EditCommands, AnObjectIsTurnedShiftedAndPlacedOnAnother) {
   EXPECT_NE(Edit("turn", {box_, "30"}).find("changed " + box_), std::string::npos);
   EXPECT_NE(Edit("shift", {box_, "0.5", "-0.25", "1"}).find("changed " + box_), std::string::npos);
-  EXPECT_NE(Edit("place", {ball_, box_, "--try"}).find("would be: changed " + ball_), std::string::npos);
-  EXPECT_NE(Edit("place", {ball_, box_, "--with-supported"}).find("changed " + ball_), std::string::npos);
-  EXPECT_NE(Edit("shift", {box_, "0", "0", "1", "--with-supported"}).find("changed"), std::string::npos);
+  EXPECT_NE(Edit("place", {ball_, box_, "--validate-only"}).find("would be: changed " + ball_), std::string::npos);
+  EXPECT_NE(Edit("place", {ball_, box_, "--include-supported"}).find("changed " + ball_), std::string::npos);
+  EXPECT_NE(Edit("shift", {box_, "0", "0", "1", "--include-supported"}).find("changed"), std::string::npos);
   EXPECT_EQ(ExitCodeOfEdit("place", {ball_, ball_}), 2) << "on itself";
   EXPECT_EQ(ExitCodeOfEdit("place", {ball_, box_, "--at", "90", "90"}), 2) << "there is no surface";
   EXPECT_EQ(ExitCodeOfEdit("turn", {ball_}), 1) << "by how much";
@@ -93,19 +93,20 @@ TEST_F(EditCommands, EachIsTriedAndMadeOnlyOnAStateThatIsAsExpected) {
   constexpr int kConflict = 4;
   const std::string before = Run({"submaps", "room"}).out;
   const int num_boxes = NumOf("box");
-  EXPECT_NE(Edit("delete", {box_, "--try"}).find("would be: deleted"), std::string::npos);
-  EXPECT_NE(Edit("rename", {box_, "crate", "--try"}).find("would be: renamed"), std::string::npos);
-  EXPECT_NE(Edit("clone", {box_, "--to", "0", "0", "4", "--try"}).find("would be: cloned"), std::string::npos);
+  EXPECT_NE(Edit("delete", {box_, "--validate-only"}).find("would be: deleted"), std::string::npos);
+  EXPECT_NE(Edit("rename", {box_, "crate", "--validate-only"}).find("would be: renamed"), std::string::npos);
+  EXPECT_NE(Edit("clone", {box_, "--to", "0", "0", "4", "--validate-only"}).find("would be: cloned"),
+            std::string::npos);
   EXPECT_EQ(Run({"submaps", "room"}).out, before) << "only tried";
   Edit("rename", {box_, "crate"});
   EXPECT_EQ(ExitCodeOfEdit("delete", {box_, "--expected-revision", "1"}), kConflict);
   EXPECT_EQ(ExitCodeOfEdit("move", {box_, "--by", "0", "0", "1", "--etag", "0123456789abcdef-r1"}), kConflict);
   EXPECT_EQ(ExitCodeOfEdit("absent", {box_, "--etag", "0123456789abcdef-r1"}), kConflict);
-  EXPECT_EQ(ExitCodeOfEdit("lift", {"hall", "--etag", "0123456789abcdef-r1"}), kConflict) << "the map's";
+  EXPECT_EQ(ExitCodeOfEdit("unignore-region", {"hall", "--etag", "0123456789abcdef-r1"}), kConflict) << "the map's";
   EXPECT_EQ(Run({"undo", "room", "--expected-revision", "1"}).exit_code, kConflict);
   Edit("delete", {box_});
   EXPECT_EQ(Run({"undelete", "room", box_, "--expected-revision", "1"}).exit_code, kConflict);
-  EXPECT_NE(Run({"undelete", "room", box_, "--try"}).out.find("would be: brought back"), std::string::npos);
+  EXPECT_NE(Run({"undelete", "room", box_, "--validate-only"}).out.find("would be: brought back"), std::string::npos);
   EXPECT_EQ(NumOf("box"), num_boxes - 1);
   EXPECT_EQ(Run({"undelete", "room", box_}).exit_code, 0);
   EXPECT_EQ(NumOf("box"), num_boxes);
@@ -114,7 +115,7 @@ TEST_F(EditCommands, EachIsTriedAndMadeOnlyOnAStateThatIsAsExpected) {
 TEST_F(EditCommands, SplitABoxOffAndMergeItAgain) {
   const std::vector<std::string> upper_half = {box_, "--box", "1", "0", "0.3", "2.2", "1.2", "1"};
   std::vector<std::string> tried = upper_half;
-  tried.emplace_back("--try");
+  tried.emplace_back("--validate-only");
   const std::string would = Edit("split", tried);
   EXPECT_TRUE(would.starts_with("would be: changed " + box_ + " created ")) << would;
   EXPECT_EQ(NumOf("box"), 1) << "only tried";
@@ -160,7 +161,7 @@ TEST_F(EditCommands, SplitIntoPartsThatLieApart) {
 TEST_F(EditCommands, ClearASphereOfOneObjectAndABoxOfAClass) {
   const std::vector<std::string> front = {"--sphere", "1.15", "-0.5", "0.35", "0.15", "--id", ball_};
   std::vector<std::string> tried = front;
-  tried.emplace_back("--try");
+  tried.emplace_back("--validate-only");
   const std::string would = Edit("clear", tried);
   EXPECT_TRUE(would.starts_with("would be: changed " + ball_)) << would;
   const std::string cleared = Edit("clear", front);
@@ -197,10 +198,10 @@ TEST_F(EditCommands, ApplyAListFromAFileAsOne) {
   const std::string made = R"({"submap": ")" + NameOf(box_) + R"(", "clone": {"displayName": "twin"}},
     {"submap": "#0", "lock": {}},
     {"submap": "#0", "split": {"plane": {"pointM": {"x": 1.6, "y": 0.6, "z": 0.3}, "normal": {"z": 1}}}},
-    {"submap": "#0", "merge": {"others": ["#2"]}},
+    {"submap": "#0", "merge": {"merged_submaps": ["#2"]}},
     {"keepClear": {"name": "door", "sphere": {"centerM": {"z": 9}, "radiusM": 1}}})";
   std::ofstream(list) << R"({"edits": [)" << made << "]}";
-  std::ofstream(bad) << R"({"edits": [)" << made << R"(, {"lift": {"name": "nothing"}}]})";
+  std::ofstream(bad) << R"({"edits": [)" << made << R"(, {"unignore_region": {"name": "nothing"}}]})";
   std::ofstream(broken) << R"({"edits": [)";
   const auto num_lines = [](const std::string& text, const std::string& beginning) {
     int num = 0;
@@ -208,7 +209,7 @@ TEST_F(EditCommands, ApplyAListFromAFileAsOne) {
     for (std::string line; std::getline(lines, line);) num += line.starts_with(beginning);
     return num;
   };
-  EXPECT_EQ(num_lines(Edit("apply", {list.string(), "--try"}), "would be:"), 5);
+  EXPECT_EQ(num_lines(Edit("apply", {list.string(), "--validate-only"}), "would be:"), 5);
   EXPECT_EQ(NumOf("box"), 1) << "only tried";
   EXPECT_EQ(ExitCodeOfEdit("apply", {bad.string()}), 3) << "the last one fails";
   EXPECT_EQ(NumOf("box"), 1) << "so none was made";
@@ -222,10 +223,10 @@ TEST_F(EditCommands, ApplyAListFromAFileAsOne) {
   const std::string shown = Run({"submaps", "room", twin, "--json"}).out;
   EXPECT_NE(shown.find("\"display_name\": \"twin\""), std::string::npos) << shown;
   EXPECT_NE(shown.find("\"locked\": true"), std::string::npos) << shown;
-  EXPECT_NE(Run({"edit", "kept-clear", "room"}).out.find("door"), std::string::npos);
+  EXPECT_NE(Run({"edit", "ignored-regions", "room"}).out.find("door"), std::string::npos);
   EXPECT_EQ(Run({"undo", "room", "--author", "anna"}).exit_code, 0) << "all of it is one edit";
   EXPECT_EQ(NumOf("box"), 1);
-  EXPECT_EQ(Run({"edit", "kept-clear", "room"}).out.find("door"), std::string::npos);
+  EXPECT_EQ(Run({"edit", "ignored-regions", "room"}).out.find("door"), std::string::npos);
 }
 
 TEST_F(EditCommands, CurlMakesEveryEdit) {
@@ -236,7 +237,7 @@ TEST_F(EditCommands, CurlMakesEveryEdit) {
       {"delete", on_box + R"("delete": {}})"},
       {"relabel", on_box + R"("relabel": {"className": "Ball"}})"},
       {"rename", on_box + R"("rename": {"displayName": "crate"}})"},
-      {"merge", on_box + R"("merge": {"others": [")" + NameOf(ball_) + R"("]}})"},
+      {"merge", on_box + R"("merge": {"merged_submaps": [")" + NameOf(ball_) + R"("]}})"},
       {"split by box", on_box + R"("split": {"box": {"minM": {"z": 0.3}, "maxM": {"x": 3, "y": 3, "z": 3}}}})"},
       {"split by plane", on_box + R"("split": {"plane": {"pointM": {"z": 0.3}, "normal": {"z": 1}}}})"},
       {"clear a box", R"({"clear": {"box": {"minM": {}, "maxM": {"x": 3, "y": 3, "z": 3}}}})"},
@@ -274,18 +275,18 @@ TEST_F(EditCommands, CurlMakesEveryEdit) {
   EXPECT_EQ(RunProgram(root(), {"curl", "-sf", undelete, "-d", "{}"}).exit_code, 0);
   EXPECT_EQ(NumOf("box"), num_boxes);
   EXPECT_EQ(make(R"({"keepClear": {"name": "hall", "sphere": {"centerM": {"z": 9}, "radiusM": 1}}})"), 0);
-  EXPECT_EQ(make(R"({"lift": {"name": "hall"}})"), 0);
-  EXPECT_EQ(make(on_box + R"("merge": {"others": [")" + NameOf(ball_) + R"("]}})"), 0);
+  EXPECT_EQ(make(R"({"unignore_region": {"name": "hall"}})"), 0);
+  EXPECT_EQ(make(on_box + R"("merge": {"merged_submaps": [")" + NameOf(ball_) + R"("]}})"), 0);
   EXPECT_EQ(make(on_box + R"("split": {"parts": {"minVoxels": 16}}})"), 0);
-  EXPECT_NE(make(R"({"lift": {"name": "hall"}})"), 0);
+  EXPECT_NE(make(R"({"unignore_region": {"name": "hall"}})"), 0);
   const std::string last = Post(R"({"edits": [)" + on_box + R"("rename": {"displayName": "told"}}]})").out;
   std::smatch revision;
   ASSERT_TRUE(std::regex_search(last, revision, std::regex("\"revision\": ?\"?([0-9]+)"))) << last;
   const Outcome watched = Run({"watch", "room", "--from", "1", "--until", revision[1].str()});
   EXPECT_EQ(watched.exit_code, 0) << watched.err;
   EXPECT_NE(watched.out.find("  cleared box 0.00 0.00 0.00 to 3.00 3.00 3.00 m: "), std::string::npos) << watched.out;
-  EXPECT_NE(watched.out.find("  kept clear 'hall': sphere 0.00 0.00 9.00 of 1.00 m\n"), std::string::npos);
-  EXPECT_NE(watched.out.find("  lifted 'hall': sphere"), std::string::npos);
+  EXPECT_NE(watched.out.find("  ignored 'hall': sphere 0.00 0.00 9.00 of 1.00 m\n"), std::string::npos);
+  EXPECT_NE(watched.out.find("  unignored 'hall': sphere"), std::string::npos);
 }
 
 TEST_F(EditCommands, WhatOthersHaveWrittenDoesNotActOnTheTerminal) {

@@ -46,7 +46,7 @@ v1::QueryPointsRequest PointsOfInterest(const std::string& map) {
   request.set_map("maps/" + map);
   // Ball's near side, box's top, floor, wall, thin air.
   for (float value : {1.16f, -0.5f, 0.40f, 1.6f, 0.6f, 0.59f, 0.9f, 0.05f, 0.0f, 2.49f, 0.0f, 0.9f, 9.0f, 9.0f, 9.0f}) {
-    request.add_xyz_m(value);
+    request.add_packed_points_m(value);
   }
   return request;
 }
@@ -84,7 +84,7 @@ TEST_F(Mapping, AnswersTheSameOverGrpcJsonAndProtobuf) {
   EXPECT_EQ(grpc_answer.results(1).class_name(), "Box");
   EXPECT_EQ(grpc_answer.results(2).class_name(), "Floor");
   EXPECT_EQ(grpc_answer.results(3).class_name(), "Wall");
-  EXPECT_FALSE(grpc_answer.results(4).observed());
+  EXPECT_FALSE(grpc_answer.results(4).near_surface());
 
   const std::string url = server.http_url() + "/v1/maps/room:queryPoints";
   std::string json;
@@ -171,9 +171,9 @@ TEST_F(Mapping, BadFramesAreSkippedOrRefusedOnceWithAReasonAndTheRestIsMapped) {
   EXPECT_EQ(outcome.exit_code, 8) << "frames were refused";
   EXPECT_NE(outcome.out.find("8 frames fused"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("2 skipped, MISSING_FILE"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("1 refused, BAD_FRAME: the frame is not usable; depth_camera.color"), std::string::npos)
+  EXPECT_NE(outcome.out.find("1 refused, BAD_FRAME: the frame is not usable: depth_camera.color"), std::string::npos)
       << outcome.out;
-  EXPECT_NE(outcome.out.find("1 refused, BAD_FRAME: the frame is not usable; map_from_sensor"), std::string::npos)
+  EXPECT_NE(outcome.out.find("1 refused, BAD_FRAME: the frame is not usable: map_from_sensor"), std::string::npos)
       << outcome.out;
   EXPECT_NE(outcome.err.find("000002_depth.tiff"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("000003_depth.tiff"), std::string::npos) << "one warning a kind";

@@ -28,7 +28,7 @@ v1::QueryPointsRequest PointsOfRoom() {
   v1::QueryPointsRequest request;
   request.set_map("maps/room");
   request.set_packed(true);
-  for (int i = 0; i < 3 * kNumPoints; ++i) request.add_xyz_m(0.001f * static_cast<float>(i % 997));
+  for (int i = 0; i < 3 * kNumPoints; ++i) request.add_packed_points_m(0.001f * static_cast<float>(i % 997));
   return request;
 }
 
@@ -100,8 +100,8 @@ TEST_F(OneBudget, WhatAnAnswerOverGrpcHoldsThatNobodyReadsIsNotThereForRest) {
   const auto stub = v1::QueryService::NewStub(
       grpc::CreateCustomChannel(server_->grpc_address(), grpc::InsecureChannelCredentials(), arguments));
   grpc::ClientContext context;
-  const auto stream = stub->QueryStream(&context);
-  v1::QueryStreamRequest request;
+  const auto stream = stub->StreamQueries(&context);
+  v1::StreamQueriesRequest request;
   *request.mutable_query_points() = PointsOfRoom();
   ASSERT_TRUE(stream->Write(request));
   ASSERT_TRUE(Eventually([&] { return InflightBytes() > kAnswer_bytes; }));

@@ -48,7 +48,7 @@ TEST_F(RestPast, IsReadByGetAndByPost) {
 }
 
 TEST_F(RestPast, WhatIsKeptNoLongerIsGone) {
-  for (const char* target : {"", "/submaps", ":stats", "/keptClear"}) {
+  for (const char* target : {"", "/submaps", "/stats", "/ignoredRegions"}) {
     const http::HttpAnswer gone = Ask("GET", At(target, first_));
     EXPECT_EQ(gone.status, 410) << target << ": " << gone.body;
     EXPECT_TRUE(Has(gone, "REVISION_NOT_KEPT")) << gone.body;

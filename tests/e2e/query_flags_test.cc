@@ -41,7 +41,7 @@ class QueryFlags : public MappedRoom {
   static v1::DistanceResult FromTheApi(const v1::QueryOptions& options) {
     v1::QueryDistancesRequest request;
     request.set_map("maps/room");
-    for (const float value : {1.f, -0.5f, 0.5f}) request.add_xyz_m(value);
+    for (const float value : {1.f, -0.5f, 0.5f}) request.add_packed_points_m(value);
     *request.mutable_options() = options;
     v1::QueryDistancesResponse response;
     grpc::ClientContext context;
@@ -54,7 +54,7 @@ class QueryFlags : public MappedRoom {
 
   // The same point in the map's frame and in one that stands at (1, -1, 0.25) and is turned by 90 degrees.
   inline static const Arguments kInMap = {"1", "-.5", ".5"}, kInFrame = {".5", "0", ".25"},
-                                kFrame = {"--frame", "1", "-1", ".25", "90"};
+                                kFrame = {"--map-from-query", "1", "-1", ".25", "90"};
   static Arguments With(Arguments front, const Arguments& middle, const Arguments& back) {
     front.insert(front.end(), middle.begin(), middle.end());
     front.insert(front.end(), back.begin(), back.end());
@@ -87,15 +87,15 @@ TEST_F(QueryFlags, WhatMayBeTouchedIsNotInTheWayOfTheLinkThatMayTouchIt) {
       With({"trajectory", "room"}, kInMap, {"0", "--robot", "0", "0", "0", radius, "--unknown", "free", "--json"});
   ASSERT_FALSE(nearest.class_name().empty());
   for (const std::string& what : {nearest.class_name(), id}) {
-    EXPECT_TRUE(Says(Query(sphere, {"--allow", what}), "\"colliding\": false")) << what;
-    EXPECT_TRUE(Says(Query(sphere, {"--links", "arm", "--allow", "arm:" + what}), "\"colliding\": false"));
-    EXPECT_TRUE(Says(Query(stand, {"--links", "arm", "--allow", "arm:" + what}), "\"valid\": true"));
-    EXPECT_TRUE(Says(Query(stand, {"--allow", ":" + what}), "\"valid\": true")) << "all of the robot";
+    EXPECT_TRUE(Says(Query(sphere, {"--allow-collision", what}), "\"colliding\": false")) << what;
+    EXPECT_TRUE(Says(Query(sphere, {"--links", "arm", "--allow-collision", "arm:" + what}), "\"colliding\": false"));
+    EXPECT_TRUE(Says(Query(stand, {"--links", "arm", "--allow-collision", "arm:" + what}), "\"valid\": true"));
+    EXPECT_TRUE(Says(Query(stand, {"--allow-collision", ":" + what}), "\"valid\": true")) << "all of the robot";
   }
-  const Outcome refused = Query(stand, {"--links", "arm", "--allow", "leg:" + id});
+  const Outcome refused = Query(stand, {"--links", "arm", "--allow-collision", "leg:" + id});
   EXPECT_EQ(refused.exit_code, 2) << "by the server";
   EXPECT_NE(refused.err.find("options.allowed_collisions[0].link: 'leg' is no link"), std::string::npos) << refused.err;
-  EXPECT_EQ(Query(stand, {"--allow", "leg:"}).exit_code, 1);
+  EXPECT_EQ(Query(stand, {"--allow-collision", "leg:"}).exit_code, 1);
 }
 
 TEST_F(QueryFlags, ClearanceTellsHowNearATrajectoryComes) {
@@ -109,7 +109,7 @@ TEST_F(QueryFlags, ClearanceTellsHowNearATrajectoryComes) {
 
 TEST_F(QueryFlags, PaddingOfDistancesIsTakenOffThem) {
   v1::QueryOptions options;
-  options.mutable_padding()->set_default_m(0.0625);
+  options.mutable_padding()->set_default_padding_m(0.0625);
   const double expected_m = FromTheApi(options).distance_m();
   EXPECT_NEAR(expected_m, FromTheApi({}).distance_m() - 0.0625, 1e-5);
   const Arguments query = With({"distances", "room"}, kInMap, {"--json"});
@@ -136,8 +136,12 @@ TEST_F(QueryFlags, AFrameOfTheCallersIsThatOfQuestionsAndAnswers) {
   const Arguments down = {"0", "0", "-1", "--max-distance", "5", "--json"};
   const Outcome ray = Query(With({"rays", "room"}, kInFrame, down), kFrame);
   EXPECT_NEAR(NumberOf("distance_m", ray), NumberOf("distance_m", Query(With({"rays", "room"}, kInMap, down))), 1e-4);
-  const Outcome nearest = Query(With({"search", "room", "--near"}, kInFrame, {"--most", "1", "--json"}), kFrame);
+  const Outcome nearest = Query(With({"search", "room", "--near"}, kInFrame, {"--limit", "1", "--json"}), kFrame);
   EXPECT_NEAR(NumberOf("distance_m", nearest), in_map.distance_m(), 1e-4);
+  const v1::Vector3& p = in_map.nearest_point_m();
+  const Arguments surface = {"point", "room", Text(p.y() + 1), Text(1 - p.x()), Text(p.z() - .25), "--json"};
+  EXPECT_EQ(NumberOf("instance_id", Query(surface, kFrame)), static_cast<double>(in_map.instance_id()));
+  EXPECT_TRUE(Says(Query(surface), "\"near_surface\": false")) << "the same numbers, in the map";
   EXPECT_EQ(Query({"relations", "room"}, kFrame).exit_code, 0);
   const std::string picture = (temp_->path() / "framed.pgm").string(), array = (temp_->path() / "framed.npy").string();
   EXPECT_EQ(Query({"slice", "room", "--out", picture}, kFrame).exit_code, 0);
@@ -152,6 +156,7 @@ TEST_F(QueryFlags, ARevisionToWaitForReachesTheServer) {
   const std::string picture = (temp_->path() / "revision.pgm").string();
   const Arguments queries[] = {
       point,
+      With({"point", "room"}, kInMap, {}),
       With({"rays", "room"}, kInMap, {"0", "0", "-1"}),
       With({"collisions", "room"}, kInMap, {".1"}),
       With({"trajectory", "room"}, kInMap, {"0", "--robot", "0", "0", "0", ".1"}),
@@ -184,11 +189,11 @@ TEST_F(QueryFlags, ARevisionOfThePastReachesTheServer) {
   };
   for (const Arguments& query : queries) {
     EXPECT_EQ(NumberOf("revision", Query(query)), revision + 1) << query[0];
-    EXPECT_EQ(NumberOf("revision", Query(query, {"--at-revision", past})), revision) << query[0];
-    EXPECT_EQ(Query(query, {"--at-revision", "-1"}).exit_code, 2) << query[0] << ": refused by the server";
+    EXPECT_EQ(NumberOf("revision", Query(query, {"--read-revision", past})), revision) << query[0];
+    EXPECT_EQ(Query(query, {"--read-revision", "-1"}).exit_code, 2) << query[0] << ": refused by the server";
   }
   const Arguments grid = {"grid", "room", "--box", "0", "0", "0", ".2", ".2", ".2", "--out", array};
-  EXPECT_TRUE(Says(Query(grid, {"--at-revision", past}), "of revision " + past));
+  EXPECT_TRUE(Says(Query(grid, {"--read-revision", past}), "of revision " + past));
 }
 
 }  // namespace

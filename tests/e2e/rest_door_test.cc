@@ -94,7 +94,7 @@ TEST_F(ClassNames, AreOfBoundedLengthAllTogether) {
   for (std::uint32_t id = 0; id < kNumClasses; ++id) {
     v1::LabelClass* label = request.add_label_classes();
     label->set_id(id);
-    label->set_kind(v1::THING);
+    label->set_kind(v1::LabelClass::THING);
     const std::string number = std::to_string(id);
     label->set_name(std::string(128 - number.size(), 'x') + number);
   }
@@ -304,7 +304,7 @@ TEST_F(RestFeeders, OneThatIsFrozenLosesItsMapToWhoTakesOver) {
   Feeder other(*mapping_, "room", {.take_over = true});
   const auto fused = other.Feed(1);
   ASSERT_TRUE(fused);
-  EXPECT_EQ(fused->outcome(), v1::FUSED);
+  EXPECT_EQ(fused->outcome(), v1::IntegrateFramesResponse::FUSED);
   EXPECT_TRUE(frozen.Hears("FEED_TAKEN_OVER")) << frozen.heard();
   other.HalfClose();
   EXPECT_TRUE(other.Finish().ok());
@@ -341,7 +341,7 @@ TEST_F(RestFeeders, OneBeyondTheLimitIsRefusedAtOnceAndTheOthersGoOn) {
   for (Feeder* feeder : {&a, &b}) {
     const auto fused = feeder->Feed(3);
     ASSERT_TRUE(fused);
-    EXPECT_EQ(fused->outcome(), v1::FUSED);
+    EXPECT_EQ(fused->outcome(), v1::IntegrateFramesResponse::FUSED);
   }
   a.HalfClose();
   ASSERT_TRUE(a.Finish().ok());

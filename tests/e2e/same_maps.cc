@@ -41,9 +41,8 @@ std::map<std::int64_t, Voxels> AllVoxels(const ServerProcess& server, const std:
     const auto stream = stub->StreamSubmapVoxels(&context, request);
     Voxels& voxels = all[submap.instance_id()];
     for (v1::StreamSubmapVoxelsResponse part; stream->Read(&part);) {
-      for (int i = 0; i < part.distance_m_size(); ++i) {
-        voxels[{part.xyz_m(3 * i), part.xyz_m(3 * i + 1), part.xyz_m(3 * i + 2)}] = {part.distance_m(i),
-                                                                                     part.class_id(i)};
+      for (int i = 0; i < part.tsdf_m_size(); ++i) {
+        voxels[{part.xyz_m(3 * i), part.xyz_m(3 * i + 1), part.xyz_m(3 * i + 2)}] = {part.tsdf_m(i), part.class_id(i)};
       }
     }
     EXPECT_TRUE(stream->Finish().ok());

@@ -75,7 +75,7 @@ TEST_F(Session, AServerThatIsKilledHasAllItSaidWasStoredAndTheClientGoesOnThere)
       ASSERT_LT(next, kNumFrames) << "nothing is ever stored";
       const auto ack = feeder.Feed(next);
       ASSERT_TRUE(ack);
-      EXPECT_EQ(ack->outcome(), v1::FUSED);
+      EXPECT_EQ(ack->outcome(), v1::IntegrateFramesResponse::FUSED);
       if (ack->has_committed_sequence()) told = ack->committed_sequence();
     }
     server.process().Signal(SIGKILL);

@@ -34,7 +34,7 @@ v1::IntegrateFramesRequest WallAt(int sequence) {
   request.mutable_frame()->set_stamp_ns(sequence);
   v1::DepthCameraFrame& camera = *request.mutable_frame()->mutable_depth_camera();
   camera.clear_color();
-  camera.mutable_segments()->set_encoding(v1::RAW_U8);
+  camera.mutable_segments()->set_encoding(v1::Image::RAW_U8);
   camera.mutable_segments()->set_data(std::string(kNumPixels, static_cast<char>(kWall)));
   v1::Segment& wall = *request.mutable_frame()->add_segments();
   wall.set_id(kWall);
@@ -71,13 +71,13 @@ TEST_F(ShutdownGrace, IsKeptWhileFramesAreFusedForLongAndWhatWasAcknowledgedIsTh
   v1::IntegrateFramesResponse answer;
   ASSERT_TRUE(stream->Write(first));
   ASSERT_TRUE(stream->Read(&answer));
-  ASSERT_EQ(answer.outcome(), v1::FUSED) << answer.error_message();
+  ASSERT_EQ(answer.outcome(), v1::IntegrateFramesResponse::FUSED) << answer.error().message();
 
   for (int sequence = 1; sequence <= kNumWaiting; ++sequence) ASSERT_TRUE(stream->Write(WallAt(sequence)));
   server_->process().Signal(SIGTERM);
   std::int64_t last_fused = answer.sequence();
   while (stream->Read(&answer)) {
-    if (answer.outcome() == v1::FUSED) last_fused = std::max(last_fused, answer.sequence());
+    if (answer.outcome() == v1::IntegrateFramesResponse::FUSED) last_fused = std::max(last_fused, answer.sequence());
   }
   EXPECT_FALSE(stream->Finish().ok()) << "the client had not ended it";
   const std::optional<int> exit_code = server_->process().Wait();

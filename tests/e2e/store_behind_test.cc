@@ -10,6 +10,7 @@
 #include "tests/e2e/rest_fixture.h"
 #include "tests/integration/feeder.h"
 #include "tests/support/eventually.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -64,7 +65,7 @@ class StoreBehind : public RestTest {
 
 TEST_F(StoreBehind, TheServerIsNotReadyAndRefusesFramesUntilTheStoreHasCaughtUp) {
   Feeder feeder(*mapping_, "room", {.session = "robot"});
-  ASSERT_EQ(feeder.Feed(0)->outcome(), v1::FUSED);
+  ASSERT_EQ(feeder.Feed(0)->outcome(), v1::IntegrateFramesResponse::FUSED);
   ASSERT_TRUE(Eventually([&] { return BehindSeconds() == 0; })) << "all is stored";
   EXPECT_EQ(Readiness(), 200);
   {
@@ -72,7 +73,7 @@ TEST_F(StoreBehind, TheServerIsNotReadyAndRefusesFramesUntilTheStoreHasCaughtUp)
     ASSERT_TRUE(lock.is_held());
     const auto fused = feeder.Feed(1);
     ASSERT_TRUE(fused);
-    EXPECT_EQ(fused->outcome(), v1::FUSED) << "the store has only just begun to be behind";
+    EXPECT_EQ(fused->outcome(), v1::IntegrateFramesResponse::FUSED) << "the store has only just begun to be behind";
     EXPECT_FALSE(fused->committed());
     EXPECT_TRUE(Eventually([&] { return Readiness() == 503; }));
     const double then_s = BehindSeconds();
@@ -82,16 +83,16 @@ TEST_F(StoreBehind, TheServerIsNotReadyAndRefusesFramesUntilTheStoreHasCaughtUp)
 
     const auto refused = feeder.Feed(2);
     ASSERT_TRUE(refused) << "the stream goes on";
-    EXPECT_EQ(refused->outcome(), v1::REFUSED);
-    EXPECT_EQ(refused->error_code(), grpc::UNAVAILABLE);
-    EXPECT_EQ(refused->error_reason(), "STORE_BEHIND");
+    EXPECT_EQ(refused->outcome(), v1::IntegrateFramesResponse::REFUSED);
+    EXPECT_EQ(refused->error().code(), grpc::UNAVAILABLE);
+    EXPECT_EQ(ReasonOf(refused->error()), "STORE_BEHIND");
     const http::HttpAnswer over_rest = PostFrame("room", "another", 2);
     EXPECT_EQ(over_rest.status, 503) << over_rest.body;
     EXPECT_NE(over_rest.body.find("STORE_BEHIND"), std::string::npos) << over_rest.body;
     EXPECT_EQ(Readiness(), 503);
   }
   EXPECT_TRUE(Eventually([&] { return Readiness() == 200; }));
-  EXPECT_EQ(feeder.Feed(3)->outcome(), v1::FUSED);
+  EXPECT_EQ(feeder.Feed(3)->outcome(), v1::IntegrateFramesResponse::FUSED);
   feeder.HalfClose();
   const grpc::Status ended = feeder.Finish();
   EXPECT_TRUE(ended.ok()) << ended.error_message();

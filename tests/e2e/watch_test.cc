@@ -72,8 +72,8 @@ class Watching : public ::testing::Test {
   }
   /// Asks for the map's events over HTTP; progress is told so seldom that no test sees it twice.
   static bool Ask(http::HttpClient& client, const std::string& accept = "text/event-stream") {
-    return client.SendRaw("GET /v1/maps/room:watch?progress_s=300 HTTP/1.1\r\nHost: localhost\r\nAccept: " + accept +
-                          "\r\n\r\n");
+    return client.SendRaw("GET /v1/maps/room:watch?progress_interval_s=300 HTTP/1.1\r\nHost: localhost\r\nAccept: " +
+                          accept + "\r\n\r\n");
   }
   /// What comes, up to `text` or the end.
   static std::string ReadUpTo(http::HttpClient& client, const std::string& text) {
@@ -191,7 +191,7 @@ TEST_F(Watching, FiveHundredIdleWatchersTakeNeitherThreadsNorMuchMemory) {
     if (n % 50 == 0) stubs.push_back(v1::WatchService::NewStub(server_->Connect()));
     v1::WatchMapRequest request;
     request.set_map("maps/room");
-    request.set_progress_s(300);
+    request.set_progress_interval_s(300);
     over_grpc.push_back(std::make_unique<Watcher>(*stubs.back(), request));
   }
   v1::WatchMapResponse message;

@@ -44,7 +44,7 @@ std::string LidarSeed(double x_m) {
   SetPose(frame, x_m);
   AddSegments(frame);
   for (const float value : {1.0f, 0.2f, 0.1f, 1.5f, 0.3f, -0.1f, 2.0f, 0.0f, 0.0f})
-    frame.mutable_lidar()->add_xyz_m(value);
+    frame.mutable_lidar()->add_packed_points_m(value);
   for (const std::uint32_t id : {1u, 2u, 0u}) frame.mutable_lidar()->add_segment_ids(id);
   frame.mutable_lidar()->set_rgb("abcdefghi");
   return request.SerializeAsString();
@@ -57,7 +57,7 @@ struct Images {
 
 constexpr int kWidth_px = 3, kHeight_px = 2;
 
-v1::Image ImageOf(v1::ImageEncoding encoding, std::string data) {
+v1::Image ImageOf(v1::Image::Encoding encoding, std::string data) {
   v1::Image image;
   image.set_encoding(encoding);
   image.set_data(std::move(data));
@@ -67,13 +67,13 @@ v1::Image ImageOf(v1::ImageEncoding encoding, std::string data) {
 v1::Image FileOf(const char* extension, const cv::Mat& pixels) {
   std::vector<unsigned char> bytes;
   cv::imencode(extension, pixels, bytes);
-  return ImageOf(v1::FILE, {bytes.begin(), bytes.end()});
+  return ImageOf(v1::Image::FILE, {bytes.begin(), bytes.end()});
 }
 
 Images RawImages() {
-  return {.depth = ImageOf(v1::RAW_U16, std::string("\xe8\3\xe8\3\xd0\7\0\0\xff\xff\xb8\x0b", 12)),
-          .color = ImageOf(v1::RAW_RGB8, "abcdefghijklmnopqr"),
-          .segments = ImageOf(v1::RAW_U8, std::string("\1\1\2\2\0\1", 6))};
+  return {.depth = ImageOf(v1::Image::RAW_U16, std::string("\xe8\3\xe8\3\xd0\7\0\0\xff\xff\xb8\x0b", 12)),
+          .color = ImageOf(v1::Image::RAW_RGB8, "abcdefghijklmnopqr"),
+          .segments = ImageOf(v1::Image::RAW_U8, std::string("\1\1\2\2\0\1", 6))};
 }
 
 /// Files, so that what decodes them is reached too.

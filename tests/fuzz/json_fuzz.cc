@@ -31,12 +31,13 @@ void ReadWriteRead(std::string_view text) {
 }  // namespace
 
 std::vector<std::string> fuzz::Seeds() {
-  return {R"({"map":{"display_name":"R\u00e4ume \ud83d\ude00","config":{"voxel_size_m":0.04}},"map_id":"a"})",
-          R"({"map":"maps/a","sequence":"9007199254740993","frame":{"stampNs":"-1","lidar":{"xyzM":[1,2.5e-1,-0],)"
-          R"("segmentIds":[1,2],"rgb":"AQID_-=="},"segments":[{"id":7,"classId":1,"score":0.5}]}})",
-          R"({"frame":{"mapFromSensorMatrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"depthCamera":{"depth":)"
-          R"({"encoding":"RAW_F32","data":"AAAA","scaleM":"NaN"}},"hasPersistentIds":true}})",
-          "{ }", R"({"sequence":1e2,"frame":null})"};
+  return {
+      R"({"map":{"display_name":"R\u00e4ume \ud83d\ude00","config":{"voxel_size_m":0.04}},"map_id":"a"})",
+      R"({"map":"maps/a","sequence":"9007199254740993","frame":{"stampNs":"-1","lidar":{"packedPointsM":[1,2.5e-1,-0],)"
+      R"("segmentIds":[1,2],"rgb":"AQID_-=="},"segments":[{"id":7,"classId":1,"score":0.5}]}})",
+      R"({"frame":{"mapFromSensorMatrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"depthCamera":{"depth":)"
+      R"({"encoding":"RAW_F32","data":"AAAA","scaleM":"NaN"}},"hasPersistentIds":true}})",
+      "{ }", R"({"sequence":1e2,"frame":null})"};
 }
 
 }  // namespace dhpmap

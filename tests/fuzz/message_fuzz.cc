@@ -33,7 +33,7 @@ v1::IntegrateFramesRequest RequestSeed() {
 
 std::vector<std::string> fuzz::Seeds() {
   v1::IntegrateFramesRequest lidar = RequestSeed(), camera = RequestSeed(), greeting = RequestSeed();
-  for (const float value : {1.0f, 0.2f, 0.1f}) lidar.mutable_frame()->mutable_lidar()->add_xyz_m(value);
+  for (const float value : {1.0f, 0.2f, 0.1f}) lidar.mutable_frame()->mutable_lidar()->add_packed_points_m(value);
   for (const std::uint32_t id : {1u, 200u, 70'000u}) lidar.mutable_frame()->mutable_lidar()->add_segment_ids(id);
   camera.mutable_frame()->mutable_depth_camera()->mutable_depth()->set_data("depth");
   camera.mutable_frame()->mutable_depth_camera()->mutable_camera()->set_width_px(3);

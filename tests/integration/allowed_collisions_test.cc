@@ -59,13 +59,13 @@ TEST_F(WheeledRobot, DrivesOnTheFloorItsWheelsMayTouchAndNothingElseOfItMay) {
   EXPECT_FALSE(Ask(drive).valid()) << "today's answer";
   EXPECT_EQ(Ask(drive).contacts(0).contact().submap(), floor_);
   drive.mutable_options()->add_excluded_submaps(floor_);
-  EXPECT_EQ(Ask(drive).status(), v1::UNKNOWN) << "without the floor nobody knows what is there";
+  EXPECT_EQ(Ask(drive).status(), v1::QueryStatus::UNKNOWN) << "without the floor nobody knows what is there";
   drive.mutable_options()->clear_excluded_submaps();
   for (const char* wheel : {"left_wheel", "right_wheel"}) Allow(wheel, ClassName(3), *drive.mutable_options());
   const v1::TrajectoryResult valid = Ask(drive);
   ASSERT_OK(status_) << ViolationOf(status_);
   EXPECT_TRUE(valid.valid()) << valid.DebugString();
-  EXPECT_EQ(valid.status(), v1::OK);
+  EXPECT_EQ(valid.status(), v1::QueryStatus::OK);
   drive.mutable_robot(2)->mutable_center_m()->set_z(kBody_m - 0.03);
   const v1::TrajectoryResult low = Ask(drive);
   ASSERT_EQ(low.contacts_size(), 1) << "the body may not";
@@ -117,14 +117,14 @@ TEST_F(WheeledRobot, BodiesHaveLinksToo) {
   v1::CheckCollisionsRequest request;
   request.set_map("maps/room");
   for (const double z : {0.07, 0.07}) {
-    for (const double value : {0.4, -0.9, z, kWheel_m}) request.add_spheres(static_cast<float>(value));
+    for (const double value : {0.4, -0.9, z, kWheel_m}) request.add_packed_spheres_m(static_cast<float>(value));
   }
   for (const char* link : {"wheel", "body"}) request.add_body_links(link);
   Allow("wheel", ClassName(3), *request.mutable_options());
   const auto response = server_->Call(&QueryStub::CheckCollisions, request).value();
   ASSERT_EQ(response.results_size(), 2);
   EXPECT_FALSE(response.results(0).colliding());
-  EXPECT_EQ(response.results(0).status(), v1::OK);
+  EXPECT_EQ(response.results(0).status(), v1::QueryStatus::OK);
   EXPECT_TRUE(response.results(1).colliding());
   request.mutable_options()->mutable_allowed_collisions(0)->set_link("whel");
   (void)server_->Call(&QueryStub::CheckCollisions, request).KeepStatus(status_);
@@ -140,14 +140,14 @@ TEST_F(WheeledRobot, BodiesHaveLinksToo) {
 TEST_F(WheeledRobot, AGripperIsNotBlockedByTheInsideOfWhatIsLeftOutIfThatLeavesFreeSpace) {
   v1::CheckCollisionsRequest request;
   request.set_map("maps/room");
-  for (const float value : {0.f, 0.f, 0.5f, 0.12f}) request.add_spheres(value);
+  for (const float value : {0.f, 0.f, 0.5f, 0.12f}) request.add_packed_spheres_m(value);
   const auto ask = [&] { return server_->Call(&QueryStub::CheckCollisions, request).value().results(0); };
   EXPECT_EQ(ask().contacts(0).submap(), ObjectOfClass(1));
   request.mutable_options()->add_excluded_submaps(ObjectOfClass(1));
-  EXPECT_EQ(ask().status(), v1::UNKNOWN) << "nobody has seen the inside of the ball";
+  EXPECT_EQ(ask().status(), v1::QueryStatus::UNKNOWN) << "nobody has seen the inside of the ball";
   EXPECT_TRUE(ask().colliding());
-  request.mutable_options()->set_vacated(v1::Vacated::FREE);
-  EXPECT_EQ(ask().status(), v1::OK);
+  request.mutable_options()->set_vacated_policy(v1::Vacated::FREE);
+  EXPECT_EQ(ask().status(), v1::QueryStatus::OK);
   EXPECT_FALSE(ask().colliding());
 }
 

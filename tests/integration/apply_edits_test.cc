@@ -68,10 +68,10 @@ TEST_F(ApplyEditsTest, AListIsOneRevisionThatIsStored) {
   EXPECT_EQ(response.revision(), before + 1);
   EXPECT_EQ(Revision(), before + 1);
   ASSERT_EQ(response.results_size(), 3);
-  ASSERT_EQ(response.results(1).created_size(), 1);
+  ASSERT_EQ(response.results(1).created_submaps_size(), 1);
   EXPECT_GT(response.results(1).num_voxels(), 10);
   EXPECT_EQ(List().size(), num_submaps + 2);
-  ASSERT_OK_AND_ASSIGN(const auto half, server.Call(&SubmapStub::GetSubmap, response.results(1).created(0)));
+  ASSERT_OK_AND_ASSIGN(const auto half, server.Call(&SubmapStub::GetSubmap, response.results(1).created_submaps(0)));
   EXPECT_EQ(half.submap().display_name(), "half");
   EXPECT_GT(half.submap().bounding_sphere().center_m().y(), 3) << "the copy was moved before it was split";
   EXPECT_GT(half.submap().bounding_sphere().center_m().x(), 0);
@@ -139,7 +139,7 @@ TEST_F(ApplyEditsTest, WhatWasClearedIsUnknownAndComesBackWhenItIsSeen) {
   edit.mutable_clear()->mutable_sphere()->set_radius_m(50);
   const v1::ApplyEditsResponse cleared = Apply(request);
   ASSERT_OK(status);
-  EXPECT_GE(cleared.results(0).removed_size(), 3);
+  EXPECT_GE(cleared.results(0).removed_submaps_size(), 3);
   EXPECT_EQ(List().size(), 1u) << "the unknown submap stays";
   ASSERT_OK(Feed(server, "room", 0, 24));
   EXPECT_GE(List().size(), 4u);
@@ -161,10 +161,10 @@ TEST_F(ApplyEditsTest, WhatIsLockedOnlyTellsWhenItWasSeen) {
   const std::size_t num_submaps = List().size();
   ASSERT_OK(Feed(server, "room", 12, 24));
   v1::Submap after = of_ball();
-  EXPECT_GT(after.last_observed_ns(), before.last_observed_ns());
+  EXPECT_GT(after.last_observed_stamp_ns(), before.last_observed_stamp_ns());
   EXPECT_EQ(List().size(), num_submaps);
   for (v1::Submap* submap : {&before, &after}) {
-    submap->clear_last_observed_ns();
+    submap->clear_last_observed_stamp_ns();
     submap->clear_revision();
     submap->clear_etag();
   }
@@ -245,7 +245,7 @@ TEST_F(ApplyEditsTest, WhatWouldBePlacedIsToldAndChangesNothing) {
   const v1::ApplyEditsResponse tried = Apply(request);
   ASSERT_OK(status);
   ASSERT_EQ(tried.results_size(), 2);
-  EXPECT_EQ(tried.results(1).changed(0), tried.results(0).created(0));
+  EXPECT_EQ(tried.results(1).changed_submaps(0), tried.results(0).created_submaps(0));
   EXPECT_EQ(Revision(), before);
 }
 
@@ -253,31 +253,31 @@ TEST_F(ApplyEditsTest, WhatIsClearedAndKeptClearStaysEmptyUntilItIsLifted) {
   v1::ApplyEditsRequest request;
   v1::ClearEdit& clear = *request.add_edits()->mutable_clear();
   clear.mutable_sphere()->set_radius_m(50);
-  clear.set_keep_clear("hall");
+  clear.set_ignored_region_name("hall");
   Apply(request);
   ASSERT_OK(status);
   ASSERT_OK(Feed(server, "room", 12, 24));
   EXPECT_EQ(List().size(), 1u) << "the unknown submap";
-  const auto kept = [this] { return server.Call(&EditStub::ListKeptClear, "maps/room").value(); };
-  ASSERT_EQ(kept().regions_size(), 1);
-  EXPECT_EQ(kept().regions(0).name(), "hall");
-  EXPECT_EQ(kept().regions(0).sphere().radius_m(), 50);
+  const auto kept = [this] { return server.Call(&EditStub::ListIgnoredRegions, "maps/room").value(); };
+  ASSERT_EQ(kept().ignored_regions_size(), 1);
+  EXPECT_EQ(kept().ignored_regions(0).name(), "hall");
+  EXPECT_EQ(kept().ignored_regions(0).sphere().radius_m(), 50);
   EXPECT_EQ((*store->LoadMap("room"))->info().kept_clear.list().size(), 1u);
   EXPECT_EQ(kept().revision(), Revision());
 
   v1::ApplyEditsRequest again;
-  again.add_edits()->mutable_keep_clear()->set_name("hall");
-  again.mutable_edits(0)->mutable_keep_clear()->mutable_box()->mutable_max_m()->set_x(1);
+  again.add_edits()->mutable_ignore_region()->set_name("hall");
+  again.mutable_edits(0)->mutable_ignore_region()->mutable_box()->mutable_max_m()->set_x(1);
   Apply(again);
   EXPECT_EQ(status.error_code(), grpc::ALREADY_EXISTS);
-  EXPECT_EQ(ReasonOf(status), "KEPT_CLEAR_EXISTS");
+  EXPECT_EQ(ReasonOf(status), "IGNORED_REGION_EXISTS");
   v1::ApplyEditsRequest lift;
-  lift.add_edits()->mutable_lift()->set_name("hall");
+  lift.add_edits()->mutable_unignore_region()->set_name("hall");
   Apply(lift);
   ASSERT_OK(status);
   Apply(lift);
-  EXPECT_EQ(ReasonOf(status), "KEPT_CLEAR_NOT_FOUND");
-  EXPECT_EQ(kept().regions_size(), 0);
+  EXPECT_EQ(ReasonOf(status), "IGNORED_REGION_NOT_FOUND");
+  EXPECT_EQ(kept().ignored_regions_size(), 0);
   ASSERT_OK(Feed(server, "room", 24, 40));
   EXPECT_GE(List().size(), 4u);
 }
@@ -300,7 +300,7 @@ TEST_F(ApplyEditsTest, FieldsThatAreNotUsableAreNamedAllTogether) {
   std::string fields;
   for (const auto& violation : bad.field_violations()) fields += violation.field() + " ";
   for (const char* field : {"edits[0].edit ", "edits[1].submap ", "edits[2].submap ", "edits[3].split.plane.normal ",
-                            "edits[4].merge.others ", "edits[5].relabel ", "edits[6].clear ",
+                            "edits[4].merge.merged_submaps ", "edits[5].relabel ", "edits[6].clear ",
                             "edits[6].clear.class_names ", "edits[7].submap ", "edits[8].move.map_from_submap"}) {
     EXPECT_NE(fields.find(field), std::string::npos) << field << " is not in " << fields;
   }
@@ -322,8 +322,8 @@ TEST_F(ApplyEditsTest, AListBringsBackWhatWasDeletedBeforeAndGoesOnWithIt) {
   const v1::ApplyEditsResponse response = Apply(back);
   ASSERT_OK(status);
   EXPECT_EQ(response.revision(), before + 1);
-  ASSERT_EQ(response.results(0).created_size(), 1);
-  EXPECT_EQ(response.results(0).created(0), ball);
+  ASSERT_EQ(response.results(0).created_submaps_size(), 1);
+  EXPECT_EQ(response.results(0).created_submaps(0), ball);
   const auto list = List();
   EXPECT_TRUE(std::any_of(list.begin(), list.end(), [this](const v1::Submap& submap) {
     return submap.name() == ball && submap.display_name() == "the ball again";
@@ -337,8 +337,8 @@ TEST_F(ApplyEditsTest, AListBringsBackWhatWasDeletedBeforeAndGoesOnWithIt) {
   Apply(at_once);
   EXPECT_EQ(ReasonOf(status), "SUBMAP_NOT_FOUND") << "not as it was when it was deleted before";
   ASSERT_OK_AND_ASSIGN(const auto undone, server.Call(&EditStub::UndoEdits, "maps/room"));
-  ASSERT_EQ(undone.removed_size(), 1);
-  EXPECT_EQ(undone.removed(0), ball);
+  ASSERT_EQ(undone.removed_submaps_size(), 1);
+  EXPECT_EQ(undone.removed_submaps(0), ball);
 }
 
 TEST_F(ApplyEditsTest, TooManyEditsAreRefused) {
@@ -373,9 +373,9 @@ TEST_F(ApplyEditsTest, ABackgroundIsSplitIntoThingsAndUndoPutsItBack) {
   split.set_class_name(of_ball.submap().class_name());
   const v1::ApplyEditsResponse response = Apply(request);
   ASSERT_OK(status);
-  ASSERT_EQ(response.results(0).created_size(), 1);
-  ASSERT_OK_AND_ASSIGN(const auto part, server.Call(&SubmapStub::GetSubmap, response.results(0).created(0)));
-  EXPECT_EQ(part.submap().kind(), v1::THING);
+  ASSERT_EQ(response.results(0).created_submaps_size(), 1);
+  ASSERT_OK_AND_ASSIGN(const auto part, server.Call(&SubmapStub::GetSubmap, response.results(0).created_submaps(0)));
+  EXPECT_EQ(part.submap().kind(), v1::LabelClass::THING);
   EXPECT_EQ(part.submap().class_name(), of_ball.submap().class_name());
   EXPECT_EQ(List().size(), num_submaps + 1);
 

@@ -60,13 +60,13 @@ class AttachedMotions : public MappedScene {
     options.set_unknown_policy(v1::QueryOptions::FREE);
     v1::AttachedSubmap& ball = *options.add_attached();
     ball.set_submap(ball_);
-    ball.mutable_pose()->mutable_translation_m()->set_z(0.25);
-    ball.mutable_pose()->mutable_rotation()->set_x(0.25);
-    ball.mutable_pose()->mutable_rotation()->set_w(1);
+    ball.mutable_robot_from_submap()->mutable_translation_m()->set_z(0.25);
+    ball.mutable_robot_from_submap()->mutable_rotation()->set_x(0.25);
+    ball.mutable_robot_from_submap()->mutable_rotation()->set_w(1);
     v1::AttachedSubmap& box = *options.add_attached();
     box.set_submap(box_);
-    box.mutable_pose()->mutable_translation_m()->set_x(-1.25);
-    box.mutable_pose()->mutable_translation_m()->set_y(-0.25);
+    box.mutable_robot_from_submap()->mutable_translation_m()->set_x(-1.25);
+    box.mutable_robot_from_submap()->mutable_translation_m()->set_y(-0.25);
     return request;
   }
   /// Trajectories [begin, end) in one call.
@@ -76,7 +76,7 @@ class AttachedMotions : public MappedScene {
     request.set_num_spheres(1);
     for (int b = begin; b < end; ++b) {
       for (int h = 0; h < kNumWaypoints; ++h) {
-        for (const float value : {kX_m, kY_m, kSphereZ_m[b][h], kSphereRadius_m}) request.add_packed_spheres(value);
+        for (const float value : {kX_m, kY_m, kSphereZ_m[b][h], kSphereRadius_m}) request.add_packed_spheres_m(value);
         for (const CarrierPose& c : kCarriers[b][h]) {
           for (const float value : {c.x, c.y, c.z, 0.f, 0.f, c.quaternion_z, 1.f}) {
             request.add_packed_attached_poses(value);
@@ -92,7 +92,8 @@ class AttachedMotions : public MappedScene {
     v1::CheckTrajectoryRequest request = Carrying();
     for (int a = 0; a < kNumCarried; ++a) {
       if (a == part) continue;
-      v1::Vector3& held_m = *request.mutable_options()->mutable_attached(a)->mutable_pose()->mutable_translation_m();
+      v1::Vector3& held_m =
+          *request.mutable_options()->mutable_attached(a)->mutable_robot_from_submap()->mutable_translation_m();
       held_m.set_z(held_m.z() + 50);
     }
     if (part == kNumCarried) request.add_robot()->set_radius_m(kSphereRadius_m);
@@ -230,10 +231,10 @@ TEST_F(AttachedMotions, PosesOfTheWrongNumberOrThatAreNoneAreNamed) {
        },
        "packed_attached_poses pose 4"},
       {[](auto& r) { r.set_packed_attached_poses(7 * 3, 1e30f); }, "packed_attached_poses pose 3"},
-      {[](auto& r) { r.mutable_packed_spheres()->Truncate(4 * kNumWaypoints * kNumMotions - 4); },
-       "packed_spheres has " + std::to_string(4 * kNumWaypoints * kNumMotions - 4) + " values"},
+      {[](auto& r) { r.mutable_packed_spheres_m()->Truncate(4 * kNumWaypoints * kNumMotions - 4); },
+       "packed_spheres_m has " + std::to_string(4 * kNumWaypoints * kNumMotions - 4) + " values"},
       {[](auto& r) {
-         r.clear_packed_spheres();
+         r.clear_packed_spheres_m();
          r.clear_num_waypoints();
          r.clear_num_spheres();
          r.add_trajectories()->add_waypoints();

@@ -20,10 +20,10 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 class BadQueries : public MappedScene {
  protected:
   static void SetUpTestSuite() { SetUpWith({.max_query_points = kMostItems}); }
-  void SetUp() override { stream_ = server_->queries->QueryStream(&stream_context_); }
+  void SetUp() override { stream_ = server_->queries->StreamQueries(&stream_context_); }
   void TearDown() override {
     stream_context_.TryCancel();
-    v1::QueryStreamResponse none;
+    v1::StreamQueriesResponse none;
     while (stream_->Read(&none)) {
     }
     (void)stream_->Finish();
@@ -34,20 +34,20 @@ class BadQueries : public MappedScene {
   static v1::QueryDistancesRequest Distances() { return WithPoints<v1::QueryDistancesRequest>(); }
   static v1::CastRaysRequest Rays() {
     auto request = OfRoom<v1::CastRaysRequest>();
-    request.mutable_origin_xyz_m()->Resize(6, 0.5f);
-    request.mutable_direction_xyz()->Resize(6, 1.f);
+    request.mutable_packed_origins_m()->Resize(6, 0.5f);
+    request.mutable_packed_directions()->Resize(6, 1.f);
     return request;
   }
   static v1::CheckCollisionsRequest Collisions() {
     auto request = OfRoom<v1::CheckCollisionsRequest>();
-    request.mutable_spheres()->Resize(8, 0.5f);
+    request.mutable_packed_spheres_m()->Resize(8, 0.5f);
     return request;
   }
   static v1::CheckTrajectoryRequest Packed() {
     auto request = OfRoom<v1::CheckTrajectoryRequest>();
     request.set_num_waypoints(2);
     request.set_num_spheres(1);
-    request.mutable_packed_spheres()->Resize(8, 0.5f);
+    request.mutable_packed_spheres_m()->Resize(8, 0.5f);
     return request;
   }
   static v1::CheckTrajectoryRequest Rigid() {
@@ -59,19 +59,19 @@ class BadQueries : public MappedScene {
     }
     return request;
   }
-  static v1::GetOccupancySliceRequest Slice() {
-    auto request = OfRoom<v1::GetOccupancySliceRequest>();
+  static v1::QueryOccupancySliceRequest Slice() {
+    auto request = OfRoom<v1::QueryOccupancySliceRequest>();
     request.set_max_z_m(1);
     return request;
   }
-  static v1::GetDistanceGridRequest Grid() {
-    auto request = OfRoom<v1::GetDistanceGridRequest>();
+  static v1::QueryDistanceGridRequest Grid() {
+    auto request = OfRoom<v1::QueryDistanceGridRequest>();
     request.mutable_box()->mutable_max_m()->set_x(1);
     request.set_resolution_m(0.25);
     return request;
   }
   static v1::SearchSubmapsRequest Search() { return OfRoom<v1::SearchSubmapsRequest>(); }
-  static v1::ListRelationsRequest Relations() { return OfRoom<v1::ListRelationsRequest>(); }
+  static v1::QueryRelationsRequest Relations() { return OfRoom<v1::QueryRelationsRequest>(); }
 
   /// visit(request) for a sound request of each query that takes options.
   template <typename Visit>
@@ -89,13 +89,13 @@ class BadQueries : public MappedScene {
   grpc::Status Ask(const v1::CheckTrajectoryRequest& r) {
     return server_->Call(&QueryStub::CheckTrajectory, r).status();
   }
-  grpc::Status Ask(const v1::GetOccupancySliceRequest& r) {
-    return server_->Call(&QueryStub::GetOccupancySlice, r).status();
+  grpc::Status Ask(const v1::QueryOccupancySliceRequest& r) {
+    return server_->Call(&QueryStub::QueryOccupancySlice, r).status();
   }
   grpc::Status Ask(const v1::SearchSubmapsRequest& r) { return server_->Call(&QueryStub::SearchSubmaps, r).status(); }
-  grpc::Status Ask(const v1::ListRelationsRequest& r) { return server_->Call(&QueryStub::ListRelations, r).status(); }
-  grpc::Status Ask(const v1::GetDistanceGridRequest& r) {
-    return server_->Call(&QueryStub::GetDistanceGrid, r).status();
+  grpc::Status Ask(const v1::QueryRelationsRequest& r) { return server_->Call(&QueryStub::QueryRelations, r).status(); }
+  grpc::Status Ask(const v1::QueryDistanceGridRequest& r) {
+    return server_->Call(&QueryStub::QueryDistanceGrid, r).status();
   }
 
   /// Refused by the call and by a stream, which goes on, with the code, a reason, and a violation that begins like
@@ -107,7 +107,7 @@ class BadQueries : public MappedScene {
     EXPECT_EQ(status.error_code(), code) << status.error_message();
     EXPECT_FALSE(ReasonOf(status).empty());
     EXPECT_EQ(ViolationOf(status).substr(0, violation.size()), violation) << ViolationOf(status);
-    if constexpr (!std::is_same_v<Request, v1::GetDistanceGridRequest>) {
+    if constexpr (!std::is_same_v<Request, v1::QueryDistanceGridRequest>) {
       const google::rpc::Status streamed = AskInStream(request);
       EXPECT_EQ(streamed.code(), static_cast<int>(code)) << streamed.message();
       EXPECT_EQ(ViolationOf(streamed), ViolationOf(status));
@@ -128,38 +128,42 @@ class BadQueries : public MappedScene {
   template <typename Request>
   static Request WithPoints() {
     auto request = OfRoom<Request>();
-    request.mutable_xyz_m()->Resize(6, 0.5f);
+    request.mutable_packed_points_m()->Resize(6, 0.5f);
     request.add_points_m();
     return request;
   }
-  static void Put(const v1::QueryPointsRequest& r, v1::QueryStreamRequest& to) { *to.mutable_query_points() = r; }
-  static void Put(const v1::QueryDistancesRequest& r, v1::QueryStreamRequest& to) { *to.mutable_query_distances() = r; }
-  static void Put(const v1::CastRaysRequest& r, v1::QueryStreamRequest& to) { *to.mutable_cast_rays() = r; }
-  static void Put(const v1::CheckCollisionsRequest& r, v1::QueryStreamRequest& to) {
+  static void Put(const v1::QueryPointsRequest& r, v1::StreamQueriesRequest& to) { *to.mutable_query_points() = r; }
+  static void Put(const v1::QueryDistancesRequest& r, v1::StreamQueriesRequest& to) {
+    *to.mutable_query_distances() = r;
+  }
+  static void Put(const v1::CastRaysRequest& r, v1::StreamQueriesRequest& to) { *to.mutable_cast_rays() = r; }
+  static void Put(const v1::CheckCollisionsRequest& r, v1::StreamQueriesRequest& to) {
     *to.mutable_check_collisions() = r;
   }
-  static void Put(const v1::CheckTrajectoryRequest& r, v1::QueryStreamRequest& to) {
+  static void Put(const v1::CheckTrajectoryRequest& r, v1::StreamQueriesRequest& to) {
     *to.mutable_check_trajectory() = r;
   }
-  static void Put(const v1::GetOccupancySliceRequest& r, v1::QueryStreamRequest& to) {
-    *to.mutable_get_occupancy_slice() = r;
+  static void Put(const v1::QueryOccupancySliceRequest& r, v1::StreamQueriesRequest& to) {
+    *to.mutable_query_occupancy_slice() = r;
   }
-  static void Put(const v1::SearchSubmapsRequest& r, v1::QueryStreamRequest& to) { *to.mutable_search_submaps() = r; }
-  static void Put(const v1::ListRelationsRequest& r, v1::QueryStreamRequest& to) { *to.mutable_list_relations() = r; }
+  static void Put(const v1::SearchSubmapsRequest& r, v1::StreamQueriesRequest& to) { *to.mutable_search_submaps() = r; }
+  static void Put(const v1::QueryRelationsRequest& r, v1::StreamQueriesRequest& to) {
+    *to.mutable_query_relations() = r;
+  }
   template <typename Request>
   google::rpc::Status AskInStream(const Request& query) {
-    v1::QueryStreamRequest request;
-    request.set_number(++number_);
+    v1::StreamQueriesRequest request;
+    request.set_sequence(++number_);
     Put(query, request);
-    v1::QueryStreamResponse response;
+    v1::StreamQueriesResponse response;
     EXPECT_TRUE(stream_->Write(request));
     EXPECT_TRUE(stream_->Read(&response));
-    EXPECT_EQ(response.number(), number_);
+    EXPECT_EQ(response.sequence(), number_);
     return response.error();
   }
 
   grpc::ClientContext stream_context_;
-  std::unique_ptr<grpc::ClientReaderWriter<v1::QueryStreamRequest, v1::QueryStreamResponse>> stream_;
+  std::unique_ptr<grpc::ClientReaderWriter<v1::StreamQueriesRequest, v1::StreamQueriesResponse>> stream_;
   std::int64_t number_ = 0;
 };
 
@@ -196,9 +200,11 @@ TEST_F(BadQueries, OptionsAreNamedWithTheItemByEachQuery) {
   ASSERT_FALSE(ball.empty());
   const double nan = kNan, infinity = std::numeric_limits<double>::infinity();
   const Case cases[] = {
-      {[](auto& o) { o.mutable_frame()->mutable_rotation(); }, "options.frame has a zero quaternion"},
-      {[=](auto& o) { o.mutable_frame()->mutable_rotation()->set_w(nan); }, "options.frame has a NaN"},
-      {[=](auto& o) { o.mutable_frame()->mutable_translation_m()->set_y(infinity); }, "options.frame has a NaN"},
+      {[](auto& o) { o.mutable_map_from_query()->mutable_rotation(); }, "options.map_from_query has a zero quaternion"},
+      {[=](auto& o) { o.mutable_map_from_query()->mutable_rotation()->set_w(nan); },
+       "options.map_from_query has a NaN"},
+      {[=](auto& o) { o.mutable_map_from_query()->mutable_translation_m()->set_y(infinity); },
+       "options.map_from_query has a NaN"},
       {[=](auto& o) { o.set_max_distance_m(nan); }, "options.max_distance_m "},
       {[](auto& o) { o.set_max_distance_m(-1); }, "options.max_distance_m "},
       {[](auto& o) { o.set_min_revision(-1); }, "options.min_revision "},
@@ -247,8 +253,8 @@ TEST_F(BadQueries, OptionsOfSomeAreNamedByThoseThatTakeThem) {
     grpc::StatusCode code = grpc::INVALID_ARGUMENT;
   };
   const Case cases[] = {
-      {[](auto& o) { o.mutable_padding()->set_default_m(-0.1); }, "options.padding.default_m "},
-      {[](auto& o) { o.mutable_padding()->set_default_m(kNan); }, "options.padding.default_m "},
+      {[](auto& o) { o.mutable_padding()->set_default_padding_m(-0.1); }, "options.padding.default_padding_m "},
+      {[](auto& o) { o.mutable_padding()->set_default_padding_m(kNan); }, "options.padding.default_padding_m "},
       {[](auto& o) {
          for (const char* name : {"thing1", "spoon"}) o.mutable_padding()->add_classes()->set_class_name(name);
        },
@@ -264,8 +270,8 @@ TEST_F(BadQueries, OptionsOfSomeAreNamedByThoseThatTakeThem) {
          }
        },
        "options.padding.submaps[1].submap ", grpc::NOT_FOUND},
-      {[](auto& o) { o.set_max_age_s(-1); }, "options.max_age_s "},
-      {[](auto& o) { o.set_vacated(static_cast<v1::Vacated::Policy>(77)); }, "options.vacated "},
+      {[](auto& o) { o.set_max_free_age_s(-1); }, "options.max_free_age_s "},
+      {[](auto& o) { o.set_vacated_policy(static_cast<v1::Vacated::Policy>(77)); }, "options.vacated_policy "},
   };
   const auto expect_all_refused = [&](const auto& sound) {
     for (const Case& c : cases) {
@@ -284,41 +290,42 @@ TEST_F(BadQueries, ItemsOfEachQueryAreNamedByTheirNumber) {
     return request;
   };
   const auto points = [&](const auto& sound) {
-    ExpectRefused(spoilt(sound, [](auto& r) { r.set_xyz_m(4, kNan); }), "xyz_m point 1 ");
+    ExpectRefused(spoilt(sound, [](auto& r) { r.set_packed_points_m(4, kNan); }), "packed_points_m point 1 ");
     ExpectRefused(spoilt(sound, [](auto& r) { r.mutable_points_m(0)->set_z(kNan); }), "points_m[0] ");
-    ExpectRefused(spoilt(sound, [](auto& r) { r.add_xyz_m(1); }), "xyz_m has 7 values");
-    ExpectRefused(spoilt(sound, [](auto& r) { r.mutable_xyz_m()->Resize(3 * kMostItems, 0); }), "xyz_m 101 points");
+    ExpectRefused(spoilt(sound, [](auto& r) { r.add_packed_points_m(1); }), "packed_points_m has 7 values");
+    ExpectRefused(spoilt(sound, [](auto& r) { r.mutable_packed_points_m()->Resize(3 * kMostItems, 0); }),
+                  "packed_points_m 101 points");
   };
   points(Points()), points(Distances());
-  ExpectRefused(spoilt(Rays(), [](auto& r) { r.set_direction_xyz(3, kNan); }), "direction_xyz ray 1 ");
-  ExpectRefused(spoilt(Rays(), [](auto& r) { r.set_origin_xyz_m(3, kNan); }), "direction_xyz ray 1 ");
+  ExpectRefused(spoilt(Rays(), [](auto& r) { r.set_packed_directions(3, kNan); }), "packed_directions ray 1 ");
+  ExpectRefused(spoilt(Rays(), [](auto& r) { r.set_packed_origins_m(3, kNan); }), "packed_directions ray 1 ");
   ExpectRefused(spoilt(Rays(),
                        [](auto& r) {
-                         r.mutable_origin_xyz_m()->Resize(3 * kMostItems + 3, 0);
-                         r.mutable_direction_xyz()->Resize(3 * kMostItems + 3, 1);
+                         r.mutable_packed_origins_m()->Resize(3 * kMostItems + 3, 0);
+                         r.mutable_packed_directions()->Resize(3 * kMostItems + 3, 1);
                        }),
-                "direction_xyz 101 rays");
+                "packed_directions 101 rays");
   ExpectRefused(spoilt(Rays(), [](auto& r) { r.add_rays(); }), "rays[0] ");
-  ExpectRefused(spoilt(Collisions(), [](auto& r) { r.set_spheres(7, -1); }), "spheres sphere 1 ");
-  ExpectRefused(spoilt(Collisions(), [](auto& r) { r.set_spheres(4, kNan); }), "spheres sphere 1 ");
-  ExpectRefused(spoilt(Collisions(), [](auto& r) { r.mutable_spheres()->Resize(4 * kMostItems + 4, 0); }),
-                "spheres 101 bodies");
+  ExpectRefused(spoilt(Collisions(), [](auto& r) { r.set_packed_spheres_m(7, -1); }), "packed_spheres_m sphere 1 ");
+  ExpectRefused(spoilt(Collisions(), [](auto& r) { r.set_packed_spheres_m(4, kNan); }), "packed_spheres_m sphere 1 ");
+  ExpectRefused(spoilt(Collisions(), [](auto& r) { r.mutable_packed_spheres_m()->Resize(4 * kMostItems + 4, 0); }),
+                "packed_spheres_m 101 bodies");
   ExpectRefused(spoilt(Collisions(),
                        [](auto& r) {
                          r.add_bodies()->mutable_sphere();
                          r.add_bodies()->mutable_box()->mutable_pose()->mutable_rotation();
                        }),
                 "bodies[1].box.pose has a zero quaternion");
-  ExpectRefused(spoilt(Packed(), [](auto& r) { r.set_packed_spheres(7, -1); }), "packed_spheres sphere 1 ");
-  ExpectRefused(spoilt(Packed(), [](auto& r) { r.mutable_packed_spheres()->Resize(4 * kMostItems + 8, 0); }),
-                "packed_spheres 102 spheres");
+  ExpectRefused(spoilt(Packed(), [](auto& r) { r.set_packed_spheres_m(7, -1); }), "packed_spheres_m sphere 1 ");
+  ExpectRefused(spoilt(Packed(), [](auto& r) { r.mutable_packed_spheres_m()->Resize(4 * kMostItems + 8, 0); }),
+                "packed_spheres_m 102 spheres");
   ExpectRefused(spoilt(Rigid(), [](auto& r) { r.mutable_trajectories(0)->mutable_waypoints(1)->mutable_rotation(); }),
                 "trajectories[0].waypoints[1] has a zero quaternion");
   ExpectRefused(spoilt(Rigid(), [](auto& r) { r.add_robot()->set_radius_m(-1); }), "robot[1] ");
   ExpectRefused(spoilt(Slice(), [](auto& r) { r.set_min_z_m(kNan); }), "min_z_m ");
   ExpectRefused(spoilt(Grid(), [](auto& r) { r.mutable_box()->mutable_min_m()->set_y(kNan); }), "box.min_m ");
   ExpectRefused(spoilt(Search(), [](auto& r) { r.mutable_sphere()->set_radius_m(-1); }), "sphere.radius_m ");
-  ExpectRefused(spoilt(Search(), [](auto& r) { r.mutable_near_m()->set_x(kNan); }), "near_m ");
+  ExpectRefused(spoilt(Search(), [](auto& r) { r.mutable_near_point_m()->set_x(kNan); }), "near_point_m ");
   ExpectRefused(spoilt(Search(), [](auto& r) { r.mutable_region()->mutable_max_m()->set_x(kNan); }), "region.max_m ");
   ExpectRefused(spoilt(Relations(), [](auto& r) { r.set_submap("maps/room/submaps/4000000"); }), grpc::NOT_FOUND,
                 "submap ");

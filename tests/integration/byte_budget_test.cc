@@ -8,6 +8,7 @@
 #include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/eventually.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -41,7 +42,7 @@ class InflightBytes : public ::testing::Test {
     v1::QueryPointsRequest request;
     request.set_map("maps/room");
     request.set_packed(is_packed);
-    for (int i = 0; i < 3 * num_points; ++i) request.add_xyz_m(0.001f * static_cast<float>(i % 997));
+    for (int i = 0; i < 3 * num_points; ++i) request.add_packed_points_m(0.001f * static_cast<float>(i % 997));
     return server_.Call(&QueryStub::QueryPoints, request).status();
   }
 
@@ -164,13 +165,13 @@ TEST_F(InflightBytes, AStreamOfQueriesThatWasRefusedReadsOnAndKeepsNothingForACl
   ByteShare others(budget_.get());
   ASSERT_TRUE(others.Resize(kLimit_bytes));
   grpc::ClientContext context;
-  const auto stream = server_.queries->QueryStream(&context);
-  v1::QueryStreamRequest request;
+  const auto stream = server_.queries->StreamQueries(&context);
+  v1::StreamQueriesRequest request;
   v1::QueryPointsRequest& points = *request.mutable_query_points();
   points.set_map("maps/room");
   points.set_packed(true);
-  for (int i = 0; i < 3 * 100'000; ++i) points.add_xyz_m(0.001f * static_cast<float>(i % 997));
-  v1::QueryStreamResponse answer;
+  for (int i = 0; i < 3 * 100'000; ++i) points.add_packed_points_m(0.001f * static_cast<float>(i % 997));
+  v1::StreamQueriesResponse answer;
   ASSERT_TRUE(stream->Write(request));
   ASSERT_TRUE(stream->Read(&answer));
   EXPECT_EQ(answer.error().code(), static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED));
@@ -179,7 +180,7 @@ TEST_F(InflightBytes, AStreamOfQueriesThatWasRefusedReadsOnAndKeepsNothingForACl
   others.Release();
   ASSERT_TRUE(stream->Write(request));
   ASSERT_TRUE(stream->Read(&answer));
-  EXPECT_EQ(answer.query_points().packed().observed_size(), 100'000);
+  EXPECT_EQ(answer.query_points().packed().near_surface_size(), 100'000);
   ExpectNothingKept();
   ASSERT_TRUE(others.Resize(kLimit_bytes));
   ASSERT_TRUE(stream->Write(request));
@@ -200,9 +201,9 @@ TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {
   for (int i = 0; i < 3; ++i) {
     const auto answer = feeder.Feed(i);
     ASSERT_TRUE(answer) << "the stream goes on";
-    EXPECT_EQ(answer->outcome(), v1::REFUSED);
-    EXPECT_EQ(answer->error_code(), static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED));
-    EXPECT_EQ(answer->error_reason(), "TOO_MANY_BYTES");
+    EXPECT_EQ(answer->outcome(), v1::IntegrateFramesResponse::REFUSED);
+    EXPECT_EQ(answer->error().code(), static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED));
+    EXPECT_EQ(ReasonOf(answer->error()), "TOO_MANY_BYTES");
   }
   feeder.HalfClose();
   EXPECT_OK(feeder.Finish());
@@ -214,7 +215,8 @@ TEST_F(InflightBytes, FramesHaveRoomWhateverOthersHold) {
   const FeedResult fed = Feed(server_, "room", 3, 20);
   EXPECT_OK(fed);
   ASSERT_EQ(fed.acks.size(), 17u);
-  for (const auto& ack : fed.acks) EXPECT_EQ(ack.outcome(), v1::FUSED) << ack.error_message();
+  for (const auto& ack : fed.acks)
+    EXPECT_EQ(ack.outcome(), v1::IntegrateFramesResponse::FUSED) << ack.error().message();
 }
 
 }  // namespace

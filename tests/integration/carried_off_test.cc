@@ -31,32 +31,32 @@ TEST_F(CarriedOff, GetAndListTellThatItIsAbsentWhenItWasLastSeenAndLookedThrough
   WalkWithChair();
   const v1::Submap before = Chair();
   ASSERT_FALSE(before.name().empty());
-  EXPECT_EQ(before.presence(), v1::PRESENT);
-  EXPECT_EQ(before.first_observed_ns(), WalkStamp_ns(0));
-  EXPECT_EQ(before.last_observed_ns(), WalkStamp_ns(kCarriedOffAt - 1));
-  EXPECT_EQ(before.last_contradicted_ns(), 0) << "never";
+  EXPECT_EQ(before.presence(), v1::Submap::PRESENT);
+  EXPECT_EQ(before.first_observed_stamp_ns(), WalkStamp_ns(0));
+  EXPECT_EQ(before.last_observed_stamp_ns(), WalkStamp_ns(kCarriedOffAt - 1));
+  EXPECT_EQ(before.last_contradicted_stamp_ns(), 0) << "never";
   EXPECT_EQ(Get(before.name()).submap().SerializeAsString(), before.SerializeAsString());
 
   WalkWithout();
   const v1::Submap after = Chair();
   EXPECT_EQ(after.name(), before.name()) << "it is kept, and listed";
-  EXPECT_EQ(after.presence(), v1::ABSENT);
-  EXPECT_EQ(after.last_observed_ns(), before.last_observed_ns());
-  EXPECT_GE(after.last_contradicted_ns(), WalkStamp_ns(kCarriedOffAt + 2)) << "by three frames at least";
-  EXPECT_LE(after.last_contradicted_ns(), WalkStamp_ns(kWalkEnds - 1));
+  EXPECT_EQ(after.presence(), v1::Submap::ABSENT);
+  EXPECT_EQ(after.last_observed_stamp_ns(), before.last_observed_stamp_ns());
+  EXPECT_GE(after.last_contradicted_stamp_ns(), WalkStamp_ns(kCarriedOffAt + 2)) << "by three frames at least";
+  EXPECT_LE(after.last_contradicted_stamp_ns(), WalkStamp_ns(kWalkEnds - 1));
   EXPECT_EQ(after.num_blocks(), before.num_blocks());
   EXPECT_EQ(Get(before.name()).submap().SerializeAsString(), after.SerializeAsString());
   const v1::ListSubmapsResponse all = ListAll(*server.submaps, "room");
   for (const v1::Submap& other : all.submaps()) {
-    EXPECT_TRUE(other.name() == after.name() || other.presence() == v1::PRESENT) << other.name();
+    EXPECT_TRUE(other.name() == after.name() || other.presence() == v1::Submap::PRESENT) << other.name();
   }
 
   Walk(server, "room", WalkedRoom(true), kWalkEnds, kWalkEnds + 1);
   const v1::Submap back = Chair();
   EXPECT_EQ(back.name(), before.name());
-  EXPECT_EQ(back.presence(), v1::PRESENT) << "seen again";
-  EXPECT_EQ(back.last_observed_ns(), WalkStamp_ns(kWalkEnds));
-  EXPECT_GE(back.last_contradicted_ns(), after.last_contradicted_ns());
+  EXPECT_EQ(back.presence(), v1::Submap::PRESENT) << "seen again";
+  EXPECT_EQ(back.last_observed_stamp_ns(), WalkStamp_ns(kWalkEnds));
+  EXPECT_GE(back.last_contradicted_stamp_ns(), after.last_contradicted_stamp_ns());
 }
 
 TEST_F(CarriedOff, AWatcherIsToldWhenItBecomesAbsentAndHoldsWhatAListSays) {
@@ -68,7 +68,7 @@ TEST_F(CarriedOff, AWatcherIsToldWhenItBecomesAbsentAndHoldsWhatAListSays) {
   WalkWithout();
   const v1::ListSubmapsResponse now = ListAll(*server.submaps, "room");
   int num_times_it_became_absent = 0;
-  v1::Presence told = v1::PRESENT;
+  v1::Submap::Presence told = v1::Submap::PRESENT;
   std::string position;
   v1::WatchMapResponse message;
   while (position.empty() || RevisionOf(position) < now.revision()) {
@@ -82,7 +82,7 @@ TEST_F(CarriedOff, AWatcherIsToldWhenItBecomesAbsentAndHoldsWhatAListSays) {
       told = event.submap().presence();
       const auto& parts = event.parts();
       EXPECT_NE(std::find(parts.begin(), parts.end(), v1::SubmapEvent::ACTIVITY), parts.end());
-      num_times_it_became_absent += told == v1::ABSENT ? 1 : 0;
+      num_times_it_became_absent += told == v1::Submap::ABSENT ? 1 : 0;
     }
   }
   EXPECT_EQ(num_times_it_became_absent, 1);
@@ -126,12 +126,12 @@ using VoxelsByPlace = std::map<std::array<long, 3>, std::array<float, 2>>;
 VoxelsByPlace StreamedVoxels(TestServer& server, const std::string& name) {
   VoxelsByPlace voxels;
   for (const auto& part : server.Call(&SubmapStub::StreamSubmapVoxels, name).value()) {
-    for (int i = 0; i < part.distance_m_size(); ++i) {
+    for (int i = 0; i < part.tsdf_m_size(); ++i) {
       std::array<long, 3> place;
       for (int axis = 0; axis < 3; ++axis) {
         place[static_cast<std::size_t>(axis)] = std::lround(1000 * part.xyz_m(3 * i + axis));
       }
-      voxels[place] = {part.distance_m(i), part.weight(i)};
+      voxels[place] = {part.tsdf_m(i), part.weight(i)};
     }
   }
   return voxels;

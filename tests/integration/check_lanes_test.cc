@@ -36,7 +36,7 @@ v1::CheckCollisionsRequest HugeBoxes(int num_boxes) {
   request.set_map("maps/room");
   request.set_packed(true);
   request.mutable_options()->set_unknown_policy(v1::QueryOptions::FREE);
-  request.mutable_options()->mutable_padding()->set_default_m(10);
+  request.mutable_options()->mutable_padding()->set_default_padding_m(10);
   for (int i = 0; i < num_boxes; ++i) {
     v1::OrientedBox& box = *request.add_bodies()->mutable_box();
     box.mutable_pose()->mutable_rotation()->set_w(1);

@@ -21,7 +21,7 @@ class ChecksTest : public ::testing::Test {
     trajectory.set_map("maps/room");
   }
   void AddSphere(double x, double y, double z, double radius) {
-    for (const double value : {x, y, z, radius}) collisions.add_spheres(static_cast<float>(value));
+    for (const double value : {x, y, z, radius}) collisions.add_packed_spheres_m(static_cast<float>(value));
   }
   v1::CheckCollisionsResponse Check() { return Check(server.channel()); }
   v1::CheckCollisionsResponse Check(const std::shared_ptr<grpc::Channel>& channel) {
@@ -59,7 +59,7 @@ TEST_F(ChecksTest, BodiesTouchTheSceneThroughBothDoors) {
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(response.results(i).colliding(), expected[i]) << i;
     EXPECT_EQ(response.results(i).contacts_size(), expected[i] ? 1 : 0);
-    EXPECT_EQ(response.results(i).status(), v1::OK);
+    EXPECT_EQ(response.results(i).status(), v1::QueryStatus::OK);
   }
   const v1::Contact& contact = response.results(0).contacts(0);
   EXPECT_NEAR(contact.depth_m(), 0.05, 0.03);
@@ -73,13 +73,13 @@ TEST_F(ChecksTest, BodiesTouchTheSceneThroughBothDoors) {
   collisions.set_packed(true);
   const v1::PackedCollisionResults packed = Check().packed();
   ASSERT_EQ(packed.colliding_size(), 4);
-  ASSERT_EQ(packed.point_xyz_m_size(), 12);
+  ASSERT_EQ(packed.point_m_size(), 12);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(packed.colliding(i), expected[i]);
   EXPECT_EQ(packed.depth_m(0), contact.depth_m());
   EXPECT_EQ(packed.instance_id(0), contact.instance_id());
   EXPECT_EQ(packed.instance_id(1), -1);
-  EXPECT_TRUE(std::isnan(packed.point_xyz_m(3)));
-  collisions.set_whether_only(true);
+  EXPECT_TRUE(std::isnan(packed.point_m(3)));
+  collisions.set_skip_contacts(true);
   EXPECT_EQ(Check().packed().colliding(0), true);
   EXPECT_EQ(Check().packed().depth_m_size(), 0);
 }
@@ -88,12 +88,12 @@ TEST_F(ChecksTest, UnseenSpaceIsInTheWayByDefault) {
   AddSphere(30, 0, 1, 0.1);
   const v1::CollisionResult result = Check().results(0);
   EXPECT_TRUE(result.colliding());
-  EXPECT_EQ(result.status(), v1::UNKNOWN);
+  EXPECT_EQ(result.status(), v1::QueryStatus::UNKNOWN);
   ASSERT_EQ(result.contacts_size(), 1);
   EXPECT_EQ(result.contacts(0).instance_id(), -1);
   collisions.mutable_options()->set_unknown_policy(v1::QueryOptions::REPORT);
   EXPECT_FALSE(Check().results(0).colliding());
-  EXPECT_EQ(Check().results(0).status(), v1::UNKNOWN);
+  EXPECT_EQ(Check().results(0).status(), v1::QueryStatus::UNKNOWN);
   for (int i = 0; i < 300; ++i) AddSphere(30, 0, 1, 0.1);
   EXPECT_EQ(Check().results_size(), 301) << "in the bulk lane";
 }
@@ -131,7 +131,7 @@ TEST_F(ChecksTest, ARobotThatFallsOnTheBallIsStoppedThroughBothDoors) {
   for (const double x : {0.0, 0.02}) {
     for (const double z : {2.3, 2.2, 0.2}) {
       for (const double radius : {0.02, 0.1}) {
-        for (const double value : {x, 0.0, z, radius}) packed.add_packed_spheres(static_cast<float>(value));
+        for (const double value : {x, 0.0, z, radius}) packed.add_packed_spheres_m(static_cast<float>(value));
       }
     }
   }
@@ -157,9 +157,9 @@ TEST_F(ChecksTest, WhatIsAttachedIsNotInTheWayOfTheRobot) {
   const std::string ball = before.results(0).contacts(0).contact().submap();
   v1::AttachedSubmap& attached = *trajectory.mutable_options()->add_attached();
   attached.set_submap(ball);
-  attached.mutable_pose()->mutable_translation_m()->set_z(20);  // held up high
+  attached.mutable_robot_from_submap()->mutable_translation_m()->set_z(20);  // held up high
   EXPECT_TRUE(Go().results(0).valid()) << Go().DebugString();
-  attached.mutable_pose()->mutable_translation_m()->set_z(-1.5);  // through the floor
+  attached.mutable_robot_from_submap()->mutable_translation_m()->set_z(-1.5);  // through the floor
   const v1::CheckTrajectoryResponse low = Go();
   ASSERT_EQ(low.results(0).contacts_size(), 1);
   EXPECT_EQ(low.results(0).contacts(0).attached(), ball);
@@ -178,20 +178,20 @@ TEST_F(ChecksTest, BadBodiesAreNamed) {
   };
   const auto sphere = [](float x, float radius) {
     return [=](auto& r) {
-      for (const float value : {0.f, 0.f, 0.f, 1.f, x, 0.f, 0.f, radius}) r.add_spheres(value);
+      for (const float value : {0.f, 0.f, 0.f, 1.f, x, 0.f, 0.f, radius}) r.add_packed_spheres_m(value);
     };
   };
   const auto body = [](const std::function<void(v1::Body&)>& make) {
     return [=](auto& r) { r.add_bodies()->mutable_sphere(), make(*r.add_bodies()); };
   };
   const Case cases[] = {
-      {sphere(NAN, 1), "spheres sphere 1 is"},
-      {sphere(0, -0.1f), "spheres sphere 1 is"},
-      {sphere(0, NAN), "spheres sphere 1 is"},
-      {sphere(0, 11), "spheres sphere 1 is"},
-      {sphere(1e30f, 1), "spheres sphere 1 is"},
-      {[](auto& r) { r.add_spheres(1); }, "spheres has 1 values"},
-      {[](auto& r) { r.mutable_spheres()->Resize(4 * 1'000'001, 0); }, "spheres 1000001 bodies"},
+      {sphere(NAN, 1), "packed_spheres_m sphere 1 is"},
+      {sphere(0, -0.1f), "packed_spheres_m sphere 1 is"},
+      {sphere(0, NAN), "packed_spheres_m sphere 1 is"},
+      {sphere(0, 11), "packed_spheres_m sphere 1 is"},
+      {sphere(1e30f, 1), "packed_spheres_m sphere 1 is"},
+      {[](auto& r) { r.add_packed_spheres_m(1); }, "packed_spheres_m has 1 values"},
+      {[](auto& r) { r.mutable_packed_spheres_m()->Resize(4 * 1'000'001, 0); }, "packed_spheres_m 1000001 bodies"},
       {body([](auto&) {}), "bodies[1] has no shape"},
       {body([](auto& b) { b.mutable_sphere()->set_radius_m(-1); }), "bodies[1].sphere is"},
       {body([](auto& b) { b.mutable_capsule()->mutable_b_m()->set_x(INFINITY); }), "bodies[1].capsule is"},
@@ -204,9 +204,9 @@ TEST_F(ChecksTest, BadBodiesAreNamed) {
       {[](auto& r) { r.mutable_options()->add_allowed_collisions(); }, "options.allowed_collisions"},
       {[](auto& r) {
          r.mutable_options()->add_attached()->set_submap("maps/room/submaps/1");
-         r.mutable_options()->mutable_attached(0)->mutable_pose();
+         r.mutable_options()->mutable_attached(0)->mutable_robot_from_submap();
        },
-       "options.attached[0].pose"},
+       "options.attached[0].robot_from_submap"},
   };
   for (const Case& c : cases) {
     collisions.Clear();
@@ -234,7 +234,7 @@ TEST_F(ChecksTest, BadTrajectoriesAreNamed) {
     return [=](v1::CheckTrajectoryRequest& r) {
       r.set_num_waypoints(2);
       r.set_num_spheres(1);
-      r.mutable_packed_spheres()->Resize(8, 0.5f);
+      r.mutable_packed_spheres_m()->Resize(8, 0.5f);
       spoil(r);
     };
   };
@@ -256,21 +256,23 @@ TEST_F(ChecksTest, BadTrajectoriesAreNamed) {
          for (int i = 0; i < 1001; ++i) r.mutable_trajectories(0)->add_waypoints();
        }),
        "trajectories 1002000 spheres"},
-      {packed([](auto& r) { r.set_packed_spheres(6, NAN); }), "packed_spheres sphere 1 is"},
-      {packed([](auto& r) { r.set_packed_spheres(3, -1); }), "packed_spheres sphere 0 is"},
-      {packed([](auto& r) { r.add_packed_spheres(1); }), "packed_spheres has 9 values"},
+      {packed([](auto& r) { r.set_packed_spheres_m(6, NAN); }), "packed_spheres_m sphere 1 is"},
+      {packed([](auto& r) { r.set_packed_spheres_m(3, -1); }), "packed_spheres_m sphere 0 is"},
+      {packed([](auto& r) { r.add_packed_spheres_m(1); }), "packed_spheres_m has 9 values"},
       {packed([](auto& r) { r.set_num_waypoints(0); }), "num_waypoints"},
       {packed([](auto& r) { r.set_num_spheres(-1); }), "num_spheres"},
-      {packed([](auto& r) { r.set_num_waypoints(10'000), r.set_num_spheres(2'000'000'000); }), "packed_spheres has 8"},
+      {packed([](auto& r) { r.set_num_waypoints(10'000), r.set_num_spheres(2'000'000'000); }),
+       "packed_spheres_m has 8"},
       {packed([](auto& r) { r.add_robot(); }), "robot does not"},
       {packed(attach), "packed_attached_poses has 0 values"},
       {packed([&](auto& r) { attach(r), r.mutable_packed_attached_poses()->Resize(14, 0); }),
        "packed_attached_poses pose 0"},
       {packed([](auto& r) { r.mutable_options()->add_allowed_collisions()->set_attached("maps/room/submaps/1"); }),
        "options.allowed_collisions[0].attached is not attached"},
-      {packed(
-           [&](auto& r) { attach(r), r.mutable_options()->mutable_attached(0)->mutable_pose()->mutable_rotation(); }),
-       "options.attached[0].pose"},
+      {packed([&](auto& r) {
+         attach(r), r.mutable_options()->mutable_attached(0)->mutable_robot_from_submap()->mutable_rotation();
+       }),
+       "options.attached[0].robot_from_submap"},
   };
   for (const Case& c : cases) {
     trajectory.Clear();

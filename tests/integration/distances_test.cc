@@ -22,7 +22,7 @@ class DistancesTest : public ::testing::Test {
     request.set_map("maps/room");
   }
   void AddPoint(double x, double y, double z) {
-    for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+    for (const double value : {x, y, z}) request.add_packed_points_m(static_cast<float>(value));
   }
   v1::QueryDistancesResponse Ask() { return Ask(server.channel()); }
   v1::QueryDistancesResponse Ask(const std::shared_ptr<grpc::Channel>& channel) {
@@ -50,8 +50,8 @@ TEST_F(DistancesTest, AreThoseOfTheSceneAndNameTheObject) {
   EXPECT_NEAR(response.results(1).distance_m(), scene.Distance({0, 0, 0.79}), 0.03);
   EXPECT_GT(response.results(0).instance_id(), 0);
   EXPECT_EQ(response.results(0).instance_id(), response.results(1).instance_id());
-  EXPECT_EQ(response.results(1).status(), v1::OK);
-  EXPECT_EQ(response.results(2).status(), v1::CLAMPED);
+  EXPECT_EQ(response.results(1).status(), v1::QueryStatus::OK);
+  EXPECT_EQ(response.results(2).status(), v1::QueryStatus::CLAMPED);
   EXPECT_GT(response.revision(), 0);
   EXPECT_EQ(Ask(server.grpc().InProcessChannel()).SerializeAsString(), response.SerializeAsString())
       << "the door that REST goes through";
@@ -116,23 +116,23 @@ TEST_F(DistancesTest, FollowAnObjectThatIsMovedOrExcluded) {
 TEST_F(DistancesTest, TheInsideOfAnObjectThatIsDeletedIsUnknownUnlessItIsToBeFree) {
   AddPoint(0, 0, 0.4);  // the centre of the ball
   const v1::DistanceResult before = Ask().results(0);
-  EXPECT_EQ(before.status(), v1::UNKNOWN);
+  EXPECT_EQ(before.status(), v1::QueryStatus::UNKNOWN);
   ASSERT_OK(server.Call(&SubmapStub::DeleteSubmap, before.submap()));
-  EXPECT_EQ(Ask().results(0).status(), v1::UNKNOWN);
-  request.mutable_options()->set_vacated(v1::Vacated::FREE);
+  EXPECT_EQ(Ask().results(0).status(), v1::QueryStatus::UNKNOWN);
+  request.mutable_options()->set_vacated_policy(v1::Vacated::FREE);
   const v1::DistanceResult after = Ask().results(0);
-  EXPECT_EQ(after.status(), v1::OK);
+  EXPECT_EQ(after.status(), v1::QueryStatus::OK);
   EXPECT_GT(after.distance_m(), 0.2);
   EXPECT_NE(after.submap(), before.submap());
-  request.mutable_options()->set_vacated(v1::Vacated::UNKNOWN);
-  EXPECT_EQ(Ask().results(0).status(), v1::UNKNOWN);
+  request.mutable_options()->set_vacated_policy(v1::Vacated::UNKNOWN);
+  EXPECT_EQ(Ask().results(0).status(), v1::QueryStatus::UNKNOWN);
 }
 
 TEST_F(DistancesTest, RaysMeetTheSceneThroughBothDoors) {
   v1::CastRaysRequest rays;
   rays.set_map("maps/room");
-  for (const float value : {0.f, 0.f, 2.f}) rays.add_origin_xyz_m(value);
-  for (const float value : {0.f, 0.f, -1.f, 0.f, 0.f, 1.f}) rays.add_direction_xyz(value);
+  for (const float value : {0.f, 0.f, 2.f}) rays.add_packed_origins_m(value);
+  for (const float value : {0.f, 0.f, -1.f, 0.f, 0.f, 1.f}) rays.add_packed_directions(value);
   std::string first;
   for (const auto& channel : {server.channel(), server.grpc().InProcessChannel()}) {
     ASSERT_OK_AND_ASSIGN(const auto response, Client(channel).Call(&QueryStub::CastRays, rays));
@@ -151,14 +151,14 @@ TEST_F(DistancesTest, WaitForARevisionUntilTheDeadline) {
   const std::int64_t now = Ask().revision();
   request.mutable_options()->set_min_revision(now + 1);
   for (const bool is_bulk : {false, true}) {
-    if (is_bulk) request.mutable_xyz_m()->Resize(3 * 3000, 0.5f);
+    if (is_bulk) request.mutable_packed_points_m()->Resize(3 * 3000, 0.5f);
     v1::QueryDistancesResponse response;
     grpc::ClientContext context;
     context.set_deadline(std::chrono::system_clock::now() + std::chrono::milliseconds(100));
     EXPECT_EQ(server.queries->QueryDistances(&context, request, &response).error_code(), grpc::DEADLINE_EXCEEDED);
   }
   for (const bool is_bulk : {true, false}) {
-    if (!is_bulk) request.mutable_xyz_m()->Truncate(3);
+    if (!is_bulk) request.mutable_packed_points_m()->Truncate(3);
     request.mutable_options()->set_min_revision(Last() + 1);
     ASSERT_TRUE(Eventually([&] { return inflight->used_bytes() == 0; }));
     std::thread writer([&] {
@@ -181,10 +181,10 @@ TEST_F(DistancesTest, WaitForARevisionUntilTheDeadline) {
 }
 
 TEST_F(DistancesTest, MoreThanAMillionPointsAreTooMany) {
-  request.mutable_xyz_m()->Resize(3 * 1'000'001, 0);
+  request.mutable_packed_points_m()->Resize(3 * 1'000'001, 0);
   Ask();
   EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
-  EXPECT_EQ(BadFieldOf(status), "xyz_m");
+  EXPECT_EQ(BadFieldOf(status), "packed_points_m");
 }
 
 }  // namespace

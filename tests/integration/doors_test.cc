@@ -72,8 +72,8 @@ TEST(Doors, EveryRpcInTheDescriptorsIsImplemented) {
       EXPECT_NE(status.error_code(), grpc::UNIMPLEMENTED) << path;
       // An empty request is a mistake of the client's, except where nothing is required.
       const bool needs_nothing =
-          method->name() == "ListMaps" || method->name() == "QueryStream";  // says so in its answer
-      const bool needs_a_file = method->name() == "BackupMap" || method->name() == "ImportMap";
+          method->name() == "ListMaps" || method->name() == "StreamQueries";  // says so in its answer
+      const bool needs_a_file = method->name() == "BackupMaps" || method->name() == "ImportMap";
       EXPECT_EQ(status.error_code(), needs_nothing  ? grpc::OK
                                      : needs_a_file ? grpc::FAILED_PRECONDITION
                                                     : grpc::INVALID_ARGUMENT)
@@ -123,7 +123,7 @@ TEST(Doors, CreateMapNamesEveryBadFieldAtOnce) {
   request.set_preset("underwater");
   request.mutable_config()->set_voxel_size_m(-0.1);
   request.mutable_config()->mutable_tracking()->set_iou_threshold(7);
-  request.mutable_label_classes(1)->set_kind(v1::PANOPTIC_KIND_UNSPECIFIED);
+  request.mutable_label_classes(1)->set_kind(v1::LabelClass::PANOPTIC_KIND_UNSPECIFIED);
   const grpc::Status status = server.Call(&MapStub::CreateMap, request).status();
   EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT);
   const auto bad = DetailOf<google::rpc::BadRequest>(status);
@@ -169,7 +169,7 @@ TEST(Doors, BadPointsAreRefused) {
   const auto query = [&server](const std::vector<float>& xyz) {
     v1::QueryPointsRequest request;
     request.set_map("maps/room");
-    request.mutable_xyz_m()->Add(xyz.begin(), xyz.end());
+    request.mutable_packed_points_m()->Add(xyz.begin(), xyz.end());
     return server.Call(&QueryStub::QueryPoints, request).status();
   };
   EXPECT_OK(query({1, 2, 3}));
@@ -187,7 +187,7 @@ TEST(Doors, AMessageAboveTheLimitIsRefusedAndTheServerStaysUp) {
   TestServer server(*store, {}, {.max_message_bytes = 1u << 20});
   v1::QueryPointsRequest request;
   request.set_map("maps/room");
-  request.mutable_xyz_m()->Resize(600'000, 0.0f);
+  request.mutable_packed_points_m()->Resize(600'000, 0.0f);
   EXPECT_EQ(server.Call(&QueryStub::QueryPoints, request).code(), grpc::RESOURCE_EXHAUSTED);
   EXPECT_OK(server.Call(&MapStub::ListMaps));
 }

@@ -64,8 +64,8 @@ EditAnswer AnswerOf(const grpc::Status& status, Response response) {
   if constexpr (requires { response.mutable_submap(); }) {
     if (response.has_submap()) response.mutable_submap()->clear_revision(), response.mutable_submap()->clear_etag();
   }
-  if constexpr (requires { response.mutable_map()->clear_update_time_ns(); }) {
-    response.mutable_map()->clear_update_time_ns();
+  if constexpr (requires { response.mutable_map()->clear_update_time(); }) {
+    response.mutable_map()->clear_update_time();
     response.mutable_map()->clear_revision();
   }
   answer.told = response.SerializeAsString();

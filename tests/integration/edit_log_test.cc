@@ -116,7 +116,7 @@ TEST_F(EditLogTest, ARetryIsMadeOnceWhateverTheClockWasSetToSince) {
   }
   const std::vector<v1::LoggedEdit> log = Log();
   EXPECT_EQ(log.size(), 3u);
-  for (const v1::LoggedEdit& edit : log) EXPECT_TRUE(edit.kept()) << edit.revision();
+  for (const v1::LoggedEdit& edit : log) EXPECT_TRUE(edit.reversible()) << edit.revision();
 }
 
 TEST_F(EditLogTest, ARetryIsNotAskedForItsEtag) {
@@ -149,6 +149,33 @@ TEST_F(EditLogTest, AnotherRequestUnderTheSameIdIsRefused) {
   long_name.set_author(std::string(300, 'a'));
   Apply(long_name);
   EXPECT_EQ(ReasonOf(status), "BAD_AUTHOR");
+}
+
+TEST_F(EditLogTest, IsListedByObject) {
+  for (int i = 0; i < 3; ++i) {
+    Apply(Rename("lamp " + std::to_string(i), ""));
+    v1::ApplyEditsRequest other = Rename("table " + std::to_string(i), "");
+    other.mutable_edits(0)->set_submap("maps/room/submaps/2");
+    Apply(other);
+    ASSERT_OK(status);
+  }
+  v1::ListEditsRequest request;
+  request.set_parent("maps/room");
+  request.set_submap("maps/room/submaps/1");
+  request.set_page_size(2);
+  std::vector<std::int64_t> listed, expected;
+  do {
+    const v1::ListEditsResponse page = server->Call(&EditStub::ListEdits, request).value();
+    for (const v1::LoggedEdit& edit : page.edits()) listed.push_back(edit.revision());
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  for (const v1::LoggedEdit& edit : Log()) {
+    if (edit.changed_submaps(0) == request.submap()) expected.push_back(edit.revision());
+  }
+  EXPECT_EQ(expected.size(), 3u);
+  EXPECT_EQ(listed, expected);
+  request.set_submap("maps/other/submaps/1");
+  EXPECT_EQ(server->Call(&EditStub::ListEdits, request).reason(), "BAD_FILTER");
 }
 
 TEST_F(EditLogTest, AFailureIsNotKept) {
@@ -204,8 +231,8 @@ TEST_F(EditLogTest, TheLogSaysWhoDidWhatAndComesInPages) {
   EXPECT_EQ(oldest.steps(0).action(), v1::LoggedEdit::RENAME);
   EXPECT_EQ(oldest.steps(1).action(), v1::LoggedEdit::CLONE);
   EXPECT_EQ(oldest.steps(2).action(), v1::LoggedEdit::DELETE);
-  EXPECT_EQ(oldest.changed_size(), 1);
-  EXPECT_EQ(oldest.created_size() + oldest.removed_size(), 0) << "what came and went within the list";
+  EXPECT_EQ(oldest.changed_submaps_size(), 1);
+  EXPECT_EQ(oldest.created_submaps_size() + oldest.removed_submaps_size(), 0) << "what came and went within the list";
   for (std::size_t i = 1; i < log.size(); ++i) EXPECT_EQ(log[i].revision(), log[i - 1].revision() - 1);
   EXPECT_TRUE(Log("ben").empty());
 }
@@ -221,7 +248,7 @@ TEST_F(EditLogTest, AnUndoIsAnEditOfItsOwnThatIsRepeatedSafely) {
   for (int round = 0; round < 2; ++round) {
     ASSERT_OK_AND_ASSIGN(const auto response, server->Call(&EditStub::UndoEdits, undo));
     EXPECT_EQ(response.edits_size(), 1);
-    EXPECT_EQ(response.changed_size(), 1);
+    EXPECT_EQ(response.changed_submaps_size(), 1);
     if (round == 1) {
       EXPECT_EQ(response.SerializeAsString(), answer) << "undone once";
     }
@@ -234,7 +261,7 @@ TEST_F(EditLogTest, AnUndoIsAnEditOfItsOwnThatIsRepeatedSafely) {
   EXPECT_EQ(log[0].kind(), v1::LoggedEdit::UNDO);
   ASSERT_EQ(log[0].targets_size(), 1);
   EXPECT_EQ(log[0].targets(0), log[1].name());
-  EXPECT_TRUE(log[1].undone() && log[1].kept());
+  EXPECT_TRUE(log[1].undone() && log[1].reversible());
   undo.clear_request_id();
   undo.set_edit(log[1].name());
   EXPECT_EQ(server->Call(&EditStub::UndoEdits, undo).reason(), "NOTHING_TO_UNDO");

@@ -53,9 +53,9 @@ class EditTest : public ::testing::Test {
   std::int64_t InstanceAt(double x, double y, double z) {
     v1::QueryPointsRequest request;
     request.set_map("maps/room");
-    for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+    for (const double value : {x, y, z}) request.add_packed_points_m(static_cast<float>(value));
     const auto response = server.Call(&QueryStub::QueryPoints, request).KeepStatus(status);
-    return response.results_size() == 1 && response.results(0).observed() ? response.results(0).instance_id() : -1;
+    return response.results_size() == 1 && response.results(0).near_surface() ? response.results(0).instance_id() : -1;
   }
 
   std::unique_ptr<MapStore> store = MakeMemoryStore();
@@ -220,7 +220,7 @@ TEST_F(EditTest, WhatIsAPartOfAnotherIsAnsweredWithItsNameOverARestart) {
     const grpc::Status got = of.Call(&SubmapStub::GetSubmap, box.name()).status();
     EXPECT_EQ(got.error_code(), grpc::NOT_FOUND);
     ASSERT_EQ(ReasonOf(got), "MERGED_INTO");
-    EXPECT_EQ(ErrorInfoOf(got).metadata().at("into"), ball.name());
+    EXPECT_EQ(ErrorInfoOf(got).metadata().at("merged_into"), ball.name());
   };
   expect_merged(server);
   EXPECT_EQ(Get(ball.name()).instance_id(), ball.instance_id());
@@ -235,16 +235,16 @@ TEST_F(EditTest, ListsAreFiltered) {
   EXPECT_EQ(List(request).submaps_size(), 1);
   request.add_class_names("stuff3");
   EXPECT_EQ(List(request).submaps_size(), 2);
-  request.set_kind(v1::STUFF);
+  request.set_kind(v1::LabelClass::STUFF);
   EXPECT_EQ(List(request).submaps_size(), 1);
   request.add_class_ids(1);
   EXPECT_EQ(List(request).submaps_size(), 0);
 
   v1::ListSubmapsRequest near;
-  near.mutable_near()->mutable_center_m()->set_x(0);
-  near.mutable_near()->mutable_center_m()->set_z(0.5);
-  near.mutable_near()->set_radius_m(0.01);
-  near.set_kind(v1::THING);
+  near.mutable_sphere()->mutable_center_m()->set_x(0);
+  near.mutable_sphere()->mutable_center_m()->set_z(0.5);
+  near.mutable_sphere()->set_radius_m(0.01);
+  near.set_kind(v1::LabelClass::THING);
   ASSERT_EQ(List(near).submaps_size(), 1);
   EXPECT_EQ(List(near).submaps(0).instance_id(), ball.instance_id());
 
@@ -266,18 +266,18 @@ TEST_F(EditTest, VoxelsAndMeshesComeInChunksThatFit) {
   ASSERT_OK_AND_ASSIGN(const auto voxels, server.Call(&SubmapStub::StreamSubmapVoxels, floor.name()));
   int num_voxels = 0;
   for (const auto& part : voxels) {
-    num_voxels += part.distance_m_size();
+    num_voxels += part.tsdf_m_size();
     EXPECT_LE(part.ByteSizeLong(), 256u * 1024);
-    EXPECT_EQ(part.xyz_m_size(), 3 * part.distance_m_size());
-    EXPECT_EQ(part.rgb().size(), 3u * static_cast<unsigned>(part.distance_m_size()));
-    EXPECT_EQ(part.class_id_size(), part.distance_m_size());
+    EXPECT_EQ(part.xyz_m_size(), 3 * part.tsdf_m_size());
+    EXPECT_EQ(part.rgb().size(), 3u * static_cast<unsigned>(part.tsdf_m_size()));
+    EXPECT_EQ(part.class_id_size(), part.tsdf_m_size());
     EXPECT_GT(part.revision(), 0);
   }
   EXPECT_GT(num_voxels, 10000);
   EXPECT_GT(voxels.size(), 1u);
 
   for (const std::string& name : {ball.name(), std::string("maps/room")}) {
-    for (const auto format : {v1::PLY, v1::PCD}) {
+    for (const auto format : {v1::GetSubmapMeshRequest::PLY, v1::GetSubmapMeshRequest::PCD}) {
       auto request = About<v1::GetSubmapMeshRequest>(name);
       request.set_format(format);
       ASSERT_OK_AND_ASSIGN(const auto mesh, server.Call(&SubmapStub::GetSubmapMesh, request));
@@ -289,7 +289,7 @@ TEST_F(EditTest, VoxelsAndMeshesComeInChunksThatFit) {
       }
       EXPECT_EQ(static_cast<std::int64_t>(file.size()), mesh.at(0).total_bytes());
       EXPECT_GT(file.size(), 10000u);
-      EXPECT_EQ(file.substr(0, 3), format == v1::PLY ? "ply" : "# .");
+      EXPECT_EQ(file.substr(0, 3), format == v1::GetSubmapMeshRequest::PLY ? "ply" : "# .");
     }
   }
 }

@@ -93,7 +93,7 @@ class ExportProgressTest : public ::testing::Test {
   std::unique_ptr<Watcher> Watch(const std::string& map) {
     v1::WatchMapRequest request;
     request.set_map("maps/" + map);
-    request.set_progress_s(300);
+    request.set_progress_interval_s(300);
     auto watcher = std::make_unique<Watcher>(*server.watches, request);
     v1::WatchMapResponse message;
     EXPECT_TRUE(watcher->Read(message));
@@ -152,7 +152,7 @@ TEST_F(ExportProgressTest, AWatcherIsToldThatAFileGoesOutHowFarItIsAndItsEnd) {
   EXPECT_LT(num_told, kNumParts - 2) << "not with each part";
 
   grpc::ClientContext backing_up;
-  const auto backup = server.maps->BackupMap(&backing_up, {});
+  const auto backup = server.maps->BackupMaps(&backing_up, {});
   EXPECT_EQ(Await(*other, Stage::SENDING).kind(), v1::ExportProgress::BACKUP) << "the first that is of this map, too";
   backing_up.TryCancel();
   EXPECT_EQ(backup->Finish().error_code(), grpc::CANCELLED);
@@ -170,7 +170,7 @@ TEST_F(ExportProgressTest, OneWhoseCallerHangsUpIsOver) {
   context.TryCancel();
   EXPECT_EQ(reader->Finish().error_code(), grpc::CANCELLED);
   store.Let(kEndless / 2);  // until the server hears of it, it reads on: nothing says how far
-  const v1::ExportProgress left = Await(*watcher, Stage::LEFT);
+  const v1::ExportProgress left = Await(*watcher, Stage::CANCELLED);
   EXPECT_EQ(left.id(), id);
   EXPECT_LT(left.done_bytes(), left.total_bytes());
   EXPECT_EQ(last.progress().num_exports(), 0);
@@ -186,7 +186,7 @@ TEST_F(ExportProgressTest, OneWhoseCallerHangsUpWhileTheServerHasReadFarAheadIsO
   context.TryCancel();
   EXPECT_EQ(reader->Finish().error_code(), grpc::CANCELLED);
   store.Let(kEndless / 2);
-  EXPECT_LT(Await(*watcher, Stage::LEFT).done_bytes(), kEndless * kPart_bytes);
+  EXPECT_LT(Await(*watcher, Stage::CANCELLED).done_bytes(), kEndless * kPart_bytes);
 }
 
 TEST_F(ExportProgressTest, OneWhoseCallerHangsUpBeforeThereIsAFileIsOver) {
@@ -198,7 +198,7 @@ TEST_F(ExportProgressTest, OneWhoseCallerHangsUpBeforeThereIsAFileIsOver) {
   EXPECT_EQ(prepared.total_bytes(), 0);
   context.TryCancel();
   EXPECT_EQ(reader->Finish().error_code(), grpc::CANCELLED);
-  EXPECT_EQ(Await(*watcher, Stage::LEFT).id(), prepared.id());
+  EXPECT_EQ(Await(*watcher, Stage::CANCELLED).id(), prepared.id());
 }
 
 TEST_F(ExportProgressTest, WhoComesLaterIsToldOfWhatIsUnderWayAndOfNoEarlierEnd) {

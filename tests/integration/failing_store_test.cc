@@ -32,7 +32,7 @@ TEST_F(FailingStoreTest, AFullDiskIsReportedAndLosesNothing) {
   EXPECT_EQ(fed.status.error_code(), grpc::RESOURCE_EXHAUSTED) << fed.status.error_message();
   ASSERT_EQ(fed.acks.size(), 8u);
   for (const auto& ack : fed.acks) {
-    EXPECT_EQ(ack.error_code(), 0);  // fused all the same
+    EXPECT_EQ(ack.error().code(), 0);  // fused all the same
     EXPECT_FALSE(ack.committed());
   }
   EXPECT_EQ(store.GetMap("room")->info.num_frames, 4);
@@ -60,7 +60,7 @@ TEST_F(FailingStoreTest, AcknowledgementsSayThatTheStoreIsBehind) {
   EXPECT_TRUE(Eventually([&] {
     v1::IntegrateFramesResponse ack;
     EXPECT_TRUE(stream->Write(request) && stream->Read(&ack));
-    return ack.commit_error_code() == grpc::RESOURCE_EXHAUSTED && !ack.commit_error_message().empty();
+    return ack.commit_error().code() == grpc::RESOURCE_EXHAUSTED && !ack.commit_error().message().empty();
   }));
   store.set_full(false);
   stream->WritesDone();

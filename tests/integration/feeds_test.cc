@@ -11,6 +11,7 @@
 #include "tests/integration/feeder.h"
 #include "tests/integration/tcp_proxy.h"
 #include "tests/support/eventually.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -42,7 +43,7 @@ TEST(Feeds, NoAcknowledgementSaysMoreThanTheStoreHolds) {
     store.set_full(i >= 6);
     const auto ack = feeder.Feed(i);
     ASSERT_TRUE(ack);
-    EXPECT_EQ(ack->outcome(), v1::FUSED);
+    EXPECT_EQ(ack->outcome(), v1::IntegrateFramesResponse::FUSED);
     check(*ack);
   }
   EXPECT_LE(told, 6);
@@ -76,7 +77,7 @@ TEST(Feeds, TheLastFramesAcknowledgementComesWhenAllIsStored) {
   EXPECT_OK(feeder.Finish());
   EXPECT_EQ(num_answers, 3) << "one for each frame";
   EXPECT_EQ(last.sequence(), 3);
-  EXPECT_EQ(last.outcome(), v1::FUSED);
+  EXPECT_EQ(last.outcome(), v1::IntegrateFramesResponse::FUSED);
   EXPECT_GT(last.num_points(), 1000);
   EXPECT_TRUE(last.committed());
   EXPECT_EQ(last.committed_sequence(), 3);
@@ -118,7 +119,7 @@ TEST(Feeds, AStreamWithoutSessionThatHalfClosesLateIsOwedNoMoreAnswersAndEndsWhe
     ASSERT_TRUE(stream->Write(request));
     v1::IntegrateFramesResponse ack;
     ASSERT_TRUE(stream->Read(&ack));
-    EXPECT_EQ(ack.outcome(), v1::FUSED);
+    EXPECT_EQ(ack.outcome(), v1::IntegrateFramesResponse::FUSED);
     EXPECT_FALSE(ack.has_committed_sequence());
   }
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 0);
@@ -136,13 +137,13 @@ TEST(Feeds, ASessionEndsWithAnAnswerForNoFrame) {
   for (int i = 3; i < 6; ++i) {
     const auto ack = feeder.Feed(i);
     ASSERT_TRUE(ack);
-    EXPECT_EQ(ack->outcome(), v1::FUSED);
+    EXPECT_EQ(ack->outcome(), v1::IntegrateFramesResponse::FUSED);
     EXPECT_FALSE(ack->has_committed_sequence());
   }
   feeder.HalfClose();
   ASSERT_OK(feeder.Finish());
   ASSERT_TRUE(feeder.last());
-  EXPECT_EQ(feeder.last()->outcome(), v1::FRAME_OUTCOME_UNSPECIFIED);
+  EXPECT_EQ(feeder.last()->outcome(), v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED);
   EXPECT_EQ(feeder.last()->committed_sequence(), 5);
   EXPECT_TRUE(feeder.last()->committed());
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
@@ -157,7 +158,7 @@ TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
     const auto greeting = first.Greet();
     ASSERT_TRUE(greeting);
     EXPECT_FALSE(greeting->has_committed_sequence()) << "a new session";
-    EXPECT_EQ(greeting->outcome(), v1::FRAME_OUTCOME_UNSPECIFIED);
+    EXPECT_EQ(greeting->outcome(), v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED);
     EXPECT_EQ(greeting->error_code(), 0);
     for (int i = 0; i < 4; ++i) ASSERT_TRUE(first.Feed(i));
     first.HalfClose();
@@ -168,19 +169,19 @@ TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
   for (const int sequence : {3, 0, 2}) {
     const auto ack = second.Feed(sequence);
     ASSERT_TRUE(ack);
-    EXPECT_EQ(ack->outcome(), v1::DUPLICATE) << sequence;
-    EXPECT_EQ(ack->error_code(), 0);
+    EXPECT_EQ(ack->outcome(), v1::IntegrateFramesResponse::DUPLICATE) << sequence;
+    EXPECT_EQ(ack->error().code(), 0);
     EXPECT_EQ(ack->sequence(), sequence);
     EXPECT_EQ(ack->num_points(), 0);
   }
-  EXPECT_EQ(second.Feed(4)->outcome(), v1::FUSED);
+  EXPECT_EQ(second.Feed(4)->outcome(), v1::IntegrateFramesResponse::FUSED);
   second.HalfClose();
   ASSERT_OK(second.Finish());
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 5);
 
   // Another session has numbers of its own; streams without one are never deduplicated.
   Feeder other(server, "room", {.session = "other"});
-  EXPECT_EQ(other.Feed(0)->outcome(), v1::FUSED);
+  EXPECT_EQ(other.Feed(0)->outcome(), v1::IntegrateFramesResponse::FUSED);
   other.HalfClose();
   ASSERT_OK(other.Finish());
   for (int i = 0; i < 2; ++i) ASSERT_OK(Feed(server, "room", 0, 2));
@@ -200,7 +201,7 @@ TEST(Feeds, WhatIsTakenButNotStoredIsADuplicateAndToldAsStoredOnlyLater) {
   const auto greeting = second.Greet();
   ASSERT_TRUE(greeting) << "its own old stream is not in its way";
   EXPECT_FALSE(greeting->has_committed_sequence());
-  EXPECT_EQ(second.Feed(1)->outcome(), v1::DUPLICATE);
+  EXPECT_EQ(second.Feed(1)->outcome(), v1::IntegrateFramesResponse::DUPLICATE);
   EXPECT_FALSE(second.Feed(2)->has_committed_sequence());
   store.set_full(false);
   second.HalfClose();
@@ -213,7 +214,7 @@ TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   Create(server, "room");
-  for (const std::string& bad : {std::string("a b"), std::string(65, 'x'), std::string("a/b")}) {
+  for (const std::string& bad : {std::string("a b"), std::string(65, 'x'), std::string("a/b"), std::string("a:b")}) {
     Feeder feeder(server, "room", {.session = bad});
     EXPECT_FALSE(feeder.Feed(0));
     const grpc::Status status = feeder.Finish();
@@ -240,8 +241,8 @@ TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
   Feeder unnamed(server, "room");
   const auto ack = unnamed.Greet();
   ASSERT_TRUE(ack);
-  EXPECT_EQ(ack->outcome(), v1::REFUSED);
-  EXPECT_EQ(ack->error_reason(), "BAD_FRAME");
+  EXPECT_EQ(ack->outcome(), v1::IntegrateFramesResponse::REFUSED);
+  EXPECT_EQ(ReasonOf(ack->error()), "BAD_FRAME");
 }
 
 TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
@@ -249,7 +250,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
   TestServer server(*store, {.feeds = {.idle_s = 1000}}, {.max_frames_in_flight = 8});
   Create(server, "room");
   Feeder first(server, "room", {.session = "first"});
-  ASSERT_EQ(first.Feed(0)->outcome(), v1::FUSED);
+  ASSERT_EQ(first.Feed(0)->outcome(), v1::IntegrateFramesResponse::FUSED);
   {
     Feeder polite(server, "room");
     EXPECT_FALSE(polite.Feed(0));
@@ -266,17 +267,17 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
     session->EndFeed(*feed);
   }
   Feeder second(server, "room", {.session = "second", .take_over = true});
-  EXPECT_EQ(second.Feed(10)->outcome(), v1::FUSED);
+  EXPECT_EQ(second.Feed(10)->outcome(), v1::IntegrateFramesResponse::FUSED);
 
   while (const auto ack = first.Read()) {
-    EXPECT_EQ(ack->outcome(), v1::REFUSED) << "what waited is not fused";
-    EXPECT_EQ(ack->error_code(), grpc::ABORTED);
-    EXPECT_EQ(ack->error_reason(), "FEED_TAKEN_OVER");
+    EXPECT_EQ(ack->outcome(), v1::IntegrateFramesResponse::REFUSED) << "what waited is not fused";
+    EXPECT_EQ(ack->error().code(), grpc::ABORTED);
+    EXPECT_EQ(ReasonOf(ack->error()), "FEED_TAKEN_OVER");
   }
   const grpc::Status status = first.Finish();
   EXPECT_EQ(status.error_code(), grpc::ABORTED) << status.error_message();
   EXPECT_EQ(ReasonOf(status), "FEED_TAKEN_OVER");
-  EXPECT_EQ(second.Feed(11)->outcome(), v1::FUSED);
+  EXPECT_EQ(second.Feed(11)->outcome(), v1::IntegrateFramesResponse::FUSED);
   second.HalfClose();
   EXPECT_OK(second.Finish());
   const MapInfo stored = store->GetMap("room")->info;
@@ -292,7 +293,7 @@ TEST(Feeds, AnIdleFeederMakesPlaceForAnother) {
   Feeder first(server, "room");
   ASSERT_TRUE(first.Feed(0));
   Feeder second(server, "room");
-  EXPECT_EQ(second.Feed(1)->outcome(), v1::FUSED);
+  EXPECT_EQ(second.Feed(1)->outcome(), v1::IntegrateFramesResponse::FUSED);
   const grpc::Status status = first.Finish();
   EXPECT_EQ(status.error_code(), grpc::ABORTED);
   EXPECT_EQ(ReasonOf(status), "FEED_IDLE");
@@ -363,7 +364,7 @@ TEST(Feeds, OneMessageIsAnsweredOnceWhenItIsStoredOrByItsError) {
   std::vector<v1::IntegrateFramesResponse> answers;
   ASSERT_OK(send(TestFrame(0), answers));
   ASSERT_EQ(answers.size(), 1u);
-  EXPECT_EQ(answers[0].outcome(), v1::FUSED);
+  EXPECT_EQ(answers[0].outcome(), v1::IntegrateFramesResponse::FUSED);
   EXPECT_EQ(answers[0].sequence(), 5);
   EXPECT_GT(answers[0].num_points(), 1000);
   EXPECT_TRUE(answers[0].committed());
@@ -397,9 +398,9 @@ TEST(Feeds, SessionsLastOverRestartsOfTheServer) {
       EXPECT_EQ(greeting->committed_sequence(), 2 * run - 1);
     }
     if (run > 0) {
-      EXPECT_EQ(feeder.Feed(2 * run - 1)->outcome(), v1::DUPLICATE);
+      EXPECT_EQ(feeder.Feed(2 * run - 1)->outcome(), v1::IntegrateFramesResponse::DUPLICATE);
     }
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(feeder.Feed(2 * run + i)->outcome(), v1::FUSED);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(feeder.Feed(2 * run + i)->outcome(), v1::IntegrateFramesResponse::FUSED);
     feeder.HalfClose();
     ASSERT_OK(feeder.Finish());
     EXPECT_EQ((*store)->GetMap("room")->info.num_frames, 2 * run + 2);

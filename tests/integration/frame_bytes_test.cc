@@ -12,6 +12,7 @@
 #include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/eventually.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -101,7 +102,7 @@ TEST_F(FrameBytes, OfStreamsThatAreGivenUpAtOnceAreLetGo) {
   Feeder feeder(server_, "room", {.session = "robot"});
   const auto fused = feeder.Feed(kStreams + 1);
   ASSERT_TRUE(fused) << "the next one has the map";
-  EXPECT_EQ(fused->outcome(), v1::FUSED);
+  EXPECT_EQ(fused->outcome(), v1::IntegrateFramesResponse::FUSED);
   feeder.HalfClose();
   EXPECT_OK(feeder.Finish());
   EXPECT_OK(server_.Stop()) << "nothing is left that would hold up the end";
@@ -134,8 +135,8 @@ TEST_F(FrameBytes, OfAFirstFrameInASessionWithoutRoomAreRefusedAndNotTakenForAGr
   const auto answer = feeder.Feed(5);
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->sequence(), 5);
-  EXPECT_EQ(answer->outcome(), v1::REFUSED);
-  EXPECT_EQ(answer->error_reason(), "TOO_MANY_BYTES");
+  EXPECT_EQ(answer->outcome(), v1::IntegrateFramesResponse::REFUSED);
+  EXPECT_EQ(ReasonOf(answer->error()), "TOO_MANY_BYTES");
   feeder.HalfClose();
   EXPECT_OK(feeder.Finish());
 }

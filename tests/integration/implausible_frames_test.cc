@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/integration/feeder.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -57,7 +58,7 @@ TEST_F(FramesThatDoNotFit, TheyAreFusedWithAWarning) {
   Feeder feeder(server_, "room");
   EXPECT_EQ(Fed(feeder, 0, InMillimetres(TestFrame(0))).warnings_size(), 0) << "nobody can tell";
   const Ack ack = Fed(feeder, 1, InMillimetres(TestFrame(1)));
-  EXPECT_EQ(ack.outcome(), v1::FUSED);
+  EXPECT_EQ(ack.outcome(), v1::IntegrateFramesResponse::FUSED);
   ASSERT_EQ(ack.warnings_size(), 1) << ack.ShortDebugString();
   EXPECT_EQ(ack.warnings(0).fault(), v1::FrameWarning::TRANSLATION_IN_MILLIMETRES);
   EXPECT_NE(ack.warnings(0).message().find("must be in metres"), std::string::npos) << ack.warnings(0).message();
@@ -65,17 +66,18 @@ TEST_F(FramesThatDoNotFit, TheyAreFusedWithAWarning) {
 
 TEST_F(FramesThatDoNotFit, AFeedMayHaveThemRefused) {
   Feeder feeder(server_, "room", {.session = "robot", .refuse_implausible = true});
-  EXPECT_EQ(Fed(feeder, 0, TestFrame(0)).outcome(), v1::FUSED);
+  EXPECT_EQ(Fed(feeder, 0, TestFrame(0)).outcome(), v1::IntegrateFramesResponse::FUSED);
   const Ack refused = Fed(feeder, 1, InMillimetres(TestFrame(1)));
-  EXPECT_EQ(refused.outcome(), v1::REFUSED);
-  EXPECT_EQ(refused.error_code(), grpc::INVALID_ARGUMENT);
-  EXPECT_EQ(refused.error_reason(), "IMPLAUSIBLE_FRAME");
+  EXPECT_EQ(refused.outcome(), v1::IntegrateFramesResponse::REFUSED);
+  EXPECT_EQ(refused.error().code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(ReasonOf(refused.error()), "IMPLAUSIBLE_FRAME");
   ASSERT_EQ(refused.warnings_size(), 1);
   EXPECT_EQ(refused.warnings(0).fault(), v1::FrameWarning::TRANSLATION_IN_MILLIMETRES);
   v1::Frame again = TestFrame(2);
   again.set_stamp_ns(TestFrame(0).stamp_ns());
-  EXPECT_EQ(Fed(feeder, 2, std::move(again)).error_reason(), "IMPLAUSIBLE_FRAME");
-  EXPECT_EQ(Fed(feeder, 3, TestFrame(2)).outcome(), v1::FUSED) << "the stream goes on, and what was refused is nothing";
+  EXPECT_EQ(ReasonOf(Fed(feeder, 2, std::move(again)).error()), "IMPLAUSIBLE_FRAME");
+  EXPECT_EQ(Fed(feeder, 3, TestFrame(2)).outcome(), v1::IntegrateFramesResponse::FUSED)
+      << "the stream goes on, and what was refused is nothing";
   feeder.HalfClose();
   EXPECT_TRUE(feeder.Finish().ok());
   EXPECT_EQ(NumFrames(), 2);

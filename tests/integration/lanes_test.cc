@@ -25,7 +25,7 @@ v1::QueryPointsRequest ManyPoints(const std::string& map_id) {
   v1::QueryPointsRequest request;
   request.set_map("maps/" + map_id);
   request.set_packed(true);
-  for (int i = 0; i < 3 * kManyPoints; ++i) request.add_xyz_m(0.001f * static_cast<float>(i % 997));
+  for (int i = 0; i < 3 * kManyPoints; ++i) request.add_packed_points_m(0.001f * static_cast<float>(i % 997));
   return request;
 }
 
@@ -44,7 +44,7 @@ class Lanes : public ::testing::Test {
     v1::QueryPointsResponse response;
     const grpc::Status status = server_.queries->QueryPoints(&context, ManyPoints("room"), &response);
     if (status.ok()) {
-      EXPECT_EQ(response.packed().observed_size(), kManyPoints);
+      EXPECT_EQ(response.packed().near_surface_size(), kManyPoints);
     }
     return status;
   }
@@ -184,7 +184,7 @@ TEST(LanesOfClosedMaps, FramesThatWaitForTheDiskDoNotHoldUpThoseOfOpenMaps) {
   for (const auto& feeder : waiting) {
     const auto fused = feeder->Read();
     ASSERT_TRUE(fused);
-    EXPECT_EQ(fused->outcome(), v1::FUSED);
+    EXPECT_EQ(fused->outcome(), v1::IntegrateFramesResponse::FUSED);
   }
 }
 

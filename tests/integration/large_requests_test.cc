@@ -138,22 +138,22 @@ TEST_F(LargeRequests, OfTinyFieldsAreRefusedBeforeTheyAreMessages) {
 
 TEST_F(LargeRequests, InAStreamOfQueriesAreAnsweredAndTheStreamGoesOn) {
   const long before_KiB = Peak_KiB();
-  v1::QueryStreamRequest number, query;
-  number.set_number(7);
-  query.set_number(8);
+  v1::StreamQueriesRequest number, query;
+  number.set_sequence(7);
+  query.set_sequence(8);
   *query.mutable_query_points() = TestQuery("room");
   const std::string bomb = number.SerializeAsString() + Many(kUnknownText, kHuge_bytes);
   const std::string points = InField(3, Many(std::string("\x1a\x00", 2), kHuge_bytes)) + number.SerializeAsString();
-  const RawAnswer answer =
-      Send("/dhpmap.v1.QueryService/QueryStream", {bomb, query.SerializeAsString(), points, query.SerializeAsString()});
+  const RawAnswer answer = Send("/dhpmap.v1.QueryService/StreamQueries",
+                                {bomb, query.SerializeAsString(), points, query.SerializeAsString()});
   EXPECT_OK(answer.status);
   ASSERT_EQ(answer.messages.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
-    v1::QueryStreamResponse message;
+    v1::StreamQueriesResponse message;
     grpc::ByteBuffer bytes = answer.messages[i];
-    ASSERT_OK(grpc::SerializationTraits<v1::QueryStreamResponse>::Deserialize(&bytes, &message));
+    ASSERT_OK(grpc::SerializationTraits<v1::StreamQueriesResponse>::Deserialize(&bytes, &message));
     const bool is_refused = i % 2 == 0;
-    EXPECT_EQ(message.number(), is_refused ? 7 : 8);
+    EXPECT_EQ(message.sequence(), is_refused ? 7 : 8);
     EXPECT_EQ(message.error().code(), is_refused ? static_cast<int>(grpc::StatusCode::RESOURCE_EXHAUSTED) : 0);
     EXPECT_EQ(message.has_query_points(), !is_refused);
   }

@@ -99,7 +99,7 @@ std::map<std::string, std::string> AnswersOf(TestServer& server, const std::stri
   keep("points", server.Call(&QueryStub::QueryPoints, TestQuery(map_id)).value());
   auto distances = About<v1::QueryDistancesRequest>(map);
   distances.set_packed(true);
-  *distances.mutable_xyz_m() = TestQuery(map_id).xyz_m();
+  *distances.mutable_packed_points_m() = TestQuery(map_id).packed_points_m();
   keep("distances", server.Call(&QueryStub::QueryDistances, distances).value());
   auto submaps = server.Call(&SubmapStub::ListSubmaps, map).value();
   for (v1::Submap& submap : *submaps.mutable_submaps()) submap.clear_etag();  // which names the history

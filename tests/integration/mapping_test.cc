@@ -50,7 +50,7 @@ TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
   for (int i = 0; i < kWalkFrames; ++i) {
     const auto& ack = fed.acks[static_cast<std::size_t>(i)];
     EXPECT_EQ(ack.sequence(), i);
-    EXPECT_EQ(ack.error_code(), 0) << ack.error_message();
+    EXPECT_EQ(ack.error().code(), 0) << ack.error().message();
     EXPECT_GT(ack.num_points(), 1000);
   }
   EXPECT_EQ(store->GetMap("room")->info.num_frames, kWalkFrames);
@@ -67,13 +67,13 @@ TEST(Mapping, PointsOnObjectsAreAnsweredWithTheirClass) {
   CreateMapNamed(server, "room");
   ASSERT_OK(Feed(server, "room", 0, kWalkFrames));
   const v1::PointResult ball = QueryOne(server, "room", 0, 0, 0.81);
-  EXPECT_TRUE(ball.observed());
+  EXPECT_TRUE(ball.near_surface());
   EXPECT_EQ(ball.class_name(), "thing1");
-  EXPECT_EQ(ball.kind(), v1::THING);
+  EXPECT_EQ(ball.kind(), v1::LabelClass::THING);
   EXPECT_EQ(QueryOne(server, "room", 1.2, 0.3, 0.61).class_name(), "thing2");
   EXPECT_EQ(QueryOne(server, "room", 0.6, -0.7, 0.01).class_name(), "stuff3");
-  EXPECT_FALSE(QueryOne(server, "room", 0, 0, 30).observed());
-  EXPECT_FALSE(QueryOne(server, "room", 1e30, -1e30, 1e300).observed());
+  EXPECT_FALSE(QueryOne(server, "room", 0, 0, 30).near_surface());
+  EXPECT_FALSE(QueryOne(server, "room", 1e30, -1e30, 1e300).near_surface());
 }
 
 TEST(Mapping, ARestartOnTheSameFileGivesTheSameAnswers) {
@@ -101,17 +101,17 @@ TEST(Mapping, ARestartOnTheSameFileGivesTheSameAnswers) {
   EXPECT_EQ(after.revision(), before.revision());
   const auto& a = after.packed();
   const auto& b = before.packed();
-  ASSERT_EQ(a.observed_size(), b.observed_size());
+  ASSERT_EQ(a.near_surface_size(), b.near_surface_size());
   int num_observed = 0, num_free = 0;
-  for (int i = 0; i < a.observed_size(); ++i) {
-    num_observed += a.observed(i) ? 1 : 0;
+  for (int i = 0; i < a.near_surface_size(); ++i) {
+    num_observed += a.near_surface(i) ? 1 : 0;
     num_free += a.free(i) ? 1 : 0;
-    ASSERT_EQ(a.observed(i), b.observed(i));
+    ASSERT_EQ(a.near_surface(i), b.near_surface(i));
     ASSERT_EQ(a.free(i), b.free(i));
     ASSERT_EQ(a.instance_id(i), b.instance_id(i));
     ASSERT_EQ(a.class_id(i), b.class_id(i));
-    if (a.observed(i)) ASSERT_NEAR(a.distance_m(i), b.distance_m(i), 0.1 / 4096 + 1e-7);
-    else ASSERT_TRUE(std::isnan(a.distance_m(i)) && std::isnan(b.distance_m(i)));
+    if (a.near_surface(i)) ASSERT_NEAR(a.tsdf_m(i), b.tsdf_m(i), 0.1 / 4096 + 1e-7);
+    else ASSERT_TRUE(std::isnan(a.tsdf_m(i)) && std::isnan(b.tsdf_m(i)));
   }
   EXPECT_GT(num_observed, 500);
   EXPECT_GT(num_free, 50);
@@ -170,8 +170,8 @@ TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
     ASSERT_TRUE(stream->Read(&ack));
     EXPECT_EQ(ack.sequence(), static_cast<std::int64_t>(i));
     const bool is_good = i == 0 || i + 1 == frames.size();
-    EXPECT_EQ(ack.error_code(), is_good ? 0 : 3) << i << ": " << ack.error_message();
-    EXPECT_EQ(ack.error_message().empty(), is_good);
+    EXPECT_EQ(ack.error().code(), is_good ? 0 : 3) << i << ": " << ack.error().message();
+    EXPECT_EQ(ack.error().message().empty(), is_good);
   }
   stream->WritesDone();
   EXPECT_OK(stream->Finish());

@@ -24,7 +24,7 @@ class ObjectDescriptions : public ::testing::Test {
   /// The things of the map that pass, by ascending id.
   std::vector<v1::Submap> Things(v1::ListSubmapsRequest request = {}) {
     request.set_parent("maps/room");
-    request.set_kind(v1::THING);
+    request.set_kind(v1::LabelClass::THING);
     const auto response = server.Call(&SubmapStub::ListSubmaps, request).value();
     return {response.submaps().begin(), response.submaps().end()};
   }
@@ -85,7 +85,7 @@ class SmallObject : public ObjectDescriptions {
       ASSERT_TRUE(stream->Write(request));
       v1::IntegrateFramesResponse ack;
       ASSERT_TRUE(stream->Read(&ack));
-      ASSERT_EQ(ack.outcome(), v1::FUSED) << ack.error_message();
+      ASSERT_EQ(ack.outcome(), v1::IntegrateFramesResponse::FUSED) << ack.error().message();
     }
     stream->WritesDone();
     v1::IntegrateFramesResponse rest;
@@ -110,11 +110,11 @@ TEST_F(SmallObject, HasASphereAroundWhatWasSeenOfItNotAroundItsBlocks) {
 TEST_F(SmallObject, IsFoundByThatSphereAndTakesItAlongWhenItIsMoved) {
   v1::Submap ball = Things()[0];
   v1::ListSubmapsRequest beside;  // where blocks of it are, but nothing of itself
-  beside.mutable_near()->mutable_center_m()->set_x(0.9 * kBlocksRadius_m);
-  beside.mutable_near()->mutable_center_m()->set_z(kBallHeight_m);
-  beside.mutable_near()->set_radius_m(0.01);
+  beside.mutable_sphere()->mutable_center_m()->set_x(0.9 * kBlocksRadius_m);
+  beside.mutable_sphere()->mutable_center_m()->set_z(kBallHeight_m);
+  beside.mutable_sphere()->set_radius_m(0.01);
   EXPECT_TRUE(Things(beside).empty());
-  beside.mutable_near()->mutable_center_m()->set_x(kBallRadius_m);
+  beside.mutable_sphere()->mutable_center_m()->set_x(kBallRadius_m);
   EXPECT_EQ(Things(beside).size(), 1u);
 
   const double radius_m = ball.bounding_sphere().radius_m(), y_m = ball.bounding_sphere().center_m().y();

@@ -158,7 +158,7 @@ TEST_F(PreconditionTest, AnEtagOfBeforeAnothersEditIsRefusedInEveryEdit) {
 TEST_F(PreconditionTest, AnEtagDoesNotOutliveItsObjectNorAMerge) {
   v1::ApplyEditsRequest merge;
   merge.add_edits()->set_submap(ball_.name());
-  merge.mutable_edits(0)->mutable_merge()->add_others(box_.name());
+  merge.mutable_edits(0)->mutable_merge()->add_merged_submaps(box_.name());
   ASSERT_EQ(Apply(merge), "OK");
   EXPECT_EQ(Rename(box_, "x", box_.etag()), "MERGED_INTO");
   EXPECT_EQ(Rename(ball_, "x", ball_.etag()), "ETAG_MISMATCH");
@@ -251,12 +251,12 @@ TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotExpectedByAnEdit) {
 TEST_F(PreconditionTest, AStreamOfQueriesIsToldOfARevisionThatACrashHasLost) {
   const std::int64_t lost = FeedAndCrash().revision();
   grpc::ClientContext context;
-  const auto stream = server_->queries->QueryStream(&context);
-  v1::QueryStreamRequest request;
+  const auto stream = server_->queries->StreamQueries(&context);
+  v1::StreamQueriesRequest request;
   request.mutable_query_distances()->set_map("maps/room");
   request.mutable_query_distances()->add_points_m()->set_z(1.3);
   request.mutable_query_distances()->mutable_options()->set_min_revision(lost);
-  v1::QueryStreamResponse response;
+  v1::StreamQueriesResponse response;
   ASSERT_TRUE(stream->Write(request) && stream->Read(&response));
   EXPECT_EQ(response.error().code(), grpc::OUT_OF_RANGE) << response.error().message();
   stream->WritesDone();

@@ -15,32 +15,32 @@ namespace {
 /// A mapped TestScene and one stream of queries.
 class QueryStreamTest : public ::testing::Test {
  protected:
-  using Stream = grpc::ClientReaderWriter<v1::QueryStreamRequest, v1::QueryStreamResponse>;
+  using Stream = grpc::ClientReaderWriter<v1::StreamQueriesRequest, v1::StreamQueriesResponse>;
 
   QueryStreamTest() {
     EXPECT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
     EXPECT_OK(Feed(server, "room", 0, 10));
   }
   std::unique_ptr<Stream> Open(const std::shared_ptr<grpc::Channel>& channel) {
-    return v1::QueryService::NewStub(channel)->QueryStream(&context);
+    return v1::QueryService::NewStub(channel)->StreamQueries(&context);
   }
-  static v1::QueryStreamRequest Distance(std::int64_t number, double z_m) {
-    v1::QueryStreamRequest request;
-    request.set_number(number);
+  static v1::StreamQueriesRequest Distance(std::int64_t number, double z_m) {
+    v1::StreamQueriesRequest request;
+    request.set_sequence(number);
     request.mutable_query_distances()->set_map("maps/room");
     request.mutable_query_distances()->add_points_m()->set_z(z_m);
     return request;
   }
-  static v1::QueryStreamRequest Pin(const std::string& map) {
-    v1::QueryStreamRequest request;
+  static v1::StreamQueriesRequest Pin(const std::string& map) {
+    v1::StreamQueriesRequest request;
     request.mutable_pin()->set_map(map);
     return request;
   }
-  static v1::QueryStreamResponse Ask(Stream& stream, const v1::QueryStreamRequest& request) {
-    v1::QueryStreamResponse response;
+  static v1::StreamQueriesResponse Ask(Stream& stream, const v1::StreamQueriesRequest& request) {
+    v1::StreamQueriesResponse response;
     EXPECT_TRUE(stream.Write(request));
     EXPECT_TRUE(stream.Read(&response));
-    EXPECT_EQ(response.number(), request.number());
+    EXPECT_EQ(response.sequence(), request.sequence());
     return response;
   }
   std::int64_t RevisionNow() { return server.Call(&MapStub::GetMap, "maps/room").value().map().revision(); }
@@ -54,8 +54,8 @@ TEST_F(QueryStreamTest, AnswersAnyQueryUnderItsNumberAsTheCallWould) {
   ASSERT_OK_AND_ASSIGN(const auto called, server.Call(&QueryStub::QueryDistances, Distance(0, 1.3).query_distances()));
   const auto stream = Open(server.grpc().InProcessChannel());
   EXPECT_EQ(Ask(*stream, Distance(7, 1.3)).query_distances().SerializeAsString(), called.SerializeAsString());
-  v1::QueryStreamRequest request;
-  request.set_number(8);
+  v1::StreamQueriesRequest request;
+  request.set_sequence(8);
   request.mutable_query_points()->set_map("maps/room");
   request.mutable_query_points()->add_points_m()->set_z(0.8);
   EXPECT_EQ(Ask(*stream, request).query_points().results_size(), 1);
@@ -64,22 +64,22 @@ TEST_F(QueryStreamTest, AnswersAnyQueryUnderItsNumberAsTheCallWould) {
   ray.mutable_origin_m()->set_z(2);
   ray.mutable_direction()->set_z(-1);
   EXPECT_EQ(Ask(*stream, request).cast_rays().results_size(), 1);
-  request.mutable_get_occupancy_slice()->set_map("maps/room");
-  request.mutable_get_occupancy_slice()->set_max_z_m(1);
-  EXPECT_GT(Ask(*stream, request).get_occupancy_slice().width(), 10);
+  request.mutable_query_occupancy_slice()->set_map("maps/room");
+  request.mutable_query_occupancy_slice()->set_max_z_m(1);
+  EXPECT_GT(Ask(*stream, request).query_occupancy_slice().width(), 10);
   request.mutable_search_submaps()->set_map("maps/room");
   EXPECT_GT(Ask(*stream, request).search_submaps().matches_size(), 1);
-  request.mutable_list_relations()->set_map("maps/room");
-  EXPECT_GT(Ask(*stream, request).list_relations().revision(), 0);
+  request.mutable_query_relations()->set_map("maps/room");
+  EXPECT_GT(Ask(*stream, request).query_relations().revision(), 0);
   request.mutable_check_collisions()->set_map("maps/room");
-  for (const float value : {0.0F, 0.0F, 1.3F, 5.0F}) request.mutable_check_collisions()->add_spheres(value);
+  for (const float value : {0.0F, 0.0F, 1.3F, 5.0F}) request.mutable_check_collisions()->add_packed_spheres_m(value);
   EXPECT_TRUE(Ask(*stream, request).check_collisions().results(0).colliding());
   request.mutable_check_trajectory()->set_map("maps/room");
   request.mutable_check_trajectory()->add_robot()->set_radius_m(5);
   request.mutable_check_trajectory()->add_trajectories()->add_waypoints()->mutable_rotation()->set_w(1);
   EXPECT_FALSE(Ask(*stream, request).check_trajectory().results(0).valid());
   EXPECT_TRUE(stream->WritesDone());
-  v1::QueryStreamResponse none;
+  v1::StreamQueriesResponse none;
   EXPECT_FALSE(stream->Read(&none));
   EXPECT_OK(stream->Finish());
 }
@@ -91,10 +91,10 @@ TEST_F(QueryStreamTest, ManySentAheadAreAnsweredInTheirOrder) {
     for (int i = 0; i < kMany; ++i) EXPECT_TRUE(stream->Write(Distance(i, 0.5 + 0.001 * i)));
     stream->WritesDone();
   });
-  v1::QueryStreamResponse response;
+  v1::StreamQueriesResponse response;
   for (int i = 0; i < kMany; ++i) {
     ASSERT_TRUE(stream->Read(&response));
-    EXPECT_EQ(response.number(), i);
+    EXPECT_EQ(response.sequence(), i);
     EXPECT_EQ(response.query_distances().results_size(), 1);
   }
   writer.join();
@@ -103,13 +103,13 @@ TEST_F(QueryStreamTest, ManySentAheadAreAnsweredInTheirOrder) {
 
 TEST_F(QueryStreamTest, ABadQueryIsAnsweredWithItsErrorAndTheStreamGoesOn) {
   const auto stream = Open(server.channel());
-  v1::QueryStreamRequest bad = Distance(1, 1);
+  v1::StreamQueriesRequest bad = Distance(1, 1);
   bad.mutable_query_distances()->mutable_options()->add_class_names("spoon");
-  v1::QueryStreamResponse answer = Ask(*stream, bad);
+  v1::StreamQueriesResponse answer = Ask(*stream, bad);
   EXPECT_EQ(answer.error().code(), grpc::INVALID_ARGUMENT);
   EXPECT_GT(answer.error().details_size(), 0);
-  EXPECT_EQ(answer.answer_case(), v1::QueryStreamResponse::ANSWER_NOT_SET);
-  EXPECT_EQ(Ask(*stream, v1::QueryStreamRequest()).error().code(), grpc::INVALID_ARGUMENT) << "no query";
+  EXPECT_EQ(answer.answer_case(), v1::StreamQueriesResponse::ANSWER_NOT_SET);
+  EXPECT_EQ(Ask(*stream, v1::StreamQueriesRequest()).error().code(), grpc::INVALID_ARGUMENT) << "no query";
   bad = Distance(2, 1);
   bad.mutable_query_distances()->set_map("maps/nowhere");
   EXPECT_EQ(Ask(*stream, bad).error().code(), grpc::NOT_FOUND);
@@ -129,7 +129,7 @@ TEST_F(QueryStreamTest, APinHoldsOneStateWhileTheMapGoesOn) {
   ASSERT_OK(Feed(server, "room", 10, 20));
   ASSERT_GT(RevisionNow(), pinned);
   EXPECT_EQ(Ask(*stream, Distance(1, 1)).query_distances().revision(), pinned);
-  v1::QueryStreamRequest points;
+  v1::StreamQueriesRequest points;
   points.mutable_query_points()->set_map("maps/room");
   points.mutable_query_points()->add_points_m();
   EXPECT_EQ(Ask(*stream, points).query_points().revision(), pinned);
@@ -141,7 +141,7 @@ TEST_F(QueryStreamTest, EndsWithTheServerAlsoWhenNobodyAsks) {
   const auto stream = Open(server.channel());
   (void)Ask(*stream, Distance(1, 1));
   server.grpc().Drain();  // which waits for nobody, and cancels nothing
-  v1::QueryStreamResponse none;
+  v1::StreamQueriesResponse none;
   EXPECT_FALSE(stream->Read(&none));
   const grpc::Status ended = stream->Finish();
   EXPECT_EQ(ended.error_code(), grpc::UNAVAILABLE);

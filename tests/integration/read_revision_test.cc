@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/integration/test_server.h"
 #include "tests/support/status_reason.h"
@@ -70,7 +71,7 @@ class ReadRevision : public ::testing::Test {
   }
   std::string Distances(std::int64_t revision) {
     auto request = AskAt<v1::QueryDistancesRequest>(revision);
-    for (int i = 0; i < 30; ++i) request.add_xyz_m(-0.9F + 0.13F * static_cast<float>(i));
+    for (int i = 0; i < 30; ++i) request.add_packed_points_m(-0.9F + 0.13F * static_cast<float>(i));
     request.set_packed(true);
     return Tell(&QueryStub::QueryDistances, request);
   }
@@ -86,7 +87,7 @@ class ReadRevision : public ::testing::Test {
   }
   std::string Bodies(std::int64_t revision) {
     auto request = AskAt<v1::CheckCollisionsRequest>(revision);
-    for (const float value : {0.0F, 0.0F, 1.0F, 0.3F, 1.2F, 0.3F, 0.8F, 0.3F}) request.add_spheres(value);
+    for (const float value : {0.0F, 0.0F, 1.0F, 0.3F, 1.2F, 0.3F, 0.8F, 0.3F}) request.add_packed_spheres_m(value);
     return Tell(&QueryStub::CheckCollisions, request);
   }
   std::string Motions(std::int64_t revision) {
@@ -102,10 +103,10 @@ class ReadRevision : public ::testing::Test {
     return Tell(&QueryStub::CheckTrajectory, request);
   }
   std::string Slice(std::int64_t revision) {
-    auto request = AskAt<v1::GetOccupancySliceRequest>(revision);
+    auto request = AskAt<v1::QueryOccupancySliceRequest>(revision);
     request.set_max_z_m(1);
-    request.set_with_objects(true);
-    return Tell(&QueryStub::GetOccupancySlice, request);
+    request.set_include_objects(true);
+    return Tell(&QueryStub::QueryOccupancySlice, request);
   }
   std::string Stats(std::int64_t revision) {
     v1::GetMapStatsResponse response =
@@ -114,13 +115,13 @@ class ReadRevision : public ::testing::Test {
     return status.ok() ? response.SerializeAsString() : ReasonOf(status);
   }
   std::string Grid(std::int64_t revision) {
-    auto request = AskAt<v1::GetDistanceGridRequest>(revision);
+    auto request = AskAt<v1::QueryDistanceGridRequest>(revision);
     request.mutable_box()->mutable_min_m()->set_x(-0.5);
     request.mutable_box()->mutable_max_m()->set_x(1.5);
     request.mutable_box()->mutable_max_m()->set_y(0.5);
     request.mutable_box()->mutable_max_m()->set_z(1);
     request.set_resolution_m(0.25);
-    return Tell(&QueryStub::GetDistanceGrid, request);
+    return Tell(&QueryStub::QueryDistanceGrid, request);
   }
   using Reading = std::function<std::string(std::int64_t)>;
   /// Every way to read a map.
@@ -135,16 +136,16 @@ class ReadRevision : public ::testing::Test {
             {"GetSubmapMesh", about(&SubmapStub::GetSubmapMesh, map)},
             {"GetMap", about(&MapStub::GetMap, map)},
             {"GetMapStats", [this](std::int64_t r) { return Stats(r); }},
-            {"ListKeptClear", about(&EditStub::ListKeptClear, map)},
+            {"ListIgnoredRegions", about(&EditStub::ListIgnoredRegions, map)},
             {"QueryPoints", [this](std::int64_t r) { return Points(r); }},
             {"QueryDistances", [this](std::int64_t r) { return Distances(r); }},
             {"CastRays", [this](std::int64_t r) { return Rays(r); }},
             {"CheckCollisions", [this](std::int64_t r) { return Bodies(r); }},
             {"CheckTrajectory", [this](std::int64_t r) { return Motions(r); }},
-            {"GetOccupancySlice", [this](std::int64_t r) { return Slice(r); }},
-            {"GetDistanceGrid", [this](std::int64_t r) { return Grid(r); }},
+            {"QueryOccupancySlice", [this](std::int64_t r) { return Slice(r); }},
+            {"QueryDistanceGrid", [this](std::int64_t r) { return Grid(r); }},
             {"SearchSubmaps", about(&QueryStub::SearchSubmaps, map)},
-            {"ListRelations", about(&QueryStub::ListRelations, map)}};
+            {"QueryRelations", about(&QueryStub::QueryRelations, map)}};
   }
 
   std::int64_t Now() { return (*server->registry().ViewOf("room"))->snapshot().revision(); }
@@ -204,7 +205,7 @@ v1::Edit RandomEditOf(const v1::Edit& target, std::mt19937& random) {
     }
     case 4: {
       edit.clear_submap();
-      v1::KeepClearEdit& region = *edit.mutable_keep_clear();
+      v1::IgnoreRegionEdit& region = *edit.mutable_ignore_region();
       region.set_name("region-" + std::to_string(random() % 1000));
       region.mutable_sphere()->mutable_center_m()->set_z(5);
       region.mutable_sphere()->set_radius_m(0.1);
@@ -213,6 +214,36 @@ v1::Edit RandomEditOf(const v1::Edit& target, std::mt19937& random) {
     default: edit.mutable_delete_(); break;
   }
   return edit;
+}
+
+TEST_F(ReadRevision, TheRevisionsThatCanBeReadAreListed) {
+  Begin(4);
+  for (int i = 0; i < 6; ++i) {
+    v1::Edit rename = On(1);
+    rename.mutable_rename()->set_display_name("lamp " + std::to_string(i));
+    ASSERT_TRUE(Apply(rename));
+  }
+  std::vector<std::int64_t> listed;
+  v1::ListMapRevisionsRequest request;
+  request.set_parent("maps/room");
+  request.set_page_size(2);
+  do {
+    const auto page = server->Call(&MapStub::ListMapRevisions, request).value();
+    for (const v1::MapRevision& told : page.revisions()) {
+      listed.push_back(told.revision());
+      const auto map = server->Call(&MapStub::GetMap, [&] {
+        v1::GetMapRequest get;
+        get.set_name("maps/room");
+        get.set_read_revision(told.revision());
+        return get;
+      }());
+      ASSERT_OK(map);
+      EXPECT_EQ(map->map().update_time().ShortDebugString(), told.update_time().ShortDebugString());
+    }
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  EXPECT_EQ(listed, (std::vector<std::int64_t>{Now(), Now() - 1, Now() - 2, Now() - 3}));
+  EXPECT_EQ(TellAbout(&MapStub::GetMap, "maps/room", Now() - 4), "REVISION_NOT_KEPT");
 }
 
 TEST_F(ReadRevision, EveryAnswerIsThatWhichWasGivenAtTheTime) {
@@ -307,18 +338,18 @@ TEST_F(ReadRevision, AStreamPinsAPastStateAndReadsOthers) {
   ASSERT_TRUE(Rename(1, "later"));
   ASSERT_TRUE(Rename(1, "latest"));
   grpc::ClientContext context;
-  const auto stream = server->queries->QueryStream(&context);
-  const auto revision_of = [&](const v1::QueryStreamRequest& request) -> std::int64_t {
-    v1::QueryStreamResponse response;
+  const auto stream = server->queries->StreamQueries(&context);
+  const auto revision_of = [&](const v1::StreamQueriesRequest& request) -> std::int64_t {
+    v1::StreamQueriesResponse response;
     EXPECT_TRUE(stream->Write(request) && stream->Read(&response));
     EXPECT_EQ(response.error().code(), 0) << response.error().message();
     return response.has_pin() ? response.pin().revision() : response.query_points().revision();
   };
-  v1::QueryStreamRequest pin;
+  v1::StreamQueriesRequest pin;
   pin.mutable_pin()->set_map("maps/room");
   pin.mutable_pin()->set_read_revision(past);
   EXPECT_EQ(revision_of(pin), past);
-  v1::QueryStreamRequest query;
+  v1::StreamQueriesRequest query;
   query.mutable_query_points()->set_map("maps/room");
   query.mutable_query_points()->add_points_m();
   EXPECT_EQ(revision_of(query), past) << "that is pinned";
@@ -327,7 +358,7 @@ TEST_F(ReadRevision, AStreamPinsAPastStateAndReadsOthers) {
   query.mutable_query_points()->set_read_revision(past + 2);
   EXPECT_EQ(revision_of(query), past + 2);
   query.mutable_query_points()->set_read_revision(past + 3);
-  v1::QueryStreamResponse response;
+  v1::StreamQueriesResponse response;
   ASSERT_TRUE(stream->Write(query) && stream->Read(&response));
   EXPECT_EQ(response.error().code(), grpc::INVALID_ARGUMENT) << "and the stream goes on";
   stream->WritesDone();

@@ -54,9 +54,9 @@ class RecordedEdits : public ::testing::Test {
     const auto server = MakeServer(*store, "room", true);
     v1::ApplyEditsRequest keep;
     keep.set_map("maps/room");
-    keep.add_edits()->mutable_keep_clear()->set_name("corner");
-    keep.mutable_edits(0)->mutable_keep_clear()->mutable_sphere()->mutable_center_m()->set_x(1.5);
-    keep.mutable_edits(0)->mutable_keep_clear()->mutable_sphere()->set_radius_m(0.5);
+    keep.add_edits()->mutable_ignore_region()->set_name("corner");
+    keep.mutable_edits(0)->mutable_ignore_region()->mutable_sphere()->mutable_center_m()->set_x(1.5);
+    keep.mutable_edits(0)->mutable_ignore_region()->mutable_sphere()->set_radius_m(0.5);
     Make(*server, &EditStub::ApplyEdits, keep);  // before the record begins
     EXPECT_OK(Feed(*server, "room", 0, 8));
 
@@ -99,7 +99,7 @@ class RecordedEdits : public ::testing::Test {
     Make(*server, &SubmapStub::UndeleteSubmap, back);
     v1::ApplyEditsRequest lift;
     lift.set_map("maps/room");
-    lift.add_edits()->mutable_lift()->set_name("corner");
+    lift.add_edits()->mutable_unignore_region()->set_name("corner");
     Make(*server, &EditStub::ApplyEdits, lift);
     v1::UpdateMapRequest title;
     title.mutable_map()->set_name("maps/room");
@@ -128,7 +128,7 @@ class RecordedEdits : public ::testing::Test {
   void ReplayInto(TestServer& server, const std::string& map_id) {
     RecordReader reader = Reader();
     ReplayStreams streams(*server.mapping, "maps/" + map_id, [](const v1::IntegrateFramesResponse& answer) {
-      EXPECT_EQ(answer.outcome(), v1::FUSED) << answer.error_message();
+      EXPECT_EQ(answer.outcome(), v1::IntegrateFramesResponse::FUSED) << answer.error().message();
     });
     ReplayEdits edits(server.channel(), reader.start().map().name(), "maps/" + map_id);
     EXPECT_OK(edits.KeepClear(reader.start()));

@@ -38,7 +38,7 @@ void FeedNoisyFrames(TestServer& server, int begin, int end) {
     ASSERT_TRUE(stream->Write(request));
     v1::IntegrateFramesResponse ack;
     ASSERT_TRUE(stream->Read(&ack));
-    EXPECT_EQ(ack.error_code(), 0) << ack.error_message();
+    EXPECT_EQ(ack.error().code(), 0) << ack.error().message();
   }
   stream->WritesDone();
   EXPECT_OK(stream->Finish());
@@ -84,9 +84,9 @@ TEST(Refinement, DroppedVoxelLabelsAreReportedAndSurviveARestart) {
   ASSERT_OK(store);
   TestServer server(**store);
   ASSERT_OK_AND_ASSIGN(const auto answer, server.Call(&QueryStub::QueryPoints, TestQuery("room")));
-  ASSERT_EQ(answer.packed().observed_size(), before.packed().observed_size());
-  for (int i = 0; i < before.packed().observed_size(); ++i) {
-    ASSERT_EQ(answer.packed().observed(i), before.packed().observed(i));
+  ASSERT_EQ(answer.packed().near_surface_size(), before.packed().near_surface_size());
+  for (int i = 0; i < before.packed().near_surface_size(); ++i) {
+    ASSERT_EQ(answer.packed().near_surface(i), before.packed().near_surface(i));
     ASSERT_EQ(answer.packed().instance_id(i), before.packed().instance_id(i));
     ASSERT_EQ(answer.packed().class_id(i), before.packed().class_id(i));
   }

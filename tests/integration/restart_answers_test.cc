@@ -53,28 +53,28 @@ class RestartAnswers : public ServerOnFile {
     v1::QueryPointsRequest request;
     request.set_packed(true);
     ForEachPlace(0.09, [&](double x, double y, double z) {
-      for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+      for (const double value : {x, y, z}) request.add_packed_points_m(static_cast<float>(value));
     });
     return Ask(&QueryStub::QueryPoints, request);
   }
   v1::QueryDistancesResponse Distances(v1::Vacated::Policy vacated) {
     v1::QueryDistancesRequest request;
     request.set_packed(true);
-    request.mutable_options()->set_vacated(vacated);
+    request.mutable_options()->set_vacated_policy(vacated);
     ForEachPlace(0.11, [&](double x, double y, double z) {
-      for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+      for (const double value : {x, y, z}) request.add_packed_points_m(static_cast<float>(value));
     });
     return Ask(&QueryStub::QueryDistances, request);
   }
   v1::CastRaysResponse Rays() {
     v1::CastRaysRequest request;
     request.set_packed(true);
-    for (const float value : {0.2f, 0.3f, 1.2f}) request.add_origin_xyz_m(value);
+    for (const float value : {0.2f, 0.3f, 1.2f}) request.add_packed_origins_m(value);
     for (int i = 0; i < 300; ++i) {
       const int column = i % 60, row = i / 60;
       const double azimuth = 0.021 * column - 0.6, elevation = 0.2 * row - 0.7;
       for (const double value : {std::cos(azimuth), std::sin(azimuth), std::tan(elevation)}) {
-        request.add_direction_xyz(static_cast<float>(value));
+        request.add_packed_directions(static_cast<float>(value));
       }
     }
     return Ask(&QueryStub::CastRays, request);
@@ -83,7 +83,7 @@ class RestartAnswers : public ServerOnFile {
     v1::CheckCollisionsRequest request;
     request.set_packed(true);
     ForEachPlace(0.23, [&](double x, double y, double z) {
-      for (const double value : {x, y, z, 0.12}) request.add_spheres(static_cast<float>(value));
+      for (const double value : {x, y, z, 0.12}) request.add_packed_spheres_m(static_cast<float>(value));
     });
     return Ask(&QueryStub::CheckCollisions, request);
   }
@@ -105,31 +105,31 @@ class RestartAnswers : public ServerOnFile {
     }
     return Ask(&QueryStub::CheckTrajectory, request);
   }
-  v1::GetOccupancySliceResponse Slice() {
-    v1::GetOccupancySliceRequest request;
+  v1::QueryOccupancySliceResponse Slice() {
+    v1::QueryOccupancySliceRequest request;
     request.set_min_z_m(0.15);
     request.set_max_z_m(0.9);
-    request.set_with_objects(true);
-    return Ask(&QueryStub::GetOccupancySlice, request);
+    request.set_include_objects(true);
+    return Ask(&QueryStub::QueryOccupancySlice, request);
   }
   v1::SearchSubmapsResponse Search() {
     v1::SearchSubmapsRequest request;
-    request.mutable_near_m()->set_x(1);
-    request.mutable_near_m()->set_z(1);
+    request.mutable_near_point_m()->set_x(1);
+    request.mutable_near_point_m()->set_z(1);
     return Ask(&QueryStub::SearchSubmaps, request);
   }
-  v1::ListRelationsResponse Relations() { return Ask(&QueryStub::ListRelations, v1::ListRelationsRequest()); }
+  v1::QueryRelationsResponse Relations() { return Ask(&QueryStub::QueryRelations, v1::QueryRelationsRequest()); }
   std::string Grid() {
-    v1::GetDistanceGridRequest request;
+    v1::QueryDistanceGridRequest request;
     request.set_map("maps/room");
     request.mutable_box()->mutable_max_m()->set_x(3.2);
     request.mutable_box()->mutable_max_m()->set_y(2.2);
     request.mutable_box()->mutable_max_m()->set_z(1.2);
     request.set_resolution_m(0.1);
-    request.set_with_gradients(true);
-    request.set_with_objects(true);
+    request.set_include_gradients(true);
+    request.set_include_objects(true);
     std::string bytes;
-    for (const auto& part : server->Call(&QueryStub::GetDistanceGrid, request).value()) {
+    for (const auto& part : server->Call(&QueryStub::QueryDistanceGrid, request).value()) {
       bytes += part.SerializeAsString();
     }
     return bytes;
@@ -187,8 +187,8 @@ TEST_F(RestartAnswers, OfAMapThatWasLoadedAreTheSameBytes) {
   EXPECT_NE(before.at("distances"), before.at("distances with what was left free")) << "so that is looked at, too";
   const v1::QueryPointsResponse points = Points();
   EXPECT_GT(std::count(points.packed().free().begin(), points.packed().free().end(), true), 500);
-  EXPECT_GT(std::count(points.packed().observed().begin(), points.packed().observed().end(), true), 500);
-  EXPECT_EQ(ListedOfClass(*server, "room", kChairClass).presence(), v1::ABSENT);
+  EXPECT_GT(std::count(points.packed().near_surface().begin(), points.packed().near_surface().end(), true), 500);
+  EXPECT_EQ(ListedOfClass(*server, "room", kChairClass).presence(), v1::Submap::ABSENT);
   Restart();
   const auto after = AllBytes();
   for (const auto& [query, bytes] : before) EXPECT_TRUE(after.at(query) == bytes) << query;
@@ -224,7 +224,7 @@ TEST_F(RestartAnswers, ThatNeedMoreThanRequestsMayHoldAreRefusedAndAllElseGoesOn
   request.set_map("maps/room");
   request.set_packed(true);
   ForEachPlace(0.3, [&](double x, double y, double z) {
-    for (const double value : {x, y, z}) request.add_xyz_m(static_cast<float>(value));
+    for (const double value : {x, y, z}) request.add_packed_points_m(static_cast<float>(value));
   });
   const auto refused = server->Call(&QueryStub::QueryPoints, request);
   EXPECT_EQ(refused.code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << refused.status().error_message();
@@ -257,19 +257,19 @@ TEST_F(RestartAnswers, OfAMapThatWasJustMadeAreThoseOfTheStoreButForItsRounding)
   const v1::PackedDistanceResults distances = Distances(v1::Vacated::FREE).packed();
   const v1::PackedRayResults rays = Rays().packed();
   const v1::PackedCollisionResults collisions = Collisions().packed();
-  const v1::GetOccupancySliceResponse slice = Slice();
-  const v1::ListRelationsResponse relations = Relations();
+  const v1::QueryOccupancySliceResponse slice = Slice();
+  const v1::QueryRelationsResponse relations = Relations();
   Restart();
   EXPECT_EQ(Submaps().SerializeAsString(), submaps.SerializeAsString()) << "with what is absent, and since when";
   const v1::PackedPointResults points_after = Points().packed();
   EXPECT_EQ(NumDiffering(points_after.free(), points.free()), 0);
-  EXPECT_EQ(NumDiffering(points_after.observed(), points.observed()), 0) << "contradicted voxels are not";
+  EXPECT_EQ(NumDiffering(points_after.near_surface(), points.near_surface()), 0) << "contradicted voxels are not";
   EXPECT_LE(NumDiffering(points_after.instance_id(), points.instance_id()), 2) << "where votes are as many";
   EXPECT_LE(NumDiffering(points_after.class_id(), points.class_id()), 2);
   const auto is_off = [](double tolerance_m) {
     return [=](float a, float b) { return std::isnan(a) != std::isnan(b) || std::abs(a - b) > tolerance_m; };
   };
-  EXPECT_LE(NumDiffering(points_after.distance_m(), points.distance_m(), is_off(0.08 / 4096 + 1e-7)), 2);
+  EXPECT_LE(NumDiffering(points_after.tsdf_m(), points.tsdf_m(), is_off(0.08 / 4096 + 1e-7)), 2);
   // A rounding may decide where two surfaces are as near, and whether a ray meets an edge.
   const auto allowed = [](int size) { return size / 200; };
   const v1::PackedDistanceResults distances_after = Distances(v1::Vacated::FREE).packed();
@@ -279,11 +279,11 @@ TEST_F(RestartAnswers, OfAMapThatWasJustMadeAreThoseOfTheStoreButForItsRounding)
   EXPECT_LE(NumDiffering(distances_after.distance_m(), distances.distance_m(), is_off(1e-3)), allowed(num_distances));
   const v1::PackedRayResults rays_after = Rays().packed();
   EXPECT_LE(NumDiffering(rays_after.instance_id(), rays.instance_id()), 3);
-  EXPECT_LE(NumDiffering(rays_after.free_m(), rays.free_m(), is_off(1e-3)), 3);
+  EXPECT_LE(NumDiffering(rays_after.free_distance_m(), rays.free_distance_m(), is_off(1e-3)), 3);
   const v1::PackedCollisionResults collisions_after = Collisions().packed();
   EXPECT_LE(NumDiffering(collisions_after.colliding(), collisions.colliding()), allowed(collisions.colliding_size()));
   EXPECT_LE(NumDiffering(collisions_after.status(), collisions.status()), allowed(collisions.status_size()));
-  const v1::GetOccupancySliceResponse slice_after = Slice();
+  const v1::QueryOccupancySliceResponse slice_after = Slice();
   ASSERT_EQ(slice_after.cells().size(), slice.cells().size());
   int num_cells = 0;
   for (std::size_t i = 0; i < slice.cells().size(); ++i) num_cells += slice.cells()[i] != slice_after.cells()[i];
@@ -301,18 +301,18 @@ TEST_F(RestartAnswers, WhatWasLookedThroughBeforeARestartCountsAfterIt) {
   Walk(*server, "room", WalkedRoom(true), 0, 12);
   // One look, even one that counts twice, contradicts nothing.
   Walk(*server, "room", WalkedRoom(false), 12, 13);
-  EXPECT_EQ(ListedOfClass(*server, "room", kChairClass).last_contradicted_ns(), 0);
+  EXPECT_EQ(ListedOfClass(*server, "room", kChairClass).last_contradicted_stamp_ns(), 0);
   Restart();
   Walk(*server, "room", WalkedRoom(false), 13, 26);
   Walk(whole, "room", WalkedRoom(false), 12, 26);
   const v1::Submap chair = ListedOfClass(*server, "room", kChairClass);
   const v1::Submap expected = ListedOfClass(whole, "room", kChairClass);
-  EXPECT_EQ(expected.presence(), v1::ABSENT);
-  EXPECT_EQ(chair.presence(), v1::ABSENT);
+  EXPECT_EQ(expected.presence(), v1::Submap::ABSENT);
+  EXPECT_EQ(chair.presence(), v1::Submap::ABSENT);
   EXPECT_EQ(chair.name(), expected.name());
-  EXPECT_EQ(chair.first_observed_ns(), expected.first_observed_ns());
-  EXPECT_EQ(chair.last_observed_ns(), expected.last_observed_ns());
-  EXPECT_GE(chair.last_contradicted_ns(), WalkStamp_ns(13));
+  EXPECT_EQ(chair.first_observed_stamp_ns(), expected.first_observed_stamp_ns());
+  EXPECT_EQ(chair.last_observed_stamp_ns(), expected.last_observed_stamp_ns());
+  EXPECT_GE(chair.last_contradicted_stamp_ns(), WalkStamp_ns(13));
   EXPECT_EQ(chair.num_blocks(), expected.num_blocks());
   const auto num_near_chair = [](TestServer& of) {
     const auto vertices_m = MeshVerticesOf(of, "maps/room");

@@ -98,12 +98,12 @@ TEST_F(RestoreRevisionTest, TheMapAnswersAsItDidAndTheLogSaysSo) {
   request.set_validate_only(false);
   ASSERT_EQ(Restore(request), "OK");
   EXPECT_EQ(response.revision(), past + 4);
-  EXPECT_EQ(response.created_size(), 1);
-  EXPECT_EQ(response.created(0), "maps/room/submaps/2");
-  EXPECT_EQ(response.removed_size(), 1);
-  EXPECT_EQ(response.changed_size(), 1);
-  EXPECT_EQ(tried.created(0) + tried.removed(0) + tried.changed(0),
-            response.created(0) + response.removed(0) + response.changed(0));
+  EXPECT_EQ(response.created_submaps_size(), 1);
+  EXPECT_EQ(response.created_submaps(0), "maps/room/submaps/2");
+  EXPECT_EQ(response.removed_submaps_size(), 1);
+  EXPECT_EQ(response.changed_submaps_size(), 1);
+  EXPECT_EQ(tried.created_submaps(0) + tried.removed_submaps(0) + tried.changed_submaps(0),
+            response.created_submaps(0) + response.removed_submaps(0) + response.changed_submaps(0));
   EXPECT_EQ(Objects(), objects);
   EXPECT_EQ(Points(), points);
 
@@ -115,7 +115,7 @@ TEST_F(RestoreRevisionTest, TheMapAnswersAsItDidAndTheLogSaysSo) {
   ASSERT_EQ(log.edits(0).steps_size(), 1);
   EXPECT_EQ(log.edits(0).steps(0).action(), v1::LoggedEdit::RESTORE);
   EXPECT_EQ(log.edits(0).restored_revision(), past);
-  EXPECT_TRUE(log.edits(0).kept());
+  EXPECT_TRUE(log.edits(0).reversible());
 
   v1::UndoEditsRequest undo;
   undo.set_map("maps/room");
@@ -142,12 +142,12 @@ TEST_F(RestoreRevisionTest, ARetryIsAnsweredTheSameThoughTheStateIsKeptNoLonger)
 TEST_F(RestoreRevisionTest, OneObjectComesBackAndOthersStay) {
   const std::int64_t past = Now();
   EditAll();
-  const std::string copy = applied.results(0).created(0);
+  const std::string copy = applied.results(0).created_submaps(0);
   ASSERT_EQ(Restore(Request(past, "2")), "OK");
-  EXPECT_EQ(response.created_size(), 1);
+  EXPECT_EQ(response.created_submaps_size(), 1);
   EXPECT_NE(Objects().find("lamp"), std::string::npos) << "of another object";
   ASSERT_EQ(Restore(Request(past, "1")), "OK");
-  EXPECT_EQ(response.changed_size(), 1);
+  EXPECT_EQ(response.changed_submaps_size(), 1);
   EXPECT_NE(Objects().find("\"lamp\""), std::string::npos) << "of the copy";
   EXPECT_EQ(Objects().find("\"lamp\""), Objects().rfind("\"lamp\""));
   v1::RestoreRevisionRequest request = Request(past);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several robots feed one map, somebody looks who they are and ends one, and what came is kept and fed again.
+#include <google/protobuf/util/time_util.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -18,6 +19,7 @@
 #include "tests/integration/feeder.h"
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -51,13 +53,13 @@ TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
   {
     Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
     for (int i = 0; i < 4; ++i) {
-      EXPECT_EQ(a.Feed(i)->outcome(), v1::FUSED);
-      EXPECT_EQ(b.Feed(100 + i)->outcome(), v1::FUSED);
+      EXPECT_EQ(a.Feed(i)->outcome(), v1::IntegrateFramesResponse::FUSED);
+      EXPECT_EQ(b.Feed(100 + i)->outcome(), v1::IntegrateFramesResponse::FUSED);
     }
     a.HalfClose();
     ASSERT_OK(a.Finish());
     EXPECT_EQ(a.last()->committed_sequence(), 3);
-    EXPECT_EQ(b.Feed(104)->outcome(), v1::FUSED) << "the end of one is not that of the other";
+    EXPECT_EQ(b.Feed(104)->outcome(), v1::IntegrateFramesResponse::FUSED) << "the end of one is not that of the other";
     b.HalfClose();
     ASSERT_OK(b.Finish());
     EXPECT_EQ(b.last()->committed_sequence(), 104);
@@ -66,12 +68,12 @@ TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
   Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
   EXPECT_EQ(a.Greet()->committed_sequence(), 3);
   EXPECT_EQ(b.Greet()->committed_sequence(), 104);
-  EXPECT_EQ(a.Feed(3)->outcome(), v1::DUPLICATE);
-  EXPECT_EQ(a.Feed(4)->outcome(), v1::FUSED) << "numbers of others do not count";
+  EXPECT_EQ(a.Feed(3)->outcome(), v1::IntegrateFramesResponse::DUPLICATE);
+  EXPECT_EQ(a.Feed(4)->outcome(), v1::IntegrateFramesResponse::FUSED) << "numbers of others do not count";
   Feeder again(server, "room", {.session = "b"});
-  EXPECT_EQ(again.Feed(105)->outcome(), v1::FUSED);
+  EXPECT_EQ(again.Feed(105)->outcome(), v1::IntegrateFramesResponse::FUSED);
   EXPECT_EQ(ReasonOf(b.Finish()), "FEED_TAKEN_OVER") << "the same robot, over another connection";
-  EXPECT_EQ(a.Feed(5)->outcome(), v1::FUSED);
+  EXPECT_EQ(a.Feed(5)->outcome(), v1::IntegrateFramesResponse::FUSED);
 }
 
 /// However much one sends, a frame of another waits for no more than its own stream may have on the way.
@@ -106,7 +108,7 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
   const auto ack = other.Read();
   reader.get();
   ASSERT_TRUE(ack);
-  EXPECT_EQ(ack->outcome(), v1::FUSED);
+  EXPECT_EQ(ack->outcome(), v1::IntegrateFramesResponse::FUSED);
   EXPECT_LE(ack->revision() - revision, kInFlight + 1 + 1) << "one for the edit that held the writer";
 }
 
@@ -121,8 +123,8 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
   std::int64_t num_points = 0;
   for (int i = 0; i < 3; ++i) num_points += a.Feed(i)->num_points();
-  EXPECT_EQ(a.Feed(1)->outcome(), v1::DUPLICATE);
-  EXPECT_EQ(b.Greet()->outcome(), v1::FRAME_OUTCOME_UNSPECIFIED);
+  EXPECT_EQ(a.Feed(1)->outcome(), v1::IntegrateFramesResponse::DUPLICATE);
+  EXPECT_EQ(b.Greet()->outcome(), v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED);
   v1::IntegrateFramesRequest message;
   *message.mutable_frame() = TestFrame(0);
 
@@ -136,7 +138,7 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   EXPECT_EQ(sessions["a"].num_points(), num_points);
   EXPECT_GT(sessions["a"].num_bytes(), static_cast<std::int64_t>(4 * message.ByteSizeLong()) - 100);
   EXPECT_GT(sessions["a"].frames_per_s(), 0);
-  EXPECT_GT(sessions["a"].last_seen_ns(), kBegin_ns);
+  EXPECT_GT(google::protobuf::util::TimeUtil::TimestampToNanoseconds(sessions["a"].last_message_time()), kBegin_ns);
   EXPECT_TRUE(sessions["b"].feeding());
   EXPECT_FALSE(sessions["b"].has_accepted_sequence());
   EXPECT_EQ(sessions["b"].num_frames(), 0);
@@ -161,17 +163,17 @@ TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
     ASSERT_OK(End(server, "room", "a"));
   }
   while (const auto ack = a.Read()) {
-    EXPECT_EQ(ack->outcome(), v1::REFUSED);
-    EXPECT_EQ(ack->error_reason(), "SESSION_ENDED");
+    EXPECT_EQ(ack->outcome(), v1::IntegrateFramesResponse::REFUSED);
+    EXPECT_EQ(ReasonOf(ack->error()), "SESSION_ENDED");
   }
   const grpc::Status status = a.Finish();
   EXPECT_EQ(status.error_code(), grpc::ABORTED);
   EXPECT_EQ(ReasonOf(status), "SESSION_ENDED");
-  EXPECT_EQ(b.Feed(1)->outcome(), v1::FUSED);
+  EXPECT_EQ(b.Feed(1)->outcome(), v1::IntegrateFramesResponse::FUSED);
   EXPECT_EQ(ReasonOf(End(server, "room", "a")), "SESSION_NOT_FOUND");
   EXPECT_EQ(ReasonOf(End(server, "nowhere", "a")), "MAP_NOT_FOUND");
   Feeder again(server, "room", {.session = "a"});
-  EXPECT_EQ(again.Feed(1)->outcome(), v1::FUSED) << "it may begin again, after what was taken";
+  EXPECT_EQ(again.Feed(1)->outcome(), v1::IntegrateFramesResponse::FUSED) << "it may begin again, after what was taken";
   EXPECT_EQ(StateOf(server, "room")->info().sessions.LastOf("a"), 1);
 }
 
@@ -183,11 +185,11 @@ TEST(Sessions, TwoRobotsMakeTheMapThatOneMakes) {
   for (const char* name : {"one", "two"}) CreateMap(server, CreateRequest(name));
   {
     Feeder only(server, "one", {.session = "a"});
-    for (int i = 0; i < kNumFrames; ++i) ASSERT_EQ(only.Feed(i)->outcome(), v1::FUSED);
+    for (int i = 0; i < kNumFrames; ++i) ASSERT_EQ(only.Feed(i)->outcome(), v1::IntegrateFramesResponse::FUSED);
     Feeder a(server, "two", {.session = "a"}), b(server, "two", {.session = "b"});
     for (int i = 0; i < kNumFrames; i += 2) {
-      ASSERT_EQ(a.Feed(i)->outcome(), v1::FUSED);
-      ASSERT_EQ(b.Feed(i + 1)->outcome(), v1::FUSED);
+      ASSERT_EQ(a.Feed(i)->outcome(), v1::IntegrateFramesResponse::FUSED);
+      ASSERT_EQ(b.Feed(i + 1)->outcome(), v1::IntegrateFramesResponse::FUSED);
     }
     for (Feeder* feeder : {&only, &a, &b}) {
       feeder->HalfClose();
@@ -212,7 +214,7 @@ TEST(Sessions, FinishingShowsInAWatchAndCanBeCancelled) {
   ASSERT_OK(Feed(server, "room", 0, 3));
   v1::WatchMapRequest request;
   request.set_map("maps/room");
-  request.set_progress_s(300);
+  request.set_progress_interval_s(300);
   grpc::ClientContext watching;
   const auto watch = server.watches->WatchMap(&watching, request);
   v1::WatchMapResponse message;
@@ -292,7 +294,7 @@ class RecordedSessions : public ::testing::Test {
     *request.mutable_label_classes() = reader.start().map().label_classes();
     CreateMap(server, request);
     ReplayStreams streams(*server.mapping, "maps/again", [](const v1::IntegrateFramesResponse& answer) {
-      EXPECT_EQ(answer.outcome(), v1::FUSED) << answer.error_message();
+      EXPECT_EQ(answer.outcome(), v1::IntegrateFramesResponse::FUSED) << answer.error().message();
     });
     for (auto record = reader.Next().value(); record; record = reader.Next().value()) {
       if (!record->has_frame()) continue;
@@ -314,16 +316,16 @@ void FeedInTurns(TestServer& server) {
   for (int round = 0; round < 3; ++round) {
     Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
     for (int i = 0; i < 3; ++i) {
-      ASSERT_EQ(a.Feed(10 * round + i)->outcome(), v1::FUSED);
+      ASSERT_EQ(a.Feed(10 * round + i)->outcome(), v1::IntegrateFramesResponse::FUSED);
       if (i == 1) continue;
-      ASSERT_EQ(b.Feed(10 * round + 5 + i)->outcome(), v1::FUSED);
+      ASSERT_EQ(b.Feed(10 * round + 5 + i)->outcome(), v1::IntegrateFramesResponse::FUSED);
     }
     for (Feeder* feeder : {&a, &b}) {
       feeder->HalfClose();
       ASSERT_OK(feeder->Finish());
     }
     Feeder unnamed(server, "room");
-    ASSERT_EQ(unnamed.Feed(round)->outcome(), v1::FUSED);
+    ASSERT_EQ(unnamed.Feed(round)->outcome(), v1::IntegrateFramesResponse::FUSED);
     unnamed.HalfClose();
     ASSERT_OK(unnamed.Finish());
   }
@@ -354,7 +356,8 @@ TEST_F(RecordedSessions, WhatWasRefusedIsMarkedAndATornEndIsNoError) {
     bad.mutable_frame()->set_map_from_sensor_matrix(3, 1e12);  // beyond the grid
     stream->Write(bad);
     stream->WritesDone();
-    for (v1::IntegrateFramesResponse ack; stream->Read(&ack);) EXPECT_NE(ack.outcome(), v1::FUSED);
+    for (v1::IntegrateFramesResponse ack; stream->Read(&ack);)
+      EXPECT_NE(ack.outcome(), v1::IntegrateFramesResponse::FUSED);
     (void)stream->Finish();
     ASSERT_TRUE(a.Feed(1));
     ASSERT_OK(server.Call(&MappingStub::FinishMapping, "maps/room"));
@@ -382,7 +385,7 @@ TEST_F(RecordedSessions, AMapThatNoFrameCanBeReadForLeavesNoFile) {
     stream->Write(bad);
     stream->WritesDone();
     v1::IntegrateFramesResponse answer;
-    while (stream->Read(&answer)) EXPECT_NE(answer.outcome(), v1::FUSED);
+    while (stream->Read(&answer)) EXPECT_NE(answer.outcome(), v1::IntegrateFramesResponse::FUSED);
     (void)stream->Finish();
   });
   EXPECT_TRUE(std::filesystem::is_empty(dir_.path() / "records"));

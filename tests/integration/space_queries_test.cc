@@ -32,29 +32,29 @@ class SpaceQueries : public MappedScene {
     }
     return response;
   }
-  v1::GetOccupancySliceResponse Slice(const v1::GetOccupancySliceRequest& request) {
-    return Ask(&QueryStub::GetOccupancySlice, request);
+  v1::QueryOccupancySliceResponse Slice(const v1::QueryOccupancySliceRequest& request) {
+    return Ask(&QueryStub::QueryOccupancySlice, request);
   }
-  static v1::GetOccupancySliceRequest SliceRequest(double min_z_m, double max_z_m) {
-    v1::GetOccupancySliceRequest request;
+  static v1::QueryOccupancySliceRequest SliceRequest(double min_z_m, double max_z_m) {
+    v1::QueryOccupancySliceRequest request;
     request.set_map("maps/room");
     request.set_min_z_m(min_z_m);
     request.set_max_z_m(max_z_m);
     return request;
   }
   /// Distances of a box of nodes, all messages put together.
-  v1::GetDistanceGridResponse Grid(const v1::GetDistanceGridRequest& request) {
-    v1::GetDistanceGridResponse all;
-    const auto parts = server_->Call(&QueryStub::GetDistanceGrid, request).KeepStatus(status);
+  v1::QueryDistanceGridResponse Grid(const v1::QueryDistanceGridRequest& request) {
+    v1::QueryDistanceGridResponse all;
+    const auto parts = server_->Call(&QueryStub::QueryDistanceGrid, request).KeepStatus(status);
     num_parts = static_cast<int>(parts.size());
     for (const auto& part : parts) {
-      EXPECT_EQ(part.first(), all.distance_m_size());
+      EXPECT_EQ(part.first_node(), all.distance_m_size());
       all.MergeFrom(part);
     }
     return all;
   }
-  static v1::GetDistanceGridRequest GridRequest() {
-    v1::GetDistanceGridRequest request;
+  static v1::QueryDistanceGridRequest GridRequest() {
+    v1::QueryDistanceGridRequest request;
     request.set_map("maps/room");
     auto& low = *request.mutable_box()->mutable_min_m();
     auto& high = *request.mutable_box()->mutable_max_m();
@@ -73,12 +73,12 @@ class SpaceQueries : public MappedScene {
 };
 
 TEST_F(SpaceQueries, ASliceShowsTheScene) {
-  v1::GetOccupancySliceRequest request = SliceRequest(0.1, 0.6);
-  request.set_with_objects(true);
+  v1::QueryOccupancySliceRequest request = SliceRequest(0.1, 0.6);
+  request.set_include_objects(true);
   const auto slice = Slice(request);
   ASSERT_OK(status);
   ASSERT_EQ(slice.cells().size(), static_cast<std::size_t>(slice.width()) * static_cast<std::size_t>(slice.height()));
-  ASSERT_EQ(slice.object_size(), slice.width() * slice.height());
+  ASSERT_EQ(slice.object_indices_size(), slice.width() * slice.height());
   const auto at = [&slice](double x_m, double y_m) {
     const int x = static_cast<int>(std::floor((x_m - slice.origin_m().x()) / slice.resolution_m()));
     const int y = static_cast<int>(std::floor((y_m - slice.origin_m().y()) / slice.resolution_m()));
@@ -91,13 +91,13 @@ TEST_F(SpaceQueries, ASliceShowsTheScene) {
   EXPECT_EQ(cell(1.2, 0.06), 100) << "the box's side";
   EXPECT_EQ(cell(0.7, -0.4), 0) << "between and before them";
   EXPECT_NE(cell(0, 0), 0) << "nobody looked into the ball";
-  const std::uint32_t ball = slice.object(static_cast<int>(at(0.39, 0)));
-  const std::uint32_t box = slice.object(static_cast<int>(at(1.2, 0.06)));
+  const std::uint32_t ball = slice.object_indices(static_cast<int>(at(0.39, 0)));
+  const std::uint32_t box = slice.object_indices(static_cast<int>(at(1.2, 0.06)));
   ASSERT_GT(ball, 0u);
   ASSERT_GT(box, 0u);
   EXPECT_NE(ball, box);
   EXPECT_GT(slice.objects(static_cast<int>(ball) - 1).instance_id(), 0);
-  EXPECT_EQ(slice.object(static_cast<int>(at(0.7, -0.4))), 0u);
+  EXPECT_EQ(slice.object_indices(static_cast<int>(at(0.7, -0.4))), 0u);
   request.mutable_options()->add_excluded_submaps(slice.objects(static_cast<int>(ball) - 1).submap());
   request.mutable_area()->set_min_x_m(0.36);
   request.mutable_area()->set_max_x_m(0.40);
@@ -107,19 +107,19 @@ TEST_F(SpaceQueries, ASliceShowsTheScene) {
 }
 
 TEST_F(SpaceQueries, SlicesComeAsPicturesWithTheirYaml) {
-  v1::GetOccupancySliceRequest request = SliceRequest(0.1, 0.6);
+  v1::QueryOccupancySliceRequest request = SliceRequest(0.1, 0.6);
   const auto cells = Slice(request);
-  request.set_format(v1::PGM);
+  request.set_format(v1::QueryOccupancySliceRequest::PGM);
   const auto pgm = Slice(request);
   EXPECT_EQ(pgm.content_type(), "image/x-portable-graymap");
   EXPECT_TRUE(pgm.data().starts_with("P5\n")) << pgm.data().substr(0, 20);
   EXPECT_EQ(pgm.data().size() - pgm.data().find("255\n") - 4, cells.cells().size());
   EXPECT_TRUE(pgm.cells().empty());
   EXPECT_NE(pgm.yaml().find("image: 'room.pgm'"), std::string::npos) << pgm.yaml();
-  request.set_format(v1::PNG);
+  request.set_format(v1::QueryOccupancySliceRequest::PNG);
   EXPECT_TRUE(Slice(request).data().starts_with("\x89PNG"));
-  request.set_format(v1::YAML);
-  request.set_image("floor 1.pgm");
+  request.set_format(v1::QueryOccupancySliceRequest::YAML);
+  request.set_yaml_image_path("floor 1.pgm");
   const auto yaml = Slice(request);
   EXPECT_NE(yaml.data().find("image: 'floor 1.pgm'"), std::string::npos) << yaml.data();
   EXPECT_EQ(yaml.content_type(), "application/yaml");
@@ -128,11 +128,11 @@ TEST_F(SpaceQueries, SlicesComeAsPicturesWithTheirYaml) {
 
 TEST_F(SpaceQueries, BadSlicesAreRefusedByField) {
   const double nan = std::nan("");
-  const std::pair<const char*, std::function<void(v1::GetOccupancySliceRequest&)>> bad[] = {
+  const std::pair<const char*, std::function<void(v1::QueryOccupancySliceRequest&)>> bad[] = {
       {"max_z_m", [](auto& r) { r.set_max_z_m(0.1); }},
       {"resolution_m", [](auto& r) { r.set_resolution_m(0); }},
       {"resolution_m", [=](auto& r) { r.set_resolution_m(nan); }},
-      {"free_share", [](auto& r) { r.set_free_share(1.5); }},
+      {"min_free_fraction", [](auto& r) { r.set_min_free_fraction(1.5); }},
       {"area.max_x_m", [](auto& r) { r.mutable_area()->set_max_x_m(-1); }},
       {"area",
        [](auto& r) {
@@ -145,11 +145,11 @@ TEST_F(SpaceQueries, BadSlicesAreRefusedByField) {
          r.mutable_area()->set_max_y_m(60);
          r.set_max_z_m(1e5);
        }},
-      {"format", [](auto& r) { r.set_format(static_cast<v1::SliceFormat>(77)); }},
-      {"image", [](auto& r) { r.set_image("a\nb"); }},
-      {"options.padding", [](auto& r) { r.mutable_options()->mutable_padding()->set_default_m(1); }}};
+      {"format", [](auto& r) { r.set_format(static_cast<v1::QueryOccupancySliceRequest::Format>(77)); }},
+      {"yaml_image_path", [](auto& r) { r.set_yaml_image_path("a\nb"); }},
+      {"options.padding", [](auto& r) { r.mutable_options()->mutable_padding()->set_default_padding_m(1); }}};
   for (const auto& [field, spoil] : bad) {
-    v1::GetOccupancySliceRequest request = SliceRequest(0.1, 0.6);
+    v1::QueryOccupancySliceRequest request = SliceRequest(0.1, 0.6);
     spoil(request);
     Slice(request);
     ExpectRefused(grpc::INVALID_ARGUMENT, field);
@@ -159,9 +159,9 @@ TEST_F(SpaceQueries, BadSlicesAreRefusedByField) {
 }
 
 TEST_F(SpaceQueries, AGridIsTheDistancesAtItsNodes) {
-  v1::GetDistanceGridRequest request = GridRequest();
-  request.set_with_gradients(true);
-  request.set_with_objects(true);
+  v1::QueryDistanceGridRequest request = GridRequest();
+  request.set_include_gradients(true);
+  request.set_include_objects(true);
   const auto grid = Grid(request);
   ASSERT_OK(status);
   ASSERT_EQ(grid.num_x(), 25);
@@ -175,7 +175,7 @@ TEST_F(SpaceQueries, AGridIsTheDistancesAtItsNodes) {
     for (int j = 0; j < 21; ++j) {
       for (int i = 0; i < 25; ++i) {
         for (const double value : {-0.6 + 0.05 * i, -0.5 + 0.05 * j, 0.1 + 0.05 * k}) {
-          points.add_xyz_m(static_cast<float>(value));
+          points.add_packed_points_m(static_cast<float>(value));
         }
       }
     }
@@ -191,13 +191,13 @@ TEST_F(SpaceQueries, AGridIsTheDistancesAtItsNodes) {
 }
 
 TEST_F(SpaceQueries, BadGridsAreRefusedByField) {
-  const std::pair<const char*, std::function<void(v1::GetDistanceGridRequest&)>> bad[] = {
+  const std::pair<const char*, std::function<void(v1::QueryDistanceGridRequest&)>> bad[] = {
       {"resolution_m", [](auto& r) { r.clear_resolution_m(); }},
       {"box.max_m", [](auto& r) { r.mutable_box()->mutable_max_m()->set_z(-9); }},
       {"box", [](auto& r) { r.mutable_box()->mutable_max_m()->set_x(1e5); }},
       {"options.min_revision", [](auto& r) { r.mutable_options()->set_min_revision(1); }}};
   for (const auto& [field, spoil] : bad) {
-    v1::GetDistanceGridRequest request = GridRequest();
+    v1::QueryDistanceGridRequest request = GridRequest();
     spoil(request);
     Grid(request);
     ExpectRefused(grpc::INVALID_ARGUMENT, field);
@@ -207,22 +207,22 @@ TEST_F(SpaceQueries, BadGridsAreRefusedByField) {
 TEST_F(SpaceQueries, ObjectsAreFoundAndRelated) {
   v1::SearchSubmapsRequest search;
   search.set_map("maps/room");
-  search.mutable_near_m()->set_z(1.0);
-  search.set_most(2);
+  search.mutable_near_point_m()->set_z(1.0);
+  search.set_page_size(2);
   const auto found = Ask(&QueryStub::SearchSubmaps, search);
   ASSERT_OK(status);
   ASSERT_EQ(found.matches_size(), 2);
   const v1::SubmapMatch& ball = found.matches(0);
   EXPECT_NEAR(ball.distance_m(), 0.2, 0.03);
-  EXPECT_NEAR(ball.nearest_m().z(), 0.8, 0.03);
+  EXPECT_NEAR(ball.nearest_point_m().z(), 0.8, 0.03);
   EXPECT_NEAR(ball.box().max_m().z(), 0.8, 0.05);
   EXPECT_LE(ball.distance_m(), found.matches(1).distance_m());
   search.mutable_options()->add_excluded_submaps(ball.submap().name());
   EXPECT_NE(Ask(&QueryStub::SearchSubmaps, search).matches(0).submap().name(), ball.submap().name());
 
-  v1::ListRelationsRequest relate;
+  v1::QueryRelationsRequest relate;
   relate.set_map("maps/room");
-  const auto relations = Ask(&QueryStub::ListRelations, relate);
+  const auto relations = Ask(&QueryStub::QueryRelations, relate);
   ASSERT_OK(status);
   std::set<std::pair<std::string, int>> told;
   for (const v1::Relation& relation : relations.relations()) told.emplace(relation.subject(), relation.kind());
@@ -230,10 +230,42 @@ TEST_F(SpaceQueries, ObjectsAreFoundAndRelated) {
   for (const v1::Relation& relation : relations.relations()) EXPECT_NE(relation.kind(), v1::Relation::IN);
 }
 
+TEST_F(SpaceQueries, PagesOfMatchesAndRelationsAreTheWholeLists) {
+  v1::SearchSubmapsRequest search;
+  search.set_map("maps/room");
+  search.mutable_near_point_m()->set_z(1.0);
+  const auto all = Ask(&QueryStub::SearchSubmaps, search);
+  ASSERT_GT(all.matches_size(), 1);
+  EXPECT_EQ(all.next_page_token(), "");
+  search.set_page_size(1);
+  for (int i = 0; i < all.matches_size(); ++i) {
+    const auto page = Ask(&QueryStub::SearchSubmaps, search);
+    ASSERT_OK(status);
+    ASSERT_EQ(page.matches_size(), 1);
+    EXPECT_EQ(page.matches(0).submap().name(), all.matches(i).submap().name());
+    EXPECT_EQ(page.next_page_token().empty(), i + 1 == all.matches_size());
+    search.set_page_token(page.next_page_token());
+  }
+  v1::QueryRelationsRequest relate;
+  relate.set_map("maps/room");
+  const auto relations = Ask(&QueryStub::QueryRelations, relate);
+  relate.set_page_size(1);
+  for (const v1::Relation& relation : relations.relations()) {
+    const auto page = Ask(&QueryStub::QueryRelations, relate);
+    ASSERT_EQ(page.relations_size(), 1);
+    EXPECT_EQ(page.relations(0).ShortDebugString(), relation.ShortDebugString());
+    relate.set_page_token(page.next_page_token());
+  }
+  EXPECT_EQ(relate.page_token(), "");
+  relate.set_page_token("1-2-3");
+  (void)Ask(&QueryStub::QueryRelations, relate);
+  EXPECT_EQ(ReasonOf(status), "BAD_PAGE_TOKEN");
+}
+
 TEST_F(SpaceQueries, BadQuestionsAboutObjectsAreRefusedByField) {
   const std::pair<const char*, std::function<void(v1::SearchSubmapsRequest&)>> bad[] = {
-      {"most", [](auto& r) { r.set_most(1001); }},
-      {"near_m", [](auto& r) { r.mutable_near_m()->set_x(std::numeric_limits<double>::infinity()); }},
+      {"page_size", [](auto& r) { r.set_page_size(-1); }},
+      {"near_point_m", [](auto& r) { r.mutable_near_point_m()->set_x(std::numeric_limits<double>::infinity()); }},
       {"region.max_m", [](auto& r) { r.mutable_region()->mutable_max_m()->set_x(-1); }},
       {"name_part", [](auto& r) { r.set_name_part(std::string(201, 'x')); }}};
   for (const auto& [field, spoil] : bad) {
@@ -244,14 +276,14 @@ TEST_F(SpaceQueries, BadQuestionsAboutObjectsAreRefusedByField) {
     EXPECT_EQ(status.error_code(), grpc::INVALID_ARGUMENT) << field;
     EXPECT_EQ(BadFieldOf(status), field);
   }
-  v1::ListRelationsRequest request;
+  v1::QueryRelationsRequest request;
   request.set_map("maps/room");
   request.set_min_support(0);
-  Ask(&QueryStub::ListRelations, request);
+  Ask(&QueryStub::QueryRelations, request);
   ExpectRefused(grpc::INVALID_ARGUMENT, "min_support");
   request.clear_min_support();
   request.add_kinds(v1::Relation::KIND_UNSPECIFIED);
-  Ask(&QueryStub::ListRelations, request);
+  Ask(&QueryStub::QueryRelations, request);
   ExpectRefused(grpc::INVALID_ARGUMENT, "kinds[0]");
 }
 

@@ -38,14 +38,14 @@ TEST_F(StreamCaps, AFeederBeyondThemIsRefusedAtOnceAndTheOthersGoOn) {
   for (Feeder* feeder : {&a, &b}) {
     const auto fused = feeder->Feed(1);
     ASSERT_TRUE(fused) << "it was there before";
-    EXPECT_EQ(fused->outcome(), v1::FUSED);
+    EXPECT_EQ(fused->outcome(), v1::IntegrateFramesResponse::FUSED);
   }
   a.HalfClose();
   ASSERT_OK(a.Finish());
   Feeder next(*server, "room", {.session = "c"});
   const auto fused = next.Feed(0);
   ASSERT_TRUE(fused) << "one that goes makes room";
-  EXPECT_EQ(fused->outcome(), v1::FUSED);
+  EXPECT_EQ(fused->outcome(), v1::IntegrateFramesResponse::FUSED);
 }
 
 TEST_F(StreamCaps, OfOneConnectionHoldUpNobodyElseAndTheNextCallWaitsInItsClient) {
@@ -53,7 +53,7 @@ TEST_F(StreamCaps, OfOneConnectionHoldUpNobodyElseAndTheNextCallWaitsInItsClient
   Begin({});
   v1::WatchMapRequest request;
   request.set_map("maps/room");
-  request.set_progress_s(300);
+  request.set_progress_interval_s(300);
   std::vector<std::unique_ptr<Watcher>> watchers;
   watchers.reserve(kMostOfOneConnection);
   v1::WatchMapResponse message;

@@ -116,7 +116,7 @@ v1::CreateMapRequest CreateRequest(const std::string& map_id) {
     v1::LabelClass* label = request.add_label_classes();
     label->set_id(c.id.value);
     label->set_name(c.name);
-    label->set_kind(c.panoptic == Panoptic::kThing ? v1::THING : v1::STUFF);
+    label->set_kind(c.panoptic == Panoptic::kThing ? v1::LabelClass::THING : v1::LabelClass::STUFF);
   }
   return request;
 }
@@ -152,7 +152,7 @@ v1::QueryPointsRequest TestQuery(const std::string& map_id) {
     for (int row = 0; row < 29; ++row) {
       for (int layer = 0; layer < 15; ++layer) {
         for (const double value : {-1 + kSpacing_m * column, -1 + kSpacing_m * row, -0.05 + kSpacing_m * layer}) {
-          request.add_xyz_m(static_cast<float>(value));
+          request.add_packed_points_m(static_cast<float>(value));
         }
       }
     }

@@ -41,7 +41,7 @@ class VacatedPlaces : public ServerOnFile {
     v1::QueryDistancesRequest request;
     request.set_map("maps/" + map);
     SetVector(p, *request.add_points_m());
-    request.mutable_options()->set_vacated(vacated);
+    request.mutable_options()->set_vacated_policy(vacated);
     const auto response = server->Call(&QueryStub::QueryDistances, request).value();
     return response.results_size() == 1 ? response.results(0) : v1::DistanceResult();
   }
@@ -52,39 +52,39 @@ class VacatedPlaces : public ServerOnFile {
     v1::Sphere& sphere = *request.add_bodies()->mutable_sphere();
     SetVector(p, *sphere.mutable_center_m());
     sphere.set_radius_m(0.05);
-    request.mutable_options()->set_vacated(vacated);
+    request.mutable_options()->set_vacated_policy(vacated);
     const auto response = server->Call(&QueryStub::CheckCollisions, request).value();
     return response.results_size() == 1 ? response.results(0) : v1::CollisionResult();
   }
 
   void ExpectFree(const std::string& map, const Eigen::Vector3d& p) {
     const v1::PointResult point = PointAt(map, p);
-    EXPECT_FALSE(point.observed());
+    EXPECT_FALSE(point.near_surface());
     EXPECT_TRUE(point.free()) << "rays had passed";
     for (const auto vacated : {v1::Vacated::POLICY_UNSPECIFIED, v1::Vacated::UNKNOWN, v1::Vacated::FREE}) {
-      EXPECT_EQ(DistanceAt(map, p, vacated).status(), v1::OK) << vacated;
+      EXPECT_EQ(DistanceAt(map, p, vacated).status(), v1::QueryStatus::OK) << vacated;
       EXPECT_GT(DistanceAt(map, p, vacated).distance_m(), 0.1) << vacated;
       const v1::CollisionResult collision = CollisionAt(map, p, vacated);
       EXPECT_FALSE(collision.colliding()) << vacated << collision.DebugString();
-      EXPECT_EQ(collision.status(), v1::OK) << vacated;
+      EXPECT_EQ(collision.status(), v1::QueryStatus::OK) << vacated;
     }
   }
   void ExpectAsTheAskerSays(const std::string& map, const Eigen::Vector3d& p) {
     const v1::PointResult point = PointAt(map, p);
-    EXPECT_FALSE(point.observed());
+    EXPECT_FALSE(point.near_surface());
     EXPECT_FALSE(point.free()) << "nobody has seen what is there";
     for (const auto vacated : {v1::Vacated::POLICY_UNSPECIFIED, v1::Vacated::UNKNOWN}) {
-      EXPECT_EQ(DistanceAt(map, p, vacated).status(), v1::UNKNOWN) << vacated;
+      EXPECT_EQ(DistanceAt(map, p, vacated).status(), v1::QueryStatus::UNKNOWN) << vacated;
       const v1::CollisionResult collision = CollisionAt(map, p, vacated);
       EXPECT_TRUE(collision.colliding()) << vacated;
-      EXPECT_EQ(collision.status(), v1::UNKNOWN) << vacated;
+      EXPECT_EQ(collision.status(), v1::QueryStatus::UNKNOWN) << vacated;
       EXPECT_TRUE(collision.contacts_size() == 1 && collision.contacts(0).instance_id() == -1) << vacated;
     }
-    EXPECT_EQ(DistanceAt(map, p, v1::Vacated::FREE).status(), v1::OK);
+    EXPECT_EQ(DistanceAt(map, p, v1::Vacated::FREE).status(), v1::QueryStatus::OK);
     EXPECT_GT(DistanceAt(map, p, v1::Vacated::FREE).distance_m(), 0.1);
     const v1::CollisionResult collision = CollisionAt(map, p, v1::Vacated::FREE);
     EXPECT_FALSE(collision.colliding()) << collision.DebugString();
-    EXPECT_EQ(collision.status(), v1::OK);
+    EXPECT_EQ(collision.status(), v1::QueryStatus::OK);
   }
   /// Of what both objects have left.
   void ExpectLeft(const std::string& map) {
@@ -105,9 +105,10 @@ class VacatedPlaces : public ServerOnFile {
 
 TEST_F(VacatedPlaces, AreFreeWhereRaysHadPassedElseAsTheAskerSaysAlsoAfterARestart) {
   const v1::PointResult chair = PointAt("moved", kChairFront_m);
-  ASSERT_TRUE(chair.observed());
+  ASSERT_TRUE(chair.near_surface());
   ASSERT_EQ(chair.class_id(), kChairClass);
-  ASSERT_NE(DistanceAt("moved", kCrateMiddle_m, v1::Vacated::FREE).status(), v1::OK) << "it is still inside";
+  ASSERT_NE(DistanceAt("moved", kCrateMiddle_m, v1::Vacated::FREE).status(), v1::QueryStatus::OK)
+      << "it is still inside";
   for (const int class_id : {kChairClass, kCrateClass}) {
     Move(ListedOfClass(*server, "moved", class_id).name(), 5);
     Delete(ListedOfClass(*server, "deleted", class_id).name());
@@ -127,8 +128,10 @@ TEST_F(VacatedPlaces, NothingIsLeftWhereSomebodyHadPutAnObject) {
   Move(crate, 8);
   for (const bool is_restarted : {false, true}) {
     if (is_restarted) Restart();
-    EXPECT_EQ(DistanceAt("moved", middle_there_m, v1::Vacated::UNKNOWN).status(), v1::UNKNOWN) << is_restarted;
-    EXPECT_EQ(DistanceAt("moved", middle_there_m, v1::Vacated::FREE).status(), v1::UNKNOWN) << is_restarted;
+    EXPECT_EQ(DistanceAt("moved", middle_there_m, v1::Vacated::UNKNOWN).status(), v1::QueryStatus::UNKNOWN)
+        << is_restarted;
+    EXPECT_EQ(DistanceAt("moved", middle_there_m, v1::Vacated::FREE).status(), v1::QueryStatus::UNKNOWN)
+        << is_restarted;
     ExpectAsTheAskerSays("moved", kCrateMiddle_m);
   }
 }

@@ -69,7 +69,7 @@ TEST_F(VerifyMapTest, ADamagedMapIsServedAgainAfterARepair) {
   ASSERT_OK_AND_ASSIGN(auto report, Verify(server, false));
   ASSERT_GE(report.num_faults(), 1);
   EXPECT_EQ(report.faults(0).kind(), v1::VerifyMapResponse::Fault::BLOB) << report.DebugString();
-  EXPECT_NE(report.faults(0).place().find(" tile ("), std::string::npos);
+  EXPECT_NE(report.faults(0).location().find(" tile ("), std::string::npos);
   const std::int64_t revision = report.revision();
 
   ASSERT_OK_AND_ASSIGN(report, Verify(server, true));

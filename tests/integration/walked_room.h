@@ -65,7 +65,7 @@ inline void CreateWalkedMap(TestServer& server, const std::string& map_id) {
     v1::LabelClass* label = request.add_label_classes();
     label->set_id(c.id.value);
     label->set_name(c.name);
-    label->set_kind(c.panoptic == Panoptic::kThing ? v1::THING : v1::STUFF);
+    label->set_kind(c.panoptic == Panoptic::kThing ? v1::LabelClass::THING : v1::LabelClass::STUFF);
   }
   ASSERT_OK(server.Call(&MapStub::CreateMap, request));
 }
@@ -73,7 +73,7 @@ inline void CreateWalkedMap(TestServer& server, const std::string& map_id) {
 /// Frames [begin, end) of the walk, as the scene is now; they are stored when it returns.
 inline void Walk(TestServer& server, const std::string& map_id, const Scene& scene, int begin, int end) {
   const FeedResult fed = Feed(*server.mapping, map_id, begin, end, [&scene](int i) { return WalkFrame(scene, i); });
-  for (const auto& ack : fed.acks) EXPECT_EQ(ack.error_code(), 0) << ack.error_message();
+  for (const auto& ack : fed.acks) EXPECT_EQ(ack.error().code(), 0) << ack.error().message();
   ASSERT_OK(fed);
 }
 

@@ -76,12 +76,12 @@ TEST_F(WatchRegionsTest, WhatIsClearedKeptClearAndLiftedIsToldOfAlsoAfterARestar
   of_floor.mutable_box()->mutable_min_m()->set_x(50);
   of_floor.mutable_box()->mutable_max_m()->set_x(51);
   of_floor.add_class_names(ball.class_name());
-  of_floor.set_keep_clear("door");
+  of_floor.set_ignored_region_name("door");
   Apply(clear);
   const std::int64_t num_cleared = num_voxels;
   EXPECT_GT(num_cleared, 0);
   v1::ApplyEditsRequest lift;
-  lift.add_edits()->mutable_lift()->set_name("door");
+  lift.add_edits()->mutable_unignore_region()->set_name("door");
   const std::int64_t lifted = Apply(lift);
 
   for (const bool is_later : {false, true}) {
@@ -96,10 +96,10 @@ TEST_F(WatchRegionsTest, WhatIsClearedKeptClearAndLiftedIsToldOfAlsoAfterARestar
     ASSERT_EQ(told[1].class_names_size(), 1);
     EXPECT_EQ(told[1].class_names(0), ball.class_name());
     EXPECT_EQ(told[1].submap(), "");
-    EXPECT_EQ(told[2].kind(), v1::RegionEvent::KEPT_CLEAR);
+    EXPECT_EQ(told[2].kind(), v1::RegionEvent::IGNORED);
     EXPECT_EQ(told[2].name(), "door");
     EXPECT_EQ(told[2].box().max_m().x(), 51);
-    EXPECT_EQ(told[3].kind(), v1::RegionEvent::LIFTED);
+    EXPECT_EQ(told[3].kind(), v1::RegionEvent::UNIGNORED);
     EXPECT_EQ(told[3].name(), "door");
     EXPECT_EQ(told[3].box().min_m().x(), 50);
   }
@@ -107,15 +107,15 @@ TEST_F(WatchRegionsTest, WhatIsClearedKeptClearAndLiftedIsToldOfAlsoAfterARestar
 
 TEST_F(WatchRegionsTest, AnUndoTellsWhatIsKeptClearAsItIsNow) {
   v1::ApplyEditsRequest keep;
-  v1::KeepClearEdit& door = *keep.add_edits()->mutable_keep_clear();
+  v1::IgnoreRegionEdit& door = *keep.add_edits()->mutable_ignore_region();
   door.set_name("door");
   door.mutable_sphere()->set_radius_m(1);
   Apply(keep);
   ASSERT_OK_AND_ASSIGN(const auto undone, server->Call(&EditStub::UndoEdits, "maps/room"));
   const auto told = Told(undone.revision());
   ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[0].kind(), v1::RegionEvent::KEPT_CLEAR);
-  EXPECT_EQ(told[1].kind(), v1::RegionEvent::LIFTED);
+  EXPECT_EQ(told[0].kind(), v1::RegionEvent::IGNORED);
+  EXPECT_EQ(told[1].kind(), v1::RegionEvent::UNIGNORED);
 }
 
 TEST_F(WatchRegionsTest, AFilterPassesRegionsByTheirPlaceAndNoneWhereItAsksForObjects) {
@@ -123,7 +123,7 @@ TEST_F(WatchRegionsTest, AFilterPassesRegionsByTheirPlaceAndNoneWhereItAsksForOb
   v1::ClearEdit& corner = *clear.add_edits()->mutable_clear();
   corner.mutable_box()->mutable_min_m()->set_x(50);
   corner.mutable_box()->mutable_max_m()->set_x(51);
-  corner.set_keep_clear("corner");
+  corner.set_ignored_region_name("corner");
   const std::int64_t cleared = Apply(clear);
   v1::WatchFilter here, elsewhere, of_ball;
   here.mutable_region()->mutable_min_m()->set_x(50.5);

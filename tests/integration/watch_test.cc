@@ -44,7 +44,7 @@ class WatchTest : public ::testing::Test {
   std::int64_t AnyThing() {
     const v1::ListSubmapsResponse list = List();
     for (const v1::Submap& submap : list.submaps()) {
-      if (submap.kind() == v1::THING) return submap.instance_id();
+      if (submap.kind() == v1::LabelClass::THING) return submap.instance_id();
     }
     return -1;
   }
@@ -56,7 +56,7 @@ class WatchTest : public ::testing::Test {
   }
   /// Without a heartbeat for longer than any test takes.
   static v1::WatchMapRequest Silent(v1::WatchMapRequest request) {
-    request.set_progress_s(300);
+    request.set_progress_interval_s(300);
     return request;
   }
   grpc::Status EndOf(const v1::WatchMapRequest& request) { return Watcher(*server->watches, request).Finish(); }
@@ -329,7 +329,7 @@ TEST_F(WatchClock, HeartbeatsComeWhileNothingHappensToThoseWhoAskedForThemAndSay
   const std::int64_t thing = AnyThing();
   Rename(thing, "as stored");  // so that nothing is left to be stored
   v1::WatchMapRequest often = From(0), seldom = Silent(From(0));
-  often.set_progress_s(0.5);
+  often.set_progress_interval_s(0.5);
   const auto start = std::chrono::steady_clock::now();
   Watcher impatient(*server->watches, often), patient(*server->watches, seldom);
   v1::WatchMapResponse message;
@@ -403,7 +403,7 @@ TEST_F(WatchTest, WhatIsNotUsableIsRefusedWithItsReason) {
   bad_position.set_resume_after("5");
   bad_history.set_history_id("xyz");
   bad_class.mutable_filter()->add_class_names("unicorn");
-  bad_often.set_progress_s(0.1);
+  bad_often.set_progress_interval_s(0.1);
   const std::pair<v1::WatchMapRequest, const char*> refused[] = {{bad_position, "BAD_POSITION"},
                                                                  {bad_history, "BAD_POSITION"},
                                                                  {From(-1), "BAD_POSITION"},

@@ -63,7 +63,7 @@ inline std::int64_t RevisionOf(const std::string& position) {
 class Watcher {
  public:
   Watcher(v1::WatchService::Stub& watches, v1::WatchMapRequest request) {
-    if (request.progress_s() == 0) request.set_progress_s(0.5);
+    if (request.progress_interval_s() == 0) request.set_progress_interval_s(0.5);
     context_.set_deadline(std::chrono::system_clock::now() + kPatience);
     reader_ = watches.WatchMap(&context_, request);
   }

@@ -24,9 +24,9 @@ bool BackingUpClient::BackUp(const Life& life, Connection& server) {
   const CallUnderWay counted(life.under_way, Phase::kBackup);
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + Connection::kTimeout);
-  const auto stream = server.maps->BackupMap(&context, {});
+  const auto stream = server.maps->BackupMaps(&context, {});
   const bool is_whole = Receive(*stream, part);
-  const Outcome outcome = server.Judge("BackupMap", {}, stream->Finish());
+  const Outcome outcome = server.Judge("BackupMaps", {}, stream->Finish());
   backup.answered = ledger_.Now();
   if (outcome.fate != Fate::kAnswered) return false;
   if (!is_whole) ledger_.Complain("law 6: a backup ended well, but is not of the size that it said");
@@ -35,9 +35,9 @@ bool BackingUpClient::BackUp(const Life& life, Connection& server) {
   return true;
 }
 
-bool BackingUpClient::Receive(grpc::ClientReader<v1::BackupMapResponse>& stream, const std::filesystem::path& file) {
+bool BackingUpClient::Receive(grpc::ClientReader<v1::BackupMapsResponse>& stream, const std::filesystem::path& file) {
   std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  v1::BackupMapResponse part;
+  v1::BackupMapsResponse part;
   std::int64_t num_bytes = 0, total_bytes = -1;
   while (stream.Read(&part)) {
     if (total_bytes < 0) total_bytes = part.total_bytes();

@@ -32,7 +32,7 @@ class BackingUpClient : public Client {
  private:
   bool BackUp(const Life& life, Connection& server);
   /// Whether it came whole, as far as it says.
-  bool Receive(grpc::ClientReader<v1::BackupMapResponse>& stream, const std::filesystem::path& file);
+  bool Receive(grpc::ClientReader<v1::BackupMapsResponse>& stream, const std::filesystem::path& file);
 
   const std::filesystem::path file_;
   std::optional<FinishedBackup> finished_;

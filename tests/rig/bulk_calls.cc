@@ -32,11 +32,11 @@ v1::QueryPointsRequest PointsEverywhere(const std::string& map_id, int num_point
   v1::QueryPointsRequest request;
   request.set_map("maps/" + map_id);
   request.set_packed(true);
-  request.mutable_xyz_m()->Reserve(3 * num_points);
+  request.mutable_packed_points_m()->Reserve(3 * num_points);
   for (int i = 0; i < num_points; ++i) {
-    request.add_xyz_m(Spread(i, 0.7548776662466927, 11));
-    request.add_xyz_m(Spread(i, 0.5698402909980532, 8));
-    request.add_xyz_m(Spread(i, 0.3247179572447460, 2.6));
+    request.add_packed_points_m(Spread(i, 0.7548776662466927, 11));
+    request.add_packed_points_m(Spread(i, 0.5698402909980532, 8));
+    request.add_packed_points_m(Spread(i, 0.3247179572447460, 2.6));
   }
   return request;
 }
@@ -92,10 +92,10 @@ bool BulkCalls::ManyPoints(int num_points) {
 
 bool BulkCalls::ManyPointsAsJson(int num_points) {
   const v1::QueryPointsRequest points = PointsEverywhere(target_.map_id, num_points);
-  std::string body = "{\"packed\": true, \"xyz_m\": [";
-  for (int i = 0; i < points.xyz_m_size(); ++i) {
+  std::string body = "{\"packed\": true, \"packed_points_m\": [";
+  for (int i = 0; i < points.packed_points_m_size(); ++i) {
     char number[32];
-    std::snprintf(number, sizeof number, "%s%.4f", i == 0 ? "" : ",", static_cast<double>(points.xyz_m(i)));
+    std::snprintf(number, sizeof number, "%s%.4f", i == 0 ? "" : ",", static_cast<double>(points.packed_points_m(i)));
     body += number;
   }
   body += "]}";
@@ -117,7 +117,7 @@ bool BulkCalls::Voxels(std::int64_t submap) {
 
 bool BulkCalls::MeshOverRest() {
   http::HttpClient client(target_.http_port);
-  return Answered("mesh over REST", client.Ask("GET", "/v1/maps/" + target_.map_id + ":mesh"));
+  return Answered("mesh over REST", client.Ask("GET", "/v1/maps/" + target_.map_id + "/mesh"));
 }
 
 void BulkCalls::Run(int first, const std::stop_token& stop) {

@@ -52,7 +52,7 @@ v1::Frame FrameOf(int place, int variant, int view) {
   const Eigen::Vector3d eye = target + Eigen::Vector3d(1.5 * std::cos(angle), 1.5 * std::sin(angle), 1.2);
   v1::Frame frame =
       testing::ToWire(Render(SceneOf(place, variant), testing::SmallCamera(), testing::LookAt(eye, target)));
-  frame.set_unlisted_ids_are_unknown(true);
+  frame.set_allow_unlisted_ids(true);
   return frame;
 }
 
@@ -100,7 +100,7 @@ v1::CreateMapRequest CorridorMap(const std::string& map_id, const std::string& d
     v1::LabelClass* label = request.add_label_classes();
     label->set_id(static_cast<std::uint32_t>(i) + 1);
     label->set_name(names[i]);
-    label->set_kind(i < kNumThingClasses ? v1::THING : v1::STUFF);
+    label->set_kind(i < kNumThingClasses ? v1::LabelClass::THING : v1::LabelClass::STUFF);
   }
   return request;
 }

@@ -69,9 +69,9 @@ Request DoorCalls::About() {
   request.set_packed(true);
   const double x = Any(11), y = Any(8), z = Any(2.6);
   for (int i = 0; i < kPoints; ++i) {
-    request.add_xyz_m(static_cast<float>(x + Any(1)));
-    request.add_xyz_m(static_cast<float>(y + Any(1)));
-    request.add_xyz_m(static_cast<float>(z + Any(0.5)));
+    request.add_packed_points_m(static_cast<float>(x + Any(1)));
+    request.add_packed_points_m(static_cast<float>(y + Any(1)));
+    request.add_packed_points_m(static_cast<float>(z + Any(0.5)));
   }
   return request;
 }
@@ -85,7 +85,7 @@ DoorCalls::Seconds DoorCalls::PointsOverGrpc() {
   const grpc::Status status = queries_->QueryPoints(&context, request, &answer);
   const double took_s = SecondsSince(begin);
   if (!status.ok()) return Complain("gRPC: " + status.error_message());
-  return IsRight(answer.revision(), answer.packed().observed_size()) ? Seconds(took_s) : std::nullopt;
+  return IsRight(answer.revision(), answer.packed().near_surface_size()) ? Seconds(took_s) : std::nullopt;
 }
 
 DoorCalls::Seconds DoorCalls::DistancesOverGrpc(double tolerance_vox) {
@@ -116,7 +116,7 @@ DoorCalls::Seconds DoorCalls::AskInJson(const std::string& method, const Request
 DoorCalls::Seconds DoorCalls::PointsAsJson() {
   v1::QueryPointsResponse answer;
   const Seconds took_s = AskInJson("queryPoints", About<v1::QueryPointsRequest>(), answer);
-  return took_s && IsRight(answer.revision(), answer.packed().observed_size()) ? took_s : std::nullopt;
+  return took_s && IsRight(answer.revision(), answer.packed().near_surface_size()) ? took_s : std::nullopt;
 }
 
 DoorCalls::Seconds DoorCalls::DistancesAsJson() {

@@ -61,7 +61,7 @@ bool EditingClient::EditSubmaps(const FedMap& map, Connection& server) {
   const auto num_copies = std::count_if(all.submaps().begin(), all.submaps().end(), IsCopyOrMoved);
   const int chance = Any(100);
   if (chance < 40) return Update(map, *read, with_etag, server);
-  const bool may_copy = read->submap.kind() == v1::THING && num_copies < kMaxCopies;
+  const bool may_copy = read->submap.kind() == v1::LabelClass::THING && num_copies < kMaxCopies;
   if (chance < 75 && may_copy) return Copy(map, *read, with_etag, server);
   return Delete(map, *read, with_etag, server);
 }
@@ -125,13 +125,13 @@ bool EditingClient::Update(const FedMap& map, const ReadState& read, bool with_e
   submap.set_display_name(NewName());
   request.mutable_update_mask()->add_paths("display_name");
   edit.plan.change.display_name = submap.display_name();
-  if (read.submap.kind() == v1::THING && Happens(50)) {
+  if (read.submap.kind() == v1::LabelClass::THING && Happens(50)) {
     v1::Vector3& p = *submap.mutable_map_from_submap()->mutable_translation_m();
     p.set_z((kLowestCopy_mm + Any(kHighestCopy_mm - kLowestCopy_mm)) * 1e-3);
     request.mutable_update_mask()->add_paths("map_from_submap");
     edit.plan.change.position_m = Eigen::Vector3d(p.x(), p.y(), p.z());
   }
-  if (read.submap.kind() == v1::THING && Happens(50)) {
+  if (read.submap.kind() == v1::LabelClass::THING && Happens(50)) {
     submap.set_class_id(1 + Any(kNumThingClasses));
     request.mutable_update_mask()->add_paths("class_id");
     edit.plan.change.class_id = submap.class_id();

@@ -76,7 +76,7 @@ bool FeedingClient::ReadAck(const FedMap& map, std::int64_t sequence, Moment ask
   if (!stream.Read(&ack)) return false;
   ledger_.OnRevision(map.history, ack.revision(), asked);
   if (ack.has_committed_sequence()) ledger_.OnStored(map.history, kSession, ack.committed_sequence());
-  if (ack.sequence() == sequence && ack.outcome() == v1::FUSED) return true;
+  if (ack.sequence() == sequence && ack.outcome() == v1::IntegrateFramesResponse::FUSED) return true;
   ledger_.Complain("frame " + std::to_string(sequence) + " was not fused: " + ack.ShortDebugString());
   return false;
 }

@@ -46,8 +46,8 @@ grpc::Status FeedUntil(v1::MappingService::Stub& stub, const std::string& map_id
   auto last = std::chrono::steady_clock::now();
   bool is_first = true;
   while (stream->Read(&answer)) {
-    if (answer.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) continue;
-    if (answer.outcome() == v1::REFUSED) gaps.AddFailure();
+    if (answer.outcome() == v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) continue;
+    if (answer.outcome() == v1::IntegrateFramesResponse::REFUSED) gaps.AddFailure();
     const auto now = std::chrono::steady_clock::now();
     if (!std::exchange(is_first, false)) gaps.Add(std::chrono::duration<double>(now - last).count());
     last = now;
@@ -75,9 +75,9 @@ FeedOutcome FeedOnce(v1::MappingService::Stub& stub, const std::string& map_id, 
   });
   v1::IntegrateFramesResponse answer;
   while (stream->Read(&answer)) {
-    if (answer.outcome() == v1::FRAME_OUTCOME_UNSPECIFIED) continue;
-    ++(answer.outcome() == v1::FUSED ? outcome.num_fused : outcome.num_others);
-    outcome.fuse_s += answer.fuse_s();
+    if (answer.outcome() == v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) continue;
+    ++(answer.outcome() == v1::IntegrateFramesResponse::FUSED ? outcome.num_fused : outcome.num_others);
+    outcome.fuse_s += answer.fusion_s();
   }
   outcome.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   sender.join();

@@ -58,7 +58,7 @@ void LeaveAnswersUnread(const Target& target) {
   std::vector<std::unique_ptr<http::HttpClient>> clients;
   for (int i = 0; i < kReaders; ++i) {
     auto& client = clients.emplace_back(std::make_unique<http::HttpClient>(target.http_port));
-    client->SendRaw("GET /v1/maps/hostile:mesh HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    client->SendRaw("GET /v1/maps/hostile/mesh HTTP/1.1\r\nHost: localhost\r\n\r\n");
   }
   std::this_thread::sleep_for(kStay);
 }

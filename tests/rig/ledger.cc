@@ -19,7 +19,7 @@ std::string IdentityOf(const v1::Submap& submap) {
   identity.set_kind(submap.kind());
   identity.set_voxel_size_m(submap.voxel_size_m());
   identity.set_truncation_m(submap.truncation_m());
-  identity.set_first_observed_ns(submap.first_observed_ns());
+  identity.set_first_observed_stamp_ns(submap.first_observed_stamp_ns());
   return identity.ShortDebugString();
 }
 

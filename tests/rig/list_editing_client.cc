@@ -54,7 +54,7 @@ bool ListEditingClient::ApplyList(const FedMap& map, const v1::ListSubmapsRespon
   std::vector<const v1::Submap*> held, things;
   for (const v1::Submap& submap : all.submaps()) {
     if (ledger_.IsHeld(map.history, submap.instance_id())) held.push_back(&submap);
-    if (submap.kind() == v1::THING && submap.instance_id() != 0) things.push_back(&submap);
+    if (submap.kind() == v1::LabelClass::THING && submap.instance_id() != 0) things.push_back(&submap);
   }
   Draft draft{.history = map.history};
   draft.request.set_map(map.name);
@@ -108,7 +108,7 @@ void ListEditingClient::Rename(const v1::Submap& submap, SubmapEdit edit, Draft&
     *add_step().mutable_move()->mutable_map_from_submap() = pose;
     edit.plan.change.position_m = Eigen::Vector3d(pose.translation_m().x(), 0, pose.translation_m().z());
   }
-  if (submap.kind() == v1::THING && Happens(30)) {
+  if (submap.kind() == v1::LabelClass::THING && Happens(30)) {
     edit.plan.change.class_id = 1 + Any(kNumThingClasses);
     add_step().mutable_relabel()->set_class_id(*edit.plan.change.class_id);
   }
@@ -150,8 +150,8 @@ bool ListEditingClient::SettleList(const FedMap& map, const Draft& draft, const 
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const int place = draft.clones[i];
     if (place < 0) continue;
-    if (place < response.results_size() && response.results(place).created_size() == 1) {
-      copies[i] = IdOf(response.results(place).created(0));
+    if (place < response.results_size() && response.results(place).created_submaps_size() == 1) {
+      copies[i] = IdOf(response.results(place).created_submaps(0));
     }
     if (!copies[i]) ledger_.Complain("a copy of a list was not told: " + response.ShortDebugString());
   }

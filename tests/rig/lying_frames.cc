@@ -12,6 +12,7 @@
 #include "tests/rig/at_once.h"
 #include "tests/rig/image_bombs.h"
 #include "tests/rig/server_under_test.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap::rig {
 namespace {
@@ -25,7 +26,7 @@ constexpr int kLarge_px = 4096, kTall_px = 4000;  ///< that still fit into what 
 constexpr int kNoisy_px = 1280, kNoisyTall_px = 960;
 constexpr int kNumRows = 1'000'000;
 
-void Set(v1::Image& image, v1::ImageEncoding encoding, std::string data) {
+void Set(v1::Image& image, v1::Image::Encoding encoding, std::string data) {
   image.set_encoding(encoding);
   image.set_data(std::move(data));
   image.set_scale_m(0.001);
@@ -45,7 +46,7 @@ LyingFrame FrameOf(std::string what, int width_px, int height_px) {
   camera.set_fy_px(width_px);
   camera.set_cx_px(0.5 * width_px);
   camera.set_cy_px(0.5 * height_px);
-  frame.set_unlisted_ids_are_unknown(true);
+  frame.set_allow_unlisted_ids(true);
   return lie;
 }
 
@@ -53,35 +54,35 @@ v1::DepthCameraFrame& Images(LyingFrame& lie) { return *lie.request.mutable_fram
 
 LyingFrame OrdinaryFrame(std::string what) {
   LyingFrame lie = FrameOf(std::move(what), kWidth_px, kHeight_px);
-  Set(*Images(lie).mutable_depth(), v1::RAW_U16, Zeros(std::size_t{2} * kWidth_px * kHeight_px));
+  Set(*Images(lie).mutable_depth(), v1::Image::RAW_U16, Zeros(std::size_t{2} * kWidth_px * kHeight_px));
   return lie;
 }
 
 LyingFrame WithColor(std::string what, std::string file) {
   LyingFrame lie = OrdinaryFrame(std::move(what));
-  Set(*Images(lie).mutable_color(), v1::FILE, std::move(file));
+  Set(*Images(lie).mutable_color(), v1::Image::FILE, std::move(file));
   return lie;
 }
 
 /// 2^26 pixels of everything, where the camera says so, too.
 LyingFrame Huge() {
   LyingFrame lie = FrameOf("all images of 2^26 pixels", kHuge_px, kHuge_px);
-  Set(*Images(lie).mutable_depth(), v1::FILE, SmallTiff(kHuge_px, kHuge_px));
-  Set(*Images(lie).mutable_color(), v1::FILE, SmallJpeg(kHuge_px, kHuge_px));
-  Set(*Images(lie).mutable_segments(), v1::FILE, SmallPng(kHuge_px, kHuge_px));
+  Set(*Images(lie).mutable_depth(), v1::Image::FILE, SmallTiff(kHuge_px, kHuge_px));
+  Set(*Images(lie).mutable_color(), v1::Image::FILE, SmallJpeg(kHuge_px, kHuge_px));
+  Set(*Images(lie).mutable_segments(), v1::Image::FILE, SmallPng(kHuge_px, kHuge_px));
   return lie;
 }
 
 /// As large as is taken, and only the last image is not as it should be.
 LyingFrame LargeButForTheLast() {
   LyingFrame lie = FrameOf("images of 2^24 pixels, and one that is not", kLarge_px, kTall_px);
-  Set(*Images(lie).mutable_depth(), v1::FILE, SmallTiff(kLarge_px, kTall_px));
-  Set(*Images(lie).mutable_color(), v1::FILE, SmallJpeg(kLarge_px, kTall_px));
-  Set(*Images(lie).mutable_segments(), v1::RAW_U8, Zeros(1));
+  Set(*Images(lie).mutable_depth(), v1::Image::FILE, SmallTiff(kLarge_px, kTall_px));
+  Set(*Images(lie).mutable_color(), v1::Image::FILE, SmallJpeg(kLarge_px, kTall_px));
+  Set(*Images(lie).mutable_segments(), v1::Image::RAW_U8, Zeros(1));
   return lie;
 }
 
-LyingFrame RawImages(std::string what, v1::ImageEncoding encoding, std::size_t num_bytes) {
+LyingFrame RawImages(std::string what, v1::Image::Encoding encoding, std::size_t num_bytes) {
   LyingFrame lie = OrdinaryFrame(std::move(what));
   Set(*Images(lie).mutable_depth(), encoding, Zeros(num_bytes));
   return lie;
@@ -114,7 +115,7 @@ LyingFrame Noise() {
     depth += static_cast<char>(depth_mm & 0xFF);
     depth += static_cast<char>(depth_mm >> 8);
   }
-  Set(*Images(lie).mutable_depth(), v1::RAW_U16, std::move(depth));
+  Set(*Images(lie).mutable_depth(), v1::Image::RAW_U16, std::move(depth));
   return lie;
 }
 
@@ -126,7 +127,7 @@ bool MakeMap(v1::MapService::Stub& maps) {
   v1::LabelClass* label = request.add_label_classes();
   label->set_id(1);
   label->set_name("chair");
-  label->set_kind(v1::THING);
+  label->set_kind(v1::LabelClass::THING);
   grpc::ClientContext context;
   v1::CreateMapResponse response;
   const grpc::Status made = maps.CreateMap(&context, request, &response);
@@ -135,7 +136,7 @@ bool MakeMap(v1::MapService::Stub& maps) {
 }
 
 bool IsTyped(const v1::IntegrateFramesResponse& answer) {
-  return answer.outcome() == v1::REFUSED && !Reason::Find(answer.error_reason()).empty();
+  return answer.outcome() == v1::IntegrateFramesResponse::REFUSED && !Reason::Find(testing::ReasonOf(answer.error())).empty();
 }
 
 /// How many were not refused as they should be.
@@ -175,8 +176,8 @@ std::vector<LyingFrame> LyingFrames() {
   lies.push_back(WithColor("a JPEG of two sizes", JpegOfTwoSizes(kWidth_px, kHeight_px, kHuge_px)));
   lies.push_back(Huge());
   lies.push_back(LargeButForTheLast());
-  lies.push_back(RawImages("a raw image of one pixel", v1::RAW_U16, 2));
-  lies.push_back(RawImages("a raw image of 32 MiB", v1::RAW_F32, std::size_t{32} << 20));
+  lies.push_back(RawImages("a raw image of one pixel", v1::Image::RAW_U16, 2));
+  lies.push_back(RawImages("a raw image of 32 MiB", v1::Image::RAW_F32, std::size_t{32} << 20));
   lies.push_back(Table("10^6 rows of one id", true, 1));
   lies.push_back(Table("10^6 rows of classes that cannot be", false, kNoClass));
   lies.push_back(Noise());

@@ -75,9 +75,9 @@ void PlannerCalls::AddPlaces(Request& request, int number) {
   request.set_packed(true);
   const v1::Vector3 middle = Place();
   for (int i = 0; i < number; ++i) {
-    request.add_xyz_m(static_cast<float>(middle.x() + Any(1)));
-    request.add_xyz_m(static_cast<float>(middle.y() + Any(1)));
-    request.add_xyz_m(static_cast<float>(middle.z() + Any(0.5)));
+    request.add_packed_points_m(static_cast<float>(middle.x() + Any(1)));
+    request.add_packed_points_m(static_cast<float>(middle.y() + Any(1)));
+    request.add_packed_points_m(static_cast<float>(middle.z() + Any(0.5)));
   }
 }
 
@@ -87,7 +87,7 @@ bool PlannerCalls::Points() {
   AddPlaces(request, kPoints);
   v1::QueryPointsResponse answer;
   const grpc::Status status = queries_->QueryPoints(&context, request, &answer);
-  return IsRight(status, answer.revision(), answer.packed().observed_size(), kPoints);
+  return IsRight(status, answer.revision(), answer.packed().near_surface_size(), kPoints);
 }
 
 bool PlannerCalls::Distances() {
@@ -104,8 +104,8 @@ bool PlannerCalls::Rays() {
   v1::CastRaysRequest request;
   request.set_map("maps/" + target_.map_id);
   request.set_packed(true);
-  for (int i = 0; i < 3; ++i) request.add_origin_xyz_m(static_cast<float>(1 + Any(1)));
-  for (int i = 0; i < 3 * kPoints; ++i) request.add_direction_xyz(static_cast<float>(0.1 + Any(1)));
+  for (int i = 0; i < 3; ++i) request.add_packed_origins_m(static_cast<float>(1 + Any(1)));
+  for (int i = 0; i < 3 * kPoints; ++i) request.add_packed_directions(static_cast<float>(0.1 + Any(1)));
   v1::CastRaysResponse answer;
   const grpc::Status status = queries_->CastRays(&context, request, &answer);
   return IsRight(status, answer.revision(), answer.packed().distance_m_size(), kPoints);
@@ -161,7 +161,7 @@ bool PlannerCalls::Trajectory() {
 
 bool PlannerCalls::Slice() {
   grpc::ClientContext context;
-  v1::GetOccupancySliceRequest request;
+  v1::QueryOccupancySliceRequest request;
   request.set_map("maps/" + target_.map_id);
   request.set_min_z_m(0.1);
   request.set_max_z_m(1);
@@ -170,21 +170,21 @@ bool PlannerCalls::Slice() {
   request.mutable_area()->set_min_y_m(corner.y());
   request.mutable_area()->set_max_x_m(corner.x() + 2);
   request.mutable_area()->set_max_y_m(corner.y() + 2);
-  v1::GetOccupancySliceResponse answer;
-  const grpc::Status status = queries_->GetOccupancySlice(&context, request, &answer);
+  v1::QueryOccupancySliceResponse answer;
+  const grpc::Status status = queries_->QueryOccupancySlice(&context, request, &answer);
   return IsRight(status, answer.revision(), static_cast<int>(answer.cells().size()), answer.width() * answer.height());
 }
 
 bool PlannerCalls::Grid() {
   grpc::ClientContext context;
-  v1::GetDistanceGridRequest request;
+  v1::QueryDistanceGridRequest request;
   request.set_map("maps/" + target_.map_id);
   request.set_resolution_m(0.1);
   const v1::Vector3 corner = Place();
   *request.mutable_box()->mutable_min_m() = corner;
   *request.mutable_box()->mutable_max_m() = Vector(corner.x() + 1, corner.y() + 1, corner.z() + 0.5);
-  const auto parts = queries_->GetDistanceGrid(&context, request);
-  v1::GetDistanceGridResponse part;
+  const auto parts = queries_->QueryDistanceGrid(&context, request);
+  v1::QueryDistanceGridResponse part;
   std::int64_t revision = revision_;
   int num_nodes = 0, num_read = 0;
   while (parts->Read(&part)) {
@@ -199,8 +199,8 @@ bool PlannerCalls::Search() {
   grpc::ClientContext context;
   v1::SearchSubmapsRequest request;
   request.set_map("maps/" + target_.map_id);
-  *request.mutable_near_m() = Place();
-  request.set_most(5);
+  *request.mutable_near_point_m() = Place();
+  request.set_page_size(5);
   v1::SearchSubmapsResponse answer;
   const grpc::Status status = queries_->SearchSubmaps(&context, request, &answer);
   return IsRight(status, answer.revision(), answer.matches_size(), 5);
@@ -208,18 +208,18 @@ bool PlannerCalls::Search() {
 
 bool PlannerCalls::Relations() {
   grpc::ClientContext context;
-  v1::ListRelationsRequest request;
+  v1::QueryRelationsRequest request;
   request.set_map("maps/" + target_.map_id);
-  v1::ListRelationsResponse answer;
-  const grpc::Status status = queries_->ListRelations(&context, request, &answer);
+  v1::QueryRelationsResponse answer;
+  const grpc::Status status = queries_->QueryRelations(&context, request, &answer);
   return IsRight(status, answer.revision(), 0, 0);
 }
 
 /// Three answers of one state, while frames go on.
 bool PlannerCalls::Stream() {
   grpc::ClientContext context;
-  const auto stream = queries_->QueryStream(&context);
-  v1::QueryStreamRequest pin, points, distances;
+  const auto stream = queries_->StreamQueries(&context);
+  v1::StreamQueriesRequest pin, points, distances;
   pin.mutable_pin()->set_map("maps/" + target_.map_id);
   AddPlaces(*points.mutable_query_points(), 10);
   AddPlaces(*distances.mutable_query_distances(), 10);
@@ -228,9 +228,9 @@ bool PlannerCalls::Stream() {
   stream->Write(distances);
   stream->WritesDone();
   std::vector<std::int64_t> revisions;
-  v1::QueryStreamResponse answer;
+  v1::StreamQueriesResponse answer;
   while (stream->Read(&answer)) {
-    if (answer.has_error()) return Complain("QueryStream: " + answer.error().message());
+    if (answer.has_error()) return Complain("StreamQueries: " + answer.error().message());
     revisions.push_back(answer.has_pin()            ? answer.pin().revision()
                         : answer.has_query_points() ? answer.query_points().revision()
                                                     : answer.query_distances().revision());
@@ -257,7 +257,7 @@ bool PlannerCalls::Edits() {
   grpc::ClientContext list_context, clone_context, update_context, delete_context;
   v1::ListSubmapsRequest list;
   list.set_parent("maps/" + target_.map_id);
-  list.set_kind(v1::THING);
+  list.set_kind(v1::LabelClass::THING);
   v1::ListSubmapsResponse things;
   grpc::Status status = submaps_->ListSubmaps(&list_context, list, &things);
   if (!IsRight(status, things.revision(), 0, 0)) return false;

@@ -21,18 +21,10 @@ namespace dhpmap::rig {
 /// Thread-compatible; each has connections of its own.
 class PlannerCalls {
  public:
-  static constexpr std::array kKinds = {"QueryPoints, 100",
-                                        "QueryDistances, 100",
-                                        "CastRays, 100",
-                                        "CheckCollisions, 100",
-                                        "CheckTrajectory, 50 x 20",
-                                        "GetOccupancySlice, 2 m",
-                                        "GetDistanceGrid",
-                                        "SearchSubmaps",
-                                        "ListRelations",
-                                        "QueryStream, pinned",
-                                        "QueryPoints over REST",
-                                        "four edits"};
+  static constexpr std::array kKinds = {
+      "QueryPoints, 100",         "QueryDistances, 100",      "CastRays, 100",         "CheckCollisions, 100",
+      "CheckTrajectory, 50 x 20", "QueryOccupancySlice, 2 m", "QueryDistanceGrid",     "SearchSubmaps",
+      "QueryRelations",           "StreamQueries, pinned",    "QueryPoints over REST", "four edits"};
   /// How long each kind took, together with those of other clients.
   using Table = std::array<Latencies, kKinds.size()>;
 

@@ -14,7 +14,7 @@ constexpr int kPageSize = 3;
 /// The same for the same voxels in whatever order. Of distances and weights the store keeps no more than so many bits.
 std::uint64_t DigestOf(const v1::StreamSubmapVoxelsResponse& voxels) {
   std::uint64_t sum = 0;
-  for (int i = 0; i < voxels.distance_m_size(); ++i) {
+  for (int i = 0; i < voxels.tsdf_m_size(); ++i) {
     std::array<float, 3> p{};
     std::copy_n(voxels.xyz_m().begin() + 3 * i, 3, p.begin());
     std::string text(sizeof(p), '\0');
@@ -123,7 +123,7 @@ bool ReadingClient::ReadVoxels(const FedMap& map, Connection& server) {
   std::int64_t num_voxels = 0;
   std::uint64_t digest = 0;
   while (stream->Read(&part)) {
-    num_voxels += part.distance_m_size();
+    num_voxels += part.tsdf_m_size();
     digest += DigestOf(part);
   }
   const Outcome streamed = server.Judge("StreamSubmapVoxels", {"SUBMAP_NOT_FOUND", "MERGED_INTO"}, stream->Finish());

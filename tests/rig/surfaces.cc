@@ -17,9 +17,9 @@ grpc::Status ReadSurfaceVoxels(v1::SubmapService::Stub& stub, ThingSurface& thin
   const double voxel_size_m = thing.submap.voxel_size_m();
   v1::StreamSubmapVoxelsResponse part;
   while (stream->Read(&part)) {
-    map.num_observed_voxels += part.distance_m_size();
-    for (int i = 0; i < part.distance_m_size(); ++i) {
-      if (std::abs(part.distance_m(i)) > voxel_size_m) continue;
+    map.num_observed_voxels += part.tsdf_m_size();
+    for (int i = 0; i < part.tsdf_m_size(); ++i) {
+      if (std::abs(part.tsdf_m(i)) > voxel_size_m) continue;
       ++map.num_surface_voxels;
       std::array<std::int32_t, 3> voxel{};
       for (int axis = 0; axis < 3; ++axis) {
@@ -47,8 +47,8 @@ grpc::Status ReadSurfaces(const std::shared_ptr<grpc::Channel>& channel, const s
       ThingSurface surface{.submap = submap, .voxels = {}};
       grpc::Status read = ReadSurfaceVoxels(*stub, surface, map);
       if (!read.ok()) return read;
-      const bool is_thing = submap.kind() == v1::THING && submap.instance_id() != 0;
-      if (is_thing && submap.presence() != v1::ABSENT) map.things.push_back(std::move(surface));
+      const bool is_thing = submap.kind() == v1::LabelClass::THING && submap.instance_id() != 0;
+      if (is_thing && submap.presence() != v1::Submap::ABSENT) map.things.push_back(std::move(surface));
     }
     request.set_page_token(page.next_page_token());
   } while (!request.page_token().empty());

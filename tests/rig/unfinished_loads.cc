@@ -23,7 +23,7 @@ std::string FramesPath(const Target& target) { return "/v1/maps/" + target.map_i
 /// A line of so many bytes or a few more. The pose is missing, so that nothing of it is fused.
 std::string LargeLine(const std::string& session, std::size_t num_bytes) {
   constexpr const char kPoint[] = "0.12345,1.23456,2.34567,";
-  std::string line = R"({"session":")" + session + R"(","sequence":1,"frame":{"lidar":{"xyzM":[)";
+  std::string line = R"({"session":")" + session + R"(","sequence":1,"frame":{"lidar":{"packedPointsM":[)";
   line.reserve(num_bytes + 64);
   while (line.size() < num_bytes) line += kPoint;
   line.pop_back();

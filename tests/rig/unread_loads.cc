@@ -54,13 +54,13 @@ std::unique_ptr<http::HttpClient> WatchOverRest(const Target& target) {
 void HoldQueryStreams(const Target& target, int num_streams) {
   constexpr int kPointsAQuery = 200'000;
   const auto channels = ChannelsFor(target, num_streams);
-  v1::QueryStreamRequest pin, query;
+  v1::StreamQueriesRequest pin, query;
   pin.mutable_pin()->set_map("maps/" + target.map_id);
   *query.mutable_query_points() = PointsEverywhere(target.map_id, kPointsAQuery);
   AtOnce(num_streams, [&](int i) {
     grpc::ClientContext context;
     const auto stub = v1::QueryService::NewStub(channels[static_cast<std::size_t>(i / kStreamsPerConnection)]);
-    const auto stream = stub->QueryStream(&context);
+    const auto stream = stub->StreamQueries(&context);
     bool goes_on = stream->Write(pin);
     while (goes_on) goes_on = stream->Write(query);  // stands still where the server takes no more
   });

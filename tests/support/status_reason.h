@@ -31,6 +31,10 @@ inline google::rpc::ErrorInfo ErrorInfoOf(const grpc::Status& status) {
 /// The reason that the server gives; empty if there is none.
 inline std::string ReasonOf(const grpc::Status& status) { return ErrorInfoOf(status).reason(); }
 
+inline std::string ReasonOf(const google::rpc::Status& status) {
+  return DetailOf<google::rpc::ErrorInfo>(status).reason();
+}
+
 /// The field that is violated first; empty if none is.
 template <typename Status>
 std::string BadFieldOf(const Status& status) {

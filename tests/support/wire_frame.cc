@@ -5,7 +5,7 @@ namespace dhpmap::testing {
 namespace {
 
 template <typename Values>
-void SetRaw(const Values& values, v1::ImageEncoding encoding, v1::Image* image) {
+void SetRaw(const Values& values, v1::Image::Encoding encoding, v1::Image* image) {
   image->set_encoding(encoding);
   image->set_data(values.data(), values.size() * sizeof(values[0]));
 }
@@ -25,9 +25,9 @@ v1::Frame ToWire(const PanopticFrame& rendered) {
   camera->set_fy_px(data.camera.fy_px);
   camera->set_cx_px(data.camera.cx_px);
   camera->set_cy_px(data.camera.cy_px);
-  SetRaw(data.depth_m, v1::RAW_F32, frame.mutable_depth_camera()->mutable_depth());
-  SetRaw(data.color, v1::RAW_RGB8, frame.mutable_depth_camera()->mutable_color());
-  SetRaw(data.segments, v1::RAW_U32, frame.mutable_depth_camera()->mutable_segments());
+  SetRaw(data.depth_m, v1::Image::RAW_F32, frame.mutable_depth_camera()->mutable_depth());
+  SetRaw(data.color, v1::Image::RAW_RGB8, frame.mutable_depth_camera()->mutable_color());
+  SetRaw(data.segments, v1::Image::RAW_U32, frame.mutable_depth_camera()->mutable_segments());
   return frame;
 }
 

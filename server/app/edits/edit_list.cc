@@ -301,7 +301,7 @@ class Application {
 
   Result<EditResult> Lift(const std::string& name) {
     if (!map_.mutable_info().kept_clear.Lift(name)) {
-      return NotFound("no region '" + name + "' is kept clear").WithReason("KEPT_CLEAR_NOT_FOUND");
+      return NotFound("no region '" + name + "' is kept clear").WithReason("IGNORED_REGION_NOT_FOUND");
     }
     return EditResult();
   }

@@ -129,7 +129,7 @@ struct EditResult {
 /// then). The error names the edit: "edits[2]: ...". NOT_FOUND, FAILED_PRECONDITION and ABORTED as for single edits
 /// (submap_edits.h); INVALID_ARGUMENT for an empty list, for more than kMaxEdits, and for what makes no sense;
 /// ALREADY_EXISTS, RESOURCE_EXHAUSTED and NOT_FOUND of regions that are kept clear (kept_clear.h;
-/// KEPT_CLEAR_NOT_FOUND); FAILED_PRECONDITION, by reason: NOT_MERGEABLE (not things, or not on one grid),
+/// IGNORED_REGION_NOT_FOUND); FAILED_PRECONDITION, by reason: NOT_MERGEABLE (not things, or not on one grid),
 /// NOTHING_TO_SPLIT, NOT_A_THING (a background that is to be absent, or to be split into no class of things); without
 /// one for what object_motion.h says, and where an object is to be placed on itself or on what goes along. An edit that
 /// sets what is so already changes nothing. Moves, clones, names and classes touch rows only (turns, placing and

@@ -15,7 +15,7 @@ class OutgoingFiles::File final : public StoreBackup {
   Result<std::string> Read(std::size_t max_bytes) override {
     const MutexLock lock(place_->mutex);
     if (place_->file == nullptr) {
-      return Aborted("the file was not read on, and another was wanted: begin again").WithReason("LET_GO");
+      return Aborted("the file was not read on, and another was wanted: begin again").WithReason("DOWNLOAD_EVICTED");
     }
     place_->read_last = Clock::now();
     return place_->file->Read(max_bytes);

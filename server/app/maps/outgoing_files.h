@@ -21,7 +21,8 @@ class OutgoingFiles {
   OutgoingFiles(std::size_t max, Clock::duration idle) : max_(max), idle_(idle) {}
 
   /// What open() makes, which may take long. RESOURCE_EXHAUSTED, reason TOO_BUSY, if there are as many as may be, all
-  /// of them being read. The file may outlive this; one that had to make place reads as ABORTED, reason LET_GO.
+  /// of them being read. The file may outlive this; one that had to make place reads as ABORTED, reason
+  /// DOWNLOAD_EVICTED.
   Opened Open(const std::function<Opened()>& open) DHPMAP_EXCLUDES(mutex_);
 
  private:

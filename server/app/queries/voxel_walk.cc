@@ -14,7 +14,7 @@ Result<VoxelWalk> VoxelWalk::Begin(std::shared_ptr<const MapSnapshot> snapshot, 
   if (!std::isfinite(max_abs_distance_m) || max_abs_distance_m < 0) {
     return InvalidArgument("max_abs_distance_m is not usable")
         .WithReason("BAD_DISTANCE")
-        .WithViolation("max_abs_distance_m", "must be finite and 0 or more");
+        .WithViolation("max_abs_tsdf_m", "must be finite and 0 or more");
   }
   const Submap* found = snapshot->Find(submap);
   if (found == nullptr) return NoSuchSubmap(snapshot->info(), submap);
@@ -54,7 +54,7 @@ std::span<const ObservedVoxel> VoxelWalk::NextBlock() {
   if (block.tsdf == nullptr) return voxels_;
   const TsdfBlock& tsdf = *block.tsdf;
   const SubmapInfo& info = submap_->info();
-  const std::uint32_t own_class = info.panoptic == Panoptic::kUnknown ? 0u : info.class_id.value;
+  const std::int32_t own_class = info.panoptic == Panoptic::kUnknown ? -1 : info.class_id.value;
   for (int i = 0; i < kBlockVoxels; ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (!block.Shows(i)) continue;
@@ -64,7 +64,7 @@ std::span<const ObservedVoxel> VoxelWalk::NextBlock() {
                        .distance_m = tsdf.distance_m[at],
                        .weight = tsdf.weight[at],
                        .color = tsdf.color[at],
-                       .class_id = label.count > 0 ? label.id : own_class,
+                       .class_id = label.count > 0 ? static_cast<std::int32_t>(label.id) : own_class,
                        .class_confidence = label.share});
   }
   return voxels_;

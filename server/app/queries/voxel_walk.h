@@ -21,7 +21,7 @@ struct ObservedVoxel {
   float distance_m = 0;
   float weight = 0;
   Color color;
-  std::uint32_t class_id = 0;  ///< most seen class, or that of the submap
+  std::int32_t class_id = -1;  ///< most seen class, or that of the submap; -1: none
   float class_confidence = 0;
 };
 

@@ -118,6 +118,14 @@ KeptStates::State KeptStates::StateAt(std::int64_t revision) const {
   return found != kept_.end() && found->state->revision() == revision ? found->state : nullptr;
 }
 
+std::vector<KeptStates::State> KeptStates::All() const {
+  const MutexLock lock(mutex_);
+  std::vector<State> all;
+  all.reserve(kept_.size());
+  for (const Kept& kept : kept_) all.push_back(kept.state);
+  return all;
+}
+
 KeptStates::Neighbours KeptStates::Around(std::int64_t revision) const {
   const MutexLock lock(mutex_);
   Neighbours nearest;

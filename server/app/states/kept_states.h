@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
@@ -43,6 +44,9 @@ class KeptStates {
 
   /// The same without what is looked up in it.
   [[nodiscard]] State StateAt(std::int64_t revision) const DHPMAP_EXCLUDES(mutex_);
+
+  /// All of them, the oldest first.
+  [[nodiscard]] std::vector<State> All() const DHPMAP_EXCLUDES(mutex_);
 
   /// The nearest revisions that are kept before and after one that is not.
   struct Neighbours {

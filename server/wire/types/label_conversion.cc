@@ -10,31 +10,32 @@
 namespace dhpmap {
 namespace {
 
-SizeClass SizeFromProto(v1::SizeClass size) {
+SizeClass SizeFromProto(v1::LabelClass::Size size) {
   switch (size) {
-    case v1::SMALL: return SizeClass::kSmall;
-    case v1::LARGE: return SizeClass::kLarge;
+    case v1::LabelClass::SMALL: return SizeClass::kSmall;
+    case v1::LabelClass::LARGE: return SizeClass::kLarge;
     default: return SizeClass::kMedium;
   }
 }
 
-v1::SizeClass SizeToProto(SizeClass size) {
+v1::LabelClass::Size SizeToProto(SizeClass size) {
   switch (size) {
-    case SizeClass::kSmall: return v1::SMALL;
-    case SizeClass::kMedium: return v1::MEDIUM;
-    case SizeClass::kLarge: return v1::LARGE;
+    case SizeClass::kSmall: return v1::LabelClass::SMALL;
+    case SizeClass::kMedium: return v1::LabelClass::MEDIUM;
+    case SizeClass::kLarge: return v1::LabelClass::LARGE;
   }
-  return v1::SIZE_CLASS_UNSPECIFIED;
+  return v1::LabelClass::SIZE_CLASS_UNSPECIFIED;
 }
 
 LabelClass ClassFromProto(const v1::LabelClass& proto, const std::string& field, Status& bad) {
-  constexpr std::uint32_t kMaxId = 65534, kMaxColor = 255;
+  constexpr std::uint32_t kMaxColor = 255;
   LabelClass result{.id = ClassId(static_cast<std::uint16_t>(proto.id())), .name = proto.name()};
-  if (proto.id() > kMaxId) bad.AddViolation(field + ".id", std::to_string(proto.id()) + " is not within 0 and 65534");
-  if (proto.kind() == v1::THING) result.panoptic = Panoptic::kThing;
-  else if (proto.kind() == v1::STUFF) result.panoptic = Panoptic::kStuff;
+  if (!ClassIdFromProto(proto.id()))
+    bad.AddViolation(field + ".id", std::to_string(proto.id()) + " is not within 0 and 65534");
+  if (proto.kind() == v1::LabelClass::THING) result.panoptic = Panoptic::kThing;
+  else if (proto.kind() == v1::LabelClass::STUFF) result.panoptic = Panoptic::kStuff;
   else bad.AddViolation(field + ".kind", "must be THING or STUFF");
-  if (!v1::SizeClass_IsValid(proto.size())) bad.AddViolation(field + ".size", "is not a known value");
+  if (!v1::LabelClass::Size_IsValid(proto.size())) bad.AddViolation(field + ".size", "is not a known value");
   result.size = SizeFromProto(proto.size());
   const v1::Color& color = proto.color();
   if (color.r() > kMaxColor || color.g() > kMaxColor || color.b() > kMaxColor) {
@@ -74,13 +75,13 @@ Result<LabelSet> LabelSetFromProto(const google::protobuf::RepeatedPtrField<v1::
   return InWireTerms(LabelSet::Create(std::move(result)));
 }
 
-v1::PanopticKind ToProto(Panoptic panoptic) {
+v1::LabelClass::Kind ToProto(Panoptic panoptic) {
   switch (panoptic) {
-    case Panoptic::kThing: return v1::THING;
-    case Panoptic::kStuff: return v1::STUFF;
+    case Panoptic::kThing: return v1::LabelClass::THING;
+    case Panoptic::kStuff: return v1::LabelClass::STUFF;
     case Panoptic::kUnknown: break;
   }
-  return v1::PANOPTIC_KIND_UNSPECIFIED;
+  return v1::LabelClass::PANOPTIC_KIND_UNSPECIFIED;
 }
 
 v1::Color ToProto(Color color) {

@@ -13,7 +13,7 @@
 
 namespace dhpmap {
 
-v1::PanopticKind ToProto(Panoptic panoptic);
+v1::LabelClass::Kind ToProto(Panoptic panoptic);
 v1::Color ToProto(Color color);
 v1::LabelClass ToProto(const LabelClass& label_class);
 

@@ -81,6 +81,10 @@ std::string SubmapResourceName(std::string_view map, SubmapId submap) {
   return MapResourceName(map) + std::string(kSubmaps) + std::to_string(submap.value);
 }
 
+std::string SessionResourceName(std::string_view map, std::string_view session) {
+  return MapResourceName(map) + "/sessions/" + std::string(session);
+}
+
 std::string EditResourceName(std::string_view map, std::int64_t revision) {
   return MapResourceName(map) + std::string(kEdits) + std::to_string(revision);
 }

@@ -13,6 +13,8 @@ namespace dhpmap {
 
 /// instance_id where there is no submap; 0 is the unknown one.
 inline constexpr std::int64_t kNobodysId = -1;
+/// class_id in a column, of what has no class.
+inline constexpr std::int32_t kNoClass = -1;
 
 struct SubmapName {
   std::string map;
@@ -48,5 +50,7 @@ std::string MapResourceName(std::string_view map);
 std::string SubmapResourceName(std::string_view map, SubmapId submap);
 /// An edit is known by the revision that has it.
 std::string EditResourceName(std::string_view map, std::int64_t revision);
+/// "maps/{map}/sessions/{session}".
+std::string SessionResourceName(std::string_view map, std::string_view session);
 
 }  // namespace dhpmap

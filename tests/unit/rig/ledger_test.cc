@@ -15,11 +15,11 @@ v1::Submap Chair(std::int64_t id, std::int64_t revision, std::int64_t edited_rev
   v1::Submap submap;
   submap.set_name("maps/room/submaps/" + std::to_string(id));
   submap.set_instance_id(id);
-  submap.set_kind(v1::THING);
+  submap.set_kind(v1::LabelClass::THING);
   submap.set_class_id(1);
   submap.set_class_name("chair");
   submap.set_display_name("chair " + std::to_string(id));
-  submap.set_first_observed_ns(1000 + id);
+  submap.set_first_observed_stamp_ns(1000 + id);
   submap.set_revision(revision);
   submap.set_etag(std::string(kHistory) + "-s" + std::to_string(id) + "-r" + std::to_string(revision) + "-e" +
                   std::to_string(edited_revision));
@@ -89,7 +89,7 @@ TEST_F(LedgerLaws, TheSofaThatHasTheChairsEtag) {
 TEST_F(LedgerLaws, AnIdOfAnotherObject) {
   See(Chair(6, 10), 10);
   v1::Submap other = Chair(6, 12);
-  other.set_first_observed_ns(77);
+  other.set_first_observed_stamp_ns(77);
   See(other, 12);
   ExpectBroken("law 1");
 }

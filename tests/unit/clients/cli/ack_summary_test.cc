@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "google/rpc/error_details.pb.h"
+
 namespace dhpmap {
 namespace {
 
@@ -17,11 +19,17 @@ v1::IntegrateFramesResponse Fused(std::int64_t revision, std::int64_t num_points
   return ack;
 }
 
+void Refuse(v1::IntegrateFramesResponse& ack, int code, const std::string& reason, const std::string& message) {
+  ack.mutable_error()->set_code(code);
+  ack.mutable_error()->set_message(message);
+  google::rpc::ErrorInfo info;
+  info.set_reason(reason);
+  if (!reason.empty()) ack.mutable_error()->add_details()->PackFrom(info);
+}
+
 v1::IntegrateFramesResponse Refused(int code, const std::string& reason, const std::string& message) {
   v1::IntegrateFramesResponse ack;
-  ack.set_error_code(code);
-  ack.set_error_reason(reason);
-  ack.set_error_message(message);
+  Refuse(ack, code, reason, message);
   return ack;
 }
 
@@ -37,9 +45,7 @@ TEST(AckSummary, TellsOfEachKindOnceAndCountsTheRest) {
   EXPECT_FALSE(summary.AddSkipped(NotFound("no 2_color.png").WithReason("MISSING_FILE")));
   EXPECT_TRUE(summary.AddSkipped(NotFound("no 2_pose.txt").WithReason("MISSING_FILE"))) << "another kind of file";
   v1::IntegrateFramesResponse refused;
-  refused.set_error_code(3);
-  refused.set_error_reason("BAD_POSE");
-  refused.set_error_message("not rigid");
+  Refuse(refused, 3, "BAD_POSE", "not rigid");
   EXPECT_TRUE(summary.AddAck(refused));
   EXPECT_FALSE(summary.AddAck(refused));
   v1::IntegrateFramesResponse fused;
@@ -71,21 +77,27 @@ TEST(AckSummary, NumbersInAMessageMakeNoNewKindButWordsAndReasonsDo) {
 
 TEST(AckSummary, TellsOfEachFaultOfFusedFramesOnceAndCountsTheRest) {
   AckSummary summary;
-  const auto with = [](v1::FrameOutcome outcome, v1::FrameWarning::Fault fault, const std::string& message) {
+  const auto with = [](v1::IntegrateFramesResponse::Outcome outcome, v1::FrameWarning::Fault fault,
+                       const std::string& message) {
     v1::IntegrateFramesResponse ack;
     ack.set_outcome(outcome);
     ack.add_warnings()->set_fault(fault);
     ack.mutable_warnings(0)->set_message(message);
     return ack;
   };
-  const auto inverted = with(v1::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted; 12 % agree");
+  const auto inverted =
+      with(v1::IntegrateFramesResponse::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted; 12 % agree");
   EXPECT_EQ(summary.AddWarnings(inverted), (std::vector<std::string>{"inverted; 12 % agree"}));
-  EXPECT_TRUE(summary.AddWarnings(with(v1::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted; 3 % agree")).empty());
-  auto both = with(v1::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted");
+  EXPECT_TRUE(
+      summary
+          .AddWarnings(with(v1::IntegrateFramesResponse::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted; 3 % agree"))
+          .empty());
+  auto both = with(v1::IntegrateFramesResponse::FUSED, v1::FrameWarning::POSE_INVERTED, "inverted");
   both.add_warnings()->set_fault(v1::FrameWarning::STAMP_REPEATED);
   both.mutable_warnings(1)->set_message("again");
   EXPECT_EQ(summary.AddWarnings(both), (std::vector<std::string>{"again"}));
-  EXPECT_TRUE(summary.AddWarnings(with(v1::REFUSED, v1::FrameWarning::BODY_AXES, "body")).empty())
+  EXPECT_TRUE(
+      summary.AddWarnings(with(v1::IntegrateFramesResponse::REFUSED, v1::FrameWarning::BODY_AXES, "body")).empty())
       << "its refusal is told";
   EXPECT_TRUE(summary.AddWarnings(Fused(1, 1, 1)).empty());
   const std::string printed = Printed(summary);
@@ -141,7 +153,7 @@ TEST(AckSummary, CountsWhatIsStored) {
   AckSummary summary;
   summary.SetStoredBefore(10);
   v1::IntegrateFramesResponse ack;
-  ack.set_outcome(v1::FUSED);
+  ack.set_outcome(v1::IntegrateFramesResponse::FUSED);
   for (int i = 10; i < 16; ++i) {
     ack.set_sequence(i);
     if (i >= 14) ack.set_committed_sequence(12);
@@ -153,7 +165,7 @@ TEST(AckSummary, CountsWhatIsStored) {
   ack.set_sequence(13);
   (void)summary.AddAck(ack);
   ack.set_sequence(14);
-  ack.set_outcome(v1::DUPLICATE);
+  ack.set_outcome(v1::IntegrateFramesResponse::DUPLICATE);
   (void)summary.AddAck(ack);
   EXPECT_EQ(summary.num_fused(), 6u);
   EXPECT_EQ(summary.num_done(), 16u);

@@ -153,7 +153,7 @@ class FakeSessions : public v1::MappingService::Service {
         taken.push_back(request.sequence());
         last = request.sequence();
         if (num_frames % 4 == 0) stored = last;
-        answer.set_outcome(v1::FUSED);
+        answer.set_outcome(v1::IntegrateFramesResponse::FUSED);
         answer.set_sequence(last);
       }
       if (stored >= 0) answer.set_committed_sequence(stored);
@@ -250,7 +250,7 @@ TEST(ToMessage, CarriesImagesPoseAndSegments) {
   EXPECT_FALSE(message.depth_camera().has_color());
   EXPECT_EQ(message.segments(0).class_id(), 12u);
   EXPECT_FALSE(message.segments(1).has_class_id());
-  EXPECT_TRUE(message.has_persistent_ids());
+  EXPECT_TRUE(message.persistent_ids());
 }
 
 TEST(ToMessage, CarriesScansWithTheirCamera) {
@@ -262,7 +262,7 @@ TEST(ToMessage, CarriesScansWithTheirCamera) {
   frame.lidar->P_image_lidar(0, 3) = 9;
   frame.lidar->image_width_px = 8;
   const v1::Frame message = ToMessage(frame, false);
-  EXPECT_EQ(message.lidar().xyz_m(4), 5);
+  EXPECT_EQ(message.lidar().packed_points_m(4), 5);
   EXPECT_EQ(message.lidar().segment_ids(1), 8u);
   EXPECT_EQ(message.lidar().camera().image_from_lidar(3), 9);
 }

@@ -15,7 +15,7 @@ TEST(ApplySetting, SetsFieldsOfEveryTypeAtAnyDepth) {
   }
   EXPECT_DOUBLE_EQ(config.voxel_size_m(), 0.05);
   EXPECT_TRUE(config.integration().carving());
-  EXPECT_EQ(config.integration().weighting(), v1::CONSTANT);
+  EXPECT_EQ(config.integration().weighting(), v1::IntegrationConfig::CONSTANT);
   EXPECT_EQ(config.tracking().min_points_small(), 7);
   EXPECT_FALSE(config.has_truncation_m()) << "what is not said takes the preset's value";
 }

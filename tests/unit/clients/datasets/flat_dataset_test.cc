@@ -38,7 +38,7 @@ TEST_F(FlatDataset, PredictedSegmentsTakeTheirClassFromTheTable) {
   ASSERT_EQ(frame.segments.size(), 3u);
   EXPECT_EQ(frame.segments[0].id, SegmentId(1));
   EXPECT_EQ(frame.segments[0].class_id, ClassId(55));
-  EXPECT_FLOAT_EQ(frame.segments[0].score, 0.9f);
+  EXPECT_FLOAT_EQ(frame.segments[0].score.value_or(0), 0.9f);
   EXPECT_EQ(frame.segments[1].class_id, ClassId(53));
   EXPECT_EQ(frame.segments[2].class_id, std::nullopt) << "the unknown category has no class";
   EXPECT_FALSE(dataset->has_persistent_ids());

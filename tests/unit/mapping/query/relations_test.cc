@@ -97,6 +97,24 @@ TEST_F(Furnished, OfOneObjectAndOfOneKindOnly) {
   }
 }
 
+TEST_F(Furnished, PagesTogetherAreAllRelations) {
+  Map& map = home.Build();
+  std::shared_ptr<const MapSurfaces> surfaces;
+  const auto all = testing::FindIn(map, surfaces);
+  ASSERT_GT(all.size(), 2u);
+  RelationQuestion question;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    question.most = i + 1;
+    const auto rest = FindRelations(*surfaces, question);
+    ASSERT_FALSE(rest.empty());
+    EXPECT_EQ(rest.front().subject->id(), all[i].subject->id());
+    EXPECT_EQ(rest.front().object->id(), all[i].object->id());
+    EXPECT_EQ(rest.front().kind, all[i].kind);
+    question.after = RelationPlace{all[i].subject->id(), all[i].object->id(), all[i].kind};
+  }
+  EXPECT_TRUE(FindRelations(*surfaces, question).empty());
+}
+
 TEST_F(Furnished, MovedAndTurnedTogetherTheyAreToldTheSame) {
   Map& map = home.Build();
   const Told before = testing::ToldOf(map, {.kinds = std::vector{kOn, kIn}});

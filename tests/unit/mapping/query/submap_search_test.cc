@@ -103,6 +103,23 @@ TEST_F(Clutter, NamesAndClassesChooseAndTheFirstComeFirst) {
   EXPECT_TRUE(SearchSubmaps(*surfaces, {.most = 0}).empty());
 }
 
+TEST_F(Clutter, PagesTogetherAreAllMatches) {
+  for (const auto& near_m : {std::optional<Eigen::Vector3d>(), std::optional(Eigen::Vector3d(0.3, -0.2, 0.5))}) {
+    const auto all = SearchSubmaps(*surfaces, {.near_m = near_m, .most = 1000});
+    ASSERT_GT(all.size(), 5u);
+    SubmapQuestion question{.near_m = near_m, .most = 3};
+    std::vector<SubmapId> paged;
+    for (;;) {
+      const auto page = SearchSubmaps(*surfaces, question);
+      if (page.empty()) break;
+      for (const SubmapMatch& match : page) paged.push_back(match.submap->id());
+      ASSERT_LE(paged.size(), all.size());
+      question.after = MatchPlace{page.back().distance_m, page.back().submap->id()};
+    }
+    EXPECT_EQ(paged, Ids(all));
+  }
+}
+
 TEST_F(Clutter, BoxesAreTightAroundTheSurfaceInTheAskersFrame) {
   std::mt19937 random(14);
   const Transform T = testing::RandomPose(random, 1);

@@ -147,6 +147,9 @@ TEST(SegmentInfo, IsAsSureAsItsScoreOrElseItsClassScoresSay) {
   EXPECT_FALSE(segment.IsDoubtful(0));
   segment.score = 0.9f;
   EXPECT_FALSE(segment.IsDoubtful(0.6));
+  segment.score = 0.0f;
+  EXPECT_EQ(segment.Sureness(), 0.0f) << "the worst score, not none";
+  EXPECT_TRUE(segment.IsDoubtful(0.6));
   const std::vector<ClassScore> tie{{ClassId(5), 0.5f}, {ClassId(4), 0.5f}};
   EXPECT_EQ(LikeliestClass(tie), ClassId(4));
   EXPECT_EQ(LikeliestClass({}), std::nullopt);

@@ -330,10 +330,10 @@ TEST_F(EditListTest, RegionsAreKeptClearUpToSoManyAndLifted) {
   const BoundingSphere sphere{Eigen::Vector3d::Zero(), 1.0};
   const auto keep = [&](const std::string& name) { return reason_of(KeepClearEdit{{name, sphere}}); };
   for (int i = 0; i < 64; ++i) EXPECT_EQ(keep("r" + std::to_string(i)), "");
-  EXPECT_EQ(keep("r64"), "TOO_MANY_KEPT_CLEAR");
-  EXPECT_EQ(keep("r1"), "KEPT_CLEAR_EXISTS");
-  EXPECT_EQ(reason_of(ClearEdit{sphere, {}, "r64"}), "TOO_MANY_KEPT_CLEAR");
-  EXPECT_EQ(reason_of(LiftEdit{"r64"}), "KEPT_CLEAR_NOT_FOUND");
+  EXPECT_EQ(keep("r64"), "TOO_MANY_IGNORED_REGIONS");
+  EXPECT_EQ(keep("r1"), "IGNORED_REGION_EXISTS");
+  EXPECT_EQ(reason_of(ClearEdit{sphere, {}, "r64"}), "TOO_MANY_IGNORED_REGIONS");
+  EXPECT_EQ(reason_of(LiftEdit{"r64"}), "IGNORED_REGION_NOT_FOUND");
   EXPECT_EQ(reason_of(LiftEdit{"r7"}), "");
   EXPECT_EQ(keep("Not a name"), "BAD_EDIT");
   EXPECT_EQ(reason_of(KeepClearEdit{{"far", BoundingSphere{Eigen::Vector3d(1e10, 0, 0), 1}}}), "BAD_EDIT");

@@ -60,7 +60,7 @@ TEST_F(OutgoingFilesTest, OneThatNobodyReadsOnMakesPlaceOnlyWhenItIsWanted) {
   EXPECT_EQ(num_open_, 1) << "its disk space, too, is free at once";
   const auto read = (*first)->Read(9);
   EXPECT_EQ(read.status().code(), StatusCode::kAborted);
-  EXPECT_EQ(read.status().reason().name(), "LET_GO");
+  EXPECT_EQ(read.status().reason().name(), "DOWNLOAD_EVICTED");
   first->reset();
   EXPECT_EQ((*second)->Read(9).value(), "part");
 }

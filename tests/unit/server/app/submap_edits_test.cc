@@ -44,7 +44,7 @@ TEST_F(SubmapEditsTest, WhatIsAPartOfAnotherIsNotFoundAndNamesTheOther) {
   const Status status = DeleteSubmap(map, SubmapId(7), "");
   EXPECT_EQ(status.code(), StatusCode::kNotFound);
   EXPECT_EQ(status.reason(), Reason("MERGED_INTO"));
-  EXPECT_EQ(status.metadata(), (std::vector<std::pair<std::string, std::string>>{{"into", "maps/m/submaps/1"}}));
+  EXPECT_EQ(status.metadata(), (std::vector<std::pair<std::string, std::string>>{{"merged_into", "maps/m/submaps/1"}}));
   EXPECT_EQ(DeleteSubmap(map, SubmapId(8), "").reason(), Reason("SUBMAP_NOT_FOUND"));
 }
 

@@ -111,6 +111,19 @@ TEST(ConfigLoader, UnknownKeysAndBadValuesAreNamedTogether) {
                                                    "map_defaults.voxel", "nope", "insecure"}));
 }
 
+TEST(ConfigLoader, KeysOfVersion01NameTheirSuccessors) {
+  const auto values = ParseYaml("http: {head_timeout_s: 3}\nstore: {busy_timeout_ms: 70}\n");
+  ASSERT_TRUE(values.ok());
+  ServerConfig config;
+  const Status status = ApplyKeyValues(*values, "a test", config);
+  ASSERT_EQ(status.violations().size(), 2u);
+  for (const FieldViolation& violation : status.violations()) {
+    const bool is_http = violation.field.starts_with("http");
+    EXPECT_EQ(violation.description,
+              is_http ? "is now called http.header_timeout_s" : "is now called store.busy_timeout_s, in seconds");
+  }
+}
+
 TEST(ConfigLoader, WhatIsNotAMappingIsRefused) {
   EXPECT_FALSE(ParseYaml("- a\n- b\n").ok());
   EXPECT_FALSE(ParseYaml("a: [1, 2]\n").ok());

@@ -91,7 +91,7 @@ TEST_F(BodyRoomTest, MessagesOfStreamsAreCountedAsWell) {
   ByteBudget& budget = budgets.emplace_back(2u << 20);
   TinyBody body = TinyBodies()[0];
   body.text = R"({"query_points":)" + body.text + "}";
-  const http::Response answer = AnswerTo("/v1/queryStream", body, budget);
+  const http::Response answer = AnswerTo("/v1/maps:streamQueries", body, budget);
   EXPECT_EQ(answer.status, 413);
   EXPECT_NE(answer.body.find("BODY_TOO_LARGE"), std::string::npos) << answer.body;
 }

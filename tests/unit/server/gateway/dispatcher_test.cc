@@ -80,7 +80,7 @@ TEST_F(DispatcherTest, EitherRepliesOrMakesAnExchange) {
   EXPECT_EQ(Refused(RequestHeadOf("DELETE", "/healthz")).status, 405);
   EXPECT_EQ(Refused(RequestHeadOf("GET", "/v1/maps?a=%")).status, 400);
   EXPECT_EQ(Refused(RequestHeadOf("POST", "/v1/maps", {}, kMaxBody_bytes + 1)).status, 413);
-  for (const char* target : {"/v1/maps", "http://localhost/v1/maps/a", "/v1/maps/a:mesh"}) {
+  for (const char* target : {"/v1/maps", "http://localhost/v1/maps/a", "/v1/maps/a/mesh"}) {
     const auto responder = std::make_shared<RecordingResponder>();
     EXPECT_NE(dispatcher.Begin(RequestHeadOf("GET", target), responder), nullptr) << target;
     EXPECT_TRUE(responder->replies.empty()) << target;

@@ -12,7 +12,7 @@ using json::test::Everything;
 TEST_F(GatewayTest, AFileThatTheClientDoesNotAcceptIsNotSent) {
   server.Set("GetSubmapMesh", {.messages = {MeshPart("ply\n", "application/x-ply", 10), MeshPart("abcdef")}});
   const auto ask = [this](const char* accept) {
-    return client->Ask("GET", "/v1/maps/home/submaps/7:mesh", "", {{"Accept", accept}});
+    return client->Ask("GET", "/v1/maps/home/submaps/7/mesh", "", {{"Accept", accept}});
   };
   for (const char* accept : {"model/gltf-binary", "application/x-pcd", "application/x-ply;q=0"}) {
     const http::HttpAnswer answer = ask(accept);
@@ -42,7 +42,7 @@ TEST_F(GatewayTest, AFileOfUnknownSizeIsChunked) {
 TEST_F(GatewayTest, AFileThatIsNotAsLongAsAnnouncedIsCutOffVisibly) {
   for (const int announced : {3, 30}) {
     server.Set("GetSubmapMesh", {.messages = {MeshPart("ab", "x/y", announced), MeshPart("cdef")}});
-    const http::HttpAnswer file = http::HttpClient(gateway->port()).Ask("GET", "/v1/maps/home:mesh");
+    const http::HttpAnswer file = http::HttpClient(gateway->port()).Ask("GET", "/v1/maps/home/mesh");
     EXPECT_FALSE(file.is_complete) << announced;
     EXPECT_LT(file.body.size(), static_cast<std::size_t>(announced));
   }

@@ -34,7 +34,7 @@ TEST_F(GatewayTest, HonoursConnectionCloseAndHttp10) {
   EXPECT_EQ(client->Ask("GET", "/healthz", "", {{"Connection", "close"}}).Header("Connection"), "close");
   EXPECT_TRUE(client->IsClosedByServer());
   http::HttpClient old(gateway->port());
-  old.SendRaw("GET /v1/maps/a/submaps/1:voxels HTTP/1.0\r\n\r\n");
+  old.SendRaw("GET /v1/maps/a/submaps/1/voxels HTTP/1.0\r\n\r\n");
   const http::HttpAnswer answer = old.ReadAnswer();
   EXPECT_EQ(answer.status, 200);
   EXPECT_FALSE(answer.was_chunked);
@@ -116,7 +116,7 @@ TEST_F(GatewayTest, MutatedRequestsNeverBringItDown) {
       "Content-Length: 14\r\nX-Timeout-S: 1\r\n\r\n{\"sequence\":1}",
       "PATCH /v1/maps/a/submaps/1 HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n"
       "15\r\n{\"display_name\":\"x\"}\n\r\n0\r\n\r\n",
-      "GET /v1/maps/a/submaps?class_ids=1,2&near.radius_m=2 HTTP/1.1\r\nHost: localhost\r\nAccept: a/b;q=0.1, "
+      "GET /v1/maps/a/submaps?class_ids=1,2&sphere.radius_m=2 HTTP/1.1\r\nHost: localhost\r\nAccept: a/b;q=0.1, "
       "application/x-protobuf\r\nExpect: 100-continue\r\n\r\n",
   };
   std::mt19937 random(7);

@@ -74,12 +74,12 @@ TEST(HttpRuleRouter, GivesTheRightPathVariables) {
 
 TEST(HttpRuleRouter, TellsVerbsApart) {
   EXPECT_EQ(Router().Find("GET", "/v1/maps/a").route->rpc_path, "/dhpmap.v1.MapService/GetMap");
-  EXPECT_EQ(Router().Find("GET", "/v1/maps/a:stats").route->rpc_path, "/dhpmap.v1.MapService/GetMapStats");
-  EXPECT_EQ(Router().Find("GET", "/v1/maps/a:mesh").route->rpc_path, "/dhpmap.v1.SubmapService/GetSubmapMesh");
-  EXPECT_TRUE(Router().Find("GET", "/v1/maps/a:mesh").route->file);
+  EXPECT_EQ(Router().Find("GET", "/v1/maps/a/stats").route->rpc_path, "/dhpmap.v1.MapService/GetMapStats");
+  EXPECT_EQ(Router().Find("GET", "/v1/maps/a/mesh").route->rpc_path, "/dhpmap.v1.SubmapService/GetSubmapMesh");
+  EXPECT_TRUE(Router().Find("GET", "/v1/maps/a/mesh").route->file);
   EXPECT_EQ(Router().Find("GET", "/v1/maps/a:nothing").route, nullptr);
-  EXPECT_EQ(Router().Find("DELETE", "/v1/maps/a:stats").route, nullptr) << "must not delete a map";
-  EXPECT_EQ(Router().AllowedMethods("/v1/maps/a:stats"), "GET, HEAD");
+  EXPECT_EQ(Router().Find("DELETE", "/v1/maps/a:verify").route, nullptr) << "must not delete a map";
+  EXPECT_EQ(Router().AllowedMethods("/v1/maps/a/stats"), "GET, HEAD");
   EXPECT_EQ(Router().AllowedMethods("/v1/maps/a"), "DELETE, GET, HEAD, PATCH");
   EXPECT_EQ(Router().AllowedMethods("/v2/maps/a"), "");
 }

@@ -235,9 +235,9 @@ TEST_F(LargeStreamMessagesTest, AnRpcThatEndsIsAnsweredThoughAMessageStillWaits)
 TEST_F(LargeStreamMessagesTest, FramesDoNotWaitForWhatOthersAskFor) {
   Lane frames{{}};
   server.Set("IntegrateFrames", AcknowledgesSequences());
-  server.Set("GetDistanceGrid", {.messages = {""}});
+  server.Set("QueryDistanceGrid", {.messages = {""}});
   const auto asking = std::make_shared<RecordingResponder>();
-  const auto question = Begin("/v1/maps/a:getDistanceGrid", asking, &frames);
+  const auto question = Begin("/v1/maps/a:queryDistanceGrid", asking, &frames);
   question->OnBody("{" + std::string(kLargeData_bytes, ' ') + "}");
   question->OnBodyEnd();
   EXPECT_FALSE(HasBegunCall()) << "a large question is the bulk lane's";

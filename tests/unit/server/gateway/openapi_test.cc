@@ -67,7 +67,7 @@ TEST(OpenApi, NamesWildcardsAfterTheirCollections) {
   const auto router = HttpRuleRouter::FromLinkedServices();
   const auto path = ToOpenApiPath(*router->Find("PATCH", "/v1/maps/a/submaps/1").route);
   EXPECT_EQ(path.text, "/v1/maps/{map}/submaps/{submap}");
-  EXPECT_EQ(ToOpenApiPath(*router->Find("GET", "/v1/maps/a:stats").route).text, "/v1/maps/{map}:stats");
+  EXPECT_EQ(ToOpenApiPath(*router->Find("GET", "/v1/maps/a/stats").route).text, "/v1/maps/{map}/stats");
 }
 
 }  // namespace

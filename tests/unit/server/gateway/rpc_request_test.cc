@@ -78,12 +78,12 @@ TEST(RpcRequest, RefusesTypesAndCodingsThatItCannotRead) {
 TEST(RpcRequest, RefusesWhoAcceptsNothingThatThereIs) {
   const http::Headers gltf = {{"Accept", "model/gltf-binary"}};
   EXPECT_EQ(Made(RequestHeadOf("GET", "/v1/maps/home", gltf)).status().reason(), Reason("NOT_ACCEPTABLE"));
-  EXPECT_TRUE(Made(RequestHeadOf("GET", "/v1/maps/home/submaps/7:mesh", gltf)).ok()) << "it may be that file";
+  EXPECT_TRUE(Made(RequestHeadOf("GET", "/v1/maps/home/submaps/7/mesh", gltf)).ok()) << "it may be that file";
   EXPECT_TRUE(Made(RequestHeadOf("GET", "/v1/maps/home", {{"Accept", "model/*, */*;q=0.1"}})).ok());
 }
 
 TEST(RpcRequest, AFileIsNamedAfterThePathWithHarmlessCharactersOnly) {
-  EXPECT_EQ(Made(RequestHeadOf("GET", "/v1/maps/home/submaps/7:mesh"))->file_stem, "maps_home_submaps_7");
+  EXPECT_EQ(Made(RequestHeadOf("GET", "/v1/maps/home/submaps/7/mesh"))->file_stem, "maps_home_submaps_7");
   EXPECT_EQ(Made(RequestHeadOf("GET", "/test/files/a%22%0D%0A..%5Cb"))->file_stem, "a___.._b");
   EXPECT_EQ(Made(RequestHeadOf("GET", "/test/files/" + std::string(500, 'x')))->file_stem.size(), 128u);
   EXPECT_EQ(Made(RequestHeadOf("GET", "/v1/maps"))->file_stem, "download") << "no variable in the path";

@@ -21,7 +21,7 @@ std::string Part(const std::string& data, const std::string& type = "", std::int
 }
 
 const Route& Download() { return *Matched("GET", "/test/files/x").route; }
-const Route& Voxels() { return *Matched("GET", "/v1/maps/a/submaps/1:voxels").route; }
+const Route& Voxels() { return *Matched("GET", "/v1/maps/a/submaps/1/voxels").route; }
 
 TEST(StreamEncoder, OnlyTheFirstPartHasAHead) {
   for (const AnswerFormat format : {AnswerFormat::kAny, AnswerFormat::kJson, AnswerFormat::kProtobuf}) {

@@ -45,7 +45,7 @@ std::string Acknowledge(const std::string& bytes) {
   request.ParseFromString(bytes);
   v1::IntegrateFramesResponse response;
   response.set_sequence(request.sequence());
-  response.set_error_message(request.map());
+  response.mutable_error()->set_message(request.map());
   return response.SerializeAsString();
 }
 
@@ -53,21 +53,21 @@ std::string Frame(int sequence) { return R"({"sequence":)" + std::to_string(sequ
 
 TEST_F(GatewayTest, ServerStreamsAreNdjsonInChunks) {
   server.Set("StreamSubmapVoxels", {.messages = {Voxels(1), Voxels(2), Voxels(3)}});
-  const http::HttpAnswer answer = client->Ask("GET", "/v1/maps/a/submaps/1:voxels?max_abs_distance_m=0.5");
+  const http::HttpAnswer answer = client->Ask("GET", "/v1/maps/a/submaps/1/voxels?max_abs_tsdf_m=0.5");
   EXPECT_EQ(answer.status, 200);
   EXPECT_TRUE(answer.was_chunked);
   EXPECT_EQ(answer.Header("Content-Type"), "application/x-ndjson");
   const auto lines = Lines(answer.body);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(At(At(AsJson(lines[2]), "result").struct_value(), "revision").string_value(), "3");
-  EXPECT_EQ(Heard<v1::StreamSubmapVoxelsRequest>().max_abs_distance_m(), 0.5);
+  EXPECT_EQ(Heard<v1::StreamSubmapVoxelsRequest>().max_abs_tsdf_m(), 0.5);
   EXPECT_EQ(client->Ask("GET", "/healthz").status, 200) << "the connection lives on";
 }
 
 TEST_F(GatewayTest, ServerStreamsAsDelimitedProtobuf) {
   server.Set("StreamSubmapVoxels", {.messages = {Voxels(1), "", Voxels(300)}});
   const http::HttpAnswer answer =
-      client->Ask("GET", "/v1/maps/a/submaps/1:voxels", "", {{"Accept", "application/x-protobuf"}});
+      client->Ask("GET", "/v1/maps/a/submaps/1/voxels", "", {{"Accept", "application/x-protobuf"}});
   EXPECT_EQ(answer.Header("Content-Type"), "application/x-protobuf-stream");
   std::istringstream stream(answer.body);
   google::protobuf::io::IstreamInputStream input(&stream);
@@ -82,7 +82,7 @@ TEST_F(GatewayTest, ServerStreamsAsDelimitedProtobuf) {
 
 TEST_F(GatewayTest, AStreamThatFailsAtOnceIsAPlainError) {
   server.Set("StreamSubmapVoxels", {.status = grpc::Status(grpc::NOT_FOUND, "no such submap")});
-  const http::HttpAnswer answer = client->Ask("GET", "/v1/maps/a/submaps/1:voxels");
+  const http::HttpAnswer answer = client->Ask("GET", "/v1/maps/a/submaps/1/voxels");
   EXPECT_EQ(answer.status, 404);
   EXPECT_EQ(At(AsJson(answer.body), "message").string_value(), "no such submap");
 }
@@ -90,7 +90,7 @@ TEST_F(GatewayTest, AStreamThatFailsAtOnceIsAPlainError) {
 TEST_F(GatewayTest, AStreamThatFailsLaterEndsWithAnErrorLine) {
   server.Set("StreamSubmapVoxels",
              {.messages = {Voxels(1)}, .status = grpc::Status(grpc::DATA_LOSS, "a block is broken")});
-  const auto lines = Lines(client->Ask("GET", "/v1/maps/a/submaps/1:voxels").body);
+  const auto lines = Lines(client->Ask("GET", "/v1/maps/a/submaps/1/voxels").body);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(At(At(AsJson(lines[1]), "error").struct_value(), "code").number_value(), 15);
 }
@@ -98,14 +98,14 @@ TEST_F(GatewayTest, AStreamThatFailsLaterEndsWithAnErrorLine) {
 TEST_F(GatewayTest, ABinaryStreamThatFailsLaterIsCutOffVisibly) {
   server.Set("StreamSubmapVoxels", {.messages = {Voxels(1)}, .status = grpc::Status(grpc::DATA_LOSS, "broken")});
   const http::HttpAnswer answer =
-      client->Ask("GET", "/v1/maps/a/submaps/1:voxels", "", {{"Accept", "application/x-protobuf"}});
+      client->Ask("GET", "/v1/maps/a/submaps/1/voxels", "", {{"Accept", "application/x-protobuf"}});
   EXPECT_EQ(answer.status, 200);
   EXPECT_FALSE(answer.is_complete);
 }
 
 TEST_F(GatewayTest, AnEmptyStreamIsAnEmptyAnswer) {
   server.Set("StreamSubmapVoxels", {.messages = {}});
-  const http::HttpAnswer answer = client->Ask("GET", "/v1/maps/a/submaps/1:voxels");
+  const http::HttpAnswer answer = client->Ask("GET", "/v1/maps/a/submaps/1/voxels");
   EXPECT_EQ(answer.status, 200);
   EXPECT_EQ(answer.body, "");
   EXPECT_EQ(answer.Header("Content-Type"), "application/x-ndjson");
@@ -114,27 +114,27 @@ TEST_F(GatewayTest, AnEmptyStreamIsAnEmptyAnswer) {
 TEST_F(GatewayTest, AFileIsAFileUnlessJsonIsAskedFor) {
   server.Set("GetSubmapMesh", {.messages = {MeshPart("ply\n", "application/x-ply", 10), MeshPart("abc"), MeshPart(""),
                                             MeshPart("def")}});
-  const http::HttpAnswer file = client->Ask("GET", "/v1/maps/home/submaps/7:mesh", "", {{"Accept", "*/*"}});
+  const http::HttpAnswer file = client->Ask("GET", "/v1/maps/home/submaps/7/mesh", "", {{"Accept", "*/*"}});
   EXPECT_EQ(file.status, 200);
   EXPECT_EQ(file.body, "ply\nabcdef");
   EXPECT_EQ(file.Header("Content-Type"), "application/x-ply");
   EXPECT_EQ(file.Header("Content-Disposition"), "attachment; filename=\"maps_home_submaps_7.ply\"");
   EXPECT_EQ(file.Header("Content-Length"), "10");
-  EXPECT_EQ(client->Ask("GET", "/v1/maps/home:mesh?format=PCD&coloring=BY_CLASS").body, "ply\nabcdef");
-  EXPECT_EQ(Heard<v1::GetSubmapMeshRequest>(2).coloring(), v1::BY_CLASS);
+  EXPECT_EQ(client->Ask("GET", "/v1/maps/home/mesh?format=PCD&coloring=BY_CLASS").body, "ply\nabcdef");
+  EXPECT_EQ(Heard<v1::GetSubmapMeshRequest>(2).coloring(), v1::GetSubmapMeshRequest::BY_CLASS);
 
   const auto lines =
-      Lines(client->Ask("GET", "/v1/maps/home/submaps/7:mesh", "", {{"Accept", "application/json"}}).body);
+      Lines(client->Ask("GET", "/v1/maps/home/submaps/7/mesh", "", {{"Accept", "application/json"}}).body);
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(At(At(AsJson(lines[1]), "result").struct_value(), "data").string_value(), "YWJj");
 }
 
 TEST_F(GatewayTest, HeadOfAStreamHasNoBody) {
   server.Set("GetSubmapMesh", {.messages = {MeshPart("ply\n", "application/x-ply", 4)}});
-  const http::HttpAnswer head = client->Ask("HEAD", "/v1/maps/home:mesh");
+  const http::HttpAnswer head = client->Ask("HEAD", "/v1/maps/home/mesh");
   EXPECT_EQ(head.status, 200);
   EXPECT_EQ(head.Header("Content-Length"), "4");
-  EXPECT_EQ(client->Ask("HEAD", "/v1/maps/a/submaps/1:voxels").status, 200);
+  EXPECT_EQ(client->Ask("HEAD", "/v1/maps/a/submaps/1/voxels").status, 200);
   EXPECT_EQ(client->Ask("GET", "/healthz").body, "ok\n");
 }
 
@@ -151,7 +151,7 @@ TEST_F(GatewayTest, FramesAsNdjsonAreAcknowledgedOneByOne) {
     const auto json = AsJson(lines[i]);
     const auto& result = At(json, "result").struct_value();
     EXPECT_EQ(At(result, "sequence").string_value(), std::to_string(i + 1));
-    EXPECT_EQ(At(result, "error_message").string_value(), "maps/a") << "the path is in every message";
+    EXPECT_EQ(At(At(result, "error").struct_value(), "message").string_value(), "maps/a") << "the path is in every message";
   }
 }
 
@@ -315,7 +315,7 @@ TEST_F(GatewayTest, ASlowReaderHoldsTheServerBack) {
   // 200 MB could not be kept anywhere without notice; the client reads only after a while.
   const std::string big = MeshPart(std::string(1u << 20, 'm'), "x/y");
   server.Set("GetSubmapMesh", {.messages = std::vector<std::string>(200, big)});
-  client->SendRaw("GET /v1/maps/a:mesh HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  client->SendRaw("GET /v1/maps/a/mesh HTTP/1.1\r\nHost: localhost\r\n\r\n");
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   EXPECT_EQ(server.num_calls(), 0u) << "the RPC still waits for the reader";
   const http::HttpAnswer answer = client->ReadAnswer();
@@ -327,7 +327,7 @@ TEST_F(GatewayTest, AClientThatLeavesAStreamCancelsIt) {
   DHPMAP_SKIP_MEGABYTES();
   const std::string big = MeshPart(std::string(1u << 20, 'm'), "x/y");
   server.Set("GetSubmapMesh", {.messages = std::vector<std::string>(200, big)});
-  client->SendRaw("GET /v1/maps/a:mesh HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  client->SendRaw("GET /v1/maps/a/mesh HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_FALSE(client->ReadSome().empty());
   client.reset();
   EXPECT_TRUE(server.WaitForCancel());
@@ -389,7 +389,7 @@ TEST_F(StreamExchangeTest, LargeMessagesAreEncodedOnTheLaneAndSmallOnesDoNotWait
   large.mutable_rgb()->assign(2 * kMostQuickBytes, 'x');
   server.Set("StreamSubmapVoxels", {.messages = {Voxels(1), large.SerializeAsString(), Voxels(3)}});
   testing::LanePlug plug(bulk);
-  const auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1:voxels"));
+  const auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1/voxels"));
   exchange->OnBodyEnd();
   ASSERT_TRUE(responder->RunUntil([&] { return !responder->chunks.empty(); }));
   std::string answer = std::move(responder->chunks.back());
@@ -413,7 +413,7 @@ TEST_F(StreamExchangeTest, LargeMessagesAreEncodedOnTheLaneAndSmallOnesDoNotWait
 
 TEST_F(StreamExchangeTest, OnePartOfTheAnswerIsUnderWayAtATime) {
   server.Set("StreamSubmapVoxels", {.messages = std::vector<std::string>(20, Voxels(1))});
-  const auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1:voxels"));
+  const auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1/voxels"));
   exchange->OnBodyEnd();
   std::size_t num_parts = 0;
   std::string answer;
@@ -431,7 +431,7 @@ TEST_F(StreamExchangeTest, OnePartOfTheAnswerIsUnderWayAtATime) {
 
 TEST_F(StreamExchangeTest, AClosedConnectionHearsNothingMoreAndGivesItsBytesBack) {
   server.Set("StreamSubmapVoxels", {.messages = std::vector<std::string>(50, Voxels(1))});
-  auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1:voxels"));
+  auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1/voxels"));
   exchange->OnBodyEnd();
   ASSERT_TRUE(responder->RunUntil([&] { return !responder->chunks.empty(); }));
   exchange->OnClosed();

@@ -46,43 +46,43 @@ TEST_F(GatewayTest, PostTakesJsonUnderCurlsDefaultContentType) {
 
 TEST_F(GatewayTest, LargeBodiesUnderCurlsDefaultTypeAreNoForms) {
   DHPMAP_SKIP_MEGABYTES();
-  std::string body = R"({"xyz_m":[0)";
+  std::string body = R"({"packed_points_m":[0)";
   while (body.size() < 300'000) body += ",0.25,-1.5,2";
   body += ",1,2]}";
   const http::HttpAnswer answer =
       client->Ask("POST", "/v1/maps/a:queryPoints", body, {{"Content-Type", "application/x-www-form-urlencoded"}});
   EXPECT_EQ(answer.status, 200) << answer.body;
-  EXPECT_GT(Heard<v1::QueryPointsRequest>().xyz_m_size(), 70'000);
+  EXPECT_GT(Heard<v1::QueryPointsRequest>().packed_points_m_size(), 70'000);
 }
 
 TEST_F(GatewayTest, AnAnswerThatHoldsAFileIsAFileUnlessJsonIsAskedFor) {
-  v1::GetOccupancySliceResponse slice;
+  v1::QueryOccupancySliceResponse slice;
   slice.set_data("P5\n1 1\n255\n\xfe");
   slice.set_content_type("image/x-portable-graymap");
-  server.Set("GetOccupancySlice", {.messages = {slice.SerializeAsString()}});
-  const std::string path = "/v1/maps/home:getOccupancySlice?min_z_m=0.1&max_z_m=1&area.min_x_m=-2&format=PGM";
+  server.Set("QueryOccupancySlice", {.messages = {slice.SerializeAsString()}});
+  const std::string path = "/v1/maps/home:queryOccupancySlice?min_z_m=0.1&max_z_m=1&area.min_x_m=-2&format=PGM";
   const http::HttpAnswer file = client->Ask("GET", path, "", {{"Accept", "*/*"}});
   EXPECT_EQ(file.status, 200);
   EXPECT_EQ(file.body, slice.data());
   EXPECT_EQ(file.Header("Content-Type"), "image/x-portable-graymap");
   EXPECT_EQ(file.Header("Content-Disposition"), "attachment; filename=\"maps_home.pgm\"");
-  const auto heard = Heard<v1::GetOccupancySliceRequest>();
+  const auto heard = Heard<v1::QueryOccupancySliceRequest>();
   EXPECT_EQ(heard.area().min_x_m(), -2);
-  EXPECT_EQ(heard.format(), v1::PGM);
+  EXPECT_EQ(heard.format(), v1::QueryOccupancySliceRequest::PGM);
   const http::HttpAnswer json = client->Ask("GET", path, "", {{"Accept", "application/json"}});
   EXPECT_EQ(At(AsJson(json.body), "data").string_value(), "UDUKMSAxCjI1NQr+");
   EXPECT_EQ(client->Ask("GET", path, "", {{"Accept", "image/png"}}).status, 406);
   EXPECT_EQ(client->Ask("GET", path, "", {{"Accept", "image/*"}}).body, slice.data());
   slice.clear_content_type();
   slice.set_cells("\x64");
-  server.Set("GetOccupancySlice", {.messages = {slice.SerializeAsString()}});
-  EXPECT_EQ(client->Ask("POST", "/v1/maps/home:getOccupancySlice", "{}").Header("Content-Type"), "application/json")
+  server.Set("QueryOccupancySlice", {.messages = {slice.SerializeAsString()}});
+  EXPECT_EQ(client->Ask("POST", "/v1/maps/home:queryOccupancySlice", "{}").Header("Content-Type"), "application/json")
       << "an answer that may hold a file, and does not";
 }
 
 TEST_F(GatewayTest, ProtobufGoesBothWays) {
   v1::QueryPointsRequest request;
-  request.add_xyz_m(1.5f);
+  request.add_packed_points_m(1.5f);
   request.set_map("maps/wrong");  // the path wins
   v1::QueryPointsResponse response;
   response.set_revision(7);
@@ -95,7 +95,7 @@ TEST_F(GatewayTest, ProtobufGoesBothWays) {
   EXPECT_EQ(answer.body, response.SerializeAsString());
   const auto heard = Heard<v1::QueryPointsRequest>();
   EXPECT_EQ(heard.map(), "maps/right");
-  EXPECT_EQ(heard.xyz_m(0), 1.5f);
+  EXPECT_EQ(heard.packed_points_m(0), 1.5f);
 }
 
 TEST_F(GatewayTest, ForwardsMetadataAndGivesEveryRequestAnId) {

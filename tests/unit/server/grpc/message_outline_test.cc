@@ -108,7 +108,7 @@ TEST(MessageOutline, SaysNoLessThanTheMessageTakesOfAnyRequestThatMayBeLarge) {
   ExpectNeverMoreThanOutlined<v1::IntegrateFramesRequest>();
   ExpectNeverMoreThanOutlined<v1::QueryDistancesRequest>();
   ExpectNeverMoreThanOutlined<v1::QueryPointsRequest>();
-  ExpectNeverMoreThanOutlined<v1::QueryStreamRequest>();
+  ExpectNeverMoreThanOutlined<v1::StreamQueriesRequest>();
   ExpectNeverMoreThanOutlined<v1::UpdateMapRequest>();
 }
 
@@ -117,7 +117,7 @@ TEST(MessageOutline, SaysLittleMoreThanWhatIsSentTakes) {
   request.set_map("maps/room");
   for (int i = 0; i < 10'000; ++i) {
     request.add_points_m()->set_x(i + 1);
-    request.add_xyz_m(0.5f);
+    request.add_packed_points_m(0.5f);
   }
   v1::QueryPointsRequest parsed;
   ASSERT_TRUE(parsed.ParseFromString(request.SerializeAsString()));

@@ -53,9 +53,9 @@ TEST(VoxelChunks, CarryEveryVoxelWithinTheLimitInMessagesOfBoundedSize) {
       ++num_messages;
       EXPECT_LE(message.ByteSizeLong(), kMaxMessageBytes);
       EXPECT_EQ(message.revision(), 7);
-      EXPECT_EQ(message.xyz_m_size(), 3 * message.distance_m_size());
-      EXPECT_EQ(message.rgb().size(), 3 * static_cast<std::size_t>(message.distance_m_size()));
-      num_voxels += message.distance_m_size();
+      EXPECT_EQ(message.xyz_m_size(), 3 * message.tsdf_m_size());
+      EXPECT_EQ(message.rgb().size(), 3 * static_cast<std::size_t>(message.tsdf_m_size()));
+      num_voxels += message.tsdf_m_size();
     }
     EXPECT_EQ(num_voxels, NumObserved(*snapshot->Find(SubmapId(1)), limit_m));
     EXPECT_GT(num_messages, limit_m == 0 ? 1 : 0);
@@ -69,7 +69,7 @@ TEST(VoxelChunks, OfAnEmptySubmapAreOneMessageWithTheRevision) {
   v1::StreamSubmapVoxelsResponse message;
   EXPECT_TRUE(chunks.Next(message));
   EXPECT_EQ(message.revision(), 7);
-  EXPECT_EQ(message.distance_m_size(), 0);
+  EXPECT_EQ(message.tsdf_m_size(), 0);
   EXPECT_FALSE(chunks.Next(message));
 }
 
@@ -117,13 +117,13 @@ TEST(MeshRequestFromProto, TakesKnownValuesAndNamesOthers) {
   EXPECT_EQ(plain->submap, SubmapId(4));
   EXPECT_EQ(plain->format, MeshFormat::kPly);
   EXPECT_EQ(plain->coloring, MeshColoring::kSensor);
-  request.set_format(v1::PCD);
-  request.set_coloring(v1::BY_INSTANCE);
+  request.set_format(v1::GetSubmapMeshRequest::PCD);
+  request.set_coloring(v1::GetSubmapMeshRequest::BY_INSTANCE);
   EXPECT_EQ(MeshRequestFromProto(request, std::nullopt)->format, MeshFormat::kPcd);
   EXPECT_EQ(MeshRequestFromProto(request, std::nullopt)->coloring, MeshColoring::kInstance);
-  request.set_coloring(static_cast<v1::MeshColoring>(9));
+  request.set_coloring(static_cast<v1::GetSubmapMeshRequest::Coloring>(9));
   EXPECT_EQ(MeshRequestFromProto(request, std::nullopt).status().violations().at(0).field, "coloring");
-  request.set_format(static_cast<v1::MeshFormat>(9));
+  request.set_format(static_cast<v1::GetSubmapMeshRequest::Format>(9));
   EXPECT_EQ(MeshRequestFromProto(request, std::nullopt).status().violations().at(0).field, "format");
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "server/wire/types/resource_names.h"
 #include "tests/unit/server/wire/map_of_chairs.h"
 
 namespace dhpmap {
@@ -39,20 +40,20 @@ TEST_F(DistanceAnswersTest, AreMessagesForPeople) {
   EXPECT_EQ(response.revision(), 5);
   EXPECT_FALSE(response.has_packed());
   ASSERT_EQ(response.results_size(), 3);
-  EXPECT_EQ(response.results(0).status(), v1::OK);
+  EXPECT_EQ(response.results(0).status(), v1::QueryStatus::OK);
   EXPECT_EQ(response.results(0).distance_m(), -0.5f);
   EXPECT_EQ(response.results(0).gradient().z(), 1);
-  EXPECT_EQ(response.results(0).nearest_m().y(), 2);
+  EXPECT_EQ(response.results(0).nearest_point_m().y(), 2);
   EXPECT_EQ(response.results(0).instance_id(), 3);
   EXPECT_EQ(response.results(0).submap(), "maps/home/submaps/3");
   EXPECT_EQ(response.results(0).class_name(), "chair");
-  EXPECT_EQ(response.results(1).status(), v1::UNKNOWN);
+  EXPECT_EQ(response.results(1).status(), v1::QueryStatus::UNKNOWN);
   EXPECT_EQ(response.results(1).instance_id(), 0);
   EXPECT_EQ(response.results(1).class_name(), "") << "unknown objects have no class";
-  EXPECT_EQ(response.results(2).status(), v1::CLAMPED);
+  EXPECT_EQ(response.results(2).status(), v1::QueryStatus::CLAMPED);
   EXPECT_EQ(response.results(2).distance_m(), 3);
   EXPECT_EQ(response.results(2).instance_id(), -1);
-  EXPECT_FALSE(response.results(2).has_gradient() || response.results(2).has_nearest_m());
+  EXPECT_FALSE(response.results(2).has_gradient() || response.results(2).has_nearest_point_m());
 }
 
 TEST_F(DistanceAnswersTest, AreArraysForMachines) {
@@ -64,29 +65,29 @@ TEST_F(DistanceAnswersTest, AreArraysForMachines) {
   EXPECT_EQ(response.results_size(), 0);
   const v1::PackedDistanceResults& packed = response.packed();
   ASSERT_EQ(packed.gradient_size(), 9);
-  ASSERT_EQ(packed.nearest_xyz_m_size(), 9);
+  ASSERT_EQ(packed.nearest_point_m_size(), 9);
   EXPECT_EQ(packed.distance_m(0), -0.5f);
   EXPECT_EQ(packed.distance_m(1), 3);
   EXPECT_EQ(packed.gradient(2), 1);
   EXPECT_EQ(packed.gradient(5), 0);
-  EXPECT_EQ(packed.nearest_xyz_m(1), 2);
-  EXPECT_TRUE(std::isnan(packed.nearest_xyz_m(3)));
+  EXPECT_EQ(packed.nearest_point_m(1), 2);
+  EXPECT_TRUE(std::isnan(packed.nearest_point_m(3)));
   EXPECT_EQ(packed.instance_id(0), 3);
   EXPECT_EQ(packed.instance_id(1), -1);
   EXPECT_EQ(packed.instance_id(2), 0);
   EXPECT_EQ(packed.class_id(0), 2);
-  EXPECT_EQ(packed.class_id(1), 0);
-  EXPECT_EQ(packed.class_id(2), 0);
-  EXPECT_EQ(packed.status(0), v1::UNKNOWN);
-  EXPECT_EQ(packed.status(1), v1::CLAMPED);
-  EXPECT_EQ(packed.status(2), v1::OK);
+  EXPECT_EQ(packed.class_id(1), kNoClass);
+  EXPECT_EQ(packed.class_id(2), kNoClass);
+  EXPECT_EQ(packed.status(0), v1::QueryStatus::UNKNOWN);
+  EXPECT_EQ(packed.status(1), v1::QueryStatus::CLAMPED);
+  EXPECT_EQ(packed.status(2), v1::QueryStatus::OK);
 }
 
 TEST_F(DistanceAnswersTest, TakeNoMoreMemoryThanSaid) {
   constexpr int kPoints = 10000;
   for (const bool is_packed : {false, true}) {
     request.set_packed(is_packed);
-    request.mutable_xyz_m()->Resize(3 * kPoints, 0);
+    request.mutable_packed_points_m()->Resize(3 * kPoints, 0);
     v1::QueryDistancesResponse fresh;
     DistanceAnswers answers(request, map, kPoints, fresh);
     for (int i = 0; i < kPoints; ++i) answers.Append(At(chair, DistanceStatus::kUnknown));

@@ -20,7 +20,7 @@ constexpr int kWidth = 4, kHeight = 3;
 constexpr std::size_t kNumPixels = std::size_t{kWidth} * kHeight;
 
 template <typename T>
-void SetRaw(const std::vector<T>& values, v1::ImageEncoding encoding, v1::Image* image) {
+void SetRaw(const std::vector<T>& values, v1::Image::Encoding encoding, v1::Image* image) {
   image->set_encoding(encoding);
   image->set_data(values.data(), values.size() * sizeof(T));
 }
@@ -34,7 +34,7 @@ v1::Frame CameraFrame() {
   camera->set_height_px(kHeight);
   camera->set_fx_px(4);
   camera->set_fy_px(4);
-  SetRaw(std::vector<float>(kNumPixels, 1.5f), v1::RAW_F32, frame.mutable_depth_camera()->mutable_depth());
+  SetRaw(std::vector<float>(kNumPixels, 1.5f), v1::Image::RAW_F32, frame.mutable_depth_camera()->mutable_depth());
   v1::Segment* segment = frame.add_segments();
   segment->set_id(5);
   segment->set_class_id(0);
@@ -45,7 +45,7 @@ v1::Frame CameraFrame() {
 v1::Frame LidarFrame() {
   v1::Frame frame;
   frame.mutable_map_from_sensor();
-  for (int i = 0; i < 6; ++i) frame.mutable_lidar()->add_xyz_m(static_cast<float>(i));
+  for (int i = 0; i < 6; ++i) frame.mutable_lidar()->add_packed_points_m(static_cast<float>(i));
   return frame;
 }
 
@@ -77,12 +77,21 @@ TEST(FrameFromProto, TakesACameraFrame) {
   EXPECT_FALSE(frame->segments[1].class_id.has_value());
 }
 
+TEST(FrameFromProto, AScoreOfZeroIsTheWorstAndNotNone) {
+  v1::Frame frame = CameraFrame();
+  frame.mutable_segments(0)->set_score(0);
+  const auto taken = FrameFromProto(frame);
+  ASSERT_TRUE(taken.ok()) << taken.status().ToString();
+  EXPECT_EQ(taken->segments[0].score, 0.0f);
+  EXPECT_FALSE(taken->segments[1].score.has_value());
+}
+
 TEST(FrameFromProto, ScalesIntegerDepthAndKeepsItsNoReturns) {
   v1::Frame frame = CameraFrame();
   std::vector<std::uint16_t> depth(kNumPixels, 2000);
   depth[0] = 0;
   depth[1] = 65535;
-  SetRaw(depth, v1::RAW_U16, frame.mutable_depth_camera()->mutable_depth());
+  SetRaw(depth, v1::Image::RAW_U16, frame.mutable_depth_camera()->mutable_depth());
   EXPECT_EQ(BadFields(frame), Set{"depth_camera.depth"});  // without a scale
   frame.mutable_depth_camera()->mutable_depth()->set_scale_m(0.001);
   const auto result = FrameFromProto(frame);
@@ -95,11 +104,11 @@ TEST(FrameFromProto, ScalesIntegerDepthAndKeepsItsNoReturns) {
 TEST(FrameFromProto, TakesSegmentIdsOfEveryWidth) {
   v1::Frame frame = CameraFrame();
   auto* segments = frame.mutable_depth_camera()->mutable_segments();
-  SetRaw(std::vector<std::uint8_t>(12, 5), v1::RAW_U8, segments);
+  SetRaw(std::vector<std::uint8_t>(12, 5), v1::Image::RAW_U8, segments);
   EXPECT_EQ(FrameFromProto(frame)->camera->segments, std::vector<std::uint32_t>(12, 5));
-  SetRaw(std::vector<std::uint16_t>(12, 600), v1::RAW_U16, segments);
+  SetRaw(std::vector<std::uint16_t>(12, 600), v1::Image::RAW_U16, segments);
   EXPECT_EQ(FrameFromProto(frame)->camera->segments, std::vector<std::uint32_t>(12, 600));
-  SetRaw(std::vector<std::uint32_t>(12, 70000), v1::RAW_U32, segments);
+  SetRaw(std::vector<std::uint32_t>(12, 70000), v1::Image::RAW_U32, segments);
   EXPECT_EQ(FrameFromProto(frame)->camera->segments, std::vector<std::uint32_t>(12, 70000));
 }
 
@@ -113,20 +122,21 @@ TEST(FrameFromProto, ImagesOfTheWrongSizeOrTypeAreNamed) {
             Set{"depth_camera.depth"});
   EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { f.mutable_depth_camera()->clear_depth(); }),
             Set{"depth_camera.depth"});
-  for (const auto encoding : {v1::RAW_U32, v1::RAW_RGB8, v1::RAW_U8, v1::IMAGE_ENCODING_UNSPECIFIED}) {
+  for (const auto encoding :
+       {v1::Image::RAW_U32, v1::Image::RAW_RGB8, v1::Image::RAW_U8, v1::Image::IMAGE_ENCODING_UNSPECIFIED}) {
     EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { depth(f)->set_encoding(encoding); }),
               Set{"depth_camera.depth"});
   }
-  EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { depth(f)->set_encoding(v1::FILE); }),
+  EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { depth(f)->set_encoding(v1::Image::FILE); }),
             Set{"depth_camera.depth"});
-  EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { color(f)->set_encoding(v1::RAW_RGB8); }),
+  EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { color(f)->set_encoding(v1::Image::RAW_RGB8); }),
             Set{"depth_camera.color"});
-  EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { color(f)->set_encoding(v1::RAW_F32); }),
+  EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { color(f)->set_encoding(v1::Image::RAW_F32); }),
             Set{"depth_camera.color"});
-  EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { segments(f)->set_encoding(v1::RAW_F32); }),
+  EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { segments(f)->set_encoding(v1::Image::RAW_F32); }),
             Set{"depth_camera.segments"});
   EXPECT_EQ(
-      BadFieldsAfter(CameraFrame(), [&](auto& f) { segments(f)->set_encoding(static_cast<v1::ImageEncoding>(99)); }),
+      BadFieldsAfter(CameraFrame(), [&](auto& f) { segments(f)->set_encoding(static_cast<v1::Image::Encoding>(99)); }),
       Set{"depth_camera.segments"});
 }
 
@@ -143,7 +153,7 @@ std::string HeadOfAPng(std::uint8_t width_of_256_px, std::uint8_t height_of_256_
 TEST(FrameFromProto, AFileIsHeldAgainstTheCameraBeforeItIsDecoded) {
   v1::Frame frame = CameraFrame();
   v1::Image& segments = *frame.mutable_depth_camera()->mutable_segments();
-  segments.set_encoding(v1::FILE);
+  segments.set_encoding(v1::Image::FILE);
   segments.set_data(HeadOfAPng(32, 16));
   const Status status = FrameFromProto(frame).status();
   ASSERT_EQ(status.violations().size(), 1u);
@@ -198,8 +208,8 @@ TEST(FrameFromProto, EveryBadFieldIsNamedAtOnce) {
   v1::Frame frame = CameraFrame();
   frame.clear_map_from_sensor();
   frame.mutable_segments(1)->set_class_id(65535);
-  frame.mutable_depth_camera()->mutable_depth()->set_encoding(v1::RAW_U8);
-  frame.mutable_depth_camera()->mutable_color()->set_encoding(v1::RAW_U8);
+  frame.mutable_depth_camera()->mutable_depth()->set_encoding(v1::Image::RAW_U8);
+  frame.mutable_depth_camera()->mutable_color()->set_encoding(v1::Image::RAW_U8);
   EXPECT_EQ(BadFields(frame),
             (Set{"map_from_sensor", "segments[1].class_id", "depth_camera.depth", "depth_camera.color"}));
   frame.clear_depth_camera();
@@ -248,8 +258,10 @@ TEST(FrameFromProto, TakesALidarFrame) {
 }
 
 TEST(FrameFromProto, ListsOfALidarFrameMustFit) {
-  EXPECT_EQ(BadFieldsAfter(LidarFrame(), [](auto& f) { f.mutable_lidar()->add_xyz_m(1); }), Set{"lidar.xyz_m"});
-  EXPECT_EQ(BadFieldsAfter(LidarFrame(), [](auto& f) { f.mutable_lidar()->clear_xyz_m(); }), Set{"lidar.xyz_m"});
+  EXPECT_EQ(BadFieldsAfter(LidarFrame(), [](auto& f) { f.mutable_lidar()->add_packed_points_m(1); }),
+            Set{"lidar.packed_points_m"});
+  EXPECT_EQ(BadFieldsAfter(LidarFrame(), [](auto& f) { f.mutable_lidar()->clear_packed_points_m(); }),
+            Set{"lidar.packed_points_m"});
   EXPECT_EQ(BadFieldsAfter(LidarFrame(), [](auto& f) { f.mutable_lidar()->add_segment_ids(1); }),
             Set{"lidar.segment_ids"});
   EXPECT_EQ(BadFieldsAfter(LidarFrame(), [](auto& f) { f.mutable_lidar()->set_rgb("abc"); }), Set{"lidar.rgb"});
@@ -263,7 +275,7 @@ TEST(FrameFromProto, LidarPointsTakeIdsFromTheCameraBesideIt) {
   for (const double value : {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}) camera->add_image_from_lidar(value);
   camera->set_width_px(2);
   camera->set_height_px(2);
-  SetRaw(std::vector<std::uint8_t>{9, 9, 9, 9}, v1::RAW_U8, camera->mutable_segments());
+  SetRaw(std::vector<std::uint8_t>{9, 9, 9, 9}, v1::Image::RAW_U8, camera->mutable_segments());
   const auto result = FrameFromProto(frame);
   ASSERT_TRUE(result.ok()) << result.status().ToString();
   EXPECT_EQ(result->lidar->segments, std::vector<std::uint32_t>(result->lidar->points_m.size(), 9));

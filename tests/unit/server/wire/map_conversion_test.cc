@@ -54,11 +54,11 @@ TEST(MapConversion, FieldsThatAreNotSetKeepTheirValue) {
   ASSERT_TRUE(MergeConfig(proto, config).ok());
   EXPECT_EQ(ConfigToText(config), ConfigToText(before));
   proto.mutable_integration()->set_carving(false);
-  proto.mutable_integration()->set_weighting(v1::WEIGHTING_UNSPECIFIED);
+  proto.mutable_integration()->set_weighting(v1::IntegrationConfig::WEIGHTING_UNSPECIFIED);
   ASSERT_TRUE(MergeConfig(proto, config).ok());
   EXPECT_FALSE(config.integration.carving);
   EXPECT_EQ(config.integration.weighting, before.integration.weighting);
-  proto.mutable_integration()->set_weighting(static_cast<v1::Weighting>(42));
+  proto.mutable_integration()->set_weighting(static_cast<v1::IntegrationConfig::Weighting>(42));
   EXPECT_EQ(MergeConfig(proto, config).code(), StatusCode::kInvalidArgument);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "server/wire/frame_conversion.h"
+#include "tests/support/status_reason.h"
 
 namespace dhpmap {
 namespace {
@@ -21,9 +22,9 @@ TEST(AckOf, CarriesTheReportOfAFusedFrame) {
   EXPECT_EQ(ack.sequence(), 42);
   EXPECT_EQ(ack.revision(), 9);
   EXPECT_TRUE(ack.committed());
-  EXPECT_EQ(ack.outcome(), v1::FUSED);
+  EXPECT_EQ(ack.outcome(), v1::IntegrateFramesResponse::FUSED);
   EXPECT_FALSE(ack.has_committed_sequence());
-  EXPECT_EQ(ack.error_code(), 0);
+  EXPECT_EQ(ack.error().code(), 0);
   EXPECT_EQ(ack.num_points(), 100);
   EXPECT_EQ(ack.num_unknown_points(), 7);
   EXPECT_EQ(ack.num_segments(), 5);
@@ -39,21 +40,21 @@ TEST(AckOf, TheTimeOfFusionIsThatOfBundlingTrackingAndFusionAlone) {
   report.free_s = 8;
   report.activity_s = 16;
   report.refine_s = 32;
-  EXPECT_EQ(AckOf(1, {.report = report}).fuse_s(), 7);
+  EXPECT_EQ(AckOf(1, {.report = report}).fusion_s(), 7);
 }
 
 TEST(AckOf, TellsWhatIsStoredAndOfDuplicates) {
   const auto ack = AckOf(42, {.report = FrameReport{}, .revision = 9, .is_duplicate = true, .committed_sequence = 0});
-  EXPECT_EQ(ack.outcome(), v1::DUPLICATE);
+  EXPECT_EQ(ack.outcome(), v1::IntegrateFramesResponse::DUPLICATE);
   ASSERT_TRUE(ack.has_committed_sequence());
   EXPECT_EQ(ack.committed_sequence(), 0);
 
   const auto answer = AnswerOf(7, {.revision = 3, .committed_sequence = -2, .commit_status = Unavailable("gone")});
-  EXPECT_EQ(answer.outcome(), v1::FRAME_OUTCOME_UNSPECIFIED) << "it is for no frame";
+  EXPECT_EQ(answer.outcome(), v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) << "it is for no frame";
   EXPECT_EQ(answer.sequence(), 7);
   EXPECT_EQ(answer.revision(), 3);
   EXPECT_EQ(answer.committed_sequence(), -2);
-  EXPECT_EQ(answer.commit_error_code(), static_cast<int>(StatusCode::kUnavailable));
+  EXPECT_EQ(answer.commit_error().code(), static_cast<int>(StatusCode::kUnavailable));
 }
 
 TEST(AckOf, TellsWhyAFrameWasRefusedInTheWordsOfTheWire) {
@@ -64,13 +65,12 @@ TEST(AckOf, TellsWhyAFrameWasRefusedInTheWordsOfTheWire) {
   frame.lidar->color = {Color{}, Color{}};
   const auto ack =
       AckOf(1, {.report = ValidateFrame(frame, LabelSet()), .commit_status = ResourceExhausted("disk \xFF full")});
-  EXPECT_EQ(ack.error_code(), static_cast<int>(StatusCode::kInvalidArgument));
-  EXPECT_EQ(ack.error_reason(), "BAD_FRAME");
-  EXPECT_EQ(ack.outcome(), v1::REFUSED);
-  EXPECT_EQ(ack.error_message(),
-            "the frame is not usable; map_from_sensor: has a NaN or infinite entry; lidar.rgb: has 2 values, not 1");
-  EXPECT_EQ(ack.commit_error_code(), static_cast<int>(StatusCode::kResourceExhausted));
-  EXPECT_EQ(ack.commit_error_message(), "disk ? full");
+  EXPECT_EQ(ack.error().code(), static_cast<int>(StatusCode::kInvalidArgument));
+  EXPECT_EQ(testing::ReasonOf(ack.error()), "BAD_FRAME");
+  EXPECT_EQ(ack.outcome(), v1::IntegrateFramesResponse::REFUSED);
+  EXPECT_EQ(ack.error().message(), "the frame is not usable: map_from_sensor: has a NaN or infinite entry, and 1 more");
+  EXPECT_EQ(ack.commit_error().code(), static_cast<int>(StatusCode::kResourceExhausted));
+  EXPECT_EQ(ack.commit_error().message(), "disk ? full");
 }
 
 TEST(AckOf, TellsHowAFrameFits) {
@@ -92,8 +92,8 @@ TEST(AckOf, TellsWhatSpeaksAgainstAFrameThatIsRefused) {
       AckOf(1, {.report = InvalidArgument("no").WithReason("IMPLAUSIBLE_FRAME"),
                 .check = {.fit = FrameFit{.agreeing_fraction = 0.25},
                           .warnings = {{FrameFault::kPoseInverted, "turn it"}, {FrameFault::kStampWentBack, "\xFF"}}}});
-  EXPECT_EQ(ack.outcome(), v1::REFUSED);
-  EXPECT_EQ(ack.error_reason(), "IMPLAUSIBLE_FRAME");
+  EXPECT_EQ(ack.outcome(), v1::IntegrateFramesResponse::REFUSED);
+  EXPECT_EQ(testing::ReasonOf(ack.error()), "IMPLAUSIBLE_FRAME");
   EXPECT_EQ(ack.fit().agreeing_fraction(), 0.25);
   ASSERT_EQ(ack.warnings_size(), 2);
   EXPECT_EQ(ack.warnings(0).fault(), v1::FrameWarning::POSE_INVERTED);
@@ -121,9 +121,9 @@ TEST(InWireTerms, RenamesEveryFieldOfAFrame) {
   const Status renamed = InWireTerms(status);
   for (const FieldViolation& violation : renamed.violations()) fields.push_back(violation.field);
   EXPECT_EQ(fields, (std::vector<std::string>{"map_from_sensor", "depth_camera.camera.fx_px", "depth_camera.depth",
-                                              "depth_camera.color", "depth_camera.segments", "lidar.xyz_m", "lidar.rgb",
-                                              "lidar.segment_ids", "segments[3].score", "sensor", "lidar.segment_ids",
-                                              "depth_camera.depth"}));
+                                              "depth_camera.color", "depth_camera.segments", "lidar.packed_points_m",
+                                              "lidar.rgb", "lidar.segment_ids", "segments[3].score", "sensor",
+                                              "lidar.segment_ids", "depth_camera.depth"}));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ PointInfo Chair() {
 
 TEST(PointsFromProto, TakesPackedPointsFirst) {
   v1::QueryPointsRequest request;
-  for (const float value : {1.f, 2.f, 3.f}) request.add_xyz_m(value);
+  for (const float value : {1.f, 2.f, 3.f}) request.add_packed_points_m(value);
   request.add_points_m()->set_y(7);
   const auto points_m = PointsFromProto(request, 2);
   ASSERT_TRUE(points_m.ok());
@@ -42,12 +42,13 @@ TEST(PointsFromProto, NamesTheFirstThingThatIsWrong) {
     return std::pair(status.violations().at(0).field, status.violations().at(0).description);
   };
   v1::QueryPointsRequest request;
-  for (int i = 0; i < 7; ++i) request.add_xyz_m(0);
-  EXPECT_EQ(violation(request, 9), std::pair(std::string("xyz_m"), std::string("has 7 values, not three a point")));
-  request.add_xyz_m(0), request.add_xyz_m(std::nanf(""));
-  EXPECT_EQ(violation(request, 2), std::pair(std::string("xyz_m"), std::string("3 points are more than 2")));
-  EXPECT_EQ(violation(request, 3), std::pair(std::string("xyz_m"), std::string("point 2 is not finite")));
-  request.clear_xyz_m();
+  for (int i = 0; i < 7; ++i) request.add_packed_points_m(0);
+  EXPECT_EQ(violation(request, 9),
+            std::pair(std::string("packed_points_m"), std::string("has 7 values, not three a point")));
+  request.add_packed_points_m(0), request.add_packed_points_m(std::nanf(""));
+  EXPECT_EQ(violation(request, 2), std::pair(std::string("packed_points_m"), std::string("3 points are more than 2")));
+  EXPECT_EQ(violation(request, 3), std::pair(std::string("packed_points_m"), std::string("point 2 is not finite")));
+  request.clear_packed_points_m();
   request.add_points_m();
   request.add_points_m()->set_z(INFINITY);
   EXPECT_EQ(violation(request, 3), std::pair(std::string("points_m[1]"), std::string("is not finite")));
@@ -65,9 +66,17 @@ TEST(PointAnswers, AreMessagesOrArraysAsAsked) {
   EXPECT_FALSE(response.has_packed());
   EXPECT_EQ(response.results(0).submap(), "maps/home/submaps/3");
   EXPECT_EQ(response.results(0).class_name(), "chair");
-  EXPECT_EQ(response.results(0).kind(), v1::THING);
+  EXPECT_EQ(response.results(0).kind(), v1::LabelClass::THING);
   EXPECT_EQ(response.results(0).color().b(), 3u);
+  EXPECT_EQ(response.results(0).class_id(), 2);
   EXPECT_EQ(response.results(1).ByteSizeLong(), 0u) << "nothing is known of it";
+  PointInfo wall = Chair();
+  wall.class_id = ClassId(0);
+  messages.Append(wall);
+  EXPECT_TRUE(response.results(2).has_class_id()) << "0 is a class";
+  wall.panoptic = Panoptic::kUnknown;
+  messages.Append(wall);
+  EXPECT_FALSE(response.results(3).has_class_id()) << "it has no class";
 
   request.set_packed(true);
   response.Clear();
@@ -79,13 +88,13 @@ TEST(PointAnswers, AreMessagesOrArraysAsAsked) {
   arrays.Append(stale);
   const v1::PackedPointResults& packed = response.packed();
   EXPECT_EQ(response.results_size(), 0);
-  ASSERT_EQ(packed.observed_size(), 3);
+  ASSERT_EQ(packed.near_surface_size(), 3);
   EXPECT_EQ(packed.instance_id(0), 3);
-  EXPECT_EQ(packed.distance_m(0), 0.25f);
+  EXPECT_EQ(packed.tsdf_m(0), 0.25f);
   EXPECT_EQ(packed.rgb(), std::string("\1\2\3\0\0\0\0\0\0", 9));
   EXPECT_EQ(packed.kind(), std::string("\1\0\0", 3));
   EXPECT_EQ(packed.instance_id(2), 0) << "of what is not observed nothing else is told";
-  EXPECT_TRUE(std::isnan(packed.distance_m(1))) << "no distance is not a distance of 0";
+  EXPECT_TRUE(std::isnan(packed.tsdf_m(1))) << "no distance is not a distance of 0";
   EXPECT_FALSE(packed.free(0) || packed.free(1));
 }
 
@@ -100,12 +109,12 @@ TEST(PointAnswers, TellFreeFromUnknownAndGiveNeitherADistance) {
     answers.Append({});
     if (is_packed) {
       EXPECT_TRUE(response.packed().free(0));
-      EXPECT_FALSE(response.packed().free(1) || response.packed().observed(0));
-      EXPECT_TRUE(std::isnan(response.packed().distance_m(0)));
+      EXPECT_FALSE(response.packed().free(1) || response.packed().near_surface(0));
+      EXPECT_TRUE(std::isnan(response.packed().tsdf_m(0)));
     } else {
       EXPECT_TRUE(response.results(0).free());
-      EXPECT_FALSE(response.results(1).free() || response.results(0).observed());
-      EXPECT_FALSE(response.results(0).has_distance_m() || response.results(1).has_distance_m());
+      EXPECT_FALSE(response.results(1).free() || response.results(0).near_surface());
+      EXPECT_FALSE(response.results(0).has_tsdf_m() || response.results(1).has_tsdf_m());
     }
   }
 }
@@ -116,7 +125,7 @@ TEST(BytesOfAnswers, IsNoLessThanWhatAnswersTake) {
   for (const bool is_packed : {false, true}) {
     v1::QueryPointsRequest request;
     request.set_packed(is_packed);
-    for (int i = 0; i < 3 * kPoints; ++i) request.add_xyz_m(0);
+    for (int i = 0; i < 3 * kPoints; ++i) request.add_packed_points_m(0);
     v1::QueryPointsResponse response;
     PointAnswers answers(request, map, kPoints, response);
     for (int i = 0; i < kPoints; ++i) answers.Append(Chair());

@@ -48,16 +48,16 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   options.add_excluded_submaps("maps/home/submaps/0");
   options.add_excluded_class_names(" Table");
   options.add_class_names("CHAIR");
-  options.mutable_frame()->mutable_translation_m()->set_z(4);
-  options.mutable_padding()->set_default_m(0.5);
+  options.mutable_map_from_query()->mutable_translation_m()->set_z(4);
+  options.mutable_padding()->set_default_padding_m(0.5);
   options.mutable_padding()->add_classes()->set_class_name("Chair");
   options.mutable_padding()->mutable_classes(0)->set_padding_m(0.25);
   options.mutable_padding()->add_submaps()->set_submap("maps/home/submaps/0");
   options.add_attached()->set_submap("maps/home/submaps/1");
-  options.set_max_age_s(60);
+  options.set_max_free_age_s(60);
   options.set_min_revision(3);
   options.set_tolerance_vox(0.6);
-  options.set_vacated(v1::Vacated::FREE);
+  options.set_vacated_policy(v1::Vacated::FREE);
   options.set_include_absent(true);
   const auto question = QueryOptionsFromProto(options, *Home(), kDistanceOptions);
   ASSERT_TRUE(question.ok());
@@ -84,9 +84,9 @@ TEST(QueryOptionsFromProto, WhatIsAttachedLeavesItsPlaceFreeUnlessItIsToBeUnknow
     return QueryOptionsFromProto(options, *Home(), kDistanceOptions)->options.scope.keeps_attached_unknown;
   };
   EXPECT_FALSE(keeps_unknown());
-  options.set_vacated(v1::Vacated::FREE);
+  options.set_vacated_policy(v1::Vacated::FREE);
   EXPECT_FALSE(keeps_unknown());
-  options.set_vacated(v1::Vacated::UNKNOWN);
+  options.set_vacated_policy(v1::Vacated::UNKNOWN);
   EXPECT_TRUE(keeps_unknown());
 }
 
@@ -103,8 +103,9 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
       {[](auto& o) { o.set_max_distance_m(INFINITY); }, "options.max_distance_m", "BAD_DISTANCE"},
       {[](auto& o) { o.set_unknown_policy(static_cast<v1::QueryOptions::UnknownPolicy>(77)); },
        "options.unknown_policy", "BAD_FILTER"},
-      {[](auto& o) { o.mutable_frame()->mutable_rotation(); }, "options.frame", "BAD_TRANSFORM"},
-      {[](auto& o) { o.mutable_frame()->mutable_translation_m()->set_x(NAN); }, "options.frame", "BAD_TRANSFORM"},
+      {[](auto& o) { o.mutable_map_from_query()->mutable_rotation(); }, "options.map_from_query", "BAD_TRANSFORM"},
+      {[](auto& o) { o.mutable_map_from_query()->mutable_translation_m()->set_x(NAN); }, "options.map_from_query",
+       "BAD_TRANSFORM"},
       {[](auto& o) { o.add_excluded_submaps("maps/home/submaps/1"), o.add_excluded_submaps("7"); },
        "options.excluded_submaps[1]", "BAD_NAME"},
       {[](auto& o) { o.add_excluded_submaps("maps/other/submaps/1"); }, "options.excluded_submaps[0]", "BAD_FILTER"},
@@ -120,8 +121,10 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
          for (int i = 0; i < 1001; ++i) o.add_excluded_submaps("maps/home/submaps/1");
        },
        "options.excluded_submaps", "BAD_FILTER"},
-      {[](auto& o) { o.mutable_padding()->set_default_m(-0.1); }, "options.padding.default_m", "BAD_DISTANCE"},
-      {[](auto& o) { o.mutable_padding()->set_default_m(NAN); }, "options.padding.default_m", "BAD_DISTANCE"},
+      {[](auto& o) { o.mutable_padding()->set_default_padding_m(-0.1); }, "options.padding.default_padding_m",
+       "BAD_DISTANCE"},
+      {[](auto& o) { o.mutable_padding()->set_default_padding_m(NAN); }, "options.padding.default_padding_m",
+       "BAD_DISTANCE"},
       {[](auto& o) { o.mutable_padding()->add_classes()->set_class_name("spoon"); },
        "options.padding.classes[0].class_name", "BAD_FILTER"},
       {[](auto& o) {
@@ -145,9 +148,10 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
          for (int i = 0; i < 2; ++i) o.add_attached()->set_submap("maps/home/submaps/1");
        },
        "options.attached[1].submap", "BAD_FILTER"},
-      {[](auto& o) { o.set_max_age_s(-1); }, "options.max_age_s", "BAD_FILTER"},
-      {[](auto& o) { o.set_max_age_s(NAN); }, "options.max_age_s", "BAD_FILTER"},
-      {[](auto& o) { o.set_vacated(static_cast<v1::Vacated::Policy>(7)); }, "options.vacated", "BAD_FILTER"},
+      {[](auto& o) { o.set_max_free_age_s(-1); }, "options.max_free_age_s", "BAD_FILTER"},
+      {[](auto& o) { o.set_max_free_age_s(NAN); }, "options.max_free_age_s", "BAD_FILTER"},
+      {[](auto& o) { o.set_vacated_policy(static_cast<v1::Vacated::Policy>(7)); }, "options.vacated_policy",
+       "BAD_FILTER"},
       {[](auto& o) { o.set_tolerance_vox(-0.1); }, "options.tolerance_vox", "BAD_FILTER"},
       {[](auto& o) { o.set_tolerance_vox(NAN); }, "options.tolerance_vox", "BAD_FILTER"},
       {[](auto& o) { o.set_min_revision(-1); }, "options.min_revision", "BAD_FILTER"},
@@ -155,9 +159,9 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
       {[](auto& o) { o.add_allowed_collisions(); }, "options.allowed_collisions", "BAD_FILTER"},
       {[](auto& o) {
          o.add_attached()->set_submap("maps/home/submaps/1");
-         o.mutable_attached(0)->mutable_pose();
+         o.mutable_attached(0)->mutable_robot_from_submap();
        },
-       "options.attached[0].pose", "BAD_FILTER"},
+       "options.attached[0].robot_from_submap", "BAD_FILTER"},
   };
   const auto home = Home();
   for (const Case& c : cases) {
@@ -179,8 +183,8 @@ TEST(QueryOptionsFromProto, RefusesWhatTheQueryHasNoUseFor) {
   const Case cases[] = {
       {[](auto& o) { o.mutable_padding(); }, "options.padding", false},
       {[](auto& o) { o.add_attached()->set_submap("maps/home/submaps/1"); }, "options.attached", true},
-      {[](auto& o) { o.set_max_age_s(1); }, "options.max_age_s", true},
-      {[](auto& o) { o.set_vacated(v1::Vacated::UNKNOWN); }, "options.vacated", true},
+      {[](auto& o) { o.set_max_free_age_s(1); }, "options.max_free_age_s", true},
+      {[](auto& o) { o.set_vacated_policy(v1::Vacated::UNKNOWN); }, "options.vacated_policy", true},
       {[](auto& o) { o.set_tolerance_vox(0); }, "options.tolerance_vox", false},
   };
   for (const Case& c : cases) {

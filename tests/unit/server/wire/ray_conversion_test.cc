@@ -8,6 +8,8 @@
 #include <limits>
 #include <string>
 
+#include "server/wire/types/resource_names.h"
+
 namespace dhpmap {
 namespace {
 
@@ -17,8 +19,8 @@ void Add(google::protobuf::RepeatedField<float>& list, std::initializer_list<flo
 
 TEST(RaysFromProto, TakesPackedRaysFirstAndMakesDirectionsUnit) {
   v1::CastRaysRequest request;
-  Add(*request.mutable_origin_xyz_m(), {1, 2, 3, 4, 5, 6});
-  Add(*request.mutable_direction_xyz(), {0, 0, 2, 3, 0, 4});
+  Add(*request.mutable_packed_origins_m(), {1, 2, 3, 4, 5, 6});
+  Add(*request.mutable_packed_directions(), {0, 0, 2, 3, 0, 4});
   request.add_rays()->mutable_direction()->set_y(-9);
   const auto rays = RaysFromProto(request, 3);
   ASSERT_TRUE(rays.ok());
@@ -31,8 +33,8 @@ TEST(RaysFromProto, TakesPackedRaysFirstAndMakesDirectionsUnit) {
 
 TEST(RaysFromProto, OneOriginServesAll) {
   v1::CastRaysRequest request;
-  Add(*request.mutable_origin_xyz_m(), {1, 2, 3});
-  Add(*request.mutable_direction_xyz(), {1, 0, 0, 0, 1, 0});
+  Add(*request.mutable_packed_origins_m(), {1, 2, 3});
+  Add(*request.mutable_packed_directions(), {1, 0, 0, 0, 1, 0});
   const auto rays = RaysFromProto(request, 2);
   ASSERT_TRUE(rays.ok());
   EXPECT_EQ((*rays)[1].origin_m, Eigen::Vector3d(1, 2, 3));
@@ -46,34 +48,34 @@ TEST(RaysFromProto, NamesTheFirstThingThatIsWrong) {
   };
   const Case cases[] = {
       {[](auto& r) {
-         Add(*r.mutable_direction_xyz(), {1, 0});
+         Add(*r.mutable_packed_directions(), {1, 0});
        },
-       "direction_xyz", "has 2 values, not three a ray"},
+       "packed_directions", "has 2 values, not three a ray"},
       {[](auto& r) {
-         Add(*r.mutable_direction_xyz(), {1, 0, 0});
+         Add(*r.mutable_packed_directions(), {1, 0, 0});
        },
-       "origin_xyz_m", "has 0 values"},
+       "packed_origins_m", "has 0 values"},
       {[](auto& r) {
-         Add(*r.mutable_origin_xyz_m(), {1, 0, 0});
+         Add(*r.mutable_packed_origins_m(), {1, 0, 0});
        },
-       "origin_xyz_m", "has 3 values"},
+       "packed_origins_m", "has 3 values"},
       {[](auto& r) {
-         Add(*r.mutable_origin_xyz_m(), {0, 0, 0});
-         Add(*r.mutable_direction_xyz(), {1, 0, 0, 0, 0, 0});
+         Add(*r.mutable_packed_origins_m(), {0, 0, 0});
+         Add(*r.mutable_packed_directions(), {1, 0, 0, 0, 0, 0});
        },
-       "direction_xyz", "ray 1 is not finite or has no direction"},
+       "packed_directions", "ray 1 is not finite or has no direction"},
       {[](auto& r) {
-         Add(*r.mutable_origin_xyz_m(), {0, std::nanf(""), 0});
-         Add(*r.mutable_direction_xyz(), {1, 0, 0});
+         Add(*r.mutable_packed_origins_m(), {0, std::nanf(""), 0});
+         Add(*r.mutable_packed_directions(), {1, 0, 0});
        },
-       "direction_xyz", "ray 0"},
+       "packed_directions", "ray 0"},
       {[](auto& r) { r.add_rays()->mutable_direction()->set_x(INFINITY); }, "rays[0]", "is not finite"},
       {[](auto& r) { r.add_rays()->mutable_direction()->set_x(1e300); }, "rays[0]", "is not finite"},
       {[](auto& r) { r.add_rays()->mutable_origin_m()->set_x(1); }, "rays[0]", "has no direction"},
       {[](auto& r) {
          for (int i = 0; i < 4; ++i) r.add_rays()->mutable_direction()->set_x(1);
        },
-       "direction_xyz", "4 rays are more than 3"},
+       "packed_directions", "4 rays are more than 3"},
   };
   for (const Case& c : cases) {
     v1::CastRaysRequest request;
@@ -110,15 +112,15 @@ TEST_F(RayAnswersTest, AreMessagesForPeople) {
   for (const RayHit& hit : {chair, behind_unseen, nothing}) answers.Append(hit);
   EXPECT_EQ(response.revision(), 5);
   ASSERT_EQ(response.results_size(), 3);
-  EXPECT_EQ(response.results(0).status(), v1::OK);
+  EXPECT_EQ(response.results(0).status(), v1::QueryStatus::OK);
   EXPECT_EQ(response.results(0).point_m().y(), 2);
   EXPECT_EQ(response.results(0).normal().z(), 1);
   EXPECT_EQ(response.results(0).submap(), "maps/home/submaps/3");
   EXPECT_EQ(response.results(0).class_name(), "chair");
-  EXPECT_EQ(response.results(1).status(), v1::UNKNOWN);
-  EXPECT_EQ(response.results(1).free_m(), 0.5f);
+  EXPECT_EQ(response.results(1).status(), v1::QueryStatus::UNKNOWN);
+  EXPECT_EQ(response.results(1).free_distance_m(), 0.5f);
   EXPECT_EQ(response.results(1).instance_id(), 3);
-  EXPECT_EQ(response.results(2).status(), v1::CLAMPED);
+  EXPECT_EQ(response.results(2).status(), v1::QueryStatus::CLAMPED);
   EXPECT_EQ(response.results(2).distance_m(), 3);
   EXPECT_EQ(response.results(2).instance_id(), -1);
   EXPECT_FALSE(response.results(2).has_point_m() || response.results(2).has_normal());
@@ -129,23 +131,23 @@ TEST_F(RayAnswersTest, AreArraysForMachines) {
   RayAnswers answers(request, map, response);
   for (const RayHit& hit : {chair, behind_unseen, nothing}) answers.Append(hit);
   const v1::PackedRayResults& packed = response.packed();
-  ASSERT_EQ(packed.point_xyz_m_size(), 9);
+  ASSERT_EQ(packed.point_m_size(), 9);
   ASSERT_EQ(packed.normal_size(), 9);
   EXPECT_EQ(packed.distance_m(0), 2);
-  EXPECT_EQ(packed.free_m(1), 0.5f);
-  EXPECT_TRUE(std::isnan(packed.point_xyz_m(6)) && std::isnan(packed.normal(8)));
+  EXPECT_EQ(packed.free_distance_m(1), 0.5f);
+  EXPECT_TRUE(std::isnan(packed.point_m(6)) && std::isnan(packed.normal(8)));
   EXPECT_EQ(packed.instance_id(2), -1);
   EXPECT_EQ(packed.class_id(0), 2);
-  EXPECT_EQ(packed.class_id(2), 0);
-  EXPECT_EQ(packed.status(1), v1::UNKNOWN);
-  EXPECT_EQ(packed.status(2), v1::CLAMPED);
+  EXPECT_EQ(packed.class_id(2), kNoClass);
+  EXPECT_EQ(packed.status(1), v1::QueryStatus::UNKNOWN);
+  EXPECT_EQ(packed.status(2), v1::QueryStatus::CLAMPED);
 }
 
 TEST_F(RayAnswersTest, TakeNoMoreMemoryThanSaid) {
   constexpr int kRays = 10000;
   for (const bool is_packed : {false, true}) {
     request.set_packed(is_packed);
-    request.mutable_direction_xyz()->Resize(3 * kRays, 0);
+    request.mutable_packed_directions()->Resize(3 * kRays, 0);
     v1::CastRaysResponse fresh;
     RayAnswers answers(request, map, fresh);
     for (int i = 0; i < kRays; ++i) answers.Append(behind_unseen);

@@ -40,7 +40,7 @@ ChangeFilter FilterOf(const v1::WatchFilter& filter) {
 
 v1::WatchFilter FilterByRegion(double low_m, double high_m) {
   v1::WatchFilter filter;
-  v1::Box& box = *filter.mutable_region();
+  v1::AxisAlignedBox& box = *filter.mutable_region();
   box.mutable_min_m()->set_x(low_m);
   box.mutable_max_m()->set_x(high_m);
   return filter;
@@ -106,7 +106,7 @@ TEST(WatchConversion, BoxesAreAroundTheirTilesWhereTheSubmapIs) {
   SubmapEvent event = Event(1, 1, 0);
   event.tiles = {{{0, 0, 0}, {1, 0, 0}}};
   const double side_m = 0.1 * 32;
-  v1::Box box = ToProto(event, RoomWithClasses()).boxes(0);
+  v1::AxisAlignedBox box = ToProto(event, RoomWithClasses()).boxes(0);
   EXPECT_NEAR(box.min_m().x(), 0, 1e-12);
   EXPECT_NEAR(box.max_m().x(), 2 * side_m, 1e-12);
   EXPECT_NEAR(box.max_m().z(), side_m, 1e-12);
@@ -196,7 +196,7 @@ TEST(WatchConversion, WhatIsGoneKeepsItsNameAndClass) {
   event.into = SubmapId(3);
   const v1::SubmapEvent proto = ToProto(event, RoomWithClasses());
   EXPECT_EQ(proto.kind(), v1::SubmapEvent::MERGED);
-  EXPECT_EQ(proto.into(), "maps/room/submaps/3");
+  EXPECT_EQ(proto.merged_into(), "maps/room/submaps/3");
   EXPECT_EQ(proto.submap().name(), "maps/room/submaps/7");
   EXPECT_EQ(proto.submap().class_name(), "thing1");
   EXPECT_FALSE(proto.submap().has_bounding_sphere());

@@ -10,7 +10,7 @@ TEST(LabelConversion, BadClassesAreNamedAtOnce) {
   google::protobuf::RepeatedPtrField<v1::LabelClass> classes;
   v1::LabelClass* a = classes.Add();
   a->set_id(65535);
-  a->set_kind(v1::THING);
+  a->set_kind(v1::LabelClass::THING);
   v1::LabelClass* b = classes.Add();
   b->mutable_color()->set_g(256);
   EXPECT_EQ(LabelSetFromProto(classes).status().violations().size(), 3u);  // id; kind and colour
@@ -19,7 +19,7 @@ TEST(LabelConversion, BadClassesAreNamedAtOnce) {
   for (int i = 0; i < 2; ++i) {
     v1::LabelClass* same = classes.Add();
     same->set_id(4);
-    same->set_kind(v1::STUFF);
+    same->set_kind(v1::LabelClass::STUFF);
   }
   const Status twice = LabelSetFromProto(classes).status();
   EXPECT_EQ(twice.code(), StatusCode::kInvalidArgument);
@@ -44,7 +44,7 @@ TEST(LabelConversion, AClassKeepsAllItSaysBothWays) {
       EXPECT_EQ(after->classes()[0], before);
     }
   }
-  EXPECT_EQ(ToProto(Panoptic::kUnknown), v1::PANOPTIC_KIND_UNSPECIFIED);
+  EXPECT_EQ(ToProto(Panoptic::kUnknown), v1::LabelClass::PANOPTIC_KIND_UNSPECIFIED);
 }
 
 }  // namespace

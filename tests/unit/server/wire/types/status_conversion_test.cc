@@ -29,11 +29,11 @@ TEST(StatusToProto, CarriesReasonAndViolations) {
 
 TEST(StatusToProto, CarriesWhatTheReasonMeansAsMetadata) {
   const google::rpc::Status proto =
-      ToProto(NotFound("m").WithReason("MERGED_INTO").WithMetadata("into", "maps/m/submaps/3"));
+      ToProto(NotFound("m").WithReason("MERGED_INTO").WithMetadata("merged_into", "maps/m/submaps/3"));
   google::rpc::ErrorInfo info;
   ASSERT_TRUE(proto.details(0).UnpackTo(&info));
   ASSERT_EQ(info.metadata_size(), 1);
-  EXPECT_EQ(info.metadata().at("into"), "maps/m/submaps/3");
+  EXPECT_EQ(info.metadata().at("merged_into"), "maps/m/submaps/3");
 }
 
 TEST(StatusToProto, WhatIsNotUtf8IsCleaned) {
