@@ -96,24 +96,27 @@ bool DistanceQuery::AnyCloserThan(const Eigen::Vector3d& p_map, double radius_m)
   });
 }
 
-/// What is nearest to a point is no farther from the next one than that plus the way between: mostly a much better
-/// limit than the caller's.
+/// What was nearest to one point is a surface that the next one has, too: mostly a much better limit than the caller's.
 class DistanceQuery::Limit {
  public:
   explicit Limit(double most_m) : most_m_(most_m) {}
   [[nodiscard]] double At(const Eigen::Vector3d& p) const {
-    constexpr double kRounding_m = 1e-5;
-    return before_ == nullptr ? most_m_ : std::min(most_m_, before_m_ + (p - *before_).norm() + kRounding_m);
+    if (!is_any_) return most_m_;
+    constexpr double kRounding_m = 1e-5, kRounding = 1 + 1e-5;
+    return std::min(most_m_, kRounding * (p - nearest_m_).norm() + kRounding_m - padding_m_);
   }
-  void Learn(const Eigen::Vector3d& p, double reach_m) {
-    before_ = &p;
-    before_m_ = reach_m;
+  /// Of something grown by so much.
+  void Learn(const Eigen::Vector3d& nearest_m, double padding_m) {
+    is_any_ = true;
+    nearest_m_ = nearest_m;
+    padding_m_ = padding_m;
   }
 
  private:
   double most_m_;
-  const Eigen::Vector3d* before_ = nullptr;
-  double before_m_ = 0;
+  bool is_any_ = false;
+  Eigen::Vector3d nearest_m_ = Eigen::Vector3d::Zero();
+  double padding_m_ = 0;
 };
 
 void DistanceQuery::At(std::span<const Eigen::Vector3d> points_m, std::span<SurfaceDistance> answers) const {
@@ -140,7 +143,7 @@ void DistanceQuery::AtOrdered(std::span<const Eigen::Vector3d> points_m, std::ve
     Searches::Found found = searches.Find(p, limit_m);
     if (!found.surface.is_any && limit_m < options_.max_distance_m) found = searches.Find(p, options_.max_distance_m);
     answers[i] = Describe(p, options_.max_distance_m, found.surface, found.padding_m);
-    if (answers[i].submap != nullptr) limit.Learn(p, found.reach_m);
+    if (answers[i].submap != nullptr) limit.Learn(answers[i].nearest_m, found.padding_m);
   }
 }
 
@@ -175,7 +178,7 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
     NearestSurface found = flight.search.Found();
     if (!found.is_any && flight.limit_m < most_m) found = flight.search.Find(p, most_m + padding_m);
     answers[flight.point] = Describe(p, most_m, found, padding_m);
-    if (found.is_any) limit.Learn(p, (found.p_submap - found.point_submap).norm() - padding_m);
+    if (answers[flight.point].submap != nullptr) limit.Learn(answers[flight.point].nearest_m, padding_m);
   };
   std::vector<Flight> flights(std::min(open.size(), kMostInFlight),
                               Flight{NearestSearch(world_.surfaces(), is_held, world_.is_held())});

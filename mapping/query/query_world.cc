@@ -152,22 +152,24 @@ FreeMask QueryWorld::LeftVoxels(BlockIndex block) const {
 }
 
 bool QueryWorld::IsInsideThing(const Eigen::Vector3d& p_map, bool is_across) const {
-  const std::span<const SubmapIndex::Entry> entries = surfaces_->index().entries();
-  return std::any_of(surfaces_->things().begin(), surfaces_->things().end(), [&](const MapSurfaces::Thing& thing) {
-    if (!thing.around_m.contains(p_map) || !IsInTheWay(thing.number)) return false;
-    const SubmapIndex::Entry& entry = entries[thing.number];
-    const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
-    const Eigen::AlignedBox3d& surface_m =
-        surfaces_->surface(thing.number).BoxOfSurface(surfaces_->state(), entry.submap());
-    const bool is_in_box = surface_m.contains(p_submap);
-    if (!is_in_box && (is_across || !AsDeepAsWide(surface_m).contains(p_submap))) return false;
-    const double limit_m = 3 * surface_m.diagonal().norm();
-    std::vector<bool> is_held(entries.size());
-    is_held[thing.number] = true;
-    const NearestSurface own = NearestSearch(*surfaces_, is_held, is_held_).Find(p_map, limit_m);
-    if (!own.is_any || !own.is_behind) return false;
-    return is_in_box || !IsStraightInFront(p_map, limit_m);
+  bool is_inside = false;
+  surfaces_->VisitThings({p_map, p_map}, [&](const MapSurfaces::Thing& thing) {
+    is_inside = IsInTheWay(thing.number) && IsInside(thing.number, p_map, is_across);
+    return !is_inside;
   });
+  return is_inside;
+}
+
+bool QueryWorld::IsInside(std::uint32_t number, const Eigen::Vector3d& p_map, bool is_across) const {
+  const SubmapIndex::Entry& entry = surfaces_->index().entries()[number];
+  const Eigen::Vector3d p_submap = entry.ToSubmap(p_map);
+  const Eigen::AlignedBox3d& surface_m = surfaces_->surface(number).BoxOfSurface(surfaces_->state(), entry.submap());
+  const bool is_in_box = surface_m.contains(p_submap);
+  if (!is_in_box && (is_across || !AsDeepAsWide(surface_m).contains(p_submap))) return false;
+  const double limit_m = 3 * surface_m.diagonal().norm();
+  const NearestSurface own = NearestSearch(*surfaces_, is_held_, is_held_).FindOf(number, p_map, limit_m);
+  if (!own.is_any || !own.is_behind) return false;
+  return is_in_box || !IsStraightInFront(p_map, limit_m);
 }
 
 bool QueryWorld::IsStraightInFront(const Eigen::Vector3d& p_map, double limit_m) const {

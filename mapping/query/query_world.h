@@ -40,6 +40,8 @@ class QueryWorld {
   [[nodiscard]] bool IsInTheWay(std::size_t number) const {
     return in_the_way_.empty() ? Holds(number) : in_the_way_[number];
   }
+  /// Whether all submaps and looks count, and nothing is grown.
+  [[nodiscard]] bool TakesAllAsItIs() const { return takes_all_ && grown_.size() == 1 && most_padding_m() == 0; }
   /// By number, which submaps are there; empty: all.
   [[nodiscard]] const std::vector<bool>& is_held() const { return is_held_; }
   /// Whether all that a triangle needs is there.
@@ -113,6 +115,8 @@ class QueryWorld {
   /// What is known of a place in a cell, if all submaps are there and all that was looked through counts.
   [[nodiscard]] Sight SightIn(const CellSight& cell, const Eigen::Vector3d& p_map) const;
   [[nodiscard]] bool HasLeft(std::size_t number, const Eigen::Vector3d& p_map) const;
+  /// Of one thing: see IsInsideThing.
+  [[nodiscard]] bool IsInside(std::uint32_t number, const Eigen::Vector3d& p_map, bool is_across) const;
   /// Of whatever surface is nearest, within a limit.
   [[nodiscard]] bool IsStraightInFront(const Eigen::Vector3d& p_map, double limit_m) const;
 

@@ -10,6 +10,7 @@
 #include "mapping/base/grid_reach.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/query/voxel_sampler.h"
+#include "mapping/surfaces/look_into_cell.h"
 
 namespace dhpmap {
 namespace {
@@ -92,6 +93,8 @@ VoxelStates::VoxelStates(const std::shared_ptr<const MapSurfaces>& surfaces, con
     : world_(surfaces, options.scope),
       distances_(surfaces, options),
       with_objects_(with_objects),
+      max_distance_m_(options.max_distance_m),
+      keeps_(world_.TakesAllAsItIs() && options.max_distance_m <= CellSlots::kReach_m),
       voxel_size_m_(world_.voxel_size_m()),
       reach_m_(GridReach_m(voxel_size_m_)) {}
 
@@ -128,12 +131,54 @@ VoxelStates::Voxel VoxelStates::UnseenAt(const Eigen::Vector3d& p_map) {
   return {.state = VoxelState::kInside, .submap = whom.empty() ? nullptr : whom[static_cast<std::size_t>(linear)]};
 }
 
+FreeMask VoxelStates::Block::Unknown() const {
+  FreeMask unknown{};
+  for (std::size_t word = 0; word < unknown.size(); ++word) unknown[word] = ~(free[word] | inside[word]);
+  return unknown;
+}
+
 /// Of the block that was asked for last.
 void VoxelStates::LookBehind(Block& block) {
+  block.is_behind_known = true;
+  const FreeMask unknown = block.Unknown();
+  const UnseenInside* told = FindKept(unknown);
+  std::unique_ptr<const UnseenInside> asked;
+  if (told == nullptr) {
+    asked = AskBehind(unknown);
+    told = asked.get();
+  }
+  for (std::size_t word = 0; word < unknown.size(); ++word) block.behind[word] = told->inside[word] & unknown[word];
+  if (with_objects_ && !told->whose.empty()) {
+    block.behind_whom.resize(kBlockVoxels);
+    const MapSurfaces& surfaces = world_.surfaces();
+    for (int i = 0; i < kBlockVoxels; ++i) {
+      if (!HasVoxel(block.behind, i)) continue;
+      const std::size_t number = surfaces.NumberOf(told->WhoseAt(i));
+      block.behind_whom[static_cast<std::size_t>(i)] = &surfaces.index().entries()[number].submap().info();
+    }
+  }
+  if (keeps_ && asked != nullptr)
+    world_.surfaces().cells().Keep(VoxelCentre(VoxelIn(last_index_, 0), voxel_size_m_), std::move(asked));
+}
+
+const UnseenInside* VoxelStates::FindKept(const FreeMask& unknown) const {
+  if (!keeps_) return nullptr;
+  const MapSurfaces& surfaces = world_.surfaces();
+  const NearbyCell* cell =
+      surfaces.cells().FindOrTakeOver(LookOf(surfaces), VoxelCentre(VoxelIn(last_index_, 0), voxel_size_m_));
+  const UnseenInside* kept = cell == nullptr ? nullptr : cell->unseen_inside.load(std::memory_order_acquire);
+  return kept != nullptr && kept->TellsOf(unknown, max_distance_m_) ? kept : nullptr;
+}
+
+std::unique_ptr<const UnseenInside> VoxelStates::AskBehind(const FreeMask& unknown) const {
+  auto told = std::make_unique<UnseenInside>();
+  told->max_distance_m = max_distance_m_;
+  told->asked = unknown;
+  if (keeps_) told->things = ThingsAround(world_.surfaces(), last_index_);
   std::vector<Eigen::Vector3d> centres;
   std::vector<int> voxels;
   for (int i = 0; i < kBlockVoxels; ++i) {
-    if (HasVoxel(block.free, i) || HasVoxel(block.inside, i)) continue;
+    if (!HasVoxel(unknown, i)) continue;
     voxels.push_back(i);
     centres.push_back(VoxelCentre(VoxelIn(last_index_, i), voxel_size_m_));
   }
@@ -141,12 +186,12 @@ void VoxelStates::LookBehind(Block& block) {
   distances_.AtInOrder(centres, distances);
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     if (!(distances[i].distance_m < 0)) continue;
-    Set(block.behind, voxels[i]);
-    if (!with_objects_) continue;
-    block.behind_whom.resize(kBlockVoxels);
-    block.behind_whom[static_cast<std::size_t>(voxels[i])] = distances[i].submap;
+    Set(told->inside, voxels[i]);
+    const SubmapId whose = distances[i].submap->id;
+    if (told->whose.empty() || told->whose.back().whose != whose) told->whose.push_back({0, whose});
+    told->whose.back().end = static_cast<std::uint16_t>(voxels[i] + 1);
   }
-  block.is_behind_known = true;
+  return told;
 }
 
 VoxelStates::Block& VoxelStates::BlockAt(BlockIndex index) {

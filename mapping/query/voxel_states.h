@@ -44,17 +44,23 @@ class VoxelStates {
     bool is_behind_known = false;
     std::vector<std::uint32_t> numbers;          ///< of the submaps; empty: not wanted, or nothing is inside
     std::vector<const SubmapInfo*> behind_whom;  ///< likewise of what is unknown
+    [[nodiscard]] FreeMask Unknown() const;
   };
   class Maker;
 
   Block& BlockAt(BlockIndex index);
   void LookBehind(Block& block);
+  /// What was kept of it; null: nothing, or not of all that is unknown now.
+  [[nodiscard]] const UnseenInside* FindKept(const FreeMask& unknown) const;
+  [[nodiscard]] std::unique_ptr<const UnseenInside> AskBehind(const FreeMask& unknown) const;
   /// Null: out of reach.
   Block* BlockOfPoint(const Eigen::Vector3d& p_map, int& linear);
 
   const QueryWorld world_;
   const DistanceQuery distances_;
   const bool with_objects_;
+  const double max_distance_m_;
+  const bool keeps_;  ///< what is asked of the unknown, with what is near to it
   const double voxel_size_m_, reach_m_;
   std::unordered_map<BlockIndex, Block, BlockIndexHash> blocks_;
   BlockIndex last_index_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "mapping/surfaces/find_field_cell.h"
 #include "mapping/surfaces/look_into_cell.h"
 #include "mapping/surfaces/near_field_maker.h"
 

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 
 #include "mapping/surfaces/distance_fields.h"
-#include "mapping/surfaces/find_field_cell.h"
 #include "mapping/surfaces/surface_cache.h"
 
 namespace dhpmap {

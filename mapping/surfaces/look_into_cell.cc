@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/surfaces/look_into_cell.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
 namespace dhpmap {
 
 CellSight LookIntoCell(const MapSurfaces& surfaces, BlockIndex block) {
@@ -30,6 +33,26 @@ CellSight LookIntoCell(const MapSurfaces& surfaces, BlockIndex block) {
     }
   });
   return sight;
+}
+
+std::vector<UnseenInside::Thing> ThingsAround(const MapSurfaces& surfaces, BlockIndex block) {
+  const double voxel_size_m = surfaces.state().info().config.voxel_size_m;
+  const Eigen::Vector3d corner = BlockCorner(block, voxel_size_m);
+  const Eigen::AlignedBox3d box(corner, corner + Eigen::Vector3d::Constant(kBlockSide * voxel_size_m));
+  std::vector<UnseenInside::Thing> around;
+  surfaces.VisitThings(box, [&](const MapSurfaces::Thing& thing) {
+    const SubmapIndex::Entry& entry = surfaces.index().entries()[thing.number];
+    const SubmapId id = entry.submap().id();
+    around.push_back({.id = id, .T_submap_map = entry.T_submap_map(), .surface = surfaces.SurfaceOf(id)});
+    return true;
+  });
+  std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return around;
+}
+
+StateLook LookOf(const MapSurfaces& surfaces) {
+  return {.sight = [&surfaces](BlockIndex block) { return LookIntoCell(surfaces, block); },
+          .things = [&surfaces](BlockIndex block) { return ThingsAround(surfaces, block); }};
 }
 
 }  // namespace dhpmap

@@ -18,7 +18,7 @@ std::shared_ptr<const NearbyCells::Earlier> NearbyCells::FindEarlier() const {
   return earlier_;
 }
 
-const NearbyCell* NearbyCells::TakeOver(const SightOf& sight_of, Slot& slot, const Eigen::Vector3d& p_map) const {
+const NearbyCell* NearbyCells::TakeOver(const StateLook& look, Slot& slot, const Eigen::Vector3d& p_map) const {
   const std::shared_ptr<const Earlier> earlier = FindEarlier();
   if (earlier == nullptr) return nullptr;
   Slot* const slot_then = earlier->cells->SlotAt(p_map);
@@ -43,8 +43,32 @@ const NearbyCell* NearbyCells::TakeOver(const SightOf& sight_of, Slot& slot, con
   }
   const auto is_gone = [](const NearbyTile& tile) { return tile.number == Earlier::kGone; };
   if (std::any_of(now->tiles.begin(), now->tiles.end(), is_gone)) return nullptr;
-  now->sight = sight_of(BlockAt(p_map));
+  now->sight = look.sight(BlockAt(p_map));
+  const UnseenInside* unseen = then->unseen_inside.load(std::memory_order_acquire);
+  if (unseen != nullptr && AreSame(unseen->things, look.things(BlockAt(p_map)))) {
+    now->unseen_inside.store(new UnseenInside(*unseen), std::memory_order_relaxed);
+  }
   return &Put(slot, std::move(now));
+}
+
+const NearbyCell* NearbyCells::FindOrTakeOver(const StateLook& look, const Eigen::Vector3d& p_map) const {
+  Slot* const slot = SlotAt(p_map);
+  if (slot == nullptr) return nullptr;
+  std::uintptr_t num_asked = 0;
+  const NearbyCell* cell = Find(*slot, num_asked);
+  return cell == nullptr && num_asked == 0 ? TakeOver(look, *slot, p_map) : cell;
+}
+
+void NearbyCells::Keep(const Eigen::Vector3d& p_map, std::unique_ptr<const UnseenInside> unseen) const {
+  Slot* const slot = SlotAt(p_map);
+  std::uintptr_t num_asked = 0;
+  const NearbyCell* cell = slot == nullptr ? nullptr : Find(*slot, num_asked);
+  if (cell == nullptr) return;
+  const std::size_t bytes = unseen->MemoryBytes();
+  const UnseenInside* there = nullptr;
+  if (!cell->unseen_inside.compare_exchange_strong(there, unseen.get(), std::memory_order_acq_rel)) return;
+  (void)unseen.release();
+  AddBytes(bytes);
 }
 
 }  // namespace dhpmap

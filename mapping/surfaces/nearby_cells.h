@@ -15,6 +15,7 @@
 #include "mapping/geometry/triangle_tree.h"
 #include "mapping/surfaces/cell_sight.h"
 #include "mapping/surfaces/cell_slots.h"
+#include "mapping/surfaces/unseen_inside.h"
 
 namespace dhpmap {
 
@@ -35,10 +36,25 @@ struct NearbyCell {
   CellSight sight;
   std::vector<NearbyTile> tiles;                    ///< the nearest first
   mutable std::atomic<std::uint64_t> last_used{0};  ///< by the ledger's clock, or a little before
+  /// Its own, which never changes; null: nobody has asked.
+  mutable std::atomic<const UnseenInside*> unseen_inside{nullptr};
+
+  NearbyCell() = default;
+  ~NearbyCell() { delete unseen_inside.load(); }
+  NearbyCell(const NearbyCell&) = delete;
+  NearbyCell& operator=(const NearbyCell&) = delete;
 
   [[nodiscard]] std::size_t MemoryBytes() const {
-    return sizeof(*this) + tiles.capacity() * sizeof(NearbyTile) + sight.others.capacity() * sizeof(sight.others[0]);
+    const UnseenInside* unseen = unseen_inside.load();
+    return sizeof(*this) + tiles.capacity() * sizeof(NearbyTile) + sight.others.capacity() * sizeof(sight.others[0]) +
+           (unseen == nullptr ? 0 : unseen->MemoryBytes());
   }
+};
+
+/// What a state of a map shows of a block of its grid (LookOf).
+struct StateLook {
+  std::function<CellSight(BlockIndex)> sight;
+  std::function<std::vector<UnseenInside::Thing>(BlockIndex)> things;  ///< ThingsAround
 };
 
 /// The cells of one state of a map that are asked about, each made once it pays. Thread-safe; nobody waits.
@@ -65,9 +81,12 @@ class NearbyCells : public CellGrid<NearbyCell> {
         earlier_(std::move(earlier)) {}
 
   /// The cell at a point that is kept in the slot, from the state before, if it had one and nothing near it has changed
-  /// since; else null. `sight_of`: LookIntoCell of this state.
-  using SightOf = std::function<CellSight(BlockIndex)>;
-  const NearbyCell* TakeOver(const SightOf& sight_of, Slot& slot, const Eigen::Vector3d& p_map) const;
+  /// since; else null. `look`: of this state.
+  const NearbyCell* TakeOver(const StateLook& look, Slot& slot, const Eigen::Vector3d& p_map) const;
+  /// What is kept of the cell at a point, also if that is taken over now; null: nothing.
+  [[nodiscard]] const NearbyCell* FindOrTakeOver(const StateLook& look, const Eigen::Vector3d& p_map) const;
+  /// Keeps it in the cell at a point, if there is one, and that has none.
+  void Keep(const Eigen::Vector3d& p_map, std::unique_ptr<const UnseenInside> unseen) const;
   /// From here on nothing is taken over: a later state comes after this one.
   void LeaveEarlier() const DHPMAP_EXCLUDES(mutex_);
 

@@ -71,6 +71,18 @@ NearestSurface NearestSearch::Find(const Eigen::Vector3d& p_map, double limit_m)
   return Found();
 }
 
+NearestSurface NearestSearch::FindOf(std::size_t number, const Eigen::Vector3d& p_map, double limit_m) {
+  stops_at_any_ = false;
+  limit_m_ = limit_m;
+  cell_ = nullptr;
+  Begin(p_map, limit_m);
+  scopes_.clear();
+  heap_.clear();
+  OpenSubmap(static_cast<std::uint32_t>(number), 0);
+  VisitPending([&](const Tile& tile) { SearchTile(tile); });
+  return Found();
+}
+
 bool NearestSearch::IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m) {
   Start(p_map, limit_m);
   stops_at_any_ = true;
@@ -97,8 +109,7 @@ bool NearestSearch::Step() {
         std::uintptr_t num_asked = 0;
         cell_ = surfaces_.cells().Find(*slot_, num_asked);
         if (cell_ == nullptr && num_asked == 0) {
-          const auto look = [this](BlockIndex block) { return LookIntoCell(surfaces_, block); };
-          cell_ = surfaces_.cells().TakeOver(look, *slot_, p_map_);
+          cell_ = surfaces_.cells().TakeOver(LookOf(surfaces_), *slot_, p_map_);
         }
         is_wanted = cell_ == nullptr && num_asked == surfaces_.cells().num_enough();
       }
@@ -217,6 +228,12 @@ void NearestSearch::VisitTiles(Visitor&& visit) {
   if (index.tree().empty()) return;
   scopes_.push_back({.tree = &index.tree(), .submap = nullptr, .p = index.InTree(p_map_), .number = 0});
   Push({0, 0, 0, index.tree().height()});
+  VisitPending(visit);
+}
+
+template <typename Visitor>
+void NearestSearch::VisitPending(Visitor&& visit) {
+  const SubmapIndex& index = surfaces_.index();
   while (!heap_.empty()) {
     const Pending here = Pop();
     if (here.distance2 > limit2_) return;  // and so is all that is left
@@ -226,7 +243,8 @@ void NearestSearch::VisitTiles(Visitor&& visit) {
     }
     const Scope& from = scopes_[here.scope];
     if (from.submap == nullptr) {
-      OpenSubmap(here);
+      const std::uint32_t number = index.tree().items()[here.node];
+      if (Holds(number)) OpenSubmap(number, here.distance2);
       continue;
     }
     const SubmapIndex::Entry& entry = index.entries()[from.number];
@@ -263,17 +281,14 @@ void NearestSearch::PushChildren(const Pending& node) {
 }
 
 /// Goes on with its tiles.
-void NearestSearch::OpenSubmap(const Pending& item) {
-  const std::uint32_t number = surfaces_.index().tree().items()[item.node];
-  if (!Holds(number)) return;
+void NearestSearch::OpenSubmap(std::uint32_t number, float least2) {
   const SubmapIndex::Entry& entry = surfaces_.index().entries()[number];
   const Eigen::Vector3d p_submap = entry.ToSubmap(p_map_);
   const auto distance2 = static_cast<float>(entry.box_m().squaredExteriorDistance(p_submap));
   const SubmapSurface& surface = surfaces_.surface(number);
   if (distance2 > limit2_ || surface.tree().empty()) return;
   scopes_.push_back({.tree = &surface.tree(), .submap = &surface, .p = surface.InTree(p_submap), .number = number});
-  Push({std::max(distance2, item.distance2), static_cast<std::uint32_t>(scopes_.size() - 1), 0,
-        surface.tree().height()});
+  Push({std::max(distance2, least2), static_cast<std::uint32_t>(scopes_.size() - 1), 0, surface.tree().height()});
 }
 
 void NearestSearch::EnterTile(const Tile& tile) {

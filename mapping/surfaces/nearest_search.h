@@ -41,6 +41,9 @@ class NearestSearch {
   /// rounding.
   [[nodiscard]] NearestSurface Find(const Eigen::Vector3d& p_map, double limit_m);
 
+  /// The same of one submap, whether it counts or not.
+  [[nodiscard]] NearestSurface FindOf(std::size_t number, const Eigen::Vector3d& p_map, double limit_m);
+
   /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that and 1e-4 voxels may count, too. Ends
   /// at the first.
   [[nodiscard]] bool IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m);
@@ -116,10 +119,13 @@ class NearestSearch {
   /// Calls visit(tile) for tiles within the limit, which it may lower, the nearest box first.
   template <typename Visitor>
   void VisitTiles(Visitor&& visit);
+  /// The same of those that wait.
+  template <typename Visitor>
+  void VisitPending(Visitor&& visit);
   void Push(const Pending& pending);
   Pending Pop();
   void PushChildren(const Pending& node);
-  void OpenSubmap(const Pending& item);
+  void OpenSubmap(std::uint32_t number, float least2);
 
   // In a tile.
   void EnterTile(const Tile& tile);

@@ -39,8 +39,22 @@ MapSurfaces::MapSurfaces(const MapSnapshot& state, std::unique_ptr<const GridSha
       grid_(std::move(grid)),
       parts_(std::move(parts)),
       index_(IndexOf(parts_, before)),
-      things_(ThingsOf(index_)) {
+      things_(ThingsOf(index_)),
+      things_centre_m_(index_.box_m().isEmpty() ? Eigen::Vector3d(0, 0, 0) : index_.box_m().center()),
+      thing_tree_(TreeOfThings()) {
   GoOnFrom(before, ledger);
+}
+
+BoxTree MapSurfaces::TreeOfThings() const {
+  std::vector<Eigen::AlignedBox3f> boxes;
+  for (const Thing& thing : things_) boxes.push_back(ThingBox(thing.around_m));
+  return BoxTree(boxes);
+}
+
+Eigen::AlignedBox3f MapSurfaces::ThingBox(const Eigen::AlignedBox3d& box_m) const {
+  constexpr double kRounding = 1e-6;
+  const Eigen::Vector3d low = box_m.min() - things_centre_m_, high = box_m.max() - things_centre_m_;
+  return {(low - kRounding * low.cwiseAbs()).cast<float>(), (high + kRounding * high.cwiseAbs()).cast<float>()};
 }
 
 void MapSurfaces::GoOnFrom(const MapSurfaces* before, const std::shared_ptr<SurfaceLedger>& ledger) {

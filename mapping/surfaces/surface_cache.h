@@ -61,6 +61,16 @@ class MapSurfaces {
   /// Of a submap; null if it has none.
   [[nodiscard]] std::shared_ptr<const SubmapSurface> SurfaceOf(SubmapId id) const;
   [[nodiscard]] std::span<const Thing> things() const { return things_; }
+  /// Calls visit(thing), in no order to rely on, for those whose box meets one of the map frame, until it returns
+  /// false.
+  template <typename Visitor>
+  void VisitThings(const Eigen::AlignedBox3d& box_m, Visitor&& visit) const {
+    const Eigen::AlignedBox3f box = ThingBox(box_m);
+    thing_tree_.VisitOverlapping(box, [&](std::size_t leaf) {
+      const Thing& thing = things_[thing_tree_.items()[leaf]];
+      return !thing.around_m.intersects(box_m) || visit(thing);
+    });
+  }
   /// What is nearest to the places that are asked about again and again.
   [[nodiscard]] const NearbyCells& cells() const { return *cells_; }
   /// What is nearest to them but for a part of a voxel, found sooner.
@@ -69,6 +79,9 @@ class MapSurfaces {
  private:
   static SubmapIndex IndexOf(const std::vector<Part>& parts, const MapSurfaces* before);
   static std::vector<Thing> ThingsOf(const SubmapIndex& index);
+  [[nodiscard]] BoxTree TreeOfThings() const;
+  /// In the frame of the tree of things, and a little more for its floats.
+  [[nodiscard]] Eigen::AlignedBox3f ThingBox(const Eigen::AlignedBox3d& box_m) const;
 
   void GoOnFrom(const MapSurfaces* before, const std::shared_ptr<SurfaceLedger>& ledger);
   /// All in which this differs from an earlier state.
@@ -82,6 +95,9 @@ class MapSurfaces {
   std::vector<Part> parts_;
   SubmapIndex index_;
   std::vector<Thing> things_;
+  Eigen::Vector3d things_centre_m_ =
+      Eigen::Vector3d::Zero();  ///< origin of the tree, whose floats would not do far off
+  BoxTree thing_tree_;          ///< of the things' boxes
   std::shared_ptr<const NearbyCells> cells_;
   std::unique_ptr<const DistanceFields> fields_;
 };

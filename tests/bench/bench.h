@@ -60,6 +60,15 @@ struct PathCheckOptions {
 /// is unknown free, and occupied. All paths of A* are made of the steps that are looked at.
 Status RunPathCheck(const PathCheckOptions& options);
 
+struct SliceBenchOptions {
+  std::string directory;
+  std::size_t num_frames = 0;
+  double min_z_m = 0.1, max_z_m = 1.2;  ///< of the band
+  bool objects = false;                 ///< also whose each cell is
+};
+/// How long a slice of all that is known takes by what is unknown: the first of a map, later ones, and after an edit.
+Status RunSliceBench(const SliceBenchOptions& options);
+
 struct InsideCheckOptions {
   std::string directory;  ///< of dhpmap-simulate, nothing changed
   std::size_t num_frames = 0;
@@ -69,6 +78,13 @@ struct InsideCheckOptions {
 /// What answers say of the inside of things, which nobody has seen, if what is unknown is free: by the simulator's
 /// truth.
 Status RunInsideCheck(const InsideCheckOptions& options);
+
+struct DoorCheckOptions {
+  std::string directory;  ///< of dhpmap-simulate, nothing changed
+  std::size_t num_frames = 0;
+};
+/// How much room doors have, by what distances say and by the simulator's scene.
+Status RunDoorCheck(const DoorCheckOptions& options);
 
 struct CrfBenchOptions {
   std::string directory;        ///< empty: a synthetic room

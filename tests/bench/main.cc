@@ -77,6 +77,19 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   paths_command->add_option("--list", paths.num_listed, "So many of the cells in which it collides");
 
+  dhpmap::bench::DoorCheckOptions doors;
+  CLI::App* doors_command = app.add_subcommand("doors", "How much room the doors of the sample apartment have");
+  doors_command->add_option("directory", doors.directory, "Recording of dhpmap-simulate")->required();
+  doors_command->add_option("--frames", doors.num_frames, "Frames, 0 = all");
+
+  dhpmap::bench::SliceBenchOptions slices;
+  CLI::App* slices_command = app.add_subcommand("slices", "Time of an occupancy slice of all that is known");
+  slices_command->add_option("directory", slices.directory, "Data set")->required();
+  slices_command->add_option("--frames", slices.num_frames, "Frames, 0 = all");
+  slices_command->add_option("--min-z", slices.min_z_m, "Of the band, in m")->capture_default_str();
+  slices_command->add_option("--max-z", slices.max_z_m, "Of the band, in m")->capture_default_str();
+  slices_command->add_flag("--objects", slices.objects, "Also whose each cell is");
+
   dhpmap::bench::InsideCheckOptions inside;
   CLI::App* inside_command = app.add_subcommand("inside", "Whether the unseen inside of things is solid");
   inside_command->add_option("directory", inside.directory, "Recording of dhpmap-simulate")->required();
@@ -206,6 +219,8 @@ int main(int argc, char** argv) {
                                 : boxes_command->parsed()    ? dhpmap::bench::RunBoxCheck(boxes)
                                 : surfaces_command->parsed() ? dhpmap::bench::RunSurfaceCheck(surfaces)
                                 : paths_command->parsed()    ? dhpmap::bench::RunPathCheck(paths)
+                                : doors_command->parsed()    ? dhpmap::bench::RunDoorCheck(doors)
+                                : slices_command->parsed()   ? dhpmap::bench::RunSliceBench(slices)
                                 : inside_command->parsed()   ? dhpmap::bench::RunInsideCheck(inside)
                                 : query_command->parsed()    ? dhpmap::bench::RunQueryBench(query)
                                 : change_command->parsed()   ? dhpmap::bench::RunChangeBench(change)
