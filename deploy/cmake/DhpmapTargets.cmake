@@ -169,7 +169,7 @@ function(dhpmap_room_of_tests)
   set(kinds)
   if(ARG_ROOM MATCHES "^unit/clients/(evaluator|simulator)")
     list(APPEND kinds tool)
-  elseif(label STREQUAL unit AND NOT ARG_ROOM MATCHES "^unit/(architecture|deploy)$")
+  elseif(label STREQUAL unit AND NOT ARG_ROOM MATCHES "^unit/(architecture|deploy|clients/python)$")
     list(APPEND kinds served)
   endif()
   if(ARG_ROOM MATCHES

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A connection to a server, and its maps."""
+from __future__ import annotations
+
+import pathlib
+from collections.abc import Iterable, Iterator
+from typing import Literal
+
+import grpc
+
+from dhpmap._call import Caller
+from dhpmap._errors import Unavailable, bad_argument
+from dhpmap._files import import_map, write_parts
+from dhpmap._map import Map
+from dhpmap._map_info import Label, MapInfo, label_message, read_info
+from dhpmap.v1 import map_service_pb2 as pb2
+from dhpmap.v1 import types_pb2
+
+# As the command line's: a server that is dead or cut off is noticed, and one that comes back is found soon.
+_CHANNEL_OPTIONS = (
+    ("grpc.max_receive_message_length", -1),
+    ("grpc.max_send_message_length", -1),
+    ("grpc.keepalive_time_ms", 20_000),
+    ("grpc.keepalive_timeout_ms", 20_000),
+    ("grpc.http2.max_pings_without_data", 0),
+    ("grpc.max_reconnect_backoff_ms", 2_000),
+    ("grpc.use_local_subchannel_pool", 1),
+)
+
+
+class Server:
+    """A server's maps by name: `server["apartment"]`, `for m in server`. Safe for use from several threads.
+
+    Close it, or use it in a `with` block. A process that forks connects anew in the child.
+    """
+
+    def __init__(self, caller: Caller, author: str) -> None:
+        self._caller, self._author = caller, author
+
+    def __getitem__(self, name: str) -> Map:
+        """Raises NotFound (reason MAP_NOT_FOUND), which names the maps that there are."""
+        found = self._map(name)
+        try:
+            found.info
+        except LookupError as error:
+            names = ", ".join(info.name for info in self.list()) or "none"
+            error.args = (f"{error.args[0]}; the server's maps: {names}",)
+            raise
+        return found
+
+    def __iter__(self) -> Iterator[Map]:
+        return (self._map(info.name) for info in self.list())
+
+    def __contains__(self, name: object) -> bool:
+        return any(info.name == name for info in self.list())
+
+    def list(self) -> list[MapInfo]:
+        """All maps by name, without their classes."""
+        request, found = pb2.ListMapsRequest(), []
+        while True:
+            page = self._caller.unary("MapService/ListMaps", request, pb2.ListMapsResponse)
+            found += [read_info(message) for message in page.maps]
+            if not page.next_page_token:
+                return found
+            request.page_token = page.next_page_token
+
+    def create(self, name: str, classes: Iterable[Label] = (), *, title: str = "",
+               preset: Literal["indoor", "outdoor_lidar"] = "indoor", voxel_size_m: float | None = None,
+               truncation_m: float | None = None) -> Map:
+        """A new, empty map. classes: its label set, by which frames name classes; without any they may name none.
+
+        Raises AlreadyExists, InvalidArgument (with every field that is wrong in `violations`).
+        """
+        config = types_pb2.MapConfig(voxel_size_m=voxel_size_m, truncation_m=truncation_m)
+        request = pb2.CreateMapRequest(map_id=name, display_name=title, preset=preset, config=config,
+                                       label_classes=map(label_message, classes))
+        self._caller.unary("MapService/CreateMap", request, pb2.CreateMapResponse, again=False)
+        return self._map(name)
+
+    def delete(self, name: str) -> None:
+        """Deletes a map with all that is in it. Raises FailedPrecondition while it is fed, NotFound."""
+        self._caller.unary("MapService/DeleteMap", pb2.DeleteMapRequest(name=_resource_name(name)),
+                           pb2.DeleteMapResponse, again=False)
+
+    def backup(self, path: str | pathlib.Path, *, deadline_s: float = 3600) -> int:
+        """Writes all maps as they are stored into a database file that a server starts on; its bytes."""
+        return write_parts(path, self._caller.stream("MapService/BackupMaps", pb2.BackupMapsRequest(),
+                                                     pb2.BackupMapsResponse, deadline_s=deadline_s))
+
+    def import_map(self, path: str | pathlib.Path, name: str = "", *, deadline_s: float = 3600) -> Map:
+        """Takes in a file of Map.export, under its own name or another. Raises AlreadyExists."""
+        return self._map(import_map(self._caller, path, name, deadline_s))
+
+    def close(self) -> None:
+        """Ends the connection."""
+        self._caller.close()
+
+    def _map(self, name: str) -> Map:
+        return Map(self._caller, _resource_name(name), self._author)
+
+    def __enter__(self) -> Server:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<dhpmap.Server {self._caller.address}>"
+
+
+def _resource_name(name: str) -> str:
+    if not isinstance(name, str):
+        raise bad_argument("name", f"wanted the name of a map, got {name!r}")
+    return name if name.startswith("maps/") else f"maps/{name}"
+
+
+def connect(address: str = "127.0.0.1:50051", *, deadline_s: float = 30, connect_s: float = 5, token: str = "",
+            tls: bool | bytes = False, author: str = "") -> Server:
+    """Connects to a server's gRPC door.
+
+    deadline_s: how long each call may take, lost connections included. connect_s: how long to wait for the server.
+    tls: True for the system's roots, or PEM bytes of others. token: sent as a bearer token, over TLS or to this
+    machine only. author: who edits, unless an edit says so.
+
+    Raises Unavailable if no server answers.
+    """
+    is_local = address.split(":")[0] in ("localhost", "127.0.0.1", "[", "unix")
+    if token and not (tls or is_local):
+        raise bad_argument("token", f"would go to {address} in the clear: connect with tls=True")
+    if tls:
+        credentials = grpc.ssl_channel_credentials(None if tls is True else tls)
+        channel = grpc.secure_channel(address, credentials, _CHANNEL_OPTIONS)
+    else:
+        channel = grpc.insecure_channel(address, _CHANNEL_OPTIONS)
+    caller = Caller(channel, address, deadline_s, token)
+    if not caller.is_ready(connect_s):
+        caller.close()
+        raise Unavailable(f"no server answers at {address} within connect_s={connect_s:g}; "
+                          "is dhpmap-server running there?")
+    return Server(caller, author)

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where a query goes: to a map, now or as it was at a revision, by a call or on a stream."""
+from __future__ import annotations
+
+from typing import Protocol, TypeVar
+
+from google.protobuf.message import Message
+
+from dhpmap._call import Caller
+
+Answer = TypeVar("Answer", bound=Message)
+
+
+class Source(Protocol):
+    """A map to ask."""
+
+    map_name: str       # maps/{map}
+    read_revision: int  # 0: the present state
+
+    def answer(self, query: type[Message], request: bytes, *, deadline_s: float | None = None) -> bytes:
+        """The answer to a serialised request of QueryService."""
+
+
+class CalledSource:
+    """Asks by one call a query."""
+
+    def __init__(self, caller: Caller, map_name: str, read_revision: int = 0) -> None:
+        self.caller = caller
+        self.map_name = map_name
+        self.read_revision = read_revision
+
+    def answer(self, query: type[Message], request: bytes, *, deadline_s: float | None = None) -> bytes:
+        method = query.DESCRIPTOR.name.removesuffix("Request")
+        return self.caller.raw(f"QueryService/{method}", request, deadline_s=deadline_s)
+
+
+def ask(source: Source, request: Message, answer: type[Answer], *, deadline_s: float | None = None) -> Answer:
+    """The same with messages."""
+    return answer.FromString(source.answer(type(request), request.SerializeToString(), deadline_s=deadline_s))

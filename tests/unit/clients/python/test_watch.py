@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What becomes of a map is told, also over a connection that is lost."""
+import threading
+
+import pytest
+
+import dhpmap
+from dhpmap import _call
+from scripted_server import Wire
+
+LABELS = [dhpmap.Label(1, "wall", "stuff"), dhpmap.Label(2, "chair")]
+
+
+def rename(target, thing, name):
+    with target.edit() as e:
+        e.rename(thing, name)
+    return e.revision
+
+
+def test_a_change_is_told_with_the_object_as_it_is(apartment, sofa):
+    with apartment.watch(objects=[sofa], after_revision=apartment.info.revision) as watch:
+        revision = rename(apartment, sofa, "the sofa")
+        change = next(watch)
+        assert (change.kind, change.parts, change.revision) == ("changed", ("name",), revision)
+        assert str(change) == f"revision {revision}: the sofa changed (name)"
+    assert next(watch, None) is None
+
+
+def test_only_what_passes_the_filter_is_told(apartment, sofa):
+    lamp = apartment.find("lamp")[0]
+    with apartment.watch(classes=["lamp"], after_revision=apartment.info.revision) as watch:
+        rename(apartment, sofa, "not asked for")
+        rename(apartment, lamp, "asked for")
+        assert next(watch).object.id == lamp.id
+
+
+def test_a_watch_ends_when_nothing_is_told_for_so_long(apartment):
+    assert list(apartment.watch(idle_s=0.05)) == []
+
+
+def test_a_watch_goes_on_after_a_lost_connection_without_a_gap(server, apartment, sofa, monkeypatch):
+    monkeypatch.setattr(_call, "FIRST_PAUSE_S", 0.001)
+    with Wire(server.address) as wire, dhpmap.connect(wire.address) as connection:
+        with connection["apartment"].watch(objects=[sofa], after_revision=apartment.info.revision) as watch:
+            rename(apartment, sofa, "one")
+            assert next(watch).object.name == "one"
+            wire.cut()
+            rename(apartment, sofa, "two")
+            rename(apartment, sofa, "three")
+            wire.mend()
+            assert [next(watch).object.name, next(watch).object.name] == ["two", "three"]
+        assert wire.num_connections >= 2
+
+
+def test_another_thread_may_end_a_watch(apartment):
+    watch = apartment.watch(classes=["lamp"])
+    told = []
+    reader = threading.Thread(target=lambda: told.extend(watch))
+    reader.start()
+    watch.close()
+    reader.join(20)
+    assert not reader.is_alive() and told == []
+
+
+def test_a_watch_of_a_map_that_is_deleted_ends_with_an_error(connection):
+    made = connection.create("short_lived", LABELS)
+    watch = made.watch(after_revision=made.info.revision)
+    connection.delete("short_lived")
+    with pytest.raises(dhpmap.NotFound):
+        next(watch)
