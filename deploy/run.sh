@@ -49,6 +49,7 @@ printf '  %s\n' "${queries[@]}" "$bin/dhpmap submaps apartment"
 
 if [ -z "$check" ]; then
   echo
+  echo "See it, and touch it, in a browser: $url/ui/"
   echo "Ctrl-C stops the server; the map stays in $demo/maps.db"
   trap 'kill -TERM "$server" 2>/dev/null; wait "$server" 2>/dev/null || true; exit 0' INT TERM
   wait "$server"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what the build needs: Debian 12 packages, and the google/api protos, which Debian ships only inside a
 # Go -dev package (unpacked here without its dependencies). Asks nothing, skips what is there, safe to run again.
-#   deploy/setup.sh [--quiet] [--checks]
+#   deploy/setup.sh [--quiet] [--checks] [--browser]
 # --checks adds what deploy/check.sh and the sanitizers need and a build does not: clang, its formatter and its tidy.
+# --browser adds what tests of the viewer need: Chromium, its driver, and Selenium.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,6 +18,7 @@ packages=(
   python3-pytest python3-hatchling python3-pip python3-venv mypy
 )
 check_packages=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev lld-14)
+browser_packages=(chromium chromium-driver python3-selenium)
 googleapis_package=golang-github-gogo-googleapis-dev  # the grpc-gateway one is older and has no google.rpc.ErrorInfo
 googleapis_dir=build/googleapis
 
@@ -25,8 +27,9 @@ for argument in "$@"; do
   case "$argument" in
     --quiet) quiet=1 ;;
     --checks) packages+=("${check_packages[@]}") ;;
+    --browser) packages+=("${browser_packages[@]}") ;;
     *)
-      echo "usage: deploy/setup.sh [--quiet] [--checks]" >&2
+      echo "usage: deploy/setup.sh [--quiet] [--checks] [--browser]" >&2
       exit 2
       ;;
   esac

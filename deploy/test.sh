@@ -22,7 +22,7 @@ case "${1:-}" in
     exit 2
     ;;
 esac
-deploy/setup.sh --quiet
+deploy/setup.sh --quiet --browser
 deploy/ci/build.sh release tests || { echo "0 passed, 1 failed"; exit 1; }
 echo "== release: test"
 exec deploy/ci/run_rooms.py build/release/tests/rooms.json

@@ -7,3 +7,24 @@ dhpmap_library(NAME dhpmap_e2e SOURCES e2e/rendered_dataset.cc e2e/same_maps.cc
   PRIVATE OpenCVParts::core OpenCVParts::imgcodecs GTest::gtest)
 dhpmap_tests(ROOM e2e STUBS LIBS dhpmap_e2e dhpmap_http_client dhpmap_rig_kills dhpmap_test_server)
 add_dependencies(e2e_test dhpmap-server dhpmap dhpmap-simulate dhpmap-evaluate)
+
+# The viewer in a real browser, where Debian's Chromium is.
+find_program(DHPMAP_CHROMEDRIVER chromedriver PATHS /usr/bin NO_DEFAULT_PATH)
+execute_process(COMMAND /usr/bin/python3 -c "import selenium" RESULT_VARIABLE has_no_selenium OUTPUT_QUIET ERROR_QUIET)
+if(DHPMAP_CHROMEDRIVER AND NOT has_no_selenium AND NOT DHPMAP_SANITIZE)
+  add_custom_target(e2e_web_test DEPENDS dhpmap-server dhpmap dhpmap-simulate)
+  dhpmap_room_of_tests(ROOM e2e_web TARGET e2e_web_test COST 60
+    COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/e2e_web/viewer_test.py ${CMAKE_BINARY_DIR}/bin)
+endif()
+
+# The viewer's units, and whether its bundle is what its sources make: where node and its packages are.
+find_program(DHPMAP_NODE node)
+if(DHPMAP_NODE AND EXISTS ${CMAKE_SOURCE_DIR}/clients/web/node_modules/esbuild)
+  foreach(check test.mjs "build.mjs --check")
+    string(REGEX REPLACE "\\..*" "" name ${check})
+    string(REPLACE " " ";" arguments ${check})
+    list(TRANSFORM arguments PREPEND ${CMAKE_SOURCE_DIR}/clients/web/ AT 0)
+    add_custom_target(unit_clients_web_${name})
+    dhpmap_room_of_tests(ROOM unit/clients/web/${name} TARGET unit_clients_web_${name} COST 3 COMMAND ${DHPMAP_NODE} ${arguments})
+  endforeach()
+endif()

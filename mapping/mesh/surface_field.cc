@@ -12,11 +12,13 @@ namespace dhpmap {
 namespace {
 
 /// Blocks of all submaps by ascending index, those of one index by ascending submap.
-MeshingVector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps) {
+MeshingVector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps, const IndexMap<BlockIndex>* only) {
   MeshingVector<BlockHolder> sorted;
   for (const Submap* submap : submaps) {
     for (const BlockEntry& entry : submap->blocks().entries()) {
-      if (entry.tsdf != nullptr) sorted.push_back({submap, &entry});
+      if (entry.tsdf == nullptr) continue;
+      if (only != nullptr && only->Find(entry.index) == IndexMap<BlockIndex>::kNone) continue;
+      sorted.push_back({submap, &entry});
     }
   }
   std::sort(sorted.begin(), sorted.end(), [](const BlockHolder& a, const BlockHolder& b) {
@@ -50,9 +52,10 @@ std::uint16_t AverageVoxel(std::span<const BlockHolder> holders, int linear, Tsd
 
 }  // namespace
 
-SurfaceField::SurfaceField(std::span<const Submap* const> submaps, ThreadPool& pool)
-    : T_map_field_(submaps[0]->info().T_map_submap), voxel_size_m_(submaps[0]->info().voxel_size_m) {
-  for (const BlockHolder& holder : SortedBlocks(submaps)) {
+SurfaceField::SurfaceField(std::span<const Submap* const> submaps, ThreadPool& pool, const FieldScope& scope)
+    : T_map_field_(scope.is_in_own_frame ? Transform::Identity() : submaps[0]->info().T_map_submap),
+      voxel_size_m_(submaps[0]->info().voxel_size_m) {
+  for (const BlockHolder& holder : SortedBlocks(submaps, scope.blocks)) {
     const BlockIndex index = holder.block->index;
     if (blocks_.empty() || blocks_.back().index != index) {
       numbers_.Set(index, static_cast<std::uint32_t>(blocks_.size()));

@@ -21,13 +21,19 @@ struct BlockHolder {
   const BlockEntry* block = nullptr;
 };
 
+/// Which part of the submaps' grid a field has, and in which frame its surface comes out.
+struct FieldScope {
+  const IndexMap<BlockIndex>* blocks = nullptr;  ///< these blocks alone; null: all
+  bool is_in_own_frame = false;                  ///< T_map_field is the identity: coordinates of the submaps' frame
+};
+
 /// The voxels of submaps that share one grid (pose and voxel size), read as one: at each position the weighted average
 /// of what they hold, and the submap that answers for it (see SupportOfVoxel). What is contradicted is not there. Where
 /// one submap alone has a block, that is shared, not copied. Refers to the submaps. Immutable, thread-safe.
 class SurfaceField {
  public:
   /// At least one submap; by ascending id. The result does not depend on the number of threads.
-  SurfaceField(std::span<const Submap* const> submaps, ThreadPool& pool);
+  SurfaceField(std::span<const Submap* const> submaps, ThreadPool& pool, const FieldScope& scope = {});
 
   [[nodiscard]] const Transform& T_map_field() const { return T_map_field_; }
   [[nodiscard]] double voxel_size_m() const { return voxel_size_m_; }

@@ -9,6 +9,7 @@
 #include "server/gateway/media_type.h"
 #include "server/gateway/page_exchange.h"
 #include "server/gateway/rpc_request.h"
+#include "server/gateway/web_pages.h"
 #include "server/http/url.h"
 
 namespace dhpmap::gateway {
@@ -49,6 +50,10 @@ std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
   if (!target) {
     return answer(
         ErrorResponse(InvalidArgument("the request target is not a path").WithReason("BAD_TARGET"), FormatFor(head)));
+  }
+  if (auto page = WebPage(head, target->path)) {
+    if (!IsRead(head)) return answer(MethodNotAllowed(head, target->path, "GET, HEAD"));
+    return answer(*std::move(page));
   }
   if (pages_.Has(target->path)) {
     if (!IsRead(head)) return answer(MethodNotAllowed(head, target->path, "GET, HEAD"));

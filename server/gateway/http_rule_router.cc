@@ -32,6 +32,12 @@ std::pair<std::string, std::string> MethodAndPath(const HttpRule& rule) {
   return {};
 }
 
+const FieldDescriptor* FindText(const Descriptor& type, const char* name) {
+  const auto* field = type.FindFieldByName(name);
+  const bool is_text = field != nullptr && field->type() == FieldDescriptor::TYPE_STRING && !field->is_repeated();
+  return is_text ? field : nullptr;
+}
+
 std::optional<FileFields> FindFileFields(const MethodDescriptor& method) {
   const Descriptor& type = *method.output_type();
   const auto* data = type.FindFieldByName("data");
@@ -43,13 +49,7 @@ std::optional<FileFields> FindFileFields(const MethodDescriptor& method) {
   }
   if (total != nullptr && (total->cpp_type() != FieldDescriptor::CPPTYPE_INT64 || total->is_repeated()))
     total = nullptr;
-  return FileFields{data, content_type, total};
-}
-
-const FieldDescriptor* FindText(const Descriptor& type, const char* name) {
-  const auto* field = type.FindFieldByName(name);
-  const bool is_text = field != nullptr && field->type() == FieldDescriptor::TYPE_STRING && !field->is_repeated();
-  return is_text ? field : nullptr;
+  return FileFields{data, content_type, total, FindText(type, "etag")};
 }
 
 std::optional<EventFields> FindEventFields(const MethodDescriptor& method) {

@@ -20,11 +20,12 @@ class ServiceDescriptor;
 namespace dhpmap::gateway {
 
 /// A message that holds a file, or a stream of messages that hold its parts: `bytes data`, and `string content_type`
-/// (and its size) in the first.
+/// (its size, and its etag) in the first.
 struct FileFields {
   const google::protobuf::FieldDescriptor* data;
   const google::protobuf::FieldDescriptor* content_type;
   const google::protobuf::FieldDescriptor* total_bytes;  ///< int64; null if there is none
+  const google::protobuf::FieldDescriptor* etag;         ///< string; null if there is none
 };
 
 /// A stream of messages that tell where to go on: `string position` of each, which the request may give back as

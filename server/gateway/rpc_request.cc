@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "server/gateway/call_options.h"
+#include "server/gateway/content_encoding.h"
 #include "server/wire/types/request_limits.h"
 
 namespace dhpmap::gateway {
@@ -76,6 +77,8 @@ Result<RpcRequest> RpcRequest::Make(const http::RequestHead& head, RouteMatch ma
                     .is_one_value = IsOneJsonValue(http::FindHeader(head.headers, "content-type")),
                     .answer_format = FormatOfAccept(accept),
                     .accept = std::string(accept),
+                    .if_none_match = std::string(http::FindHeader(head.headers, "if-none-match")),
+                    .takes_gzip = TakesGzip(http::FindHeader(head.headers, "accept-encoding")),
                     .call = std::move(call),
                     .max_body_bytes = max_body_bytes,
                     .announced_bytes = static_cast<std::size_t>(head.content_length.value_or(0)),

@@ -26,7 +26,9 @@ struct RpcRequest {
   BodyFormat body_format;
   bool is_one_value;  ///< the body's type says that it is one JSON value (which it need not be)
   AnswerFormat answer_format;
-  std::string accept;  ///< as the client sent it
+  std::string accept;         ///< as the client sent it
+  std::string if_none_match;  ///< likewise
+  bool takes_gzip;            ///< of files, as it says in Accept-Encoding
   CallOptions call;
   std::size_t max_body_bytes;   ///< of one message, where the client streams
   std::size_t announced_bytes;  ///< size of the body as its head says; 0 if it does not

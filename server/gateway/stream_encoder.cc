@@ -23,14 +23,15 @@ std::string HeaderValue(std::string text) {
 }  // namespace
 
 StreamEncoder::StreamEncoder(const Route& route, AnswerFormat format, std::string file_stem, SharedAnswers* shared,
-                             std::string accept)
+                             std::string accept, bool takes_gzip)
     : route_(route),
       format_(format),
       file_stem_(std::move(file_stem)),
       accept_(std::move(accept)),
       shared_(route.events ? shared : nullptr),
       is_file_(route.file.has_value() && format == AnswerFormat::kAny),
-      is_one_(!route.server_streams()) {}
+      is_one_(!route.server_streams()),
+      takes_gzip_(takes_gzip) {}
 
 http::Headers StreamEncoder::EmptyHead() const {
   if (is_file_) return {{"Content-Type", std::string(kBytesType)}};
@@ -48,10 +49,11 @@ Result<StreamPart> StreamEncoder::Encode(const std::string& message) {
   if (is_file_) return EncodeFile(message);
   if (is_one_) return EncodeOne(message);
   StreamPart part;
-  if (is_first_) part.head = StreamHead{EmptyHead(), std::nullopt};
+  if (is_first_) part.head = StreamHead{EmptyHead(), {}, std::nullopt};
   is_first_ = false;
   DHPMAP_ASSIGN_OR_RETURN(part.data, shared_ != nullptr ? shared_->Make(route_, message, format_)
                                                         : ToStreamAnswer(route_, message, format_));
+  part.num_bytes = part.data.size();
   return part;
 }
 
@@ -70,10 +72,21 @@ Result<StreamPart> StreamEncoder::EncodeFile(const std::string& bytes) {
   if (is_first_) {
     DHPMAP_RETURN_IF_ERROR(CheckAccepted(accept_, file));
     is_first_ = false;
-    part.head = StreamHead{FileHead(std::move(file.type), file_stem_), std::nullopt};
+    if (takes_gzip_ && IsWorthGzip(file.type)) gzip_.emplace();
+    part.head = StreamHead{FileHead(std::move(file.type), file_stem_), file.etag, std::nullopt};
+    if (!file.etag.empty()) {
+      // To be kept, and asked about each time.
+      part.head->headers.emplace_back("ETag", '"' + file.etag + '"');
+      part.head->headers.emplace_back("Cache-Control", "no-cache");
+    }
+    if (gzip_) {
+      part.head->headers.emplace_back("Content-Encoding", "gzip");
+      part.head->headers.emplace_back("Vary", "Accept-Encoding");
+    }
     if (file.total_bytes > 0) part.head->length = static_cast<std::uint64_t>(file.total_bytes);
   }
-  part.data = std::move(file.data);
+  part.num_bytes = file.data.size();
+  part.data = gzip_ ? gzip_->Add(file.data) : std::move(file.data);
   return part;
 }
 
@@ -81,7 +94,8 @@ Result<StreamPart> StreamEncoder::EncodeOne(const std::string& message) {
   StreamPart part;
   DHPMAP_ASSIGN_OR_RETURN(part.data, ToAnswer(route_, message, format_));
   if (format_ != AnswerFormat::kProtobuf) part.data += '\n';
-  part.head = StreamHead{EmptyHead(), part.data.size()};
+  part.num_bytes = part.data.size();
+  part.head = StreamHead{EmptyHead(), {}, part.data.size()};
   return part;
 }
 
@@ -94,6 +108,7 @@ Result<FilePart> FilePartOf(const Route& route, const std::string& bytes) {
   FilePart part;
   part.type = HeaderValue(reflection.GetString(*message, route.file->content_type));
   if (route.file->total_bytes != nullptr) part.total_bytes = reflection.GetInt64(*message, route.file->total_bytes);
+  if (route.file->etag != nullptr) part.etag = HeaderValue(reflection.GetString(*message, route.file->etag));
   part.data = reflection.GetString(*message, route.file->data);
   return part;
 }
@@ -118,6 +133,7 @@ std::string ExtensionOf(std::string_view content_type) {
     if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
   }
   if (name == "portable-graymap") return "pgm";
+  if (name == "gltf-binary") return "glb";
   const bool plain = !name.empty() && name.size() <= 8 && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
   });

@@ -5,6 +5,7 @@
 #include "mapping/base/state_machine.h"
 #include "server/gateway/body_room.h"
 #include "server/gateway/call_options.h"
+#include "server/gateway/content_encoding.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/message_splitter.h"
 #include "server/gateway/rpc_call.h"
@@ -42,7 +43,8 @@ class StreamExchange final : public http::Exchange,
         backend_(backend),
         responder_(std::move(responder)),
         splitter_(request_.body_format, request_.route->client_streams(), request_.max_body_bytes),
-        encoder_(*request_.route, request_.answer_format, request_.file_stem, backend_.shared, request_.accept) {}
+        encoder_(*request_.route, request_.answer_format, request_.file_stem, backend_.shared, request_.accept,
+                 request_.takes_gzip) {}
 
   // From the connection.
   bool OnBody(std::string_view data) override;
@@ -90,6 +92,7 @@ class StreamExchange final : public http::Exchange,
   void Sent(bool ok);
   void Answered(Result<StreamPart> part);
   void Take(Result<StreamPart> part);
+  void NotModified(http::Headers headers);
   void Fail(Status why);
   void ReadEnded();
   void Done(RpcStatus status);
@@ -119,9 +122,9 @@ class StreamExchange final : public http::Exchange,
 
   StateMachine<Answering> answering_{Answering::kNone};
   http::Response head_;
-  std::optional<std::uint64_t> length_;
-  std::string pending_;            // encoded, not handed to the connection yet
-  std::size_t writing_bytes_ = 0;  // handed to the connection, not written yet
+  std::optional<std::uint64_t> length_;  // of the file
+  std::string pending_;                  // encoded, not handed to the connection yet
+  std::size_t writing_bytes_ = 0;        // handed to the connection, not written yet
   std::uint64_t num_answered_bytes_ = 0;
 };
 
@@ -296,17 +299,18 @@ void StreamExchange::Answered(Result<StreamPart> part) {
 void StreamExchange::Take(Result<StreamPart> part) {
   if (!part.ok()) return Fail(part.status());
   if (part->head) {
+    if (IsEtagNamed(request_.if_none_match, part->head->etag)) return NotModified(std::move(part->head->headers));
     head_.headers = std::move(part->head->headers);
     length_ = part->head->length;
   }
-  num_answered_bytes_ += part->data.size();
+  num_answered_bytes_ += part->num_bytes;
   if (length_ && num_answered_bytes_ > *length_) {  // the announced size was wrong: cut the answer off
     return Fail(Internal("the answer is larger than announced"));
   }
   if (answering_.Is(Answering::kNone)) {
     answering_.To(Answering::kIdle);
     head_.headers.emplace_back("X-Request-Id", RequestIdOf(request_.call));
-    responder_->BeginStream(std::move(head_), length_);
+    responder_->BeginStream(std::move(head_), encoder_.is_gzip() ? std::nullopt : length_);
     if (request_.is_head) {
       answering_.To(Answering::kEnded);
       responder_->EndStream(true);
@@ -315,6 +319,14 @@ void StreamExchange::Take(Result<StreamPart> part) {
   }
   pending_ += part->data;
   Deliver();
+}
+
+/// The client has it: the file is not made any further.
+void StreamExchange::NotModified(http::Headers headers) {
+  answering_.To(Answering::kEnded);
+  headers.emplace_back("X-Request-Id", RequestIdOf(request_.call));
+  responder_->Reply({.status = 304, .headers = std::move(headers), .body = {}});
+  call_->Cancel();
 }
 
 void StreamExchange::Fail(Status why) {
@@ -361,6 +373,7 @@ void StreamExchange::Done(RpcStatus status) {
   final_ = ours ? ToRpcStatus(*own_error_) : std::move(status);
   if (!ours) own_error_.reset();
   if (!answering_.Is(Answering::kNone) && !final_.ok() && encoder_.is_text()) pending_ += encoder_.ErrorText(final_);
+  if (!answering_.Is(Answering::kNone) && final_.ok()) pending_ += encoder_.End();
   Deliver();
   EndIfDone();
 }

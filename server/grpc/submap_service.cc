@@ -144,7 +144,8 @@ class SubmapService final : public CountedService<v1::SubmapService> {
           DHPMAP_ASSIGN_OR_RETURN(const MeshRequest wanted, MeshRequestFromProto(*request, name.submap));
           DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, name.map, *request));
           auto state = view->shared_snapshot();
-          if (wanted.submap) state = OnlySubmap(*state, *wanted.submap);
+          // Of GLB, what is around has a say, too: ExportMesh looks for the submap.
+          if (wanted.submap && wanted.format != MeshFormat::kGlb) state = OnlySubmap(*state, *wanted.submap);
           if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), *wanted.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
           if (!keeps.room.Grow(BytesOfExport(*state, wanted))) return TooManyBytes();

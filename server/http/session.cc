@@ -168,7 +168,7 @@ std::string Session::HeadText(const Response& response, const std::string& frami
 void Session::Reply(Response response) {
   if (life_.Is(Life::kClosed) || !answer_.Is(Answer::kNone)) return;
   answer_.To(Answer::kEnding);
-  const bool has_body = response.status != 204;
+  const bool has_body = response.status != 204 && response.status != 304;
   std::string head =
       HeadText(response, has_body ? "Content-Length: " + std::to_string(response.body.size()) + "\r\n" : "");
   connection_->Write(std::move(head), is_head_ || !has_body ? std::string() : std::move(response.body));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/wire/bulk_chunks.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace dhpmap {
@@ -24,7 +26,43 @@ void Append(const ObservedVoxel& voxel, v1::StreamSubmapVoxelsResponse& message)
 }
 
 const char* ContentType(MeshFormat format) {
-  return format == MeshFormat::kPcd ? "application/x-pcd" : "application/x-ply";
+  switch (format) {
+    case MeshFormat::kPcd: return "application/x-pcd";
+    case MeshFormat::kGlb: return "model/gltf-binary";
+    case MeshFormat::kPly: break;
+  }
+  return "application/x-ply";
+}
+
+MeshFormat FormatFromProto(v1::GetSubmapMeshRequest::Format format) {
+  switch (format) {
+    case v1::GetSubmapMeshRequest::PCD: return MeshFormat::kPcd;
+    case v1::GetSubmapMeshRequest::GLB: return MeshFormat::kGlb;
+    default: return MeshFormat::kPly;
+  }
+}
+
+Status BadMeshRequest(const char* field, const char* why) {
+  return std::move(InvalidArgument("the mesh cannot be made like this").WithReason("BAD_MESH_REQUEST"))
+      .WithViolation(field, why);
+}
+
+/// The objects that a request for a whole map names.
+Result<std::vector<SubmapId>> OnlyFromProto(const v1::GetSubmapMeshRequest& request, bool is_of_map) {
+  constexpr int kMost = 1000;
+  if (request.instance_ids_size() == 0) return std::vector<SubmapId>();
+  if (!is_of_map || request.format() != v1::GetSubmapMeshRequest::GLB) {
+    return BadMeshRequest("instance_ids", "is for a whole map as GLB alone");
+  }
+  if (request.instance_ids_size() > kMost) return BadMeshRequest("instance_ids", "names more than 1,000");
+  std::vector<SubmapId> only;
+  for (const std::int64_t id : request.instance_ids()) {
+    if (id < 0 || id > std::numeric_limits<std::uint32_t>::max()) return BadMeshRequest("instance_ids", "is no id");
+    only.emplace_back(static_cast<std::uint32_t>(id));
+  }
+  std::sort(only.begin(), only.end());
+  only.erase(std::unique(only.begin(), only.end()), only.end());
+  return only;
 }
 
 MeshColoring ColoringFromProto(v1::GetSubmapMeshRequest::Coloring coloring) {
@@ -53,6 +91,7 @@ bool MeshChunks::Next(v1::GetSubmapMeshResponse& message) {
   if (is_first) {
     message.set_content_type(ContentType(file_.format()));
     message.set_total_bytes(static_cast<std::int64_t>(file_.num_bytes()));
+    message.set_etag(file_.etag());
   }
   return true;
 }
@@ -74,13 +113,13 @@ template Result<bool> FileChunks::NextOf(v1::ExportMapResponse& message);
 Result<MeshRequest> MeshRequestFromProto(const v1::GetSubmapMeshRequest& request, std::optional<SubmapId> submap) {
   const bool is_format_known = v1::GetSubmapMeshRequest::Format_IsValid(request.format());
   if (!is_format_known || !v1::GetSubmapMeshRequest::Coloring_IsValid(request.coloring())) {
-    return InvalidArgument("the mesh cannot be made like this")
-        .WithReason("BAD_MESH_REQUEST")
-        .WithViolation(is_format_known ? "coloring" : "format", "is not a known value");
+    return BadMeshRequest(is_format_known ? "coloring" : "format", "is not a known value");
   }
+  DHPMAP_ASSIGN_OR_RETURN(std::vector<SubmapId> only, OnlyFromProto(request, !submap));
   return MeshRequest{.submap = submap,
+                     .only = std::move(only),
                      .coloring = ColoringFromProto(request.coloring()),
-                     .format = request.format() == v1::GetSubmapMeshRequest::PCD ? MeshFormat::kPcd : MeshFormat::kPly};
+                     .format = FormatFromProto(request.format())};
 }
 
 }  // namespace dhpmap

@@ -53,8 +53,8 @@ class FileChunks {
   bool has_begun_ = false;
 };
 
-/// INVALID_ARGUMENT for a format or colouring that is not known. The submap comes from the request's name: see
-/// ParseObjectName.
+/// INVALID_ARGUMENT for a format or colouring that is not known, or objects named where they cannot be. The submap
+/// comes from the request's name: see ParseObjectName.
 Result<MeshRequest> MeshRequestFromProto(const v1::GetSubmapMeshRequest& request, std::optional<SubmapId> submap);
 
 }  // namespace dhpmap

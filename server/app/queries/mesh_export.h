@@ -7,6 +7,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "mapping/base/memory_count.h"
 #include "mapping/base/result.h"
@@ -19,11 +20,13 @@ namespace dhpmap {
 enum class MeshFormat {
   kPly,  ///< binary; vertices with normal, colour, class, instance
   kPcd,  ///< binary; the vertices as a point cloud
+  kGlb,  ///< binary glTF, each object for itself, see ExtractObjectMeshes; made whole
 };
 
 /// Which surface, and as what.
 struct MeshRequest {
   std::optional<SubmapId> submap;  ///< empty: all objects in one mesh, without gaps between them (ExtractMapMesh)
+  std::vector<SubmapId> only;      ///< of kGlb without a submap: these, of which those that are not there are left out
   MeshColoring coloring = MeshColoring::kSensor;
   MeshFormat format = MeshFormat::kPly;
 };
@@ -35,6 +38,8 @@ class MeshFile {
   [[nodiscard]] std::int64_t revision() const { return revision_; }  ///< that it shows
   [[nodiscard]] MeshFormat format() const { return format_; }
   [[nodiscard]] std::size_t num_bytes() const { return num_bytes_; }
+  /// Of kGlb: the same for the same bytes; else empty. A file of one submap does not change with its pose.
+  [[nodiscard]] const std::string& etag() const { return etag_; }
 
   /// The next piece, of 1 to 200,000 bytes. False: there is none.
   bool Next(std::string& piece);
@@ -43,12 +48,16 @@ class MeshFile {
   friend Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                                      const std::stop_token& stop, const Spread& spread);
   MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head, CountedBytes reserved);
+  MeshFile(std::int64_t revision, std::string glb, CountedBytes reserved);
+  bool NextOfGlb(std::string& piece);
 
   std::int64_t revision_;
   MeshFormat format_;
-  MeshStream mesh_;
-  std::string head_;  // until it is read
+  std::optional<MeshStream> mesh_;  // not of kGlb
+  std::string head_;                // until it is read; of kGlb the whole file
+  std::size_t num_read_bytes_ = 0;  // of kGlb
   std::size_t num_bytes_;
+  std::string etag_;
   Mesh piece_;
   CountedBytes piece_bytes_{MemoryKind::kMeshing};
   CountedBytes reserved_;

@@ -86,7 +86,8 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/grpc", {"mapping", "server/app", "server/net", "server/wire", "server/metrics", "server/log", "proto"}},
       {"server/http", {"mapping/base", "server/net"}},
       {"server/json", {"mapping/base"}},
-      {"server/gateway", {"mapping/base", "server/wire/types", "server/http", "server/json", "proto"}},
+      {"server/web", {"mapping/base"}},
+      {"server/gateway", {"mapping/base", "server/web", "server/wire/types", "server/http", "server/json", "proto"}},
       {"server", {"mapping", "storage/store.h", "server", "proto"}},  // main.cc: wiring
       {"clients/datasets", {"mapping"}},
       {"clients/command_line", {"mapping/base"}},
@@ -147,8 +148,8 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
       {"mapping/query",
        {"body_query.h", "distance_query.h", "occupancy_slice.h", "point_lookup.h", "ray_query.h", "relations.h",
         "submap_search.h", "touch_lists.h", "trajectory_query.h", "work_budget.h"}},
-      {"mapping/mesh", {"map_mesh.h", "mesh.h", "mesh_stream.h", "tile_surface.h"}},
-      {"mapping/io", {"occupancy_image.h", "pcd.h", "ply.h"}},
+      {"mapping/mesh", {"map_mesh.h", "mesh.h", "mesh_stream.h", "object_meshes.h", "tile_surface.h"}},
+      {"mapping/io", {"glb.h", "occupancy_image.h", "pcd.h", "ply.h"}},
       {"mapping/pipeline", {"map_builder.h", "refinement_slots.h"}},
       {"storage", {"store.h"}},
   };

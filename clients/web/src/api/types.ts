@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the server sends, as far as the viewer reads it. The names of the API's fields are in this folder alone.
+
+export interface Vector3 {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+export interface Quaternion extends Vector3 {
+  readonly w: number;
+}
+/** p_map = rotation * p_object + translation_m. */
+export interface Pose {
+  readonly translation_m: Vector3;
+  readonly rotation: Quaternion;
+}
+
+export type Kind = "thing" | "stuff" | "unknown";
+
+/** One object or background class, in the words of the viewer. */
+export interface MapObject {
+  readonly id: string;
+  readonly name: string;
+  readonly label: string;
+  readonly kind: Kind;
+  readonly className: string;
+  readonly classId: number;
+  readonly classConfidence: number;
+  readonly instanceConfidence: number;
+  readonly pose: Pose;
+  readonly sphere: { readonly center: Vector3; readonly radius_m: number } | null;
+  /** Upright, in the map frame: middle, turn about the vertical, sides. */
+  readonly box: { readonly pose: Pose; readonly size_m: Vector3 } | null;
+  /** Its outline from above, in the map frame, counterclockwise: x and y in turn. */
+  readonly footprint_m: readonly number[];
+  readonly isPresent: boolean;
+  readonly isLocked: boolean;
+  readonly isConfirmed: boolean;
+  readonly numFrames: number;
+  readonly lastSeen_ns: bigint;
+  readonly revision: number;
+  readonly etag: string;
+}
+
+export interface MapInfo {
+  readonly name: string;
+  readonly id: string;
+  readonly displayName: string;
+  readonly revision: number;
+  readonly numFrames: number;
+  readonly numObjects: number;
+  readonly historyId: string;
+}
+
+export interface LoggedEdit {
+  readonly name: string;
+  readonly revision: number;
+  readonly time: string;
+  readonly author: string;
+  readonly what: string;
+  readonly objects: readonly string[];
+  readonly isUndone: boolean;
+}
+
+/** What became of an object. */
+export interface ObjectChange {
+  readonly id: string;
+  readonly kind: "created" | "changed" | "removed";
+  readonly isGeometry: boolean;
+  readonly object: MapObject | null;
+}
+
+/** A floor plan of a band of heights: a byte a cell, x fastest. */
+export interface Slice {
+  readonly width: number;
+  readonly height: number;
+  readonly resolution_m: number;
+  readonly origin_m: Vector3;
+  readonly cells: Uint8Array;
+}
+
+export const sliceCells = { free: 0, occupied: 100, unknown: 255 } as const;
+
+/** What is at a point of a surface, and the nearest surface of another object. */
+export interface SurfacePoint {
+  readonly distance_m: number;
+  readonly nearest: Vector3 | null;
+  readonly neighbour: string | null;
+  readonly ownerId: string | null;
+  readonly classConfidence: number;
+}
+
+/** An object that is touched; `isUnder`: by its upper side, as a floor is by what stands on it. */
+export interface Touch {
+  readonly id: string;
+  readonly isUnder: boolean;
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wiring: the store, what shows it, what changes it.
+import { Vector3 } from "three";
+import { Edits } from "./actions/edits";
+import { el } from "./panels/dom";
+import { Inspector } from "./panels/inspector";
+import { listenToKeys } from "./panels/keyboard";
+import { ObjectList } from "./panels/object_list";
+import { newHelp, newOverlay } from "./panels/overlay";
+import { StatusBar } from "./panels/status_bar";
+import { TopBar } from "./panels/top_bar";
+import { SceneFollower } from "./scene/follow";
+import { Renderer } from "./scene/renderer";
+import { SurfaceLoader } from "./scene/surface_loader";
+import { Session } from "./session";
+import { keepLink } from "./link";
+import { newViewStore, type ViewStore } from "./state/view";
+import { followTheme } from "./theme";
+import { MoveTool } from "./tools/move";
+import { Pointer } from "./tools/pointer";
+import { ProbeTool } from "./tools/probe";
+import { SliceTool } from "./tools/slice";
+import { TouchCheck } from "./tools/touch";
+import { pivotOf } from "./tools/poses";
+
+const narrow_px = 900;
+const fromAbove = { yaw: Math.PI / 2, pitch: -Math.PI / 2 };
+const fromASide = { yaw: Math.PI / 2 + 0.34, pitch: -0.95 };
+
+function start(store: ViewStore): void {
+  let renderer: Renderer;
+  try {
+    renderer = new Renderer(() => store.set("camera", renderer?.camera.view ?? null));
+  } catch {
+    store.set("phase", { is: "no webgl" });
+    document.body.append(el("main", { class: "scene" }, newOverlay(store)));
+    return;
+  }
+  const follower = new SceneFollower(store, renderer);
+  const edits = new Edits(store);
+  const moveTool = new MoveTool(store, renderer, edits);
+  const probeTool = new ProbeTool(store, renderer);
+  new TouchCheck(store);
+  const slice = new SliceTool(store, renderer);
+  const surfaces = new SurfaceLoader(
+    (loaded) => {
+      for (const surface of loaded) renderer.put(surface);
+      follower.refresh();
+      if (store.get("phase").is === "loading") {
+        store.set("phase", { is: "ready" });
+        if (!store.get("camera")) frameAll(true);
+      }
+      statusBar.count();
+    },
+    (bytes) => {
+      if (store.get("phase").is === "loading") store.set("phase", { is: "loading", bytes });
+    },
+    (error) =>
+      store.set("toast", {
+        text: `Surfaces were not sent: ${error instanceof Error ? error.message : String(error)}`,
+        tone: "problem",
+      }),
+  );
+
+  const frameAll = (isAtOnce = false, angles: { yaw: number; pitch: number } | null = fromASide) => {
+    const box = renderer.bounds();
+    if (box.isEmpty()) return;
+    const size = box.getSize(new Vector3());
+    renderer.camera.frame(
+      box.getCenter(new Vector3()),
+      0.36 * Math.hypot(size.x, size.y, 0.5 * size.z),
+      angles,
+      isAtOnce,
+    );
+  };
+  const focusOn = (id: string) => {
+    const object = store.get("objects").get(id);
+    if (object) renderer.camera.frame(pivotOf(object), 1.6 * Math.min(4, object.sphere?.radius_m ?? 1), null, false);
+  };
+  const resize = () => {
+    const isBeside = innerWidth > narrow_px && !document.body.classList.contains("no-list");
+    renderer.resize(scene.clientWidth, scene.clientHeight, isBeside ? list.element.offsetWidth : 0);
+  };
+  const toggleList = () => {
+    document.body.classList.toggle("no-list");
+    resize();
+  };
+  const session = new Session(store, renderer, surfaces, () => void edits.refreshHistory());
+  const list = new ObjectList(store, focusOn);
+  const actions = {
+    openMap: (map: Parameters<Session["open"]>[0]) => {
+      store.set("selected", null);
+      store.set("camera", null);
+      void session.open(map);
+    },
+    frameAll: () => frameAll(),
+    lookDown: () => frameAll(false, fromAbove),
+    toggleList,
+    focusSearch: () => {
+      if (document.body.classList.contains("no-list")) toggleList();
+      list.search.focus();
+    },
+    focusSelection: () => {
+      if (store.get("selected") !== null) focusOn(store.get("selected") ?? "");
+    },
+  };
+  const statusBar = new StatusBar(store, renderer, edits);
+  const label = newLabel(store);
+  const scene = el("main", { class: "scene", aria: { label: "Map" } }, renderer.canvas, newOverlay(store));
+  renderer.canvas.tabIndex = 0;
+  renderer.canvas.setAttribute("aria-label", "The map in 3D. Keys: question mark.");
+  document.body.append(
+    new TopBar(store, edits, actions).element,
+    list.element,
+    scene,
+    new Inspector(store, edits, moveTool, focusOn).element,
+    statusBar.element,
+    label,
+    newHelp(store),
+  );
+  if (innerWidth <= narrow_px) toggleList();
+  new Pointer(store, renderer, moveTool, probeTool, label, focusOn);
+  listenToKeys(store, edits, moveTool, actions);
+  followTheme(store, renderer);
+  new ResizeObserver(resize).observe(scene);
+  const link = keepLink(store);
+  if (link.camera) renderer.camera.setView(link.camera);
+  else store.set("camera", null);
+  void session.start(link.mapId).then(() => edits.refreshHistory());
+  // For tests, and for who opens the console.
+  Object.assign(window, { dhpmap: { store, renderer, surfaces, slice } });
+}
+
+/** The name of what is under the cursor. */
+function newLabel(store: ViewStore): HTMLElement {
+  const label = el("div", { class: "label", hidden: true });
+  store.follow(["hovered", "objects"], () => {
+    const object = store.get("objects").get(store.get("hovered") ?? "");
+    label.hidden = !object;
+    if (object)
+      label.replaceChildren(object.label, el("span", { class: "muted" }, object.isPresent ? `#${object.id}` : "gone"));
+  });
+  return label;
+}
+
+start(newViewStore());

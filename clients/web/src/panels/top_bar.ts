@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Edits } from "../actions/edits";
+import type { MapInfo } from "../api/types";
+import { toggleSlice } from "../actions/toggle_slice";
+import { colourModes, type ColourMode, type ViewStore } from "../state/view";
+import { button, el, icon } from "./dom";
+
+export interface TopBarActions {
+  openMap(map: MapInfo): void;
+  frameAll(): void;
+  lookDown(): void;
+  toggleList(): void;
+}
+
+const next = { system: "dark", dark: "light", light: "system" } as const;
+
+export class TopBar {
+  readonly element: HTMLElement;
+
+  constructor(
+    private readonly store: ViewStore,
+    edits: Edits,
+    actions: TopBarActions,
+  ) {
+    const link = el("span", { class: "link", role: "status" });
+    const revision = el("span", { class: "revision" });
+    const undo = button("undo", "", "Undo", () => void edits.undo());
+    const redo = button("redo", "", "Do again", () => void edits.redo());
+    const boxes = button("box", "", "Boxes (B)", () => store.set("showsBoxes", !store.get("showsBoxes")));
+    const probe = button("probe", "", "Probe (P): what is at a point, how far is the nearest surface", () =>
+      store.set("tool", store.get("tool") === "probe" ? "select" : "probe"),
+    );
+    const slice = button("slice", "", "Slice (S): occupied, free and unknown at a height", () => toggleSlice(store));
+    const theme = button("theme", "", "Dark, light or as the system", () =>
+      store.set("theme", next[store.get("theme")]),
+    );
+    this.element = el(
+      "header",
+      { class: "top" },
+      button("list", "", "Objects (L)", actions.toggleList),
+      el("span", { class: "brand" }, logo(), "DHP"),
+      this.mapPicker(actions),
+      link,
+      revision,
+      el("span", { class: "gap" }),
+      this.colourPicker(),
+      el(
+        "span",
+        { class: "group" },
+        button("frame", "", "See all (H)", actions.frameAll),
+        button("top", "", "From above (T)", actions.lookDown),
+        boxes,
+        probe,
+        slice,
+      ),
+      el("span", { class: "group" }, undo, redo),
+      el(
+        "span",
+        { class: "group" },
+        theme,
+        button("help", "", "Keys (?)", () => store.set("showsHelp", true)),
+      ),
+    );
+    store.follow(["link", "phase"], () => {
+      const texts = { live: "live", lost: "link lost, trying again", off: "connecting" } as const;
+      link.dataset["link"] = store.get("link");
+      link.textContent = texts[store.get("link")];
+    });
+    store.follow(["revision"], () => {
+      revision.textContent = store.get("revision") > 0 ? `revision ${store.get("revision")}` : "";
+    });
+    store.follow(["showsBoxes", "tool", "slice_m"], () => {
+      slice.setAttribute("aria-pressed", String(store.get("slice_m") !== null));
+      boxes.setAttribute("aria-pressed", String(store.get("showsBoxes")));
+      probe.setAttribute("aria-pressed", String(store.get("tool") === "probe"));
+    });
+    store.follow(["undoable", "redoable"], () => {
+      const last = store.get("undoable").at(-1);
+      const again = store.get("redoable").at(-1);
+      undo.disabled = last === undefined;
+      redo.disabled = again === undefined;
+      undo.title = last === undefined ? "Nothing to undo" : `Undo revision ${last} (Ctrl+Z)`;
+      redo.title = again === undefined ? "Nothing to do again" : `Do revision ${again} again (Ctrl+Shift+Z)`;
+    });
+  }
+
+  private mapPicker(actions: TopBarActions): HTMLElement {
+    const picker = el("select", { class: "picker", aria: { label: "Map" } });
+    picker.addEventListener("change", () => {
+      const map = this.store.get("maps").find((each) => each.id === picker.value);
+      if (map) actions.openMap(map);
+    });
+    this.store.follow(["maps", "map"], () => {
+      picker.replaceChildren(...this.store.get("maps").map((map) => el("option", { value: map.id }, map.displayName)));
+      picker.value = this.store.get("map")?.id ?? "";
+      picker.hidden = this.store.get("maps").length === 0;
+    });
+    return picker;
+  }
+
+  private colourPicker(): HTMLElement {
+    const picker = el(
+      "select",
+      { class: "picker", aria: { label: "Colour by" } },
+      ...colourModes.map((mode) => el("option", { value: mode }, mode)),
+    );
+    picker.addEventListener("change", () => this.store.set("colour", picker.value as ColourMode));
+    this.store.follow(["colour"], () => {
+      picker.value = this.store.get("colour");
+    });
+    return el("label", { class: "labelled" }, el("span", {}, "Colour"), picker);
+  }
+}
+
+const logo = () => icon("box");

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { readGlb, type Surface } from "../api/glb";
+import { ApiError } from "../api/ask";
+import { getSurfaces } from "../api/maps";
+
+const mostAtOnce = 150;
+/** A server that has no room for so much is asked for less, and later. */
+const retry_ms = 2000;
+/** Live mapping changes an object many times a second; it is fetched this often at most. */
+const pause_ms = 700;
+
+/** Fetches surfaces that are missing or have changed, many in one request, one request at a time. */
+export class SurfaceLoader {
+  private wanted = new Set<string>();
+  private running: AbortController | null = null;
+  private timer = 0;
+  private last_ms = -Infinity;
+  private atOnce = mostAtOnce;
+  fetchedBytes = 0;
+  numRequests = 0;
+
+  constructor(
+    private readonly onSurfaces: (surfaces: readonly Surface[]) => void,
+    private readonly onBytes: (bytes: number) => void,
+    private readonly onFailed: (error: unknown) => void,
+  ) {}
+
+  private map = "";
+
+  /** Forgets what was wanted of another map. */
+  start(map: string): void {
+    this.stop();
+    this.atOnce = mostAtOnce;
+    this.map = map;
+    this.last_ms = -Infinity;
+  }
+
+  stop(): void {
+    this.running?.abort();
+    this.running = null;
+    this.wanted.clear();
+    clearTimeout(this.timer);
+    this.timer = 0;
+  }
+
+  get isIdle(): boolean {
+    return this.running === null && this.wanted.size === 0;
+  }
+
+  want(ids: Iterable<string>): void {
+    for (const id of ids) this.wanted.add(id);
+    this.schedule();
+  }
+
+  private schedule(): void {
+    if (this.running || this.timer !== 0 || this.wanted.size === 0) return;
+    const wait_ms = Math.max(0, this.last_ms + pause_ms - performance.now());
+    this.timer = window.setTimeout(() => {
+      this.timer = 0;
+      void this.fetchNext();
+    }, wait_ms);
+  }
+
+  /** What is shown until then is what was there before. */
+  private tryLater(ids: readonly string[], error: unknown): void {
+    if (this.atOnce === 1 && !(error instanceof ApiError && error.isLost)) return this.onFailed(error);
+    this.atOnce = Math.max(1, Math.floor(this.atOnce / 2));
+    for (const id of ids) this.wanted.add(id);
+    this.last_ms = performance.now() + retry_ms;
+  }
+
+  private async fetchNext(): Promise<void> {
+    const ids = [...this.wanted].slice(0, this.atOnce);
+    for (const id of ids) this.wanted.delete(id);
+    const abort = (this.running = new AbortController());
+    this.last_ms = performance.now();
+    ++this.numRequests;
+    try {
+      const file = await getSurfaces(
+        this.map,
+        ids,
+        (bytes) => {
+          this.fetchedBytes += bytes;
+          this.onBytes(this.fetchedBytes);
+        },
+        abort.signal,
+      );
+      if (abort.signal.aborted) return;
+      this.onSurfaces(readGlb(file));
+    } catch (error) {
+      if (abort.signal.aborted) return;
+      this.tryLater(ids, error);
+    } finally {
+      if (this.running === abort) {
+        this.running = null;
+        // The first fetch of a large map goes on at once.
+        if (this.wanted.size >= this.atOnce && this.last_ms < performance.now()) this.last_ms = -Infinity;
+        this.schedule();
+      }
+    }
+  }
+}

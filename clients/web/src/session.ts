@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens a map and follows it.
+import { ApiError } from "./api/ask";
+import { getMap, getObject, listMaps, listObjects } from "./api/maps";
+import type { MapInfo, ObjectChange } from "./api/types";
+import { Watch } from "./api/watch";
+import { withChanges } from "./state/objects";
+import type { ViewStore } from "./state/view";
+import type { Renderer } from "./scene/renderer";
+import type { SurfaceLoader } from "./scene/surface_loader";
+
+/** Of an edit of a few objects all is read, with the boxes that events leave out. */
+const mostReadWhole = 4;
+
+async function readWhole(change: ObjectChange): Promise<ObjectChange> {
+  if (!change.object || change.object.box) return change;
+  const object = await getObject(change.object.name).catch(() => null);
+  return object && object.revision >= change.object.revision ? { ...change, object } : change;
+}
+
+const retry_ms = [500, 1000, 2000, 4000];
+
+export class Session {
+  private watch: Watch | null = null;
+  private retryTimer = 0;
+  private numRetries = 0;
+  private turn: Promise<void> = Promise.resolve();
+
+  constructor(
+    private readonly store: ViewStore,
+    private readonly renderer: Renderer,
+    private readonly surfaces: SurfaceLoader,
+    private readonly onTaken: () => void,
+  ) {}
+
+  /** The map of that id, or the one that was changed last. */
+  async start(mapId: string): Promise<void> {
+    try {
+      const maps = await listMaps();
+      this.store.set("maps", maps);
+      const wanted = maps.find((map) => map.id === mapId) ?? maps[0];
+      if (!wanted) return this.waitForMaps(mapId);
+      await this.open(wanted);
+    } catch (error) {
+      this.failed(error, () => this.start(mapId));
+    }
+  }
+
+  async open(map: MapInfo): Promise<void> {
+    this.close();
+    this.renderer.clear();
+    this.store.set("objects", new Map());
+    this.store.set("phase", { is: "loading", bytes: 0 });
+    this.store.set("map", map);
+    this.surfaces.start(map.name);
+    await this.list(map);
+  }
+
+  close(): void {
+    this.watch?.close();
+    this.watch = null;
+    clearTimeout(this.retryTimer);
+  }
+
+  /** Takes what is there in place of what is held, and watches from there on. */
+  private async list(map: MapInfo): Promise<void> {
+    const [present, { revision, objects }] = await Promise.all([getMap(map.name), listObjects(map.name)]);
+    const isSameHistory = present.historyId === this.store.get("map")?.historyId;
+    const held = this.store.get("objects");
+    this.store.set("map", present);
+    this.store.set("revision", revision);
+    this.store.set("objects", new Map(objects.map((object) => [object.id, object])));
+    for (const id of held.keys()) if (!this.store.get("objects").has(id)) this.renderer.drop(id);
+    this.surfaces.want(
+      objects
+        .filter(
+          (object) =>
+            object.sphere !== null &&
+            !(isSameHistory && held.get(object.id)?.revision === object.revision && this.renderer.meshOf(object.id)),
+        )
+        .map((object) => object.id),
+    );
+    if (objects.every((object) => object.sphere === null)) this.store.set("phase", { is: "ready" });
+    this.numRetries = 0;
+    this.follow(present, revision);
+  }
+
+  private follow(map: MapInfo, revision: number): void {
+    this.watch?.close();
+    this.watch = new Watch(map.name, revision + 1, map.historyId, {
+      onLink: (link) => this.store.set("link", link),
+      onRestart: () => this.listAgain(map),
+      onChanges: (told, changes) => {
+        this.turn = this.turn.then(() => this.take(map, told, changes));
+      },
+    });
+  }
+
+  /** In the order in which they come. */
+  private async take(map: MapInfo, told: number, changes: readonly ObjectChange[]): Promise<void> {
+    if (this.store.get("map")?.name !== map.name) return;
+    const whole = changes.length <= mostReadWhole ? await Promise.all(changes.map(readWhole)) : changes;
+    this.store.set("revision", told);
+    this.store.set("objects", withChanges(this.store.get("objects"), whole));
+    for (const change of whole) if (change.kind === "removed") this.renderer.drop(change.id);
+    if (whole.some((change) => change.id === this.store.get("selected") && change.kind === "removed"))
+      this.store.set("selected", null);
+    this.surfaces.want(whole.filter((change) => change.isGeometry).map((change) => change.id));
+    this.onTaken();
+  }
+
+  private listAgain(map: MapInfo): void {
+    this.close();
+    this.later(() =>
+      this.list(map).catch((error: unknown) => {
+        if (error instanceof ApiError && error.status === 404) void this.start("");
+        else this.listAgain(map);
+      }),
+    );
+  }
+
+  private async waitForMaps(mapId: string): Promise<void> {
+    this.store.set("phase", { is: "no maps" });
+    this.store.set("link", "live");
+    this.later(() => this.start(mapId));
+  }
+
+  private failed(error: unknown, again: () => void): void {
+    this.store.set("link", "lost");
+    this.store.set("phase", { is: "failed", why: error instanceof Error ? error.message : String(error) });
+    this.later(again);
+  }
+
+  private later(task: () => void): void {
+    clearTimeout(this.retryTimer);
+    this.retryTimer = window.setTimeout(task, retry_ms[Math.min(this.numRetries++, retry_ms.length - 1)]);
+  }
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What this page has edited and may undo: the server's log is the history, these are places in it.
+import type { ViewStore } from "./view";
+
+/** An edit of this page: what was undone before cannot be done again. */
+export function noteEdit(store: ViewStore, revision: number): void {
+  store.set("undoable", [...store.get("undoable"), revision]);
+  store.set("redoable", []);
+}
+
+export function noteUndo(store: ViewStore, revision: number): void {
+  store.set(
+    "undoable",
+    store.get("undoable").filter((each) => each !== revision),
+  );
+  store.set("redoable", [...store.get("redoable"), revision]);
+}
+
+export function noteRedo(store: ViewStore, revision: number): void {
+  store.set(
+    "redoable",
+    store.get("redoable").filter((each) => each !== revision),
+  );
+  store.set("undoable", [...store.get("undoable"), revision]);
+}

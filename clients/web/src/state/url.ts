@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A view as a link: what somebody sees is what the one sees to whom the link is sent.
+import { colourModes, type CameraView, type ColourMode, type ViewState } from "./view";
+
+export type Linked = Pick<
+  ViewState,
+  | "selected"
+  | "query"
+  | "hiddenClasses"
+  | "hiddenObjects"
+  | "showsGone"
+  | "colour"
+  | "showsBoxes"
+  | "theme"
+  | "slice_m"
+  | "camera"
+> & { readonly mapId: string };
+
+const short = (number: number): string => String(Math.round(number * 1000) / 1000);
+
+function cameraText(camera: CameraView): string {
+  const { x, y, z } = camera.position_m;
+  return [x, y, z, camera.yaw, camera.pitch].map(short).join(",");
+}
+
+function cameraOf(text: string | null): CameraView | null {
+  const [x, y, z, yaw, pitch, ...rest] = (text ?? "").split(",").map(Number);
+  const numbers = [x, y, z, yaw, pitch];
+  if (rest.length > 0 || !numbers.every((number) => number !== undefined && Number.isFinite(number))) return null;
+  return { position_m: { x: x ?? 0, y: y ?? 0, z: z ?? 0 }, yaw: yaw ?? 0, pitch: pitch ?? 0 };
+}
+
+function heightOf(text: string | null): number | null {
+  const height = Number(text ?? "");
+  return text && Number.isFinite(height) ? height : null;
+}
+
+const listText = (items: ReadonlySet<string>): string => [...items].sort().join(",");
+const listOf = (text: string): ReadonlySet<string> => new Set(text.split(",").filter((item) => item !== ""));
+
+/** Without the leading "#". What is as it is for everybody at first is left out. */
+export function writeLink(view: Linked): string {
+  const link = new URLSearchParams();
+  if (view.mapId) link.set("map", view.mapId);
+  if (view.selected !== null) link.set("object", view.selected);
+  if (view.query) link.set("find", view.query);
+  if (listText(view.hiddenClasses) !== "ceiling") link.set("hide", listText(view.hiddenClasses));
+  if (view.hiddenObjects.size > 0) link.set("without", listText(view.hiddenObjects));
+  if (view.showsGone) link.set("gone", "1");
+  if (view.colour !== "sensor") link.set("colour", view.colour);
+  if (view.showsBoxes) link.set("boxes", "1");
+  if (view.theme !== "system") link.set("theme", view.theme);
+  if (view.slice_m !== null) link.set("slice", short(view.slice_m));
+  if (view.camera) link.set("view", cameraText(view.camera));
+  return link.toString().replaceAll("%2C", ",");
+}
+
+/** What a link says; of anything else in it nothing. */
+export function readLink(hash: string): Linked {
+  const link = new URLSearchParams(hash.replace(/^#/, ""));
+  const colour = link.get("colour");
+  const theme = link.get("theme");
+  return {
+    mapId: link.get("map") ?? "",
+    selected: link.get("object"),
+    query: link.get("find") ?? "",
+    hiddenClasses: listOf(link.get("hide") ?? "ceiling"),
+    hiddenObjects: listOf(link.get("without") ?? ""),
+    showsGone: link.get("gone") === "1",
+    colour: colourModes.find((mode): mode is ColourMode => mode === colour) ?? "sensor",
+    showsBoxes: link.get("boxes") === "1",
+    theme: theme === "dark" || theme === "light" ? theme : "system",
+    slice_m: heightOf(link.get("slice")),
+    camera: cameraOf(link.get("view")),
+  };
+}

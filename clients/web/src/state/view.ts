@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All that the viewer knows and shows, in one store.
+import type { LoggedEdit, MapInfo, MapObject, Pose, SurfacePoint, Vector3 } from "../api/types";
+import { Store } from "./store";
+
+export const colourModes = ["sensor", "class", "object", "confidence", "last seen", "presence"] as const;
+export type ColourMode = (typeof colourModes)[number];
+
+/** Where the camera is, in the map frame, and where it looks: turn about the vertical and tilt, in rad. */
+export interface CameraView {
+  readonly position_m: Vector3;
+  readonly yaw: number;
+  readonly pitch: number;
+}
+
+export interface Toast {
+  readonly text: string;
+  readonly tone: "plain" | "problem";
+  readonly undoRevision?: number;
+}
+
+export interface Probe {
+  readonly point_m: Vector3;
+  /** Whose surface was clicked. */
+  readonly id: string;
+  readonly answer: SurfacePoint | null;
+}
+
+export type Phase =
+  | { readonly is: "connecting" }
+  | { readonly is: "no maps" }
+  | { readonly is: "loading"; readonly bytes: number }
+  | { readonly is: "ready" }
+  | { readonly is: "failed"; readonly why: string }
+  | { readonly is: "no webgl" };
+
+export interface ViewState {
+  phase: Phase;
+  maps: readonly MapInfo[];
+  map: MapInfo | null;
+  revision: number;
+  link: "live" | "lost" | "off";
+  objects: ReadonlyMap<string, MapObject>;
+  selected: string | null;
+  hovered: string | null;
+  query: string;
+  hiddenClasses: ReadonlySet<string>;
+  hiddenObjects: ReadonlySet<string>;
+  showsGone: boolean;
+  colour: ColourMode;
+  showsBoxes: boolean;
+  theme: "system" | "dark" | "light";
+  camera: CameraView | null;
+  /** Where an object is held at or sent to, until the server has it there. */
+  pending: { readonly id: string; readonly pose: Pose } | null;
+  /** What the object that is held would touch there, and did not touch where it was. */
+  touched: readonly string[];
+  undoable: readonly number[];
+  redoable: readonly number[];
+  history: readonly LoggedEdit[];
+  toast: Toast | null;
+  tool: "select" | "probe";
+  probe: Probe | null;
+  /** Height of the floor plan that is shown, in the map frame. */
+  slice_m: number | null;
+  showsHelp: boolean;
+}
+
+export type ViewStore = Store<ViewState>;
+
+export const newViewStore = (): ViewStore =>
+  new Store<ViewState>({
+    phase: { is: "connecting" },
+    maps: [],
+    map: null,
+    revision: 0,
+    link: "off",
+    objects: new Map(),
+    selected: null,
+    hovered: null,
+    query: "",
+    hiddenClasses: new Set(["ceiling"]),
+    hiddenObjects: new Set(),
+    showsGone: false,
+    colour: "sensor",
+    showsBoxes: false,
+    theme: "system",
+    camera: null,
+    pending: null,
+    touched: [],
+    undoable: [],
+    redoable: [],
+    history: [],
+    toast: null,
+    tool: "select",
+    probe: null,
+    slice_m: null,
+    showsHelp: false,
+  });
