@@ -18,7 +18,7 @@ fail() { printf 'run.sh: %s\n' "$*" >&2; exit 1; }
 
 say "1/4 Installing and building"
 deploy/setup.sh
-deploy/ci/build.sh release dhpmap-server dhpmap dhpmap-simulate
+deploy/ci/build.sh release dhpmap-server dhpmap dhpmap-simulate python_client
 bin=build/release/bin
 
 demo=build/demo

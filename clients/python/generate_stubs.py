@@ -82,7 +82,8 @@ def generate(googleapis: pathlib.Path, out: pathlib.Path) -> None:
 
 
 def replace(made: pathlib.Path, out: pathlib.Path) -> None:
-    """What has not changed keeps its time; what is no longer made goes."""
+    """What has not changed keeps its time, but for __init__.py, by which a build sees that all is made; what is no
+    longer made goes."""
     out.mkdir(parents=True, exist_ok=True)
     for old in out.glob("*.py*"):
         if not (made / old.name).exists():
@@ -91,6 +92,7 @@ def replace(made: pathlib.Path, out: pathlib.Path) -> None:
         target = out / new.name
         if not target.exists() or target.read_bytes() != new.read_bytes():
             shutil.copyfile(new, target)
+    (out / "__init__.py").touch()
 
 
 def main() -> None:

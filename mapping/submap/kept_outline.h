@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -31,7 +32,7 @@ struct LevelOutline {
 class KeptOutline {
  public:
   KeptOutline() = default;
-  KeptOutline(const KeptOutline& other) : kept_(other.Get()) {}
+  KeptOutline(const KeptOutline& other) { Set(other.Get()); }
   KeptOutline& operator=(const KeptOutline& other) {
     Set(other.Get());
     return *this;
@@ -44,7 +45,10 @@ class KeptOutline {
   }
   /// May be null: it is not known.
   void Keep(std::shared_ptr<const LevelOutline> outline) const { Set(std::move(outline)); }
-  void Forget() { Set(nullptr); }
+  /// Fusion calls it for each block that it writes to: nothing but a look where there is nothing to forget.
+  void Forget() {
+    if (is_known_.load(std::memory_order_relaxed)) Set(nullptr);
+  }
 
  private:
   [[nodiscard]] std::shared_ptr<const LevelOutline> Get() const DHPMAP_EXCLUDES(mutex_) {
@@ -53,9 +57,11 @@ class KeptOutline {
   }
   void Set(std::shared_ptr<const LevelOutline> kept) const DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
+    is_known_.store(kept != nullptr, std::memory_order_relaxed);
     kept_.swap(kept);
   }
 
+  mutable std::atomic<bool> is_known_ = false;  ///< kept_ is not null
   mutable Mutex mutex_;
   mutable std::shared_ptr<const LevelOutline> kept_ DHPMAP_GUARDED_BY(mutex_);
 };

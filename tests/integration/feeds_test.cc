@@ -159,7 +159,7 @@ TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
     ASSERT_TRUE(greeting);
     EXPECT_FALSE(greeting->has_committed_sequence()) << "a new session";
     EXPECT_EQ(greeting->outcome(), v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED);
-    EXPECT_EQ(greeting->error_code(), 0);
+    EXPECT_EQ(greeting->error().code(), 0);
     for (int i = 0; i < 4; ++i) ASSERT_TRUE(first.Feed(i));
     first.HalfClose();
     ASSERT_OK(first.Finish());

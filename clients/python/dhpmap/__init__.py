@@ -9,6 +9,12 @@
 Lengths are metres, angles radians, stamps nanoseconds of the sensor's clock; T_a_b takes points of frame b to frame a.
 Arrays go in as anything that numpy takes, and come out as numpy arrays. Errors are all dhpmap.Error.
 """
+import importlib.util
+
+if importlib.util.find_spec("dhpmap.v1") is None:
+    raise ImportError("dhpmap.v1 is not made yet: build the target python_client, or run clients/python/generate_stubs.py")
+
+# The rest, in the order of the modules.
 from dhpmap._camera import Camera
 from dhpmap._connect import Server, connect
 from dhpmap._contacts import BodyCheck, Collisions, Contact

@@ -53,7 +53,7 @@ StatusCode WriterQueue::Stop() {
     if (refusal_.ok()) refusal_ = Guarded<Status>(ShuttingDown);
     refusal = refusal_.code();
     // A thread that has retired comes back for the last chore; if there never was one, nothing has changed.
-    if (thread_.has_run()) (void)Guarded<Status>([this]() DHPMAP_REQUIRES(mutex_) { return Start(); });
+    if (thread_.has_run()) (void)Guarded<Status>([this] { return thread_.Start([this] { Loop(); }); });
   }
   wake_.NotifyOne();
   thread_.Join();

@@ -4,6 +4,7 @@ import ast
 import inspect
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import zlib
@@ -51,6 +52,13 @@ def test_nothing_of_google_rpc_or_google_api_is_taken_or_hidden():
                           capture_output=True, text=True)
     assert said.stdout == "[]\nfree\n" and said.stderr == ""
     assert not (PACKAGE / "google").exists()
+
+
+def test_a_package_whose_stubs_are_not_made_says_how(tmp_path):
+    shutil.copytree(PACKAGE / "dhpmap", tmp_path / "dhpmap", ignore=shutil.ignore_patterns("v1"))
+    said = subprocess.run([sys.executable, "-B", "-c", "import dhpmap"], env={"PYTHONPATH": str(tmp_path)},
+                          capture_output=True, text=True)
+    assert "ImportError: dhpmap.v1 is not made yet: build the target python_client" in said.stderr
 
 
 def test_mypy_strict_has_nothing_to_say(tmp_path):

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,17 +76,18 @@ TEST_F(FrameVotesTest, ASightingCountsOneWhateverTheNetworkSaysUnlessItIsWeighed
 }
 
 TEST_F(FrameVotesTest, AWeighedSightingCountsAsItsScoreSays) {
-  const auto of_score = [&](float score) {
+  const auto of_score = [&](std::optional<float> score) {
     return VotesOf({.id = SegmentId(1), .class_id = kCup, .score = score}, cup_);
   };
   EXPECT_EQ(of_score(0.75f), LabelHistograms::OfClass(kCup, 192));
   EXPECT_EQ(of_score(1), LabelHistograms::OfClass(kCup, 256));
   EXPECT_EQ(of_score(1e-6f), LabelHistograms::OfClass(kCup, 1)) << "it was seen";
-  EXPECT_EQ(of_score(0), LabelHistograms::OfClass(kCup, 256)) << "the network gives nobody a score";
+  EXPECT_EQ(of_score(0.0f), LabelHistograms::OfClass(kCup, 1)) << "the worst score, not none";
+  EXPECT_EQ(of_score(std::nullopt), LabelHistograms::OfClass(kCup, 256)) << "the network gives nobody a score";
   frame_.segments = {{.id = SegmentId(1), .score = 0.25f}, {.id = SegmentId(2), .score = 0.75f}, {.id = SegmentId(3)}};
-  EXPECT_EQ(of_score(0), LabelHistograms::OfClass(kCup, 128)) << "it is as sure as the others";
+  EXPECT_EQ(of_score(std::nullopt), LabelHistograms::OfClass(kCup, 128)) << "it is as sure as the others";
   frame_.segments[1] = {.id = SegmentId(2), .class_id = kCup, .class_scores = {{kCup, 0.5f}}};
-  EXPECT_EQ(of_score(0), LabelHistograms::OfClass(kCup, 96)) << "class scores say how sure, too";
+  EXPECT_EQ(of_score(std::nullopt), LabelHistograms::OfClass(kCup, 96)) << "class scores say how sure, too";
 }
 
 TEST_F(FrameVotesTest, ClassScoresOfAThingAreItsClassesAlone) {
