@@ -269,10 +269,10 @@ def test_at_rest_no_frame_is_drawn_and_replaced_surfaces_are_freed(world):
       let n = 0;
       const again = () => {
         renderer.put(surface);
-        requestAnimationFrame(++n < 100 ? again : done);
+        requestAnimationFrame(++n < 20 ? again : done);
       };
       again();""", world.sofa)
-    assert page.js("return r.geometries") <= held, "a hundred replacements leave nothing behind"
+    assert page.js("return r.geometries") <= held, "twenty replacements leave nothing behind"
 
 
 def test_a_view_is_a_link(world):

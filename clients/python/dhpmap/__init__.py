@@ -12,7 +12,8 @@ Arrays go in as anything that numpy takes, and come out as numpy arrays. Errors 
 import importlib.util
 
 if importlib.util.find_spec("dhpmap.v1") is None:
-    raise ImportError("dhpmap.v1 is not made yet: build the target python_client, or run clients/python/generate_stubs.py")
+    raise ImportError("dhpmap.v1 is not made yet: build the target python_client, "
+                      "or run clients/python/generate_stubs.py")
 
 # The rest, in the order of the modules.
 from dhpmap._camera import Camera
@@ -24,7 +25,7 @@ from dhpmap._errors import (Aborted, AlreadyExists, Cancelled, DataLoss, Deadlin
                             Internal, InvalidArgument, NotFound, OutOfRange, PermissionDenied, ResourceExhausted,
                             Unauthenticated, Unavailable, Unimplemented, UnknownError, Violation)
 from dhpmap._feed import Feed, FrameWarning
-from dhpmap._frames import Segment
+from dhpmap._frames import LidarImage, Segment
 from dhpmap._geometry import Mesh, Voxels
 from dhpmap._grids import DistanceGrid, Slice
 from dhpmap._history import LoggedEdit, Undone
@@ -47,9 +48,9 @@ __all__ = [
     "Aborted", "AlreadyExists", "BodyCheck", "Box", "Camera", "Cancelled", "Capsule", "Change", "Clearance",
     "Collisions", "Contact", "DataLoss", "DeadlineExceeded", "DistanceGrid", "Distances", "Edit", "EditResult",
     "Error", "FailedPrecondition", "Feed", "Finished", "FrameWarning", "Internal", "InvalidArgument", "Label",
-    "LoggedEdit", "Loop", "Map", "MapInfo", "MapStats", "Mesh", "New", "NotFound", "Object", "Objects", "OrientedBox",
-    "OutOfRange", "PastMap", "PathCheck", "PathContact", "PermissionDenied", "Plane", "Points", "QueryOptions",
-    "Rays", "Ref", "Relation", "ResourceExhausted", "Revision", "Segment", "Server", "Session", "Slice", "Sphere",
-    "Spheres", "Unauthenticated", "Unavailable", "Undone", "Unimplemented", "UnknownError", "Verified", "Violation",
-    "Voxels", "Watch", "connect", "pose",
+    "LidarImage", "LoggedEdit", "Loop", "Map", "MapInfo", "MapStats", "Mesh", "New", "NotFound", "Object", "Objects",
+    "OrientedBox", "OutOfRange", "PastMap", "PathCheck", "PathContact", "PermissionDenied", "Plane", "Points",
+    "QueryOptions", "Rays", "Ref", "Relation", "ResourceExhausted", "Revision", "Segment", "Server", "Session",
+    "Slice", "Sphere", "Spheres", "Unauthenticated", "Unavailable", "Undone", "Unimplemented", "UnknownError",
+    "Verified", "Violation", "Voxels", "Watch", "connect", "pose",
 ]

@@ -65,9 +65,9 @@ def camera_message(camera: Camera) -> pb2.PinholeCamera:
                              fy_px=camera.fy_px, cx_px=camera.cx_px, cy_px=camera.cy_px)
 
 
-def depth_image(depth: ArrayLike, camera: Camera, scale_m: float | None) -> pb2.Image:
+def depth_image(depth: ArrayLike, shape: tuple[int, int], scale_m: float | None) -> pb2.Image:
     """Float metres, or 16-bit integers of scale_m metres a unit."""
-    image = _sized("depth_m", depth, camera)
+    image = _sized("depth_m", depth, shape)
     if image.dtype == np.uint16:
         if scale_m is None:
             raise bad_argument("depth_m", "is of uint16: say by feed(depth_scale_m=0.001) how many metres a unit is, "
@@ -84,18 +84,18 @@ def depth_image(depth: ArrayLike, camera: Camera, scale_m: float | None) -> pb2.
     return pb2.Image(encoding=pb2.Image.RAW_F32, data=_octets(image, "<f4"))
 
 
-def color_image(rgb: ArrayLike, camera: Camera) -> pb2.Image:
+def color_image(rgb: ArrayLike, shape: tuple[int, int]) -> pb2.Image:
     image = np.asarray(rgb)
-    if image.dtype != np.uint8 or image.shape != (*camera.shape, 3):
+    if image.dtype != np.uint8 or image.shape != (*shape, 3):
         remedy = "; multiply by 255 and convert" if image.dtype.kind == "f" else ""
-        raise bad_argument("rgb", f"wanted uint8 of shape {(*camera.shape, 3)}, got {image.dtype} of {image.shape}"
+        raise bad_argument("rgb", f"wanted uint8 of shape {(*shape, 3)}, got {image.dtype} of {image.shape}"
                                   + remedy)
     return pb2.Image(encoding=pb2.Image.RAW_RGB8, data=_octets(image, "u1"))
 
 
-def label_image(labels: ArrayLike, camera: Camera) -> tuple[pb2.Image, int]:
+def label_image(labels: ArrayLike, shape: tuple[int, int]) -> tuple[pb2.Image, int]:
     """The image in the smallest type that holds it, and the greatest id."""
-    image = _sized("labels", labels, camera)
+    image = _sized("labels", labels, shape)
     if image.dtype.kind not in "iu":
         raise bad_argument("labels", f"wanted integer segment ids, got {image.dtype}")
     if image.dtype.kind == "i" and image.min() < 0:
@@ -110,11 +110,11 @@ def label_image(labels: ArrayLike, camera: Camera) -> tuple[pb2.Image, int]:
     return pb2.Image(encoding=pb2.Image.RAW_U32, data=_octets(image, "<u4")), greatest
 
 
-def _sized(name: str, values: ArrayLike, camera: Camera) -> NDArray[np.generic]:
+def _sized(name: str, values: ArrayLike, shape: tuple[int, int]) -> NDArray[np.generic]:
     image = np.asarray(values)
-    if image.shape != camera.shape:
-        remedy = "; transpose it" if image.shape == camera.shape[::-1] else ""
-        raise bad_argument(name, f"wanted (height, width) = {camera.shape} of the camera, got {image.shape}{remedy}")
+    if image.shape != shape:
+        remedy = "; transpose it" if image.shape == shape[::-1] else ""
+        raise bad_argument(name, f"wanted (height, width) = {shape} of the camera, got {image.shape}{remedy}")
     return image
 
 

@@ -15,7 +15,7 @@ from dhpmap._call import Caller
 from dhpmap._camera import Camera
 from dhpmap._errors import bad_argument, error_of_status
 from dhpmap._frame_stream import FrameStream
-from dhpmap._frames import Segments, checked_stamp, lidar_frame, rgbd_frame
+from dhpmap._frames import LidarImage, Segments, checked_stamp, lidar_frame, rgbd_frame
 from dhpmap._map_info import session_messages
 from dhpmap.v1 import mapping_service_pb2 as pb2
 
@@ -78,10 +78,13 @@ class Feed:
         return self._push(frame, stamp)
 
     def lidar(self, points_m: ArrayLike, T_map_lidar: ArrayLike, stamp_ns: int, *, segment_ids: ArrayLike | None = None,
-              segments: Segments | None = None, rgb: ArrayLike | None = None) -> int:
-        """Feeds a scan: points_m (N, 3) in the LiDAR's frame, segment_ids (N,), rgb (N, 3) uint8. Else as `rgbd`."""
+              segments: Segments | None = None, rgb: ArrayLike | None = None, image: LidarImage | None = None) -> int:
+        """Feeds a scan: points_m (N, 3) in the LiDAR's frame, segment_ids (N,), rgb (N, 3) uint8. Else as `rgbd`.
+
+        image: of a camera beside it, from which points take colour and ids instead.
+        """
         stamp = checked_stamp(stamp_ns, self._last_stamp_ns)
-        frame = lidar_frame(points_m, segment_ids, segments, rgb, T_map_lidar, stamp, class_ids=self._class_ids,
+        frame = lidar_frame(points_m, segment_ids, segments, rgb, image, T_map_lidar, stamp, class_ids=self._class_ids,
                             persistent_ids=self._persistent_ids)
         return self._push(frame, stamp)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dhpmap._arrays import rigid, rows
+from dhpmap._arrays import numbers, rigid, rows
 from dhpmap._camera import Camera, camera_message, color_image, depth_image, label_image
 from dhpmap._errors import bad_argument
 from dhpmap._wire import bytes_field, floats_field
@@ -30,6 +30,21 @@ class Segment:
     class_name: str | int | None = None
     score: float | None = None
     class_scores: Mapping[str | int, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class LidarImage:
+    """Images of a camera beside a LiDAR, of one size: points outside are dropped, the others take what they show.
+
+    Attributes:
+        P_image_lidar: (3, 4) takes points of the LiDAR's frame to pixels, pixel = P [p; 1].
+        rgb: (H, W, 3) uint8.
+        labels: (H, W) integer ids of segments, 0: none.
+    """
+
+    P_image_lidar: ArrayLike
+    rgb: ArrayLike | None = None
+    labels: ArrayLike | None = None
 
 
 Segments = Iterable[Segment] | Mapping[int, str | int]
@@ -72,15 +87,15 @@ def rgbd_frame(camera: Camera, depth: ArrayLike, rgb: ArrayLike | None, labels: 
                segments: Segments | None, T_map_camera: ArrayLike, stamp_ns: int, *, scale_m: float | None,
                class_ids: Mapping[str, int], persistent_ids: bool) -> bytes:
     """A serialised pb2.Frame."""
-    images = pb2.DepthCameraFrame(camera=camera_message(camera), depth=depth_image(depth, camera, scale_m))
+    images = pb2.DepthCameraFrame(camera=camera_message(camera), depth=depth_image(depth, camera.shape, scale_m))
     if rgb is not None:
-        images.color.CopyFrom(color_image(rgb, camera))
+        images.color.CopyFrom(color_image(rgb, camera.shape))
     if (labels is None) != (segments is None):
         raise bad_argument("segments", "labels and segments come together: {1: 'chair', 2: 'wall'} says what the ids "
                                        "of the label image are")
     frame = _head(T_map_camera, "T_map_camera", stamp_ns, persistent_ids)
     if labels is not None and segments is not None:
-        image, greatest = label_image(labels, camera)
+        image, greatest = label_image(labels, camera.shape)
         images.segments.CopyFrom(image)
         if greatest > 0:
             frame.segments.extend(segment_messages(segments, class_ids))
@@ -88,19 +103,25 @@ def rgbd_frame(camera: Camera, depth: ArrayLike, rgb: ArrayLike | None, labels: 
 
 
 def lidar_frame(points_m: ArrayLike, segment_ids: ArrayLike | None, segments: Segments | None, rgb: ArrayLike | None,
-                T_map_lidar: ArrayLike, stamp_ns: int, *, class_ids: Mapping[str, int], persistent_ids: bool) -> bytes:
+                image: LidarImage | None, T_map_lidar: ArrayLike, stamp_ns: int, *,
+                class_ids: Mapping[str, int], persistent_ids: bool) -> bytes:
     """A serialised pb2.Frame of one scan."""
     points, shape = rows("points_m", points_m, 3, "x, y, z in the LiDAR's frame, in metres")
     scan = pb2.LidarFrame()
     frame = _head(T_map_lidar, "T_map_lidar", stamp_ns, persistent_ids)
-    if (segment_ids is None) != (segments is None):
-        raise bad_argument("segments", "segment_ids and segments come together")
-    if segment_ids is not None and segments is not None:
+    labelled_by = [its for its in (segment_ids, image.labels if image else None) if its is not None]
+    if len(labelled_by) != (0 if segments is None else 1):
+        raise bad_argument("segments", "segments come with segment_ids, or with the labels of an image, "
+                                       "and these with them")
+    if segments is not None:
+        frame.segments.extend(segment_messages(segments, class_ids))
+    if image is not None:
+        scan.camera.CopyFrom(_lidar_camera(image))
+    if segment_ids is not None:
         ids = np.asarray(segment_ids)
         if ids.dtype.kind not in "iu" or ids.shape != shape:
             raise bad_argument("segment_ids", f"wanted integers of shape {shape}, got {ids.dtype} of {ids.shape}")
         scan.segment_ids.extend(ids.ravel().tolist())
-        frame.segments.extend(segment_messages(segments, class_ids))
     if rgb is not None:
         colors = np.asarray(rgb)
         if colors.dtype != np.uint8 or colors.shape != (*shape, 3):
@@ -108,6 +129,22 @@ def lidar_frame(points_m: ArrayLike, segment_ids: ArrayLike | None, segments: Se
         scan.rgb = colors.tobytes()
     body = scan.SerializeToString() + floats_field(scan.DESCRIPTOR, "packed_points_m", points)
     return frame.SerializeToString() + bytes_field(frame.DESCRIPTOR, "lidar", body)
+
+
+def _lidar_camera(image: LidarImage) -> pb2.LidarCamera:
+    P = numbers("P_image_lidar", image.P_image_lidar)
+    if P.shape != (3, 4):
+        raise bad_argument("P_image_lidar", f"wanted a 3 x 4 matrix, got shape {P.shape}")
+    seen = image.labels if image.labels is not None else image.rgb
+    if seen is None:
+        raise bad_argument("image", "has neither rgb nor labels")
+    height, width = np.shape(seen)[:2]
+    camera = pb2.LidarCamera(image_from_lidar=P.ravel().tolist(), width_px=width, height_px=height)
+    if image.rgb is not None:
+        camera.color.CopyFrom(color_image(image.rgb, (height, width)))
+    if image.labels is not None:
+        camera.segments.CopyFrom(label_image(image.labels, (height, width))[0])
+    return camera
 
 
 def _head(T_map_sensor: ArrayLike, name: str, stamp_ns: int, persistent_ids: bool) -> pb2.Frame:

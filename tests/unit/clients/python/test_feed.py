@@ -100,9 +100,26 @@ def test_scans_of_a_lidar_go_in(empty):
     assert empty.points((2, 0, 1)).near_surface and feed.num_fused == 3
 
 
+def test_points_of_a_scan_take_what_an_image_beside_it_shows(empty):
+    y, z = np.meshgrid(np.linspace(-0.9, 0.9, 91), np.linspace(-0.5, 0.5, 51))
+    points = np.stack([np.full_like(y, 2), y, z], axis=-1).reshape(-1, 3)
+    P = [[32, -40, 0, 0], [24, 0, -40, 0], [1, 0, 0, 0]]  # looks along x, y to the left, z up
+    labels = np.ones((48, 64), np.uint8)
+    labels[:, 32:] = 2  # what is to the right
+    image = dhpmap.LidarImage(P, labels=labels)
+    with empty.feed("robot1") as feed:
+        for stamp in range(1, 5):
+            feed.lidar(points, dhpmap.pose(0, 0, 1), stamp, segments={1: "wall", 2: "box"}, image=image)
+        with pytest.raises(dhpmap.InvalidArgument, match="segments come with"):
+            feed.lidar(points, np.eye(4), 9, segment_ids=np.ones(len(points), int), segments={1: "wall"}, image=image)
+        with pytest.raises(dhpmap.InvalidArgument, match="neither rgb nor labels"):
+            feed.lidar(points, np.eye(4), 9, image=dhpmap.LidarImage(P))
+    owners = empty.points([(2, 0.4, 1), (2, -0.4, 1)]).object_id
+    assert owners.tolist() == [empty.find("wall")[0].id, empty.find("box")[0].id]
+
+
 def test_who_takes_the_session_over_ends_it_for_the_other(empty):
     feed = empty.feed("robot1", camera=CAMERA)
-    feed_walls(feed, 1, 1)
     with empty.feed("robot1", camera=CAMERA) as other:
         feed_walls(other, 2, 1)
     with pytest.raises(dhpmap.Aborted, match="FEED_TAKEN_OVER"):

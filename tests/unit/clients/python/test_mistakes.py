@@ -60,7 +60,7 @@ def test_intrinsics_of_another_image_size():
     assert dhpmap.Camera(320, 240, 500, 500, 10, 120, off_centre=True).cx_px == 10
 
 
-CAMERA = dhpmap.Camera(8, 6, 5, 5, 4, 3)
+SHAPE = (6, 8)
 
 
 @pytest.mark.parametrize("depth, scale_m, says", [
@@ -70,16 +70,16 @@ CAMERA = dhpmap.Camera(8, 6, 5, 5, 4, 3)
     (np.ones((6, 8)), 0.001, "without depth_scale_m")], ids=range(5))
 def test_depth_of_a_wrong_kind(depth, scale_m, says):
     with pytest.raises(dhpmap.InvalidArgument, match=says):
-        _camera.depth_image(depth, CAMERA, scale_m)
+        _camera.depth_image(depth, SHAPE, scale_m)
 
 
 def test_colour_and_labels_of_a_wrong_kind():
     with pytest.raises(dhpmap.InvalidArgument, match="multiply by 255"):
-        _camera.color_image(np.ones((6, 8, 3)), CAMERA)
+        _camera.color_image(np.ones((6, 8, 3)), SHAPE)
     with pytest.raises(dhpmap.InvalidArgument, match="integer segment ids"):
-        _camera.label_image(np.ones((6, 8)), CAMERA)
+        _camera.label_image(np.ones((6, 8)), SHAPE)
     with pytest.raises(dhpmap.InvalidArgument, match="ids below 0"):
-        _camera.label_image(np.full((6, 8), -1), CAMERA)
+        _camera.label_image(np.full((6, 8), -1), SHAPE)
     with pytest.raises(dhpmap.InvalidArgument, match="the map has no class 'chiar'; it has chair, wall"):
         _frames.segment_messages({1: "chiar"}, {"chair": 3, "wall": 4})
 
@@ -88,7 +88,7 @@ def test_colour_and_labels_of_a_wrong_kind():
 def test_labels_go_in_the_smallest_type_that_holds_them(greatest, octets):
     labels = np.zeros((6, 8), np.int64)
     labels[2, 3] = greatest
-    image, most = _camera.label_image(labels, CAMERA)
+    image, most = _camera.label_image(labels, SHAPE)
     assert len(image.data) == 48 * octets and most == greatest
     np.testing.assert_array_equal(np.frombuffer(image.data, f"<u{octets}").reshape(6, 8), labels)
 
