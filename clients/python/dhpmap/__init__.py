@@ -42,7 +42,7 @@ from dhpmap._search import Objects, Relation
 from dhpmap._shapes import Box, Capsule, OrientedBox, Sphere
 from dhpmap._watch import Change, Watch
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "Aborted", "AlreadyExists", "BodyCheck", "Box", "Camera", "Cancelled", "Capsule", "Change", "Clearance",

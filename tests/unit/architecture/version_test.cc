@@ -33,6 +33,8 @@ TEST(Version, TheNewestInTheChangelogIsTheOneThatIsBuilt) {
   ASSERT_GE(headings.size(), 2u);
   EXPECT_EQ(headings[0], "Unreleased");
   EXPECT_EQ(headings[1], built[1]);
+  EXPECT_NE(TextOf("clients/python/dhpmap/__init__.py").find("__version__ = \"" + built[1].str() + '"'),
+            std::string::npos);
 }
 
 }  // namespace
