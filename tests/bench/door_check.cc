@@ -31,10 +31,24 @@ std::vector<Door> DoorsOf(const ApartmentScene& scene) {
     if (solid.Bounds().sizes().z() > kLeastHeight_m) posts.push_back(solid.Bounds());
   }
   std::vector<Door> doors;
-  for (std::size_t i = 0; i + 1 < posts.size(); i += 2) {
-    const Eigen::Vector2d a = posts[i].center().head<2>(), b = posts[i + 1].center().head<2>();
-    const Eigen::Vector2d along = (b - a).normalized();
-    doors.push_back({(a + b) / 2, Eigen::Vector2d(-along.y(), along.x())});
+  std::vector<bool> is_taken(posts.size());
+  for (std::size_t i = 0; i < posts.size(); ++i) {
+    const Eigen::Vector3d a = posts[i].center();
+    std::size_t other = posts.size();
+    double least_m = 2.5;
+    for (std::size_t k = i + 1; k < posts.size() && !is_taken[i]; ++k) {
+      const Eigen::Vector3d b = posts[k].center();
+      const Eigen::Vector2d way = b.head<2>() - a.head<2>();
+      const bool is_opposite = way.cwiseAbs().minCoeff() < 1e-6;
+      if (is_taken[k] || !is_opposite || way.norm() >= least_m) continue;
+      other = k;
+      least_m = way.norm();
+    }
+    if (other == posts.size()) continue;
+    is_taken[other] = true;
+    const Eigen::Vector3d b = posts[other].center();
+    const Eigen::Vector2d along = (b.head<2>() - a.head<2>()).normalized();
+    doors.push_back({(a.head<2>() + b.head<2>()) / 2, Eigen::Vector2d(-along.y(), along.x())});
   }
   return doors;
 }

@@ -291,7 +291,7 @@ TEST_F(CommandLine, ExportsMeshesAndVoxels) {
   EXPECT_EQ(Run({"export", "pcd", "room", "1", "-o", File("one.pcd").string()}).exit_code, 0);
   EXPECT_NE(FileBytes(File("one.pcd")).find("DATA binary"), std::string::npos);
   const Outcome voxels = Run({"export", "voxels", "room", "1", "-o", "-"});
-  EXPECT_TRUE(voxels.out.starts_with("x_m,y_m,z_m,distance_m")) << voxels.out.substr(0, 80);
+  EXPECT_TRUE(voxels.out.starts_with("x_m,y_m,z_m,tsdf_m")) << voxels.out.substr(0, 80);
   EXPECT_GT(std::count(voxels.out.begin(), voxels.out.end(), '\n'), 100);
   EXPECT_EQ(Run({"export", "ply", "room", "999", "-o", File("none.ply").string()}).exit_code, 3);
   EXPECT_FALSE(std::filesystem::exists(File("none.ply")));

@@ -199,7 +199,7 @@ TEST_F(EditCommands, ApplyAListFromAFileAsOne) {
     {"submap": "#0", "lock": {}},
     {"submap": "#0", "split": {"plane": {"pointM": {"x": 1.6, "y": 0.6, "z": 0.3}, "normal": {"z": 1}}}},
     {"submap": "#0", "merge": {"merged_submaps": ["#2"]}},
-    {"keepClear": {"name": "door", "sphere": {"centerM": {"z": 9}, "radiusM": 1}}})";
+    {"ignoreRegion": {"name": "door", "sphere": {"centerM": {"z": 9}, "radiusM": 1}}})";
   std::ofstream(list) << R"({"edits": [)" << made << "]}";
   std::ofstream(bad) << R"({"edits": [)" << made << R"(, {"unignore_region": {"name": "nothing"}}]})";
   std::ofstream(broken) << R"({"edits": [)";
@@ -244,9 +244,9 @@ TEST_F(EditCommands, CurlMakesEveryEdit) {
       {"clear a sphere",
        on_box + R"("clear": {"sphere": {"centerM": {"x": 1.35, "y": 0.6, "z": 0.3}, "radiusM": 0.2}}})"},
       {"clear a sphere of a class", R"({"clear": {"sphere": {"centerM": {}, "radiusM": 9}, "classNames": ["Ball"]}})"},
-      {"absent", on_box + R"("setPresence": {"presence": "ABSENT"}})"},
+      {"absent", on_box + R"("presence": {"presence": "ABSENT"}})"},
       {"lock", on_box + R"("lock": {}})"},
-      {"keep clear", R"({"keepClear": {"name": "hall", "box": {"minM": {}, "maxM": {"x": 1, "y": 1, "z": 1}}}})"}};
+      {"keep clear", R"({"ignoreRegion": {"name": "hall", "box": {"minM": {}, "maxM": {"x": 1, "y": 1, "z": 1}}}})"}};
   const std::string before = Run({"submaps", "room"}).out;
   for (const auto& [name, edit] : edits) {
     SCOPED_TRACE(name);
@@ -260,8 +260,8 @@ TEST_F(EditCommands, CurlMakesEveryEdit) {
     ASSERT_EQ(undone.exit_code, 0) << undone.err;
   }
   const auto make = [this](const std::string& edit) { return Post(R"({"edits": [)" + edit + "]}").exit_code; };
-  EXPECT_EQ(make(on_box + R"("setPresence": {"presence": "ABSENT"}})"), 0);
-  EXPECT_EQ(make(on_box + R"("setPresence": {"presence": "PRESENT"}})"), 0);
+  EXPECT_EQ(make(on_box + R"("presence": {"presence": "ABSENT"}})"), 0);
+  EXPECT_EQ(make(on_box + R"("presence": {"presence": "PRESENT"}})"), 0);
   EXPECT_EQ(make(on_box + R"("lock": {}})"), 0);
   EXPECT_EQ(make(on_box + R"("unlock": {}})"), 0);
   const int num_boxes = NumOf("box");
@@ -274,7 +274,7 @@ TEST_F(EditCommands, CurlMakesEveryEdit) {
   const std::string undelete = server_->http_url() + "/v1/" + NameOf(box_) + ":undelete";
   EXPECT_EQ(RunProgram(root(), {"curl", "-sf", undelete, "-d", "{}"}).exit_code, 0);
   EXPECT_EQ(NumOf("box"), num_boxes);
-  EXPECT_EQ(make(R"({"keepClear": {"name": "hall", "sphere": {"centerM": {"z": 9}, "radiusM": 1}}})"), 0);
+  EXPECT_EQ(make(R"({"ignoreRegion": {"name": "hall", "sphere": {"centerM": {"z": 9}, "radiusM": 1}}})"), 0);
   EXPECT_EQ(make(R"({"unignore_region": {"name": "hall"}})"), 0);
   EXPECT_EQ(make(on_box + R"("merge": {"merged_submaps": [")" + NameOf(ball_) + R"("]}})"), 0);
   EXPECT_EQ(make(on_box + R"("split": {"parts": {"minVoxels": 16}}})"), 0);

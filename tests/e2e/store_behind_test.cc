@@ -50,7 +50,7 @@ class StoreBehind : public RestTest {
     Start({{"DHPMAP_STORE_MAX_BEHIND_S", std::to_string(kMaxBehind_s)},
            {"DHPMAP_STORE_COMMIT_FRAMES", "1"},
            {"DHPMAP_STORE_RETRY_S", "0.02"},
-           {"DHPMAP_STORE_BUSY_TIMEOUT_MS", "10"},
+           {"DHPMAP_STORE_BUSY_TIMEOUT_S", "0.01"},
            {"DHPMAP_MAPPING_PUBLISH_FRAMES", "1"}});
     Create("room");
   }

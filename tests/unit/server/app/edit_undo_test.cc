@@ -222,7 +222,7 @@ TEST_P(EditUndoTest, ALockAndAKeptRegionMeetOnlyLaterEditsOfThemselves) {
   conflict = Redo({.edit = kept});
   EXPECT_EQ(ReasonOf(conflict), "UNDO_CONFLICT");
   metadata = {conflict.metadata().begin(), conflict.metadata().end()};
-  EXPECT_EQ(metadata["field"], "kept_clear");
+  EXPECT_EQ(metadata["field"], "ignored_regions");
   Restart();
   ASSERT_EQ(map->info().kept_clear.list().size(), 2u);
   EXPECT_EQ(map->info().kept_clear.list()[0].name, "door");

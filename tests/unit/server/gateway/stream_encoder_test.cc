@@ -82,7 +82,7 @@ TEST(StreamEncoder, WhatIsNoMessageOfTheRpcIsInternal) {
 
 TEST(StreamEncoder, GivesFilesTheirExtension) {
   EXPECT_EQ(ExtensionOf("application/x-ply"), "ply");
-  EXPECT_EQ(ExtensionOf("model/gltf-binary"), "bin");
+  EXPECT_EQ(ExtensionOf("model/gltf-binary"), "glb");
   EXPECT_EQ(ExtensionOf("text/csv; charset=utf-8"), "csv");
   EXPECT_EQ(ExtensionOf("application/../x"), "bin");
   EXPECT_EQ(ExtensionOf(""), "bin");
