@@ -88,7 +88,7 @@ HttpAnswer HttpClient::ReadAnswer(bool is_head) {
     answer.headers.emplace_back(head.substr(at, colon - at), head.substr(colon + 2, line_end - colon - 2));
     at = line_end + 2;
   }
-  if (is_head || answer.status == 204 || answer.status == 100) return answer;
+  if (is_head || (answer.status == 204 || answer.status == 304) || answer.status == 100) return answer;
   answer.was_chunked = answer.Header("Transfer-Encoding") == "chunked";
   if (!answer.was_chunked && !answer.Header("Content-Length").empty()) {
     const std::size_t size = std::strtoull(answer.Header("Content-Length").c_str(), nullptr, 10);
