@@ -8,7 +8,7 @@ from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 
-PATIENCE_S = 60
+PATIENCE_S = 150  # without a GPU, on a slow and busy machine
 
 # Calls back once the condition, an expression of `s` (the viewer's store), `r` (its renderer) and `v`, is true.
 UNTIL = """
@@ -49,7 +49,7 @@ image.src = "data:image/png;base64," + png;"""
 class Page:
     """One browser with one page."""
 
-    def __init__(self, url, width=1280, height=800, arguments=()):
+    def __init__(self, url, width=960, height=640, arguments=()):
         options = Options()
         options.binary_location = "/usr/bin/chromium"
         for argument in ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",

@@ -9,7 +9,7 @@ import time
 import urllib.error
 import urllib.request
 
-PATIENCE_S = 60
+PATIENCE_S = 150  # on a slow and busy machine
 
 
 class Server:
