@@ -12,7 +12,7 @@ cmake --preset "$preset" -DDHPMAP_BUILD_TESTS=ON >"build/$preset-configure.log" 
 echo "== $preset: build"
 log=build/$preset-build.log
 ninja_log=build/$preset/.ninja_log
-before=$(wc -l <"$ninja_log" 2>/dev/null || echo 0)
+before=$({ wc -l <"$ninja_log"; } 2>/dev/null || echo 0)
 NINJA_STATUS='[%p of %t] ' cmake --build --preset "$preset" ${1:+--target "$@"} 2>&1 | tee "$log" |
   awk '/^\[ *[0-9]+% of [0-9]+\] / { percent = $2; sub("%", "", percent); if (percent != last) { print; fflush(); last = percent } }' || {
   tail -n 60 "$log"

@@ -34,7 +34,7 @@ class KeptOutline {
   KeptOutline() = default;
   KeptOutline(const KeptOutline& other) { Set(other.Get()); }
   KeptOutline& operator=(const KeptOutline& other) {
-    Set(other.Get());
+    if (this != &other) Set(other.Get());
     return *this;
   }
 

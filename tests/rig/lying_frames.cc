@@ -136,7 +136,8 @@ bool MakeMap(v1::MapService::Stub& maps) {
 }
 
 bool IsTyped(const v1::IntegrateFramesResponse& answer) {
-  return answer.outcome() == v1::IntegrateFramesResponse::REFUSED && !Reason::Find(testing::ReasonOf(answer.error())).empty();
+  return answer.outcome() == v1::IntegrateFramesResponse::REFUSED &&
+         !Reason::Find(testing::ReasonOf(answer.error())).empty();
 }
 
 /// How many were not refused as they should be.

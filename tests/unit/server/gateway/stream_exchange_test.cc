@@ -151,7 +151,8 @@ TEST_F(GatewayTest, FramesAsNdjsonAreAcknowledgedOneByOne) {
     const auto json = AsJson(lines[i]);
     const auto& result = At(json, "result").struct_value();
     EXPECT_EQ(At(result, "sequence").string_value(), std::to_string(i + 1));
-    EXPECT_EQ(At(At(result, "error").struct_value(), "message").string_value(), "maps/a") << "the path is in every message";
+    EXPECT_EQ(At(At(result, "error").struct_value(), "message").string_value(), "maps/a")
+        << "the path is in every message";
   }
 }
 
