@@ -46,7 +46,7 @@ Box Grown(const Box& box, double by_m) {
 
 class Chooser {
  public:
-  explicit Chooser(const ApartmentScene& scene) : scene_(scene), boxes_(BoxesOf(scene)) {
+  explicit Chooser(const ApartmentScene& scene) : boxes_(BoxesOf(scene)) {
     for (const Solid& solid : scene.solids()) {
       if (IsInTheWay(scene.instances()[solid.instance])) solids_.push_back({solid.instance, solid.Bounds()});
     }
@@ -122,7 +122,6 @@ class Chooser {
     Box box;
   };
 
-  const ApartmentScene& scene_;
   std::vector<Box> boxes_;  ///< by instance
   std::vector<Part> solids_;
   std::vector<Eigen::Vector3d> eyes_;

@@ -10,7 +10,6 @@ namespace dhpmap {
 namespace {
 
 using Row = TileRoom::Row;
-constexpr int kSide = TileRoom::kSide;
 constexpr int kMargin = TileRoom::kMargin;
 
 /// Calls visit(row, shown, inside, to_x, distances) for rows along x of a block at an offset, in blocks from the

@@ -86,7 +86,7 @@ std::vector<ClassTotal> Shifted(const std::vector<ClassTotal>& now, const Way<st
 
 /// What frames set.
 void SetSeenFields(const Way<SubmapInfo>& way, SubmapInfo& now) {
-  const auto [from, to] = way;
+  const SubmapInfo &from = way.from, &to = way.to;  // no structured bindings: clang does not let a lambda have them
   if (now.class_counts == from.class_counts) now.class_counts = to.class_counts;
   else now.class_counts = Shifted(now.class_counts, {from.class_counts, to.class_counts});
   now.num_frames_observed =

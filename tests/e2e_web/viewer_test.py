@@ -199,7 +199,7 @@ def test_numbers_typed_in_move_and_keys_alone_find_select_and_move(world):
     field = page.driver.find_element(By.CSS_SELECTOR, ".number input")
     target = float(field.get_attribute("value")) + 0.5
     field.send_keys(Keys.CONTROL, "a")
-    field.send_keys(f"{target:.2f}", Keys.ENTER)
+    field.send_keys(f"{target:.2f}".replace(".", ","), Keys.ENTER)  # as half of Europe types it
     page.until("s.get('undoable').length === 2 && s.get('pending') === null")
     assert abs(world.server.translation(MAP, chosen)["x"] - after["x"] - 0.5) < 0.011
     for left in (1, 0):

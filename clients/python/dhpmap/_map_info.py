@@ -10,6 +10,7 @@ from typing import Literal
 from google.protobuf import field_mask_pb2
 
 from dhpmap._call import Caller, new_request_id
+from dhpmap._errors import bad_argument
 from dhpmap._objects import KINDS
 from dhpmap.v1 import map_service_pb2, mapping_service_pb2, types_pb2
 
@@ -126,6 +127,9 @@ class MapStats:
 
 
 def label_message(label: Label) -> types_pb2.LabelClass:
+    if label.kind not in _KIND_NUMBERS or label.size not in _SIZES:
+        raise bad_argument("labels", f"{label!r} has another kind than {', '.join(_KIND_NUMBERS)}, "
+                                     f"or another size than {', '.join(_SIZES)}")
     return types_pb2.LabelClass(id=label.id, name=label.name, kind=_KIND_NUMBERS[label.kind], size=_SIZES[label.size])
 
 

@@ -139,3 +139,8 @@ def test_robots_and_boxes_that_are_none():
         dhpmap.Box((1, 1, 1), (0, 2, 2))
     with pytest.raises(dhpmap.InvalidArgument, match=r"\(H, 3\)"):
         _pose.read_path("waypoints", [(1, 2)])
+
+
+def test_a_label_of_another_kind_is_said_before_anything_is_sent(connection):
+    with pytest.raises(dhpmap.InvalidArgument, match="labels: Label.*'stuf'.* kind than thing, stuff"):
+        connection.create("x", [dhpmap.Label(1, "wall", "stuf")])  # type: ignore[arg-type]
