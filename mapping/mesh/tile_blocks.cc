@@ -22,8 +22,9 @@ void ForEachPlace(const TileNeighbourhood& around, TileIndex tile, Visitor&& vis
   const BlockIndex first = BlockIn(tile, 0);
   for (int i = 0; i < static_cast<int>(std::tuple_size_v<TileBlocks>); ++i) {
     const BlockIndex offset = OffsetInTile(i);
-    const TileIndex beside = TileOf(offset);
-    const TileEntry* entry = around[static_cast<std::size_t>((beside.x + 1) + 3 * (beside.y + 1) + 9 * (beside.z + 1))];
+    const TileIndex step = TileOf(offset);  // to the neighbouring tile: -1, 0 or 1 along each axis
+    const int neighbour = (step.x + 1) + 3 * (step.y + 1) + 9 * (step.z + 1);
+    const TileEntry* entry = around[static_cast<std::size_t>(neighbour)];
     if (entry == nullptr) continue;
     visit(static_cast<std::size_t>(i), *entry->tile,
           CellOf({first.x + offset.x, first.y + offset.y, first.z + offset.z}));

@@ -5,7 +5,7 @@ import os
 import re
 import signal
 import subprocess
-import time
+import threading
 import urllib.error
 import urllib.request
 
@@ -21,20 +21,18 @@ class Server:
         self.start()
 
     def start(self):
-        log = os.path.join(self.folder, f"{self.name}.log")
-        with open(log, "w", encoding="utf-8") as out:
-            self.process = subprocess.Popen(
-                [os.path.join(self.programs, "dhpmap-server"), "--db", os.path.join(self.folder, f"{self.name}.db"),
-                 "--grpc", self.grpc, "--http", self.http], stdout=out, stderr=subprocess.STDOUT)
-        end = time.monotonic() + PATIENCE_S
-        while time.monotonic() < end and self.process.poll() is None:
-            with open(log, encoding="utf-8") as said:
-                found = re.search(r"gRPC on ([0-9.:]+), REST on http://([0-9.:]+)\n", said.read())
-            if found:
+        self.process = subprocess.Popen(
+            [os.path.join(self.programs, "dhpmap-server"), "--db", os.path.join(self.folder, f"{self.name}.db"),
+             "--grpc", self.grpc, "--http", self.http], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        said = ""
+        for line in self.process.stdout:
+            said += line
+            if found := re.search(r"gRPC on ([0-9.:]+), REST on http://([0-9.:]+)\n", line):
                 self.grpc, self.http = found.groups()
+                # What it says later is read, so that the pipe never fills.
+                threading.Thread(target=self.process.stdout.read, daemon=True).start()
                 return
-            time.sleep(0.02)
-        raise RuntimeError(f"the server did not start, see {log}")
+        raise RuntimeError(f"the server did not start: {said}")
 
     @property
     def url(self):

@@ -91,7 +91,7 @@ def test_the_sofa_has_its_colour_where_it_is_and_hiding_its_class_takes_it_away(
     assert hues_apart(shown, colour) < 0.05, f"{shown} in place of {colour}"
     page.js("document.querySelector('.class-row .eye[title=\"Hide sofa\"]').click()")
     assert hues_apart(page.pixel(x, y), colour) > 0.05 or max(page.pixel(x, y)) - min(page.pixel(x, y)) < 30
-    assert "hide=ceiling,sofa" in page.js("return new Promise((done) => setTimeout(() => done(location.hash), 400))")
+    page.until("location.hash.includes('hide=ceiling,sofa')")
 
 
 def test_hovering_names_and_clicking_selects_in_scene_and_list(world):
@@ -293,8 +293,11 @@ def test_a_view_is_a_link(world):
     state = f"return {keys}.map((key) => s.get(key)).concat(r.camera.view)"
     first = page.js(state)
     assert first[:5] == [world.sofa, "object", True, "sofa", "light"], first
-    link = page.js("return new Promise((done) => setTimeout(() => done(location.hash.slice(1)), 400))")
-    page.open(link)
+    page.js("s.set('showsBoxes', false)")
+    page.until("!location.hash.includes('boxes')")  # the page has written it
+    page.js("s.set('showsBoxes', true)")
+    page.until("location.hash.includes('boxes')")
+    page.open(page.js("return location.hash.slice(1)"))
     assert page.js(state) == first
 
 

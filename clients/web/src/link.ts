@@ -3,8 +3,8 @@
 import { readLink, writeLink, type Linked } from "./state/url";
 import type { ViewStore } from "./state/view";
 
-const followed = [
-  "map",
+/** Kept as they are, in the address and in the store. */
+const kept = [
   "selected",
   "query",
   "hiddenClasses",
@@ -14,8 +14,8 @@ const followed = [
   "showsBoxes",
   "theme",
   "slice_m",
-  "camera",
 ] as const;
+const followed = ["map", ...kept, "camera"] as const;
 /** Browsers stop pages that change their address more often. */
 const pause_ms = 300;
 
@@ -36,19 +36,7 @@ function linkedOf(store: ViewStore): Linked {
 }
 
 function apply(store: ViewStore, link: Linked): void {
-  for (const key of [
-    "selected",
-    "query",
-    "hiddenClasses",
-    "hiddenObjects",
-    "showsGone",
-    "colour",
-    "showsBoxes",
-    "theme",
-    "slice_m",
-  ] as const) {
-    store.set(key, link[key]);
-  }
+  for (const key of kept) store.set(key, link[key]);
 }
 
 /** Takes the address as the view, and keeps it up from there on. What the address said at first. */

@@ -41,7 +41,7 @@ void Batches::DoThoseDue() {
   committer_.PutOffBatch(later);
 }
 
-/// Of what was published last, which is seen first: nobody is told of a state that nobody sees.
+/// Makes the newest published state visible, then stores it: watchers hear of visible states only.
 void Batches::StoreHeldBatch() {
   publisher_.shown().ShowNewest();
   committer_.StoreBatch(map_.published());

@@ -33,8 +33,8 @@ class Committer {
   /// `stored`: what the store has. `keeper`: see CommitWorker. The store outlives this.
   Committer(MapStore& store, const State& stored, CommitOptions options, CommitWorker::Keeper keeper);
 
-  // A batch is what has changed since the last request to commit. It is held while its state is not visible yet:
-  // nobody is told of a stored state that nobody sees.
+  // A batch holds the changes since the last request to commit. It is held until its state is visible: watchers hear of
+  // visible states only.
   void NoteChange();
   [[nodiscard]] bool IsBatchDue(DueTime now) const;
   void HoldBatch();

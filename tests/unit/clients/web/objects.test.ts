@@ -47,7 +47,7 @@ test("a class and an object can be hidden", () => {
   assert.ok(!isShown(object(1, "box"), { ...view, hiddenObjects: new Set(["1"]) }));
 });
 
-test("an event puts objects in place of what is held, and takes away what is gone", () => {
+test("an event replaces changed objects and removes deleted ones", () => {
   const { revision, changes } = readChanges({
     position: "h-9",
     change: {
@@ -55,7 +55,7 @@ test("an event puts objects in place of what is held, and takes away what is gon
       submaps: [
         { kind: "CHANGED", parts: ["POSE"], submap: { name: "maps/m/submaps/1", display_name: "moved" } },
         { kind: "CREATED", submap: { name: "maps/m/submaps/3" } },
-        { kind: "MERGED", submap: { name: "maps/m/submaps/2" }, into: "maps/m/submaps/1" },
+        { kind: "MERGED", submap: { name: "maps/m/submaps/2" }, merged_into: "maps/m/submaps/1" },
       ],
     },
   });
