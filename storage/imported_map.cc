@@ -138,12 +138,13 @@ Status CheckSubmapNumbers(const MapInfo& map, const SubmapInfo& info) {
   if (info.revision < 0 || info.revision > map.revision) return BadSubmap(info, "revision", "is out of range");
   Status status = Status::Ok();
   VisitSubmapFields([&](const auto& field) {
-    const auto value = field.Of(info);
-    if constexpr (std::is_floating_point_v<std::remove_const_t<decltype(value)>>) {
+    const auto& value = field.Of(info);
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_floating_point_v<Value>) {
       if (field.most == FieldRules().most) return;  // see CheckGrid
       const bool is_good = value >= static_cast<double>(field.least) && value <= static_cast<double>(field.most);
       if (status.ok() && !is_good) status = BadSubmap(info, field.name, "is out of range");
-    } else if constexpr (kIsNumber<std::remove_const_t<decltype(value)>>) {
+    } else if constexpr (kIsNumber<Value>) {
       const auto number = static_cast<std::int64_t>(value);
       const bool is_good = number >= field.least && number <= field.most;
       if (status.ok() && !is_good) status = BadSubmap(info, field.name, "is out of range");

@@ -48,9 +48,9 @@ inline constexpr std::int64_t kMostNumber = (std::int64_t{1} << 62) - 1;
 inline constexpr std::int64_t kMostMissed = std::int64_t{1} << 30;
 }  // namespace field_range
 
-/// The one list of the fields of a SubmapInfo: its rows in the store, what logs keep of it, equality, what followers
-/// are told, undo and the checks of imported maps follow from it. In the order in which logs have them: new ones go to
-/// the end.
+/// The one list of the fields of a SubmapInfo: its rows in the store, what logs keep of it, what followers are
+/// told, undo, the checks of imported maps and equality in tests follow from it. In the order in which logs have them:
+/// new ones go to the end.
 inline constexpr auto kSubmapFields = [] {
   using enum SubmapPart;
   using enum UndoRule;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <new>
+#include <optional>
 
 #include "server/gateway/media_type.h"
 #include "server/http/message.h"
@@ -36,13 +37,17 @@ bool AnyOfList(std::string_view list, Visit&& visit) {
 }  // namespace
 
 bool TakesGzip(std::string_view accept_encoding) {
-  return AnyOfList(accept_encoding, [](std::string_view coding) {
+  std::optional<bool> takes_gzip, takes_any;
+  AnyOfList(accept_encoding, [&](std::string_view coding) {
     const std::size_t end = coding.find(';');
     const std::string_view name = WithoutBlanks(coding.substr(0, end));
     const std::string_view quality = end == std::string_view::npos ? "" : WithoutBlanks(coding.substr(end + 1));
-    const bool is_refused = quality == "q=0" || quality.starts_with("q=0.000") || quality == "q=0.0";
-    return (name == "*" || http::EqualsIgnoringCase(name, "gzip")) && !is_refused;
+    const bool is_refused = quality.starts_with("q=0") && quality.find_first_not_of("0.", 2) == std::string_view::npos;
+    if (http::EqualsIgnoringCase(name, "gzip")) takes_gzip = !is_refused;
+    if (name == "*") takes_any = !is_refused;
+    return false;
   });
+  return takes_gzip.value_or(takes_any.value_or(false));
 }
 
 bool IsWorthGzip(std::string_view content_type) {

@@ -11,7 +11,7 @@ namespace dhpmap::gateway {
 /// Whether an Accept-Encoding header allows gzip. None, as FindHeader tells it, does not.
 bool TakesGzip(std::string_view accept_encoding);
 
-/// Whether a file of that type becomes much smaller: meshes and maps of cells do, databases are compressed already.
+/// Whether a file of that type becomes much smaller: meshes do, databases are compressed already.
 bool IsWorthGzip(std::string_view content_type);
 
 /// Whether an If-None-Match header names the etag, which comes without its quotes; "" is never named. Weak and strong

@@ -136,7 +136,8 @@ class EditService final : public CountedService<v1::EditService> {
   /// A page of the log, or of what in it changed one object: for that so many edits are looked through at most.
   Status AddEdits(const std::string& map, const std::optional<SubmapId>& submap, EditQuery query, Pager& pager,
                   v1::ListEditsResponse& response) const {
-    constexpr std::size_t kMostLookedThrough = 10'000;
+    constexpr std::size_t kMostLookedThrough = 10'000, kLeastAtOnce = 1'000;
+    if (submap) query.max_edits = std::max(query.max_edits, kLeastAtOnce);
     for (std::size_t num_seen = 0; num_seen < kMostLookedThrough;) {
       DHPMAP_ASSIGN_OR_RETURN(const auto edits, context_.registry.ListEdits(map, query));
       for (const LoggedEdit& edit : edits) {

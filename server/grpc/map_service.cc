@@ -143,6 +143,8 @@ class MapService final : public CountedService<v1::MapService> {
       DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
       std::vector<KeptStates::State> states = session->kept_states()->All();
       const KeptStates::State present = session->View()->shared_snapshot();
+      // A commit keeps its state before the writer shows it.
+      while (!states.empty() && states.back()->revision() > present->revision()) states.pop_back();
       if (states.empty() || states.back()->revision() < present->revision()) states.push_back(present);
       const PageMark now{.history_id = present->info().history_id, .revision = present->revision()};
       DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, now, *context_.registry.LostRevisionsOf(name)));

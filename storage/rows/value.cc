@@ -57,9 +57,24 @@ bool FromBytes(ByteView bytes, BoundingSphere& sphere) {
   return reader.ok() && reader.remaining() == 0;
 }
 
+namespace {
+
+/// Of distances that an imported map may have, infinite ones, no box follows.
+bool IsFinite(const LevelOutline& outline) {
+  if (!outline.up.allFinite()) return false;
+  if (!outline.outline) return true;
+  const UprightBox& box = outline.outline->box;
+  return box.center_m.allFinite() && box.size_m.allFinite() && std::isfinite(box.yaw_rad) &&
+         std::isfinite(outline.outline->support_height_m.value_or(0)) &&
+         std::all_of(outline.outline->footprint_m.begin(), outline.outline->footprint_m.end(),
+                     [](const Eigen::Vector2d& corner) { return corner.allFinite(); });
+}
+
+}  // namespace
+
 Bytes ToBytes(const std::shared_ptr<const LevelOutline>& outline) {
   Bytes bytes;
-  if (outline == nullptr) return bytes;
+  if (outline == nullptr || !IsFinite(*outline)) return bytes;
   ByteWriter writer(bytes);
   for (int axis = 0; axis < 3; ++axis) writer.PutF64(outline->up[axis]);
   writer.PutU8(outline->outline.has_value());

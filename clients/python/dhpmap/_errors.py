@@ -37,7 +37,7 @@ class Error(Exception):
 
     Attributes:
         reason: a word for programs, such as "MAP_NOT_FOUND"; "" of an error that has none.
-        metadata: what belongs to the reason, such as {"into": "maps/a/submaps/3"}.
+        metadata: what belongs to the reason, such as {"merged_into": "maps/a/submaps/3"}.
         violations: the fields that are wrong, all of them; the first also stands in the message.
     """
 

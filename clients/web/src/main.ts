@@ -14,6 +14,7 @@ import { Renderer } from "./scene/renderer";
 import { SurfaceLoader } from "./scene/surface_loader";
 import { Session } from "./session";
 import { keepLink } from "./link";
+import { forgetMap } from "./state/history";
 import { newViewStore, type ViewStore } from "./state/view";
 import { followTheme } from "./theme";
 import { MoveTool } from "./tools/move";
@@ -44,7 +45,7 @@ function start(store: ViewStore): void {
   const slice = new SliceTool(store, renderer);
   const surfaces = new SurfaceLoader(
     (loaded) => {
-      for (const surface of loaded) renderer.put(surface);
+      for (const surface of loaded) if (store.get("objects").has(surface.id)) renderer.put(surface);
       follower.refresh();
       if (store.get("phase").is === "loading") {
         store.set("phase", { is: "ready" });
@@ -90,8 +91,10 @@ function start(store: ViewStore): void {
   const actions = {
     openMap: (map: Parameters<Session["open"]>[0]) => {
       store.set("selected", null);
+      store.set("hiddenObjects", new Set());
       store.set("camera", null);
-      void session.open(map);
+      forgetMap(store);
+      void session.open(map).then(() => edits.refreshHistory());
     },
     frameAll: () => frameAll(),
     lookDown: () => frameAll(false, fromAbove),

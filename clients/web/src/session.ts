@@ -4,6 +4,7 @@ import { ApiError } from "./api/ask";
 import { getMap, getObject, listMaps, listObjects } from "./api/maps";
 import type { MapInfo, ObjectChange } from "./api/types";
 import { Watch } from "./api/watch";
+import { forgetMap } from "./state/history";
 import { withChanges } from "./state/objects";
 import type { ViewStore } from "./state/view";
 import type { Renderer } from "./scene/renderer";
@@ -24,6 +25,8 @@ export class Session {
   private watch: Watch | null = null;
   private retryTimer = 0;
   private numRetries = 0;
+  /** Which map is followed, and since which list of it: answers to what was asked before are left. */
+  private generation = 0;
   private turn: Promise<void> = Promise.resolve();
 
   constructor(
@@ -35,8 +38,10 @@ export class Session {
 
   /** The map of that id, or the one that was changed last. */
   async start(mapId: string): Promise<void> {
+    const generation = this.generation;
     try {
       const maps = await listMaps();
+      if (generation !== this.generation) return;
       this.store.set("maps", maps);
       const wanted = maps.find((map) => map.id === mapId) ?? maps[0];
       if (!wanted) return this.waitForMaps(mapId);
@@ -47,25 +52,32 @@ export class Session {
   }
 
   async open(map: MapInfo): Promise<void> {
-    this.close();
+    const generation = this.close();
     this.renderer.clear();
     this.store.set("objects", new Map());
     this.store.set("phase", { is: "loading", bytes: 0 });
     this.store.set("map", map);
     this.surfaces.start(map.name);
-    await this.list(map);
+    await this.list(map).catch((error: unknown) => {
+      if (generation === this.generation) this.failed(error, () => this.start(map.id));
+    });
   }
 
-  close(): void {
+  /** The generation that begins. */
+  private close(): number {
     this.watch?.close();
     this.watch = null;
     clearTimeout(this.retryTimer);
+    return ++this.generation;
   }
 
   /** Takes what is there in place of what is held, and watches from there on. */
   private async list(map: MapInfo): Promise<void> {
+    const generation = this.generation;
     const [present, { revision, objects }] = await Promise.all([getMap(map.name), listObjects(map.name)]);
+    if (generation !== this.generation) return;
     const isSameHistory = present.historyId === this.store.get("map")?.historyId;
+    if (!isSameHistory) forgetMap(this.store);
     const held = this.store.get("objects");
     this.store.set("map", present);
     this.store.set("revision", revision);
@@ -81,25 +93,32 @@ export class Session {
         .map((object) => object.id),
     );
     if (objects.every((object) => object.sphere === null)) this.store.set("phase", { is: "ready" });
-    this.numRetries = 0;
     this.follow(present, revision);
   }
 
   private follow(map: MapInfo, revision: number): void {
-    this.watch?.close();
+    const { generation } = this;
     this.watch = new Watch(map.name, revision + 1, map.historyId, {
-      onLink: (link) => this.store.set("link", link),
+      onLink: (link) => {
+        if (link === "live") this.numRetries = 0;
+        this.store.set("link", link);
+      },
       onRestart: () => this.listAgain(map),
       onChanges: (told, changes) => {
-        this.turn = this.turn.then(() => this.take(map, told, changes));
+        this.turn = this.turn
+          .then(() => this.take(generation, told, changes))
+          .catch(() => {
+            if (generation === this.generation) this.listAgain(map);
+          });
       },
     });
   }
 
   /** In the order in which they come. */
-  private async take(map: MapInfo, told: number, changes: readonly ObjectChange[]): Promise<void> {
-    if (this.store.get("map")?.name !== map.name) return;
+  private async take(generation: number, told: number, changes: readonly ObjectChange[]): Promise<void> {
+    if (generation !== this.generation) return;
     const whole = changes.length <= mostReadWhole ? await Promise.all(changes.map(readWhole)) : changes;
+    if (generation !== this.generation) return;
     this.store.set("revision", told);
     this.store.set("objects", withChanges(this.store.get("objects"), whole));
     for (const change of whole) if (change.kind === "removed") this.renderer.drop(change.id);
@@ -110,9 +129,10 @@ export class Session {
   }
 
   private listAgain(map: MapInfo): void {
-    this.close();
+    const generation = this.close();
     this.later(() =>
       this.list(map).catch((error: unknown) => {
+        if (generation !== this.generation) return;
         if (error instanceof ApiError && error.status === 404) void this.start("");
         else this.listAgain(map);
       }),

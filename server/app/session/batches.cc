@@ -14,8 +14,10 @@ void Batches::NoteChange() {
 }
 
 std::optional<DueTime> Batches::Due() const {
-  const bool is_visible = !publisher_.shown().IsWaiting();
-  const std::optional<DueTime> publish_due = publisher_.Due(), commit_due = committer_.BatchDue(is_visible);
+  // In this order: a state may become visible at any moment, and only this thread makes one wait. If the publisher has
+  // nothing due, nothing waits below either, so a held batch is due.
+  const std::optional<DueTime> publish_due = publisher_.Due();
+  const std::optional<DueTime> commit_due = committer_.BatchDue(!publisher_.shown().IsWaiting());
   if (!publish_due || !commit_due) return publish_due ? publish_due : commit_due;
   return std::min(*publish_due, *commit_due);
 }

@@ -72,9 +72,9 @@ export class Edits {
   }
 
   private queue(task: (map: string) => Promise<void>, object?: MapObject): Promise<void> {
+    const map = this.store.get("map");
     this.turn = this.turn.then(async () => {
-      const map = this.store.get("map");
-      if (!map) return;
+      if (!map || this.store.get("map")?.historyId !== map.historyId) return; // another one was opened meanwhile
       try {
         await task(map.name);
         // The watch tells the same; where its link is lost, the edit must not look undone.

@@ -63,8 +63,11 @@ export class SurfaceLoader {
 
   /** What is shown until then is what was there before. */
   private tryLater(ids: readonly string[], error: unknown): void {
-    if (this.atOnce === 1 && !(error instanceof ApiError && error.isLost)) return this.onFailed(error);
-    this.atOnce = Math.max(1, Math.floor(this.atOnce / 2));
+    const status = error instanceof ApiError ? error.status : 0; // 0: the link broke
+    if (status === 404) return; // it was removed meanwhile
+    const hasNoRoom = status === 413 || status === 429;
+    if (status !== 0 && !(hasNoRoom && ids.length > 1)) return this.onFailed(error);
+    if (hasNoRoom) this.atOnce = Math.max(1, Math.floor(ids.length / 2));
     for (const id of ids) this.wanted.add(id);
     this.last_ms = performance.now() + retry_ms;
   }
@@ -86,6 +89,7 @@ export class SurfaceLoader {
         abort.signal,
       );
       if (abort.signal.aborted) return;
+      this.atOnce = Math.min(mostAtOnce, 2 * this.atOnce);
       this.onSurfaces(readGlb(file));
     } catch (error) {
       if (abort.signal.aborted) return;
@@ -94,7 +98,7 @@ export class SurfaceLoader {
       if (this.running === abort) {
         this.running = null;
         // The first fetch of a large map goes on at once.
-        if (this.wanted.size >= this.atOnce && this.last_ms < performance.now()) this.last_ms = -Infinity;
+        if (this.wanted.size >= mostAtOnce && this.last_ms < performance.now()) this.last_ms = -Infinity;
         this.schedule();
       }
     }

@@ -23,3 +23,13 @@ export function noteRedo(store: ViewStore, revision: number): void {
   );
   store.set("undoable", [...store.get("undoable"), revision]);
 }
+
+/** Of another map, or of one that was made anew, nothing that this page did or asked before holds. */
+export function forgetMap(store: ViewStore): void {
+  store.set("undoable", []);
+  store.set("redoable", []);
+  store.set("history", []);
+  store.set("toast", null);
+  store.set("pending", null);
+  store.set("probe", null);
+}

@@ -88,10 +88,11 @@ export class MoveTool {
 
   /** By keys or numbers. */
   shift(by_m: Vector3): void {
-    if (this.object) void this.edits.move(this.object, shifted(this.object.pose, by_m));
+    if (this.object && !this.store.get("pending")) void this.edits.move(this.object, shifted(this.object.pose, by_m));
   }
   turn(angle_rad: number): void {
-    if (this.object) void this.edits.move(this.object, turned(this.object.pose, pivotOf(this.object), angle_rad));
+    if (this.object && !this.store.get("pending"))
+      void this.edits.move(this.object, turned(this.object.pose, pivotOf(this.object), angle_rad));
   }
 
   private placeRing(): void {

@@ -33,7 +33,8 @@ export class TouchCheck {
     this.isAsking = true;
     this.isStale = false;
     try {
-      this.own ??= { id: object.id, excluded: await this.excludedBy(map.name, object) };
+      if (this.own?.id !== object.id)
+        this.own = { id: object.id, excluded: await this.excludedBy(map.name, object) };
       const touched = await askTouched(map.name, boxAt(object, pending.pose), this.own.excluded);
       if (this.store.get("pending")?.id === object.id)
         this.store.set("touched", [...new Set(touched.map(({ id }) => id))]);

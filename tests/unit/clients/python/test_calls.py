@@ -111,11 +111,11 @@ def test_an_error_has_reason_metadata_and_violations(apartment):
 
 def test_details_of_an_error_are_read_as_the_server_packs_them():
     from dhpmap._errors import error_of
-    info = rpc_error_details_pb2.ErrorInfo(reason="MERGED_INTO", metadata={"into": "maps/a/submaps/3"})
+    info = rpc_error_details_pb2.ErrorInfo(reason="MERGED_INTO", metadata={"merged_into": "maps/a/submaps/3"})
     status = rpc_status_pb2.Status(code=5)
     status.details.add(type_url="type.googleapis.com/google.rpc.ErrorInfo", value=info.SerializeToString())
     error = error_of(5, "it is a part of another", status.SerializeToString())
-    assert (error.reason, error.metadata) == ("MERGED_INTO", {"into": "maps/a/submaps/3"})
+    assert (error.reason, error.metadata) == ("MERGED_INTO", {"merged_into": "maps/a/submaps/3"})
     assert str(error) == "it is a part of another [MERGED_INTO]"
 
 

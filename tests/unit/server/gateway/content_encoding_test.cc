@@ -8,9 +8,9 @@ namespace dhpmap::gateway {
 namespace {
 
 TEST(ContentEncoding, GzipIsTakenByWhoSaysSo) {
-  for (const char* header : {"gzip", "deflate, GZIP", "br;q=1, gzip;q=0.5", "*"})
+  for (const char* header : {"gzip", "deflate, GZIP", "br;q=1, gzip;q=0.5", "gzip;q=0.001", "*", "*;q=0, gzip"})
     EXPECT_TRUE(TakesGzip(header)) << header;
-  for (const char* header : {"", "identity", "gzip;q=0", "br, gzip; q=0", "gzipped"})
+  for (const char* header : {"", "identity", "gzip;q=0", "gzip;q=0.00", "br, gzip; q=0", "gzip;q=0, *", "gzipped"})
     EXPECT_FALSE(TakesGzip(header)) << header;
 }
 
