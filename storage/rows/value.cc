@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/rows/value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
