@@ -51,12 +51,6 @@ class IndexMap {
     return true;
   }
 
-  /// Empty; it keeps its memory.
-  void Clear() {
-    std::fill(slots_.begin(), slots_.end(), Slot{});
-    size_ = 0;
-  }
-
   /// Room for `count` indices without growing again.
   void Reserve(std::size_t count) {
     if (2 * count <= slots_.size()) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/fusion/grazed_columns.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mapping/base/floor_to_int.h"
@@ -24,7 +25,10 @@ GrazedColumns::GrazedColumns(const TangentPlane& plane, const Eigen::Vector3f& e
       const Eigen::Vector3f centre_vox = voxel.cast<float>() + Eigen::Vector3f::Constant(0.5f) - sensor_offset_vox;
       const float distance_m = plane.normal.dot(centre_vox) * voxel_size_m + plane.offset_m;
       if (std::abs(distance_m) > RayBand::kCellReach_vox * voxel_size_m) continue;
-      voxels_[num_++] = {{voxel.x(), voxel.y(), voxel.z()}, distance_m};
+      const VoxelIndex offset{voxel.x(), voxel.y(), voxel.z()};
+      const auto is_same = [offset](const Voxel& other) { return other.offset == offset; };
+      if (std::any_of(begin(), end(), is_same)) continue;  // an oblique step stays in the column now and then
+      voxels_[num_++] = {offset, distance_m};
     }
   }
 }

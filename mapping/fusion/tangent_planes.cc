@@ -163,13 +163,15 @@ void FitTangentPlanes(double voxel_size_m, PointSpacing spacing, TangentPlaneRoo
   const auto size_m = static_cast<float>(voxel_size_m);
   BlockPlanes planes(segment, size_m, room.pyramid);
   room.wide.Reset();
+  const bool takes_wide =
+      spacing == PointSpacing::kScan && static_cast<double>(segment.bundles.size()) >= PlaneFit::kLeastBundles;
   for (std::size_t c = 0; c < segment.cells.size(); ++c) {
     const BundleCell& cell = segment.cells[c];
     planes.MoveTo(c);
     for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
       Bundle& bundle = segment.bundles[b];
       const PlaneFit* fit = &planes.At(bundle.linear);
-      if (spacing == PointSpacing::kScan && fit->outcome == PlaneFit::Outcome::kTooFew) {
+      if (takes_wide && fit->outcome == PlaneFit::Outcome::kTooFew) {
         fit = &room.wide.At(VoxelIn(cell.block, bundle.linear), segment, room.pyramid, size_m);
       }
       bundle.plane = PlaneFor(bundle.weighted_sum_m / bundle.weight, *fit, spacing, size_m);

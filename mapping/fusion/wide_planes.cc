@@ -12,14 +12,7 @@ constexpr int CubeSideLog2(std::size_t level) { return kBlockSideLog2 + 1 + stat
 }  // namespace
 
 void WidePlanes::Reset() {
-  if (!is_summed_) return;
-  for (Level& level : levels_) {
-    level.cube_of.Clear();
-    level.fit_of.Clear();
-    level.cubes.clear();
-    level.fits.clear();
-  }
-  is_summed_ = false;
+  if (is_summed_) *this = {};  // to clear tables costs what they are large, and few segments need them
 }
 
 const PlaneFit& WidePlanes::At(VoxelIndex voxel, const SegmentBundles& segment, MomentPyramid& pyramid,

@@ -11,7 +11,7 @@ namespace dhpmap {
 
 /// Planes through a scan's points where rings lie so far apart that a window of 16 voxels holds one of them: the points
 /// in windows of 32 voxels a side and, where these are in a line too, of 64. A window is that of all voxels in its
-/// inner half. Keeps its memory from segment to segment. Not thread-safe.
+/// inner half. Not thread-safe.
 class WidePlanes {
  public:
   /// Forgets the last segment. What planes of this one need is summed up when the first is asked for.

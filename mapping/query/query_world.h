@@ -106,8 +106,8 @@ class QueryWorld {
   /// Of a place within the reach of the grid. `nearest`: of the surfaces; asked first, as its submap mostly knows. What
   /// may be touched says where a place is in front, not where it is inside.
   [[nodiscard]] Sight SightAt(const Eigen::Vector3d& p_map, const NearestSurface& nearest) const;
-  /// Whether a place that nobody has seen is inside of a thing that is in the way: see thing_inside.h. Goes through all
-  /// things, and for those near by looks for the nearest of their surface. `is_across`: it is known to be straight in
+  /// Whether a place that nobody has seen is inside of a thing that is in the way: see thing_inside.h. Looks for
+  /// the nearest surface of the things around. `is_across`: it is known to be straight in
   /// front of what is nearest to it.
   [[nodiscard]] bool IsInsideThing(const Eigen::Vector3d& p_map, bool is_across) const;
 

@@ -124,7 +124,7 @@ def connect(address: str = "127.0.0.1:50051", *, deadline_s: float = 30, connect
 
     Raises Unavailable if no server answers.
     """
-    is_local = address.split(":")[0] in ("localhost", "127.0.0.1", "[", "unix")
+    is_local = address.split(":")[0] in ("localhost", "127.0.0.1", "unix") or address.startswith("[::1]")
     if token and not (tls or is_local):
         raise bad_argument("token", f"would go to {address} in the clear: connect with tls=True")
     if tls:

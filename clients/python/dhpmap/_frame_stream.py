@@ -10,12 +10,14 @@ from collections.abc import Callable, Iterator
 import grpc
 
 from dhpmap._call import Caller, pauses
-from dhpmap._errors import DeadlineExceeded, Error, Unavailable, error_of_rpc, error_of_status
+from dhpmap._errors import (DeadlineExceeded, Error, FailedPrecondition, ResourceExhausted, Unavailable, error_of_rpc,
+                            error_of_status)
 from dhpmap._wire import bytes_field
 from dhpmap.v1 import mapping_service_pb2 as pb2
 
 MOST_UNACKNOWLEDGED = 8
 MOST_KEPT_ANSWERS = 1000
+_PASSING = ("STORE_BEHIND", "TOO_MANY_BYTES")  # the same frame may be taken a little later
 
 
 class FrameStream:
@@ -59,6 +61,8 @@ class FrameStream:
             return bool(self._kept) and self._kept_bytes + len(frame) > self._memory_bytes
 
         with self._changed:
+            if self._is_closing or self._is_abandoned:
+                raise FailedPrecondition("this feed is closed: open another one")
             if is_full():
                 self._is_flushing = True
                 self._changed.notify_all()
@@ -98,6 +102,14 @@ class FrameStream:
             raise self._error
 
     def _run(self) -> None:
+        try:
+            self._hold()
+        except Exception as error:  # such as a channel that is closed meanwhile: whoever waits must hear of it
+            with self._changed:
+                self._error = error if isinstance(error, Error) else Unavailable(f"the feed has ended: {error!r}")
+                self._changed.notify_all()
+
+    def _hold(self) -> None:
         pause, lost_at = pauses(), None
         while True:
             heard_before = self._heard_at
@@ -109,14 +121,14 @@ class FrameStream:
             if error is None and not is_over:
                 continue  # all is stored, and there is more to come
             lost_at = lost_at if lost_at is not None else time.monotonic()
-            gave_up = not isinstance(error, Unavailable) or time.monotonic() - lost_at > self._reconnect_s
+            passes = isinstance(error, (Unavailable, ResourceExhausted))
+            gave_up = not passes or time.monotonic() - lost_at > self._reconnect_s
             with self._changed:
                 self._is_over = is_over
                 self._error = error if gave_up else None
                 self._changed.notify_all()
                 if gave_up:
                     return
-            self._greeting.take_over = False  # what took over from us since may keep it
             time.sleep(next(pause))
 
     def _exchange(self) -> Error | None:
@@ -175,13 +187,21 @@ class FrameStream:
                 if answer.HasField("error"):
                     return error_of_status(answer.error)
                 self._is_greeted = True
+                self._greeting.take_over = False  # what takes over from us later may keep it
                 self._unsent = deque(self._kept)
             elif answer.outcome != pb2.IntegrateFramesResponse.FRAME_OUTCOME_UNSPECIFIED:
-                self._acknowledge(answer)
+                error = self._acknowledge(answer)
+                if error is not None:
+                    return error
             self._changed.notify_all()
         return None
 
-    def _acknowledge(self, answer: pb2.IntegrateFramesResponse) -> None:
+    def _acknowledge(self, answer: pb2.IntegrateFramesResponse) -> Error | None:
+        """What makes the frame come again on another connection: it was refused for now only."""
+        if answer.outcome == pb2.IntegrateFramesResponse.REFUSED:
+            error = error_of_status(answer.error)
+            if isinstance(error, Unavailable) or error.reason in _PASSING:
+                return error
         self._unacknowledged.discard(answer.sequence)
         if answer.outcome == pb2.IntegrateFramesResponse.FUSED:
             self.num_fused += 1
@@ -189,6 +209,7 @@ class FrameStream:
             self._kept_bytes -= len(self._kept.pop(answer.sequence, b""))
         if answer.outcome == pb2.IntegrateFramesResponse.REFUSED or answer.warnings:
             self.told.append(answer)
+        return None
 
     def _forget_stored(self, sequence: int) -> None:
         self.stored_sequence = sequence

@@ -39,10 +39,10 @@ class StreamSource:
         for pause_s in pauses():
             try:
                 if self._call is None:
-                    self._open(end)
+                    self._open(end, keeps_pin=query is not pb2.PinRequest)
                 return self._exchange(_FIELD_OF[query.DESCRIPTOR.full_name], request, end)
             except Error as error:
-                if isinstance(error, (Unavailable, DeadlineExceeded)) and not error.reason:
+                if isinstance(error, DeadlineExceeded) and not error.reason:
                     self.close()
                 if not is_passing(error) or time.monotonic() + pause_s >= end:
                     raise
@@ -61,14 +61,18 @@ class StreamSource:
             self._call.cancel()
             self._call = None
 
-    def _open(self, end: float) -> None:
+    def _open(self, end: float, keeps_pin: bool) -> None:
         self._requests, self._answers = queue.SimpleQueue(), queue.SimpleQueue()
         opened = self._caller.open("QueryService/StreamQueries", "stream_stream")
         self._call = opened(iter(self._requests.get, None), metadata=self._caller.metadata)
         threading.Thread(target=_read_all, args=(self._call, self._answers, self._caller.address), daemon=True).start()
-        if self.pinned_revision:
+        if self.pinned_revision and keeps_pin:
             pin = pb2.PinRequest(map=self.map_name, read_revision=self.pinned_revision)
-            self._exchange("pin", pin.SerializeToString(), end)
+            try:
+                self._exchange("pin", pin.SerializeToString(), end)
+            except Error:
+                self.close()  # or the next query would be of another state
+                raise
 
     def _exchange(self, name: str, request: bytes, end: float) -> bytes:
         number = next(self._numbers)
@@ -79,11 +83,15 @@ class StreamSource:
                 got = self._answers.get(timeout=max(end - time.monotonic(), 0.001))
             except queue.Empty:
                 raise DeadlineExceeded(f"the answer to {name} took longer than the deadline") from None
-            if isinstance(got, Error):
+            if isinstance(got, Error):  # the stream is over
+                self.close()
                 raise got
-            answered, data = _read(got)
-            if answered == number:
-                return data
+            answered, data, error = _read(got)
+            if answered != number:
+                continue  # of a query that was given up
+            if error is not None:
+                raise error
+            return data
 
 
 class Loop(Queries):
@@ -115,19 +123,19 @@ class Loop(Queries):
         self.close()
 
 
-def _read(data: bytes) -> tuple[int, bytes]:
-    """The number and the answer. Raises the error of one that has one."""
+def _read(data: bytes) -> tuple[int, bytes, Error | None]:
+    """The number, the answer and the error in its place."""
     fields = pb2.StreamQueriesResponse.DESCRIPTOR.fields_by_name
-    number, answer = 0, b""
+    number, answer, error = 0, b"", None
     for field, _, value, piece in walk(memoryview(data)):
         if field == fields["sequence"].number:
             number = value
         elif field == fields["error"].number:
             status = rpc_status_pb2.Status.FromString(bytes(piece))
-            raise error_of(status.code, status.message, bytes(piece))
+            error = error_of(status.code, status.message, bytes(piece))
         else:
             answer = bytes(piece)
-    return number, answer
+    return number, answer, error
 
 
 def _read_all(call: Iterator[bytes], answers: queue.SimpleQueue[bytes | Error], address: str) -> None:

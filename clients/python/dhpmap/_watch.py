@@ -113,7 +113,8 @@ class Watch(Iterator[Change]):
         if message.position:
             self._position = message.position
         if message.HasField("change"):
-            self.revision = message.change.last_revision
+            if message.position:  # the last message of a change
+                self.revision = message.change.last_revision
             self._told += [_read_change(event, message) for event in message.change.submaps]
         elif message.HasField("progress"):
             self.revision = max(self.revision, message.progress.revision)
@@ -128,9 +129,9 @@ class Watch(Iterator[Change]):
         threading.Thread(target=_read_all, args=(call, answers, self._caller.address), daemon=True).start()
 
     def _stop(self) -> None:
-        if self._call is not None:
-            self._call.cancel()
-            self._call = None
+        call, self._call = self._call, None  # close() may come from another thread
+        if call is not None:
+            call.cancel()
 
     def close(self) -> None:
         """Ends it: `for` loops over it end."""

@@ -40,6 +40,11 @@ class RunningServer:
         self.process.wait()
         self.process.stdout.close()
 
+    def stop(self):
+        self.process.terminate()
+        assert self.process.wait() == 0
+        self.process.stdout.close()
+
     def start_again(self):
         self.start(self.address)
 

@@ -9,6 +9,7 @@ import pytest
 import dhpmap
 from dhpmap import _call, _columns
 from dhpmap.v1 import (edit_service_pb2, map_service_pb2, query_service_pb2, rpc_error_details_pb2, rpc_status_pb2)
+from mapped_apartment import feed_recording, label_set
 from scripted_server import ScriptedServer
 
 MAP = map_service_pb2.GetMapResponse(map={"name": "maps/a"}).SerializeToString()
@@ -76,8 +77,9 @@ def test_a_token_goes_with_every_call_and_not_in_the_clear_to_others():
     with ScriptedServer(MAP) as server, dhpmap.connect(server.address, token="secret") as connection:
         connection["a"]
     assert server.metadata[0]["authorization"] == "Bearer secret"
-    with pytest.raises(dhpmap.InvalidArgument, match="in the clear"):
-        dhpmap.connect("robot.example:50051", token="secret")
+    for other in ("robot.example:50051", "[::ffff:10.0.0.5]:50051"):
+        with pytest.raises(dhpmap.InvalidArgument, match="in the clear"):
+            dhpmap.connect(other, token="secret")
 
 
 def test_no_server_is_told_with_where_it_was_looked_for():
@@ -132,3 +134,31 @@ def test_calls_of_several_threads_and_of_asyncio_do_not_mix(apartment):
         return await asyncio.gather(*(asyncio.to_thread(apartment.distances, point) for point in points))
 
     assert [d.distance_m.item() for d in asyncio.run(at_once())] == one_by_one
+
+
+@pytest.mark.parametrize("ends", ["kill", "stop"])
+def test_a_loop_goes_on_after_the_server_was_restarted(own_server, recording, ends):
+    with dhpmap.connect(own_server.address) as connection:
+        made = connection.create("room", label_set(recording))
+        feed_recording(made, recording)
+        with made.loop() as loop:
+            revision = loop.distances([[0, 0, 1]]).revision
+            getattr(own_server, ends)()
+            own_server.start_again()
+            assert loop.distances([[0, 0, 1]]).revision >= revision
+
+
+def test_a_loop_whose_pinned_state_is_gone_says_so_until_it_is_unpinned(own_server, recording):
+    with dhpmap.connect(own_server.address) as connection:
+        made = connection.create("room", label_set(recording))
+        feed_recording(made, recording)
+        with made.loop() as loop:
+            loop.pin()
+            feed_recording(made, recording, "robot2")  # so that the pinned revision is a past one
+            own_server.stop()
+            own_server.start_again()
+            for _ in range(2):
+                with pytest.raises(dhpmap.Error, match="REVISION_NOT_KEPT"):
+                    loop.distances([[0, 0, 1]])
+            loop.unpin()
+            assert loop.distances([[0, 0, 1]]).revision > 0

@@ -138,7 +138,8 @@ def test_a_cut_connection_costs_no_frame_and_doubles_none(server, empty, monkeyp
     assert empty.info.num_frames == 60 and empty.sessions()[0].stored_sequence == 60
 
 
-def test_a_killed_server_costs_no_frame(own_server, recording, monkeypatch):
+@pytest.mark.parametrize("ends", ["kill", "stop"])
+def test_a_server_that_ends_costs_no_frame(own_server, recording, monkeypatch, ends):
     monkeypatch.setattr(_call, "FIRST_PAUSE_S", 0.001)
     with dhpmap.connect(own_server.address) as connection:
         made = connection.create("room", label_set(recording))
@@ -146,7 +147,7 @@ def test_a_killed_server_costs_no_frame(own_server, recording, monkeypatch):
             for number, frame in enumerate(frames_of(recording)):
                 feed.rgbd(*frame)
                 if number in (10, 25):
-                    own_server.kill()
+                    getattr(own_server, ends)()
                     own_server.start_again()
         assert made.info.num_frames == 60 and feed.stored_sequence == 60
 
@@ -173,3 +174,10 @@ def test_frames_with_the_truth_make_the_rooms_objects(apartment):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert apartment.sessions()[0].stored_sequence == 60
+
+
+def test_a_feed_that_is_closed_takes_no_frame(empty):
+    feed = empty.feed("robot1", camera=CAMERA)
+    feed.close()
+    with pytest.raises(dhpmap.FailedPrecondition, match="closed"):
+        feed_walls(feed, 1, 1)

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <random>
+#include <set>
 
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/grazed_columns.h"
@@ -244,10 +246,12 @@ TEST(GrazedColumns, StayWithinTheirReachAndWithinACellOfThePlane) {
     const Eigen::Vector3f offset_vox(0.3f, 0.9f, 0.1f);
     const VoxelIndex end = VoxelAt((end_m / kVoxel_m + offset_vox).cast<double>(), 1.0);
     int num = 0;
+    std::set<std::array<int, 3>> seen;
     for (const GrazedColumns::Voxel& v : GrazedColumns(plane, end_m, offset_vox, kVoxel_m)) {
       const Eigen::Vector3f centre_m =
           (Eigen::Vector3f(v.offset.x, v.offset.y, v.offset.z) + Eigen::Vector3f::Constant(0.5f) - offset_vox) *
           kVoxel_m;
+      EXPECT_TRUE(seen.insert({v.offset.x, v.offset.y, v.offset.z}).second) << "written once a ray";
       EXPECT_NEAR(v.distance_m, normal.dot(centre_m - end_m), 1e-4f);
       EXPECT_LE(std::abs(v.distance_m), 1.5f * kVoxel_m);
       for (const int away : {v.offset.x - end.x, v.offset.y - end.y, v.offset.z - end.z}) {
