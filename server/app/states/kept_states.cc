@@ -65,7 +65,7 @@ void KeptStates::Keep(State state) {
 
 bool KeptStates::HoldBlocks(bool even_written) const {
   std::unordered_set<const Submap*> looked_at;  // most have the same
-  for (const State& state : All()) {  // readers do not wait for the look
+  for (const State& state : All()) {            // readers do not wait for the look
     for (const auto& submap : state->submaps()) {
       if (!looked_at.insert(submap.get()).second) continue;
       const auto tiles = submap->blocks().tiles_if_read();

@@ -2,6 +2,7 @@
 // Outlines of objects in their rows: there without a look at a voxel, and never of other voxels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -122,8 +123,15 @@ TEST(OutlineValue, ComesBackToTheBitAndRefusesWhatIsNone) {
   bytes = ToBytes(whole);
   bytes.push_back(0);
   EXPECT_FALSE(FromBytes(bytes, back)) << "too long";
-  outline.outline->footprint_m[1].x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(FromBytes(ToBytes(std::make_shared<const LevelOutline>(outline)), back)) << "not finite";
+  bytes = ToBytes(whole);
+  std::fill(bytes.end() - sizeof(double), bytes.end(), 0xff);
+  EXPECT_FALSE(FromBytes(bytes, back)) << "not finite";
+}
+
+TEST(OutlineValue, IsWrittenAsNoneIfItIsNotFinite) {
+  LevelOutline outline{.up = {0, 0, 1}, .outline = SubmapOutline{}};
+  outline.outline->footprint_m = {{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}, {0, 1}};
+  EXPECT_TRUE(ToBytes(std::make_shared<const LevelOutline>(outline)).empty());
 }
 
 }  // namespace
