@@ -37,7 +37,7 @@ inline Status StatusOfException() noexcept {
     try {
       const auto* system = dynamic_cast<const std::system_error*>(&error);
       if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) return NoThread();
-      return Internal(std::string("unexpected failure: ") + error.what());
+      return Internal("an internal fault: the log of the server has its cause").WithCause(error.what());
     } catch (...) {
       return OutOfMemory();
     }

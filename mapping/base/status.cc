@@ -46,6 +46,11 @@ Status&& Status::WithMetadata(std::string key, std::string value) && {
   return std::move(*this);
 }
 
+Status&& Status::WithCause(std::string cause) && {
+  cause_ = std::move(cause);
+  return std::move(*this);
+}
+
 void Status::AddViolation(std::string field, std::string description) {
   constexpr std::size_t kMost = 64;  // of a table of a million bad rows nobody reads more
   if (violations_.size() < kMost) violations_.push_back({std::move(field), std::move(description)});
@@ -58,6 +63,7 @@ std::string Status::ToString() const {
     text += (i == 0 ? " [" : "; ") + violations_[i].field + ": " + violations_[i].description;
   }
   if (!violations_.empty()) text += "]";
+  if (!cause_.empty()) text += " (" + cause_ + ")";
   return text;
 }
 

@@ -41,8 +41,10 @@ class [[nodiscard]] Status {
   /// What the reason means here: google.rpc.ErrorInfo.metadata.
   Status&& WithMetadata(std::string key, std::string value) &&;
   void AddViolation(std::string field, std::string description);
+  /// For logs only, not for clients: such as what an exception said.
+  Status&& WithCause(std::string cause) &&;
 
-  /// "INVALID_ARGUMENT: message [field: description; ...]" for logs and terminals.
+  /// "INVALID_ARGUMENT: message [field: description; ...] (cause)" for logs and terminals.
   [[nodiscard]] std::string ToString() const;
 
  private:
@@ -51,6 +53,7 @@ class [[nodiscard]] Status {
   Reason reason_;
   std::vector<FieldViolation> violations_;
   std::vector<std::pair<std::string, std::string>> metadata_;
+  std::string cause_;
 };
 
 Status InvalidArgument(std::string message);

@@ -323,7 +323,7 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
     return error.status();
   } catch (const std::exception& error) {
     if (before) impl_->GoBackTo(*std::move(before));
-    return Internal(std::string("the frame could not be fused: ") + error.what());
+    return Internal("the frame could not be fused: the log of the server has the cause").WithCause(error.what());
   } catch (...) {
     if (before) impl_->GoBackTo(*std::move(before));
     return Internal("the frame could not be fused");

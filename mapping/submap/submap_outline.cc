@@ -126,7 +126,12 @@ Eigen::Matrix3d LevellingOf(const Transform& T_map_submap) {
   constexpr double kRounding = 1e-9;
   const Eigen::Vector3d up = T_map_submap.linear().row(2);
   if (up.z() > 0 && up.head<2>().norm() < kRounding) return Eigen::Matrix3d::Identity();
-  return Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto turn = [&up](const Eigen::Vector3d& to) {
+    return Eigen::Quaterniond::FromTwoVectors(up, to).toRotationMatrix();
+  };
+  constexpr double kUpsideDown = -0.6;  // the shortest turn to z is no function of up near -z; nothing rests at 127 deg
+  if (up.z() > kUpsideDown) return turn(Eigen::Vector3d::UnitZ());
+  return Eigen::Vector3d(1, -1, -1).asDiagonal() * turn(-Eigen::Vector3d::UnitZ());
 }
 
 std::optional<SubmapOutline> FindOutline(const Submap& submap, const Eigen::Matrix3d& R_level_submap,

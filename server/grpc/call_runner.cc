@@ -17,6 +17,10 @@ bool IsOurFault(StatusCode code) {
 
 }  // namespace
 
+void LogOurFault(std::string_view what, const Status& status) {
+  if (IsOurFault(status.code())) LogError(std::string(what) + " failed: " + status.ToString());
+}
+
 Spread OnBulkLane(const ServiceContext& context) {
   return [&bulk = context.lanes.bulk](std::size_t count, const std::function<void(std::size_t)>& body) {
     PageHold* const hold = PageReader::Current();
@@ -30,7 +34,7 @@ Spread OnBulkLane(const ServiceContext& context) {
 void CallRecord::End(const Status& status) const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   if (context_.observer.on_call) context_.observer.on_call(method_, status.code(), elapsed.count());
-  if (IsOurFault(status.code())) LogError(std::string(method_) + " failed: " + status.ToString());
+  LogOurFault(method_, status);
 }
 
 Status RunGuarded(const std::function<Status()>& work) {

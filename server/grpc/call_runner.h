@@ -76,6 +76,9 @@ Lane& QuickLane(const ServiceContext& context, std::string_view opens);
 /// catch of every handler.
 Status RunGuarded(const std::function<Status()>& work);
 
+/// Logs INTERNAL, UNKNOWN and DATA_LOSS with their cause, which clients are not told; nothing else.
+void LogOurFault(std::string_view what, const Status& status);
+
 /// What a stream ends with whose map has gone on for so long that there is no room for the state it shows.
 Status StateHasNoRoom();
 

@@ -275,6 +275,7 @@ Result<IntegrateStream::Place> IntegrateStream::TakePlace() {
 
 void IntegrateStream::OnFrameDone(std::int64_t sequence, const FrameOutcome& outcome) {
   if (context_.observer.on_frame) context_.observer.on_frame(outcome.report.status().code());
+  TellSafely([&] { LogOurFault("a frame", outcome.report.status()); });
   if (messages_ == Messages::kOne) {
     const MutexLock lock(mutex_);
     if (end_status_.ok()) end_status_ = InWireTerms(outcome.report.status());

@@ -72,16 +72,21 @@ def depth_image(depth: ArrayLike, shape: tuple[int, int], scale_m: float | None)
         if scale_m is None:
             raise bad_argument("depth_m", "is of uint16: say by feed(depth_scale_m=0.001) how many metres a unit is, "
                                           "or convert it to float metres")
+        _check_range(image, scale_m, f" with depth_scale_m={scale_m:g}: of millimetres it is 0.001")
         return pb2.Image(encoding=pb2.Image.RAW_U16, data=_octets(image, "<u2"), scale_m=scale_m)
     if image.dtype.kind != "f":
         raise bad_argument("depth_m", f"wanted float metres or uint16, got {image.dtype}")
     if scale_m is not None:
         raise bad_argument("depth_m", "is of floats, which are metres: feed without depth_scale_m, or give uint16")
-    sample = image[::8, ::8].astype(np.float64)
+    _check_range(image, 1, ": divide millimetres by 1000")
+    return pb2.Image(encoding=pb2.Image.RAW_F32, data=_octets(image, "<f4"))
+
+
+def _check_range(image: NDArray[np.generic], scale_m: float, remedy: str) -> None:
+    sample = image[::8, ::8].astype(np.float64) * scale_m
     sample = sample[np.isfinite(sample) & (sample > 0)]
     if sample.size and float(np.median(sample)) > MOST_METRES:
-        raise bad_argument("depth_m", f"has a median of {float(np.median(sample)):.0f} m: divide millimetres by 1000")
-    return pb2.Image(encoding=pb2.Image.RAW_F32, data=_octets(image, "<f4"))
+        raise bad_argument("depth_m", f"has a median of {float(np.median(sample)):.0f} m{remedy}")
 
 
 def color_image(rgb: ArrayLike, shape: tuple[int, int]) -> pb2.Image:

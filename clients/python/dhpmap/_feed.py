@@ -15,7 +15,7 @@ from dhpmap._call import Caller
 from dhpmap._camera import Camera
 from dhpmap._errors import bad_argument, error_of_status
 from dhpmap._frame_stream import FrameStream
-from dhpmap._frames import LidarImage, Segments, checked_stamp, lidar_frame, rgbd_frame
+from dhpmap._frames import LidarImage, Segments, checked_stamp, lidar_frame, rgbd_frame, unlisted_ids
 from dhpmap._map_info import session_messages
 from dhpmap.v1 import mapping_service_pb2 as pb2
 
@@ -71,11 +71,16 @@ class Feed:
         """
         if T_map_camera is None or stamp_ns is None:
             raise bad_argument("T_map_camera" if T_map_camera is None else "stamp_ns", "is missing")
+        if segments is not None and not isinstance(segments, Mapping):
+            segments = list(segments)
         camera = self._camera_of(np.shape(depth_m))
         stamp = checked_stamp(stamp_ns, self._last_stamp_ns)
         frame = rgbd_frame(camera, depth_m, rgb, labels, segments, T_map_camera, stamp, scale_m=self._depth_scale_m,
                            class_ids=self._class_ids, persistent_ids=self._persistent_ids)
-        return self._push(frame, stamp)
+        sequence = self._push(frame, stamp)
+        if labels is not None and segments is not None and not self._told["UNLISTED_IDS"]:
+            self._doubt_ids(labels, segments, sequence)
+        return sequence
 
     def lidar(self, points_m: ArrayLike, T_map_lidar: ArrayLike, stamp_ns: int, *, segment_ids: ArrayLike | None = None,
               segments: Segments | None = None, rgb: ArrayLike | None = None, image: LidarImage | None = None) -> int:
@@ -114,6 +119,13 @@ class Feed:
         self._bar.update(1)
         self._hear(stacklevel=4)
         return sequence
+
+    def _doubt_ids(self, labels: ArrayLike, segments: Segments, sequence: int) -> None:
+        ids = unlisted_ids(labels, segments)
+        if ids:
+            some = ", ".join(map(str, ids[:5])) + (", ..." if len(ids) > 5 else "")
+            self._warn("UNLISTED_IDS", f"frame {sequence}: labels has ids that segments lacks, {some}: they are taken "
+                       "as unknown", stacklevel=3)
 
     def _camera_of(self, shape: tuple[int, ...]) -> Camera:
         if self._camera is None:

@@ -65,6 +65,14 @@ def segment_messages(segments: Segments, class_ids: Mapping[str, int]) -> list[p
     return out
 
 
+def unlisted_ids(labels: ArrayLike, segments: Segments) -> list[int]:
+    """The ids of a label image that no segment has, as far as every 8th pixel tells, ascending."""
+    listed = list(segments) if isinstance(segments, Mapping) else [its.id for its in segments]
+    seen = np.unique(np.asarray(labels)[::8, ::8])
+    unlisted: list[int] = seen[(seen != 0) & ~np.isin(seen, listed)].tolist()
+    return unlisted
+
+
 def _class_id(name: str | int, class_ids: Mapping[str, int]) -> int:
     if not isinstance(name, str):
         return int(name)

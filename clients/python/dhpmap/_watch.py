@@ -31,7 +31,7 @@ class Change:
         revision: up to which this is told.
         merged_into: of merged.
         boxes: of changed: where its surface has, in the map frame.
-        position: where to go on after this: watch(resume_after=...); the same for all of one revision.
+        position: where to go on after this: watch(resume_after=...). Moves with the last object of a revision.
     """
 
     kind: str
@@ -61,6 +61,7 @@ class Watch(Iterator[Change]):
         self._request.progress_interval_s = PROGRESS_S
         self._reconnect_s, self._idle_s = reconnect_s, idle_s
         self._told: list[Change] = []
+        self._pending: list[Change] = []  # of a change whose last message has not come
         self._answers: queue.Queue[bytes | Error | None] = queue.Queue(MOST_WAITING)
         self._call: grpc.Call | None = None
         self._is_closed = False
@@ -113,13 +114,16 @@ class Watch(Iterator[Change]):
         if message.position:
             self._position = message.position
         if message.HasField("change"):
-            if message.position:  # the last message of a change
+            self._pending += [_read_change(event, message) for event in message.change.submaps]
+            if message.change.last_message:
                 self.revision = message.change.last_revision
-            self._told += [_read_change(event, message) for event in message.change.submaps]
+                self._told += self._pending
+                self._pending = []
         elif message.HasField("progress"):
             self.revision = max(self.revision, message.progress.revision)
 
     def _start(self) -> None:
+        self._pending = []  # comes again, from the first message on
         if self._position:
             self._request.resume_after = self._position
         open_stream = self._caller.open("WatchService/WatchMap", "unary_stream")
@@ -147,6 +151,9 @@ class Watch(Iterator[Change]):
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    def __del__(self) -> None:
+        self.close()  # or its thread would read on
 
 
 def _read_all(call: grpc.Call, answers: queue.Queue[bytes | Error | None], address: str) -> None:

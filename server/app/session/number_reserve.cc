@@ -50,7 +50,10 @@ void NumberReserve::Release(const MapInfo& info) {
     const MutexLock lock(mutex_);
     if (marks_.revision == info.revision && marks_.next_submap_id == info.next_submap_id) return;
   }
-  (void)store_.Reserve(info.name, {info.revision, info.next_submap_id});  // a gap is no harm
+  const NumberMarks stored{info.revision, info.next_submap_id};
+  if (!store_.Reserve(info.name, stored).ok()) return;  // a gap is no harm
+  const MutexLock lock(mutex_);
+  marks_ = stored;
 }
 
 }  // namespace dhpmap

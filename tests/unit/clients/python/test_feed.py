@@ -89,6 +89,15 @@ def test_what_the_server_doubts_is_a_warning_once(empty):
     assert feed.num_fused == 15 and len(told) == 1 and "DEPTH_IN_MILLIMETRES" in str(told[0].message)
 
 
+def test_ids_that_no_segment_has_are_a_warning_once(empty):
+    depth, rgb, labels, _ = wall()
+    with pytest.warns(dhpmap.FrameWarning, match="segments lacks, 2: ") as told:
+        with empty.feed("robot1", camera=CAMERA) as feed:
+            for stamp in range(1, 4):
+                feed.rgbd(depth, rgb, labels, iter([dhpmap.Segment(1, "wall")]), T_MAP_CAMERA, stamp)
+    assert len(told) == 1 and feed.num_fused == 3
+
+
 def test_scans_of_a_lidar_go_in(empty):
     y, z = np.meshgrid(np.linspace(-1, 1, 60), np.linspace(-0.5, 0.5, 30))
     points = np.stack([np.full_like(y, 2), y, z], axis=-1).reshape(-1, 3)

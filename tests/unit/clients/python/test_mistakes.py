@@ -66,8 +66,9 @@ SHAPE = (6, 8)
 @pytest.mark.parametrize("depth, scale_m, says", [
     (np.ones((8, 6), np.float32), None, "transpose it"), (np.ones((6, 8), np.uint16), None, "depth_scale_m=0.001"),
     (np.full((6, 8), 1500.0), None, "divide millimetres by 1000"),
+    (np.full((6, 8), 1500, np.uint16), 1, "of millimetres it is 0.001"),
     (np.ones((6, 8), np.int32), None, "float metres or uint16"),
-    (np.ones((6, 8)), 0.001, "without depth_scale_m")], ids=range(5))
+    (np.ones((6, 8)), 0.001, "without depth_scale_m")], ids=range(6))
 def test_depth_of_a_wrong_kind(depth, scale_m, says):
     with pytest.raises(dhpmap.InvalidArgument, match=says):
         _camera.depth_image(depth, SHAPE, scale_m)

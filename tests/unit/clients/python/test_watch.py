@@ -6,6 +6,8 @@ import pytest
 
 import dhpmap
 from dhpmap import _call
+from dhpmap._watch import Watch
+from dhpmap.v1 import watch_service_pb2 as pb2
 from scripted_server import Wire
 
 LABELS = [dhpmap.Label(1, "wall", "stuff"), dhpmap.Label(2, "chair")]
@@ -68,3 +70,31 @@ def test_a_watch_of_a_map_that_is_deleted_ends_with_an_error(connection):
     connection.delete("short_lived")
     with pytest.raises(dhpmap.NotFound):
         next(watch)
+
+
+def told_in_parts(*messages):
+    """What a watch makes of messages, each (ids of objects, position, whether it is the last of its revision)."""
+    watch = Watch(None, pb2.WatchMapRequest(), reconnect_s=0, idle_s=None)
+    out = []
+    for ids, position, is_last in messages:
+        message = pb2.WatchMapResponse(position=position)
+        message.change.first_revision = message.change.last_revision = 7
+        message.change.last_message = is_last
+        for number in ids:
+            message.change.submaps.add(kind=pb2.SubmapEvent.CREATED).submap.instance_id = number
+        watch._take(message)
+        out.append(([change.object.id for change in watch._told], watch.revision, watch._position))
+    return out
+
+
+def test_a_change_in_several_messages_is_told_once_it_is_whole():
+    assert told_in_parts(([1, 2], "h-6", False), ([3], "h-7", True)) == [([], 0, "h-6"), ([1, 2, 3], 7, "h-7")]
+
+
+def test_a_watch_that_nobody_holds_any_longer_ends_its_call(apartment):
+    watch = apartment.watch(classes=["lamp"], idle_s=0.05)
+    watch._start()
+    call, ended = watch._call, threading.Event()
+    call.add_callback(ended.set)
+    del watch
+    assert ended.wait(20)

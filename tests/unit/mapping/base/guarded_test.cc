@@ -23,7 +23,10 @@ TEST(Guarded, WhatTheMachineLacksIsNoFaultOfOurs) {
 }
 
 TEST(Guarded, WhatNobodyExpectedIsInternal) {
-  EXPECT_EQ(StatusOf(std::runtime_error("a")).code(), StatusCode::kInternal);
+  const Status unexpected = StatusOf(std::runtime_error("/var/lib/maps.db"));
+  EXPECT_EQ(unexpected.code(), StatusCode::kInternal);
+  EXPECT_EQ(unexpected.message().find("maps.db"), std::string::npos) << "clients see it";
+  EXPECT_NE(unexpected.ToString().find("maps.db"), std::string::npos) << "logs tell it";
   EXPECT_EQ(StatusOf(std::system_error(std::make_error_code(std::errc::permission_denied))).code(),
             StatusCode::kInternal);
   EXPECT_EQ(StatusOf(1).code(), StatusCode::kInternal);

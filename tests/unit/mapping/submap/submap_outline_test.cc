@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "mapping/submap/upper_side.h"
 #include "tests/unit/mapping/query/surface_scene.h"
@@ -102,6 +103,22 @@ TEST_F(SubmapOutlineTest, OfWhatLiesOnItsSideIsUpright) {
   const SubmapOutline outline = *OutlineInMap(submap);
   EXPECT_LT((outline.box.size_m - Eigen::Vector3d(1.0, 0.8, 0.6)).cwiseAbs().maxCoeff(), 0.04);
   EXPECT_LT((outline.box.center_m - submap.info().T_map_submap * kCenter).norm(), 0.015);
+}
+
+TEST_F(SubmapOutlineTest, LevellingIsTheSameForPosesThatDifferByRounding) {
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
+  const std::vector<Transform> poses = {Transform::Identity(), Transform(Eigen::AngleAxisd(std::numbers::pi / 2, x)),
+                                        Transform(Eigen::AngleAxisd(-std::numbers::pi / 2, y)),
+                                        Transform(Eigen::AngleAxisd(std::numbers::pi, x)),
+                                        Transform(Eigen::AngleAxisd(std::numbers::pi, y))};
+  for (const Transform& pose : poses) {
+    const Eigen::Matrix3d levelling = LevellingOf(pose);
+    EXPECT_LT((levelling * pose.linear().row(2).transpose() - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+    for (const Eigen::Vector3d& axis : {x, y, Eigen::Vector3d(-x)}) {
+      const Transform rounded = Transform(Eigen::AngleAxisd(1e-10, axis)) * pose;
+      EXPECT_LT((LevellingOf(rounded) - levelling).cwiseAbs().maxCoeff(), 1e-9) << pose.linear();
+    }
+  }
 }
 
 TEST_F(SubmapOutlineTest, OfWhatHasNoSurfaceIsNone) {

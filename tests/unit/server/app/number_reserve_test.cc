@@ -119,6 +119,11 @@ TEST(NumberReserve, IsGivenBackAtTheEnd) {
   numbers.Release(InfoAt(5, 7));
   EXPECT_EQ(store.reserved.back().revision, 5);
   EXPECT_EQ(store.reserved.back().next_submap_id, SubmapId(7));
+  const std::size_t num_reserved = store.reserved.size();
+  numbers.Release(InfoAt(5, 7));
+  EXPECT_EQ(store.reserved.size(), num_reserved) << "nothing is left to give back";
+  EXPECT_TRUE(numbers.Cover(InfoAt(6, 7)).ok());
+  EXPECT_GT(store.reserved.size(), num_reserved) << "what was given back is covered no longer";
 }
 
 }  // namespace

@@ -27,6 +27,12 @@ TEST(StatusToProto, CarriesReasonAndViolations) {
   EXPECT_EQ(ToProto(Internal("x")).details_size(), 0);
 }
 
+TEST(StatusToProto, ClientsAreNotToldTheCauseOfAnInternalFault) {
+  const auto proto = ToProto(Internal("an internal fault").WithCause("cannot open /var/lib/maps.db"));
+  EXPECT_EQ(proto.message(), "an internal fault");
+  EXPECT_EQ(proto.SerializeAsString().find("maps.db"), std::string::npos);
+}
+
 TEST(StatusToProto, CarriesWhatTheReasonMeansAsMetadata) {
   const google::rpc::Status proto =
       ToProto(NotFound("m").WithReason("MERGED_INTO").WithMetadata("merged_into", "maps/m/submaps/3"));
