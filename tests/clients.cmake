@@ -3,7 +3,8 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 dhpmap_tests(ROOM unit/clients/command_line LIBS dhpmap_command_line dhpmap_test_scenes CLI11::CLI11)
 dhpmap_tests(ROOM unit/clients/datasets LIBS dhpmap_datasets dhpmap_test_scenes OpenCVParts::core OpenCVParts::imgcodecs)
-dhpmap_tests(ROOM unit/clients/cli STUBS LIBS dhpmap_cli dhpmap_test_scenes nlohmann_json::nlohmann_json)
+find_package(octomap REQUIRED)  # reads what we write
+dhpmap_tests(ROOM unit/clients/cli STUBS LIBS dhpmap_cli dhpmap_test_scenes nlohmann_json::nlohmann_json octomap octomath)
 dhpmap_tests(ROOM unit/clients/simulator COST 9 LIBS dhpmap_simulator dhpmap_datasets dhpmap_test_scenes nlohmann_json::nlohmann_json)
 dhpmap_tests(ROOM unit/clients/evaluator/baselines LIBS dhpmap_baselines dhpmap_test_scenes)
 dhpmap_tests(ROOM unit/clients/evaluator COST 6

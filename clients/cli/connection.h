@@ -59,6 +59,8 @@ void AddRestoreCommand(CLI::App& app, Session& session);
 void AddCompletionCommand(CLI::App& app, Session& session);
 // Likewise, subcommands of `maps`.
 void AddMapFileCommands(CLI::App& maps, Session& session);
+// Likewise, subcommands of `export`.
+void AddOctomapCommand(CLI::App& parent, Session& session);
 // Likewise, subcommands of `query`.
 void AddGridCommand(CLI::App& query, Session& session);
 void AddObjectCommands(CLI::App& query, Session& session);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap export ply|pcd|voxels: geometry as files.
+// dhpmap export ply|pcd|glb|voxels: geometry as files.
 #include <CLI/CLI.hpp>
 #include <iostream>
 
@@ -120,6 +120,8 @@ void AddExportCommands(CLI::App& app, Session& session) {
   parent->require_subcommand(1);
   AddMesh(*parent, "ply", "The surface as a PLY mesh with class and instance", v1::GetSubmapMeshRequest::PLY, session);
   AddMesh(*parent, "pcd", "The surface's vertices as a PCD cloud", v1::GetSubmapMeshRequest::PCD, session);
+  AddMesh(*parent, "glb", "The surface as binary glTF, a node an object", v1::GetSubmapMeshRequest::GLB, session);
+  AddOctomapCommand(*parent, session);
   auto options = std::make_shared<ExportOptions>();
   CLI::App* voxels = parent->add_subcommand("voxels", "The observed voxels of one object as CSV");
   voxels->add_option("map", options->map, "Name of the map")->required();

@@ -296,6 +296,27 @@ TEST_F(CommandLine, ExportsMeshesAndVoxels) {
   EXPECT_EQ(Run({"export", "ply", "room", "999", "-o", File("none.ply").string()}).exit_code, 3);
   EXPECT_FALSE(std::filesystem::exists(File("none.ply")));
   EXPECT_EQ(Run({"export", "ply", "room", "-o", File("no/where.ply").string()}).exit_code, 7);
+  EXPECT_EQ(Run({"export", "glb", "room", "-o", File("room.glb").string()}).exit_code, 0);
+  EXPECT_TRUE(FileBytes(File("room.glb")).starts_with("glTF"));
+}
+
+TEST_F(CommandLine, ExportsAnOctoMapWithFreeCells) {
+  const Outcome whole = Run({"export", "octomap", "room", "-o", File("room.bt").string(), "--json"});
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  const auto count = [](const Outcome& told, const char* what) {
+    std::smatch found;
+    return std::regex_search(told.out, found, std::regex(std::string("\"") + what + "\": (\\d+)")) ? std::stol(found[1])
+                                                                                                   : -1;
+  };
+  EXPECT_GT(count(whole, "occupied"), 100) << whole.out;
+  EXPECT_GT(count(whole, "cells"), 2 * count(whole, "occupied")) << "most of a room is free";
+  EXPECT_TRUE(FileBytes(File("room.bt")).starts_with("# Octomap OcTree binary file\nid OcTree\nsize "));
+  const Outcome band = Run({"export", "octomap", "room", "-o", File("band.bt").string(), "--heights", "0.5", "0.6",
+                            "--resolution", "0.1", "--json"});
+  EXPECT_GT(count(band, "cells"), 0) << band.out;
+  EXPECT_LT(count(band, "cells"), count(whole, "cells") / 10);
+  EXPECT_EQ(Run({"export", "octomap", "nowhere", "-o", File("none.bt").string()}).exit_code, 3);
+  EXPECT_FALSE(std::filesystem::exists(File("none.bt")));
 }
 
 TEST_F(CommandLine, ABackupIsADatabaseThatAServerStartsOn) {
