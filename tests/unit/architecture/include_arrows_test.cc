@@ -89,6 +89,8 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/web", {"mapping/base"}},
       {"server/gateway", {"mapping/base", "server/web", "server/wire/types", "server/http", "server/json", "proto"}},
       {"server", {"mapping", "storage/store.h", "server", "proto"}},  // main.cc: wiring
+      {"clients/cpp", {"mapping/base/mutex.h", "proto"}},
+      {"clients/cpp/ompl", {"mapping/base/mutex.h", "clients/cpp"}},
       {"clients/datasets", {"mapping"}},
       {"clients/command_line", {"mapping/base"}},
       {"clients/simulator", {"mapping", "clients/command_line"}},
@@ -166,12 +168,16 @@ const std::vector<Fence>& Fences() {
   static const std::vector<Fence> fences = {
       {"sqlite3\\.h", {"storage/sqlite"}, false},
       {"grpcpp/|grpc/|dhpmap/v1/.*grpc\\.pb\\.h",
-       {"server/grpc", "server/gateway", "server/main.cc", "clients/cli", "tests"},
+       {"server/grpc", "server/gateway", "server/main.cc", "clients/cli", "clients/cpp/src", "tests"},
        true},
-      {"dhpmap/v1/", {"server/wire", "server/grpc", "server/gateway", "server/main.cc", "clients/cli", "tests"}, true},
+      {"dhpmap/v1/",
+       {"server/wire", "server/grpc", "server/gateway", "server/main.cc", "clients/cli", "clients/cpp/src", "tests"},
+       true},
       {"google/",
-       {"server/wire", "server/grpc", "server/json", "server/gateway", "server/main.cc", "clients/cli", "tests"},
+       {"server/wire", "server/grpc", "server/json", "server/gateway", "server/main.cc", "clients/cli",
+        "clients/cpp/src", "tests"},
        true},
+      {"ompl/", {"clients/cpp/ompl", "clients/cpp/examples", "tests"}, true},
       {"spng\\.h|tiffio\\.h|turbojpeg\\.h", {"mapping/images", "tests"}, false},
       {"opencv2/", {"clients/simulator", "clients/evaluator", "tests"}, false},
       {"nanoflann", {"clients/evaluator"}, false},
@@ -290,6 +296,21 @@ TEST(Architecture, ThirdPartyHeadersStayInTheirRooms) {
       }
     }
   }
+}
+
+/// Who includes them needs neither protobuf nor gRPC, nor anything else of ours.
+TEST(Architecture, HeadersOfTheCppClientIncludeTheStandardLibraryAndEachOther) {
+  const std::regex standard("[a-z_]+"), own("dhpmap/[a-z_]+\\.h"), with_ompl("(dhpmap/)?ompl/.*\\.h");
+  int num_looked_at = 0;
+  for (const Include& include : AllIncludes()) {
+    const bool is_ompl = IsBelow(include.file, "clients/cpp/ompl/include");
+    if (!is_ompl && !IsBelow(include.file, "clients/cpp/include")) continue;
+    ++num_looked_at;
+    EXPECT_TRUE(std::regex_match(include.path, standard) || std::regex_match(include.path, own) ||
+                (is_ompl && std::regex_match(include.path, with_ompl)))
+        << include.file << ":" << include.line << " includes " << include.path;
+  }
+  EXPECT_GT(num_looked_at, 30);
 }
 
 TEST(Architecture, NoFileIsNamedForNothing) {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "clients/cpp/src/error.h"
+#include "clients/cpp/src/source.h"
+
+namespace dhpmap::client {
+namespace {
+
+class CalledSource final : public Source {
+ public:
+  CalledSource(std::shared_ptr<Caller> caller, std::string map, std::int64_t read_revision)
+      : Source(std::move(map), read_revision), caller_(std::move(caller)) {}
+
+  Result<v1::StreamQueriesResponse> Answer(v1::StreamQueriesRequest query, double deadline_s) override {
+    using Stub = v1::QueryService::Stub;
+    using Query = v1::StreamQueriesRequest;
+    using Answered = v1::StreamQueriesResponse;
+    const auto ask = [&](auto method, const auto& request, auto place) -> Result<Answered> {
+      auto answer = caller_->Call(method, request, deadline_s);
+      if (!answer.ok()) return answer.status();
+      Answered answered;
+      *(answered.*place)() = *std::move(answer);
+      return answered;
+    };
+    switch (query.query_case()) {
+      case Query::kQueryPoints: return ask(&Stub::QueryPoints, query.query_points(), &Answered::mutable_query_points);
+      case Query::kQueryDistances:
+        return ask(&Stub::QueryDistances, query.query_distances(), &Answered::mutable_query_distances);
+      case Query::kCastRays: return ask(&Stub::CastRays, query.cast_rays(), &Answered::mutable_cast_rays);
+      case Query::kSearchSubmaps:
+        return ask(&Stub::SearchSubmaps, query.search_submaps(), &Answered::mutable_search_submaps);
+      case Query::kCheckCollisions:
+        return ask(&Stub::CheckCollisions, query.check_collisions(), &Answered::mutable_check_collisions);
+      case Query::kCheckTrajectory:
+        return ask(&Stub::CheckTrajectory, query.check_trajectory(), &Answered::mutable_check_trajectory);
+      default: return Error(StatusCode::kInternal, "this query goes on streams only");
+    }
+  }
+
+ private:
+  const std::shared_ptr<Caller> caller_;
+};
+
+}  // namespace
+
+std::shared_ptr<Source> MakeCalledSource(std::shared_ptr<Caller> caller, std::string map, std::int64_t read_revision) {
+  return std::make_shared<CalledSource>(std::move(caller), std::move(map), read_revision);
+}
+
+}  // namespace dhpmap::client

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clients/cpp/src/caller.h"
+
+#include <grpcpp/create_channel.h>
+
+#include <array>
+#include <random>
+#include <thread>
+
+#include "clients/cpp/src/credentials.h"
+#include "clients/cpp/src/error.h"
+
+namespace dhpmap::client {
+namespace {
+
+/// As the command line's: a server that is dead or cut off is noticed, and one that comes back is found soon.
+grpc::ChannelArguments ChannelOptions() {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);
+  arguments.SetMaxSendMessageSize(-1);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 20'000);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20'000);
+  arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 100);
+  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2'000);
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  return arguments;
+}
+
+std::string Told(double s) {
+  std::string text = std::to_string(s);
+  text.erase(text.find_last_not_of('0') + 1);
+  return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<Caller>> Caller::Connect(const std::string& address, const ConnectOptions& options) {
+  auto credentials = CredentialsFor(address, options);
+  if (!credentials.ok()) return credentials.status();
+  const auto channel = grpc::CreateCustomChannel(address, *credentials, ChannelOptions());
+  if (!channel->WaitForConnected(GrpcTime(Clock::now() + Seconds(options.connect_s)))) {
+    return Error(StatusCode::kUnavailable, "no server answers at " + address + " within connect_s = " +
+                                               Told(options.connect_s) + "; is dhpmap-server running there?");
+  }
+  return std::shared_ptr<Caller>(new Caller(address, options, channel));
+}
+
+Caller::Caller(std::string address, ConnectOptions options, const std::shared_ptr<grpc::Channel>& channel)
+    : address_(std::move(address)),
+      options_(std::move(options)),
+      stubs_(channel, channel, channel, channel, channel, channel) {}
+
+void Caller::Introduce(grpc::ClientContext& context) const {
+  if (!options_.token.empty()) context.AddMetadata("authorization", "Bearer " + options_.token);
+}
+
+Status Caller::StatusOf(const grpc::Status& status) const { return client::StatusOf(status, address_); }
+
+Status Caller::Attempt(const std::function<grpc::Status(grpc::ClientContext*)>& call, double deadline_s,
+                       Again again) const {
+  const double most_s = DeadlineOr(deadline_s);
+  const Clock::time_point end = Clock::now() + Seconds(most_s);
+  for (Pauses pauses;;) {
+    grpc::ClientContext context;
+    Introduce(context);
+    context.set_deadline(GrpcTime(end));
+    Status status = StatusOf(call(&context));
+    if (status.code == StatusCode::kDeadlineExceeded && status.reason.empty()) {
+      status.message = "took longer than deadline_s = " + Told(most_s);
+    }
+    if (again == Again::kNo || !IsPassing(status)) return status;
+    const Clock::duration pause = pauses.Next();
+    if (Clock::now() + pause >= end) return status;
+    std::this_thread::sleep_for(pause);
+  }
+}
+
+std::string NewRequestId() {
+  std::random_device random;
+  std::array<unsigned, 4> words{};
+  for (unsigned& word : words) word = random();
+  words[1] = (words[1] & 0xffff0fffU) | 0x4000U;      // version 4: random
+  words[2] = (words[2] & 0x3fffffffU) | 0x80000000U;  // variant of RFC 4122
+  std::string id;
+  for (std::size_t i = 0; i < 32; ++i) {
+    if (i == 8 || i == 12 || i == 16 || i == 20) id += '-';
+    id += "0123456789abcdef"[(words[i / 8] >> (28 - 4 * (i % 8))) & 0xfU];
+  }
+  return id;
+}
+
+}  // namespace dhpmap::client

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/channel.h>
+#include <grpcpp/client_context.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "clients/cpp/src/pauses.h"
+#include "dhpmap/options.h"
+#include "dhpmap/result.h"
+#include "dhpmap/v1/edit_service.grpc.pb.h"
+#include "dhpmap/v1/map_service.grpc.pb.h"
+#include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "dhpmap/v1/query_service.grpc.pb.h"
+#include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "dhpmap/v1/watch_service.grpc.pb.h"
+
+namespace dhpmap::client {
+
+/// A call that met no server is sent again, unless it would be done twice: it carries no request_id.
+enum class Again { kYes, kNo };
+
+/// A connection, and the only caller of unary methods: deadlines, repetitions, errors. Thread-safe.
+class Caller {
+ public:
+  /// Unavailable if no server answers within options.connect_s.
+  static Result<std::shared_ptr<Caller>> Connect(const std::string& address, const ConnectOptions& options);
+
+  /// The answer to one request, such as Call(&v1::MapService::Stub::GetMap, request). All attempts together end by the
+  /// deadline; 0: that of the connection.
+  template <typename Stub, typename Request, typename Response>
+  Result<Response> Call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                        const Request& request, double deadline_s = 0, Again again = Again::kYes) {
+    Response response;
+    const Status status =
+        Attempt([&](grpc::ClientContext* context) { return (stub<Stub>().*method)(context, request, &response); },
+                deadline_s, again);
+    if (!status.ok()) return status;
+    return response;
+  }
+
+  template <typename Stub>
+  Stub& stub() {
+    return std::get<Stub>(stubs_);
+  }
+  /// What each call says of who calls.
+  void Introduce(grpc::ClientContext& context) const;
+  /// What a stream that has ended came to.
+  [[nodiscard]] Status StatusOf(const grpc::Status& status) const;
+  [[nodiscard]] double DeadlineOr(double deadline_s) const { return deadline_s > 0 ? deadline_s : options_.deadline_s; }
+  [[nodiscard]] const std::string& author() const { return options_.author; }
+
+ private:
+  Caller(std::string address, ConnectOptions options, const std::shared_ptr<grpc::Channel>& channel);
+  Status Attempt(const std::function<grpc::Status(grpc::ClientContext*)>& call, double deadline_s, Again again) const;
+
+  const std::string address_;
+  const ConnectOptions options_;
+  std::tuple<v1::EditService::Stub, v1::MapService::Stub, v1::MappingService::Stub, v1::QueryService::Stub,
+             v1::SubmapService::Stub, v1::WatchService::Stub>
+      stubs_;
+};
+
+/// A UUID, by which the server knows an edit that is sent again.
+std::string NewRequestId();
+
+}  // namespace dhpmap::client

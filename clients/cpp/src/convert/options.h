@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "dhpmap/options.h"
+#include "dhpmap/v1/query_options.pb.h"
+
+namespace dhpmap::client {
+
+/// Of a query of `map`, maps/{map}; may_touch: also, by all of the robot.
+v1::QueryOptions ToProto(const QueryOptions& options, const std::string& map,
+                         std::span<const ObjectOrClass> may_touch = {});
+
+}  // namespace dhpmap::client

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "clients/cpp/src/caller.h"
+#include "dhpmap/feed.h"
+#include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "mapping/base/mutex.h"
+
+namespace dhpmap::client {
+
+/// A session of frames: sent in order, kept until they are stored, sent again after a lost connection. One thread
+/// pushes, any may look; a thread of its own holds the connection, and one more for each connection sends.
+class FrameStream {
+ public:
+  FrameStream(std::shared_ptr<Caller> caller, const std::string& map, const FeedOptions& options);
+  /// Ends the connection at once; what is not stored may be lost.
+  ~FrameStream();
+  FrameStream(const FrameStream&) = delete;
+  FrameStream& operator=(const FrameStream&) = delete;
+
+  /// What the server refuses the stream with.
+  Status WaitUntilGreeted() DHPMAP_EXCLUDES(mutex_);
+  /// Waits for room; what has ended the stream.
+  Status Push(std::int64_t sequence, v1::Frame frame) DHPMAP_EXCLUDES(mutex_);
+  /// Waits until all is stored.
+  Status Close() DHPMAP_EXCLUDES(mutex_);
+
+  [[nodiscard]] FeedState state() const DHPMAP_EXCLUDES(mutex_);
+  std::vector<FrameNote> TakeNotes() DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  using Request = v1::IntegrateFramesRequest;
+  using Response = v1::IntegrateFramesResponse;
+  using Stream = grpc::ClientReaderWriterInterface<Request, Response>;
+
+  /// Connects until all is over.
+  void Hold();
+  /// One connection; OK: all that was to be sent is stored.
+  Status Exchange();
+  Status ReadAll(Stream& stream);
+  void WriteAll(Stream& stream, int connection);
+  /// The next to send on a connection; null: no more will come.
+  std::shared_ptr<const Request> NextToSend(int connection);
+  Status Hear(const Response& answer);
+  /// Not OK: the frame was refused for now only, and comes again on another connection.
+  Status Acknowledge(const Response& answer) DHPMAP_REQUIRES(mutex_);
+  void ForgetStored(std::int64_t sequence) DHPMAP_REQUIRES(mutex_);
+  void Forget(std::int64_t sequence) DHPMAP_REQUIRES(mutex_);
+  void Note(FrameNote note) DHPMAP_REQUIRES(mutex_);
+  Status EndOf(const grpc::Status& finished) DHPMAP_EXCLUDES(mutex_);
+  /// Until it is so, at most deadline_s after the server's last word. What has ended the stream.
+  Status Wait(const std::function<bool()>& is_so, const char* what) DHPMAP_REQUIRES(mutex_);
+  bool HasRoom(std::int64_t num_bytes) DHPMAP_REQUIRES(mutex_);
+
+  const std::shared_ptr<Caller> caller_;
+  const FeedOptions options_;
+  mutable Mutex mutex_;
+  CondVar changed_;
+  Request greeting_ DHPMAP_GUARDED_BY(mutex_);
+  std::map<std::int64_t, std::shared_ptr<const Request>> kept_ DHPMAP_GUARDED_BY(mutex_);  // not known to be stored
+  std::int64_t kept_bytes_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::set<std::int64_t> unacknowledged_ DHPMAP_GUARDED_BY(mutex_);
+  std::deque<std::int64_t> unsent_ DHPMAP_GUARDED_BY(mutex_);  // on this connection
+  int connection_ DHPMAP_GUARDED_BY(mutex_) = 0;               // counted, so that what is left of an old one ends
+  grpc::ClientContext* context_ DHPMAP_GUARDED_BY(mutex_) = nullptr;
+  bool is_greeted_ DHPMAP_GUARDED_BY(mutex_) = false;
+  bool is_flushing_ DHPMAP_GUARDED_BY(mutex_) = false;  // ends in good order, for only then the server stores at once
+  bool is_closing_ DHPMAP_GUARDED_BY(mutex_) = false;
+  bool is_abandoned_ DHPMAP_GUARDED_BY(mutex_) = false;
+  bool is_over_ DHPMAP_GUARDED_BY(mutex_) = false;
+  Status error_ DHPMAP_GUARDED_BY(mutex_);
+  Status commit_error_ DHPMAP_GUARDED_BY(mutex_);
+  Clock::time_point heard_at_ DHPMAP_GUARDED_BY(mutex_) = Clock::now();
+  FeedState state_ DHPMAP_GUARDED_BY(mutex_);
+  std::deque<FrameNote> notes_ DHPMAP_GUARDED_BY(mutex_);
+  std::thread holder_;
+};
+
+}  // namespace dhpmap::client
