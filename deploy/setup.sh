@@ -16,6 +16,7 @@ packages=(
   libgtest-dev liboctomap-dev libompl-dev
   python3-grpcio python3-protobuf python3-numpy
   python3-pytest python3-hatchling python3-pip python3-venv mypy
+  python3-lz4 python3-zstandard python3-pil  # for packed recordings (dhpmap.mcap)
 )
 check_packages=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev lld-14)
 browser_packages=(chromium chromium-driver python3-selenium)

@@ -29,6 +29,7 @@ from dhpmap._frames import LidarImage, Segment
 from dhpmap._geometry import Mesh, Voxels
 from dhpmap._grids import DistanceGrid, Slice
 from dhpmap._history import LoggedEdit, Undone
+from dhpmap._label_sets import label_set, label_sets
 from dhpmap._loop import Loop
 from dhpmap._map import Map
 from dhpmap._map_info import Finished, Label, MapInfo, MapStats, Revision, Session, Verified
@@ -52,5 +53,5 @@ __all__ = [
     "OrientedBox", "OutOfRange", "PastMap", "PathCheck", "PathContact", "PermissionDenied", "Plane", "Points",
     "QueryOptions", "Rays", "Ref", "Relation", "ResourceExhausted", "Revision", "Segment", "Server", "Session",
     "Slice", "Sphere", "Spheres", "Unauthenticated", "Unavailable", "Undone", "Unimplemented", "UnknownError",
-    "Verified", "Violation", "Voxels", "Watch", "connect", "pose",
+    "Verified", "Violation", "Voxels", "Watch", "connect", "label_set", "label_sets", "pose",
 ]

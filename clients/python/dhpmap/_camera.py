@@ -66,7 +66,11 @@ def camera_message(camera: Camera) -> pb2.PinholeCamera:
 
 
 def depth_image(depth: ArrayLike, shape: tuple[int, int], scale_m: float | None) -> pb2.Image:
-    """Float metres, or 16-bit integers of scale_m metres a unit."""
+    """Float metres, or 16-bit integers of scale_m metres a unit; or a file of these, whose size the server checks."""
+    if isinstance(depth, bytes):
+        if scale_m is None:
+            raise bad_argument("depth_m", "is a file: say by feed(depth_scale_m=0.001) how many metres a unit is")
+        return pb2.Image(encoding=pb2.Image.FILE, data=depth, scale_m=scale_m)
     image = _sized("depth_m", depth, shape)
     if image.dtype == np.uint16:
         if scale_m is None:
@@ -90,6 +94,8 @@ def _check_range(image: NDArray[np.generic], scale_m: float, remedy: str) -> Non
 
 
 def color_image(rgb: ArrayLike, shape: tuple[int, int]) -> pb2.Image:
+    if isinstance(rgb, bytes):
+        return pb2.Image(encoding=pb2.Image.FILE, data=rgb)
     image = np.asarray(rgb)
     if image.dtype != np.uint8 or image.shape != (*shape, 3):
         remedy = "; multiply by 255 and convert" if image.dtype.kind == "f" else ""

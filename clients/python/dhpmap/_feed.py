@@ -62,7 +62,8 @@ class Feed:
 
         depth_m: (H, W), float metres along the optical axis, 0 or NaN: no return; or uint16 with feed(depth_scale_m=).
         rgb: (H, W, 3) uint8. labels: (H, W) integer ids of segments, 0: none. segments: what they are, such as
-        {1: "chair", 2: "wall"}, or a list of Segment; ids without a row count as unknown.
+        {1: "chair", 2: "wall"}, or a list of Segment; ids without a row count as unknown. With feed(camera=Camera(...))
+        depth_m and rgb may be the bytes of a PNG, JPEG or TIFF file (depth of 16 bits).
         T_map_camera: (4, 4) from the optical frame (x right, y down, z forward) to the map's (z up).
         stamp_ns: nanoseconds of the sensor's clock, ascending.
 

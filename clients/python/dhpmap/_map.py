@@ -2,8 +2,10 @@
 """A map of a server."""
 from __future__ import annotations
 
+import os
 import pathlib
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Unpack
 
 from numpy.typing import ArrayLike
 
@@ -23,6 +25,9 @@ from dhpmap._options import strings
 from dhpmap._shapes import Box, box_message
 from dhpmap._watch import Watch
 from dhpmap.v1 import map_service_pb2, watch_service_pb2
+
+if TYPE_CHECKING:
+    from dhpmap.mcap import Fed, FrameOptions
 
 
 class Map(MapView):
@@ -120,6 +125,18 @@ class Map(MapView):
                     depth_scale_m=depth_scale_m, persistent_ids=persistent_ids, take_over=take_over,
                     refuse_implausible=refuse_implausible, reconnect_s=reconnect_s, memory_mib=memory_mib,
                     deadline_s=deadline_s, progress=progress)
+
+    def feed_mcap(self, path: str | os.PathLike[str], session: str, *, persistent_ids: bool = False,
+                  take_over: bool = False, refuse_implausible: bool = False, progress: bool = False,
+                  **options: Unpack[FrameOptions]) -> Fed:
+        """Feeds a recording of ROS 2, an MCAP file or a folder of them; returns once all is stored.
+
+        options: of dhpmap.mcap.FrameOptions, such as depth="/camera/depth/image"; the others as of `feed`.
+        Raises what dhpmap.mcap.frames and its frames do, and what Feed does; what was fed before that stays.
+        """
+        from dhpmap.mcap._feed import feed_mcap
+        return feed_mcap(self, path, session, persistent_ids=persistent_ids, take_over=take_over,
+                         refuse_implausible=refuse_implausible, progress=progress, **options)
 
     def export(self, path: str | pathlib.Path, *, deadline_s: float = 3600) -> int:
         """Writes the map as it is stored into a file, which Server.import_map takes; its bytes."""

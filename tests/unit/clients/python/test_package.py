@@ -35,7 +35,7 @@ def test_most_methods_say_what_they_do(kind):
 
 def test_modules_are_underscored_and_import_nothing_that_is_not_declared():
     allowed = {"grpc", "numpy", "google.protobuf", "dhpmap", "tqdm", *sys.stdlib_module_names}
-    for path in (PACKAGE / "dhpmap").glob("*.py"):
+    for path in [*(PACKAGE / "dhpmap").glob("*.py"), *(PACKAGE / "dhpmap/mcap").glob("*.py")]:
         assert path.name.startswith("_"), path
         for node in ast.walk(ast.parse(path.read_text())):
             names = [node.module] if isinstance(node, ast.ImportFrom) else []
@@ -97,6 +97,7 @@ def test_the_wheel_runs_in_an_environment_of_its_own(tmp_path):
                .replace("import dhpmap.v1", "import dhpmap, dhpmap.v1"), cwd=tmp_path)
     assert said.startswith(f"{dhpmap.__version__} {tmp_path / 'env'}") and (tmp_path / "env").is_dir()
     files = run(python, "-m", "zipfile", "-l", wheel)
+    assert "dhpmap/mcap/__main__.py" in files and "dhpmap/label_sets/coco_panoptic.csv" in files
     assert "dhpmap/py.typed" in files and "dhpmap/v1/types_pb2.pyi" in files and not re.search(r"^google", files, re.M)
 
 
