@@ -60,7 +60,7 @@ class Server:
 
     def surface(self, map_name, object_id, etag=""):
         """Status and ETag of its GLB."""
-        headers = {"If-None-Match": etag, "Accept-Encoding": "gzip"} if etag else {}
+        headers = {"Accept-Encoding": "gzip", **({"If-None-Match": etag} if etag else {})}
         request = urllib.request.Request(f"{self.url}/v1/maps/{map_name}/submaps/{object_id}/mesh?format=GLB",
                                          headers=headers)
         try:

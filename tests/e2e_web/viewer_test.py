@@ -208,6 +208,96 @@ def test_numbers_typed_in_move_and_keys_alone_find_select_and_move(world):
     assert near(world.server.translation(MAP, chosen), before)
 
 
+def test_a_path_is_checked_by_clicks_and_again_when_what_is_in_its_way_is_moved(world):
+    page = world.page
+    page.fresh()
+    name = f"maps/{MAP}/submaps/{world.sofa}"
+    box = world.server.ask(name)["submap"]["oriented_box"]
+    middle, size = box["pose"]["translation_m"], box["size_m"]
+    reach = (size["x"] + size["y"]) / 2
+    page.js("""
+      s.set("tool", "path");
+      s.set("path", { ...s.get("path"), points_m: [
+        { x: arguments[0] - arguments[2], y: arguments[1], z: arguments[3] },
+        { x: arguments[0], y: arguments[1], z: arguments[3] }] });""",
+            middle["x"], middle["y"], reach, middle["z"] - size["z"] / 2)
+    page.until("s.get('pathAnswer') !== null && !s.get('pathAnswer').isFree")
+    assert "touches" in page.js("return document.querySelector('.path .collision').textContent")
+    page.until("location.hash.includes('path=')")
+    page.js("s.set('path', { ...s.get('path'), points_m: s.get('path').points_m.slice(1) })")
+    page.until(f"s.get('pathAnswer') && s.get('pathAnswer').contact && s.get('pathAnswer').contact.id === '{world.sofa}'")
+    revision = world.server.ask(f"maps/{MAP}:applyEdits", {"author": "anna", "edits": [
+        {"submap": name, "translate": {"offset_m": {"z": 5}}}]})["revision"]
+    page.until(f"s.get('pathAnswer').revision >= {revision} && (s.get('pathAnswer').contact || {{}}).id !== '{world.sofa}'")
+    world.server.ask(f"maps/{MAP}:undoEdits", {"edit": f"maps/{MAP}/edits/{revision}", "author": "anna"})
+    page.js("s.set('path', { ...s.get('path'), points_m: [] })")
+    x, y = page.place(world.sofa)
+    page.click(x, y)
+    page.until("s.get('path').points_m.length === 1")
+    page.js("s.set('path', { ...s.get('path'), points_m: [] })")
+    page.keys(Keys.ESCAPE)
+    page.until("s.get('tool') === 'select'")
+
+
+def press(page, text):
+    page.js("""
+      const all = [...document.querySelectorAll(".inspector .button")];
+      all.find((each) => each.textContent === arguments[0] && each.checkVisibility()).click();""", text)
+
+
+def test_a_clone_a_merge_and_a_split_are_tried_out_made_and_undone(world):
+    page = world.page
+    page.fresh(world.sofa)
+    objects = len(world.server.objects(MAP))
+    page.until("document.querySelector('.actions') !== null")
+    press(page, "Clone")
+    page.until(f"s.get('selected') !== '{world.sofa}' && s.get('selected') !== null && s.get('undoable').length === 1")
+    clone = page.js("return s.get('selected')")
+    page.until(f"r.meshOf('{clone}') !== null")
+    press(page, "Split…")
+    page.until("s.get('trial') !== null")
+    press(page, "By a plane")
+    page.until("s.get('draft').cut.by === 'plane' && s.get('trial') && s.get('trial').isGood")
+    assert len(world.server.objects(MAP)) == objects + 1, "nothing is done yet"
+    press(page, "Split")
+    page.until("s.get('undoable').length === 2 && s.get('draft') === null")
+    assert len(world.server.objects(MAP)) == objects + 2
+    part = max(world.server.objects(MAP), key=int)
+    page.until(f"s.get('objects').has('{part}') && r.meshOf('{part}') !== null")
+    press(page, "Merge…")
+    page.js("s.set('draft', { ...s.get('draft'), other: arguments[0] })", part)
+    page.until("s.get('trial') && s.get('trial').isGood")
+    press(page, "Merge")
+    page.until(f"s.get('undoable').length === 3 && !s.get('objects').has('{part}')")
+    for left in (2, 1, 0):
+        page.chord([Keys.CONTROL], "z")
+        page.until(f"s.get('undoable').length === {left}")
+    assert "clone of" in page.js("return s.get('toast').text")
+    assert len(world.server.objects(MAP)) == objects
+    page.hear()
+    page.complaints = [text for text in page.complaints if "400" not in text]  # a sofa of one part
+
+
+def test_while_one_turns_it_is_drawn_coarser_and_at_rest_all_of_it(world):
+    page = world.page
+    page.fresh()
+    whole = page.js("return r.drawnTriangles")
+    turning = page.driver.execute_async_script("""
+      const done = arguments[arguments.length - 1], { renderer } = window.dhpmap;
+      const drawn = renderer.frames.drawn;
+      renderer.pace.level = 5;
+      const turn = () => {
+        if (renderer.frames.drawn > drawn + 3) return done(renderer.drawnTriangles);
+        renderer.camera.orbit(renderer.bounds().getCenter(renderer.camera.three.position.clone()), 4, 0);
+        requestAnimationFrame(turn);
+      };
+      turn();""")
+    assert turning < min(26_000, whole), f"{turning} of {whole}"
+    page.until("r.isResting")
+    assert page.js("return r.drawnTriangles") > 2 * turning
+    assert page.js("return r.numTriangles") > whole / 2
+
+
 def test_what_somebody_else_edits_meanwhile_is_not_overwritten(world):
     page = world.page
     page.fresh(world.sofa)
@@ -324,6 +414,9 @@ def test_without_maps_and_without_webgl_it_says_what_to_do(world):
         assert "dhpmap map" in world.page.js("return document.querySelector('.overlay').textContent")
     finally:
         empty.stop()
+    world.page.driver.get(f"{world.server.url}/ui/#map=nosuch")
+    world.page.until("s.get('phase').is === 'no such map'")
+    assert MAP in world.page.js("return document.querySelector('.overlay').textContent"), "the ones that are there"
     blind = Page(world.server.url, arguments=["--disable-3d-apis"])
     try:
         blind.driver.get(f"{world.server.url}/ui/")

@@ -14,6 +14,7 @@ const kept = [
   "showsBoxes",
   "theme",
   "slice_m",
+  "path",
 ] as const;
 const followed = ["map", ...kept, "camera"] as const;
 /** Browsers stop pages that change their address more often. */
@@ -31,6 +32,7 @@ function linkedOf(store: ViewStore): Linked {
     showsBoxes: store.get("showsBoxes"),
     theme: store.get("theme"),
     slice_m: store.get("slice_m"),
+    path: store.get("path"),
     camera: store.get("camera"),
   };
 }

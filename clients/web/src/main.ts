@@ -2,6 +2,7 @@
 // Wiring: the store, what shows it, what changes it.
 import { Vector3 } from "three";
 import { Edits } from "./actions/edits";
+import { Ahead } from "./api/ahead";
 import { el } from "./panels/dom";
 import { Inspector } from "./panels/inspector";
 import { listenToKeys } from "./panels/keyboard";
@@ -15,20 +16,26 @@ import { SurfaceLoader } from "./scene/surface_loader";
 import { Session } from "./session";
 import { keepLink } from "./link";
 import { forgetMap } from "./state/history";
+import { readLink } from "./state/url";
 import { newViewStore, type ViewStore } from "./state/view";
 import { followTheme } from "./theme";
+import { DraftTool } from "./tools/draft";
 import { MoveTool } from "./tools/move";
+import { PathTool } from "./tools/path";
 import { Pointer } from "./tools/pointer";
 import { ProbeTool } from "./tools/probe";
+import { RobotFollower } from "./tools/robots";
 import { SliceTool } from "./tools/slice";
+import { WalkTool } from "./tools/walk";
 import { TouchCheck } from "./tools/touch";
 import { pivotOf } from "./tools/poses";
 
 const narrow_px = 900;
+const mostAhead_ms = 300;
 const fromAbove = { yaw: Math.PI / 2, pitch: -Math.PI / 2 };
 const fromASide = { yaw: Math.PI / 2 + 0.34, pitch: -0.95 };
 
-function start(store: ViewStore): void {
+function start(store: ViewStore, ahead: Ahead): void {
   let renderer: Renderer;
   try {
     renderer = new Renderer(() => store.set("camera", renderer?.camera.view ?? null));
@@ -39,9 +46,11 @@ function start(store: ViewStore): void {
   }
   const follower = new SceneFollower(store, renderer);
   const edits = new Edits(store);
-  const moveTool = new MoveTool(store, renderer, edits);
+  const moveTool = new MoveTool(store, renderer, edits, new TouchCheck(store));
   const probeTool = new ProbeTool(store, renderer);
-  new TouchCheck(store);
+  const pathTool = new PathTool(store, renderer);
+  const draftTool = new DraftTool(store, renderer, edits);
+  new RobotFollower(store, renderer);
   const slice = new SliceTool(store, renderer);
   const surfaces = new SurfaceLoader(
     (loaded) => {
@@ -63,10 +72,15 @@ function start(store: ViewStore): void {
       }),
   );
 
+  const isBeside = () => innerWidth > narrow_px;
+  const coverRight = () => {
+    renderer.camera.covered_px = isBeside() && !inspector.element.hidden ? inspector.element.offsetWidth : 0;
+  };
   const frameAll = (isAtOnce = false, angles: { yaw: number; pitch: number } | null = fromASide) => {
     const box = renderer.bounds();
     if (box.isEmpty()) return;
     const size = box.getSize(new Vector3());
+    coverRight();
     renderer.camera.frame(
       box.getCenter(new Vector3()),
       0.36 * Math.hypot(size.x, size.y, 0.5 * size.z),
@@ -76,17 +90,18 @@ function start(store: ViewStore): void {
   };
   const focusOn = (id: string) => {
     const object = store.get("objects").get(id);
+    coverRight();
     if (object) renderer.camera.frame(pivotOf(object), 1.6 * Math.min(4, object.sphere?.radius_m ?? 1), null, false);
   };
   const resize = () => {
-    const isBeside = innerWidth > narrow_px && !document.body.classList.contains("no-list");
-    renderer.resize(scene.clientWidth, scene.clientHeight, isBeside ? list.element.offsetWidth : 0);
+    const hasList = isBeside() && !document.body.classList.contains("no-list");
+    renderer.resize(scene.clientWidth, scene.clientHeight, hasList ? list.element.offsetWidth : 0);
   };
   const toggleList = () => {
     document.body.classList.toggle("no-list");
     resize();
   };
-  const session = new Session(store, renderer, surfaces, () => void edits.refreshHistory());
+  const session = new Session(store, renderer, surfaces, ahead, () => void edits.refreshHistory());
   const list = new ObjectList(store, focusOn);
   const actions = {
     openMap: (map: Parameters<Session["open"]>[0]) => {
@@ -96,8 +111,14 @@ function start(store: ViewStore): void {
       forgetMap(store);
       void session.open(map).then(() => edits.refreshHistory());
     },
-    frameAll: () => frameAll(),
-    lookDown: () => frameAll(false, fromAbove),
+    frameAll: () => {
+      store.set("walks", false);
+      frameAll();
+    },
+    lookDown: () => {
+      store.set("walks", false);
+      frameAll(false, fromAbove);
+    },
     toggleList,
     focusSearch: () => {
       if (document.body.classList.contains("no-list")) toggleList();
@@ -107,23 +128,24 @@ function start(store: ViewStore): void {
       if (store.get("selected") !== null) focusOn(store.get("selected") ?? "");
     },
   };
+  const inspector = new Inspector(store, edits, moveTool, focusOn);
   const statusBar = new StatusBar(store, renderer, edits);
   const label = newLabel(store);
-  const scene = el("main", { class: "scene", aria: { label: "Map" } }, renderer.canvas, newOverlay(store));
+  const scene = el("main", { class: "scene", aria: { label: "Map" } }, renderer.canvas, newOverlay(store, actions.openMap));
   renderer.canvas.tabIndex = 0;
   renderer.canvas.setAttribute("aria-label", "The map in 3D. Keys: question mark.");
   document.body.append(
     new TopBar(store, edits, actions).element,
     list.element,
     scene,
-    new Inspector(store, edits, moveTool, focusOn).element,
+    inspector.element,
     statusBar.element,
     label,
     newHelp(store),
   );
   if (innerWidth <= narrow_px) toggleList();
-  new Pointer(store, renderer, moveTool, probeTool, label, focusOn);
-  listenToKeys(store, edits, moveTool, actions);
+  new Pointer(store, renderer, moveTool, probeTool, pathTool, draftTool, label, focusOn);
+  listenToKeys(store, edits, moveTool, new WalkTool(store, renderer), actions);
   followTheme(store, renderer);
   new ResizeObserver(resize).observe(scene);
   const link = keepLink(store);
@@ -146,4 +168,12 @@ function newLabel(store: ViewStore): HTMLElement {
   return label;
 }
 
-start(newViewStore());
+const store = newViewStore();
+const ahead = new Ahead(readLink(location.hash).mapId, (bytes) => {
+  const phase = store.get("phase");
+  if (phase.is === "loading") store.set("phase", { is: "loading", bytes: phase.bytes + bytes });
+});
+// WebGL keeps the page busy for a while: the server is asked before.
+void Promise.race([ahead.isAsked, new Promise((done) => setTimeout(done, mostAhead_ms))]).then(() =>
+  start(store, ahead),
+);

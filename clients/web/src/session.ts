@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens a map and follows it.
 import { ApiError } from "./api/ask";
-import { getMap, getObject, listMaps, listObjects } from "./api/maps";
-import type { MapInfo, ObjectChange } from "./api/types";
+import { askWhole, chosenMap, type Ahead } from "./api/ahead";
+import { getObject, listMaps } from "./api/maps";
+import type { MapInfo, MapObject, ObjectChange } from "./api/types";
 import { Watch } from "./api/watch";
 import { forgetMap } from "./state/history";
 import { withChanges } from "./state/objects";
@@ -33,6 +34,7 @@ export class Session {
     private readonly store: ViewStore,
     private readonly renderer: Renderer,
     private readonly surfaces: SurfaceLoader,
+    private ahead: Ahead | null,
     private readonly onTaken: () => void,
   ) {}
 
@@ -40,13 +42,14 @@ export class Session {
   async start(mapId: string): Promise<void> {
     const generation = this.generation;
     try {
-      const maps = await listMaps();
+      const maps = await (this.ahead?.maps ?? listMaps());
       if (generation !== this.generation) return;
       this.store.set("maps", maps);
-      const wanted = maps.find((map) => map.id === mapId) ?? maps[0];
-      if (!wanted) return this.waitForMaps(mapId);
+      const wanted = chosenMap(maps, mapId);
+      if (!wanted) return this.waitForMaps(mapId, maps.length > 0);
       await this.open(wanted);
     } catch (error) {
+      this.ahead = null;
       this.failed(error, () => this.start(mapId));
     }
   }
@@ -74,7 +77,10 @@ export class Session {
   /** Takes what is there in place of what is held, and watches from there on. */
   private async list(map: MapInfo): Promise<void> {
     const generation = this.generation;
-    const [present, { revision, objects }] = await Promise.all([getMap(map.name), listObjects(map.name)]);
+    const first = this.ahead?.take(map.name) ?? null;
+    this.ahead = null;
+    if (first?.surfaces) void this.surfaces.takeFirst(first.surfaces);
+    const [present, { revision, objects }] = await (first?.whole ?? askWhole(map.name));
     if (generation !== this.generation) return;
     const isSameHistory = present.historyId === this.store.get("map")?.historyId;
     if (!isSameHistory) forgetMap(this.store);
@@ -83,13 +89,14 @@ export class Session {
     this.store.set("revision", revision);
     this.store.set("objects", new Map(objects.map((object) => [object.id, object])));
     for (const id of held.keys()) if (!this.store.get("objects").has(id)) this.renderer.drop(id);
+    const isHeld = (object: MapObject) =>
+      isSameHistory && held.get(object.id)?.revision === object.revision && this.renderer.meshOf(object.id) !== null;
+    // What the surfaces on their way have, unless it was changed meanwhile.
+    const isComing = (object: MapObject) =>
+      first?.surfaces != null && object.isPresent && object.revision <= first.map.revision;
     this.surfaces.want(
       objects
-        .filter(
-          (object) =>
-            object.sphere !== null &&
-            !(isSameHistory && held.get(object.id)?.revision === object.revision && this.renderer.meshOf(object.id)),
-        )
+        .filter((object) => object.sphere !== null && !isHeld(object) && !isComing(object))
         .map((object) => object.id),
     );
     if (objects.every((object) => object.sphere === null)) this.store.set("phase", { is: "ready" });
@@ -133,14 +140,16 @@ export class Session {
     this.later(() =>
       this.list(map).catch((error: unknown) => {
         if (generation !== this.generation) return;
-        if (error instanceof ApiError && error.status === 404) void this.start("");
+        if (error instanceof ApiError && error.status === 404) void this.start(map.id);
         else this.listAgain(map);
       }),
     );
   }
 
-  private async waitForMaps(mapId: string): Promise<void> {
-    this.store.set("phase", { is: "no maps" });
+  /** `hasOthers`: there are maps, but not that one. */
+  private waitForMaps(mapId: string, hasOthers: boolean): void {
+    this.ahead = null;
+    this.store.set("phase", hasOthers ? { is: "no such map", id: mapId } : { is: "no maps" });
     this.store.set("link", "live");
     this.later(() => this.start(mapId));
   }

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edits: sent with what the viewer knows of the object, so that nobody's work is overwritten.
 import { ApiError } from "../api/ask";
-import { deleteObject, listEdits, moveObject, redoEdit, renameObject, undoEdit } from "../api/edits";
+import {
+  cloneObject,
+  deleteObject,
+  listEdits,
+  mergeObjects,
+  moveObject,
+  redoEdit,
+  renameObject,
+  splitObject,
+  undoEdit,
+} from "../api/edits";
 import { getObject } from "../api/maps";
-import type { MapObject, Pose } from "../api/types";
-import { noteEdit, noteRedo, noteUndo } from "../state/history";
+import type { EditOutcome, MapObject, Pose } from "../api/types";
+import { nameOfEdit, noteEdit, noteRedo, noteUndo } from "../state/history";
 import { withChanges } from "../state/objects";
-import type { ViewStore } from "../state/view";
+import type { Draft, ViewStore } from "../state/view";
 
 export class Edits {
   /** Of the edit under way; the next one waits for it. */
@@ -14,10 +24,80 @@ export class Edits {
 
   constructor(private readonly store: ViewStore) {}
 
-  /** Shown at once, and back where it was if the server does not take it. */
-  move(object: MapObject, pose: Pose): Promise<void> {
+  /** Shown at once, and back where it was if the server does not take it. `touched`: what it would touch there. */
+  move(object: MapObject, pose: Pose, touched: Promise<readonly string[]>): Promise<void> {
     this.store.set("pending", { id: object.id, pose });
-    return this.run(object, `Moved ${object.label}`, (map, present) => moveObject(map, present, pose));
+    return this.run(object, `Moved ${object.label}`, async (map, present) => {
+      const [revision, ids] = await Promise.all([moveObject(map, present, pose), touched]);
+      const names = ids.map((id) => this.store.get("objects").get(id)?.label ?? `#${id}`);
+      return { revision, note: names.length > 0 ? `: it touches ${names.join(", ")} there` : "" };
+    });
+  }
+
+  /** A copy at that pose, which then is what is selected. */
+  clone(object: MapObject, pose: Pose): Promise<void> {
+    return this.run(object, `Cloned ${object.label}`, async (map, present) =>
+      this.select(await cloneObject(map, present, pose)),
+    );
+  }
+
+  /** Makes what was tried out. */
+  make(draft: Draft): Promise<void> {
+    const object = this.store.get("objects").get(draft.id);
+    const other = this.store.get("objects").get((draft.is === "merge" && draft.other) || "");
+    if (!object || (draft.is === "merge" && !other)) return Promise.resolve();
+    const done = other ? `Merged ${other.label} into ${object.label}` : `Split ${object.label}`;
+    return this.run(object, done, async (map, present) => {
+      const { revision } = await this.apply(map, present, draft, false);
+      this.store.set("draft", null);
+      return revision;
+    });
+  }
+
+  /** What a draft would do; null: it is not whole yet. Nothing is done. */
+  async tryOut(draft: Draft): Promise<{ readonly text: string; readonly isGood: boolean } | null> {
+    const map = this.store.get("map");
+    const object = this.store.get("objects").get(draft.id);
+    if (!map || !object || (draft.is === "merge" && draft.other === null)) return null;
+    try {
+      const outcome = await this.apply(map.name, object, draft, true);
+      const num = outcome.created.length;
+      const parts = num === 1 ? "One new object" : `${num} new objects`;
+      const text =
+        draft.is === "merge"
+          ? `${object.label} keeps its name and gets all of it.`
+          : `${parts} of ${outcome.numVoxels.toLocaleString("en")} voxels; ${object.label} keeps the rest.`;
+      return { text, isGood: true };
+    } catch (error) {
+      const why = error instanceof ApiError && error.reason === "NOTHING_TO_SPLIT" ? "There is nothing to split so" : null;
+      return { text: why ?? (error instanceof Error ? error.message : String(error)), isGood: false };
+    }
+  }
+
+  private apply(map: string, object: MapObject, draft: Draft, isTrial: boolean): Promise<EditOutcome> {
+    if (draft.is === "split") return splitObject(map, object, draft.cut, isTrial);
+    const other = this.store.get("objects").get(draft.other ?? "");
+    if (!other) throw new Error("what was to be merged is gone");
+    return mergeObjects(map, object, other, isTrial);
+  }
+
+  /** What an edit has made, as soon as it is known. */
+  private select({ revision, created }: EditOutcome): number {
+    const [id] = created;
+    const map = this.store.get("map");
+    if (id !== undefined && map)
+      void getObject(`${map.name}/submaps/${id}`).then(
+        (object) => {
+          if (!this.store.get("objects").has(id))
+            this.store.set(
+              "objects",
+              withChanges(this.store.get("objects"), [{ id, kind: "created", isGeometry: false, object }]),
+            );
+          this.store.set("selected", id);
+        },
+        () => undefined,
+      );
+    return revision;
   }
 
   rename(object: MapObject, label: string): Promise<void> {
@@ -34,9 +114,10 @@ export class Edits {
   undo(revision = this.store.get("undoable").at(-1)): Promise<void> {
     if (revision === undefined) return this.say("Nothing of yours to undo");
     return this.queue(async (map) => {
+      const name = nameOfEdit(this.store, revision);
       const made = await undoEdit(map, revision);
       noteUndo(this.store, revision);
-      this.store.set("toast", { text: `Undid revision ${revision} · now at ${made}`, tone: "plain" });
+      this.store.set("toast", { text: `Undid: ${name} (${revision}) · revision ${made}`, tone: "plain" });
     });
   }
 
@@ -44,9 +125,10 @@ export class Edits {
     const revision = this.store.get("redoable").at(-1);
     if (revision === undefined) return this.say("Nothing to do again");
     return this.queue(async (map) => {
+      const name = nameOfEdit(this.store, revision);
       const made = await redoEdit(map, revision);
       noteRedo(this.store, revision);
-      this.store.set("toast", { text: `Did revision ${revision} again · now at ${made}`, tone: "plain" });
+      this.store.set("toast", { text: `Did again: ${name} (${revision}) · revision ${made}`, tone: "plain" });
     });
   }
 
@@ -62,12 +144,14 @@ export class Edits {
   private run(
     object: MapObject,
     done: string,
-    edit: (map: string, object: MapObject) => Promise<number>,
+    edit: (map: string, object: MapObject) => Promise<number | { revision: number; note: string }>,
   ): Promise<void> {
     return this.queue(async (map) => {
-      const revision = await edit(map, object);
+      const made = await edit(map, object);
+      const { revision, note } = typeof made === "number" ? { revision: made, note: "" } : made;
       noteEdit(this.store, revision);
-      this.store.set("toast", { text: `${done} · revision ${revision}`, tone: "plain", undoRevision: revision });
+      const tone = note ? "collision" : "plain";
+      this.store.set("toast", { text: `${done}${note} · revision ${revision}`, tone, undoRevision: revision });
     }, object);
   }
 

@@ -4,13 +4,18 @@ import { urlOfObject } from "../api/maps";
 
 export const curlOf = (name: string): string => `curl -s '${urlOfObject(name)}'`;
 
-export const pythonOf = (name: string): string =>
-  [
-    "import json, urllib.request",
-    `url = ${JSON.stringify(urlOfObject(name))}`,
-    'submap = json.load(urllib.request.urlopen(url))["submap"]',
-    'print(submap["display_name"], submap["map_from_submap"]["translation_m"])',
+/** Where the server talks gRPC unless it was told otherwise. */
+const usualPort = 50051;
+
+export function pythonOf(name: string): string {
+  const [, map, , id] = name.split("/");
+  return [
+    "import dhpmap",
+    `m = dhpmap.connect("${location.hostname}:${usualPort}")["${map}"]  # the server's gRPC address`,
+    `thing = m.objects[${id}]`,
+    "print(thing, thing.center_m, thing.T_map_object)",
   ].join("\n");
+}
 
 /** False where the browser does not let the page. */
 export async function copyText(text: string): Promise<boolean> {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edits of a map; each answers with the revision that has it.
 import { askJson, post } from "./ask";
-import { asList, asNumber, readEdit } from "./read";
-import type { LoggedEdit, MapObject, Pose } from "./types";
+import { asJson, asList, asNumber, asText, idOfName, readEdit } from "./read";
+import type { Cut, EditOutcome, LoggedEdit, MapObject, Pose } from "./types";
 
 const author = "viewer";
 
@@ -21,6 +21,37 @@ export async function deleteObject(map: string, object: MapObject): Promise<numb
   const edit = { submap: object.name, etag: object.etag, delete: {} };
   return asNumber((await post(`${map}:applyEdits`, { edits: [edit], author }))["revision"]);
 }
+
+/** `isTrial`: what it would do; nothing is done. */
+async function apply(map: string, edit: object, isTrial = false): Promise<EditOutcome> {
+  const answer = await post(`${map}:applyEdits`, { edits: [edit], author, validate_only: isTrial });
+  const result = asJson(asList(answer["results"])[0]);
+  const ids = (names: unknown) => asList(names).map((name) => idOfName(asText(name)));
+  return {
+    revision: asNumber(answer["revision"]),
+    created: ids(result["created_submaps"]),
+    removed: ids(result["removed_submaps"]),
+    numVoxels: asNumber(result["num_voxels"]),
+  };
+}
+
+export const cloneObject = (map: string, object: MapObject, pose: Pose): Promise<EditOutcome> =>
+  apply(map, { submap: object.name, etag: object.etag, clone: { map_from_submap: pose } });
+
+/** `other` becomes a part of `object`. */
+export const mergeObjects = (map: string, object: MapObject, other: MapObject, isTrial: boolean): Promise<EditOutcome> =>
+  apply(map, { submap: object.name, etag: object.etag, merge: { merged_submaps: [other.name] } }, isTrial);
+
+export const splitObject = (map: string, object: MapObject, cut: Cut, isTrial: boolean): Promise<EditOutcome> =>
+  apply(
+    map,
+    {
+      submap: object.name,
+      etag: object.etag,
+      split: cut.by === "parts" ? { parts: {} } : { plane: { point_m: cut.point_m, normal: cut.normal } },
+    },
+    isTrial,
+  );
 
 export async function undoEdit(map: string, revision: number): Promise<number> {
   return asNumber((await post(`${map}:undoEdits`, { edit: `${map}/edits/${revision}`, author }))["revision"]);

@@ -32,18 +32,18 @@ export async function getObject(name: string): Promise<MapObject> {
 
 export const urlOfObject = (name: string): string => location.origin + base + name;
 
-/** Surfaces as GLB, each in its object's own frame but for its node's pose. `onBytes` hears of each part. */
+/** Surfaces as GLB, each in its object's own frame; no ids: of all that is present. `onBytes` hears of each part. */
 export async function getSurfaces(
   map: string,
   ids: readonly string[],
   onBytes: (bytes: number) => void,
-  signal: AbortSignal,
+  signal?: AbortSignal,
 ): Promise<ArrayBuffer> {
   const only =
     ids.length === 1
       ? `${map}/submaps/${ids[0]}/mesh?format=GLB`
-      : `${map}/mesh?format=GLB&instance_ids=${ids.join(",")}`;
-  const response = await ask(only, { signal, cache: "no-cache" });
+      : `${map}/mesh?format=GLB${ids.length > 0 ? `&instance_ids=${ids.join(",")}` : ""}`;
+  const response = await ask(only, { cache: "no-cache", ...(signal ? { signal } : {}) });
   const reader = response.body?.getReader();
   if (!reader) return response.arrayBuffer();
   const parts: Uint8Array[] = [];

@@ -95,3 +95,37 @@ export interface Touch {
   readonly id: string;
   readonly isUnder: boolean;
 }
+
+/** What a robot meets on a path. */
+export interface PathAnswer {
+  readonly revision: number;
+  readonly isFree: boolean;
+  /** The first; `fraction`: share of the way from a waypoint to the next. Without an id: what nobody has seen. */
+  readonly contact: {
+    readonly waypoint: number;
+    readonly fraction: number;
+    readonly id: string | null;
+    readonly point_m: Vector3;
+  } | null;
+  /** How near it comes to a surface, and whose. */
+  readonly clearance: { readonly distance_m: number; readonly id: string | null } | null;
+}
+
+/** What an edit did, or would do. */
+export interface EditOutcome {
+  readonly revision: number;
+  readonly created: readonly string[];
+  readonly removed: readonly string[];
+  readonly numVoxels: number;
+}
+
+/** How a thing is taken apart: each part that hangs together, or what is beyond a plane. */
+export type Cut = { readonly by: "parts" } | { readonly by: "plane"; readonly point_m: Vector3; readonly normal: Vector3 };
+
+/** What feeds the map: where its sensor is, and was. */
+export interface Robot {
+  readonly name: string;
+  readonly isFeeding: boolean;
+  readonly pose: Pose;
+  readonly path_m: readonly Vector3[];
+}

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What was done to an object, and what can be done with it.
+import { Vector3 } from "three";
 import type { Edits } from "../actions/edits";
 import { copyText, curlOf, pythonOf } from "../actions/snippets";
 import type { MapObject } from "../api/types";
 import type { ViewStore } from "../state/view";
+import { shifted } from "../tools/poses";
 import { button, el } from "./dom";
 
 export function logCard(store: ViewStore, edits: Edits, object: MapObject): HTMLElement {
@@ -51,9 +53,23 @@ export function actionsCard(store: ViewStore, edits: Edits, object: MapObject): 
   return el(
     "footer",
     { class: "card actions" },
+    ...(object.kind === "thing" ? thingButtons(store, edits, object) : []),
     copy("Copy as curl", curlOf(object.name)),
     copy("Copy as Python", pythonOf(object.name)),
     hide,
     object.kind === "thing" ? remove : null,
   );
+}
+
+function thingButtons(store: ViewStore, edits: Edits, object: MapObject): HTMLElement[] {
+  const beside = new Vector3((object.box?.size_m.x ?? 0.5) + 0.1, 0, 0);
+  return [
+    button(null, "Clone", "A copy beside it; can be undone", () => void edits.clone(object, shifted(object.pose, beside))),
+    button(null, "Merge…", "Another thing becomes a part of it; shown before it is done", () =>
+      store.set("draft", { is: "merge", id: object.id, other: null }),
+    ),
+    button(null, "Split…", "Take it apart; shown before it is done", () =>
+      store.set("draft", { is: "split", id: object.id, cut: { by: "parts" } }),
+    ),
+  ];
 }

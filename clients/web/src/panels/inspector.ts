@@ -6,8 +6,10 @@ import { classColour, cssColour } from "../scene/colours";
 import type { ViewStore } from "../state/view";
 import type { MoveTool } from "../tools/move";
 import { button, el } from "./dom";
+import { newDraftCard } from "./draft_card";
 import { actionsCard, logCard } from "./edit_cards";
 import { factsCard } from "./facts_card";
+import { newPathCard } from "./path_card";
 import { poseCard } from "./pose_card";
 import { newSliceCard } from "./slice_card";
 import { probeCard } from "./probe_card";
@@ -23,8 +25,11 @@ export class Inspector {
     private readonly moveTool: MoveTool,
     private readonly focusOn: (id: string) => void,
   ) {
-    this.element.append(newSliceCard(store), this.cardsOfAll);
-    store.follow(["selected", "objects", "history", "pending", "probe", "undoable", "slice_m"], () => this.draw());
+    this.element.append(newSliceCard(store), newPathCard(store), newDraftCard(store, edits), this.cardsOfAll);
+    store.follow(
+      ["selected", "objects", "history", "pending", "probe", "undoable", "slice_m", "tool", "path", "draft"],
+      () => this.draw(),
+    );
   }
 
   private draw(): void {
@@ -32,7 +37,8 @@ export class Inspector {
     const object = this.store.get("objects").get(this.store.get("selected") ?? "");
     this.element.dataset["id"] = object?.id ?? "";
     const probe = probeCard(this.store);
-    this.element.hidden = !object && !probe && this.store.get("slice_m") === null;
+    const isPath = this.store.get("tool") === "path" || this.store.get("path").points_m.length > 0;
+    this.element.hidden = !object && !probe && !isPath && this.store.get("slice_m") === null;
     document.body.classList.toggle("has-inspector", !this.element.hidden);
     this.cardsOfAll.replaceChildren(...(probe ? [probe] : []), ...(object ? this.cards(object) : []));
   }
@@ -42,7 +48,7 @@ export class Inspector {
     const { activeElement } = document;
     const isSame = this.element.dataset["id"] === (this.store.get("selected") ?? "");
     const isInput = activeElement instanceof HTMLInputElement && activeElement.type !== "range";
-    return isSame && isInput && this.element.contains(activeElement);
+    return isSame && isInput && this.cardsOfAll.contains(activeElement);
   }
 
   private cards(object: MapObject): HTMLElement[] {

@@ -4,6 +4,7 @@ import { toggleSlice } from "../actions/toggle_slice";
 import type { Edits } from "../actions/edits";
 import { colourModes, type ViewStore } from "../state/view";
 import type { MoveTool } from "../tools/move";
+import type { WalkTool } from "../tools/walk";
 
 export interface KeyActions {
   focusSearch(): void;
@@ -22,7 +23,13 @@ const nudges: { readonly [key: string]: readonly [number, number] } = {
 };
 
 /** Keys that count wherever nothing is typed. */
-export function listenToKeys(store: ViewStore, edits: Edits, moveTool: MoveTool, actions: KeyActions): void {
+export function listenToKeys(
+  store: ViewStore,
+  edits: Edits,
+  moveTool: MoveTool,
+  walkTool: WalkTool,
+  actions: KeyActions,
+): void {
   const hideSelected = () => {
     const selected = store.get("selected");
     if (selected === null) return;
@@ -31,7 +38,9 @@ export function listenToKeys(store: ViewStore, edits: Edits, moveTool: MoveTool,
   };
   const letGo = () => {
     if (moveTool.isBusy) return moveTool.cancel();
-    if (store.get("tool") === "probe") store.set("tool", "select");
+    if (store.get("draft")) return store.set("draft", null);
+    if (store.get("walks")) return store.set("walks", false);
+    if (store.get("tool") !== "select") store.set("tool", "select");
     else if (store.get("selected") !== null) store.set("selected", null);
     else store.set("query", "");
     store.set("probe", null);
@@ -48,6 +57,8 @@ export function listenToKeys(store: ViewStore, edits: Edits, moveTool: MoveTool,
     x: hideSelected,
     Escape: letGo,
     p: () => store.set("tool", store.get("tool") === "probe" ? "select" : "probe"),
+    r: () => store.set("tool", store.get("tool") === "path" ? "select" : "path"),
+    w: () => store.set("walks", !store.get("walks")),
     "?": () => store.set("showsHelp", true),
     "[": () => moveTool.turn(Math.PI / 12),
     "]": () => moveTool.turn(-Math.PI / 12),
@@ -56,7 +67,8 @@ export function listenToKeys(store: ViewStore, edits: Edits, moveTool: MoveTool,
   document.addEventListener("keydown", (event) => {
     if (event.key === "Tab") document.body.classList.add("by-keys");
     const { target } = event;
-    const isTyping = target instanceof HTMLInputElement && target.type !== "checkbox";
+    const isTyping =
+      (target instanceof HTMLInputElement && target.type !== "checkbox") || target instanceof HTMLTextAreaElement;
     if (isTyping || target instanceof HTMLSelectElement || document.querySelector("dialog[open]")) return;
     if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z") {
       event.preventDefault();
@@ -64,6 +76,7 @@ export function listenToKeys(store: ViewStore, edits: Edits, moveTool: MoveTool,
       return;
     }
     if (event.ctrlKey || event.metaKey) return;
+    if (walkTool.press(event)) return event.preventDefault();
     const nudge = event.altKey ? nudges[event.key] : undefined;
     const mode = colourModes[Number(event.key) - 1];
     const action = nudge

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import type { MapInfo } from "../api/types";
 import type { ViewStore } from "../state/view";
-import { el } from "./dom";
+import { button, el } from "./dom";
+
+const mostChoices = 12;
 
 const keys: readonly (readonly [string, string])[] = [
   ["Drag", "turn about what is under the cursor"],
@@ -12,10 +15,12 @@ const keys: readonly (readonly [string, string])[] = [
   ["↑ ↓ in the list", "next object"],
   ["H", "see all"],
   ["T", "from above"],
+  ["W, then ↑ ↓ ← →", "walk through it; a drag looks around, Shift is faster"],
   ["B", "boxes"],
   ["1 – 6", "colour by sensor, class, object, confidence, last seen, presence"],
   ["X", "hide the selection"],
   ["P", "probe a point"],
+  ["R", "a robot's path: what does it touch first"],
   ["S", "slice: occupied, free, unknown at a height"],
   ["Alt+arrows", "move the selection by 5 cm"],
   ["[ ]", "turn it by 15°"],
@@ -25,7 +30,7 @@ const keys: readonly (readonly [string, string])[] = [
 ];
 
 /** What is said in the middle while there is no map to see. */
-export function newOverlay(store: ViewStore): HTMLElement {
+export function newOverlay(store: ViewStore, openMap: (map: MapInfo) => void = () => undefined): HTMLElement {
   const overlay = el("div", { class: "overlay", role: "status" });
   store.follow(["phase"], () => {
     const phase = store.get("phase");
@@ -50,6 +55,21 @@ export function newOverlay(store: ViewStore): HTMLElement {
           "No map yet",
           el("p", {}, "Feed one, and it appears here while the robot maps:"),
           el("pre", {}, "dhpmap map DATASET_DIR --map office"),
+        );
+      case "no such map":
+        return say(
+          `There is no map “${phase.id}” here`,
+          el("p", {}, "It appears once somebody makes it. These are there:"),
+          el(
+            "ul",
+            { class: "choices" },
+            ...store
+              .get("maps")
+              .slice(0, mostChoices)
+              .map((map) =>
+                el("li", {}, button(null, map.displayName, `Open ${map.displayName}`, () => openMap(map))),
+              ),
+          ),
         );
       case "failed":
         return say(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Edits } from "../actions/edits";
 import type { Renderer } from "../scene/renderer";
+import { nameOfEdit } from "../state/history";
+import { numListed } from "../state/objects";
 import type { ColourMode, ViewStore } from "../state/view";
 import { button, el } from "./dom";
 
@@ -25,16 +27,18 @@ export class StatusBar {
     private readonly edits: Edits,
   ) {
     this.element = el("footer", { class: "status" }, this.said, el("span", { class: "gap" }), this.amount);
-    store.follow(["toast", "tool", "selected", "link", "colour", "touched"], () => this.say());
-    store.follow(["objects", "phase"], () => this.count());
+    store.follow(["toast", "tool", "selected", "link", "colour", "touched", "draft", "walks"], () => this.say());
+    store.follow(["objects", "phase", "showsGone", "robots"], () => this.count());
   }
 
   count(): void {
     const triangles = this.renderer.numTriangles;
+    const num = this.store.get("robots").filter(({ isFeeding }) => isFeeding).length;
+    const feeding = num === 0 ? "" : `${num === 1 ? "a robot maps" : `${num} robots map`} · `;
     this.amount.textContent =
       triangles === 0
         ? ""
-        : `${this.store.get("objects").size} objects · ${Math.round(triangles / 1000)} k triangles · ${(this.renderer.meshBytes / 1e6).toFixed(1)} MB`;
+        : `${feeding}${numListed(this.store.get("objects").values(), this.store.get("showsGone"))} objects · ${Math.round(triangles / 1000)} k triangles · ${(this.renderer.meshBytes / 1e6).toFixed(1)} MB`;
   }
 
   private say(): void {
@@ -57,7 +61,7 @@ export class StatusBar {
       toast.text,
       ...(undoRevision === undefined
         ? []
-        : [button("undo", "Undo", `Undo revision ${undoRevision}`, () => void this.edits.undo(undoRevision))]),
+        : [button("undo", "Undo", `Undo: ${nameOfEdit(this.store, undoRevision)}`, () => void this.edits.undo(undoRevision))]),
     );
     this.timer = window.setTimeout(() => this.store.set("toast", null), toast_ms);
   }
@@ -67,6 +71,9 @@ export class StatusBar {
       return "The server does not answer. What is shown is as it was; it goes on by itself.";
     if (this.store.get("tool") === "probe")
       return "Click a point: what is there, how far is the nearest surface. P ends it.";
+    if (this.store.get("walks")) return "Arrow keys walk, Shift faster, a drag looks around. W or Esc goes back up.";
+    if (this.store.get("tool") === "path") return "Click places on the floor: the robot goes from one to the next. R ends it.";
+    if (this.store.get("draft")?.is === "merge") return "Click what shall become a part of it. Esc leaves it.";
     const legend = legends[this.store.get("colour")];
     if (legend) return legend;
     if (this.store.get("selected") !== null)

@@ -2,6 +2,7 @@
 import type { Edits } from "../actions/edits";
 import type { MapInfo } from "../api/types";
 import { toggleSlice } from "../actions/toggle_slice";
+import { nameOfEdit } from "../state/history";
 import { colourModes, type ColourMode, type ViewStore } from "../state/view";
 import { button, el, icon } from "./dom";
 
@@ -31,6 +32,12 @@ export class TopBar {
       store.set("tool", store.get("tool") === "probe" ? "select" : "probe"),
     );
     const slice = button("slice", "", "Slice (S): occupied, free and unknown at a height", () => toggleSlice(store));
+    const walk = button("walk", "", "Walk (W): at the height of the eyes, by arrow keys", () =>
+      store.set("walks", !store.get("walks")),
+    );
+    const path = button("path", "", "Path (R): can a robot go there, and what does it touch first", () =>
+      store.set("tool", store.get("tool") === "path" ? "select" : "path"),
+    );
     const theme = button("theme", "", "Dark, light or as the system", () =>
       store.set("theme", next[store.get("theme")]),
     );
@@ -49,9 +56,11 @@ export class TopBar {
         { class: "group" },
         button("frame", "", "See all (H)", actions.frameAll),
         button("top", "", "From above (T)", actions.lookDown),
+        walk,
         boxes,
         probe,
         slice,
+        path,
       ),
       el("span", { class: "group" }, undo, redo),
       el(
@@ -69,18 +78,20 @@ export class TopBar {
     store.follow(["revision"], () => {
       revision.textContent = store.get("revision") > 0 ? `revision ${store.get("revision")}` : "";
     });
-    store.follow(["showsBoxes", "tool", "slice_m"], () => {
+    store.follow(["showsBoxes", "tool", "slice_m", "walks"], () => {
+      walk.setAttribute("aria-pressed", String(store.get("walks")));
       slice.setAttribute("aria-pressed", String(store.get("slice_m") !== null));
       boxes.setAttribute("aria-pressed", String(store.get("showsBoxes")));
+      path.setAttribute("aria-pressed", String(store.get("tool") === "path"));
       probe.setAttribute("aria-pressed", String(store.get("tool") === "probe"));
     });
-    store.follow(["undoable", "redoable"], () => {
+    store.follow(["undoable", "redoable", "history"], () => {
       const last = store.get("undoable").at(-1);
       const again = store.get("redoable").at(-1);
       undo.disabled = last === undefined;
       redo.disabled = again === undefined;
-      undo.title = last === undefined ? "Nothing to undo" : `Undo revision ${last} (Ctrl+Z)`;
-      redo.title = again === undefined ? "Nothing to do again" : `Do revision ${again} again (Ctrl+Shift+Z)`;
+      undo.title = last === undefined ? "Nothing to undo" : `Undo: ${nameOfEdit(store, last)} (Ctrl+Z)`;
+      redo.title = again === undefined ? "Nothing to do again" : `Do again: ${nameOfEdit(store, again)} (Ctrl+Shift+Z)`;
     });
   }
 

@@ -18,6 +18,9 @@ export class Camera {
   readonly three = new PerspectiveCamera(50, 1, 0.05, 400);
   yaw = 0;
   pitch = 0;
+  /** How much of the right a panel hides from what is gone to. In pixels. */
+  covered_px = 0;
+  private height_px = 1;
   private flight: ((now_ms: number) => boolean) | null = null;
 
   /** `onMoved` is called after each change. */
@@ -42,7 +45,8 @@ export class Camera {
 
   /** `covered`: how much of the left a panel hides; the middle of the view is that of the rest. In pixels. */
   resize(width: number, height: number, covered: number): void {
-    this.three.aspect = width / Math.max(1, height);
+    this.height_px = Math.max(1, height);
+    this.three.aspect = width / this.height_px;
     this.three.setViewOffset(width, height, -covered / 2, 0, width, height);
     this.three.updateProjectionMatrix();
     this.frames.invalidate();
@@ -66,6 +70,24 @@ export class Camera {
     this.three.position.copy(pivot).add(arm);
     this.yaw -= dx * turn_perPixel;
     this.pitch = pitch;
+    this.apply();
+  }
+
+  /** Turns on the spot, so that what is under the cursor goes along with it. In pixels. */
+  look(dx: number, dy: number): void {
+    this.stopFlight();
+    const perPixel = (2 * Math.tan(MathUtils.degToRad(this.three.fov / 2))) / this.height_px;
+    this.yaw += dx * perPixel;
+    this.pitch = MathUtils.clamp(this.pitch + dy * perPixel, -mostPitch, mostPitch);
+    this.apply();
+  }
+
+  /** Over the floor: ahead, and to the right. */
+  walk(ahead_m: number, right_m: number): void {
+    this.stopFlight();
+    const [sin, cos] = [Math.sin(this.yaw), Math.cos(this.yaw)];
+    this.three.position.x += ahead_m * cos + right_m * sin;
+    this.three.position.y += ahead_m * sin - right_m * cos;
     this.apply();
   }
 
@@ -96,7 +118,10 @@ export class Camera {
     const halfAngle = MathUtils.degToRad(this.three.fov / 2);
     const narrow = Math.min(halfAngle, Math.atan(Math.tan(halfAngle) * this.three.aspect));
     const distance = Math.max(radius_m, 0.15) / Math.sin(narrow);
-    const position = center.clone().addScaledVector(directionOf(yaw, pitch), -distance);
+    const ahead = directionOf(yaw, pitch);
+    const right = new Vector3(Math.sin(yaw), -Math.cos(yaw), 0);
+    const aside = ((this.covered_px / 2) * 2 * distance * Math.tan(halfAngle)) / this.height_px;
+    const position = center.clone().addScaledVector(ahead, -distance).addScaledVector(right, aside);
     this.flyTo({ position_m: position, yaw, pitch }, isAtOnce);
   }
 

@@ -16,8 +16,10 @@ import type { Surface } from "../api/glb";
 import { Boxes } from "./boxes";
 import { Camera } from "./camera";
 import { Frames } from "./frames";
+import { showLevels, showWhole } from "./levels";
 import { ObjectMesh } from "./object_mesh";
 import { Outline } from "./outline";
+import { Pace, isWithoutGpu } from "./pace";
 import { UnseenGround } from "./unseen";
 import { light } from "./surface_material";
 
@@ -27,14 +29,14 @@ export interface Hit {
   readonly distance_m: number;
 }
 
-/** A frame that takes longer is drawn coarser while one moves: what is without a GPU stays usable. */
-const slowFrame_ms = 55;
+/** Without a GPU the whole picture takes longer than that: it waits until one has surely stopped. */
 const rest_ms = 180;
+const restWithoutGpu_ms = 400;
 
 /** The canvas and all that is drawn on it. */
 export class Renderer {
   readonly canvas: HTMLCanvasElement;
-  readonly frames = new Frames(() => this.draw());
+  readonly frames = new Frames((waited_ms) => this.draw(waited_ms));
   readonly camera: Camera;
   readonly boxes = new Boxes();
   readonly unseen = new UnseenGround();
@@ -49,7 +51,10 @@ export class Renderer {
   private readonly outline = new Outline();
   private readonly grid = new GridHelper(60, 60);
   private readonly raycaster = new Raycaster();
-  private coarseness = 1;
+  private readonly isWithoutGpu: boolean;
+  private readonly pace: Pace;
+  private numCalls = 0;
+  private numDrawnTriangles = 0;
   private isMoving = false;
   private restTimer = 0;
 
@@ -57,6 +62,8 @@ export class Renderer {
   constructor(private readonly onCameraMoved: () => void) {
     this.three = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
     this.canvas = this.three.domElement;
+    this.isWithoutGpu = isWithoutGpu(this.three.getContext());
+    this.pace = new Pace(this.isWithoutGpu);
     this.three.autoClear = false;
     this.camera = new Camera(this.frames, () => this.cameraMoved());
     this.raycaster.firstHitOnly = true;
@@ -73,8 +80,12 @@ export class Renderer {
   get isResting(): boolean {
     return !this.isMoving && this.frames.isIdle;
   }
+  /** Of the scene, as it was last drawn. */
   get drawCalls(): number {
-    return this.three.info.render.calls;
+    return this.numCalls;
+  }
+  get drawnTriangles(): number {
+    return this.numDrawnTriangles;
   }
   get geometries(): number {
     return this.three.info.memory.geometries;
@@ -105,6 +116,7 @@ export class Renderer {
     const object = new ObjectMesh(surface, surface.id);
     this.objects.set(surface.id, object);
     this.surfaces.add(object.mesh);
+    if (this.isWithoutGpu) this.moves(); // first coarse, then whole
     this.frames.invalidate();
     return object;
   }
@@ -171,38 +183,55 @@ export class Renderer {
 
   private readonly size = new Vector2(1, 1);
   private get pixelRatio(): number {
-    return Math.min(2, devicePixelRatio) / (this.isMoving ? this.coarseness : 1);
+    return Math.min(2, devicePixelRatio) * (this.isMoving ? this.pace.detail.pixelShare : 1);
   }
 
   private cameraMoved(): void {
     this.onCameraMoved();
-    if (!this.isMoving) {
-      this.isMoving = true;
-      if (this.coarseness > 1) this.three.setPixelRatio(this.pixelRatio);
-    }
-    clearTimeout(this.restTimer);
-    this.restTimer = window.setTimeout(() => this.cameraRests(), rest_ms);
+    this.moves();
   }
 
-  private cameraRests(): void {
+  /** Coarser from here on where that is needed, until nothing has moved for a while. */
+  moves(): void {
+    if (!this.isMoving) {
+      this.isMoving = true;
+      this.fitPixels();
+    }
+    this.waitForRest();
+  }
+
+  /** From the last movement on, and from the last frame of it on: slow frames are no rest. */
+  private waitForRest(): void {
+    clearTimeout(this.restTimer);
+    this.restTimer = window.setTimeout(() => this.rests(), this.isWithoutGpu ? restWithoutGpu_ms : rest_ms);
+  }
+
+  private rests(): void {
+    if (!this.frames.isIdle) return this.waitForRest();
     this.isMoving = false;
-    if (this.coarseness === 1) return;
-    this.three.setPixelRatio(this.pixelRatio);
+    this.pace.rests();
+    this.fitPixels();
     this.frames.invalidate();
   }
 
-  private draw(): void {
-    const begin_ms = performance.now();
+  private fitPixels(): void {
+    if (this.three.getPixelRatio() !== this.pixelRatio) this.three.setPixelRatio(this.pixelRatio);
+  }
+
+  private draw(waited_ms: number): void {
+    if (this.isMoving && this.pace.drew(waited_ms)) this.fitPixels();
+    const mostTriangles = this.isMoving ? this.pace.detail.mostTriangles : Infinity;
+    showLevels(this.objects.values(), this.camera.three, this.size.y * this.three.getPixelRatio(), mostTriangles);
     this.three.clear();
     this.three.render(this.scene, this.camera.three);
+    this.numCalls = this.three.info.render.calls;
+    this.numDrawnTriangles = this.three.info.render.triangles;
     this.outline.draw(this.three, this.camera.three, this.selected, this.hovered);
     if (this.tools.children.length > 0) {
       this.three.clearDepth();
       this.three.render(this.tools, this.camera.three);
     }
-    if (this.isMoving && this.coarseness === 1 && performance.now() - begin_ms > slowFrame_ms) {
-      this.coarseness = 2;
-      this.three.setPixelRatio(this.pixelRatio);
-    }
+    showWhole(this.objects.values());
+    if (this.isMoving) this.waitForRest();
   }
 }

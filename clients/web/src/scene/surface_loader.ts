@@ -47,6 +47,25 @@ export class SurfaceLoader {
     return this.running === null && this.wanted.size === 0;
   }
 
+  /** What was asked for before, and is on its way: what is in it is not fetched again. */
+  async takeFirst(file: Promise<ArrayBuffer>): Promise<void> {
+    const abort = (this.running = new AbortController());
+    ++this.numRequests;
+    try {
+      const surfaces = readGlb(await file);
+      if (abort.signal.aborted) return;
+      for (const { id } of surfaces) this.wanted.delete(id);
+      this.onSurfaces(surfaces);
+    } catch {
+      // Then each is fetched as if nothing had been asked for.
+    } finally {
+      if (this.running === abort) {
+        this.running = null;
+        this.schedule();
+      }
+    }
+  }
+
   want(ids: Iterable<string>): void {
     for (const id of ids) this.wanted.add(id);
     this.schedule();

@@ -39,13 +39,7 @@ export class UnseenGround {
 
   /** Under the background of the largest outline. */
   show(objects: Iterable<MapObject>): void {
-    let widest: MapObject | null = null;
-    let most = 0;
-    for (const object of objects) {
-      if (object.kind !== "stuff") continue;
-      const area = Math.abs(ShapeUtils.area(outlineOf(object)));
-      if (area > most) [widest, most] = [object, area];
-    }
+    const widest = widestBackground(objects);
     const key = widest
       ? `${widest.footprint_m.map((at) => at.toFixed(1)).join(",")} ${bottomOf(widest).toFixed(1)}`
       : "";
@@ -63,6 +57,24 @@ export class UnseenGround {
     );
     this.mesh.geometry.setIndex(ShapeUtils.triangulateShape(outline, []).flat());
   }
+}
+
+/** The background of the largest outline: what one stands on, or what stands around it. */
+function widestBackground(objects: Iterable<MapObject>): MapObject | null {
+  let widest: MapObject | null = null;
+  let most = 0;
+  for (const object of objects) {
+    if (object.kind !== "stuff") continue;
+    const area = Math.abs(ShapeUtils.area(outlineOf(object)));
+    if (area > most) [widest, most] = [object, area];
+  }
+  return widest;
+}
+
+/** About where the floor is; 0 if there is nothing yet. */
+export function floorOf_m(objects: Iterable<MapObject>): number {
+  const widest = widestBackground(objects);
+  return widest ? bottomOf(widest) : 0;
 }
 
 const outlineOf = ({ footprint_m }: MapObject): Vector2[] =>

@@ -32,4 +32,18 @@ export function forgetMap(store: ViewStore): void {
   store.set("toast", null);
   store.set("pending", null);
   store.set("probe", null);
+  store.set("draft", null);
+  store.set("pathAnswer", null);
+}
+
+const mostNamed = 3;
+
+/** "move of sofa 3", as far as the log says. */
+export function nameOfEdit(store: ViewStore, revision: number): string {
+  const edit = store.get("history").find((each) => each.revision === revision);
+  if (!edit) return `revision ${revision}`;
+  const names = edit.objects.map((id) => store.get("objects").get(id)?.label ?? `#${id}`);
+  const more = names.length > mostNamed ? ` and ${names.length - mostNamed} more` : "";
+  const what = edit.what || "edit";
+  return names.length === 0 ? what : `${what} of ${names.slice(0, mostNamed).join(", ")}${more}`;
 }

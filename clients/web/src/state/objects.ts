@@ -28,11 +28,20 @@ export interface ClassGroup {
   readonly objects: readonly MapObject[];
 }
 
+const isListed = (object: MapObject, showsGone: boolean): boolean =>
+  object.sphere !== null && (object.isPresent || showsGone);
+
+export function numListed(objects: Iterable<MapObject>, showsGone: boolean): number {
+  let num = 0;
+  for (const object of objects) if (isListed(object, showsGone)) ++num;
+  return num;
+}
+
 /** Found objects by class: things first, then backgrounds, then what is not known; each by name, natural order. */
 export function groupByClass(objects: Iterable<MapObject>, query: string, showsGone: boolean): readonly ClassGroup[] {
   const groups = new Map<string, MapObject[]>();
   for (const object of objects) {
-    if (!object.sphere || (!object.isPresent && !showsGone) || !isFound(object, query)) continue;
+    if (!isListed(object, showsGone) || !isFound(object, query)) continue;
     const group = groups.get(object.className);
     if (group) group.push(object);
     else groups.set(object.className, [object]);

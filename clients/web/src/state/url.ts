@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A view as a link: what somebody sees is what the one sees to whom the link is sent.
+import { readPath, writePath } from "./path_text";
+import { robotLimits } from "./robot";
 import { colourModes, type CameraView, type ColourMode, type ViewState } from "./view";
 
 export type Linked = Pick<
@@ -13,6 +15,7 @@ export type Linked = Pick<
   | "showsBoxes"
   | "theme"
   | "slice_m"
+  | "path"
   | "camera"
 > & { readonly mapId: string };
 
@@ -35,6 +38,27 @@ function heightOf(text: string | null): number | null {
   return text && Number.isFinite(height) ? height : null;
 }
 
+const usualRobot = { radius_m: 0.2, height_m: 0.6 };
+
+/** Nothing of it where it is nonsense. */
+function pathOf(link: URLSearchParams): ViewState["path"] {
+  const [radius, height] = (link.get("robot") ?? "").split(",").map(Number);
+  const within = (value: number | undefined, [least, most]: readonly [number, number], usual: number) =>
+    value !== undefined && value >= least && value <= most ? value : usual;
+  let points_m: ViewState["path"]["points_m"] = [];
+  try {
+    points_m = readPath(link.get("path") ?? "");
+  } catch {
+    // as if it were not there
+  }
+  return {
+    points_m,
+    radius_m: within(radius, robotLimits.radius_m, usualRobot.radius_m),
+    height_m: within(height, robotLimits.height_m, usualRobot.height_m),
+    seenAlone: link.get("seen") === "1",
+  };
+}
+
 const listText = (items: ReadonlySet<string>): string => [...items].sort().join(",");
 const listOf = (text: string): ReadonlySet<string> => new Set(text.split(",").filter((item) => item !== ""));
 
@@ -51,6 +75,11 @@ export function writeLink(view: Linked): string {
   if (view.showsBoxes) link.set("boxes", "1");
   if (view.theme !== "system") link.set("theme", view.theme);
   if (view.slice_m !== null) link.set("slice", short(view.slice_m));
+  if (view.path.points_m.length > 0) {
+    link.set("path", writePath(view.path.points_m, ";"));
+    link.set("robot", [view.path.radius_m, view.path.height_m].map(short).join(","));
+    if (view.path.seenAlone) link.set("seen", "1");
+  }
   if (view.camera) link.set("view", cameraText(view.camera));
   return link.toString().replaceAll("%2C", ",");
 }
@@ -71,6 +100,7 @@ export function readLink(hash: string): Linked {
     showsBoxes: link.get("boxes") === "1",
     theme: theme === "dark" || theme === "light" ? theme : "system",
     slice_m: heightOf(link.get("slice")),
+    path: pathOf(link),
     camera: cameraOf(link.get("view")),
   };
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All that the viewer knows and shows, in one store.
-import type { LoggedEdit, MapInfo, MapObject, Pose, SurfacePoint, Vector3 } from "../api/types";
+import type { Cut, LoggedEdit, MapInfo, MapObject, PathAnswer, Pose, Robot, SurfacePoint, Vector3 } from "../api/types";
 import { Store } from "./store";
 
 export const colourModes = ["sensor", "class", "object", "confidence", "last seen", "presence"] as const;
@@ -15,7 +15,7 @@ export interface CameraView {
 
 export interface Toast {
   readonly text: string;
-  readonly tone: "plain" | "problem";
+  readonly tone: "plain" | "problem" | "collision";
   readonly undoRevision?: number;
 }
 
@@ -26,9 +26,24 @@ export interface Probe {
   readonly answer: SurfacePoint | null;
 }
 
+/** Where a robot shall go, and as what kind of robot. */
+export interface RobotPath {
+  readonly points_m: readonly Vector3[];
+  readonly radius_m: number;
+  readonly height_m: number;
+  /** What nobody has seen is in the way. */
+  readonly seenAlone: boolean;
+}
+
+/** An edit that is looked at before it is made. */
+export type Draft =
+  | { readonly is: "merge"; readonly id: string; readonly other: string | null }
+  | { readonly is: "split"; readonly id: string; readonly cut: Cut };
+
 export type Phase =
   | { readonly is: "connecting" }
   | { readonly is: "no maps" }
+  | { readonly is: "no such map"; readonly id: string }
   | { readonly is: "loading"; readonly bytes: number }
   | { readonly is: "ready" }
   | { readonly is: "failed"; readonly why: string }
@@ -55,14 +70,22 @@ export interface ViewState {
   pending: { readonly id: string; readonly pose: Pose } | null;
   /** What the object that is held would touch there, and did not touch where it was. */
   touched: readonly string[];
+  robots: readonly Robot[];
   undoable: readonly number[];
   redoable: readonly number[];
   history: readonly LoggedEdit[];
   toast: Toast | null;
-  tool: "select" | "probe";
+  tool: "select" | "probe" | "path";
+  /** At the height of the eyes, rather than round the map. */
+  walks: boolean;
   probe: Probe | null;
   /** Height of the floor plan that is shown, in the map frame. */
   slice_m: number | null;
+  path: RobotPath;
+  pathAnswer: PathAnswer | null;
+  draft: Draft | null;
+  /** What the draft would do, or why it cannot be done. */
+  trial: { readonly text: string; readonly isGood: boolean } | null;
   showsHelp: boolean;
 }
 
@@ -88,12 +111,18 @@ export const newViewStore = (): ViewStore =>
     camera: null,
     pending: null,
     touched: [],
+    robots: [],
     undoable: [],
     redoable: [],
     history: [],
     toast: null,
     tool: "select",
+    walks: false,
     probe: null,
     slice_m: null,
+    path: { points_m: [], radius_m: 0.2, height_m: 0.6, seenAlone: false },
+    pathAnswer: null,
+    draft: null,
+    trial: null,
     showsHelp: false,
   });

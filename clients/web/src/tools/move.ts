@@ -6,6 +6,7 @@ import type { MapObject, Pose } from "../api/types";
 import type { Renderer } from "../scene/renderer";
 import type { ViewStore } from "../state/view";
 import { pivotOf, shifted, turned } from "./poses";
+import type { TouchCheck } from "./touch";
 
 const up = new Vector3(0, 0, 1);
 const farthest_m = 60;
@@ -30,8 +31,9 @@ export class MoveTool {
     private readonly store: ViewStore,
     private readonly renderer: Renderer,
     private readonly edits: Edits,
+    private readonly touch: TouchCheck,
   ) {
-    store.follow(["selected", "objects", "pending", "tool"], () => this.placeRing());
+    store.follow(["selected", "objects", "pending", "tool", "draft"], () => this.placeRing());
   }
 
   get isBusy(): boolean {
@@ -40,7 +42,8 @@ export class MoveTool {
 
   private get object(): MapObject | null {
     const object = this.store.get("objects").get(this.store.get("selected") ?? "");
-    return object?.kind === "thing" && this.store.get("tool") === "select" ? object : null;
+    const isFree = this.store.get("tool") === "select" && this.store.get("draft") === null;
+    return object?.kind === "thing" && isFree ? object : null;
   }
 
   /** Whether a drag that begins there turns or moves what is selected; `hit`: the surface under the cursor. */
@@ -78,7 +81,7 @@ export class MoveTool {
     const pending = this.store.get("pending");
     this.drag = null;
     if (!drag || pending?.id !== drag.object.id) return;
-    await this.edits.move(drag.object, pending.pose);
+    await this.send(drag.object, pending.pose);
   }
 
   cancel(): void {
@@ -88,11 +91,16 @@ export class MoveTool {
 
   /** By keys or numbers. */
   shift(by_m: Vector3): void {
-    if (this.object && !this.store.get("pending")) void this.edits.move(this.object, shifted(this.object.pose, by_m));
+    if (this.object && !this.store.get("pending")) void this.send(this.object, shifted(this.object.pose, by_m));
   }
   turn(angle_rad: number): void {
     if (this.object && !this.store.get("pending"))
-      void this.edits.move(this.object, turned(this.object.pose, pivotOf(this.object), angle_rad));
+      void this.send(this.object, turned(this.object.pose, pivotOf(this.object), angle_rad));
+  }
+
+  /** What it then touches is asked of the map as it is before. */
+  private send(object: MapObject, pose: Pose): Promise<void> {
+    return this.edits.move(object, pose, this.touch.touchedAt(object, pose));
   }
 
   private placeRing(): void {

@@ -3,7 +3,9 @@
 import { Plane, Vector2, Vector3 } from "three";
 import type { Hit, Renderer } from "../scene/renderer";
 import type { ViewStore } from "../state/view";
+import type { DraftTool } from "./draft";
 import type { MoveTool } from "./move";
+import type { PathTool } from "./path";
 import type { ProbeTool } from "./probe";
 
 const click_px = 4;
@@ -29,6 +31,8 @@ export class Pointer {
     private readonly renderer: Renderer,
     private readonly moveTool: MoveTool,
     private readonly probeTool: ProbeTool,
+    private readonly pathTool: PathTool,
+    private readonly draftTool: DraftTool,
     private readonly label: HTMLElement,
     private readonly focusOn: (id: string) => void,
   ) {
@@ -48,9 +52,13 @@ export class Pointer {
   /** What is under the cursor, else the floor there, else a place some way off. */
   private anchorAt(place: Vector2, hit: Hit | null): Vector3 {
     if (hit) return hit.point.clone();
+    return this.floorAt(place) ?? this.renderer.camera.rayAt(place).at(farAway_m, new Vector3());
+  }
+
+  private floorAt(place: Vector2): Vector3 | null {
     const ray = this.renderer.camera.rayAt(place);
     const floor = ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
-    return floor && floor.distanceTo(ray.origin) < 40 ? floor : ray.at(farAway_m, new Vector3());
+    return floor && floor.distanceTo(ray.origin) < 40 ? floor : null;
   }
 
   private placeOf(event: MouseEvent): Vector2 {
@@ -90,7 +98,8 @@ export class Pointer {
     this.pointers.set(event.pointerId, now);
     if (this.pointers.size > 1) return this.pinch(event.pointerId, before, now);
     const { camera } = this.renderer;
-    if (this.gesture === "orbit") camera.orbit(this.anchor, now.x - before.x, now.y - before.y);
+    if (this.gesture === "orbit" && this.store.get("walks")) camera.look(now.x - before.x, now.y - before.y);
+    else if (this.gesture === "orbit") camera.orbit(this.anchor, now.x - before.x, now.y - before.y);
     if (this.gesture === "pan") camera.pan(this.anchor, this.placeAt(before), this.placeAt(now));
     if (this.gesture === "move") this.moveTool.drags(camera.rayAt(this.placeAt(now)), event.shiftKey);
   }
@@ -136,6 +145,8 @@ export class Pointer {
       if (this.hit) void this.probeTool.ask(this.hit.point, this.hit.id);
       return;
     }
+    if (this.store.get("tool") === "path") return this.pathTool.add(this.hit, this.floorAt(this.placeAt(this.start)));
+    if (this.store.get("draft")?.is === "merge" && this.hit) return this.draftTool.choose(this.hit.id);
     this.store.set("selected", this.hit?.id ?? null);
   }
 
@@ -167,7 +178,7 @@ export class Pointer {
       this.store.set("hovered", hit?.id ?? null);
       const grip = this.moveTool.gripAt(this.renderer.camera.rayAt(place), hit);
       this.renderer.canvas.dataset["over"] =
-        this.store.get("tool") === "probe" ? "probe" : (grip ?? (hit ? "object" : ""));
+        this.store.get("tool") !== "select" ? "probe" : (grip ?? (hit ? "object" : ""));
       this.label.style.transform = `translate(${this.hoverAt.x + 14}px, ${this.hoverAt.y + 16}px)`;
     });
   }

@@ -45,6 +45,18 @@ export class TouchCheck {
     if (this.isStale && this.store.get("pending")) void this.ask();
   }
 
+  /** What the object would touch at a pose and does not touch where it is; nothing if that cannot be told. */
+  async touchedAt(object: MapObject, pose: Pose): Promise<readonly string[]> {
+    const map = this.store.get("map");
+    if (!map || !object.box) return [];
+    try {
+      const touched = await askTouched(map.name, boxAt(object, pose), await this.excludedBy(map.name, object));
+      return [...new Set(touched.map(({ id }) => id))];
+    } catch {
+      return []; // not known is not red
+    }
+  }
+
   private async excludedBy(map: string, object: MapObject): Promise<readonly string[]> {
     const before = await askTouched(map, boxAt(object, object.pose), [object.id]);
     const isThing = (id: string) => this.store.get("objects").get(id)?.kind === "thing";

@@ -12,7 +12,9 @@ const view = {
   showsGone: true,
   colour: "last seen" as const,
   showsBoxes: true,
-  theme: "light" as const, slice_m: 0.4,
+  theme: "light" as const,
+  slice_m: 0.4,
+  path: { points_m: [{ x: 1, y: -2.5, z: 0 }, { x: 4, y: 6, z: 0.25 }], radius_m: 0.3, height_m: 1.2, seenAlone: true },
   camera: { position_m: { x: 1.5, y: -2.25, z: 3 }, yaw: 0.5, pitch: -0.75 },
 };
 
@@ -26,7 +28,8 @@ test("what is as at first is not in the link", () => {
 });
 
 test("nonsense in a link is as if it were not there", () => {
-  const link = readLink("#colour=loud&theme=7&view=1,2,x&gone=yes&unknown=1");
+  const link = readLink("#colour=loud&theme=7&view=1,2,x&gone=yes&unknown=1&path=1+2;door&robot=-1,x");
+  assert.deepEqual(link.path, readLink("").path);
   assert.equal(link.colour, "sensor");
   assert.equal(link.theme, "system");
   assert.equal(link.camera, null);
