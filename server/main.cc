@@ -73,15 +73,21 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
     if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
   }
   const auto inflight = InflightBudgetOf(config);
+  DHPMAP_ASSIGN_OR_RETURN(const auto gate, GateOf(config));
   DHPMAP_ASSIGN_OR_RETURN(const auto grpc,
-                          GrpcServer::Start(GrpcOptionsOf(config, inflight), *registry, ObserverOf(metrics)));
+                          GrpcServer::Start(GrpcOptionsOf(config, inflight, gate), *registry, ObserverOf(metrics)));
   DHPMAP_ASSIGN_OR_RETURN(
       const auto gateway,
       Gateway::Start(
           GatewayOptionsOf(config, inflight), grpc->InProcessChannel(),
           {.is_ready = [&] { return grpc->is_serving() && !IsStoreBehind(*registry, config.store.max_behind_s); },
            .metrics_text =
-               [&] { return metrics.Text(GaugesOf(*registry, *inflight, *grpc, records.get(), spill.get())); }}));
+               [&] {
+                 Metrics::Gauges gauges = GaugesOf(*registry, *inflight, *grpc, records.get(), spill.get());
+                 gauges.is_insecure = IsInsecure(config);
+                 return metrics.Text(gauges);
+               },
+           .gate = gate}));
   grpc->SetServing(true);
   std::printf("dhpmap-server: gRPC on %s, REST on http://%s\n", WithPort(config.grpc.address, grpc->port()).c_str(),
               WithPort(config.http.address, gateway->port()).c_str());

@@ -119,7 +119,20 @@ std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config) {
   return std::make_shared<ByteBudget>(all - all / 4, kSmallBytes);
 }
 
-GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight) {
+Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config) {
+  if (IsInsecure(config)) {
+    LogWarning(
+        "started to let strangers in where nothing keeps them out: insecure, insecure_no_tls or insecure_no_auth");
+  }
+  const std::string file = KeyFileOf(config);
+  if (file.empty()) return auth::Gate::Open();
+  return auth::Gate::WithKeys({.key_file = file, .audit_file = config.auth.audit, .on_fault = [](const Status& fault) {
+                                 LogError("keys stay as they were: " + fault.ToString());
+                               }});
+}
+
+GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight,
+                          std::shared_ptr<auth::Gate> gate) {
   return {.address = config.grpc.address,
           .max_message_bytes = static_cast<std::size_t>(config.grpc.max_message_mib) << 20,
           .num_threads = config.grpc.num_threads,
@@ -130,7 +143,8 @@ GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget
           .import_idle_s = config.limits.import_idle_s,
           .max_query_points = config.limits.query_points,
           .max_frames_in_flight = config.mapping.max_frames_in_flight,
-          .default_config = config.map_defaults};
+          .default_config = config.map_defaults,
+          .gate = std::move(gate)};
 }
 
 GrpcObserver ObserverOf(Metrics& metrics) {

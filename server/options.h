@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "server/app/maps/map_registry.h"
+#include "server/auth/gate.h"
 #include "server/config/server_config.h"
 #include "server/gateway/gateway.h"
 #include "server/grpc/grpc_server.h"
@@ -29,7 +30,10 @@ RegistryOptions RegistryOptionsOf(const ServerConfig& config);
 Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config);
 /// For both doors together.
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config);
-GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
+/// Who may call: whoever has a key of the file that is in force, or anybody. Errors as of Gate::WithKeys.
+Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config);
+GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight,
+                          std::shared_ptr<auth::Gate> gate);
 GrpcObserver ObserverOf(Metrics& metrics);
 GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
 

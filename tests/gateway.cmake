@@ -27,3 +27,10 @@ dhpmap_tests(ROOM unit/server/http LIBS dhpmap_http_client dhpmap_http)
 dhpmap_tests(ROOM unit/server/json STUBS LIBS dhpmap_json_test_proto dhpmap_json dhpmap_proto)
 dhpmap_tests(ROOM unit/server/gateway STUBS COST 6
   LIBS dhpmap_canned_server dhpmap_http_client dhpmap_json_test_proto dhpmap_gateway dhpmap_proto)
+
+# Both doors of a server with keys.
+add_library(dhpmap_locked_server STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_SOURCE_DIR}/integration/auth/locked_server.cc)
+target_include_directories(dhpmap_locked_server PUBLIC ${CMAKE_SOURCE_DIR})
+target_link_libraries(dhpmap_locked_server PUBLIC dhpmap_test_server dhpmap_http_client dhpmap_gateway dhpmap_auth
+  GTest::gtest PRIVATE dhpmap_warnings)
+dhpmap_tests(ROOM integration/auth STUBS COST 6 LIBS dhpmap_locked_server)

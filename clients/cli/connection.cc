@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "clients/cli/printable.h"
+#include "clients/cli/token.h"
 #include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
@@ -47,7 +48,10 @@ std::shared_ptr<grpc::Channel> Connect(const Session& session) {
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20'000);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2'000);
-  return grpc::CreateCustomChannel(session.server, grpc::InsecureChannelCredentials(), arguments);
+  const auto credentials = grpc::InsecureChannelCredentials();
+  if (session.token.empty()) return grpc::CreateCustomChannel(session.server, credentials, arguments);
+  return grpc::experimental::CreateCustomChannelWithInterceptors(session.server, credentials, arguments,
+                                                                 ShowingToken(session.token));
 }
 
 std::string MapName(const std::string& map) { return map.starts_with("maps/") ? map : "maps/" + map; }
@@ -60,6 +64,9 @@ ExitCode ReportError(const Session& session, const grpc::Status& status) {
   const auto code = static_cast<StatusCode>(status.error_code());
   std::cerr << "dhpmap: " << StatusCodeName(code) << ": " << Printable(status.error_message()) << "\n";
   PrintDetails(status);
+  if (code == StatusCode::kUnauthenticated && session.token.empty()) {
+    std::cerr << "  Say where your key is with --token-file; `dhpmap keys create` makes one.\n";
+  }
   if (code == StatusCode::kUnavailable) {
     std::cerr << "  Is dhpmap-server running at " << session.server << "? Say where with --server or DHPMAP_SERVER.\n";
   }

@@ -19,6 +19,7 @@ namespace dhpmap {
 /// What every command needs: where the server is, how to answer, and how it went. Filled by the command line.
 struct Session {
   std::string server = "127.0.0.1:50051";
+  std::string token;  ///< shown to the server with every call; empty: none
   bool json = false;
   ExitCode exit_code = ExitCode::kOk;
 };
@@ -53,6 +54,8 @@ void AddVerifyCommand(CLI::App& app, Session& session);
 void AddExportCommands(CLI::App& app, Session& session);
 void AddWatchCommand(CLI::App& app, Session& session);
 void AddSessionsCommands(CLI::App& app, Session& session);
+/// `keys` and `whoami`.
+void AddKeysCommands(CLI::App& app, Session& session);
 void AddReplayCommand(CLI::App& app, Session& session);
 void AddRestoreCommand(CLI::App& app, Session& session);
 /// The script is made of `app` as it is when it is asked for.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/token.h"
 #include "clients/command_line/typos.h"
 #include "clients/command_line/version.h"
 
@@ -41,6 +42,19 @@ int main(int argc, char** argv) {
   app.add_option("--server", session.server, "Address of the server's gRPC door")
       ->envname("DHPMAP_SERVER")
       ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--token-file",
+         [&session](const std::string& path) {
+           auto token = dhpmap::ReadTokenFile(path);
+           if (!token.ok()) throw CLI::ValidationError("--token-file", token.status().message());
+           session.token = *std::move(token);
+         },
+         "File with your key, of mode 600")
+      ->type_name("FILE");
+  app.parse_complete_callback([&session] {
+    if (session.token.empty() || dhpmap::StaysOnThisMachine(session.server)) return;
+    throw CLI::ValidationError("--token-file", "the key would go to " + session.server + " in the clear");
+  });
   app.add_flag("--json", session.json, "Answer in JSON");
   dhpmap::AddMapCommand(app, session);
   dhpmap::AddMapsCommands(app, session);
@@ -56,6 +70,7 @@ int main(int argc, char** argv) {
   dhpmap::AddWatchCommand(app, session);
   dhpmap::AddSessionsCommands(app, session);
   dhpmap::AddReplayCommand(app, session);
+  dhpmap::AddKeysCommands(app, session);
   dhpmap::AddCompletionCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));

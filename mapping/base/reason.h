@@ -149,6 +149,25 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"BAD_SCAN", StatusCode::kInvalidArgument, "a LiDAR scan is malformed"},
     {"NO_MATCH", StatusCode::kOk, "a frame lacks the pose, time or picture that goes with it"},
     {"NO_CLASS_MAP", StatusCode::kFailedPrecondition, "classes differ, and no file says which are the same"},
+    // Keys.
+    {"NO_CREDENTIAL", StatusCode::kUnauthenticated, "the server wants a key, and the call shows none"},
+    {"BAD_CREDENTIAL", StatusCode::kUnauthenticated, "the key that the call shows is none of the server's"},
+    {"KEY_EXPIRED", StatusCode::kUnauthenticated, "the time of the key is over"},
+    {"KEY_REVOKED", StatusCode::kUnauthenticated, "the key has been revoked"},
+    {"AMBIGUOUS_CREDENTIAL", StatusCode::kInvalidArgument, "the call shows more than one key"},
+    {"TOKEN_IN_URL", StatusCode::kInvalidArgument,
+     "the URL holds a key, which logs would keep: send it in Authorization, and replace it"},
+    {"ROLE_NOT_ALLOWED", StatusCode::kPermissionDenied, "the role of the key does not have what the call needs"},
+    {"MAP_NOT_ALLOWED", StatusCode::kPermissionDenied, "the key is not for this map, whether there is one or not"},
+    {"NOT_YOUR_NAME", StatusCode::kPermissionDenied,
+     "an author is named, or an edit is undone, that is not of who asks"},
+    {"NOT_YOUR_SESSION", StatusCode::kPermissionDenied, "the key is not for this session"},
+    {"OUT_OF_QUOTA", StatusCode::kResourceExhausted,
+     "who asks makes as many calls, or holds as many streams, as one may"},
+    {"TOO_MANY_LOGINS", StatusCode::kResourceExhausted, "too many wrong keys came from this address: try again later"},
+    {"BAD_KEY_FILE", StatusCode::kFailedPrecondition, "the file of keys cannot be used"},
+    {"BAD_KEY", StatusCode::kInvalidArgument, "a key to be made has a bad name, role, pattern or time"},
+    {"KEY_NOT_FOUND", StatusCode::kNotFound, "the file has no such key"},
 };
 
 /// A reason of the table above, or none. Made from its name, such as WithReason("MAP_NOT_FOUND"), which does not

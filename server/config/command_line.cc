@@ -14,7 +14,7 @@ namespace {
 
 struct Flags {
   std::optional<std::string> config, db, grpc, http, log_level;
-  bool log_json = false, insecure = false, print_config = false;
+  bool log_json = false, insecure = false, no_tls = false, no_auth = false, print_config = false;
   std::vector<std::string> set;
 };
 
@@ -24,7 +24,9 @@ void AddFlags(CLI::App& app, Flags& flags) {
   app.add_option("--config", flags.config, "YAML file; see deploy/dhpmap.yaml");
   app.add_option("--grpc", flags.grpc, "address of the gRPC door [127.0.0.1:50051]");
   app.add_option("--http", flags.http, "address of the REST door [127.0.0.1:8080]");
-  app.add_flag("--insecure", flags.insecure, "allow addresses that other machines can reach");
+  app.add_flag("--insecure", flags.insecure, "the next two together");
+  app.add_flag("--insecure-no-tls", flags.no_tls, "allow addresses that other machines can reach, without TLS");
+  app.add_flag("--insecure-no-auth", flags.no_auth, "the same without keys");
   app.add_option("--log-level", flags.log_level, "debug, info, warning, error or off [info]");
   app.add_flag("--log-json", flags.log_json, "log one JSON object a line");
   app.add_option("--set", flags.set, "set any other key: --set store.commit_s=1")->type_name("KEY=VALUE");
@@ -58,6 +60,8 @@ KeyValues KeysFromFlags(const Flags& flags) {
   add("log.level", flags.log_level);
   if (flags.log_json) values.emplace_back("log.json", "true");
   if (flags.insecure) values.emplace_back("insecure", "true");
+  if (flags.no_tls) values.emplace_back("insecure_no_tls", "true");
+  if (flags.no_auth) values.emplace_back("insecure_no_auth", "true");
   return values;
 }
 

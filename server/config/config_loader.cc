@@ -167,8 +167,10 @@ Result<std::string> ReadConfigFile(const std::string& path) {
 KeyValues KeysFromEnvironment(const std::vector<std::string>& environment) {
   std::vector<std::string> known;
   ServerConfig config;
-  VisitServerFields(config,
-                    [&known](const char* key, const auto&, double, double, const char*) { known.emplace_back(key); });
+  VisitServerFields(config, [&known](const char* key, const auto&, double, double, const char*) {
+    // What opens the server to strangers is said where somebody reads it: in the file, or as a flag.
+    if (!std::string_view(key).starts_with("insecure")) known.emplace_back(key);
+  });
   for (const auto& [key, value] : ConfigToText(config.map_defaults)) known.push_back(std::string(kMapDefaults) + key);
 
   KeyValues values;

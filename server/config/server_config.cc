@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <filesystem>
 #include <sstream>
 #include <type_traits>
 
@@ -23,14 +24,16 @@ bool HasPort(std::string_view address) {
   return error == std::errc() && end == digits.data() + digits.size() && port >= 0 && port <= 65535;
 }
 
-void CheckAddress(const char* key, const std::string& address, bool insecure, Status& bad) {
-  if (!HasPort(address)) {
-    bad.AddViolation(key, "'" + address + "' is not host:port");
-  } else if (!IsLoopback(address) && !insecure) {
-    bad.AddViolation(key, "'" + address +
-                              "' can be reached from other machines, and there is no TLS and no authentication: say "
-                              "--insecure to allow it");
-  }
+/// TLS is none of the server's yet.
+constexpr bool kHasTls = false;
+
+void CheckAddress(const char* key, const std::string& address, Status& bad) {
+  if (!HasPort(address)) bad.AddViolation(key, "'" + address + "' is not host:port");
+}
+
+void CheckReach(const char* key, const std::string& address, const std::string& lacks, Status& bad) {
+  if (!HasPort(address) || IsLoopback(address) || lacks.empty()) return;
+  bad.AddViolation(key, "'" + address + "' can be reached from other machines, and there is " + lacks);
 }
 
 template <typename Number>
@@ -50,8 +53,11 @@ Status ServerConfig::Validate() const {
     using Value = std::remove_cvref_t<decltype(value)>;
     if constexpr (!std::is_same_v<Value, bool> && std::is_arithmetic_v<Value>) CheckRange(key, value, least, most, bad);
   });
-  CheckAddress("grpc.address", grpc.address, insecure, bad);
-  CheckAddress("http.address", http.address, insecure, bad);
+  CheckAddress("grpc.address", grpc.address, bad);
+  CheckAddress("http.address", http.address, bad);
+  const Status exposure = CheckExposure(*this, kHasTls, !KeyFileOf(*this).empty());
+  for (const FieldViolation& violation : exposure.violations())
+    bad.AddViolation(violation.field, violation.description);
   if (std::find(kLogLevels.begin(), kLogLevels.end(), log.level) == kLogLevels.end()) {
     bad.AddViolation("log.level", "'" + log.level + "' is not debug, info, warning, error or off");
   }
@@ -59,6 +65,34 @@ Status ServerConfig::Validate() const {
   for (const FieldViolation& violation : map.violations()) {
     bad.AddViolation("map_defaults." + violation.field, violation.description);
   }
+  return bad.violations().empty() ? Status::Ok() : bad;
+}
+
+std::string KeyFileOf(const ServerConfig& config) {
+  if (!config.auth.keys.empty() || config.db.empty()) return config.auth.keys;
+  std::string beside = config.db + ".keys";
+  std::error_code error;
+  // Whatever it is, a link that leads nowhere, too: only where there is nothing at all are keys off.
+  return std::filesystem::symlink_status(beside, error).type() == std::filesystem::file_type::not_found ? "" : beside;
+}
+
+bool IsInsecure(const ServerConfig& config) {
+  return config.insecure || config.insecure_no_tls || config.insecure_no_auth;
+}
+
+Status CheckExposure(const ServerConfig& config, bool has_tls, bool has_keys) {
+  const bool lacks_tls = !has_tls && !config.insecure && !config.insecure_no_tls;
+  const bool lacks_keys = !has_keys && !config.insecure && !config.insecure_no_auth;
+  std::string lacks;
+  if (lacks_tls) lacks += "no TLS (--insecure-no-tls allows it)";
+  if (lacks_keys) {
+    lacks += std::string(lacks.empty() ? "" : ", and there are ") +
+             "no keys (`dhpmap keys create --keys FILE` makes one, auth.keys names the file; --insecure-no-auth goes "
+             "without)";
+  }
+  Status bad = InvalidArgument("the server would be open to strangers").WithReason("BAD_CONFIG");
+  CheckReach("grpc.address", config.grpc.address, lacks, bad);
+  CheckReach("http.address", config.http.address, lacks, bad);
   return bad.violations().empty() ? Status::Ok() : bad;
 }
 

@@ -12,6 +12,8 @@ namespace dhpmap {
 struct ServerConfig {
   std::string db;  ///< the SQLite file with the maps; required to serve
   bool insecure = false;
+  bool insecure_no_tls = false;
+  bool insecure_no_auth = false;
 
   struct Grpc {
     std::string address = "127.0.0.1:50051";
@@ -30,6 +32,10 @@ struct ServerConfig {
     double idle_timeout_s = 60;
     double header_timeout_s = 10;
   } http;
+  struct Auth {
+    std::string keys;
+    std::string audit;
+  } auth;
   struct Log {
     std::string level = "info";
     bool json = false;
@@ -96,7 +102,9 @@ struct ServerConfig {
 template <typename Config, typename Visitor>
 void VisitServerFields(Config& c, Visitor&& visit) {
   visit("db", c.db, 0, 0, "SQLite file of the maps; required to serve");
-  visit("insecure", c.insecure, 0, 0, "allow addresses that other machines can reach, without TLS and authentication");
+  visit("insecure", c.insecure, 0, 0, "both of the next two; will go");
+  visit("insecure_no_tls", c.insecure_no_tls, 0, 0, "allow addresses that other machines can reach, without TLS");
+  visit("insecure_no_auth", c.insecure_no_auth, 0, 0, "allow addresses that other machines can reach, without keys");
   visit("grpc.address", c.grpc.address, 0, 0, "host:port; port 0 takes a free port");
   visit("grpc.max_message_mib", c.grpc.max_message_mib, 1, 2047,
         "MiB; larger requests are refused; requests without long lists are limited to 1 MiB");
@@ -117,6 +125,9 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("http.idle_timeout_s", c.http.idle_timeout_s, 0.1, 86400,
         "s; a connection without a request is closed after this");
   visit("http.header_timeout_s", c.http.header_timeout_s, 0.1, 3600, "s that a request's header may take to arrive");
+  visit("auth.keys", c.auth.keys, 0, 0,
+        "file of keys, see `dhpmap keys`; empty = DB.keys if that is there, else no keys");
+  visit("auth.audit", c.auth.audit, 0, 0, "file for who changed what and who was refused, with keys on; empty = off");
   visit("log.level", c.log.level, 0, 0, "debug, info, warning, error or off");
   visit("log.json", c.log.json, 0, 0, "write one JSON object per line");
   visit("mapping.num_threads", c.mapping.num_threads, 0, 256,
@@ -174,6 +185,16 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "s that an import may lag behind 16 KiB/s in total");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at shutdown");
 }
+
+/// The file of keys that is in force: `auth.keys`, or the one beside the database if there is one. Empty: keys are off.
+std::string KeyFileOf(const ServerConfig& config);
+
+/// Whether something may be served at addresses that other machines reach without TLS or without keys.
+bool IsInsecure(const ServerConfig& config);
+
+/// Of a server that has a certificate, and keys, or not: INVALID_ARGUMENT naming each address that other machines can
+/// reach, and what it lacks, unless a switch says that it may.
+Status CheckExposure(const ServerConfig& config, bool has_tls, bool has_keys);
 
 /// "DHPMAP_GRPC_ADDRESS" for "grpc.address".
 std::string EnvironmentName(std::string_view key);

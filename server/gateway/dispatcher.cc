@@ -5,12 +5,15 @@
 #include <utility>
 
 #include "mapping/base/byte_budget.h"
+#include "server/auth/rights.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/media_type.h"
 #include "server/gateway/page_exchange.h"
 #include "server/gateway/rpc_request.h"
 #include "server/gateway/web_pages.h"
+#include "server/gateway/who_asks.h"
 #include "server/http/url.h"
+#include "server/wire/types/resource_names.h"
 
 namespace dhpmap::gateway {
 namespace {
@@ -35,6 +38,7 @@ http::Response MethodNotAllowed(const http::RequestHead& head, std::string_view 
 Dispatcher::Dispatcher(HttpRuleRouter router, RpcBackend backend, GatewayHooks hooks, std::size_t max_body_bytes,
                        std::shared_ptr<ByteBudget> inflight)
     : router_(std::move(router)),
+      gate_(hooks.gate != nullptr && hooks.gate->has_keys() ? hooks.gate : nullptr),
       pages_(router_, std::move(hooks)),
       backend_(backend),
       max_body_bytes_(max_body_bytes),
@@ -51,12 +55,22 @@ std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
     return answer(
         ErrorResponse(InvalidArgument("the request target is not a path").WithReason("BAD_TARGET"), FormatFor(head)));
   }
+  if (const Status url = gate_ ? CheckNoKeyInUrl(target->query) : Status::Ok(); !url.ok()) {
+    return answer(ErrorResponse(url, FormatFor(head)));
+  }
+  if (gate_ && (target->path == kLogInPath || target->path == kLogOutPath)) {
+    if (head.method != "POST") return answer(MethodNotAllowed(head, target->path, "POST"));
+    return answer(target->path == kLogInPath ? LogIn(*gate_, head) : LogOut(*gate_, head));
+  }
   if (auto page = WebPage(head, target->path)) {
     if (!IsRead(head)) return answer(MethodNotAllowed(head, target->path, "GET, HEAD"));
     return answer(*std::move(page));
   }
   if (pages_.Has(target->path)) {
     if (!IsRead(head)) return answer(MethodNotAllowed(head, target->path, "GET, HEAD"));
+    if (const Status page = CheckPage(head, target->path); !page.ok()) {
+      return answer(ErrorResponse(page, FormatFor(head)));
+    }
     if (!Pages::TakesTime(target->path) || backend_.pages == nullptr) return answer(pages_.Make(target->path));
     return MakePageExchange(pages_.MakerOf(target->path), *backend_.pages, responder);
   }
@@ -92,11 +106,36 @@ Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::Request
         .WithReason("FOREIGN_ORIGIN");
   }
   const bool is_stream = match.route->is_stream();
+  auto caller = CallerOf(head, match);
+  if (!caller.ok()) {
+    gate_->Audit({.rpc = match.route->rpc_path, .map = {}, .decision = caller.status()});
+    return caller.status();
+  }
   DHPMAP_ASSIGN_OR_RETURN(RpcRequest request, RpcRequest::Make(head, std::move(match), query, max_body_bytes_));
+  if (*caller != nullptr) CallFor(*gate_, *std::move(caller), request.call);
   ByteShare share(inflight_.get());
   if (is_stream) return MakeStreamExchange(std::move(request), std::move(share), backend_, responder);
   if (!share.Resize(request.announced_bytes)) return TooManyBytes();
   return MakeUnaryExchange(std::move(request), std::move(share), backend_, responder);
+}
+
+Status Dispatcher::CheckPage(const http::RequestHead& head, std::string_view path) const {
+  if (gate_ == nullptr || Pages::IsForAll(path)) return Status::Ok();
+  return WhoAsks(*gate_, head).status();
+}
+
+Result<auth::PrincipalPtr> Dispatcher::CallerOf(const http::RequestHead& head, const RouteMatch& match) const {
+  if (gate_ == nullptr) return auth::PrincipalPtr();
+  DHPMAP_ASSIGN_OR_RETURN(auth::PrincipalPtr principal, WhoAsks(*gate_, head));
+  const auth::CallNeeds* needs = gate_->NeedsOf(match.route->rpc_path);
+  if (needs == nullptr) return Internal("an rpc says nothing of who may call it");
+  DHPMAP_RETURN_IF_ERROR(auth::CheckRole(*principal, *needs));
+  // The handler asks of each message again; here a body is refused before it comes.
+  for (const std::string& value : match.values) {
+    if (!value.starts_with("maps/")) continue;
+    DHPMAP_RETURN_IF_ERROR(auth::CheckMap(*principal, MapOfResource(value)));
+  }
+  return principal;
 }
 
 }  // namespace dhpmap::gateway

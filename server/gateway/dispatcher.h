@@ -33,7 +33,13 @@ class Dispatcher final : public http::Handler {
                                                    std::string_view query,
                                                    const std::shared_ptr<http::Responder>& responder) const;
 
+  /// Of a page that is not for all.
+  [[nodiscard]] Status CheckPage(const http::RequestHead& head, std::string_view path) const;
+  /// For whom an RPC is called; null without keys.
+  [[nodiscard]] Result<auth::PrincipalPtr> CallerOf(const http::RequestHead& head, const RouteMatch& match) const;
+
   HttpRuleRouter router_;
+  std::shared_ptr<auth::Gate> gate_;  ///< null: all is open
   Pages pages_;
   RpcBackend backend_;
   std::size_t max_body_bytes_;

@@ -63,6 +63,8 @@ http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format) {
   http::Response response;
   response.status = HttpStatusOf(status.code, ReasonOf(status));
   response.headers.emplace_back("Content-Type", as_protobuf ? kProtobufType : kJsonType);
+  constexpr int kUnauthenticated = 16;
+  if (status.code == kUnauthenticated) response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"dhpmap\"");
   response.body = as_protobuf ? Parsed(status).SerializeAsString() : ErrorJson(status) + "\n";
   return response;
 }

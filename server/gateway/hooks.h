@@ -2,7 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
+
+#include "server/auth/gate.h"
 
 namespace dhpmap {
 
@@ -10,6 +13,8 @@ namespace dhpmap {
 struct GatewayHooks {
   std::function<bool()> is_ready;             ///< /readyz
   std::function<std::string()> metrics_text;  ///< /metrics, Prometheus text; on a thread of its own
+  std::shared_ptr<auth::Gate> gate =
+      nullptr;  ///< who may ask; null: anybody, and whoever is behind the channel decides
 };
 
 }  // namespace dhpmap

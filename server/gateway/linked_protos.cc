@@ -3,6 +3,7 @@
 
 #include <google/protobuf/message.h>
 
+#include "dhpmap/v1/auth_service.pb.h"
 #include "dhpmap/v1/edit_service.pb.h"
 #include "dhpmap/v1/errors.pb.h"
 #include "dhpmap/v1/map_service.pb.h"
@@ -23,6 +24,7 @@ void LinkProtos() {
   google::protobuf::LinkMessageReflection<v1::GetSubmapRequest>();
   google::protobuf::LinkMessageReflection<v1::ApplyEditsRequest>();
   google::protobuf::LinkMessageReflection<v1::WatchMapRequest>();
+  google::protobuf::LinkMessageReflection<v1::WhoAmIRequest>();
   google::protobuf::LinkMessageReflection<v1::Error>();
   google::protobuf::LinkMessageReflection<google::rpc::ErrorInfo>();
   google::protobuf::LinkMessageReflection<google::rpc::Status>();

@@ -22,6 +22,8 @@ class Pages {
   [[nodiscard]] bool Has(std::string_view path) const { return pages_.find(path) != pages_.end(); }
   /// Whether making it may take milliseconds, which the connections' thread has not. `path` is one that Has knows.
   [[nodiscard]] static bool TakesTime(std::string_view path) { return path == kMetricsPath; }
+  /// Whether it is shown to those without a key: that the server is there, and whether it can be asked.
+  [[nodiscard]] static bool IsForAll(std::string_view path) { return path == "/healthz" || path == "/readyz"; }
   /// What makes it, anew each time; may be called on any thread, and when this is gone. `path` is one that Has knows.
   [[nodiscard]] std::function<http::Response()> MakerOf(std::string_view path) const {
     return pages_.find(path)->second;

@@ -84,6 +84,7 @@ struct GenericUnaryCall final : UnaryCall {
   void Cancel() override { context.TryCancel(); }
 
   CountedCall counted;
+  std::shared_ptr<const void> kept;
   grpc::ClientContext context;
   ByteBuffer request;
   ByteBuffer response;
@@ -97,6 +98,7 @@ class GenericStreamCall final : public StreamCall, public grpc::ClientBidiReacto
   /// `self` keeps this alive until gRPC is done with it.
   void Start(grpc::GenericStub* stub, const CallOptions& options, std::shared_ptr<GenericStreamCall> self) {
     self_ = std::move(self);
+    kept_ = options.kept;
     Prepare(options, &context_);
     stub->PrepareBidiStreamingCall(&context_, options.rpc_path, {}, this);
     AddHold();  // because reads and sends start outside of gRPC's reactions
@@ -128,6 +130,7 @@ class GenericStreamCall final : public StreamCall, public grpc::ClientBidiReacto
 
  private:
   CountedCall counted_;
+  std::shared_ptr<const void> kept_;
   std::shared_ptr<StreamListener> listener_;
   grpc::ClientContext context_;
   ByteBuffer incoming_;
@@ -151,6 +154,7 @@ RpcCaller::~RpcCaller() = default;
 std::shared_ptr<UnaryCall> RpcCaller::StartUnary(const CallOptions& options, std::string request,
                                                  std::function<void(RpcStatus, std::string)> done) {
   auto call = std::make_shared<GenericUnaryCall>(impl_->counter);
+  call->kept = options.kept;
   Prepare(options, &call->context);
   call->request = ToBuffer(std::move(request));
   impl_->stub.UnaryCall(&call->context, options.rpc_path, {}, &call->request, &call->response,

@@ -21,6 +21,7 @@ struct CallOptions {
   std::string rpc_path;                                       ///< "/dhpmap.v1.MapService/GetMap"
   std::vector<std::pair<std::string, std::string>> metadata;  ///< lower-case keys, printable ASCII values
   std::optional<std::chrono::nanoseconds> timeout;
+  std::shared_ptr<const void> kept;  ///< as long as the call goes on
 };
 
 /// A running unary RPC.

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "server/auth/rights.h"
 #include "server/wire/types/request_limits.h"
 
 namespace dhpmap {
@@ -22,6 +23,8 @@ RequestIntake::RequestIntake(const ServiceContext& of, const google::protobuf::S
                              const google::protobuf::Descriptor& request, const MessageLayout& request_layout)
     : context(of), layout(request_layout) {
   const google::protobuf::MethodDescriptor& method = MethodOf(service, request);
+  path = auth::PathOf(method);
+  needs = of.options.gate->NeedsOf(path);
   name = service.name() + "/" + method.name();
   index = method.index();
   most_bytes = MostRequestBytes(method, context.options.max_message_bytes);
@@ -47,6 +50,42 @@ Status RequestIntake::Parse(grpc::ByteBuffer& bytes, google::protobuf::Message& 
   share.reset();
   record.End(status);
   return status;
+}
+
+Status RequestIntake::Enter(grpc::CallbackServerContext& call) const {
+  const CallRecord record(context, name);
+  const Status status = RunGuarded([&] {
+    Status entered = dhpmap::Enter(*context.options.gate, needs, call);
+    const bool comes_with_messages = needs != nullptr && needs->comes_in_messages;
+    if (!entered.ok() || comes_with_messages) Audit(CallerOf(call), entered, nullptr);
+    return entered;
+  });
+  if (!status.ok()) record.End(status);
+  return status;
+}
+
+Status RequestIntake::Take(grpc::CallbackServerContext& call, grpc::ByteBuffer& bytes,
+                           google::protobuf::Message& message, std::optional<ByteShare>& share) const {
+  DHPMAP_RETURN_IF_ERROR(Enter(call));
+  DHPMAP_RETURN_IF_ERROR(Parse(bytes, message, share));
+  const CallRecord record(context, name);
+  const Status status = RunGuarded([&] {
+    Status checked = CallerOf(call).Check(message);
+    Audit(CallerOf(call), checked, &message);
+    return checked;
+  });
+  if (!status.ok()) record.End(status);
+  return status;
+}
+
+void RequestIntake::Audit(const Caller& caller, const Status& decision,
+                          const google::protobuf::Message* message) const {
+  if (!context.options.gate->has_keys() || needs == nullptr) return;
+  if (decision.ok() && needs->need == v1::Access::READ) return;
+  context.options.gate->Audit({.principal = caller.principal(),
+                               .rpc = path,
+                               .map = message != nullptr ? auth::MapNamed(*needs, *message) : std::string(),
+                               .decision = decision});
 }
 
 }  // namespace dhpmap

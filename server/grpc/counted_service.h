@@ -10,6 +10,7 @@
 #include <string>
 
 #include "server/grpc/call_runner.h"
+#include "server/grpc/door_call.h"
 #include "server/grpc/request_message.h"
 
 namespace dhpmap {
@@ -24,8 +25,18 @@ struct RequestIntake {
   /// reasons BODY_TOO_LARGE and TOO_MANY_BYTES, told to the observer as any call that fails.
   Status Parse(grpc::ByteBuffer& bytes, google::protobuf::Message& message, std::optional<ByteShare>& share) const;
 
+  /// Who calls, and whether they may: see Enter of door_call.h. Told to the observer as any call that fails.
+  Status Enter(grpc::CallbackServerContext& call) const;
+  /// Enter, Parse, and whether the caller may ask for what the message names.
+  Status Take(grpc::CallbackServerContext& call, grpc::ByteBuffer& bytes, google::protobuf::Message& message,
+              std::optional<ByteShare>& share) const;
+  /// Into the audit log: who is let in to what changes something, and who is not.
+  void Audit(const Caller& caller, const Status& decision, const google::protobuf::Message* message) const;
+
   const ServiceContext& context;
   const MessageLayout& layout;
+  const auth::CallNeeds* needs = nullptr;
+  std::string path;                    ///< "/dhpmap.v1.MapService/GetMap"
   std::string name;                    ///< "MapService/GetMap"
   int index = 0;                       ///< in its service
   std::size_t most_bytes = 0;          ///< as it comes
@@ -51,15 +62,23 @@ class CountedService : public Service::CallbackService {
   /// A stream of messages that the handler's reactor parses, see ParseWithin.
   template <typename Request, typename Self, typename Response>
   void TakeStream(grpc::ServerReadReactor<grpc::ByteBuffer>* (Self::*handler)(Context*, Response*)) {
-    const auto open = [this, handler](Context* call, Response* response) {
+    const auto intake = IntakeOf<Request>();
+    const auto open = [=, this](Context* call, Response* response) -> grpc::ServerReadReactor<grpc::ByteBuffer>* {
+      const Status entered = intake->Enter(*call);
+      if (!entered.ok()) return new Refusal<grpc::ServerReadReactor<grpc::ByteBuffer>>(entered);
       return (static_cast<Self*>(this)->*handler)(call, response);
     };
-    Mark<grpc::internal::CallbackClientStreamingHandler<grpc::ByteBuffer, Response>>(IntakeOf<Request>()->index, open);
+    Mark<grpc::internal::CallbackClientStreamingHandler<grpc::ByteBuffer, Response>>(intake->index, open);
   }
   template <typename Request, typename Self, typename Response>
   void TakeStream(grpc::ServerBidiReactor<grpc::ByteBuffer, Response>* (Self::*handler)(Context*)) {
-    const auto open = [this, handler](Context* call) { return (static_cast<Self*>(this)->*handler)(call); };
-    Mark<grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, Response>>(IntakeOf<Request>()->index, open);
+    const auto intake = IntakeOf<Request>();
+    const auto open = [=, this](Context* call) -> grpc::ServerBidiReactor<grpc::ByteBuffer, Response>* {
+      const Status entered = intake->Enter(*call);
+      if (!entered.ok()) return new Refusal<grpc::ServerBidiReactor<grpc::ByteBuffer, Response>>(entered);
+      return (static_cast<Self*>(this)->*handler)(call);
+    };
+    Mark<grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, Response>>(intake->index, open);
   }
 
  private:
@@ -76,8 +95,8 @@ class CountedService : public Service::CallbackService {
     const auto intake = IntakeOf<Request>();
     const auto begin = [=, this](Context* call, const RawRequest<Request>* request,
                                  Response* response) -> grpc::ServerUnaryReactor* {
-      const Status parsed = intake->Parse(request->bytes, request->message, request->share);
-      if (!parsed.ok()) return new Refusal<grpc::ServerUnaryReactor>(parsed);
+      const Status taken = intake->Take(*call, request->bytes, request->message, request->share);
+      if (!taken.ok()) return new Refusal<grpc::ServerUnaryReactor>(taken);
       return (static_cast<Self*>(this)->*handler)(call, &request->message, response);
     };
     Mark<grpc::internal::CallbackUnaryHandler<RawRequest<Request>, Response>>(intake->index, begin);
@@ -87,8 +106,8 @@ class CountedService : public Service::CallbackService {
     const auto intake = IntakeOf<Request>();
     const auto begin = [=, this](Context* call,
                                  const RawRequest<Request>* request) -> grpc::ServerWriteReactor<Response>* {
-      const Status parsed = intake->Parse(request->bytes, request->message, request->share);
-      if (!parsed.ok()) return new Refusal<grpc::ServerWriteReactor<Response>>(parsed);
+      const Status taken = intake->Take(*call, request->bytes, request->message, request->share);
+      if (!taken.ok()) return new Refusal<grpc::ServerWriteReactor<Response>>(taken);
       return (static_cast<Self*>(this)->*handler)(call, &request->message);
     };
     Mark<grpc::internal::CallbackServerStreamingHandler<RawRequest<Request>, Response>>(intake->index, begin);

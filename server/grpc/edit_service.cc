@@ -71,18 +71,18 @@ class EditService final : public CountedService<v1::EditService> {
         });
   }
 
-  grpc::ServerUnaryReactor* UndoEdits(grpc::CallbackServerContext*, const v1::UndoEditsRequest* request,
+  grpc::ServerUnaryReactor* UndoEdits(grpc::CallbackServerContext* call, const v1::UndoEditsRequest* request,
                                       v1::UndoEditsResponse* response) override {
     return RunEdit(
         context_, {.method = "EditService/UndoEdits", .request = request, .opens = request->map()}, response,
-        [=, this] { return PlanUndo("UndoEdits", *request); }, kFillUndone);
+        [=, this, caller = CallerOf(*call)] { return PlanUndo("UndoEdits", *request, caller); }, kFillUndone);
   }
 
-  grpc::ServerUnaryReactor* RedoEdits(grpc::CallbackServerContext*, const v1::RedoEditsRequest* request,
+  grpc::ServerUnaryReactor* RedoEdits(grpc::CallbackServerContext* call, const v1::RedoEditsRequest* request,
                                       v1::RedoEditsResponse* response) override {
     return RunEdit(
         context_, {.method = "EditService/RedoEdits", .request = request, .opens = request->map()}, response,
-        [=, this] { return PlanUndo("RedoEdits", *request); }, kFillUndone);
+        [=, this, caller = CallerOf(*call)] { return PlanUndo("RedoEdits", *request, caller); }, kFillUndone);
   }
 
   grpc::ServerUnaryReactor* RestoreRevision(grpc::CallbackServerContext*, const v1::RestoreRevisionRequest* request,
@@ -169,10 +169,11 @@ class EditService final : public CountedService<v1::EditService> {
   }
 
   template <typename Request>
-  Result<PlannedEdit> PlanUndo(const char* method, const Request& request) const {
+  Result<PlannedEdit> PlanUndo(const char* method, const Request& request, const Caller& caller) const {
     DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request.map(), "map"));
     DHPMAP_ASSIGN_OR_RETURN(UndoRequest undo, UndoFromProto(request, map));
     undo.conditions = ConditionsOf(request, request.etag(), *context_.registry.LostRevisionsOf(map));
+    undo.is_own = [caller](const std::string& author) { return caller.Owns(author); };
     return PlanEdit(method, request, map, context_.registry.UndoOf(std::move(undo)));
   }
 

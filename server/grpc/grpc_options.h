@@ -11,6 +11,7 @@
 #include "mapping/base/byte_budget.h"
 #include "mapping/base/result.h"
 #include "mapping/map/map_config.h"
+#include "server/auth/gate.h"
 
 namespace dhpmap {
 
@@ -29,9 +30,10 @@ struct GrpcOptions {
   /// There is no more room for the state that a client reads: if it takes a message within this time it is told why
   /// there is no other, else it is cut off.
   double to_take_last_s = 1;
-  std::int64_t max_query_points = 1'000'000;  ///< in one QueryPoints
-  int max_frames_in_flight = 4;               ///< of a stream: read, but not yet acknowledged to the client
-  MapConfig default_config;                   ///< of a new map that names no preset; valid
+  std::int64_t max_query_points = 1'000'000;              ///< in one QueryPoints
+  int max_frames_in_flight = 4;                           ///< of a stream: read, but not yet acknowledged to the client
+  MapConfig default_config;                               ///< of a new map that names no preset; valid
+  std::shared_ptr<auth::Gate> gate = auth::Gate::Open();  ///< who may call; never null
 };
 
 /// What happens in the handlers, for metrics. Called from many threads; each may be empty.

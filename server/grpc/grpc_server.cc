@@ -18,6 +18,8 @@
 #include <vector>
 
 #include "grpc/health/v1/health.pb.h"
+#include "server/grpc/door_call.h"
+#include "server/grpc/door_credentials.h"
 #include "server/grpc/passing_time.h"
 #include "server/grpc/reflection_service.h"
 #include "server/grpc/services.h"
@@ -90,7 +92,8 @@ Lane MakeLane(LaneOptions options) {
 }
 
 constexpr std::array kServiceNames = {"dhpmap.v1.MapService",  "dhpmap.v1.MappingService", "dhpmap.v1.SubmapService",
-                                      "dhpmap.v1.EditService", "dhpmap.v1.QueryService",   "dhpmap.v1.WatchService"};
+                                      "dhpmap.v1.EditService", "dhpmap.v1.QueryService",   "dhpmap.v1.WatchService",
+                                      "dhpmap.v1.AuthService"};
 constexpr const char* kHealthService = "grpc.health.v1.Health";  // gRPC's own
 
 std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& context, IntegrateStreams& streams,
@@ -103,6 +106,7 @@ std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& c
   services.push_back(MakeEditService(context));
   services.push_back(MakeQueryService(context, query_streams));
   services.push_back(MakeWatchService(context, watch_streams));
+  services.push_back(MakeAuthService(context));
   std::vector<std::string> served(kServiceNames.begin(), kServiceNames.end());
   served.emplace_back(kHealthService);
   for (auto& service : MakeReflectionServices(context, reflection_streams, std::move(served))) {
@@ -193,13 +197,14 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
                                                       GrpcObserver observer) {
   gpr_set_log_function(LogFromGrpc);
   grpc::EnableDefaultHealthCheckService(true);
+  DHPMAP_RETURN_IF_ERROR(options.gate->CheckCalls());
   google::protobuf::LinkMessageReflection<grpc::health::v1::HealthCheckRequest>();  // reflection describes it, too
   auto impl = std::make_unique<Impl>(options, registry, std::move(observer));
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   grpc::ServerBuilder builder;
   std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> door;
   if (options.address.starts_with("unix:")) {
-    builder.AddListeningPort(options.address, grpc::InsecureServerCredentials(), &impl->port);
+    builder.AddListeningPort(options.address, MakeDoorCredentials(options.gate, UDS), &impl->port);
   } else {
     auto connections =
         net::ConnectionAcceptor::Listen({.address = options.address, .max_connections = options.max_connections});
@@ -207,10 +212,12 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
     impl->connections = std::move(*connections);
     impl->port = impl->connections->port();
     door = builder.experimental().AddExternalConnectionAcceptor(
-        grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD, grpc::InsecureServerCredentials());
+        grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
+        MakeDoorCredentials(options.gate, LOCAL_TCP));
   }
   builder.SetMaxReceiveMessageSize(static_cast<int>(std::min(options.max_message_bytes, kMost)));
   RefuseCompressed(builder);
+  builder.SetContextAllocator(MakeCallAllocator());
   LimitConnections(options, builder);
   for (const auto& service : impl->services) builder.RegisterService(service.get());
   (void)TakeTurns(Turns::kShort);  // gRPC's threads, and those that they start

@@ -28,8 +28,8 @@ Status OtherMap() {
 
 }  // namespace
 
-ImportStream* ImportStream::Start(const ServiceContext& context, v1::ImportMapResponse* response) {
-  auto* stream = new ImportStream(context, response);
+ImportStream* ImportStream::Start(const ServiceContext& context, Caller caller, v1::ImportMapResponse* response) {
+  auto* stream = new ImportStream(context, std::move(caller), response);
   stream->self_.reset(stream);
   {
     const MutexLock lock(stream->mutex_);
@@ -106,13 +106,18 @@ Status ImportStream::TakeMessage() {
 Status ImportStream::TakePart() {
   if (stop_.stop_requested()) return GoneAway();
   if (incoming_ == nullptr) {
+    DHPMAP_RETURN_IF_ERROR(caller_.Check(request_));
     map_id_ = request_.map_id();
-    DHPMAP_ASSIGN_OR_RETURN(incoming_, context_.registry.BeginImport(ImportRequestFromProto(request_)));
-  } else if (!request_.map_id().empty() && request_.map_id() != map_id_) {
-    return OtherMap();
-  }
-  return incoming_->Write(request_.data());
+    ImportRequest import = ImportRequestFromProto(request_);
+    import.check_name = [caller = caller_](const std::string& name) { return caller.CheckMap(name);
+  };
+  DHPMAP_ASSIGN_OR_RETURN(incoming_, context_.registry.BeginImport(std::move(import)));
 }
+else if (!request_.map_id().empty() && request_.map_id() != map_id_) {
+  return OtherMap();
+}
+return incoming_->Write(request_.data());
+}  // namespace dhpmap
 
 void ImportStream::Prepare() {
   const Status status = RunGuarded([this]() -> Status {

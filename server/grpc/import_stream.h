@@ -13,6 +13,7 @@
 #include "server/app/maps/map_import.h"
 #include "server/grpc/call_runner.h"
 #include "server/grpc/client_lag.h"
+#include "server/grpc/door_call.h"
 
 namespace dhpmap {
 
@@ -23,7 +24,7 @@ namespace dhpmap {
 /// nobody uses it.
 class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
  public:
-  static ImportStream* Start(const ServiceContext& context, v1::ImportMapResponse* response);
+  static ImportStream* Start(const ServiceContext& context, Caller caller, v1::ImportMapResponse* response);
 
   void OnReadDone(bool ok) override;
   void OnCancel() override;
@@ -34,8 +35,9 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
   /// A part of the file, and what is read and written of it at a time.
   static constexpr std::size_t kKept_bytes = 1u << 20;
 
-  ImportStream(const ServiceContext& context, v1::ImportMapResponse* response)
+  ImportStream(const ServiceContext& context, Caller caller, v1::ImportMapResponse* response)
       : context_(context),
+        caller_(std::move(caller)),
         response_(response),
         record_(context, "MapService/ImportMap"),
         share_(context.options.inflight.get()) {}
@@ -58,6 +60,7 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
   void LetGo(const Status& status);
 
   const ServiceContext& context_;
+  const Caller caller_;
   v1::ImportMapResponse* const response_;
   CallRecord record_;
   ByteShare share_;  ///< of the part that was read; nothing before the first

@@ -51,8 +51,9 @@ Status Differs(const char* field, const std::string& first, const std::string& n
 
 }  // namespace
 
-IntegrateStream* IntegrateStream::Start(const ServiceContext& context, IntegrateStreams& streams, Messages messages) {
-  auto* stream = new IntegrateStream(context, streams, messages);
+IntegrateStream* IntegrateStream::Start(const ServiceContext& context, Caller caller, IntegrateStreams& streams,
+                                        Messages messages) {
+  auto* stream = new IntegrateStream(context, std::move(caller), streams, messages);
   stream->self_.reset(stream);
   if (!streams.Add(stream)) {
     stream->End(ShuttingDown());
@@ -108,7 +109,7 @@ Status IntegrateStream::ParseHead() {
   if (!head.ok()) return head.status();
   has_frame_ = head->has_frame;
   request_.Swap(&head->message);
-  return Status::Ok();
+  return caller_.Check(request_);
 }
 
 Status IntegrateStream::Begin(bool& is_decoded_later) {

@@ -15,6 +15,7 @@
 #include "mapping/base/mutex.h"
 #include "server/app/session/map_session.h"
 #include "server/grpc/call_runner.h"
+#include "server/grpc/door_call.h"
 #include "server/grpc/open_streams.h"
 #include "server/grpc/stream_turns.h"
 
@@ -53,7 +54,8 @@ class IntegrateStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, g
     kOne,  ///< then there is one answer, when all is stored, or the error that refuses it
   };
 
-  static IntegrateStream* Start(const ServiceContext& context, IntegrateStreams& streams, Messages messages);
+  static IntegrateStream* Start(const ServiceContext& context, Caller caller, IntegrateStreams& streams,
+                                Messages messages);
 
   /// Reads no more; what was read is fused (or refused, if the map takes no more from us), stored and acknowledged,
   /// then the stream ends with `reason`.
@@ -72,8 +74,9 @@ class IntegrateStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, g
     std::shared_ptr<Feed> feed;
   };
 
-  IntegrateStream(const ServiceContext& context, IntegrateStreams& streams, Messages messages)
+  IntegrateStream(const ServiceContext& context, Caller caller, IntegrateStreams& streams, Messages messages)
       : context_(context),
+        caller_(std::move(caller)),
         streams_(streams),
         messages_(messages),
         record_(context, "MappingService/IntegrateFrames"),
@@ -120,6 +123,7 @@ class IntegrateStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, g
   void End(const Status& committed) DHPMAP_EXCLUDES(mutex_);
 
   const ServiceContext& context_;
+  const Caller caller_;
   IntegrateStreams& streams_;
   const Messages messages_;
   CallRecord record_;

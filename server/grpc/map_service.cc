@@ -51,16 +51,11 @@ class MapService final : public CountedService<v1::MapService> {
     });
   }
 
-  grpc::ServerUnaryReactor* ListMaps(grpc::CallbackServerContext*, const v1::ListMapsRequest* request,
+  grpc::ServerUnaryReactor* ListMaps(grpc::CallbackServerContext* call, const v1::ListMapsRequest* request,
                                      v1::ListMapsResponse* response) override {
-    return Run(context_, {"MapService/ListMaps", request, response}, [=, this]() -> Status {
+    return Run(context_, {"MapService/ListMaps", request, response}, [=, this, caller = CallerOf(*call)]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, PageMark{}));
-      for (const MapSummary& map : context_.registry.List(pager.after(), pager.num_wanted())) {
-        v1::Map proto = ToProto(map);
-        if (!request->include_label_classes()) proto.clear_label_classes();
-        if (!pager.Takes(proto, map.info.name)) break;
-        *response->add_maps() = std::move(proto);
-      }
+      AddMaps(caller, *request, pager, *response);
       response->set_next_page_token(pager.NextToken());
       return Status::Ok();
     });
@@ -120,9 +115,9 @@ class MapService final : public CountedService<v1::MapService> {
         });
   }
 
-  grpc::ServerReadReactor<grpc::ByteBuffer>* BeginImport(grpc::CallbackServerContext*,
+  grpc::ServerReadReactor<grpc::ByteBuffer>* BeginImport(grpc::CallbackServerContext* call,
                                                          v1::ImportMapResponse* response) {
-    return ImportStream::Start(context_, response);
+    return ImportStream::Start(context_, CallerOf(*call), response);
   }
 
   grpc::ServerUnaryReactor* VerifyMap(grpc::CallbackServerContext*, const v1::VerifyMapRequest* request,
@@ -173,6 +168,23 @@ class MapService final : public CountedService<v1::MapService> {
   }
 
  private:
+  /// A page of the maps that the caller may see.
+  void AddMaps(const Caller& caller, const v1::ListMapsRequest& request, Pager& pager,
+               v1::ListMapsResponse& response) const {
+    std::string after = pager.after();
+    for (;;) {
+      const auto maps = context_.registry.List(after, pager.num_wanted());
+      for (const MapSummary& map : maps) {
+        after = map.info.name;
+        if (!caller.MaySee(map.info.name)) continue;
+        v1::Map proto = ToProto(map);
+        if (!request.include_label_classes()) proto.clear_label_classes();
+        if (!pager.Takes(proto, map.info.name)) return;
+        *response.add_maps() = std::move(proto);
+      }
+      if (maps.size() < pager.num_wanted()) return;
+    }
+  }
   Result<MapSummary> SummaryAt(const std::string& map, const v1::GetMapRequest& request) const {
     if (request.read_revision() == 0) return context_.registry.Get(map);
     DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request));

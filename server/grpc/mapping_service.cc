@@ -25,7 +25,7 @@ class MappingService final : public CountedService<v1::MappingService> {
 
   grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* BeginFrames(grpc::CallbackServerContext* call) {
     const bool is_one = call->client_metadata().contains(kOneMessageKey);
-    return IntegrateStream::Start(context_, streams_,
+    return IntegrateStream::Start(context_, CallerOf(*call), streams_,
                                   is_one ? IntegrateStream::Messages::kOne : IntegrateStream::Messages::kAny);
   }
 

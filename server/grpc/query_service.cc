@@ -73,8 +73,8 @@ class QueryService final : public CountedService<v1::QueryService> {
         });
   }
 
-  grpc::ServerBidiReactor<grpc::ByteBuffer, v1::StreamQueriesResponse>* BeginStream(Context*) {
-    return dhpmap::QueryStream::Start(context_, streams_);
+  grpc::ServerBidiReactor<grpc::ByteBuffer, v1::StreamQueriesResponse>* BeginStream(Context* call) {
+    return dhpmap::QueryStream::Start(context_, CallerOf(*call), streams_);
   }
 
   Reactor* CheckCollisions(Context* call, const v1::CheckCollisionsRequest* request,

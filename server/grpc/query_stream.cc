@@ -48,8 +48,8 @@ Status NoQuery() { return InvalidArgument("the message holds no query").WithViol
 
 }  // namespace
 
-QueryStream* QueryStream::Start(const ServiceContext& context, OpenStreams& streams) {
-  auto* stream = new QueryStream(context, streams);
+QueryStream* QueryStream::Start(const ServiceContext& context, Caller caller, OpenStreams& streams) {
+  auto* stream = new QueryStream(context, std::move(caller), streams);
   if (streams.Add(stream)) {
     stream->Read();
   } else {
@@ -145,7 +145,7 @@ Status QueryStream::TakeMessage() {
                                        return room_->Use(num_bytes);
                                      }));
   question_bytes_ = wanted_bytes_;
-  return Status::Ok();
+  return caller_.Check(request_);
 }
 
 void QueryStream::Handle() {

@@ -12,6 +12,7 @@
 #include "dhpmap/v1/query_service.pb.h"
 #include "mapping/base/mutex.h"
 #include "server/grpc/call_runner.h"
+#include "server/grpc/door_call.h"
 #include "server/grpc/map_pin.h"
 #include "server/grpc/open_streams.h"
 #include "server/grpc/room_ahead.h"
@@ -26,7 +27,7 @@ namespace dhpmap {
 class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::StreamQueriesResponse>,
                           public OpenStream {
  public:
-  static QueryStream* Start(const ServiceContext& context, OpenStreams& streams);
+  static QueryStream* Start(const ServiceContext& context, Caller caller, OpenStreams& streams);
 
   /// Reads no more, and ends with `reason` once what was read is answered.
   void Stop(const Status& reason) override DHPMAP_EXCLUDES(mutex_);
@@ -37,8 +38,9 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::S
   void OnDone() override;
 
  private:
-  QueryStream(const ServiceContext& context, OpenStreams& streams)
+  QueryStream(const ServiceContext& context, Caller caller, OpenStreams& streams)
       : context_(context),
+        caller_(std::move(caller)),
         streams_(streams),
         record_(context, "QueryService/StreamQueries"),
         room_(std::make_shared<RoomAhead>(context.options.inflight)) {}
@@ -69,6 +71,7 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::S
   void Answer(const Status& status);
 
   const ServiceContext& context_;
+  const Caller caller_;
   OpenStreams& streams_;
   CallRecord record_;
   const std::shared_ptr<RoomAhead> room_;  ///< of the request and its answer; of an alarm, too

@@ -43,6 +43,7 @@ class Metrics {
     std::uint64_t num_spilled = 0;           ///< written to the file for what no store has as it is
     std::uint64_t num_unspilled = 0;         ///< tries to write one that failed
     std::int64_t spill_bytes = 0;            ///< of that file
+    bool is_insecure = false;                ///< a switch lets strangers in
     std::size_t past_bytes = 0;  ///< of states that were stored last, as far as later ones do not share them
   };
 
@@ -56,7 +57,7 @@ class Metrics {
   void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
   /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes,feeds} of the maps given,
-  /// dhpmap_surface_memory_bytes, dhpmap_watchers, dhpmap_inflight_bytes, dhpmap_record_bytes,
+  /// dhpmap_insecure, dhpmap_surface_memory_bytes, dhpmap_watchers, dhpmap_inflight_bytes, dhpmap_record_bytes,
   /// dhpmap_page_memory_bytes, dhpmap_pages_{read,unreadable,let_go}_total, and what the process
   /// takes: process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
   ///

@@ -114,16 +114,30 @@ def _resource_name(name: str) -> str:
     return name if name.startswith("maps/") else f"maps/{name}"
 
 
+def _read_token(path: pathlib.Path) -> str:
+    if path.stat().st_mode & 0o077:
+        raise bad_argument("token_file", f"{path} is open to others than its owner: chmod 600 it")
+    token = path.read_text("ascii").strip()
+    if not token or len(token.split()) != 1:
+        raise bad_argument("token_file", f"{path} holds no key")
+    return token
+
+
 def connect(address: str = "127.0.0.1:50051", *, deadline_s: float = 30, connect_s: float = 5, token: str = "",
-            tls: bool | bytes = False, author: str = "") -> Server:
+            token_file: str | pathlib.Path = "", tls: bool | bytes = False, author: str = "") -> Server:
     """Connects to a server's gRPC door.
 
     deadline_s: how long each call may take, lost connections included. connect_s: how long to wait for the server.
-    tls: True for the system's roots, or PEM bytes of others. token: sent as a bearer token, over TLS or to this
-    machine only. author: who edits, unless an edit says so.
+    tls: True for the system's roots, or PEM bytes of others. token: your key, sent with every call, over TLS or to this
+    machine only; token_file: a file of mode 600 that holds it. author: who edits, unless an edit says so; where keys
+    are on your own name, or one that begins with it and a slash.
 
     Raises Unavailable if no server answers.
     """
+    if token_file:
+        if token:
+            raise bad_argument("token_file", "give a token or a file with it, not both")
+        token = _read_token(pathlib.Path(token_file))
     is_local = address.split(":")[0] in ("localhost", "127.0.0.1", "unix") or address.startswith("[::1]")
     if token and not (tls or is_local):
         raise bad_argument("token", f"would go to {address} in the clear: connect with tls=True")

@@ -59,6 +59,9 @@ Result<std::vector<std::int64_t>> FindNamed(const UndoRequest& request, Log& log
   const std::string which = "edit " + std::to_string(*request.edit);
   DHPMAP_ASSIGN_OR_RETURN(const auto edit, log.Find(*request.edit));
   if (!edit) return NotFound("the log of the map has no " + which).WithReason("EDIT_NOT_FOUND");
+  if (request.is_own && !request.is_own(edit->entry.source.author)) {
+    return Status(StatusCode::kPermissionDenied, which + " is of another author").WithReason("NOT_YOUR_NAME");
+  }
   const bool is_undo = request.kind == EditKind::kUndo;
   const bool is_edit = edit->entry.summary.kind == EditKind::kEdit;
   if (is_edit && edit->is_undone != is_undo) return std::vector{*request.edit};

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,8 @@ struct UndoRequest {
   std::size_t count = 1;             ///< the last so many of the author; at most kMaxUndone
   std::string author;                ///< of whose edits
   EditConditions conditions = {};    ///< the etag is the map's
+  /// Whether an edit of that author may be named. Empty: any. Else PERMISSION_DENIED, reason NOT_YOUR_NAME.
+  std::function<bool(const std::string& author)> is_own = {};
 };
 
 /// Undoes edits, or does them again, on a map that is as the store has it: all of them, or, with an error, none is to

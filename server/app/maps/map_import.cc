@@ -72,6 +72,7 @@ Status IncomingMap::Prepare(const std::stop_token& stop) {
   }
   DHPMAP_ASSIGN_OR_RETURN(name_, import_->LookThrough(stop));
   if (!request_.name.empty()) name_ = request_.name;
+  if (request_.check_name) DHPMAP_RETURN_IF_ERROR(request_.check_name(name_));
   DHPMAP_ASSIGN_OR_RETURN(held_, registry_.HoldName(name_));
   return import_->Bring(stop);
 }

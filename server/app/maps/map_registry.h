@@ -52,6 +52,8 @@ class MapRegistry;
 struct ImportRequest {
   std::string name;              ///< of the new map; empty: the one that it had
   std::int64_t total_bytes = 0;  ///< of the file; 0: not known
+  /// Whether the new map may have a name, asked once it is known, which may be after all of the file. Empty: any.
+  std::function<Status(const std::string& name)> check_name = {};
 };
 
 /// A name under which its holder is about to add a map to the store: until then nobody else gets it, and nobody finds a

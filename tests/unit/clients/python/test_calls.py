@@ -82,6 +82,23 @@ def test_a_token_goes_with_every_call_and_not_in_the_clear_to_others():
             dhpmap.connect(other, token="secret")
 
 
+def test_a_token_is_read_from_a_file_that_its_owner_alone_may_read(tmp_path):
+    file = tmp_path / "key"
+    file.write_text(" secret\n")
+    file.chmod(0o640)
+    with pytest.raises(dhpmap.InvalidArgument, match="chmod 600"):
+        dhpmap.connect("127.0.0.1:1", token_file=file)
+    file.chmod(0o600)
+    with ScriptedServer(MAP) as server, dhpmap.connect(server.address, token_file=file) as connection:
+        connection["a"]
+    assert server.metadata[0]["authorization"] == "Bearer secret"
+    with pytest.raises(dhpmap.InvalidArgument, match="not both"):
+        dhpmap.connect("127.0.0.1:1", token_file=file, token="x")
+    file.write_text("two words")
+    with pytest.raises(dhpmap.InvalidArgument, match="no key"):
+        dhpmap.connect("127.0.0.1:1", token_file=file)
+
+
 def test_no_server_is_told_with_where_it_was_looked_for():
     with pytest.raises(dhpmap.Unavailable, match="no server answers at 127.0.0.1:1 "):
         dhpmap.connect("127.0.0.1:1", connect_s=0.2)

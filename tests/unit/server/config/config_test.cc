@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
@@ -204,6 +205,51 @@ TEST(CommandLine, MistakesAreErrors) {
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x", "--grpc", "0.0.0.0:1"}, {}).status()),
             std::set<std::string>{"grpc.address"});
   EXPECT_TRUE(ParseCommandLine({"--db", "x", "--grpc", "0.0.0.0:1", "--insecure"}, {}).ok());
+}
+
+TEST(CommandLine, AddressesForOthersNeedTlsAndKeysOrAWordThatTheyMayGoWithout) {
+  const testing::TempDir dir;
+  const std::string db = (dir.path() / "x.db").string();
+  const auto starts = [&](std::vector<std::string> flags, const std::vector<std::string>& environment = {}) {
+    flags.insert(flags.end(), {"--db", db, "--http", "0.0.0.0:1"});
+    return ParseCommandLine(flags, environment).status();
+  };
+  const Status nothing = starts({});
+  EXPECT_NE(nothing.ToString().find("no TLS"), std::string::npos) << nothing.ToString();
+  EXPECT_NE(nothing.ToString().find("no keys"), std::string::npos);
+  EXPECT_FALSE(starts({"--insecure-no-tls"}).ok());
+  EXPECT_FALSE(starts({"--insecure-no-auth"}).ok());
+  EXPECT_TRUE(starts({"--insecure-no-tls", "--insecure-no-auth"}).ok());
+  EXPECT_TRUE(starts({"--insecure-no-tls", "--set", "auth.keys=k"}).ok()) << "keys are named: whether they can be read "
+                                                                             "is seen at the start";
+  EXPECT_FALSE(starts({"--set", "auth.keys=k"}).ok()) << "and never without TLS";
+  for (const char* variable : {"DHPMAP_INSECURE=true", "DHPMAP_INSECURE_NO_TLS=true", "DHPMAP_INSECURE_NO_AUTH=true"}) {
+    EXPECT_EQ(starts({}, {variable}).reason(), Reason("BAD_CONFIG")) << variable;
+    EXPECT_FALSE(starts({"--insecure"}, {variable}).ok()) << "of an environment, " << variable << " is no key";
+  }
+  EXPECT_TRUE(starts({"--insecure-no-tls", "--config", WriteFile(dir, "insecure_no_auth: true\n")}).ok());
+  EXPECT_EQ(KeyFileOf(ServerConfig{.db = db}), "") << "nothing is there";
+  std::ofstream(db + ".keys") << "";
+  EXPECT_EQ(KeyFileOf(ServerConfig{.db = db}), db + ".keys") << "beside the database";
+  EXPECT_TRUE(starts({"--insecure-no-tls"}).ok());
+  ServerConfig named{.db = db};
+  named.auth.keys = "k";
+  EXPECT_EQ(KeyFileOf(named), "k");
+  std::filesystem::remove(db + ".keys");
+  std::filesystem::create_symlink("nowhere", db + ".keys");
+  EXPECT_EQ(KeyFileOf(ServerConfig{.db = db}), db + ".keys") << "a link is refused later, and opens nothing";
+}
+
+TEST(ServerConfig, TlsAndKeysAreAskedForEach) {
+  ServerConfig config;
+  config.grpc.address = "192.168.1.1:1";
+  EXPECT_TRUE(CheckExposure(config, true, true).ok());
+  EXPECT_EQ(Fields(CheckExposure(config, true, false)), std::set<std::string>{"grpc.address"});
+  EXPECT_EQ(CheckExposure(config, true, false).ToString().find("TLS"), std::string::npos);
+  EXPECT_EQ(CheckExposure(config, false, true).ToString().find("no keys"), std::string::npos);
+  EXPECT_FALSE(CheckExposure(config, false, true).ok());
+  config.insecure = true;
+  EXPECT_TRUE(CheckExposure(config, false, false).ok());
 }
 
 TEST(CommandLine, PrintConfigShowsWhatIsInForceAndNeedsNoDatabase) {

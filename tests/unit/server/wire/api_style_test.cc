@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dhpmap/v1/auth_service.pb.h"
 #include "dhpmap/v1/edit_service.pb.h"
 #include "dhpmap/v1/errors.pb.h"
 #include "dhpmap/v1/map_service.pb.h"
@@ -35,7 +36,7 @@ std::set<const FileDescriptor*> Files() {
   for (const Descriptor* message :
        {v1::ApplyEditsRequest::descriptor(), v1::Error::descriptor(), v1::CreateMapRequest::descriptor(),
         v1::IntegrateFramesRequest::descriptor(), v1::QueryPointsRequest::descriptor(),
-        v1::GetSubmapRequest::descriptor(), v1::WatchMapRequest::descriptor()}) {
+        v1::GetSubmapRequest::descriptor(), v1::WatchMapRequest::descriptor(), v1::WhoAmIRequest::descriptor()}) {
     add(message->file());
   }
   return files;
@@ -67,7 +68,7 @@ bool EndsInOneOf(const std::string& name, std::initializer_list<const char*> end
 }
 
 TEST(ApiStyle, AllServicesAreLookedAt) {
-  EXPECT_EQ(Files().size(), 12u);
+  EXPECT_EQ(Files().size(), 14u);
   EXPECT_GT(Fields().size(), 400u);
 }
 

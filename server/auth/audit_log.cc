@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/auth/audit_log.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace dhpmap::auth {
+namespace {
+
+/// What a client named may be no UTF-8: what is none is replaced.
+std::string LineOf(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Result<std::unique_ptr<AuditLog>> AuditLog::Open(const std::string& path, WallClock now_s) {
+  const int file = open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0600);
+  if (file < 0) {
+    return FailedPrecondition("the audit log " + path + " cannot be opened: " + std::strerror(errno))
+        .WithReason("BAD_KEY_FILE");
+  }
+  return std::unique_ptr<AuditLog>(new AuditLog(file, std::move(now_s)));
+}
+
+AuditLog::~AuditLog() { close(file_); }
+
+Status AuditLog::Write(const AuditEntry& entry) {
+  const std::int64_t now_s = now_s_();
+  const MutexLock lock(mutex_);
+  if (now_s != second_) {
+    second_ = now_s;
+    num_refusals_ = 0;
+  }
+  if (!entry.decision.ok() && ++num_refusals_ > kMostRefusals) {
+    ++num_left_out_;
+    return Status::Ok();
+  }
+  nlohmann::ordered_json json;
+  json["time"] = UtcText(now_s);
+  if (entry.principal != nullptr) {
+    json["principal"] = entry.principal->name;
+    json["key"] = entry.principal->key_id;
+  }
+  json["rpc"] = entry.rpc;
+  if (!entry.map.empty()) json["map"] = entry.map.substr(0, 128);
+  json["decision"] = entry.decision.ok() ? "allowed" : std::string(entry.decision.reason().name());
+  if (num_left_out_ > 0) json["refusals_left_out"] = std::exchange(num_left_out_, 0);
+  const std::string line = LineOf(json);
+  const ssize_t put = write(file_, line.data(), line.size());
+  if (put == static_cast<ssize_t>(line.size())) return Status::Ok();
+  return Unavailable("the audit log cannot be written");
+}
+
+}  // namespace dhpmap::auth

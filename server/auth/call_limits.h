@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "mapping/base/mutex.h"
+#include "mapping/base/status.h"
+
+namespace dhpmap::auth {
+
+/// s that pass, whatever the system's clock is set to. Passed in, so that tests say how many.
+using PassingTime = std::function<double()>;
+PassingTime SystemPassingTime();
+
+/// What one principal may have, over all its keys.
+struct CallLimits {
+  double calls_per_s = 2000;
+  double burst_calls = 4000;
+  int streams = 64;
+  int feeds = 4;  ///< of the streams
+};
+
+/// How fast each principal calls: a bucket that fills with time. Thread-safe. Holds a bucket for each principal there
+/// has been, so as many as there are keys.
+class CallRates {
+ public:
+  CallRates(const CallLimits& limits, PassingTime now_s) : limits_(limits), now_s_(std::move(now_s)) {}
+
+  /// One call more. RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if it comes too fast.
+  Status Count(std::string_view principal) DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  struct Bucket {
+    double left = 0;
+    double filled_s = 0;
+  };
+
+  const CallLimits limits_;
+  const PassingTime now_s_;
+  Mutex mutex_;
+  std::map<std::string, Bucket, std::less<>> buckets_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+}  // namespace dhpmap::auth

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <google/protobuf/message.h>
+#include <grpcpp/server_context.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "mapping/base/status.h"
+#include "server/auth/gate.h"
+
+namespace dhpmap {
+
+/// What is asked of the messages of one call, by whom it is made; of no key, nothing. Outlives the call's context, as a
+/// stream may. Value type.
+class Caller {
+ public:
+  Caller() = default;
+  Caller(auth::PrincipalPtr principal, const auth::CallNeeds* needs)
+      : principal_(std::move(principal)), needs_(needs) {}
+
+  /// Null: keys are off.
+  [[nodiscard]] const auth::Principal* principal() const { return principal_.get(); }
+
+  /// PERMISSION_DENIED as of auth::CheckRequest; an author that is left empty is filled in.
+  Status Check(google::protobuf::Message& request) const;
+  /// Of a map that is named elsewhere than in a request.
+  [[nodiscard]] Status CheckMap(std::string_view map_id) const;
+  /// Whether lists show a map.
+  [[nodiscard]] bool MaySee(std::string_view map_id) const { return CheckMap(map_id).ok(); }
+  /// Whether it may undo edits of that author by name.
+  [[nodiscard]] bool Owns(std::string_view author) const;
+
+ private:
+  auth::PrincipalPtr principal_;
+  const auth::CallNeeds* needs_ = nullptr;
+};
+
+/// Makes gRPC's contexts of calls, with room for the caller.
+std::unique_ptr<grpc::ContextAllocator> MakeCallAllocator();
+
+/// Before a message of it is read: who makes the call, by its ticket or key; whether the role has what it needs, and
+/// whether it comes within the caller's limits. A stream ends when the caller's key does. Once a call. `needs` is null
+/// for a call that nothing is known of, which is refused. Without keys all is let in.
+Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, grpc::CallbackServerContext& call);
+
+/// Of a call that has entered.
+const Caller& CallerOf(const grpc::CallbackServerContext& call);
+
+}  // namespace dhpmap

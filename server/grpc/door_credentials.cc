@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/grpc/door_credentials.h"
+
+#include <grpcpp/security/auth_metadata_processor.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mapping/base/guarded.h"
+#include "server/auth/rights.h"
+
+namespace dhpmap {
+namespace {
+
+/// gRPC passes a code and a message on, and no details: the reason goes before the words.
+grpc::Status Refusal(const Status& status) {
+  return {static_cast<grpc::StatusCode>(status.code()), std::string(status.reason().name()) + ": " + status.message()};
+}
+
+class KeyProcessor final : public grpc::AuthMetadataProcessor {
+ public:
+  explicit KeyProcessor(std::shared_ptr<auth::Gate> gate) : gate_(std::move(gate)) {}
+
+  /// It takes microseconds: gRPC's own thread does it.
+  [[nodiscard]] bool IsBlocking() const override { return false; }
+
+  grpc::Status Process(const InputMetadata& head, grpc::AuthContext*, OutputMetadata*, OutputMetadata*) override {
+    const Status status = Guarded<Status>([&] { return Check(head); });
+    return status.ok() ? grpc::Status::OK : Refusal(status);
+  }
+
+ private:
+  [[nodiscard]] Status Check(const InputMetadata& head) const {
+    const auto path = head.find(":path");
+    if (path == head.end()) return Internal("a call names no rpc");
+    const auth::CallNeeds* needs = gate_->NeedsOf(ViewOf(path->second));
+    if (needs != nullptr && needs->is_public) return Status::Ok();
+    if (head.contains(auth::kTicketKey)) {
+      return Status(StatusCode::kUnauthenticated, "tickets are for calls inside the server")
+          .WithReason("BAD_CREDENTIAL");
+    }
+    std::vector<std::string_view> keys;
+    const auto [begin, end] = head.equal_range("authorization");
+    for (auto value = begin; value != end; ++value) keys.push_back(ViewOf(value->second));
+    const auto principal = gate_->Authenticate(keys);
+    if (!principal.ok()) return Refused(nullptr, principal.status(), path->second);
+    if (needs == nullptr) return {StatusCode::kUnimplemented, "there is no such rpc"};
+    return Refused(principal->get(), auth::CheckRole(**principal, *needs), path->second);
+  }
+  /// The status as it is, written down if it is no good one.
+  [[nodiscard]] Status Refused(const auth::Principal* principal, const Status& status, grpc::string_ref path) const {
+    if (!status.ok()) gate_->Audit({.principal = principal, .rpc = ViewOf(path), .map = {}, .decision = status});
+    return status;
+  }
+  static std::string_view ViewOf(grpc::string_ref text) { return {text.data(), text.size()}; }
+
+  const std::shared_ptr<auth::Gate> gate_;
+};
+
+}  // namespace
+
+std::shared_ptr<grpc::ServerCredentials> MakeDoorCredentials(std::shared_ptr<auth::Gate> gate,
+                                                             grpc_local_connect_type kind) {
+  if (gate == nullptr || !gate->has_keys()) return grpc::InsecureServerCredentials();
+  auto credentials = grpc::experimental::LocalServerCredentials(kind);
+  credentials->SetAuthMetadataProcessor(std::make_shared<KeyProcessor>(std::move(gate)));
+  return credentials;
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "server/auth/gate.h"
+#include "server/auth/keys/key_book.h"
+#include "server/gateway/gateway.h"
+#include "storage/store.h"
+#include "tests/integration/test_server.h"
+#include "tests/support/scenes.h"
+#include "tests/unit/server/http/http_client.h"
+
+namespace dhpmap::testing {
+
+/// Both doors of a server with keys: one of each role, by the role's name, and others that a test makes. The gate
+/// looks at the file when it is told to.
+class LockedServer {
+ public:
+  explicit LockedServer(const auth::CallLimits& limits = {});
+
+  /// A new key, good at once.
+  std::string MakeKey(const auth::NewKey& key);
+  /// From now on, as within a second of a revocation.
+  void Revoke(const std::string& name);
+
+  [[nodiscard]] const std::string& key_of(const std::string& role) const { return keys_.at(role); }
+  TestServer& server() { return *server_; }
+  auth::Gate& gate() { return *gate_; }
+  [[nodiscard]] int http_port() const { return gateway_->port(); }
+
+  /// Metadata of a call that shows this key.
+  static void Show(const std::string& key, grpc::ClientContext& context) {
+    context.AddMetadata("authorization", "Bearer " + key);
+  }
+  /// One unary call with a key; empty: none.
+  template <typename Stub, typename Request, typename Response>
+  Answer<Response> Call(const std::string& key,
+                        grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                        const std::type_identity_t<Request>& request = Request()) {
+    grpc::ClientContext context;
+    if (!key.empty()) Show(key, context);
+    Response response;
+    Stub stub(server_->channel());
+    grpc::Status status = (stub.*method)(&context, request, &response);
+    return {std::move(status), std::move(response)};
+  }
+  /// One request over REST with a key; empty: none.
+  http::HttpAnswer Ask(const std::string& key, std::string_view method, std::string_view target,
+                       std::string_view body = {}, http::HttpClient::Headers headers = {}) const;
+
+ private:
+  TempDir folder_;
+  const std::string file_ = (folder_.path() / "keys").string();
+  std::map<std::string, std::string> keys_;
+  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
+  std::shared_ptr<auth::Gate> gate_;
+  std::unique_ptr<TestServer> server_;
+  std::unique_ptr<Gateway> gateway_;
+};
+
+/// Calls any method with one message of raw bytes, and returns its status.
+grpc::Status CallRawAs(const std::shared_ptr<grpc::Channel>& channel, const std::string& path, const std::string& key,
+                       const std::map<std::string, std::string>& metadata = {});
+
+}  // namespace dhpmap::testing

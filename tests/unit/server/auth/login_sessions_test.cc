@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/auth/login_sessions.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/unit/server/auth/keys/known_bytes.h"
+
+namespace dhpmap::auth {
+namespace {
+
+PrincipalPtr Somebody() { return std::make_shared<const Principal>(Principal{.name = "anna"}); }
+
+TEST(LoginSessions, AWordIsGoodForItsTimeOrUntilItsEnd) {
+  LoginSessions logins(KnownBytes());
+  const PrincipalPtr anna = Somebody(), bert = Somebody();
+  const std::string a = logins.Begin(anna, 100), b = logins.Begin(bert, 200);
+  EXPECT_EQ(a.size(), 64u);
+  EXPECT_EQ(logins.Find(a, 100), anna);
+  EXPECT_EQ(logins.Find(b, 100 + LoginSessions::kLife_s), bert);
+  EXPECT_EQ(logins.Find(a, 100 + LoginSessions::kLife_s), nullptr);
+  EXPECT_EQ(logins.Find(a, 100), nullptr) << "for good";
+  EXPECT_EQ(logins.Find("", 100), nullptr);
+  logins.End(b);
+  EXPECT_EQ(logins.Find(b, 200), nullptr);
+}
+
+TEST(LoginSessions, BeyondTheMostTheOldestIsForgotten) {
+  LoginSessions logins(SystemRandomness());
+  const std::string first = logins.Begin(Somebody(), 0), second = logins.Begin(Somebody(), 0);
+  for (std::size_t i = 2; i < LoginSessions::kMost; ++i) (void)logins.Begin(Somebody(), 0);
+  EXPECT_NE(logins.Find(first, 1), nullptr);
+  (void)logins.Begin(Somebody(), 0);
+  EXPECT_EQ(logins.Find(first, 1), nullptr);
+  EXPECT_NE(logins.Find(second, 1), nullptr);
+}
+
+}  // namespace
+}  // namespace dhpmap::auth
