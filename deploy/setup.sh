@@ -12,7 +12,7 @@ packages=(
   libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
   libsqlite3-dev libzstd-dev libjemalloc-dev zlib1g-dev libspng-dev libtiff-dev libturbojpeg0-dev
   libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libpcl-dev
-  libspdlog-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev libnanoflann-dev
+  libspdlog-dev libssl-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev libnanoflann-dev
   libgtest-dev liboctomap-dev libompl-dev
   python3-grpcio python3-protobuf python3-numpy
   python3-pytest python3-hatchling python3-pip python3-venv mypy

@@ -16,6 +16,7 @@
 #include "server/grpc/grpc_server.h"
 #include "server/log/log.h"
 #include "server/metrics/metrics.h"
+#include "server/net/tls_watch.h"
 #include "server/options.h"
 #include "storage/store.h"
 
@@ -39,11 +40,20 @@ sigset_t BlockEndSignals() {
   return signals;
 }
 
+void TellReload(const net::TlsContext& tls, const Status& reloaded) {
+  if (reloaded.ok()) return LogInfo("TLS: now with the certificate of " + tls.Describe());
+  LogError("TLS: goes on with the certificate of " + tls.Describe() + ": " + reloaded.ToString());
+}
+
+/// With TLS, SIGHUP reads its files again, as service managers have it; without, it ends the server.
 /// From here on a second SIGTERM or SIGINT ends the process at once. A second SIGHUP does not: a terminal that is
 /// closed sends more than one.
-int WaitForSignal(const sigset_t& signals) {
+int WaitForSignal(const sigset_t& signals, net::TlsContext* tls) {
   int signal = 0;
-  sigwait(&signals, &signal);
+  do {
+    if (signal == SIGHUP) TellReload(*tls, tls->Reload());
+    sigwait(&signals, &signal);
+  } while (signal == SIGHUP && tls != nullptr);
   sigset_t impatient;
   sigemptyset(&impatient);
   sigaddset(&impatient, SIGTERM);
@@ -61,6 +71,13 @@ void RaiseDescriptorLimit() {
   if (setrlimit(RLIMIT_NOFILE, &limit) != 0) LogWarning("the limit of file descriptors cannot be raised");
 }
 
+std::unique_ptr<net::TlsWatch> WatchFiles(const std::shared_ptr<net::TlsContext>& tls) {
+  if (tls == nullptr) return nullptr;
+  LogInfo("TLS: with the certificate of " + tls->Describe());
+  return std::make_unique<net::TlsWatch>(tls, std::chrono::seconds(1),
+                                         [tls](const Status& reloaded) { TellReload(*tls, reloaded); });
+}
+
 Status Serve(const ServerConfig& config, const sigset_t& signals) {
   Metrics metrics;
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(config.db, StoreOptionsOf(config)));
@@ -74,12 +91,14 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   }
   const auto inflight = InflightBudgetOf(config);
   DHPMAP_ASSIGN_OR_RETURN(const auto gate, GateOf(config));
-  DHPMAP_ASSIGN_OR_RETURN(const auto grpc,
-                          GrpcServer::Start(GrpcOptionsOf(config, inflight, gate), *registry, ObserverOf(metrics)));
+  DHPMAP_ASSIGN_OR_RETURN(const auto tls, TlsOf(config));
+  const auto tls_watch = WatchFiles(tls);
+  DHPMAP_ASSIGN_OR_RETURN(
+      const auto grpc, GrpcServer::Start(GrpcOptionsOf(config, inflight, gate, tls), *registry, ObserverOf(metrics)));
   DHPMAP_ASSIGN_OR_RETURN(
       const auto gateway,
       Gateway::Start(
-          GatewayOptionsOf(config, inflight), grpc->InProcessChannel(),
+          GatewayOptionsOf(config, inflight, metrics, tls), grpc->InProcessChannel(),
           {.is_ready = [&] { return grpc->is_serving() && !IsStoreBehind(*registry, config.store.max_behind_s); },
            .metrics_text =
                [&] {
@@ -89,11 +108,11 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
                },
            .gate = gate}));
   grpc->SetServing(true);
-  std::printf("dhpmap-server: gRPC on %s, REST on http://%s\n", WithPort(config.grpc.address, grpc->port()).c_str(),
-              WithPort(config.http.address, gateway->port()).c_str());
+  std::printf("dhpmap-server: gRPC on %s, REST on %s://%s\n", WithPort(config.grpc.address, grpc->port()).c_str(),
+              tls != nullptr ? "https" : "http", WithPort(config.http.address, gateway->port()).c_str());
   std::fflush(stdout);
 
-  const int signal = WaitForSignal(signals);
+  const int signal = WaitForSignal(signals, tls.get());
   LogInfo("got signal " + std::to_string(signal) + ": ending streams, storing what is fused");
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(config.shutdown_grace_s);
   grpc->Drain();

@@ -131,9 +131,17 @@ Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config) {
                                }});
 }
 
+Result<std::shared_ptr<net::TlsContext>> TlsOf(const ServerConfig& config) {
+  if (!config.tls.is_on()) return std::shared_ptr<net::TlsContext>();
+  DHPMAP_ASSIGN_OR_RETURN(const net::ClientAuth client_auth, net::ClientAuthFromName(config.tls.client_auth));
+  return net::TlsContext::Load(
+      {.cert = config.tls.cert, .key = config.tls.key, .client_ca = config.tls.client_ca, .client_auth = client_auth});
+}
+
 GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight,
-                          std::shared_ptr<auth::Gate> gate) {
+                          std::shared_ptr<auth::Gate> gate, std::shared_ptr<const net::TlsContext> tls) {
   return {.address = config.grpc.address,
+          .tls = std::move(tls),
           .max_message_bytes = static_cast<std::size_t>(config.grpc.max_message_mib) << 20,
           .num_threads = config.grpc.num_threads,
           .num_bulk_threads = config.grpc.bulk_threads,
@@ -151,11 +159,15 @@ GrpcObserver ObserverOf(Metrics& metrics) {
   return {.on_call = [&metrics](std::string_view method, StatusCode code,
                                 double seconds) { metrics.RecordCall(method, code, seconds); },
           .on_query = [&metrics](std::size_t num_points) { metrics.RecordQuery(num_points); },
-          .on_frame = [&metrics](StatusCode code) { metrics.RecordFrame(code); }};
+          .on_frame = [&metrics](StatusCode code) { metrics.RecordFrame(code); },
+          .on_refused = [&metrics](std::string_view door, std::string_view why) { metrics.RecordRefused(door, why); }};
 }
 
-GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight) {
+GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight, Metrics& metrics,
+                                std::shared_ptr<const net::TlsContext> tls) {
   return {.address = config.http.address,
+          .tls = std::move(tls),
+          .on_refused = [&metrics](std::string_view why) { metrics.RecordRefused("rest", why); },
           .max_body_bytes = static_cast<std::size_t>(config.http.max_body_mib) << 20,
           .inflight = std::move(inflight),
           .num_threads = config.http.num_threads,

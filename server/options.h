@@ -12,6 +12,7 @@
 #include "server/grpc/grpc_server.h"
 #include "server/log/log.h"
 #include "server/metrics/metrics.h"
+#include "server/net/tls_context.h"
 #include "server/record/map_recorder.h"
 #include "storage/store.h"
 
@@ -32,10 +33,13 @@ Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config);
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config);
 /// Who may call: whoever has a key of the file that is in force, or anybody. Errors as of Gate::WithKeys.
 Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config);
+/// Of both doors; null where there is none.
+Result<std::shared_ptr<net::TlsContext>> TlsOf(const ServerConfig& config);
 GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight,
-                          std::shared_ptr<auth::Gate> gate);
+                          std::shared_ptr<auth::Gate> gate, std::shared_ptr<const net::TlsContext> tls);
 GrpcObserver ObserverOf(Metrics& metrics);
-GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight);
+GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight, Metrics& metrics,
+                                std::shared_ptr<const net::TlsContext> tls);
 
 /// Of the maps that are open now, and of what there is for those who ask. Visits every block, which takes milliseconds.
 Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const GrpcServer& grpc,

@@ -5,7 +5,9 @@
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
 
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "clients/cli/printable.h"
 #include "clients/cli/token.h"
@@ -38,6 +40,21 @@ void PrintMessage(const google::protobuf::Message& message, bool in_lines) {
   std::cout << text;
 }
 
+/// Of Session::ca.
+std::shared_ptr<grpc::ChannelCredentials> CredentialsOf(const std::string& ca) {
+  if (ca.empty()) return grpc::InsecureChannelCredentials();
+  grpc::SslCredentialsOptions options;
+  if (ca != "system") {
+    std::ifstream in(ca, std::ios::binary);
+    options.pem_root_certs.assign(std::istreambuf_iterator<char>(in), {});
+    if (options.pem_root_certs.empty()) {
+      ReportLocalError("--ca: cannot read " + ca + ", so that no server is trusted");
+      options.pem_root_certs = "none";  // not empty: that would mean those of the system
+    }
+  }
+  return grpc::SslCredentials(options);
+}
+
 }  // namespace
 
 std::shared_ptr<grpc::Channel> Connect(const Session& session) {
@@ -48,7 +65,7 @@ std::shared_ptr<grpc::Channel> Connect(const Session& session) {
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20'000);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2'000);
-  const auto credentials = grpc::InsecureChannelCredentials();
+  const auto credentials = CredentialsOf(session.ca);
   if (session.token.empty()) return grpc::CreateCustomChannel(session.server, credentials, arguments);
   return grpc::experimental::CreateCustomChannelWithInterceptors(session.server, credentials, arguments,
                                                                  ShowingToken(session.token));
@@ -68,7 +85,8 @@ ExitCode ReportError(const Session& session, const grpc::Status& status) {
     std::cerr << "  Say where your key is with --token-file; `dhpmap keys create` makes one.\n";
   }
   if (code == StatusCode::kUnavailable) {
-    std::cerr << "  Is dhpmap-server running at " << session.server << "? Say where with --server or DHPMAP_SERVER.\n";
+    std::cerr << "  Is dhpmap-server running at " << session.server << "? Say where with --server or DHPMAP_SERVER";
+    std::cerr << (session.ca.empty() ? "; a server with TLS wants --ca.\n" : ", and whom to trust with --ca.\n");
   }
   return ExitCodeOf(status.error_code());
 }

@@ -20,11 +20,13 @@ namespace dhpmap {
 struct Session {
   std::string server = "127.0.0.1:50051";
   std::string token;  ///< shown to the server with every call; empty: none
+  std::string ca;  ///< PEM file of who has signed the server's certificate, "system" for this system's; empty: no TLS
   bool json = false;
   ExitCode exit_code = ExitCode::kOk;
 };
 
-/// A channel without a limit on what it receives. Connects on the first call.
+/// A channel without a limit on what it receives. Connects on the first call. Over TLS where session.ca says so; a file
+/// that cannot be read is told as such, and nothing is trusted.
 std::shared_ptr<grpc::Channel> Connect(const Session& session);
 
 /// "kitchen" and "maps/kitchen" -> "maps/kitchen".

@@ -52,9 +52,13 @@ int main(int argc, char** argv) {
          "File with your key, of mode 600")
       ->type_name("FILE");
   app.parse_complete_callback([&session] {
-    if (session.token.empty() || dhpmap::StaysOnThisMachine(session.server)) return;
-    throw CLI::ValidationError("--token-file", "the key would go to " + session.server + " in the clear");
+    if (session.token.empty() || !session.ca.empty() || dhpmap::StaysOnThisMachine(session.server)) return;
+    throw CLI::ValidationError("--token-file",
+                               "the key would go to " + session.server + " in the clear: say whom to trust with --ca");
   });
+  app.add_option("--ca", session.ca,
+                 "PEM file of who signed the server's certificate, or 'system' for those this system trusts: with TLS")
+      ->type_name("FILE");
   app.add_flag("--json", session.json, "Answer in JSON");
   dhpmap::AddMapCommand(app, session);
   dhpmap::AddMapsCommands(app, session);

@@ -24,9 +24,6 @@ bool HasPort(std::string_view address) {
   return error == std::errc() && end == digits.data() + digits.size() && port >= 0 && port <= 65535;
 }
 
-/// TLS is none of the server's yet.
-constexpr bool kHasTls = false;
-
 void CheckAddress(const char* key, const std::string& address, Status& bad) {
   if (!HasPort(address)) bad.AddViolation(key, "'" + address + "' is not host:port");
 }
@@ -34,6 +31,20 @@ void CheckAddress(const char* key, const std::string& address, Status& bad) {
 void CheckReach(const char* key, const std::string& address, const std::string& lacks, Status& bad) {
   if (!HasPort(address) || IsLoopback(address) || lacks.empty()) return;
   bad.AddViolation(key, "'" + address + "' can be reached from other machines, and there is " + lacks);
+}
+
+void CheckTls(const ServerConfig::Tls& tls, Status& bad) {
+  if (tls.cert.empty() != tls.key.empty()) {
+    bad.AddViolation(tls.cert.empty() ? "tls.cert" : "tls.key", "is missing: a certificate and its key go together");
+  }
+  const bool has_clients = tls.client_auth == "optional" || tls.client_auth == "required";
+  if (!has_clients && tls.client_auth != "none") {
+    bad.AddViolation("tls.client_auth", "'" + tls.client_auth + "' is not none, optional or required");
+  } else if (has_clients && (tls.client_ca.empty() || !tls.is_on())) {
+    bad.AddViolation("tls.client_auth", "'" + tls.client_auth + "' needs tls.client_ca, tls.cert and tls.key");
+  } else if (!has_clients && !tls.client_ca.empty()) {
+    bad.AddViolation("tls.client_ca", "is for nothing while tls.client_auth is none");
+  }
 }
 
 template <typename Number>
@@ -55,9 +66,11 @@ Status ServerConfig::Validate() const {
   });
   CheckAddress("grpc.address", grpc.address, bad);
   CheckAddress("http.address", http.address, bad);
-  const Status exposure = CheckExposure(*this, kHasTls, !KeyFileOf(*this).empty());
-  for (const FieldViolation& violation : exposure.violations())
+  const Status exposure = CheckExposure(*this, tls.is_on(), !KeyFileOf(*this).empty());
+  for (const FieldViolation& violation : exposure.violations()) {
     bad.AddViolation(violation.field, violation.description);
+  }
+  CheckTls(tls, bad);
   if (std::find(kLogLevels.begin(), kLogLevels.end(), log.level) == kLogLevels.end()) {
     bad.AddViolation("log.level", "'" + log.level + "' is not debug, info, warning, error or off");
   }

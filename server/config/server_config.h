@@ -36,6 +36,12 @@ struct ServerConfig {
     std::string keys;
     std::string audit;
   } auth;
+  struct Tls {
+    std::string cert, key, client_ca;
+    std::string client_auth = "none";
+
+    [[nodiscard]] bool is_on() const { return !cert.empty(); }
+  } tls;
   struct Log {
     std::string level = "info";
     bool json = false;
@@ -105,7 +111,7 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("insecure", c.insecure, 0, 0, "both of the next two; will go");
   visit("insecure_no_tls", c.insecure_no_tls, 0, 0, "allow addresses that other machines can reach, without TLS");
   visit("insecure_no_auth", c.insecure_no_auth, 0, 0, "allow addresses that other machines can reach, without keys");
-  visit("grpc.address", c.grpc.address, 0, 0, "host:port; port 0 takes a free port");
+  visit("grpc.address", c.grpc.address, 0, 0, "host:port, port 0 takes a free port; or unix:PATH");
   visit("grpc.max_message_mib", c.grpc.max_message_mib, 1, 2047,
         "MiB; larger requests are refused; requests without long lists are limited to 1 MiB");
   visit("grpc.num_threads", c.grpc.num_threads, 1, 256, "threads of the quick lane");
@@ -114,7 +120,7 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("grpc.max_connections", c.grpc.max_connections, 1, 1e6, "further connections are closed at once");
   visit("grpc.keepalive_s", c.grpc.keepalive_s, 1, 86400,
         "s of silence before a client is probed, and again before it is given up");
-  visit("http.address", c.http.address, 0, 0, "host:port; port 0 takes a free port");
+  visit("http.address", c.http.address, 0, 0, "host:port, port 0 takes a free port; or unix:PATH");
   visit("http.max_body_mib", c.http.max_body_mib, 1, 2047,
         "MiB; larger bodies are refused; requests without long lists are limited to 1 MiB");
   visit("http.num_threads", c.http.num_threads, 1, 256, "threads of the REST door");
@@ -128,6 +134,12 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("auth.keys", c.auth.keys, 0, 0,
         "file of keys, see `dhpmap keys`; empty = DB.keys if that is there, else no keys");
   visit("auth.audit", c.auth.audit, 0, 0, "file for who changed what and who was refused, with keys on; empty = off");
+  visit("tls.cert", c.tls.cert, 0, 0,
+        "PEM file of the certificate and those that signed it, for both doors; empty = no TLS; read again when it "
+        "changes");
+  visit("tls.key", c.tls.key, 0, 0, "PEM file of its private key, which other users must not be able to read");
+  visit("tls.client_ca", c.tls.client_ca, 0, 0, "PEM file of who signs the certificates of clients");
+  visit("tls.client_auth", c.tls.client_auth, 0, 0, "none, optional or required: whether clients show certificates");
   visit("log.level", c.log.level, 0, 0, "debug, info, warning, error or off");
   visit("log.json", c.log.json, 0, 0, "write one JSON object per line");
   visit("mapping.num_threads", c.mapping.num_threads, 0, 256,

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mapping/base/byte_budget.h"
@@ -15,10 +17,15 @@ class Channel;
 }
 
 namespace dhpmap {
+namespace net {
+class TlsContext;
+}
 
 struct GatewayOptions {
-  std::string address = "127.0.0.1:8080";  ///< host:port; port 0 takes a free one
-  std::size_t max_body_bytes = 64u << 20;  ///< a larger body is answered with 413
+  std::string address = "127.0.0.1:8080";                ///< host:port, port 0 takes a free one; or unix:PATH
+  std::shared_ptr<const net::TlsContext> tls;            ///< null: in the clear
+  std::function<void(std::string_view why)> on_refused;  ///< a connection, by TLS; from several threads; may be empty
+  std::size_t max_body_bytes = 64u << 20;                ///< a larger body is answered with 413
   /// For bodies and answers in memory; beyond it requests are answered with 429. Never null.
   std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
   int num_threads = 1;

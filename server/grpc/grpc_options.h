@@ -14,13 +14,17 @@
 #include "server/auth/gate.h"
 
 namespace dhpmap {
+namespace net {
+class TlsContext;
+}
 
 struct GrpcOptions {
-  std::string address = "127.0.0.1:50051";    ///< host:port; port 0 takes a free one
-  std::size_t max_message_bytes = 64u << 20;  ///< of a request
-  int num_threads = 4;                        ///< for calls that are answered quickly
-  int num_bulk_threads = 0;                   ///< for meshes, voxels, many points; 0 = one a core
-  bool has_nice_threads = true;               ///< what takes long leaves busy cores to others, of any process
+  std::string address = "127.0.0.1:50051";     ///< host:port, port 0 takes a free one; or unix:PATH
+  std::shared_ptr<const net::TlsContext> tls;  ///< null: in the clear
+  std::size_t max_message_bytes = 64u << 20;   ///< of a request
+  int num_threads = 4;                         ///< for calls that are answered quickly
+  int num_bulk_threads = 0;                    ///< for meshes, voxels, many points; 0 = one a core
+  bool has_nice_threads = true;                ///< what takes long leaves busy cores to others, of any process
   /// For requests and answers in memory; what goes beyond it is refused. As much again is for frames, and for gRPC's
   /// own buffers. Never null.
   std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
@@ -41,6 +45,8 @@ struct GrpcObserver {
   std::function<void(std::string_view method, StatusCode code, double seconds)> on_call;  ///< when it has ended
   std::function<void(std::size_t num_points)> on_query;
   std::function<void(StatusCode code)> on_frame;
+  /// A connection was refused or ended at a door: which ("grpc") and why ("too_many_resets").
+  std::function<void(std::string_view door, std::string_view why)> on_refused;
 };
 
 }  // namespace dhpmap

@@ -5,6 +5,7 @@
 #include <grpc/support/log.h>
 #include <grpcpp/alarm.h>
 #include <grpcpp/grpcpp.h>
+#include <grpcpp/security/server_credentials.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@
 #include "server/grpc/services.h"
 #include "server/grpc/stream_window.h"
 #include "server/log/log.h"
-#include "server/net/connection_acceptor.h"
+#include "server/net/door.h"
 
 namespace dhpmap {
 
@@ -167,8 +168,7 @@ struct GrpcServer::Impl {
   WatchStreams watch_streams;
   OpenStreams reflection_streams;
   std::vector<std::unique_ptr<grpc::Service>> services;
-  std::unique_ptr<net::ConnectionAcceptor> connections;  // none behind a unix: address
-  int port = 0;
+  std::unique_ptr<net::Door> door;
   std::atomic<bool> is_serving = false;
   std::unique_ptr<grpc::Server> server;
   Lanes lanes;  // last: its threads begin when all they read stands, and end before any of it goes
@@ -176,15 +176,34 @@ struct GrpcServer::Impl {
 
 namespace {
 
-/// gRPC's own accepting ends for good when file descriptors run out, and takes any number of connections. So TCP
-/// connections are accepted by us and handed to it.
-void HandOver(net::ConnectionAcceptor& connections,
-              std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> grpc_door) {
-  const std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor> door = std::move(grpc_door);
-  connections.Start([door](int socket) {
-    grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
-    connection.fd = socket;
-    door->HandleNewConnection(&connection);
+/// gRPC's own accepting ends for good when file descriptors run out, and takes any number of connections; its HTTP/2
+/// has none of the defences against floods that came since 2023, and its TLS takes a key that is not the certificate's.
+/// So a door of ours accepts, and gRPC gets one end of a pair of sockets.
+Result<std::unique_ptr<net::Door>> OpenDoor(const GrpcOptions& options, const GrpcObserver& observer) {
+  auto door = net::Door::Open({.name = "gRPC",
+                               .address = options.address,
+                               .max_connections = options.max_connections,
+                               .protocol = net::Protocol::kHttp2,
+                               .tls = options.tls,
+                               .on_refused = [on_refused = observer.on_refused](net::Refusal why) {
+                                 if (on_refused) on_refused("grpc", net::RefusalName(why));
+                               }});
+  if (!door.ok()) return Status(door.status()).WithReason("CANNOT_BIND");
+  return door;
+}
+
+using GrpcAcceptor = grpc::experimental::ExternalConnectionAcceptor;
+
+std::unique_ptr<GrpcAcceptor> AddAcceptor(const GrpcOptions& options, grpc::ServerBuilder& builder) {
+  return builder.experimental().AddExternalConnectionAcceptor(
+      grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD, MakeDoorCredentials(options.gate, UDS));
+}
+
+void LetThrough(net::Door& door, std::unique_ptr<GrpcAcceptor> grpc_acceptor) {
+  door.Start([acceptor = std::shared_ptr<GrpcAcceptor>(std::move(grpc_acceptor))](const net::Passed& passed) {
+    GrpcAcceptor::NewConnectionParameters connection;
+    connection.fd = passed.socket;
+    acceptor->HandleNewConnection(&connection);
   });
 }
 
@@ -202,19 +221,8 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   auto impl = std::make_unique<Impl>(options, registry, std::move(observer));
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   grpc::ServerBuilder builder;
-  std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> door;
-  if (options.address.starts_with("unix:")) {
-    builder.AddListeningPort(options.address, MakeDoorCredentials(options.gate, UDS), &impl->port);
-  } else {
-    auto connections =
-        net::ConnectionAcceptor::Listen({.address = options.address, .max_connections = options.max_connections});
-    if (!connections.ok()) return Status(connections.status()).WithReason("CANNOT_BIND");
-    impl->connections = std::move(*connections);
-    impl->port = impl->connections->port();
-    door = builder.experimental().AddExternalConnectionAcceptor(
-        grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
-        MakeDoorCredentials(options.gate, LOCAL_TCP));
-  }
+  DHPMAP_ASSIGN_OR_RETURN(impl->door, OpenDoor(options, impl->observer));
+  auto acceptor = AddAcceptor(options, builder);
   builder.SetMaxReceiveMessageSize(static_cast<int>(std::min(options.max_message_bytes, kMost)));
   RefuseCompressed(builder);
   builder.SetContextAllocator(MakeCallAllocator());
@@ -223,11 +231,8 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   (void)TakeTurns(Turns::kShort);  // gRPC's threads, and those that they start
   impl->server = builder.BuildAndStart();
   (void)TakeTurns(Turns::kOrdinary);
-  if (impl->server == nullptr || impl->port == 0) {
-    return Unavailable("cannot listen for gRPC on " + options.address + ": in use, or not an address of this machine")
-        .WithReason("CANNOT_BIND");
-  }
-  if (door != nullptr) HandOver(*impl->connections, std::move(door));
+  if (impl->server == nullptr) return Internal("gRPC does not start");
+  LetThrough(*impl->door, std::move(acceptor));
   std::unique_ptr<GrpcServer> server(new GrpcServer(std::move(impl)));
   server->SetServing(false);
   return server;
@@ -237,7 +242,7 @@ GrpcServer::GrpcServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 GrpcServer::~GrpcServer() { Shutdown(0); }
 
-int GrpcServer::port() const { return impl_->port; }
+int GrpcServer::port() const { return impl_->door->port(); }
 
 void GrpcServer::SetServing(bool is_serving) {
   auto* health = impl_->server->GetHealthCheckService();
@@ -266,7 +271,7 @@ void GrpcServer::Drain() {
 
 void GrpcServer::Shutdown(double grace_s) {
   Drain();
-  if (impl_->connections != nullptr) impl_->connections->Stop();
+  impl_->door->StopAccepting();
   const gpr_timespec end =
       GrpcTimeIn(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(grace_s)));
   grpc::Alarm giving_up;

@@ -14,7 +14,7 @@ class Channel;
 
 namespace dhpmap {
 
-/// The gRPC door: our services, grpc.health.v1 and reflection, without TLS. Thread-safe.
+/// The gRPC door: our services, grpc.health.v1 and reflection, behind the guard of server/net. Thread-safe.
 class GrpcServer {
  public:
   /// Binds and serves until Shutdown or destruction; health says NOT_SERVING until SetServing. UNAVAILABLE if the
@@ -23,7 +23,7 @@ class GrpcServer {
                                                    GrpcObserver observer);
   ~GrpcServer();
 
-  [[nodiscard]] int port() const;
+  [[nodiscard]] int port() const;  ///< 0 of a unix: address
   /// What Health/Check and readiness say.
   void SetServing(bool is_serving);
   [[nodiscard]] bool is_serving() const;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "server/http/message.h"
+#include "server/net/peer_identity.h"
 
 namespace dhpmap::http {
 
@@ -42,7 +43,7 @@ class ConnectionEvents {
   virtual void OnPeerClosed() = 0;
 };
 
-/// One TCP connection that speaks HTTP/1.1: reads requests, writes bytes. One read and one write may be under way. Call
+/// One connection that speaks HTTP/1.1: reads requests, writes bytes. One read and one write may be under way. Call
 /// on the connection's sequence of execution only, but for Post.
 class Connection {
  public:
@@ -59,8 +60,11 @@ class Connection {
   /// The client sees the end of the answer, and may still be sending.
   virtual void CloseSending() = 0;
   virtual void Close() = 0;
-  /// The address that the client has connected to, without the port: "127.0.0.1", "::1".
+  /// The address that the client has connected to, without the port: "127.0.0.1", "::1";
+  /// empty behind a unix: address.
   [[nodiscard]] virtual std::string local_address() const = 0;
+  /// Who the client is, as far as its connection proves it.
+  [[nodiscard]] virtual net::PeerIdentity peer() const { return {}; }
   virtual void Post(std::function<void()> task) = 0;
 };
 

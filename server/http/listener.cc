@@ -4,17 +4,19 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
+#include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <chrono>
 #include <cstdint>
 #include <thread>
@@ -24,7 +26,9 @@
 #include "mapping/base/this_thread.h"
 #include "server/http/request_parser.h"
 #include "server/net/address.h"
+#include "server/net/door.h"
 #include "server/net/reserve_descriptor.h"
+#include "server/net/socket_names.h"
 
 namespace dhpmap::http {
 namespace {
@@ -33,6 +37,9 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using asio::ip::tcp;
 using beast::error_code;
+/// TCP, or the inner end of a connection that came through a net::Door.
+using AnyStream = asio::generic::stream_protocol;
+using Socket = AnyStream::socket;
 
 constexpr std::chrono::seconds kProgressTimeout{60};   // a body or an answer that does not move
 constexpr std::chrono::milliseconds kFirstProbe{100};  // after the client's end: most answers are there before
@@ -59,8 +66,10 @@ ReadOutcome OutcomeOf(const error_code& error) {
 
 class BeastConnection final : public Connection, public std::enable_shared_from_this<BeastConnection> {
  public:
-  BeastConnection(tcp::socket socket, const ListenerOptions& options)
-      : idle_timeout_(std::chrono::duration_cast<Clock::duration>(options.idle_timeout)),
+  BeastConnection(Socket socket, const ListenerOptions& options, net::PeerIdentity peer, std::string local_address)
+      : peer_(std::move(peer)),
+        local_address_(std::move(local_address)),
+        idle_timeout_(std::chrono::duration_cast<Clock::duration>(options.idle_timeout)),
         head_timeout_(std::chrono::duration_cast<Clock::duration>(options.head_timeout)),
         stream_(std::move(socket)),
         probe_timer_(stream_.get_executor()),
@@ -137,10 +146,8 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
     stream_.close();
   }
 
-  std::string local_address() const override {
-    error_code ignored;
-    return stream_.socket().local_endpoint(ignored).address().to_string();
-  }
+  std::string local_address() const override { return local_address_; }
+  net::PeerIdentity peer() const override { return peer_; }
 
   void Post(std::function<void()> task) override { asio::post(stream_.get_executor(), std::move(task)); }
 
@@ -243,9 +250,11 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
     });
   }
 
+  const net::PeerIdentity peer_;
+  const std::string local_address_;
   const Clock::duration idle_timeout_;
   const Clock::duration head_timeout_;
-  beast::tcp_stream stream_;
+  beast::basic_stream<AnyStream> stream_;
   asio::steady_timer probe_timer_;
   std::string probe_;
   beast::flat_buffer buffer_;
@@ -268,7 +277,10 @@ struct Listener::Impl {
         acceptor(asio::make_strand(io)),
         retry(acceptor.get_executor()) {}
 
-  Status Bind(const std::string& address);
+  Status Listen(const std::string& address);
+  Status Bind(const asio::ip::address& ip, std::uint16_t port);
+  Status OpenDoor(const std::string& address);
+  void LetIn(net::Passed passed);
   void Accept();
   void Accepted(const error_code& error, tcp::socket socket);
   void AcceptAfter(std::chrono::milliseconds time);
@@ -281,24 +293,61 @@ struct Listener::Impl {
   tcp::acceptor acceptor;  // used on its strand only, once the threads run
   asio::steady_timer retry;
   net::ReserveDescriptor reserve;
+  std::unique_ptr<net::Door> door;  // if there is one, nothing is accepted here
   int port = 0;
   std::vector<std::thread> threads;
 };
 
-Status Listener::Impl::Bind(const std::string& address) {
+Status Listener::Impl::Listen(const std::string& address) {
+  if (address.starts_with("unix:")) return OpenDoor(address);
   DHPMAP_ASSIGN_OR_RETURN(const net::Address parts, net::SplitAddress(address));
   error_code error;
-  const auto ip = parts.host == "localhost" ? asio::ip::make_address("127.0.0.1", error)
-                                            : asio::ip::make_address(parts.host, error);
+  const auto ip = asio::ip::make_address(parts.host == "localhost" ? "127.0.0.1" : parts.host, error);
   if (error) return InvalidArgument("'" + address + "' is no address: the host must be an IP address or localhost");
-  const tcp::endpoint endpoint(ip, parts.port);
+  if (options.tls == nullptr) return Bind(ip, parts.port);
+  return OpenDoor((ip.is_v6() ? "[" + ip.to_string() + "]" : ip.to_string()) + ":" + std::to_string(parts.port));
+}
+
+Status Listener::Impl::Bind(const asio::ip::address& ip, std::uint16_t wanted_port) {
+  const tcp::endpoint endpoint(ip, wanted_port);
+  error_code error;
   acceptor.open(endpoint.protocol(), error);
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
-  if (error) return Unavailable("cannot listen on " + address + ": " + error.message());
+  if (error) return Unavailable("cannot listen on " + options.address + ": " + error.message());
   port = acceptor.local_endpoint(error).port();
+  Accept();
   return Status::Ok();
+}
+
+Status Listener::Impl::OpenDoor(const std::string& address) {
+  constexpr int kSurplus = 64;  // they are told why they are sent away
+  DHPMAP_ASSIGN_OR_RETURN(door, net::Door::Open({.name = "REST",
+                                                 .address = address,
+                                                 .max_connections = options.max_connections + kSurplus,
+                                                 .protocol = net::Protocol::kHttp11,
+                                                 .tls = options.tls,
+                                                 .num_relays = 1,
+                                                 .on_refused = [this](net::Refusal why) {
+                                                   if (options.on_refused) options.on_refused(net::RefusalName(why));
+                                                 }}));
+  port = door->port();
+  door->Start([this](net::Passed passed) { LetIn(std::move(passed)); });
+  return Status::Ok();
+}
+
+void Listener::Impl::LetIn(net::Passed passed) {
+  Socket socket(asio::make_strand(io));
+  error_code error;
+  socket.assign(AnyStream(AF_UNIX, 0), passed.socket, error);
+  if (error) {
+    ::close(passed.socket);
+    return;
+  }
+  auto connection = std::make_shared<BeastConnection>(std::move(socket), options, std::move(passed.peer),
+                                                      std::move(passed.local_address));
+  connection->Post([this, connection] { events.on_connection(connection); });
 }
 
 void Listener::Impl::Accept() {
@@ -319,7 +368,9 @@ void Listener::Impl::Accepted(const error_code& error, tcp::socket socket) {
     const bool has_closed_one = events.on_no_descriptors();
     return AcceptAfter(std::chrono::milliseconds(reserve.Use() ? 0 : has_closed_one ? 5 : 50));
   }
-  auto connection = std::make_shared<BeastConnection>(std::move(socket), options);
+  const int descriptor = socket.native_handle();
+  auto connection = std::make_shared<BeastConnection>(Socket(std::move(socket)), options, net::IdentityOf(descriptor),
+                                                      net::LocalAddress(descriptor));
   connection->Post([this, connection] { events.on_connection(connection); });
   if (!reserve.Fill()) events.on_no_descriptors();
   Accept();
@@ -327,8 +378,7 @@ void Listener::Impl::Accepted(const error_code& error, tcp::socket socket) {
 
 Result<std::unique_ptr<Listener>> Listener::Start(const ListenerOptions& options, ListenerEvents events) {
   auto impl = std::make_unique<Impl>(options, std::move(events));
-  DHPMAP_RETURN_IF_ERROR(impl->Bind(options.address));
-  impl->Accept();
+  DHPMAP_RETURN_IF_ERROR(impl->Listen(options.address));
   for (int i = 0; i < options.num_threads; ++i) {
     impl->threads.emplace_back([io = &impl->io] {
       NameThisThread("http");
@@ -342,6 +392,7 @@ Result<std::unique_ptr<Listener>> Listener::Start(const ListenerOptions& options
 Listener::Listener(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Listener::~Listener() {
+  impl_->door.reset();  // which hands over to the threads
   impl_->io.stop();
   for (std::thread& thread : impl_->threads) thread.join();
 }
@@ -349,6 +400,7 @@ Listener::~Listener() {
 int Listener::port() const { return impl_->port; }
 
 void Listener::StopAccepting() {
+  if (impl_->door != nullptr) return impl_->door->StopAccepting();
   asio::post(impl_->acceptor.get_executor(), [impl = impl_.get()] {
     error_code ignored;
     impl->acceptor.close(ignored);

@@ -5,14 +5,22 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "mapping/base/result.h"
 #include "server/http/connection.h"
 
+namespace dhpmap::net {
+class TlsContext;
+}
+
 namespace dhpmap::http {
 
 struct ListenerOptions {
-  std::string address;  ///< host:port; port 0 takes a free one
+  std::string address;                         ///< host:port, port 0 takes a free one; or unix:PATH
+  std::shared_ptr<const net::TlsContext> tls;  ///< null: in the clear
+  int max_connections = 1000;                  ///< behind TLS or a unix: address; others are for who hears of them
+  std::function<void(std::string_view why)> on_refused;  ///< there; from several threads; may be empty
   int num_threads = 1;
   std::chrono::duration<double> idle_timeout{60};  ///< of a connection, between requests
   std::chrono::duration<double> head_timeout{10};  ///< from the first byte of a request to the end of its head
@@ -25,7 +33,8 @@ struct ListenerEvents {
   std::function<bool()> on_no_descriptors;
 };
 
-/// Accepts TCP connections and runs them on its threads. Thread-safe.
+/// Accepts connections and runs them on its threads. Those with TLS or of a unix: address come through a net::Door.
+/// Thread-safe.
 class Listener {
  public:
   /// UNAVAILABLE if "host:port" cannot be bound; INVALID_ARGUMENT if it is no address.
@@ -33,7 +42,7 @@ class Listener {
   /// Stops at once. Connections and what they hold must be gone.
   ~Listener();
 
-  [[nodiscard]] int port() const;
+  [[nodiscard]] int port() const;  ///< 0 of a unix: address
   void StopAccepting();
 
  private:

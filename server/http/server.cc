@@ -95,6 +95,9 @@ struct Server::Impl {
 Result<std::unique_ptr<Server>> Server::Start(const ServerOptions& options, const Handler& handler) {
   auto impl = std::make_unique<Impl>(handler, options);
   const ListenerOptions listener_options{.address = options.address,
+                                         .tls = options.tls,
+                                         .max_connections = options.max_connections,
+                                         .on_refused = options.on_refused,
                                          .num_threads = std::max(options.num_threads, 1),
                                          .idle_timeout = options.idle_timeout,
                                          .head_timeout = options.head_timeout};

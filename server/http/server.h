@@ -2,17 +2,25 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mapping/base/result.h"
 #include "server/http/exchange.h"
 
+namespace dhpmap::net {
+class TlsContext;
+}
+
 namespace dhpmap::http {
 
 struct ServerOptions {
-  std::string address = "127.0.0.1:8080";  ///< host:port; port 0 takes a free one
+  std::string address = "127.0.0.1:8080";                ///< host:port, port 0 takes a free one; or unix:PATH
+  std::shared_ptr<const net::TlsContext> tls;            ///< null: in the clear
+  std::function<void(std::string_view why)> on_refused;  ///< by TLS; from several threads; may be empty
   int num_threads = 1;
   std::vector<std::string> allowed_hosts;  ///< further names of this server, without ports; see HostNames
   /// Beyond it the connection that has been idle longest is closed, or else the new one answered with 503.
@@ -30,7 +38,7 @@ class Server {
   /// Only after a Shutdown that returned true, and when no exchange will call its responder any more.
   ~Server();
 
-  [[nodiscard]] int port() const;
+  [[nodiscard]] int port() const;  ///< 0 of a unix: address
 
   /// Refuses new requests, lets running ones end for at most `grace`, then closes. False if some connection is still
   /// open seconds later. What exchanges post still runs, until the server is destroyed.

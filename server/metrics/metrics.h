@@ -54,6 +54,7 @@ class Metrics {
   void RecordQuery(std::size_t num_points);                                   ///< dhpmap_query_points_total
   void RecordFrame(StatusCode code);                                          ///< dhpmap_ingest_frames_total
   void RecordCommit(StatusCode code, double seconds);                         ///< dhpmap_commit_seconds
+  void RecordRefused(std::string_view door, std::string_view why);            ///< dhpmap_guard_refused_total
   void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
   /// Everything, dhpmap_map_{submaps,blocks,revision,memory_bytes,feeds} of the maps given,

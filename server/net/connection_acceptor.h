@@ -10,24 +10,24 @@
 namespace dhpmap::net {
 
 struct AcceptorOptions {
-  std::string address;  ///< host:port, also a name; port 0 takes a free one
+  std::string address;  ///< host:port, also a name; port 0 takes a free one; or unix:PATH
   /// Of those handed over and still open. Those beyond it are accepted and closed at once: a client that is refused
   /// knows more than one that waits.
   int max_connections = 1000;
 };
 
-/// Accepts TCP connections on a thread of its own and hands them over. Goes on when there are no file descriptors left:
+/// Accepts connections on a thread of its own and hands them over. Goes on when there are no file descriptors left:
 /// one is kept back, with which those that come then are refused; and does not take the last ones, so that others find
 /// some. Not thread-safe.
 class ConnectionAcceptor {
  public:
-  /// Listens on all addresses that the host has; on a free port only on the first. Connections wait until Start.
-  /// INVALID_ARGUMENT if it is no address, UNAVAILABLE if it cannot be listened on.
+  /// Listens as net::ListenOn does. Connections wait until Start. INVALID_ARGUMENT if it is no address, UNAVAILABLE if
+  /// it cannot be listened on.
   static Result<std::unique_ptr<ConnectionAcceptor>> Listen(const AcceptorOptions& options);
   /// Stops.
   ~ConnectionAcceptor();
 
-  [[nodiscard]] int port() const;
+  [[nodiscard]] int port() const;  ///< 0 of a unix: address
   /// `take` becomes the owner of each connected socket, which does not block and is not inherited by children. It runs
   /// on the thread. Called once.
   void Start(std::function<void(int socket)> take);

@@ -123,24 +123,36 @@ def _read_token(path: pathlib.Path) -> str:
     return token
 
 
+def _read_roots(ca: str | pathlib.Path, tls: bool | bytes) -> bytes:
+    if isinstance(tls, bytes):
+        raise bad_argument("ca", "says whom to trust, and so does tls: give one of them")
+    roots = pathlib.Path(ca).read_bytes()
+    if b"BEGIN CERTIFICATE" not in roots:  # an empty one would mean no TLS at all
+        raise bad_argument("ca", f"{ca} is no certificate in PEM")
+    return roots
+
+
 def connect(address: str = "127.0.0.1:50051", *, deadline_s: float = 30, connect_s: float = 5, token: str = "",
-            token_file: str | pathlib.Path = "", tls: bool | bytes = False, author: str = "") -> Server:
+            token_file: str | pathlib.Path = "", tls: bool | bytes = False, ca: str | pathlib.Path = "",
+            author: str = "") -> Server:
     """Connects to a server's gRPC door.
 
     deadline_s: how long each call may take, lost connections included. connect_s: how long to wait for the server.
-    tls: True for the system's roots, or PEM bytes of others. token: your key, sent with every call, over TLS or to this
-    machine only; token_file: a file of mode 600 that holds it. author: who edits, unless an edit says so; where keys
-    are on your own name, or one that begins with it and a slash.
+    tls: True for the system's roots, or PEM bytes of others; ca: a file that has these. token: your key, sent with
+    every call, over TLS or to this machine only; token_file: a file of mode 600 that holds it. author: who edits,
+    unless an edit says so; where keys are on your own name, or one that begins with it and a slash.
 
-    Raises Unavailable if no server answers.
+    Raises Unavailable if no server answers, OSError if the file cannot be read.
     """
     if token_file:
         if token:
             raise bad_argument("token_file", "give a token or a file with it, not both")
         token = _read_token(pathlib.Path(token_file))
+    if ca:
+        tls = _read_roots(ca, tls)
     is_local = address.split(":")[0] in ("localhost", "127.0.0.1", "unix") or address.startswith("[::1]")
     if token and not (tls or is_local):
-        raise bad_argument("token", f"would go to {address} in the clear: connect with tls=True")
+        raise bad_argument("token", f"would go to {address} in the clear: connect with tls=True or ca=")
     if tls:
         credentials = grpc.ssl_channel_credentials(None if tls is True else tls)
         channel = grpc.secure_channel(address, credentials, _CHANNEL_OPTIONS)

@@ -84,7 +84,7 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/record", {"mapping/base", "mapping/map", "server/app", "server/wire", "proto"}},
       {"server/auth/keys", {"mapping/base"}},
       {"server/auth", {"mapping/base", "server/auth/keys", "proto"}},
-      {"server/net", {"mapping/base"}},
+      {"server/net", {"mapping/base", "server/log"}},
       {"server/grpc",
        {"mapping", "server/app", "server/auth", "server/net", "server/wire", "server/metrics", "server/log", "proto"}},
       {"server/http", {"mapping/base", "server/net"}},
@@ -158,6 +158,9 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
       {"mapping/io", {"glb.h", "occupancy_image.h", "pcd.h", "ply.h"}},
       {"mapping/pipeline", {"map_builder.h", "refinement_slots.h"}},
       {"storage", {"store.h"}},
+      {"server/net",
+       {"address.h", "door.h", "peer_identity.h", "refusal.h", "reserve_descriptor.h", "socket_names.h",
+        "tls_context.h", "tls_watch.h"}},
   };
   return front;
 }
@@ -188,6 +191,7 @@ const std::vector<Fence>& Fences() {
       {"nanoflann", {"clients/evaluator"}, false},
       {"pcl/", {"mapping/loaded", "tests"}, false},
       {"boost/", {"server/http", "tests"}, false},
+      {"openssl/", {"server/net", "tests"}, false},
       {"yaml-cpp/", {"server/config", "tests"}, false},
       {"spdlog/", {"server/log"}, false},
       {"prometheus/", {"server/metrics"}, false},

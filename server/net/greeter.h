@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "server/net/client_socket.h"
+#include "server/net/peer_identity.h"
+#include "server/net/peer_table.h"
+#include "server/net/refusal.h"
+
+namespace dhpmap::net {
+
+/// A connection that has said what it must.
+struct Greeted {
+  ClientSocket socket;
+  PeerIdentity peer;
+  std::shared_ptr<PeerCounts> counts;
+  std::string local_address;  ///< that it has connected to, without the port; empty behind a unix: address
+};
+
+struct GreeterOptions {
+  Protocol protocol = Protocol::kHttp2;
+  std::shared_ptr<const TlsContext> tls;  ///< null: in the clear
+  /// For the handshake and the preface together.
+  std::chrono::milliseconds within{5'000};
+  std::size_t max_new = 256;          ///< that have not said it yet; the oldest of the peer that has most goes
+  std::size_t max_new_per_peer = 64;  ///< likewise
+};
+
+/// Waits until new connections have said what a client says: TLS's handshake, and the preface of HTTP/2, which it takes
+/// off. On a thread of its own, so that handshakes keep nobody waiting who is through with his; who says nothing costs
+/// a descriptor for a few seconds. Thread-safe.
+class Greeter {
+ public:
+  struct Events {
+    std::function<void(Greeted)> on_greeted;
+    std::function<void(Refusal, const PeerIdentity&)> on_refused;
+  };
+  Greeter(const GreeterOptions& options, Events events);
+  /// Closes those that it still has.
+  ~Greeter();
+
+  /// A connected socket that does not block.
+  void Add(Descriptor socket, PeerIdentity peer, std::shared_ptr<PeerCounts> counts);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dhpmap::net

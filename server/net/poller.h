@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sys/epoll.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "server/net/descriptor.h"
+
+namespace dhpmap::net {
+
+/// epoll, with a bell. What is ready is told as long as it is. Thread-compatible, but for Wake.
+class Poller {
+ public:
+  struct Ready {
+    int descriptor;
+    std::uint32_t events;
+  };
+
+  Poller();
+
+  /// False if the system has no more room.
+  bool Add(int descriptor, std::uint32_t events);
+  void Change(int descriptor, std::uint32_t events);
+  void Remove(int descriptor);
+  /// Those that are ready; none after `wait_ms` (-1: never), or when somebody called Wake.
+  std::span<const Ready> Wait(int wait_ms);
+  /// Ends a Wait, now or the next. Thread-safe.
+  void Wake();
+
+ private:
+  Descriptor epoll_, bell_;
+  std::array<epoll_event, 64> events_{};
+  std::array<Ready, 64> ready_{};
+};
+
+}  // namespace dhpmap::net
