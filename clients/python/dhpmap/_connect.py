@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pathlib
+import socket
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
@@ -132,6 +133,18 @@ def _read_roots(ca: str | pathlib.Path, tls: bool | bytes) -> bytes:
     return roots
 
 
+def _why_silent(address: str) -> str:
+    host, _, port = address.rpartition(":")
+    try:
+        with socket.create_connection((host.strip("[]"), int(port)), 1) as wire:
+            wire.sendall(b"GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
+            if wire.recv(9) == b"HTTP/1.1 ":
+                return "an HTTP server is there, such as the REST door: the gRPC door has another port, by default 50051"
+    except (OSError, ValueError):
+        return "is dhpmap-server running there?"
+    return "something is there, which speaks no gRPC or wants TLS: connect(ca=...)"
+
+
 def connect(address: str = "127.0.0.1:50051", *, deadline_s: float = 30, connect_s: float = 5, token: str = "",
             token_file: str | pathlib.Path = "", tls: bool | bytes = False, ca: str | pathlib.Path = "",
             author: str = "") -> Server:
@@ -161,6 +174,5 @@ def connect(address: str = "127.0.0.1:50051", *, deadline_s: float = 30, connect
     caller = Caller(channel, address, deadline_s, token)
     if not caller.is_ready(connect_s):
         caller.close()
-        raise Unavailable(f"no server answers at {address} within connect_s={connect_s:g}; "
-                          "is dhpmap-server running there?")
+        raise Unavailable(f"no server answers at {address} within connect_s={connect_s:g}; " + _why_silent(address))
     return Server(caller, author)

@@ -32,6 +32,7 @@ class RunningServer:
         for line in self.process.stdout:
             if found := re.search(r"gRPC on ([^ ,]+)", line):
                 self.address = found.group(1)
+                self.http_address = re.search(r"https?://([^ ]+)", line).group(1).strip()
                 return
         raise RuntimeError(f"{self.program} did not start: exit {self.process.wait()}")
 

@@ -104,6 +104,11 @@ def test_no_server_is_told_with_where_it_was_looked_for():
         dhpmap.connect("127.0.0.1:1", connect_s=0.2)
 
 
+def test_who_calls_at_the_rest_door_is_told_so(server):
+    with pytest.raises(dhpmap.Unavailable, match="an HTTP server is there, such as the REST door"):
+        dhpmap.connect(server.http_address, connect_s=0.2)
+
+
 @pytest.mark.parametrize("code, kind, base", [
     ("INVALID_ARGUMENT", dhpmap.InvalidArgument, ValueError), ("NOT_FOUND", dhpmap.NotFound, LookupError),
     ("ALREADY_EXISTS", dhpmap.AlreadyExists, dhpmap.Error), ("ABORTED", dhpmap.Aborted, dhpmap.Error),
