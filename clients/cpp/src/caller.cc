@@ -39,21 +39,25 @@ std::string Told(double s) {
 Result<std::shared_ptr<Caller>> Caller::Connect(const std::string& address, const ConnectOptions& options) {
   auto credentials = CredentialsFor(address, options);
   if (!credentials.ok()) return credentials.status();
+  Result<std::string> token = TokenOf(options);
+  if (!token.ok()) return token.status();
   const auto channel = grpc::CreateCustomChannel(address, *credentials, ChannelOptions());
   if (!channel->WaitForConnected(GrpcTime(Clock::now() + Seconds(options.connect_s)))) {
     return Error(StatusCode::kUnavailable, "no server answers at " + address + " within connect_s = " +
                                                Told(options.connect_s) + "; is dhpmap-server running there?");
   }
-  return std::shared_ptr<Caller>(new Caller(address, options, channel));
+  return std::shared_ptr<Caller>(new Caller(address, options, *std::move(token), channel));
 }
 
-Caller::Caller(std::string address, ConnectOptions options, const std::shared_ptr<grpc::Channel>& channel)
+Caller::Caller(std::string address, ConnectOptions options, std::string token,
+               const std::shared_ptr<grpc::Channel>& channel)
     : address_(std::move(address)),
       options_(std::move(options)),
+      token_(std::move(token)),
       stubs_(channel, channel, channel, channel, channel, channel) {}
 
 void Caller::Introduce(grpc::ClientContext& context) const {
-  if (!options_.token.empty()) context.AddMetadata("authorization", "Bearer " + options_.token);
+  if (!token_.empty()) context.AddMetadata("authorization", "Bearer " + token_);
 }
 
 Status Caller::StatusOf(const grpc::Status& status) const { return client::StatusOf(status, address_); }

@@ -56,11 +56,12 @@ class Caller {
   [[nodiscard]] const std::string& author() const { return options_.author; }
 
  private:
-  Caller(std::string address, ConnectOptions options, const std::shared_ptr<grpc::Channel>& channel);
+  Caller(std::string address, ConnectOptions options, std::string token, const std::shared_ptr<grpc::Channel>& channel);
   Status Attempt(const std::function<grpc::Status(grpc::ClientContext*)>& call, double deadline_s, Again again) const;
 
   const std::string address_;
   const ConnectOptions options_;
+  const std::string token_;
   std::tuple<v1::EditService::Stub, v1::MapService::Stub, v1::MappingService::Stub, v1::QueryService::Stub,
              v1::SubmapService::Stub, v1::WatchService::Stub>
       stubs_;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/cpp/src/credentials.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
+#include <system_error>
 
 #include "clients/cpp/src/error.h"
 
@@ -29,7 +32,7 @@ Result<std::shared_ptr<grpc::ChannelCredentials>> CredentialsFor(const std::stri
                                                                  const ConnectOptions& options) {
   const bool over_tls = options.tls || !options.ca_file.empty() || !options.cert_file.empty();
   if (!over_tls) {
-    if (!options.token.empty() && !IsThisMachine(address)) {
+    if (!(options.token.empty() && options.token_file.empty()) && !IsThisMachine(address)) {
       return BadArgument("token", "would go to " + address + " in the clear: connect with tls or ca_file");
     }
     return grpc::InsecureChannelCredentials();
@@ -44,6 +47,23 @@ Result<std::shared_ptr<grpc::ChannelCredentials>> CredentialsFor(const std::stri
     if (!read.ok()) return read;
   }
   return grpc::SslCredentials(ssl);
+}
+
+Result<std::string> TokenOf(const ConnectOptions& options) {
+  if (options.token_file.empty()) return options.token;
+  const std::string& file = options.token_file;
+  if (!options.token.empty()) return BadArgument("token_file", "and token: give one of them");
+  std::error_code failed;
+  using std::filesystem::perms;
+  const perms of_others = std::filesystem::status(file, failed).permissions() & (perms::group_all | perms::others_all);
+  std::ifstream in(file);
+  if (failed || !in.is_open()) return BadArgument("token_file", "cannot read " + file);
+  if (of_others != perms::none) {
+    return BadArgument("token_file", file + " is open to others than its owner: chmod 600 it");
+  }
+  std::string token, more;
+  if (!(in >> token) || in >> more) return BadArgument("token_file", file + " holds no key");
+  return token;
 }
 
 }  // namespace dhpmap::client

@@ -16,4 +16,8 @@ namespace dhpmap::client {
 Result<std::shared_ptr<grpc::ChannelCredentials>> CredentialsFor(const std::string& address,
                                                                  const ConnectOptions& options);
 
+/// That of the options, or of their file; empty: none. InvalidArgument for a file that is open to others, or holds
+/// none.
+Result<std::string> TokenOf(const ConnectOptions& options);
+
 }  // namespace dhpmap::client

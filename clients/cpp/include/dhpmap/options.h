@@ -20,7 +20,8 @@ struct ConnectOptions {
   std::string ca_file;     ///< PEM file of the certificates to trust instead; not empty: over TLS
   std::string cert_file;  ///< PEM files of a certificate of this client's own and its key, for servers that ask for one
   std::string key_file;
-  std::string token;  ///< sent with each call; over TLS or to this machine only
+  std::string token;       ///< your key, sent with each call; over TLS or to this machine only
+  std::string token_file;  ///< or a file that holds it, and that nobody but its owner may read
 };
 
 /// What space that nobody has seen counts as.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 
 #include "dhpmap/client.h"
@@ -188,6 +189,23 @@ TEST(ClientCalls, ATokenGoesToThisMachineAndNowhereElseInTheClear) {
   const auto elsewhere = client::Client::Connect("192.0.2.1:50051", {.connect_s = 0.01, .token = "secret"});
   EXPECT_EQ(elsewhere.status().code, client::StatusCode::kInvalidArgument);
   EXPECT_EQ(elsewhere.status().message.find("secret"), std::string::npos);
+}
+
+TEST(ClientCalls, ATokenIsReadFromAFileThatNobodyElseMayRead) {
+  const TempDir dir;
+  const auto file = dir.path() / "key";
+  std::ofstream(file) << "secret\n";
+  std::filesystem::permissions(file, std::filesystem::perms::owner_read);
+  Scripted scripted;
+  ASSERT_OK(scripted.Connect({.token_file = file.string()}).OpenMap("room"));
+  EXPECT_EQ(scripted.maps.token, "Bearer secret");
+  const auto code_of = [&](const client::ConnectOptions& options) {
+    return client::Client::Connect(scripted.server.address(), options).status().code;
+  };
+  EXPECT_EQ(code_of({.token = "another", .token_file = file.string()}), client::StatusCode::kInvalidArgument);
+  EXPECT_EQ(code_of({.token_file = "/nowhere/key"}), client::StatusCode::kInvalidArgument);
+  std::filesystem::permissions(file, std::filesystem::perms::owner_read | std::filesystem::perms::group_read);
+  EXPECT_EQ(code_of({.token_file = file.string()}), client::StatusCode::kInvalidArgument);
 }
 
 TEST(ClientCalls, WhatCannotBeConnectedToIsTold) {
