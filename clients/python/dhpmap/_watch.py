@@ -2,6 +2,7 @@
 """What becomes of a map, as it is stored."""
 from __future__ import annotations
 
+import asyncio
 import queue
 import threading
 import time
@@ -53,6 +54,9 @@ class Watch(Iterator[Change]):
 
     Iterating raises OutOfRange (reason COMPACTED or HISTORY_LOST) where the changes are no longer kept: list the map,
     and watch anew. Close it, or use it in a `with` block, to end it; another thread may do so.
+
+    `async for` waits on a thread of asyncio's. A task that is cancelled while it waits closes the watch; go on where it
+    was by watch(resume_after=) of the last change's position.
     """
 
     def __init__(self, caller: Caller, request: pb2.WatchMapRequest, *, reconnect_s: float,
@@ -79,6 +83,19 @@ class Watch(Iterator[Change]):
                 raise StopIteration
             self._take(message)
         return self._told.pop(0)
+
+    def __aiter__(self) -> Watch:
+        return self
+
+    async def __anext__(self) -> Change:
+        try:
+            change = await asyncio.to_thread(next, self, None)
+        except asyncio.CancelledError:
+            self.close()  # or the thread would wait on, and take a change that nobody gets
+            raise
+        if change is None:
+            raise StopAsyncIteration
+        return change
 
     def _next_message(self, since: float) -> pb2.WatchMapResponse | None:
         """None: nothing has changed for idle_s."""

@@ -3,6 +3,7 @@
 import pathlib
 import struct
 import sys
+import tracemalloc
 import warnings
 
 import pytest
@@ -74,8 +75,8 @@ def test_chunks_without_a_wanted_topic_are_not_read(tmp_path):
 
 
 def test_a_damaged_index_is_not_believed(tmp_path):
-    data = bytearray(WALK.read_bytes())
-    data[-100] ^= 1
+    head, name, tail = WALK.read_bytes().rpartition(b"/tf_static")  # in the summary, which repeats what topics there are
+    data = head + name.replace(b"c", b"k") + tail
     assert Recording(written(tmp_path, data)).topics == Recording(WALK).topics
 
 
@@ -142,8 +143,13 @@ def test_a_chunk_never_unpacks_to_more_than_it_says(tmp_path, compression, modul
     bomb = bytes(50_000_000)
     pack = its.compress if compression == "lz4" else its.ZstdCompressor().compress
     path = written(tmp_path, made.whole(made.chunk(b"12345", compression, pack(bomb))))
+    del bomb
+    tracemalloc.start()
     with pytest.raises(dhpmap.DataLoss, match="unpacks to other than 5 bytes"):
         said(path)
+    most_bytes = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most_bytes < 5_000_000
 
 
 @pytest.mark.parametrize("compression, module, install", [

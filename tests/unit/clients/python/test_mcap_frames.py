@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Frames of small recordings that are made here: topics, stamps, poses, encodings, and what is wrong with them."""
 import struct
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -105,6 +106,17 @@ def test_images_go_with_the_nearest_depth_within_the_tolerance(tmp_path):
         got = {its.stamp_ns // MS: its.rgb[0, 0, 0] for its in frames(path, tolerance_s=0.008)}
     assert got == {100: 10, 300: 30}
     assert len(list(frames(path))) == 3 and len(list(frames(path, color=""))) == 3
+
+
+def test_a_recording_is_never_held_as_a_whole(tmp_path):
+    large = [bytes(160_000)] * 3  # rows with much padding
+    path = recorded(tmp_path, stamps_ms=range(0, 4000, 100), moving_ms=range(0, 4001, 100), depth=("16UC1", large))
+    assert path.stat().st_size > 19_000_000
+    tracemalloc.start()
+    assert sum(1 for _ in frames(path)) == 40
+    most_bytes = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most_bytes < 4_000_000
 
 
 def test_what_comes_late_is_waited_for(tmp_path):

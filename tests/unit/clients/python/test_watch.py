@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What becomes of a map is told, also over a connection that is lost."""
+import asyncio
 import threading
 
 import pytest
@@ -52,6 +53,34 @@ def test_a_watch_goes_on_after_a_lost_connection_without_a_gap(server, apartment
             wire.mend()
             assert [next(watch).object.name, next(watch).object.name] == ["two", "three"]
         assert wire.num_connections >= 2
+
+
+def test_changes_come_by_asyncio_while_others_run(apartment, sofa):
+    async def watch_and_rename():
+        watch = apartment.watch(objects=[sofa], after_revision=apartment.info.revision)
+        names = ["first", "second"]
+        renamed = asyncio.create_task(asyncio.to_thread(rename, apartment, sofa, names[0]))
+        told = []
+        async for change in watch:
+            told.append(change.object.name)
+            if len(told) == 1:
+                await renamed
+                await asyncio.to_thread(rename, apartment, sofa, names[1])
+            else:
+                watch.close()
+        return told, await anext(apartment.watch(idle_s=0.01), "nothing")
+
+    assert asyncio.run(watch_and_rename()) == (["first", "second"], "nothing")
+
+
+def test_a_task_that_is_cancelled_closes_its_watch(apartment):
+    async def cancel():
+        watch = apartment.watch(classes=["lamp"])
+        with pytest.raises(asyncio.TimeoutError):
+            await asyncio.wait_for(anext(watch), 0.01)
+        return watch
+
+    assert next(asyncio.run(cancel()), "closed") == "closed"  # which ends: no thread waits on
 
 
 def test_another_thread_may_end_a_watch(apartment):
