@@ -298,6 +298,32 @@ def test_while_one_turns_it_is_drawn_coarser_and_at_rest_all_of_it(world):
     assert page.js("return r.numTriangles") > whole / 2
 
 
+def test_one_walks_by_arrow_keys_at_the_height_of_the_eyes_and_comes_back(world):
+    page = world.page
+    page.fresh()
+    before = page.js("return r.camera.view")
+    page.keys("w")
+    page.until("s.get('walks') && r.isResting")
+    stood = page.js("return r.camera.view")
+    assert abs(stood["position_m"]["z"] - 1.6) < 0.2, stood
+    page.driver.execute_async_script("""
+      const done = arguments[arguments.length - 1], { renderer } = window.dhpmap;
+      const tell = (type) => document.dispatchEvent(new KeyboardEvent(type, { key: "ArrowUp", bubbles: true }));
+      const from = renderer.camera.view.position_m;
+      tell("keydown");
+      const look = () => {
+        const at = renderer.camera.view.position_m;
+        if (Math.hypot(at.x - from.x, at.y - from.y) < 0.3) return requestAnimationFrame(look);
+        tell("keyup");
+        done();
+      };
+      look();""")
+    assert abs(page.js("return r.camera.view.position_m.z") - stood["position_m"]["z"]) < 1e-6, "over the floor"
+    page.keys(Keys.ESCAPE)
+    page.until("!s.get('walks') && r.isResting")
+    assert near(page.js("return r.camera.view.position_m"), before["position_m"])
+
+
 def test_what_somebody_else_edits_meanwhile_is_not_overwritten(world):
     page = world.page
     page.fresh(world.sofa)
@@ -328,6 +354,7 @@ def test_a_map_grows_while_a_robot_feeds_it(world):
     triangles = page.js("return r.numTriangles")
     feeding = world.server.feed(world.data, "--map", "growing", "--labels", "groundtruth")
     page.until(f"s.get('objects').size > {few} + 20 && r.numTriangles > 1.5 * {triangles}")
+    page.until("s.get('robots').length === 1 && s.get('robots')[0].path_m.length > 3")
     _, error = feeding.communicate()
     assert feeding.returncode == 0, error.decode()
     revision = world.server.ask("maps/growing")["map"]["revision"]
