@@ -27,6 +27,7 @@
 #include "server/grpc/stream_window.h"
 #include "server/log/log.h"
 #include "server/net/door.h"
+#include "server/net/refusal.h"
 
 namespace dhpmap {
 

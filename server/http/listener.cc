@@ -27,6 +27,7 @@
 #include "server/http/request_parser.h"
 #include "server/net/address.h"
 #include "server/net/door.h"
+#include "server/net/refusal.h"
 #include "server/net/reserve_descriptor.h"
 #include "server/net/socket_names.h"
 

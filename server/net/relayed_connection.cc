@@ -53,7 +53,10 @@ void RelayedConnection::OnReady(int descriptor, std::uint32_t events, std::span<
     is_over_ = true;
     return;
   }
-  Move(scratch);
+  const bool is_client = descriptor == client_.descriptor();
+  const bool may_read = (events & ~std::uint32_t{EPOLLOUT}) != 0, may_write = (events & EPOLLOUT) != 0;
+  const bool up = is_client ? may_read || client_.wants_to_write() : may_write;
+  Move(up, is_client ? may_write : may_read, scratch);
 }
 
 /// It would be told of for ever. What it has said last may still be read.
@@ -61,9 +64,9 @@ void RelayedConnection::InnerIsGone() {
   if (!std::exchange(is_inner_gone_, true)) poller_.Remove(inner_.get());
 }
 
-void RelayedConnection::Move(std::span<char> scratch) {
-  const bool is_up_done = MoveUp(scratch);
-  const bool is_down_done = is_over_ || MoveDown(scratch);
+void RelayedConnection::Move(bool up, bool down, std::span<char> scratch) {
+  const bool is_up_done = !up || MoveUp(scratch);
+  const bool is_down_done = !down || is_over_ || MoveDown(scratch);
   has_more_ = !is_up_done || !is_down_done;
   if (!is_over_) TellEnds();
   if (!is_over_) UpdateInterest();

@@ -34,7 +34,7 @@ class RelayedConnection {
   /// Moves what can be moved now, at most a share, so that others have their turn.
   void OnReady(int descriptor, std::uint32_t events, std::span<char> scratch);
   /// Goes on with what no descriptor tells of; see has_more.
-  void Continue(std::span<char> scratch) { Move(scratch); }
+  void Continue(std::span<char> scratch) { Move(true, true, scratch); }
   void AtTime(Clock::time_point now);
 
   /// There is more to move at once.
@@ -60,7 +60,7 @@ class RelayedConnection {
     void Keep(std::string_view bytes) { waiting.assign(bytes); }
   };
 
-  void Move(std::span<char> scratch);
+  void Move(bool up, bool down, std::span<char> scratch);
   /// Client to door, door to client: whether all that could be read now was.
   bool MoveUp(std::span<char> scratch);
   bool MoveDown(std::span<char> scratch);

@@ -13,6 +13,7 @@
 
 #include "mapping/base/this_thread.h"
 #include "tests/rig/at_once.h"
+#include "tests/rig/floods.h"
 #include "tests/rig/lying_frames.h"
 #include "tests/rig/over_maps.h"
 #include "tests/rig/quick_probes.h"
@@ -106,6 +107,12 @@ std::vector<Load> LoadsOn(const ServerUnderTest& server, const Target& target) {
       {"100 streams of large queries, each with a pin, that nobody reads",
        unheard([&] { LeaveCallsUnread(server, target, "query-streams", 100); })},
       {"200 watchers that do not read", [&] { return LeaveWatchesUnread(server, target, 200); }},
+      {"flood: rapid resets", [&] { return ResetRapidly(target); }},
+      {"flood: streams, SETTINGS never acknowledged", [&] { return LeaveSettingsUnacknowledged(target); }},
+      {"flood: CONTINUATION without end", [&] { return ContinueHeadersForever(target); }},
+      {"flood: a header value of 2^31 bytes", [&] { return DeclareHugeValue(target); }},
+      {"flood: PING and SETTINGS", [&] { return PingForever(target); }},
+      {"flood: 1,000 silent sockets", [&] { return ConnectSilently(target); }},
   };
 }
 

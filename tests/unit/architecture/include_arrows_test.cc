@@ -159,8 +159,8 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
       {"mapping/pipeline", {"map_builder.h", "refinement_slots.h"}},
       {"storage", {"store.h"}},
       {"server/net",
-       {"address.h", "door.h", "peer_identity.h", "refusal.h", "reserve_descriptor.h", "socket_names.h",
-        "tls_context.h", "tls_watch.h"}},
+       {"address.h", "door.h", "frame_reader.h", "peer_identity.h", "refusal.h", "reserve_descriptor.h",
+        "socket_names.h", "tls_context.h", "tls_watch.h"}},
   };
   return front;
 }
