@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace dhpmap::auth {
 
@@ -21,8 +22,9 @@ Status CallRates::Count(std::string_view principal) {
   bucket.left = std::min(limits_.burst_calls, bucket.left + limits_.calls_per_s * (now_s - bucket.filled_s));
   bucket.filled_s = now_s;
   if (bucket.left < 1) {
-    return ResourceExhausted("'" + std::string(principal) + "' calls more often than one may: try again later")
-        .WithReason("OUT_OF_QUOTA");
+    std::string text = "'";  // in steps: GCC 12 warns of "'" + std::string(...) for no reason
+    text.append(principal).append("' calls more often than one may: try again later");
+    return ResourceExhausted(std::move(text)).WithReason("OUT_OF_QUOTA");
   }
   bucket.left -= 1;
   return Status::Ok();
