@@ -13,7 +13,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 deploy/setup.sh --quiet --checks
 
-readonly rooms=(mapping storage server clients tests)
+readonly rooms=(mapping storage proto/types server clients tests)
 readonly max_tidy_files=8  # some 20 s of CPU time each
 jobs=$(nproc)
 

@@ -23,7 +23,7 @@ add_library(dhpmap_canned_server STATIC ${gateway_tests}/canned_server.cc)
 target_include_directories(dhpmap_canned_server PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(dhpmap_canned_server PUBLIC dhpmap_gateway dhpmap_proto PRIVATE dhpmap_warnings)
 
-dhpmap_tests(ROOM unit/server/http LIBS dhpmap_http_client dhpmap_http)
+dhpmap_tests(ROOM unit/server/http STUBS LIBS dhpmap_http_client dhpmap_http dhpmap_proto_types dhpmap_proto)
 dhpmap_tests(ROOM unit/server/json STUBS LIBS dhpmap_json_test_proto dhpmap_json dhpmap_proto)
 dhpmap_tests(ROOM unit/server/gateway STUBS COST 6
   LIBS dhpmap_canned_server dhpmap_http_client dhpmap_json_test_proto dhpmap_gateway dhpmap_proto)

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clients/cli/text_table.h"
-#include "server/wire/types/status_conversion.h"
+#include "proto/types/status_conversion.h"
 
 namespace dhpmap {
 

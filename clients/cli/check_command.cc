@@ -13,7 +13,7 @@
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
-#include "server/wire/types/pose_conversion.h"
+#include "proto/types/pose_conversion.h"
 
 namespace dhpmap {
 namespace {

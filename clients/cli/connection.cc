@@ -11,7 +11,7 @@
 
 #include "clients/cli/printable.h"
 #include "clients/cli/token.h"
-#include "server/wire/types/status_conversion.h"
+#include "proto/types/status_conversion.h"
 
 namespace dhpmap {
 namespace {

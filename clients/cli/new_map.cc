@@ -6,7 +6,7 @@
 
 #include "clients/cli/map_settings.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
-#include "server/wire/types/label_conversion.h"
+#include "proto/types/label_conversion.h"
 
 namespace dhpmap {
 namespace {

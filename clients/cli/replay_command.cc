@@ -14,7 +14,7 @@
 #include "clients/cli/replay_edits.h"
 #include "clients/cli/replay_streams.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
-#include "server/wire/types/record_file.h"
+#include "proto/types/record_file.h"
 
 namespace dhpmap {
 namespace {

@@ -16,21 +16,19 @@ struct ReasonRow {
   std::string_view name;     ///< what clients see: google.rpc.ErrorInfo.reason
   StatusCode code;           ///< it comes with; kOk: with that of its cause, or as the meaning says
   std::string_view meaning;  ///< for people
-  int http_status = 0;       ///< over HTTP; 0: that of the code
 };
 
 /// Every reason there is, by room. Names are part of the API: they never change their meaning.
 inline constexpr ReasonRow kReasonTable[] = {
     // Maps.
     {"MAP_NOT_FOUND", StatusCode::kNotFound, "there is no map of this name, or no longer"},
-    {"HISTORY_LOST", StatusCode::kOutOfRange, "a revision of before a restore or a crash, whose state is not stored",
-     410},
+    {"HISTORY_LOST", StatusCode::kOutOfRange, "a revision of before a restore or a crash, whose state is not stored"},
     {"REVISION_NOT_KEPT", StatusCode::kOutOfRange,
-     "a revision whose state is not kept, or never was: the metadata name those kept before and after it", 410},
+     "a revision whose state is not kept, or never was: the metadata name those kept before and after it"},
     {"SNAPSHOT_EXPIRED", StatusCode::kAborted,
      "a state was read for so long that the map, closed and changed since, no longer has it: ask for the present one"},
     {"BAD_REVISION", StatusCode::kInvalidArgument, "a revision to read is negative, or the map has not reached it"},
-    {"COMPACTED", StatusCode::kOutOfRange, "changes so old are not kept; the metadata name the `oldest_revision`", 410},
+    {"COMPACTED", StatusCode::kOutOfRange, "changes so old are not kept; the metadata name the `oldest_revision`"},
     {"BAD_POSITION", StatusCode::kInvalidArgument, "a position to watch a map from is malformed"},
     {"TOO_MANY_WATCHERS", StatusCode::kResourceExhausted, "as many watch maps as the server allows: try again later"},
     {"MAP_EXISTS", StatusCode::kAlreadyExists, "the name of the map is taken"},
@@ -131,14 +129,13 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"UNEXPECTED_BODY", StatusCode::kInvalidArgument, "the request takes no body"},
     {"UNKNOWN_PATH", StatusCode::kNotFound, "there is nothing at this path"},
     {"FOREIGN_ORIGIN", StatusCode::kPermissionDenied, "the request comes from a web page of another origin"},
-    {"METHOD_NOT_ALLOWED", StatusCode::kUnimplemented, "the path takes other HTTP methods", 405},
-    {"BODY_TOO_LARGE", StatusCode::kResourceExhausted, "the body is larger than the server takes", 413},
-    {"UNSUPPORTED_MEDIA_TYPE", StatusCode::kInvalidArgument, "the body is of a type that is not taken", 415},
-    {"NOT_ACCEPTABLE", StatusCode::kInvalidArgument, "the answer comes in no type that the client accepts", 406},
-    {"HEADER_TOO_LARGE", StatusCode::kResourceExhausted, "the header of the request is larger than the server takes",
-     431},
+    {"METHOD_NOT_ALLOWED", StatusCode::kUnimplemented, "the path takes other HTTP methods"},
+    {"BODY_TOO_LARGE", StatusCode::kResourceExhausted, "the body is larger than the server takes"},
+    {"UNSUPPORTED_MEDIA_TYPE", StatusCode::kInvalidArgument, "the body is of a type that is not taken"},
+    {"NOT_ACCEPTABLE", StatusCode::kInvalidArgument, "the answer comes in no type that the client accepts"},
+    {"HEADER_TOO_LARGE", StatusCode::kResourceExhausted, "the header of the request is larger than the server takes"},
     {"UNKNOWN_TRANSFER_CODING", StatusCode::kUnimplemented, "the body is in a transfer coding other than chunked"},
-    {"HOST_NOT_ALLOWED", StatusCode::kPermissionDenied, "the request's Host is no name of this server", 421},
+    {"HOST_NOT_ALLOWED", StatusCode::kPermissionDenied, "the request's Host is no name of this server"},
     {"TOO_MANY_CONNECTIONS", StatusCode::kUnavailable, "as many connections as the server takes are busy"},
     {"TOO_MANY_BYTES", StatusCode::kResourceExhausted, "as many bytes are in flight as the server takes: try again"},
     // Data sets.
@@ -194,8 +191,6 @@ class Reason {
   [[nodiscard]] constexpr bool Allows(StatusCode code) const {
     return empty() || Row().code == StatusCode::kOk || Row().code == code;
   }
-  /// Of the HTTP door; 0: that of the code.
-  [[nodiscard]] constexpr int http_status() const { return empty() ? 0 : Row().http_status; }
 
   friend constexpr bool operator==(Reason a, Reason b) { return a.row_ == b.row_; }
   friend std::ostream& operator<<(std::ostream& out, Reason reason) { return out << reason.name(); }

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "mapping/base/byte_budget.h"
-#include "server/wire/types/request_limits.h"
+#include "server/base/byte_budget.h"
+#include "server/base/request_limits.h"
 
 namespace dhpmap::gateway {
 

@@ -4,8 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "mapping/base/byte_budget.h"
+#include "proto/types/resource_names.h"
 #include "server/auth/rights.h"
+#include "server/base/byte_budget.h"
 #include "server/gateway/error_body.h"
 #include "server/gateway/media_type.h"
 #include "server/gateway/page_exchange.h"
@@ -13,7 +14,6 @@
 #include "server/gateway/web_pages.h"
 #include "server/gateway/who_asks.h"
 #include "server/http/url.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap::gateway {
 namespace {

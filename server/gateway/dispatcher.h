@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-#include "mapping/base/byte_budget.h"
+#include "server/base/byte_budget.h"
 #include "server/gateway/hooks.h"
 #include "server/gateway/http_rule_router.h"
 #include "server/gateway/pages.h"

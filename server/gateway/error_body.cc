@@ -5,10 +5,10 @@
 
 #include "google/rpc/status.pb.h"
 #include "mapping/base/utf8.h"
+#include "proto/types/http_status.h"
+#include "proto/types/status_conversion.h"
 #include "server/json/base64.h"
 #include "server/json/writer.h"
-#include "server/wire/types/http_status.h"
-#include "server/wire/types/status_conversion.h"
 
 namespace dhpmap::gateway {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "mapping/base/lane.h"
 #include "mapping/base/mutex.h"
+#include "server/base/lane.h"
 #include "server/gateway/dispatcher.h"
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/shared_answers.h"

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/result.h"
+#include "server/base/byte_budget.h"
 #include "server/gateway/hooks.h"
 
 namespace grpc {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "mapping/base/guarded.h"
-#include "mapping/base/lane.h"
 #include "mapping/base/result.h"
+#include "server/base/lane.h"
 #include "server/gateway/error_body.h"
 
 namespace dhpmap::gateway {

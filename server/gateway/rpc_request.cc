@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/base/request_limits.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/content_encoding.h"
-#include "server/wire/types/request_limits.h"
 
 namespace dhpmap::gateway {
 namespace {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/guarded.h"
-#include "mapping/base/lane.h"
-#include "mapping/base/state_machine.h"
+#include "proto/types/metadata_keys.h"
+#include "server/base/byte_budget.h"
+#include "server/base/lane.h"
+#include "server/base/state_machine.h"
 #include "server/gateway/body_room.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/content_encoding.h"
@@ -13,7 +14,6 @@
 #include "server/gateway/rpc_request.h"
 #include "server/gateway/stream_encoder.h"
 #include "server/gateway/stream_state.h"
-#include "server/wire/types/metadata_keys.h"
 
 namespace dhpmap::gateway {
 namespace {

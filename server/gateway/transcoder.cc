@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "proto/types/message_outline.h"
 #include "server/json/reader.h"
 #include "server/json/writer.h"
-#include "server/wire/types/message_outline.h"
 
 namespace dhpmap::gateway {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/guarded.h"
-#include "mapping/base/lane.h"
+#include "server/base/byte_budget.h"
+#include "server/base/lane.h"
 #include "server/gateway/body_room.h"
 #include "server/gateway/call_options.h"
 #include "server/gateway/error_body.h"

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "mapping/base/fingerprint.h"
+#include "server/base/fingerprint.h"
 #include "server/gateway/content_encoding.h"
 #include "server/gateway/media_type.h"
 #include "server/web/web_files.h"

@@ -4,7 +4,7 @@
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/proto_buffer_reader.h>
 
-#include "server/wire/types/message_outline.h"
+#include "proto/types/message_outline.h"
 
 namespace dhpmap {
 

@@ -5,8 +5,8 @@
 
 #include "mapping/base/guarded.h"
 #include "mapping/paging/page_reader.h"
+#include "proto/types/resource_names.h"
 #include "server/log/log.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -17,13 +17,13 @@
 #include <string_view>
 #include <utility>
 
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
 #include "mapping/base/spread.h"
 #include "mapping/paging/page_reader.h"
 #include "server/app/maps/map_registry.h"
 #include "server/app/states/held_states.h"
+#include "server/base/byte_budget.h"
 #include "server/grpc/grpc_options.h"
 #include "server/grpc/lanes.h"
 #include "server/grpc/status_conversion.h"

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "server/auth/rights.h"
-#include "server/wire/types/request_limits.h"
+#include "server/base/request_limits.h"
 
 namespace dhpmap {
 namespace {

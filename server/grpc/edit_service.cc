@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dhpmap/v1/edit_service.grpc.pb.h"
+#include "proto/types/resource_names.h"
 #include "server/app/edits/edit_list.h"
 #include "server/app/edits/edit_summary.h"
 #include "server/grpc/counted_service.h"
@@ -16,7 +17,6 @@
 #include "server/wire/edit_conversion.h"
 #include "server/wire/edit_log_conversion.h"
 #include "server/wire/paging.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/result.h"
 #include "mapping/map/map_config.h"
 #include "server/auth/gate.h"
+#include "server/base/byte_budget.h"
 
 namespace dhpmap {
 namespace net {

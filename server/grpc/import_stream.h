@@ -8,9 +8,9 @@
 #include <stop_token>
 
 #include "dhpmap/v1/map_service.pb.h"
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
 #include "server/app/maps/map_import.h"
+#include "server/base/byte_budget.h"
 #include "server/grpc/call_runner.h"
 #include "server/grpc/client_lag.h"
 #include "server/grpc/door_call.h"

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "mapping/base/guarded.h"
+#include "proto/types/resource_names.h"
 #include "server/grpc/buffer_outline.h"
 #include "server/grpc/frame_message.h"
 #include "server/wire/frame_conversion.h"
 #include "server/wire/mapping_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -10,10 +10,10 @@
 #include <string>
 
 #include "dhpmap/v1/mapping_service.pb.h"
-#include "mapping/base/byte_budget.h"
-#include "mapping/base/lane.h"
 #include "mapping/base/mutex.h"
 #include "server/app/session/map_session.h"
+#include "server/base/byte_budget.h"
+#include "server/base/lane.h"
 #include "server/grpc/call_runner.h"
 #include "server/grpc/door_call.h"
 #include "server/grpc/open_streams.h"

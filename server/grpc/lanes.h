@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mapping/base/lane.h"
+#include "server/base/lane.h"
 
 namespace dhpmap {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
+#include "proto/types/resource_names.h"
 #include "server/app/maps/map_stats.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/edit_call.h"
@@ -13,7 +14,6 @@
 #include "server/wire/bulk_chunks.h"
 #include "server/wire/map_conversion.h"
 #include "server/wire/paging.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

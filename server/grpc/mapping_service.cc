@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "proto/types/metadata_keys.h"
+#include "proto/types/resource_names.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/services.h"
 #include "server/wire/mapping_conversion.h"
 #include "server/wire/paging.h"
-#include "server/wire/types/metadata_keys.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

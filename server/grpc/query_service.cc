@@ -6,6 +6,7 @@
 #include <string>
 
 #include "dhpmap/v1/query_service.grpc.pb.h"
+#include "proto/types/resource_names.h"
 #include "server/app/queries/distance_grid.h"
 #include "server/grpc/check_answer.h"
 #include "server/grpc/counted_service.h"
@@ -16,7 +17,6 @@
 #include "server/grpc/revision_waits.h"
 #include "server/grpc/services.h"
 #include "server/wire/grid_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

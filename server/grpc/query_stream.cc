@@ -9,14 +9,14 @@
 #include <cstdint>
 #include <string>
 
+#include "proto/types/resource_names.h"
+#include "proto/types/status_conversion.h"
 #include "server/app/states/etag.h"
 #include "server/grpc/check_answer.h"
 #include "server/grpc/passing_time.h"
 #include "server/grpc/query_answers.h"
 #include "server/grpc/read_view.h"
 #include "server/grpc/request_message.h"
-#include "server/wire/types/resource_names.h"
-#include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
 namespace {

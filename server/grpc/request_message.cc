@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "mapping/base/guarded.h"
+#include "server/base/request_limits.h"
 #include "server/grpc/buffer_outline.h"
-#include "server/wire/types/request_limits.h"
 
 namespace dhpmap {
 namespace {

@@ -9,9 +9,9 @@
 #include <functional>
 #include <optional>
 
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/status.h"
-#include "server/wire/types/message_outline.h"
+#include "proto/types/message_outline.h"
+#include "server/base/byte_budget.h"
 
 namespace dhpmap {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
+#include "server/base/byte_budget.h"
 
 namespace dhpmap {
 

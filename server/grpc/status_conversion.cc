@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/grpc/status_conversion.h"
 
-#include "server/wire/types/status_conversion.h"
+#include "proto/types/status_conversion.h"
 
 namespace dhpmap {
 namespace {

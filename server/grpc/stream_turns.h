@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mapping/base/state_machine.h"
+#include "server/base/state_machine.h"
 #include "server/grpc/stream_states.h"
 
 namespace dhpmap {

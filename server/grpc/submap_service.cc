@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "proto/types/resource_names.h"
 #include "server/app/edits/edit_list.h"
 #include "server/app/edits/edit_summary.h"
 #include "server/grpc/counted_service.h"
@@ -14,7 +15,6 @@
 #include "server/wire/edit_log_conversion.h"
 #include "server/wire/paging.h"
 #include "server/wire/submap_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "mapping/base/this_thread.h"
+#include "proto/types/resource_names.h"
 #include "server/grpc/open_streams.h"
 #include "server/wire/mapping_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -12,13 +12,13 @@
 #include <string>
 
 #include "dhpmap/v1/watch_service.pb.h"
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
 #include "server/app/maps/running_exports.h"
 #include "server/app/session/lazy_thread.h"
 #include "server/app/session/map_session.h"
 #include "server/app/watch/change_feed.h"
 #include "server/app/watch/watch_position.h"
+#include "server/base/byte_budget.h"
 #include "server/grpc/call_runner.h"
 #include "server/wire/watch_conversion.h"
 

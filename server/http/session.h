@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "mapping/base/state_machine.h"
+#include "server/base/state_machine.h"
 #include "server/http/connection.h"
 #include "server/http/exchange.h"
 #include "server/http/host_names.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "mapping/base/mutex.h"
-#include "server/wire/types/record_file.h"
+#include "proto/types/record_file.h"
 
 namespace dhpmap {
 

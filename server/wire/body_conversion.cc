@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "proto/types/pose_conversion.h"
 #include "server/wire/contact_conversion.h"
-#include "server/wire/types/pose_conversion.h"
 
 namespace dhpmap {
 namespace {

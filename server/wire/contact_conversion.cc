@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/wire/distance_conversion.h"
 
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "mapping/labels/class_names.h"
-#include "server/wire/types/label_conversion.h"
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
+#include "proto/types/label_conversion.h"
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "mapping/base/fingerprint.h"
-#include "server/wire/types/resource_names.h"
+#include "proto/types/resource_names.h"
+#include "server/base/fingerprint.h"
 
 namespace dhpmap {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "mapping/sensor/lidar_projection.h"
+#include "proto/types/label_conversion.h"
+#include "proto/types/pose_conversion.h"
 #include "server/wire/image_conversion.h"
-#include "server/wire/types/label_conversion.h"
-#include "server/wire/types/pose_conversion.h"
 
 namespace dhpmap {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 #include "server/wire/distance_conversion.h"
 #include "server/wire/query_options.h"
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

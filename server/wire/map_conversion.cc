@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
+#include "proto/types/label_conversion.h"
+#include "proto/types/resource_names.h"
 #include "server/app/states/etag.h"
-#include "server/wire/types/label_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

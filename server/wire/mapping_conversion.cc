@@ -6,9 +6,9 @@
 #include <string>
 
 #include "mapping/base/utf8.h"
+#include "proto/types/resource_names.h"
+#include "proto/types/status_conversion.h"
 #include "server/wire/frame_conversion.h"
-#include "server/wire/types/resource_names.h"
-#include "server/wire/types/status_conversion.h"
 
 namespace dhpmap {
 namespace {

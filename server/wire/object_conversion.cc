@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "mapping/submap/display_name.h"
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 #include "server/app/states/no_such_submap.h"
 #include "server/wire/object_pages.h"
 #include "server/wire/query_options.h"
 #include "server/wire/submap_conversion.h"
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

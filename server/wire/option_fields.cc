@@ -2,8 +2,8 @@
 #include "server/wire/option_fields.h"
 
 #include "mapping/labels/class_names.h"
+#include "proto/types/resource_names.h"
 #include "server/app/states/no_such_submap.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 

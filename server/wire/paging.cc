@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "mapping/base/fingerprint.h"
+#include "server/base/fingerprint.h"
 
 namespace dhpmap {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "proto/types/pose_conversion.h"
 #include "server/wire/option_fields.h"
-#include "server/wire/types/pose_conversion.h"
 
 namespace dhpmap {
 namespace {

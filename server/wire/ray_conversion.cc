@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 #include "server/wire/query_options.h"
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -12,10 +12,10 @@
 
 #include "mapping/labels/class_names.h"
 #include "mapping/submap/display_name.h"
+#include "proto/types/label_conversion.h"
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 #include "server/app/states/etag.h"
-#include "server/wire/types/label_conversion.h"
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

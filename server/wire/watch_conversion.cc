@@ -10,11 +10,11 @@
 #include <string>
 #include <utility>
 
+#include "proto/types/label_conversion.h"
+#include "proto/types/pose_conversion.h"
+#include "proto/types/resource_names.h"
 #include "server/wire/edit_conversion.h"
 #include "server/wire/submap_conversion.h"
-#include "server/wire/types/label_conversion.h"
-#include "server/wire/types/pose_conversion.h"
-#include "server/wire/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

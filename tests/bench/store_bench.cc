@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/base/lane.h"
 #include "mapping/map/history_id.h"
 #include "mapping/pipeline/map_builder.h"
+#include "server/base/lane.h"
 #include "storage/store.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/cpu_time.h"

@@ -11,8 +11,8 @@
 
 #include "clients/cli/replay_edits.h"
 #include "clients/cli/replay_streams.h"
+#include "proto/types/record_file.h"
 #include "server/record/map_recorder.h"
-#include "server/wire/types/record_file.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/map_equality.h"
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "clients/cli/replay_streams.h"
+#include "proto/types/record_file.h"
 #include "server/record/map_recorder.h"
-#include "server/wire/types/record_file.h"
 #include "tests/integration/busy_writer.h"
 #include "tests/integration/feeder.h"
 #include "tests/support/eventually.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstring>
 
-#include "mapping/base/fingerprint.h"
+#include "server/base/fingerprint.h"
 #include "tests/rig/clients.h"
 
 namespace dhpmap::rig {

@@ -4,7 +4,7 @@
 #include <future>
 #include <memory>
 
-#include "mapping/base/lane.h"
+#include "server/base/lane.h"
 
 namespace dhpmap::testing {
 

@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "mapping/base/mutex.h"
-#include "mapping/base/state_machine.h"
 #include "mapping/base/status.h"
 #include "mapping/pipeline/map_builder.h"
 #include "server/app/feeds/feed_tally.h"
+#include "server/base/state_machine.h"
 
 namespace dhpmap {
 

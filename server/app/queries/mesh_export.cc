@@ -5,7 +5,6 @@
 #include <bit>
 #include <utility>
 
-#include "mapping/base/fingerprint.h"
 #include "mapping/io/glb.h"
 #include "mapping/io/pcd.h"
 #include "mapping/io/ply.h"
@@ -13,6 +12,7 @@
 #include "mapping/paging/read_tiles.h"
 #include "server/app/states/etag.h"
 #include "server/app/states/no_such_submap.h"
+#include "server/base/fingerprint.h"
 
 namespace dhpmap {
 

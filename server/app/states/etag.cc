@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "mapping/base/fingerprint.h"
+#include "server/base/fingerprint.h"
 
 namespace dhpmap {
 namespace {

@@ -7,10 +7,10 @@
 #include <thread>
 #include <vector>
 
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/memory_count.h"
 #include "mapping/base/mutex.h"
 #include "mapping/map/map.h"
+#include "server/base/byte_budget.h"
 
 namespace dhpmap {
 

@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
 #include "mapping/map/lost_revisions.h"
 #include "server/app/states/map_view.h"
+#include "server/base/byte_budget.h"
 
 namespace dhpmap {
 

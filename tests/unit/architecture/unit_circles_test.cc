@@ -26,7 +26,7 @@ std::string UnitOf(const fs::path& file) { return fs::path(file).replace_extensi
 Units ReadUnits(const fs::path& root) {
   static const std::regex pattern(R"(^\s*#\s*include\s*"([^"]+)\")");
   Units units;
-  for (const char* top : {"mapping", "storage", "server", "clients", "tests"}) {
+  for (const char* top : {"mapping", "storage", "proto", "server", "clients", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".h" && extension != ".cc") continue;

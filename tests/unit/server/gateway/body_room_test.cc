@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/base/lane.h"
+#include "server/base/lane.h"
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/rpc_exchange.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"

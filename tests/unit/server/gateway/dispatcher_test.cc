@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/gateway/dispatcher.h"
 
-#include "mapping/base/lane.h"
+#include "server/base/lane.h"
 #include "server/gateway/rpc_call.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"
 #include "tests/unit/server/gateway/recording_responder.h"

@@ -5,8 +5,8 @@
 
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
-#include "mapping/base/byte_budget.h"
-#include "server/wire/types/http_status.h"
+#include "proto/types/http_status.h"
+#include "server/base/byte_budget.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"
 
 namespace dhpmap::gateway {

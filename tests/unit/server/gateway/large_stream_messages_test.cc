@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "dhpmap/v1/mapping_service.pb.h"
-#include "mapping/base/byte_budget.h"
-#include "mapping/base/lane.h"
+#include "server/base/byte_budget.h"
+#include "server/base/lane.h"
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/rpc_exchange.h"
 #include "tests/support/lane_plug.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "mapping/base/byte_budget.h"
-#include "mapping/base/lane.h"
+#include "server/base/byte_budget.h"
+#include "server/base/lane.h"
 #include "server/gateway/dispatcher.h"
 #include "server/gateway/rpc_call.h"
 #include "tests/support/lane_plug.h"

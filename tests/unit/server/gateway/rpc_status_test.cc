@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "google/rpc/status.pb.h"
-#include "server/wire/types/status_conversion.h"
+#include "proto/types/status_conversion.h"
 
 namespace dhpmap::gateway {
 namespace {

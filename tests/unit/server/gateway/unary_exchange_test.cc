@@ -3,8 +3,8 @@
 
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
-#include "mapping/base/byte_budget.h"
-#include "mapping/base/lane.h"
+#include "server/base/byte_budget.h"
+#include "server/base/lane.h"
 #include "server/gateway/rpc_call.h"
 #include "server/gateway/rpc_exchange.h"
 #include "tests/support/lane_plug.h"

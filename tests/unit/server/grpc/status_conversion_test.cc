@@ -5,7 +5,7 @@
 
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
-#include "server/wire/types/http_status.h"
+#include "proto/types/http_status.h"
 
 namespace dhpmap {
 namespace {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "proto/types/http_status.h"
 #include "server/http/connection.h"
 #include "server/http/exchange.h"
 
@@ -90,7 +91,7 @@ class FakeHandler final : public Handler {
   }
   Response ErrorAnswer(const Status& error) const override {
     Response response;
-    response.status = error.reason().http_status() != 0 ? error.reason().http_status() : 400;
+    response.status = HttpStatusOf(static_cast<int>(error.code()), error.reason());
     response.body = std::string(error.reason().name());
     return response;
   }

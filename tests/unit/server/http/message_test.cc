@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mapping/base/reason.h"
+#include "proto/types/http_status.h"
 
 namespace dhpmap::http {
 namespace {
@@ -26,10 +27,8 @@ TEST(ReasonPhrase, IsKnownForEveryStatusThatWeSend) {
   for (const int status : {200, 204, 400, 401, 403, 404, 405, 409, 413, 415, 421, 429, 431, 499, 500, 501, 503, 504}) {
     EXPECT_NE(ReasonPhrase(status), "Unknown") << status;
   }
-  for (const ReasonRow& row : kReasonTable) {
-    if (row.http_status != 0) {
-      EXPECT_NE(ReasonPhrase(row.http_status), "Unknown") << row.name;
-    }
+  for (const ReasonStatusRow& row : ReasonStatusTable()) {
+    EXPECT_NE(ReasonPhrase(row.http_status), "Unknown") << row.reason;
   }
   EXPECT_EQ(ReasonPhrase(410), "Gone");
   EXPECT_EQ(ReasonPhrase(299), "Unknown");

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "proto/types/http_status.h"
 #include "tests/support/eventually.h"
 #include "tests/unit/server/http/http_client.h"
 
@@ -56,9 +57,7 @@ class EchoHandler final : public Handler {
   }
   Response ErrorAnswer(const Status& error) const override {
     Response response;
-    response.status = error.code() == StatusCode::kUnimplemented ? 501 : error.reason().http_status();
-    if (error.code() == StatusCode::kUnavailable) response.status = 503;
-    if (response.status == 0) response.status = 400;
+    response.status = HttpStatusOf(static_cast<int>(error.code()), error.reason());
     response.body = std::string(error.reason().name());
     return response;
   }

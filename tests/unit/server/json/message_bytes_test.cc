@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "mapping/base/byte_budget.h"
+#include "server/base/byte_budget.h"
 #include "server/json/reader.h"
 #include "tests/unit/server/json/full_message.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "server/wire/types/resource_names.h"
+#include "proto/types/resource_names.h"
 #include "tests/unit/server/wire/map_of_chairs.h"
 
 namespace dhpmap {

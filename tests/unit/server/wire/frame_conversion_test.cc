@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "server/wire/types/pose_conversion.h"
+#include "proto/types/pose_conversion.h"
 
 namespace dhpmap {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "server/wire/types/resource_names.h"
+#include "proto/types/resource_names.h"
 
 namespace dhpmap {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/wire/types/record_file.h"
+#include "proto/types/record_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/wire/types/status_conversion.h"
+#include "proto/types/status_conversion.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "google/rpc/error_details.pb.h"
-#include "server/wire/types/http_status.h"
+#include "proto/types/http_status.h"
 
 namespace dhpmap {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/wire/types/request_limits.h"
+#include "server/base/request_limits.h"
 
 #include <algorithm>
 #include <array>

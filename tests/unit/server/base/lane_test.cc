@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/base/lane.h"
+#include "server/base/lane.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/wire/types/http_status.h"
+#include "proto/types/http_status.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace dhpmap {
 namespace {
@@ -26,12 +28,22 @@ constexpr std::array<StatusRow, 17> kTable = {{
     {StatusCode::kUnauthenticated, 16, 401},
 }};
 
+constexpr ReasonStatusRow kReasons[] = {
+    {"HISTORY_LOST", 410},       {"REVISION_NOT_KEPT", 410}, {"COMPACTED", 410},
+    {"METHOD_NOT_ALLOWED", 405}, {"BODY_TOO_LARGE", 413},    {"UNSUPPORTED_MEDIA_TYPE", 415},
+    {"NOT_ACCEPTABLE", 406},     {"HEADER_TOO_LARGE", 431},  {"HOST_NOT_ALLOWED", 421},
+};
+
 }  // namespace
 
 std::span<const StatusRow> StatusTable() { return kTable; }
 
+std::span<const ReasonStatusRow> ReasonStatusTable() { return kReasons; }
+
 int HttpStatusOf(int grpc_code, Reason reason) {
-  if (reason.http_status() != 0) return reason.http_status();
+  const auto* own = std::find_if(std::begin(kReasons), std::end(kReasons),
+                                 [reason](const ReasonStatusRow& row) { return row.reason == reason; });
+  if (own != std::end(kReasons)) return own->http_status;
   if (grpc_code < 0 || grpc_code >= static_cast<int>(kTable.size())) return 500;
   return kTable[static_cast<std::size_t>(grpc_code)].http_status;
 }

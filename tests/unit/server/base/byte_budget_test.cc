@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/base/byte_budget.h"
+#include "server/base/byte_budget.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/wire/types/label_conversion.h"
+#include "proto/types/label_conversion.h"
 
 #include <string>
 #include <utility>

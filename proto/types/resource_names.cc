@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/wire/types/resource_names.h"
+#include "proto/types/resource_names.h"
 
 #include <charconv>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/wire/types/pose_conversion.h"
+#include "proto/types/pose_conversion.h"
 
 #include <gtest/gtest.h>
 

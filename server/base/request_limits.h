@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
-#include "mapping/base/byte_budget.h"
 #include "mapping/base/status.h"
+#include "server/base/byte_budget.h"
 
 namespace dhpmap {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/base/fingerprint.h"
+#include "server/base/fingerprint.h"
 
 #include <gtest/gtest.h>
 

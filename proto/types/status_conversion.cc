@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/wire/types/status_conversion.h"
+#include "proto/types/status_conversion.h"
 
 #include "google/rpc/error_details.pb.h"
 #include "mapping/base/utf8.h"
