@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "mapping/base/mutex.h"
-#include "storage/change_history.h"
 #include "storage/commit_rules.h"
-#include "storage/edit_history.h"
-#include "storage/edit_log.h"
-#include "storage/seen_clock.h"
+#include "storage/history/change_history.h"
+#include "storage/history/edit_history.h"
+#include "storage/history/edit_log.h"
+#include "storage/history/seen_clock.h"
 #include "storage/store.h"
 
 namespace dhpmap {

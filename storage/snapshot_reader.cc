@@ -10,12 +10,12 @@
 
 #include "mapping/base/guarded.h"
 #include "mapping/paging/tile_directory.h"
-#include "storage/map_layers.h"
+#include "storage/paging/map_layers.h"
+#include "storage/paging/stored_submap.h"
+#include "storage/paging/tile_cells.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/rows/tile_rows.h"
-#include "storage/stored_submap.h"
-#include "storage/tile_cells.h"
 #include "storage/tiles/object_layers.h"
 
 namespace dhpmap {

@@ -7,8 +7,8 @@
 
 #include "mapping/base/thread_pool.h"
 #include "mapping/map/map.h"
+#include "storage/paging/tile_blobs.h"
 #include "storage/sqlite/database.h"
-#include "storage/tile_blobs.h"
 
 namespace dhpmap {
 

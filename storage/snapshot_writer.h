@@ -8,7 +8,7 @@
 
 #include "mapping/base/thread_pool.h"
 #include "mapping/changes/state_marks.h"
-#include "storage/edit_history.h"
+#include "storage/history/edit_history.h"
 #include "storage/sqlite/database.h"
 
 namespace dhpmap {

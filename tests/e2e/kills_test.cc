@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A few kills of what dhpmap-rig-kills does hundreds of times.
-#include "tests/rig/kills.h"
+#include "tests/rig/kills/kills.h"
 
 #include <gtest/gtest.h>
 

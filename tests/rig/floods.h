@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tests/rig/bulk_calls.h"
+#include "tests/rig/load/bulk_calls.h"
 
 namespace dhpmap::rig {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tests/rig/bulk_calls.h"
+#include "tests/rig/load/bulk_calls.h"
 
 namespace dhpmap::rig {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/e2e/server_process.h"
-#include "tests/rig/bulk_calls.h"
+#include "tests/rig/load/bulk_calls.h"
 #include "tests/rig/server_watch.h"
 #include "tests/support/scenes.h"
 

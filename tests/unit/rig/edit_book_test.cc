@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/rig/edit_book.h"
+#include "tests/rig/ledger/edit_book.h"
 
 #include <gtest/gtest.h>
 

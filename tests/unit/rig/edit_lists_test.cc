@@ -2,7 +2,7 @@
 // Edits that are made together are there all or none, and so is what takes them back.
 #include <gtest/gtest.h>
 
-#include "tests/rig/ledger.h"
+#include "tests/rig/ledger/ledger.h"
 
 namespace dhpmap::rig {
 namespace {

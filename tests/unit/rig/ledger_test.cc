@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each law with answers that keep it and answers that break it: a ledger that never complains would be worthless.
-#include "tests/rig/ledger.h"
+#include "tests/rig/ledger/ledger.h"
 
 #include <gtest/gtest.h>
 

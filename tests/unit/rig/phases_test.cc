@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/rig/phases.h"
+#include "tests/rig/ledger/phases.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage/backup.h"
+#include "storage/files/backup.h"
 
 #include <atomic>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What it takes to undo edits: what it says of itself while all kinds of edits are made, and what each costs.
-#include "storage/edit_history.h"
+#include "storage/history/edit_history.h"
 
 #include <string>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What whoever forges the file of a map, with right checksums, cannot make a server take.
-#include "storage/imported_map.h"
+#include "storage/files/imported_map.h"
 
 #include <cstdint>
 #include <limits>

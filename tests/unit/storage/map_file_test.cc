@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One map goes out of a store as a file and into another.
-#include "storage/map_file.h"
+#include "storage/files/map_file.h"
 
 #include <algorithm>
 #include <atomic>

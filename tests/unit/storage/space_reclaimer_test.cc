@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "storage/backup.h"
 #include "storage/connection.h"
+#include "storage/files/backup.h"
 #include "storage/rows/tile_rows.h"
 #include "storage/sqlite/free_pages.h"
 #include "storage/sqlite/transaction.h"

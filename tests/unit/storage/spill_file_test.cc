@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tiles that no store has as they are, left on the disk: what comes back is the same, to the bit.
-#include "storage/spill_file.h"
+#include "storage/paging/spill_file.h"
 
 #include <algorithm>
 #include <array>

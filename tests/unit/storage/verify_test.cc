@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "storage/shared_voxels.h"
+#include "storage/paging/shared_voxels.h"
 #include "tests/unit/storage/sqlite_fixture.h"
 
 namespace dhpmap {
