@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 packages=(
   g++ cmake ninja-build ccache pkg-config ca-certificates curl python3
   libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
-  libsqlite3-dev libzstd-dev libjemalloc-dev zlib1g-dev libspng-dev libtiff-dev libturbojpeg0-dev
+  libsqlite3-dev libssl-dev libzstd-dev libjemalloc-dev zlib1g-dev libspng-dev libtiff-dev libturbojpeg0-dev
   libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libpcl-dev
   libspdlog-dev libssl-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev libnanoflann-dev
   libgtest-dev liboctomap-dev libompl-dev

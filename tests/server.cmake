@@ -1,7 +1,7 @@
 find_package(Protobuf REQUIRED)  # before gRPC, see proto/
 find_package(gRPC CONFIG REQUIRED)
 
-dhpmap_tests(ROOM unit/server/auth STUBS LIBS dhpmap_auth dhpmap_test_scenes)
+dhpmap_tests(ROOM unit/server/auth STUBS LIBS dhpmap_auth dhpmap_proto dhpmap_test_scenes)
 dhpmap_tests(ROOM unit/server/auth/keys LIBS dhpmap_auth_keys dhpmap_test_scenes)
 dhpmap_tests(ROOM unit/server/base LIBS dhpmap_server_base dhpmap_proto)
 dhpmap_tests(ROOM unit/server/app LIBS dhpmap_app dhpmap_test_map_text dhpmap_test_scenes)

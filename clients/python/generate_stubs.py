@@ -31,9 +31,13 @@ def read_descriptors(googleapis: pathlib.Path, work: pathlib.Path) -> descriptor
     return descriptor_pb2.FileDescriptorSet.FromString(out.read_bytes())
 
 
+def is_of_servers(name: str) -> bool:
+    return name.startswith("google/api/") or name in ("dhpmap/v1/permission.proto", "google/protobuf/descriptor.proto")
+
+
 def make_self_contained(file: descriptor_pb2.FileDescriptorProto) -> None:
-    """Takes the HTTP annotations out, and moves google.rpc into our package."""
-    kept = [RPC_FILES.get(name, name) for name in file.dependency if not name.startswith("google/api/")]
+    """Takes out what servers alone read, HTTP annotations and permissions, and moves google.rpc into our package."""
+    kept = [RPC_FILES.get(name, name) for name in file.dependency if not is_of_servers(name)]
     del file.dependency[:]
     file.dependency.extend(kept)
     for service in file.service:
@@ -47,6 +51,7 @@ def make_self_contained(file: descriptor_pb2.FileDescriptorProto) -> None:
 
 def rename_types(message: descriptor_pb2.DescriptorProto) -> None:
     for field in message.field:
+        field.options.DiscardUnknownFields()  # what the field means to servers
         if field.type_name.startswith(".google.rpc."):
             field.type_name = f".{RPC_PACKAGE}." + field.type_name[len(".google.rpc."):]
     for nested in message.nested_type:
@@ -62,8 +67,7 @@ def generate(googleapis: pathlib.Path, out: pathlib.Path) -> None:
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         read = read_descriptors(googleapis, work)
-        files = [file for file in read.file if not file.name.startswith("google/api/")
-                 and file.name != "google/protobuf/descriptor.proto"]
+        files = [file for file in read.file if not is_of_servers(file.name)]
         for file in files:
             make_self_contained(file)
         (work / "set.binpb").write_bytes(descriptor_pb2.FileDescriptorSet(file=files).SerializeToString())

@@ -21,6 +21,7 @@ class DoorCall final : public grpc::CallbackServerContext {
 /// would be told apart by nothing (gRPC 1.51): the caller is kept here.
 class CallAllocator final : public grpc::ContextAllocator {
  public:
+  using grpc::ContextAllocator::Release;
   grpc::CallbackServerContext* NewCallbackServerContext() override { return new DoorCall; }
   void Release(grpc::CallbackServerContext* call) override { delete call; }
 };

@@ -242,8 +242,10 @@ TEST_F(Attacks, StreamsEndWhenTheirKeyIsRevoked) {
   v1::IntegrateFramesResponse ack;
   ASSERT_TRUE(frames->Write(hello) && frames->Read(&ack));
   http::HttpClient rest(locked.http_port());
-  rest.SendRaw("GET /v1/maps/a:watch?start_revision=1 HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer " + spot +
-               "\r\n\r\n");
+  rest.SendRaw(
+      "GET /v1/maps/a:watch?start_revision=1 HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nAuthorization: "
+      "Bearer " +
+      spot + "\r\n\r\n");
   ASSERT_NE(rest.ReadSome(), "");
   EXPECT_EQ(locked.gate().streams().size(), 4u);
 

@@ -14,7 +14,7 @@ LockedServer::LockedServer(const auth::CallLimits& limits) {
   gate_ = *gate;
   for (const auth::Role role : auth::kRoles) {
     const std::string name(auth::NameOf(role));
-    keys_[name] = MakeKey({.name = name, .role = role});
+    keys_[name] = MakeKey({.name = name, .role = role, .sessions = {"*"}});
   }
   server_ = std::make_unique<TestServer>(*store_, SessionOptions{}, GrpcOptions{.gate = gate_});
   auto gateway = Gateway::Start({.address = "127.0.0.1:0"}, server_->grpc().InProcessChannel(), {.gate = gate_});
