@@ -89,7 +89,7 @@ class Watch(Iterator[Change]):
 
     async def __anext__(self) -> Change:
         try:
-            change = await asyncio.to_thread(next, self, None)
+            change = await asyncio.to_thread(lambda: next(self, None))
         except asyncio.CancelledError:
             self.close()  # or the thread would wait on, and take a change that nobody gets
             raise

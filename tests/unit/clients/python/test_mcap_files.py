@@ -75,7 +75,7 @@ def test_chunks_without_a_wanted_topic_are_not_read(tmp_path):
 
 
 def test_a_damaged_index_is_not_believed(tmp_path):
-    head, name, tail = WALK.read_bytes().rpartition(b"/tf_static")  # in the summary, which repeats what topics there are
+    head, name, tail = WALK.read_bytes().rpartition(b"/tf_static")  # in the summary, which repeats the topics
     data = head + name.replace(b"c", b"k") + tail
     assert Recording(written(tmp_path, data)).topics == Recording(WALK).topics
 

@@ -188,8 +188,9 @@ def label_info(*pairs):
     return "/info", "vision_msgs/msg/LabelInfo", 50, cdr.add("f", 0.5).bytes()
 
 
-def labelled(tmp_path, info, pixels, **options):
-    image = ("/labels", IMAGE, 100, made.image(100 * MS, "mono16", rows("<u2", pixels), 4))
+def labelled(tmp_path, info, pixels, encoding="mono16", **options):
+    pixels = rows({"mono16": "<u2", "32SC1": "<i4"}[encoding], pixels)
+    image = ("/labels", IMAGE, 100, made.image(100 * MS, encoding, pixels, 4))
     (got,) = frames(recorded(tmp_path, image, *info, stamps_ms=(100,)), **options)
     return got.labels.tolist(), {its.id: its.class_name for its in got.segments}
 
@@ -210,6 +211,35 @@ def test_a_divisor_tells_things_of_a_class_apart(tmp_path):
     pixels = [[56001, 56002, 7000, 9001]] * 3
     assert labelled(tmp_path, [], pixels, classes={56: "chair", 7: "wall"}, label_divisor=1000) == (
         [[56001, 56002, 7000, 0]] * 3, {56001: "chair", 56002: "chair", 7000: "wall"})
+
+
+def test_large_ids_and_those_below_0_are_taken_as_well(tmp_path):
+    pixels = [[2_000_000_001, 2_000_000_002, -1, 1_000_000_000]] * 3
+    got = labelled(tmp_path, [], pixels, "32SC1", classes={2000: "chair", 0: "wall"}, label_divisor=1_000_000)
+    assert got == ([[2_000_000_002, 2_000_000_003, 0, 0]] * 3, {2_000_000_002: "chair", 2_000_000_003: "chair"})
+
+
+def detections(*rows_of_them):
+    cdr = made.header(made.Cdr(), 100 * MS, "").add("I", len(rows_of_them))
+    for number, *hypotheses in rows_of_them:
+        made.header(cdr, 100 * MS, "").add("I", len(hypotheses))
+        for class_id, score in hypotheses:
+            cdr.add("S" + "d" * 44, class_id, score, *[0] * 43)
+        cdr.add("dddddS", 0, 0, 0, 0, 0, number)
+    return "/detections", "vision_msgs/msg/Detection2DArray", 100, cdr.bytes()
+
+
+def test_a_detection_is_a_segment_of_its_likeliest_class(tmp_path):
+    table = detections(("7", ("sofa", 0.2), ("chair", 0.7)), ("9", ("3", 0.5)), ("11",))
+    pixels = [[7, 9, 11, 12]] * 3
+    assert labelled(tmp_path, [table], pixels, classes={3: "lamp"}) == (
+        [[7, 9, 11, 0]] * 3, {7: "chair", 9: "lamp", 11: None})
+
+
+@pytest.mark.parametrize("number", ["", "0", "a", "-3", "99999999999"])
+def test_a_detection_whose_id_is_no_pixel_value_is_told(tmp_path, number):
+    with pytest.raises(dhpmap.InvalidArgument, match="/detections: a detection has the id"):
+        labelled(tmp_path, [detections((number, ("chair", 1)))], [[1] * 4] * 3)
 
 
 def test_labels_that_nothing_explains_are_told(tmp_path):
