@@ -58,6 +58,7 @@ void AddWatchCommand(CLI::App& app, Session& session);
 void AddSessionsCommands(CLI::App& app, Session& session);
 /// `keys` and `whoami`.
 void AddKeysCommands(CLI::App& app, Session& session);
+void AddUiCommand(CLI::App& app, Session& session);
 void AddReplayCommand(CLI::App& app, Session& session);
 void AddRestoreCommand(CLI::App& app, Session& session);
 /// The script is made of `app` as it is when it is asked for.

@@ -7,9 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "mapping/base/index_map.h"
 #include "mapping/base/thread_pool.h"
-#include "mapping/map/map_grid.h"
 #include "mapping/mesh/surface_extractor.h"
 #include "mapping/mesh/surface_field.h"
 
@@ -17,38 +15,6 @@ namespace dhpmap {
 namespace {
 
 constexpr std::uint32_t kNoVertex = 0xFFFFFFFFu;
-
-bool IsCutFromMap(const MapSnapshot& map, const Submap& submap) {
-  return !submap.IsAbsent() && IsExclusive(submap.info(), map.info().config);
-}
-
-/// The blocks of the submaps and those around them: a label is that of a voxel at most two from its vertex.
-IndexMap<BlockIndex> BlocksAround(std::span<const Submap* const> submaps) {
-  IndexMap<BlockIndex> around;
-  for (const Submap* submap : submaps) {
-    for (const BlockEntry& entry : submap->blocks().entries()) {
-      for (int i = 0; i < 27; ++i) {
-        around.Set({entry.index.x + i % 3 - 1, entry.index.y + i / 3 % 3 - 1, entry.index.z + i / 9 - 1}, 0);
-      }
-    }
-  }
-  return around;
-}
-
-bool IsNear(const Submap& a, const Submap& b) {
-  const BoundingSphere &sphere = a.bounding_sphere(), &other = b.bounding_sphere();
-  // A block around the one, and one around the other.
-  const double margin_m = 4 * kBlockSide * a.info().voxel_size_m;
-  return (sphere.center_m - other.center_m).norm() <= sphere.radius_m + other.radius_m + margin_m;
-}
-
-std::vector<const Submap*> OnGridOf(const MapSnapshot& map, std::span<const Submap* const> wanted) {
-  std::vector<const Submap*> on_grid;
-  for (const Submap* submap : wanted) {
-    if (IsCutFromMap(map, *submap)) on_grid.push_back(submap);
-  }
-  return on_grid;
-}
 
 std::optional<Mesh> MeshOf(std::span<const Submap* const> submaps, const FieldScope& scope, const LabelSet& label_set,
                            MeshColoring coloring, const std::stop_token& stop) {
@@ -113,28 +79,18 @@ Mesh PartOf(const Mesh& whole, const std::vector<std::size_t>& triangles, std::v
 
 }  // namespace
 
-std::vector<const Submap*> SubmapsAround(const MapSnapshot& map, std::span<const Submap* const> wanted) {
-  const std::vector<const Submap*> on_grid = OnGridOf(map, wanted);
-  std::vector<const Submap*> around;
-  for (const auto& each : map.submaps()) {
-    const bool is_wanted = std::find(wanted.begin(), wanted.end(), each.get()) != wanted.end();
-    const auto is_near = [&each](const Submap* submap) { return IsNear(*submap, *each); };
-    if (is_wanted || (IsCutFromMap(map, *each) && std::any_of(on_grid.begin(), on_grid.end(), is_near))) {
-      around.push_back(each.get());
-    }
-  }
-  return around;
+std::vector<ObjectMesh> ExtractObjectMeshes(const MapSnapshot& map, std::span<const Submap* const> wanted,
+                                            MeshColoring coloring, const std::stop_token& stop) {
+  return ExtractObjectMeshes(map, wanted, MeshSourcesOf(map, wanted), coloring, stop);
 }
 
 std::vector<ObjectMesh> ExtractObjectMeshes(const MapSnapshot& map, std::span<const Submap* const> wanted,
-                                            MeshColoring coloring, const std::stop_token& stop) {
+                                            const MeshSources& sources, MeshColoring coloring,
+                                            const std::stop_token& stop) {
   const LabelSet& label_set = *map.info().label_set;
-  const std::vector<const Submap*> on_grid = OnGridOf(map, wanted);
   std::optional<Mesh> whole = Mesh();
-  if (!on_grid.empty()) {
-    const IndexMap<BlockIndex> blocks = BlocksAround(on_grid);
-    const std::vector<const Submap*> around = OnGridOf(map, SubmapsAround(map, on_grid));
-    whole = MeshOf(around, {.blocks = &blocks, .is_in_own_frame = true}, label_set, coloring, stop);
+  if (!sources.on_grid.empty()) {
+    whole = MeshOf(sources.around, {.blocks = &sources.blocks, .is_in_own_frame = true}, label_set, coloring, stop);
   }
   if (!whole) return {};
   const TrianglesOf triangles = CutByOwner(*whole);

@@ -8,6 +8,7 @@
 
 #include "mapping/map/map.h"
 #include "mapping/mesh/mesh.h"
+#include "mapping/mesh/mesh_sources.h"
 
 namespace dhpmap {
 
@@ -17,10 +18,6 @@ struct ObjectMesh {
   Mesh mesh;
 };
 
-/// The submaps whose voxels decide about the surfaces of `wanted`, which are all of one map: themselves, and, of those
-/// that share the map's grid, what is present and near. Ascending.
-std::vector<const Submap*> SubmapsAround(const MapSnapshot& map, std::span<const Submap* const> wanted);
-
 /// The surfaces of `wanted`, in its order. Those that share the map's grid are cut from the one surface that
 /// ExtractMapMesh makes of it: each of its triangles belongs to the submap that most of its corners have (of none, to
 /// the smallest id), so that together they have neither gaps nor overlaps, and each is the same whichever others are
@@ -28,5 +25,9 @@ std::vector<const Submap*> SubmapsAround(const MapSnapshot& map, std::span<const
 /// Costs the blocks of `wanted` and one block around them. Empty after a `stop` requested meanwhile.
 std::vector<ObjectMesh> ExtractObjectMeshes(const MapSnapshot& map, std::span<const Submap* const> wanted,
                                             MeshColoring coloring, const std::stop_token& stop = {});
+/// Likewise; `sources`: MeshSourcesOf the same.
+std::vector<ObjectMesh> ExtractObjectMeshes(const MapSnapshot& map, std::span<const Submap* const> wanted,
+                                            const MeshSources& sources, MeshColoring coloring,
+                                            const std::stop_token& stop = {});
 
 }  // namespace dhpmap

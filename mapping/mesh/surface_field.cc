@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 
+#include "mapping/mesh/mesh_sources.h"
 #include "mapping/submap/voxel_answer.h"
 #include "mapping/voxels/voxel_average.h"
 
@@ -15,10 +16,14 @@ namespace {
 MeshingVector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps, const IndexMap<BlockIndex>* only) {
   MeshingVector<BlockHolder> sorted;
   for (const Submap* submap : submaps) {
-    for (const BlockEntry& entry : submap->blocks().entries()) {
-      if (entry.tsdf == nullptr) continue;
-      if (only != nullptr && only->Find(entry.index) == IndexMap<BlockIndex>::kNone) continue;
-      sorted.push_back({submap, &entry});
+    for (const TileEntry& tile : submap->blocks().tiles()) {
+      // What is on the disk and not wanted stays there.
+      if (only != nullptr && NumBlocksIn(tile, *only) == 0) continue;
+      for (const BlockEntry& entry : tile.tile->entries()) {
+        if (entry.tsdf == nullptr) continue;
+        if (only != nullptr && only->Find(entry.index) == IndexMap<BlockIndex>::kNone) continue;
+        sorted.push_back({submap, &entry});
+      }
     }
   }
   std::sort(sorted.begin(), sorted.end(), [](const BlockHolder& a, const BlockHolder& b) {

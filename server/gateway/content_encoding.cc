@@ -57,6 +57,12 @@ bool IsWorthGzip(std::string_view content_type) {
   return false;
 }
 
+std::string EtagOfVariant(std::string_view etag, bool is_gzip) {
+  std::string variant(etag);
+  if (is_gzip && !etag.empty()) variant += "-gzip";
+  return variant;
+}
+
 bool IsEtagNamed(std::string_view if_none_match, std::string_view etag) {
   if (etag.empty()) return false;
   return AnyOfList(if_none_match, [etag](std::string_view tag) {

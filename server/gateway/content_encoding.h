@@ -14,6 +14,9 @@ bool TakesGzip(std::string_view accept_encoding);
 /// Whether a file of that type becomes much smaller: meshes do, databases are compressed already.
 bool IsWorthGzip(std::string_view content_type);
 
+/// A strong etag is that of the bytes sent: compressed ones have their own. "" stays "".
+std::string EtagOfVariant(std::string_view etag, bool is_gzip);
+
 /// Whether an If-None-Match header names the etag, which comes without its quotes; "" is never named. Weak and strong
 /// tags count alike, as RFC 9110 has it; "*" names any.
 bool IsEtagNamed(std::string_view if_none_match, std::string_view etag);

@@ -72,17 +72,17 @@ Result<StreamPart> StreamEncoder::EncodeFile(const std::string& bytes) {
   if (is_first_) {
     DHPMAP_RETURN_IF_ERROR(CheckAccepted(accept_, file));
     is_first_ = false;
-    if (takes_gzip_ && IsWorthGzip(file.type)) gzip_.emplace();
-    part.head = StreamHead{FileHead(std::move(file.type), file_stem_), file.etag, std::nullopt};
-    if (!file.etag.empty()) {
+    const bool is_varied = IsWorthGzip(file.type);
+    if (takes_gzip_ && is_varied) gzip_.emplace();
+    const std::string etag = EtagOfVariant(file.etag, is_gzip());
+    part.head = StreamHead{FileHead(std::move(file.type), file_stem_), etag, std::nullopt};
+    if (!etag.empty()) {
       // To be kept, and asked about each time.
-      part.head->headers.emplace_back("ETag", '"' + file.etag + '"');
+      part.head->headers.emplace_back("ETag", '"' + etag + '"');
       part.head->headers.emplace_back("Cache-Control", "no-cache");
     }
-    if (gzip_) {
-      part.head->headers.emplace_back("Content-Encoding", "gzip");
-      part.head->headers.emplace_back("Vary", "Accept-Encoding");
-    }
+    if (is_varied) part.head->headers.emplace_back("Vary", "Accept-Encoding");
+    if (gzip_) part.head->headers.emplace_back("Content-Encoding", "gzip");
     if (file.total_bytes > 0) part.head->length = static_cast<std::uint64_t>(file.total_bytes);
   }
   part.num_bytes = file.data.size();

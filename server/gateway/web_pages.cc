@@ -35,7 +35,8 @@ std::string WebEtag(const web::WebFile& file) {
 }
 
 http::Response FileResponse(const web::WebFile& file, const http::RequestHead& head) {
-  const std::string etag = WebEtag(file);
+  const bool is_gzip = TakesGzip(http::FindHeader(head.headers, "accept-encoding"));
+  const std::string etag = EtagOfVariant(WebEtag(file), is_gzip);
   http::Response response;
   response.headers = {{"Content-Type", std::string(file.type)},
                       {"ETag", '"' + etag + '"'},
@@ -47,7 +48,7 @@ http::Response FileResponse(const web::WebFile& file, const http::RequestHead& h
                       {"X-Content-Type-Options", "nosniff"}};
   if (IsEtagNamed(http::FindHeader(head.headers, "if-none-match"), etag)) {
     response.status = 304;
-  } else if (TakesGzip(http::FindHeader(head.headers, "accept-encoding"))) {
+  } else if (is_gzip) {
     response.headers.emplace_back("Content-Encoding", "gzip");
     response.body = file.gzipped;
   } else {

@@ -148,14 +148,25 @@ class SubmapService final : public CountedService<v1::SubmapService> {
           if (wanted.submap && wanted.format != MeshFormat::kGlb) state = OnlySubmap(*state, *wanted.submap);
           if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), *wanted.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
-          if (!keeps.room.Grow(BytesOfExport(*state, wanted))) return TooManyBytes();
-          DHPMAP_ASSIGN_OR_RETURN(MeshFile file, ExportMesh(std::move(state), wanted, stop, OnBulkLane(context_)));
+          DHPMAP_ASSIGN_OR_RETURN(MeshFile file, MeshOf(std::move(state), wanted, keeps, stop));
           return Stream::Next([chunks = std::make_shared<MeshChunks>(std::move(file))](
                                   v1::GetSubmapMeshResponse& message) mutable { return chunks->Next(message); });
         });
   }
 
  private:
+  Result<MeshFile> MeshOf(std::shared_ptr<const MapSnapshot> state, const MeshRequest& wanted, const StreamKeeps& keeps,
+                          const std::stop_token& stop) {
+    if (wanted.format == MeshFormat::kGlb) {
+      const auto room_for = [&keeps](std::size_t num_bytes) {
+        return keeps.room.Grow(num_bytes) ? Status::Ok() : TooManyBytes();
+      };
+      return ExportGlb(state, wanted, glbs_, room_for, stop, OnBulkLane(context_));
+    }
+    if (!keeps.room.Grow(BytesOfExport(*state, wanted))) return TooManyBytes();
+    return ExportMesh(std::move(state), wanted, stop, OnBulkLane(context_));
+  }
+
   /// A list of one, so that what every request that edits may say means the same as in ApplyEdits.
   template <typename Request, typename Action>
   Result<PlannedEdit> PlanOne(const char* method, const Request& request, const SubmapName& name,
@@ -172,7 +183,11 @@ class SubmapService final : public CountedService<v1::SubmapService> {
     return PlanEdit(method, request, name.map, std::move(change));
   }
 
+  /// Of some apartments: what several people look at, and who comes back, gets at once.
+  static constexpr std::size_t kGlbBytes = 64u << 20;
+
   const ServiceContext& context_;
+  GlbCache glbs_{kGlbBytes};
 };
 
 }  // namespace

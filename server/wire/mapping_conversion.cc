@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mapping/base/utf8.h"
+#include "proto/types/pose_conversion.h"
 #include "proto/types/resource_names.h"
 #include "proto/types/status_conversion.h"
 #include "server/wire/frame_conversion.h"
@@ -105,6 +106,11 @@ v1::FeedSession ToProto(const SessionStatus& status, const std::string& map) {
   if (counts.last_seen_ns != 0)
     *proto.mutable_last_message_time() = google::protobuf::util::TimeUtil::NanosecondsToTimestamp(counts.last_seen_ns);
   proto.set_frames_per_s(counts.frames_per_s);
+  const auto places_m = status.path.places_m();
+  if (!places_m.empty()) *proto.mutable_map_from_sensor() = ToProto(status.path.T_map_sensor());
+  for (const Eigen::Vector3f& place_m : places_m) {
+    for (const float coordinate : place_m) proto.add_packed_path_m(coordinate);
+  }
   return proto;
 }
 

@@ -195,8 +195,8 @@ def test_numbers_typed_in_move_and_keys_alone_find_select_and_move(world):
     page.until("s.get('undoable').length === 1 && s.get('pending') === null")
     after = world.server.translation(MAP, chosen)
     assert abs(after["x"] - before["x"] - 0.05) < 1e-6, f"{before} {after}"
-    page.until("document.querySelector('.number input') && !document.querySelector('.number input').disabled")
-    field = page.driver.find_element(By.CSS_SELECTOR, ".number input")
+    page.until("document.querySelector('.pose input') && !document.querySelector('.pose input').disabled")
+    field = page.driver.find_element(By.CSS_SELECTOR, ".pose input")
     target = float(field.get_attribute("value")) + 0.5
     field.send_keys(Keys.CONTROL, "a")
     field.send_keys(f"{target:.2f}".replace(".", ","), Keys.ENTER)  # as half of Europe types it
@@ -400,7 +400,8 @@ def test_at_rest_no_frame_is_drawn_and_replaced_surfaces_are_freed(world):
         requestAnimationFrame(++n < 20 ? again : done);
       };
       again();""", world.sofa)
-    assert page.js("return r.geometries") <= held, "twenty replacements leave nothing behind"
+    levels = 3  # coarser ones, of the object that is there now
+    assert page.js("return r.geometries") <= held + levels, "twenty replacements leave nothing behind"
 
 
 def test_a_view_is_a_link(world):

@@ -79,7 +79,6 @@ export class Session {
     const generation = this.generation;
     const first = this.ahead?.take(map.name) ?? null;
     this.ahead = null;
-    if (first?.surfaces) void this.surfaces.takeFirst(first.surfaces);
     const [present, { revision, objects }] = await (first?.whole ?? askWhole(map.name));
     if (generation !== this.generation) return;
     const isSameHistory = present.historyId === this.store.get("map")?.historyId;
@@ -94,11 +93,12 @@ export class Session {
     // What the surfaces on their way have, unless it was changed meanwhile.
     const isComing = (object: MapObject) =>
       first?.surfaces != null && object.isPresent && object.revision <= first.map.revision;
-    this.surfaces.want(
-      objects
-        .filter((object) => object.sphere !== null && !isHeld(object) && !isComing(object))
-        .map((object) => object.id),
-    );
+    const missing = objects.filter((object) => object.sphere !== null && !isHeld(object));
+    if (first?.surfaces)
+      void this.surfaces.takeFirst(first.surfaces).then((isTaken) => {
+        if (!isTaken && generation === this.generation) this.surfaces.want(missing.map(({ id }) => id));
+      });
+    this.surfaces.want(missing.filter((object) => !isComing(object)).map(({ id }) => id));
     if (objects.every((object) => object.sphere === null)) this.store.set("phase", { is: "ready" });
     this.follow(present, revision);
   }

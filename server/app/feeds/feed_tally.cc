@@ -18,8 +18,10 @@ void FeedTally::OnMessage(std::size_t num_bytes, std::int64_t now_ns) {
   counts_.num_bytes += static_cast<std::int64_t>(num_bytes);
 }
 
-void FeedTally::OnFused(std::int64_t sequence, std::int64_t num_points, std::int64_t now_ns) {
+void FeedTally::OnFused(std::int64_t sequence, std::int64_t num_points, std::int64_t now_ns,
+                        const Transform& T_map_sensor) {
   const MutexLock lock(mutex_);
+  path_.Add(T_map_sensor);
   ++counts_.num_fused;
   counts_.num_points += num_points;
   counts_.accepted_sequence = sequence;
@@ -55,6 +57,11 @@ FeedCounts FeedTally::Counts(std::int64_t now_ns) const {
   const std::int64_t time_ns = std::max<std::int64_t>(now_ns - from_ns, 1'000'000'000);  // of less nothing can be said
   counts.frames_per_s = static_cast<double>(fused_ns_.end() - first) * 1e9 / static_cast<double>(time_ns);
   return counts;
+}
+
+SensorPath FeedTally::Path() const {
+  const MutexLock lock(mutex_);
+  return path_;
 }
 
 }  // namespace dhpmap

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "mapping/base/mutex.h"
+#include "mapping/base/transform.h"
+#include "server/app/feeds/sensor_path.h"
 
 namespace dhpmap {
 
@@ -28,17 +30,21 @@ class FeedTally {
   static constexpr std::size_t kMaxRemembered = 512;
 
   void OnMessage(std::size_t num_bytes, std::int64_t now_ns) DHPMAP_EXCLUDES(mutex_);
-  void OnFused(std::int64_t sequence, std::int64_t num_points, std::int64_t now_ns) DHPMAP_EXCLUDES(mutex_);
+  void OnFused(std::int64_t sequence, std::int64_t num_points, std::int64_t now_ns,
+               const Transform& T_map_sensor = Transform::Identity()) DHPMAP_EXCLUDES(mutex_);
   void OnRefused() DHPMAP_EXCLUDES(mutex_);
   void OnDuplicate() DHPMAP_EXCLUDES(mutex_);
 
   /// 0: no message has come.
   [[nodiscard]] std::int64_t last_seen_ns() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] FeedCounts Counts(std::int64_t now_ns) const DHPMAP_EXCLUDES(mutex_);
+  /// Of fused frames.
+  [[nodiscard]] SensorPath Path() const DHPMAP_EXCLUDES(mutex_);
 
  private:
   mutable Mutex mutex_;
   FeedCounts counts_ DHPMAP_GUARDED_BY(mutex_);  ///< but the rate
+  SensorPath path_ DHPMAP_GUARDED_BY(mutex_);
   std::int64_t first_seen_ns_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::deque<std::int64_t> fused_ns_ DHPMAP_GUARDED_BY(mutex_);  ///< of late, by time
 };

@@ -39,6 +39,7 @@ std::vector<SessionStatus> ListSessions(
     SessionStatus& status = by_name[session];
     const std::int64_t marked_ns = status.counts.last_seen_ns;
     status.counts = tally->Counts(now_ns);
+    status.path = tally->Path();
     status.counts.last_seen_ns = std::max(status.counts.last_seen_ns, marked_ns);
     if (!session.empty() && status.counts.accepted_sequence) status.accepted_sequence = status.counts.accepted_sequence;
   }

@@ -21,6 +21,7 @@ struct SessionStatus {
   std::optional<std::int64_t> accepted_sequence;  ///< of the last frame that was taken; not of a stream without a name
   std::optional<std::int64_t> stored_sequence;    ///< of the last one that is in the store
   FeedCounts counts;
+  SensorPath path;  ///< of frames fused since the map was opened
 };
 
 /// The sessions that the map knows, those that feed it and those that were heard of since it was opened, by name.

@@ -5,14 +5,11 @@
 #include <bit>
 #include <utility>
 
-#include "mapping/io/glb.h"
 #include "mapping/io/pcd.h"
 #include "mapping/io/ply.h"
-#include "mapping/mesh/object_meshes.h"
 #include "mapping/paging/read_tiles.h"
-#include "server/app/states/etag.h"
+#include "server/app/queries/glb_plan.h"
 #include "server/app/states/no_such_submap.h"
-#include "server/base/fingerprint.h"
 
 namespace dhpmap {
 
@@ -32,42 +29,6 @@ void ReadAll(const MapSnapshot& map, const Submap* only, const Spread& spread, c
   ReadTiles(unread, spread, stop);
 }
 
-std::vector<const Submap*> WantedOf(const MapSnapshot& map, const MeshRequest& request) {
-  std::vector<const Submap*> wanted;
-  const auto add = [&](SubmapId id) {
-    if (const Submap* submap = map.Find(id)) wanted.push_back(submap);
-  };
-  if (request.submap) {
-    add(*request.submap);
-  } else if (!request.only.empty()) {
-    for (const SubmapId id : request.only) add(id);
-  } else {
-    for (const auto& submap : map.submaps()) {
-      if (!submap->IsAbsent()) wanted.push_back(submap.get());
-    }
-  }
-  return wanted;
-}
-
-std::string GlbOf(const MapSnapshot& map, const MeshRequest& request, const std::stop_token& stop,
-                  const Spread& spread) {
-  const std::vector<const Submap*> wanted = WantedOf(map, request);
-  std::vector<const BlockTile*> unread;
-  for (const Submap* submap : SubmapsAround(map, wanted)) AddUnread(submap->blocks(), unread);
-  ReadTiles(unread, spread, stop);
-  const std::vector<ObjectMesh> meshes = ExtractObjectMeshes(map, wanted, request.coloring, stop);
-  std::vector<GlbObject> objects;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const SubmapInfo& info = wanted[i]->info();
-    const std::string id = std::to_string(info.id.value);
-    objects.push_back({.name = "maps/" + map.info().name + "/submaps/" + id,
-                       .extras = R"({"instance_id":)" + id + "}",
-                       .T_file_object = request.submap ? Transform::Identity() : info.T_map_submap,
-                       .mesh = &meshes[i].mesh});
-  }
-  return WriteGlb(objects);
-}
-
 }  // namespace
 
 MeshFile::MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head, CountedBytes reserved)
@@ -80,17 +41,16 @@ MeshFile::MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, st
                                      : PlyBodyBytes(mesh_->num_vertices(), mesh_->num_triangles()))),
       reserved_(std::move(reserved)) {}
 
-MeshFile::MeshFile(std::int64_t revision, std::string glb, CountedBytes reserved)
+MeshFile::MeshFile(std::int64_t revision, std::shared_ptr<const GlbFile> glb, CountedBytes reserved)
     : revision_(revision),
       format_(MeshFormat::kGlb),
-      head_(std::move(glb)),
-      num_bytes_(head_.size()),
-      etag_("g" + HistoryText(Fingerprint(head_))),
+      glb_(std::move(glb)),
+      num_bytes_(glb_->bytes.size()),
       reserved_(std::move(reserved)) {}
 
 bool MeshFile::NextOfGlb(std::string& piece) {
   constexpr std::size_t kMostBytes = 200'000;
-  piece.assign(head_, num_read_bytes_, kMostBytes);
+  piece.assign(glb_->bytes, num_read_bytes_, kMostBytes);
   num_read_bytes_ += piece.size();
   return !piece.empty();
 }
@@ -111,15 +71,7 @@ bool MeshFile::Next(std::string& piece) {
 std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request) {
   // Masks and numbers of a block. Blocks that several submaps have are merged into a copy: at worst all, two into one.
   constexpr std::size_t kBlock = 800, kMerged = sizeof(TsdfBlock) + kBlockVoxels * sizeof(std::uint16_t);
-  if (request.format == MeshFormat::kGlb) {
-    // Their surface twice, in the map's and in their own numbers, and once in the file: some 30 vertices and 60
-    // triangles a block. It is made of their blocks and one around them, which are thrice as many at worst.
-    constexpr std::size_t kSurface = 8000;
-    std::size_t num_wanted = 0, num_blocks = 0;
-    for (const Submap* submap : WantedOf(map, request)) num_wanted += submap->blocks().size();
-    for (const auto& submap : map.submaps()) num_blocks += submap->blocks().size();
-    return std::min(3 * num_wanted, num_blocks) * (kBlock + kMerged / 2) + num_wanted * kSurface;
-  }
+  if (request.format == MeshFormat::kGlb) return GlbPlan(map, request).num_bytes();
   if (request.submap) {
     const Submap* submap = map.Find(*request.submap);
     if (submap == nullptr) return 0;
@@ -134,17 +86,32 @@ std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request) {
   return num_blocks * (kBlock + kMerged / 2);
 }
 
+Result<MeshFile> ExportGlb(const std::shared_ptr<const MapSnapshot>& map, const MeshRequest& request, GlbCache& cache,
+                           const RoomFor& room_for, const std::stop_token& stop, const Spread& spread) {
+  if (request.submap && map->Find(*request.submap) == nullptr) return NoSuchSubmap(map->info(), *request.submap);
+  const GlbPlan plan(*map, request);
+  if (auto kept = cache.Find(plan.name())) {
+    return MeshFile(map->revision(), std::move(kept), CountedBytes(MemoryKind::kReserved));
+  }
+  DHPMAP_RETURN_IF_ERROR(room_for(plan.num_bytes()));
+  CountedBytes reserved(MemoryKind::kReserved, plan.num_bytes());
+  std::shared_ptr<const GlbFile> made = plan.Make(stop, spread);
+  if (made == nullptr) return Cancelled("nobody waits for the mesh any longer");
+  if (plan.name() != 0) cache.Put(plan.name(), made);
+  return MeshFile(map->revision(), std::move(made), std::move(reserved));
+}
+
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                             const std::stop_token& stop, const Spread& spread) {
   const Submap* submap = request.submap ? map->Find(*request.submap) : nullptr;
   if (request.submap && submap == nullptr) return NoSuchSubmap(map->info(), *request.submap);
+  if (request.format == MeshFormat::kGlb) {
+    GlbCache none(0);
+    return ExportGlb(
+        map, request, none, [](std::size_t) { return Status::Ok(); }, stop, spread);
+  }
   const std::int64_t revision = map->revision();
   CountedBytes reserved(MemoryKind::kReserved, BytesOfExport(*map, request));
-  if (request.format == MeshFormat::kGlb) {
-    std::string glb = GlbOf(*map, request, stop, spread);
-    if (stop.stop_requested()) return Cancelled("nobody waits for the mesh any longer");
-    return MeshFile(revision, std::move(glb), std::move(reserved));
-  }
   ReadAll(*map, submap, spread, stop);
   MeshStream mesh(std::move(map), submap, request.coloring, stop);
   if (stop.stop_requested()) return Cancelled("nobody waits for the mesh any longer");

@@ -3,33 +3,24 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 #include "mapping/base/memory_count.h"
 #include "mapping/base/result.h"
 #include "mapping/base/spread.h"
 #include "mapping/map/map.h"
 #include "mapping/mesh/mesh_stream.h"
+#include "server/app/queries/glb_cache.h"
+#include "server/app/queries/mesh_request.h"
 
 namespace dhpmap {
 
-enum class MeshFormat {
-  kPly,  ///< binary; vertices with normal, colour, class, instance
-  kPcd,  ///< binary; the vertices as a point cloud
-  kGlb,  ///< binary glTF, each object for itself, see ExtractObjectMeshes; made whole
-};
-
-/// Which surface, and as what.
-struct MeshRequest {
-  std::optional<SubmapId> submap;  ///< empty: all objects in one mesh, without gaps between them (ExtractMapMesh)
-  std::vector<SubmapId> only;      ///< of kGlb without a submap: these, of which those that are not there are left out
-  MeshColoring coloring = MeshColoring::kSensor;
-  MeshFormat format = MeshFormat::kPly;
-};
+/// Takes room for so many bytes, or says that there is none.
+using RoomFor = std::function<Status(std::size_t num_bytes)>;
 
 /// A file that is made while it is read: a reader that waits keeps the state of the map and one piece, no more. Belongs
 /// to one thread at a time.
@@ -39,7 +30,7 @@ class MeshFile {
   [[nodiscard]] MeshFormat format() const { return format_; }
   [[nodiscard]] std::size_t num_bytes() const { return num_bytes_; }
   /// Of kGlb: the same for the same bytes; else empty. A file of one submap does not change with its pose.
-  [[nodiscard]] const std::string& etag() const { return etag_; }
+  [[nodiscard]] std::string etag() const { return glb_ ? glb_->etag : std::string(); }
 
   /// The next piece, of 1 to 200,000 bytes. False: there is none.
   bool Next(std::string& piece);
@@ -47,17 +38,20 @@ class MeshFile {
  private:
   friend Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                                      const std::stop_token& stop, const Spread& spread);
+  friend Result<MeshFile> ExportGlb(const std::shared_ptr<const MapSnapshot>& map, const MeshRequest& request,
+                                    GlbCache& cache, const RoomFor& room_for, const std::stop_token& stop,
+                                    const Spread& spread);
   MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head, CountedBytes reserved);
-  MeshFile(std::int64_t revision, std::string glb, CountedBytes reserved);
+  MeshFile(std::int64_t revision, std::shared_ptr<const GlbFile> glb, CountedBytes reserved);
   bool NextOfGlb(std::string& piece);
 
   std::int64_t revision_;
   MeshFormat format_;
   std::optional<MeshStream> mesh_;  // not of kGlb
-  std::string head_;                // until it is read; of kGlb the whole file
+  std::string head_;                // until it is read; not of kGlb
+  std::shared_ptr<const GlbFile> glb_;
   std::size_t num_read_bytes_ = 0;  // of kGlb
   std::size_t num_bytes_;
-  std::string etag_;
   Mesh piece_;
   CountedBytes piece_bytes_{MemoryKind::kMeshing};
   CountedBytes reserved_;
@@ -71,5 +65,10 @@ std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request);
 /// requested meanwhile. What is on the disk is read by `spread` first. Throws StatusError.
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                             const std::stop_token& stop = {}, const Spread& spread = InPlace);
+
+/// Likewise, of MeshFormat::kGlb alone; what `cache` has takes neither room nor time, what it has not it gets. Passes
+/// on what `room_for` says.
+Result<MeshFile> ExportGlb(const std::shared_ptr<const MapSnapshot>& map, const MeshRequest& request, GlbCache& cache,
+                           const RoomFor& room_for, const std::stop_token& stop = {}, const Spread& spread = InPlace);
 
 }  // namespace dhpmap

@@ -154,15 +154,16 @@ Result<FrameReport> FrameIntake::Fuse(Feed* feed, std::int64_t sequence, const P
   if (!report.ok()) return report;
   // It is in the map: nothing may throw from here on.
   if (has_session) writer_.map().mutable_info().sessions = std::move(sessions);
-  OnFused(feed, sequence, now_ns, *report);
+  OnFused(feed, sequence, now_ns, frame, *report);
   return report;
 }
 
-void FrameIntake::OnFused(Feed* feed, std::int64_t sequence, std::int64_t now_ns, const FrameReport& report) {
+void FrameIntake::OnFused(Feed* feed, std::int64_t sequence, std::int64_t now_ns, const PanopticFrame& frame,
+                          const FrameReport& report) {
   const std::int64_t num_frames = writer_.map().info().num_frames;
   writer_.committer.OnFused(num_frames);
   if (feed) feed->OnFused(num_frames, sequence);
-  if (feed) feed->tally().OnFused(sequence, report.num_points, now_ns);
+  if (feed) feed->tally().OnFused(sequence, report.num_points, now_ns, frame.T_map_sensor);
   if (report.refinement && on_refinement_) TellSafely([&] { on_refinement_(*report.refinement); });
   writer_.batches.NoteChange();
   writer_.batches.DoThoseDue();

@@ -76,7 +76,8 @@ class FrameIntake {
   Result<FrameReport> TakeInTurn(Arrival& arrival, bool& is_duplicate);
   Result<FrameReport> TakeFrame(Arrival& arrival);
   Result<FrameReport> Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame);
-  void OnFused(Feed* feed, std::int64_t sequence, std::int64_t now_ns, const FrameReport& report);
+  void OnFused(Feed* feed, std::int64_t sequence, std::int64_t now_ns, const PanopticFrame& frame,
+               const FrameReport& report);
 
   const MapWriter writer_;
   const OnRefinement on_refinement_;

@@ -28,7 +28,7 @@ export function poseCard(store: ViewStore, moveTool: MoveTool, object: MapObject
   );
   return el(
     "section",
-    { class: "card" },
+    { class: "card pose" },
     el("h2", {}, "Middle, in the map"),
     el("div", { class: "numbers" }, field("x"), field("y"), field("z"), turn),
     el(

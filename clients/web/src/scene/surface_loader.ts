@@ -47,17 +47,16 @@ export class SurfaceLoader {
     return this.running === null && this.wanted.size === 0;
   }
 
-  /** What was asked for before, and is on its way: what is in it is not fetched again. */
-  async takeFirst(file: Promise<ArrayBuffer>): Promise<void> {
+  /** What was asked for before, and is on its way; the rest waits for it. False: it did not come. */
+  async takeFirst(file: Promise<ArrayBuffer>): Promise<boolean> {
     const abort = (this.running = new AbortController());
     ++this.numRequests;
     try {
       const surfaces = readGlb(await file);
-      if (abort.signal.aborted) return;
-      for (const { id } of surfaces) this.wanted.delete(id);
-      this.onSurfaces(surfaces);
+      if (!abort.signal.aborted) this.onSurfaces(surfaces);
+      return true;
     } catch {
-      // Then each is fetched as if nothing had been asked for.
+      return abort.signal.aborted;
     } finally {
       if (this.running === abort) {
         this.running = null;

@@ -134,8 +134,32 @@ TEST_F(BallOfThree, ArePlannedForByThoseNearAlone) {
   const MapSnapshot map = MapOf({Part(1), Part(2), Part(3), std::move(far)});
   const Submap* wanted = map.Find(SubmapId(1));
   std::vector<std::uint32_t> ids;
-  for (const Submap* submap : SubmapsAround(map, {&wanted, 1})) ids.push_back(submap->id().value);
+  const MeshSources sources = MeshSourcesOf(map, {&wanted, 1});
+  for (const Submap* submap : sources.around) ids.push_back(submap->id().value);
   EXPECT_EQ(ids, (std::vector<std::uint32_t>{1, 2, 3}));
+  for (const SourceTile& source : sources.tiles) EXPECT_NE(source.submap->id().value, 4u);
+}
+
+TEST(MeshSources, AreOfALargeSubmapTheTilesNearTheSmallOneAlone) {
+  Submap floor = testing::SolidSubmap([](const Eigen::Vector3d& p) { return p.z() - 0.02; }, {-40, -1, 0}, {40, 1, 0});
+  floor.mutable_info().id = SubmapId(1);
+  floor.UpdateBoundingSphere();
+  Submap ball = testing::SolidSubmap(testing::Sphere({0.1, 0.1, 0.1}, 0.1), {0, 0, 0}, {0, 0, 0});
+  ball.mutable_info().id = SubmapId(2);
+  ball.UpdateBoundingSphere();
+  MapInfo info;
+  info.config.voxel_size_m = kVoxel_m;
+  const MapSnapshot map(info, {std::make_shared<const Submap>(floor), std::make_shared<const Submap>(ball)});
+  const Submap* wanted = map.Find(SubmapId(2));
+  const MeshSources sources = MeshSourcesOf(map, {&wanted, 1});
+  std::size_t num_tiles = 0, num_blocks = 0;
+  for (const SourceTile& source : sources.tiles) {
+    if (source.submap->id() != SubmapId(1)) continue;
+    ++num_tiles;
+    num_blocks += source.num_blocks;
+  }
+  EXPECT_EQ(num_blocks, 9u) << "around the ball's one block, in the plane";
+  EXPECT_EQ(num_tiles, 4u) << "of the " << map.Find(SubmapId(1))->blocks().tiles().size();
 }
 
 TEST_F(BallOfThree, AreNotMadeForWhoHasGone) {

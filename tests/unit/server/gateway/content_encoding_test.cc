@@ -54,9 +54,11 @@ TEST_F(MeshOverHttp, ComesCompressedToWhoTakesThat) {
   EXPECT_EQ(plain.Header("ETag"), "\"g1\"");
   EXPECT_EQ(plain.Header("Content-Encoding"), "");
   EXPECT_EQ(plain.Header("Content-Length"), "2004");
+  EXPECT_EQ(plain.Header("Vary"), "Accept-Encoding");
   const http::HttpAnswer gzipped = client->Ask("GET", "/v1/maps/home/mesh", "", {{"Accept-Encoding", "gzip, br"}});
   EXPECT_EQ(gzipped.Header("Content-Encoding"), "gzip");
   EXPECT_EQ(gzipped.Header("Vary"), "Accept-Encoding");
+  EXPECT_EQ(gzipped.Header("ETag"), "\"g1-gzip\"") << "other bytes";
   EXPECT_TRUE(gzipped.is_complete);
   EXPECT_LT(gzipped.body.size(), 200u);
   EXPECT_EQ(Gunzip(gzipped.body, file.size()), file);
@@ -67,6 +69,11 @@ TEST_F(MeshOverHttp, IsNotSentAgainToWhoHasIt) {
   EXPECT_EQ(same.status, 304);
   EXPECT_EQ(same.Header("ETag"), "\"g1\"");
   EXPECT_EQ(same.body, "");
+  const auto ask_gzip = [this](const char* etag) {
+    return client->Ask("GET", "/v1/maps/home/mesh", "", {{"Accept-Encoding", "gzip"}, {"If-None-Match", etag}});
+  };
+  EXPECT_EQ(ask_gzip("\"g1-gzip\"").status, 304);
+  EXPECT_EQ(ask_gzip("\"g1\"").status, 200) << "those are other bytes";
   const http::HttpAnswer other = client->Ask("GET", "/v1/maps/home/mesh", "", {{"If-None-Match", "\"g0\""}});
   EXPECT_EQ(other.status, 200);
   EXPECT_EQ(other.body, file) << "nothing of the one before was left on the connection";

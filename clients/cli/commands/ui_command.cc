@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dhpmap ui: where a map is seen in the browser.
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "clients/cli/connection.h"
+#include "clients/cli/ui_link.h"
+#include "dhpmap/v1/map_service.grpc.pb.h"
+
+extern char** environ;  // NOLINT: POSIX names it so
+
+namespace dhpmap {
+namespace {
+
+struct UiOptions {
+  std::string map;
+  std::string http;
+  bool opens = false;
+};
+
+/// By what the desktop opens links with. False: there is nothing of the kind.
+bool OpenInBrowser(const std::string& link) {
+  std::string program = "xdg-open", argument = link;
+  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0) return false;
+  int status = 0;
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// A link to a map that is not there would show nothing.
+grpc::Status CheckMap(const Session& session, const std::string& map) {
+  grpc::ClientContext context;
+  v1::GetMapRequest request;
+  request.set_name(MapName(map));
+  v1::GetMapResponse response;
+  return v1::MapService::NewStub(Connect(session))->GetMap(&context, request, &response);
+}
+
+ExitCode Run(const Session& session, const UiOptions& options) {
+  if (!options.map.empty()) {
+    if (const grpc::Status status = CheckMap(session, options.map); !status.ok()) return ReportError(session, status);
+  }
+  const std::string link = UiLink(options.http.empty() ? HttpOf(session.server) : options.http, options.map);
+  if (session.json) std::cout << "{\"link\": \"" << link << "\"}\n";
+  else std::cout << link << "\n";
+  if (options.opens && !OpenInBrowser(link))
+    return ReportLocalError("no browser could be opened: open the link in one");
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddUiCommand(CLI::App& app, Session& session) {
+  auto options = std::make_shared<UiOptions>();
+  CLI::App* ui = app.add_subcommand("ui", "Print the link of the viewer in the browser");
+  ui->add_option("map", options->map, "Name of the map; none: the one that was changed last");
+  ui->add_option("--http", options->http,
+                 "The server's REST door, as its log names it; default: port 8080 of the host of --server");
+  ui->add_flag("--open", options->opens, "Open it, too");
+  ui->callback([options, &session] { session.exit_code = Run(session, *options); });
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/queries/glb_plan.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "mapping/io/glb.h"
+#include "mapping/mesh/object_meshes.h"
+#include "mapping/paging/read_tiles.h"
+#include "server/app/states/etag.h"
+#include "server/base/fingerprint.h"
+
+namespace dhpmap {
+namespace {
+
+std::vector<const Submap*> WantedOf(const MapSnapshot& map, const MeshRequest& request) {
+  std::vector<const Submap*> wanted;
+  const auto add = [&](SubmapId id) {
+    if (const Submap* submap = map.Find(id)) wanted.push_back(submap);
+  };
+  if (request.submap) {
+    add(*request.submap);
+  } else if (!request.only.empty()) {
+    for (const SubmapId id : request.only) add(id);
+  } else {
+    for (const auto& submap : map.submaps()) {
+      if (!submap->IsAbsent()) wanted.push_back(submap.get());
+    }
+  }
+  return wanted;
+}
+
+template <typename Number>
+void Append(Number number, std::string& text) {
+  text.append(reinterpret_cast<const char*>(&number), sizeof(number));
+}
+
+}  // namespace
+
+GlbPlan::GlbPlan(const MapSnapshot& map, const MeshRequest& request)
+    : map_(map),
+      request_(request),
+      wanted_(WantedOf(map, request)),
+      sources_(MeshSourcesOf(map, wanted_)),
+      name_(NameOf()),
+      num_bytes_(BytesOf()) {}
+
+std::uint64_t GlbPlan::NameOf() const {
+  if (request_.coloring != MeshColoring::kSensor) return 0;  // would have to name all classes and their colours
+  std::string text = map_.info().name + (request_.submap ? "/one" : "/many");
+  for (const Submap* submap : wanted_) {
+    Append(submap->id().value, text);
+    Append(IsCutFromMap(map_, *submap), text);
+    if (request_.submap) continue;
+    for (const double number : submap->info().T_map_submap.matrix().reshaped()) Append(number, text);
+  }
+  for (const SourceTile& source : sources_.tiles) {
+    Append(source.submap->id().value, text);
+    Append(source.tile->part_id(), text);
+  }
+  return Fingerprint(text);
+}
+
+std::size_t GlbPlan::BytesOf() const {
+  // Masks and numbers of a block; where several submaps have it, a merged copy. Of each block of what is wanted the
+  // surface, twice as a mesh, in the map's and in its own numbers, and once in the file: some 30 vertices and 60
+  // triangles.
+  constexpr std::size_t kBlock = 800, kMerged = sizeof(TsdfBlock) + kBlockVoxels * sizeof(std::uint16_t);
+  constexpr std::size_t kSurface = 8000;
+  std::size_t num_wanted = 0, num_sources = 0;
+  for (const Submap* submap : wanted_) num_wanted += submap->blocks().size();
+  for (const SourceTile& source : sources_.tiles) num_sources += source.num_blocks;
+  return num_sources * (kBlock + kMerged / 2) + num_wanted * kSurface;
+}
+
+std::shared_ptr<const GlbFile> GlbPlan::Make(const std::stop_token& stop, const Spread& spread) const {
+  std::vector<const BlockTile*> unread;
+  for (const SourceTile& source : sources_.tiles) {
+    if (!source.tile->IsRead()) unread.push_back(source.tile);
+  }
+  ReadTiles(unread, spread, stop);
+  const std::vector<ObjectMesh> meshes = ExtractObjectMeshes(map_, wanted_, sources_, request_.coloring, stop);
+  std::vector<GlbObject> objects;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const SubmapInfo& info = wanted_[i]->info();
+    const std::string id = std::to_string(info.id.value);
+    objects.push_back({.name = "maps/" + map_.info().name + "/submaps/" + id,
+                       .extras = R"({"instance_id":)" + id + "}",
+                       .T_file_object = request_.submap ? Transform::Identity() : info.T_map_submap,
+                       .mesh = &meshes[i].mesh});
+  }
+  std::string bytes = WriteGlb(objects);
+  if (stop.stop_requested()) return nullptr;
+  std::string etag = "g" + HistoryText(Fingerprint(bytes));
+  return std::make_shared<const GlbFile>(GlbFile{std::move(bytes), std::move(etag)});
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/queries/glb_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/app/queries/mesh_export.h"
+#include "tests/unit/mapping/mesh/solid_submap.h"
+
+namespace dhpmap {
+namespace {
+
+std::shared_ptr<const GlbFile> FileOf(std::size_t num_bytes) {
+  return std::make_shared<const GlbFile>(GlbFile{std::string(num_bytes, 'x'), "g"});
+}
+
+TEST(GlbCache, ForgetsWhatWasNotAskedForLongestAndKeepsToItsLimit) {
+  GlbCache cache(100);
+  const std::size_t before = CountOf(MemoryKind::kMeshing).now_bytes();
+  for (const std::uint64_t name : {1u, 2u, 3u}) cache.Put(name, FileOf(30));
+  EXPECT_NE(cache.Find(1), nullptr);
+  cache.Put(4, FileOf(30));
+  EXPECT_EQ(cache.Find(2), nullptr);
+  for (const std::uint64_t name : {1u, 3u, 4u}) EXPECT_NE(cache.Find(name), nullptr) << name;
+  EXPECT_EQ(cache.bytes(), 90u);
+  EXPECT_EQ(CountOf(MemoryKind::kMeshing).now_bytes() - before, 90u);
+}
+
+TEST(GlbCache, LeavesWhatWouldTakeMostOfItAndWhatItHas) {
+  GlbCache cache(100);
+  cache.Put(1, FileOf(51));
+  EXPECT_EQ(cache.Find(1), nullptr);
+  const auto first = FileOf(50);
+  cache.Put(2, first);
+  cache.Put(2, FileOf(50));
+  EXPECT_EQ(cache.Find(2), first);
+  EXPECT_EQ(cache.bytes(), 50u);
+}
+
+/// Two balls far from each other, and a room that notes what was taken of it.
+class KeptGlb : public ::testing::Test {
+ protected:
+  static Submap Ball(std::uint32_t id, double x_m) {
+    const int block = static_cast<int>(x_m / (kBlockSide * testing::kVoxel_m));
+    Submap ball = testing::SolidSubmap(testing::Sphere({x_m, 0, 0}, 0.3), {block - 2, -2, -2}, {block + 2, 1, 1});
+    ball.mutable_info().id = SubmapId(id);
+    ball.UpdateBoundingSphere();
+    return ball;
+  }
+  static std::shared_ptr<const MapSnapshot> MapOf(std::vector<Submap> submaps) {
+    MapInfo info;
+    info.name = "map";
+    info.config.voxel_size_m = testing::kVoxel_m;
+    std::vector<std::shared_ptr<const Submap>> shared;
+    for (Submap& submap : submaps) shared.push_back(std::make_shared<const Submap>(std::move(submap)));
+    return std::make_shared<const MapSnapshot>(info, std::move(shared));
+  }
+  /// Its etag; counts in num_made_ if it had to be made.
+  std::string EtagOfOne(const std::shared_ptr<const MapSnapshot>& map, std::uint32_t id) {
+    const MeshRequest request{.submap = SubmapId(id), .format = MeshFormat::kGlb};
+    auto file = ExportGlb(map, request, cache_, [this](std::size_t num_bytes) {
+      EXPECT_GT(num_bytes, 0u);
+      ++num_made_;
+      return Status::Ok();
+    });
+    EXPECT_TRUE(file.ok());
+    std::string bytes, piece;
+    while (file->Next(piece)) bytes += piece;
+    EXPECT_EQ(bytes.size(), file->num_bytes());
+    EXPECT_EQ(bytes.substr(0, 4), "glTF");
+    return file->etag();
+  }
+
+  GlbCache cache_{1u << 20};
+  int num_made_ = 0;
+};
+
+TEST_F(KeptGlb, OfTheSameStateTakesNeitherRoomNorTimeAgain) {
+  const auto map = MapOf({Ball(1, 0), Ball(2, 20)});
+  const std::string etag = EtagOfOne(map, 1);
+  EXPECT_EQ(EtagOfOne(map, 1), etag);
+  EXPECT_EQ(num_made_, 1);
+  EXPECT_NE(EtagOfOne(map, 2), etag);
+  EXPECT_EQ(num_made_, 2);
+  // A later state that shares both, and has something new beside: only what is near that is made again.
+  std::vector<std::shared_ptr<const Submap>> submaps(map->submaps().begin(), map->submaps().end());
+  submaps.push_back(std::make_shared<const Submap>(Ball(3, 20.2)));
+  const auto later = std::make_shared<const MapSnapshot>(map->info(), std::move(submaps));
+  EXPECT_EQ(EtagOfOne(later, 1), etag);
+  EXPECT_EQ(num_made_, 2);
+  (void)EtagOfOne(later, 2);
+  EXPECT_EQ(num_made_, 3);
+}
+
+TEST_F(KeptGlb, OfNoSuchSubmapOrWithoutRoomIsAnErrorThatKeepsNothing) {
+  const MeshRequest none{.submap = SubmapId(7), .format = MeshFormat::kGlb};
+  const auto room_for = [](std::size_t) { return Status::Ok(); };
+  EXPECT_EQ(ExportGlb(MapOf({Ball(1, 0)}), none, cache_, room_for).status().reason(), Reason("SUBMAP_NOT_FOUND"));
+  const MeshRequest one{.submap = SubmapId(1), .format = MeshFormat::kGlb};
+  const auto no_room = [](std::size_t) { return Status(ResourceExhausted("full")); };
+  EXPECT_EQ(ExportGlb(MapOf({Ball(1, 0)}), one, cache_, no_room).status().code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(cache_.bytes(), 0u);
+}
+
+}  // namespace
+}  // namespace dhpmap
